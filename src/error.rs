@@ -1,0 +1,124 @@
+//! Everything that can be wrong with an input, as a value.
+//!
+//! Trouble that arises while solving is not an error: it is a [`Status`](crate::solver::Status) in
+//! the solution. An [`Error`] says that the input itself cannot be used, where, and why.
+
+use std::fmt;
+
+/// At most this many defects are listed in one message; the rest is counted.
+const LISTED: usize = 20;
+
+/// A result whose error is an [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// An input that cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Error {
+    /// A file that cannot be read or written, or a directory that cannot be made.
+    #[error("{path}: {reason}")]
+    File {
+        /// The path as the user gave it.
+        path: String,
+        /// What the operating system said.
+        reason: String,
+    },
+    /// A name that is not in a list: a solver, a scene, a report.
+    #[error("there is no {kind} named {name:?}; there are {}", known.join(", "))]
+    Unknown {
+        /// What kind of thing was asked for.
+        kind: &'static str,
+        /// The name that was asked for.
+        name: String,
+        /// The names that exist.
+        known: Vec<String>,
+    },
+    /// An input with defects, all of them found in one pass.
+    #[error("{}", list(input, defects))]
+    Invalid {
+        /// The file, or the name of the thing that was to be made.
+        input: String,
+        /// What is wrong with it.
+        defects: Vec<Defect>,
+    },
+}
+
+/// One thing that is wrong with an input.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Defect {
+    /// The line, field or row, for example `lo[3]` or `line 12: bodies[2].mass`.
+    pub place: String,
+    /// The reason, with the offending numbers in it.
+    pub reason: String,
+}
+
+impl fmt::Display for Defect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.reason)
+    }
+}
+
+/// Collects the defects of an input, so that one message reports all of them.
+///
+/// ```
+/// use lcplab::error::Defects;
+///
+/// let mut defects = Defects::default();
+/// defects.add("lo[3]", "is 2, above hi[3] = 1");
+/// let error = defects.into_result("box.json").unwrap_err();
+/// assert_eq!(error.to_string(), "box.json: lo[3]: is 2, above hi[3] = 1");
+/// ```
+#[derive(Debug, Default)]
+pub struct Defects(Vec<Defect>);
+
+impl Defects {
+    /// Adds one defect.
+    pub fn add(&mut self, place: impl Into<String>, reason: impl Into<String>) {
+        self.0.push(Defect { place: place.into(), reason: reason.into() });
+    }
+
+    /// Whether nothing was found wrong so far.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// `Ok` if nothing was found wrong with the `input` named.
+    pub fn into_result(self, input: impl Into<String>) -> Result<()> {
+        if self.0.is_empty() {
+            return Ok(());
+        }
+        Err(Error::Invalid { input: input.into(), defects: self.0 })
+    }
+}
+
+impl Error {
+    /// An error with a single defect.
+    pub fn invalid(
+        input: impl Into<String>,
+        place: impl Into<String>,
+        reason: impl Into<String>,
+    ) -> Self {
+        Error::Invalid {
+            input: input.into(),
+            defects: vec![Defect { place: place.into(), reason: reason.into() }],
+        }
+    }
+
+    /// A failed operation on a file.
+    pub fn file(path: &std::path::Path, cause: &std::io::Error) -> Self {
+        Error::File { path: path.display().to_string(), reason: cause.to_string() }
+    }
+}
+
+fn list(input: &str, defects: &[Defect]) -> String {
+    if let [only] = defects {
+        return format!("{input}: {only}");
+    }
+    let mut text = format!("{input}: {} defects", defects.len());
+    for defect in defects.iter().take(LISTED) {
+        text += &format!("\n  {defect}");
+    }
+    if defects.len() > LISTED {
+        text += &format!("\n  and {} more", defects.len() - LISTED);
+    }
+    text
+}

@@ -1,0 +1,96 @@
+//! Rows whose bounds are ±μ times another row's x: the box model of dry friction.
+//!
+//! Row i is a tangential direction of a contact, row k its normal one, and
+//! −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0). Open Dynamics Engine calls k the `findex` of i.
+//! `math §5`, model 2.
+
+use crate::error::{Defects, Result};
+
+/// For some rows i the row k and the coefficient μ that bound them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coupling {
+    /// For each row the row that bounds it, if any.
+    index: Vec<Option<usize>>,
+    /// For each row its coefficient of friction; unused where there is no index.
+    mu: Vec<f64>,
+}
+
+impl Coupling {
+    /// The coupling with `index[i] = Some(k)` for −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0).
+    ///
+    /// # Errors
+    /// Lists each row where k is out of range, k = i, row k is coupled itself, or μ is negative or
+    /// not finite.
+    pub fn new(index: Vec<Option<usize>>, mu: Vec<f64>) -> Result<Self> {
+        let mut defects = Defects::default();
+        let n = index.len();
+        if mu.len() != n {
+            defects.add("mu", format!("has {} rows, friction_index has {n}", mu.len()));
+        }
+        for (i, k) in index.iter().enumerate().filter_map(|(i, k)| k.map(|k| (i, k))) {
+            let place = format!("friction_index[{i}]");
+            if k >= n {
+                defects.add(place, format!("is {k}, there are only {n} rows"));
+            } else if k == i {
+                defects.add(place, format!("is {k}: a row cannot bound itself"));
+            } else if index[k].is_some() {
+                defects.add(place, format!("is {k}, which is a friction row itself"));
+            }
+            if let Some(mu) = mu.get(i).filter(|mu| !(mu.is_finite() && **mu >= 0.0)) {
+                defects.add(format!("mu[{i}]"), format!("must be at least 0, is {mu}"));
+            }
+        }
+        defects.into_result("problem")?;
+        Ok(Coupling { index, mu })
+    }
+
+    /// Whether no row is coupled.
+    pub fn is_empty(&self) -> bool {
+        self.index.iter().all(Option::is_none)
+    }
+
+    /// The coupled rows i with the row k that bounds each.
+    pub fn rows(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.index.iter().enumerate().filter_map(|(i, k)| k.map(|k| (i, k)))
+    }
+
+    /// The row that bounds row i, if it is coupled.
+    pub fn index(&self, i: usize) -> Option<usize> {
+        self.index[i]
+    }
+
+    /// The coefficient of row i.
+    pub fn mu(&self, i: usize) -> f64 {
+        self.mu[i]
+    }
+
+    /// The bounds of row i at x, if it is coupled.
+    pub fn bounds(&self, i: usize, x: &[f64]) -> Option<(f64, f64)> {
+        self.index[i].map(|k| {
+            let limit = self.mu[i] * x[k].max(0.0);
+            (-limit, limit)
+        })
+    }
+
+    pub(super) fn check(&self, lo: &[f64], hi: &[f64]) -> Result<()> {
+        let mut defects = Defects::default();
+        if self.index.len() != lo.len() {
+            let reason = format!("has {} rows, A has {}", self.index.len(), lo.len());
+            defects.add("friction_index", reason);
+            return defects.into_result("problem");
+        }
+        for (i, k) in self.rows() {
+            for (name, bound) in [("lo", lo[i]), ("hi", hi[i])] {
+                if bound.is_finite() {
+                    let reason = format!("is {bound}, but row {i} is bounded by mu[{i}] x[{k}]");
+                    defects.add(format!("{name}[{i}]"), reason);
+                }
+            }
+            if lo[k] < 0.0 {
+                let reason = format!("is {k}, whose lower bound {} is below 0", lo[k]);
+                defects.add(format!("friction_index[{i}]"), reason);
+            }
+        }
+        defects.into_result("problem")
+    }
+}

@@ -1,0 +1,30 @@
+//! Gauss's principle of least constraint: the primal quadratic program of the same motion.
+//!
+//! ```text
+//! min over u, s   ½ (u − u*)ᵀ M (u − u*) + ½ Σ γ_i s_i² + Σ σ_i(−(J u + bias + γ s)_i)
+//! σ_i(t) = max { x t : lo_i ≤ x ≤ hi_i }
+//! ```
+//!
+//! Its optimal value is minus that of the LCP's quadratic program with A = J M⁻¹ Jᵀ + diag(γ) and
+//! b = J u* + bias, and u = u* + M⁻¹ Jᵀ x. It never forms A, so it checks the assembly of A as well
+//! as the solver. `math §3`, `math §7`.
+
+/// The data of the primal program; u has k entries, there are n rows.
+#[derive(Debug, Clone, Default)]
+pub struct Gauss {
+    /// The upper triangle (row ≤ column) of M (k × k), positive definite; immovable bodies are
+    /// left out.
+    pub mass: Vec<(usize, usize, f64)>,
+    /// The n rows of J, each as entries (column, value).
+    pub jacobian: Vec<Vec<(usize, f64)>>,
+    /// The n offsets added to J u.
+    pub bias: Vec<f64>,
+    /// The n compliances γ ≥ 0 on the diagonal of A (CFM).
+    pub compliance: Vec<f64>,
+    /// The k unconstrained velocities u*.
+    pub target: Vec<f64>,
+    /// The n lower bounds on x.
+    pub lo: Vec<f64>,
+    /// The n upper bounds on x.
+    pub hi: Vec<f64>,
+}

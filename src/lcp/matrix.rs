@@ -1,0 +1,172 @@
+//! The square matrix A of an LCP: dense or sparse behind one set of operations.
+//!
+//! Every solver needs the same few things of A, one row at a time: the product of a row with x, the
+//! diagonal, and the entries of a row. Rows are contiguous in both storages.
+
+use faer::sparse::{SparseRowMat, SparseRowMatRef, Triplet};
+use nalgebra::{DMatrix, DMatrixView};
+
+/// The square matrix A.
+#[derive(Debug, Clone)]
+pub enum Matrix {
+    /// All n² entries. Held as Aᵀ, because nalgebra stores columns: column i is row i of A.
+    Dense(DMatrix<f64>),
+    /// The stored entries only, by rows, columns ascending in each row.
+    Sparse(SparseRowMat<usize, f64>),
+}
+
+impl Matrix {
+    /// A dense A from its rows.
+    ///
+    /// ```
+    /// # use lcplab::lcp::Matrix;
+    /// let a = Matrix::dense(2, &[2.0, -1.0, 0.0, 3.0]);
+    /// assert_eq!(a.row_dot(0, &[1.0, 1.0]), 1.0);
+    /// assert_eq!(a.diagonal(1), 3.0);
+    /// ```
+    ///
+    /// # Panics
+    /// If there are not n² entries.
+    pub fn dense(n: usize, entries_by_rows: &[f64]) -> Self {
+        assert_eq!(entries_by_rows.len(), n * n, "a dense matrix needs n² entries");
+        Matrix::Dense(DMatrix::from_column_slice(n, n, entries_by_rows))
+    }
+
+    /// A sparse A from entries (row, column, value); entries at the same place add up.
+    ///
+    /// # Panics
+    /// If an index is not below n.
+    pub fn sparse(n: usize, entries: &[(usize, usize, f64)]) -> Self {
+        let triplets: Vec<_> =
+            entries.iter().map(|&(row, col, val)| Triplet { row, col, val }).collect();
+        let sparse = SparseRowMat::try_new_from_triplets(n, n, &triplets)
+            .expect("indices below n, sizes that fit in memory");
+        Matrix::Sparse(sparse)
+    }
+
+    /// The number of rows, n.
+    pub fn len(&self) -> usize {
+        match self {
+            Matrix::Dense(transposed) => transposed.ncols(),
+            Matrix::Sparse(rows) => rows.nrows(),
+        }
+    }
+
+    /// Whether n = 0.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The number of stored entries: n² for a dense matrix.
+    pub fn stored(&self) -> usize {
+        match self {
+            Matrix::Dense(transposed) => transposed.len(),
+            Matrix::Sparse(rows) => rows.compute_nnz(),
+        }
+    }
+
+    /// The stored entries (j, a_ij) of row i, j ascending.
+    pub fn row(&self, i: usize) -> Row<'_> {
+        match self {
+            Matrix::Dense(transposed) => {
+                let n = transposed.nrows();
+                Row { columns: None, values: &transposed.as_slice()[i * n..(i + 1) * n] }
+            }
+            Matrix::Sparse(rows) => {
+                let rows: SparseRowMatRef<'_, usize, f64> = rows.as_ref();
+                let range = rows.symbolic().row_range(i);
+                Row {
+                    columns: Some(&rows.symbolic().col_idx()[range.clone()]),
+                    values: &rows.val()[range],
+                }
+            }
+        }
+    }
+
+    /// Row i times x.
+    pub fn row_dot(&self, i: usize, x: &[f64]) -> f64 {
+        let row = self.row(i);
+        match row.columns {
+            None => dot(row.values, x),
+            Some(columns) => columns.iter().zip(row.values).map(|(&j, a)| a * x[j]).sum(),
+        }
+    }
+
+    /// The entry a_ii.
+    pub fn diagonal(&self, i: usize) -> f64 {
+        self.entry(i, i)
+    }
+
+    /// The entry a_ij, 0 where none is stored.
+    pub fn entry(&self, i: usize, j: usize) -> f64 {
+        let row = self.row(i);
+        match row.columns {
+            None => row.values[j],
+            Some(columns) => columns.binary_search(&j).map_or(0.0, |k| row.values[k]),
+        }
+    }
+
+    /// Whether a_ij = a_ji for all entries, exactly.
+    pub fn is_symmetric(&self) -> bool {
+        (0..self.len())
+            .all(|i| self.row(i).iter().all(|(j, a)| j == i || self.entry(j, i) == a))
+    }
+
+    /// The matrix as dense nalgebra matrix (n² entries are allocated).
+    pub fn to_dense(&self) -> DMatrix<f64> {
+        match self {
+            Matrix::Dense(transposed) => transposed.transpose(),
+            Matrix::Sparse(_) => {
+                let mut dense = DMatrix::zeros(self.len(), self.len());
+                for i in 0..self.len() {
+                    for (j, a) in self.row(i).iter() {
+                        dense[(i, j)] += a;
+                    }
+                }
+                dense
+            }
+        }
+    }
+
+    /// The places (i, j) of the nonzero entries, row by row.
+    pub fn pattern(&self) -> Vec<(usize, usize)> {
+        let nonzero = |i| self.row(i).iter().filter(|&(_, a)| a != 0.0).map(move |(j, _)| (i, j));
+        (0..self.len()).flat_map(|i| nonzero(i).collect::<Vec<_>>()).collect()
+    }
+}
+
+impl From<DMatrixView<'_, f64>> for Matrix {
+    fn from(dense: DMatrixView<'_, f64>) -> Self {
+        Matrix::Dense(dense.transpose())
+    }
+}
+
+/// The stored entries of one row.
+#[derive(Debug, Clone, Copy)]
+pub struct Row<'a> {
+    columns: Option<&'a [usize]>,
+    values: &'a [f64],
+}
+
+impl<'a> Row<'a> {
+    /// The entries (j, a_ij), j ascending.
+    pub fn iter(self) -> impl Iterator<Item = (usize, f64)> + 'a {
+        let column = move |k| self.columns.map_or(k, |columns| columns[k]);
+        self.values.iter().enumerate().map(move |(k, &a)| (column(k), a))
+    }
+}
+
+/// xᵀy with eight partial sums in a fixed order: the same bits on every processor, and a form that
+/// compilers turn into vector instructions.
+pub fn dot(x: &[f64], y: &[f64]) -> f64 {
+    let mut lanes = [0.0; 8];
+    let (x_blocks, y_blocks) = (x.chunks_exact(8), y.chunks_exact(8));
+    let tail: f64 = x_blocks.remainder().iter().zip(y_blocks.remainder()).map(|(a, b)| a * b).sum();
+    for (a, b) in x_blocks.zip(y_blocks) {
+        for lane in 0..8 {
+            lanes[lane] += a[lane] * b[lane];
+        }
+    }
+    let [a, b, c, d, e, f, g, h] = lanes;
+    (((a + e) + (c + g)) + ((b + f) + (d + h))) + tail
+}

@@ -1,0 +1,1 @@
+//! How good is x? One function a measure.

@@ -1,0 +1,162 @@
+//! Problems in numbers alone: the boxed linear complementarity problem.
+//!
+//! ```text
+//! w = A x + b,   lo ≤ x ≤ hi,   w_i > 0 ⇒ x_i = lo_i,   w_i < 0 ⇒ x_i = hi_i
+//! ```
+//!
+//! (K&M (1) with the signs settled, E01.) A row with bounds 0 and ∞ is a contact, one with −∞ and ∞
+//! an equation w_i = 0, one with lo = hi pins x_i and leaves w_i free. A row may be *coupled* to
+//! another one ([`Coupling`]): its bounds are then ±μ times that row's x, which is dry friction.
+
+mod coupled;
+pub mod file;
+mod gauss;
+mod matrix;
+pub mod merit;
+
+pub use coupled::Coupling;
+pub use gauss::Gauss;
+pub use matrix::{Matrix, Row, dot};
+
+use crate::error::{Defects, Result};
+
+/// A boxed LCP. It is valid from construction on: sizes agree, all numbers of A and b are finite,
+/// no bound is NaN and lo ≤ hi, so no solver checks again.
+#[derive(Debug, Clone)]
+pub struct Lcp {
+    matrix: Matrix,
+    b: Vec<f64>,
+    lo: Vec<f64>,
+    hi: Vec<f64>,
+    coupling: Option<Coupling>,
+}
+
+impl Lcp {
+    /// The problem with matrix A (n × n), offset b and bounds lo ≤ x ≤ hi (n each).
+    ///
+    /// The unit of b is that of w (a velocity or an acceleration), the unit of x that of an impulse
+    /// or a force.
+    ///
+    /// # Errors
+    /// One [`Error::Invalid`](crate::error::Error::Invalid) that lists every defect.
+    ///
+    /// ```
+    /// use lcplab::lcp::{Lcp, Matrix};
+    ///
+    /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// assert_eq!(lcp.w(&[0.5, 0.0]), [0.0, 1.5]); // row 0 is free, row 1 rests at its lower bound
+    /// # Ok::<(), lcplab::error::Error>(())
+    /// ```
+    pub fn new(matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Result<Self> {
+        let mut defects = Defects::default();
+        let n = matrix.len();
+        for (name, values) in [("b", &b), ("lo", &lo), ("hi", &hi)] {
+            if values.len() != n {
+                defects.add(name, format!("has {} rows, A is {n} × {n}", values.len()));
+            }
+        }
+        for i in 0..n {
+            for (j, a) in matrix.row(i).iter().filter(|(_, a)| !a.is_finite()) {
+                defects.add(format!("A[{i}][{j}]"), format!("must be finite, is {a}"));
+            }
+        }
+        for (i, value) in b.iter().enumerate().filter(|(_, value)| !value.is_finite()) {
+            defects.add(format!("b[{i}]"), format!("must be finite, is {value}"));
+        }
+        for (i, (lo, hi)) in lo.iter().zip(&hi).enumerate() {
+            check_bounds(i, *lo, *hi, &mut defects);
+        }
+        defects.into_result("problem")?;
+        Ok(Lcp { matrix, b, lo, hi, coupling: None })
+    }
+
+    /// The same problem with some rows bounded by ±μ times another row's x.
+    ///
+    /// # Errors
+    /// Lists every row whose coupling is impossible: see [`Coupling`].
+    pub fn with_coupling(mut self, coupling: Coupling) -> Result<Self> {
+        coupling.check(&self.lo, &self.hi)?;
+        for (i, _) in coupling.rows() {
+            (self.lo[i], self.hi[i]) = (f64::NEG_INFINITY, f64::INFINITY);
+        }
+        self.coupling = (!coupling.is_empty()).then_some(coupling);
+        Ok(self)
+    }
+
+    /// The number of rows, n.
+    pub fn len(&self) -> usize {
+        self.b.len()
+    }
+
+    /// Whether n = 0.
+    pub fn is_empty(&self) -> bool {
+        self.b.is_empty()
+    }
+
+    /// The matrix A.
+    pub fn matrix(&self) -> &Matrix {
+        &self.matrix
+    }
+
+    /// The offset b.
+    pub fn b(&self) -> &[f64] {
+        &self.b
+    }
+
+    /// The lower bounds; −∞ for a coupled row.
+    pub fn lo(&self) -> &[f64] {
+        &self.lo
+    }
+
+    /// The upper bounds; ∞ for a coupled row.
+    pub fn hi(&self) -> &[f64] {
+        &self.hi
+    }
+
+    /// Which rows are bounded by another row's x, if any.
+    pub fn coupling(&self) -> Option<&Coupling> {
+        self.coupling.as_ref()
+    }
+
+    /// The bounds of row i at x: those of the file, or ±μ max(x_k, 0) for a coupled row.
+    pub fn bounds(&self, i: usize, x: &[f64]) -> (f64, f64) {
+        self.coupling
+            .as_ref()
+            .and_then(|coupling| coupling.bounds(i, x))
+            .unwrap_or((self.lo[i], self.hi[i]))
+    }
+
+    /// Π_i(value): the nearest number within the bounds of row i at x. K&M (3).
+    pub fn project(&self, i: usize, value: f64, x: &[f64]) -> f64 {
+        let (lo, hi) = self.bounds(i, x);
+        value.max(lo).min(hi)
+    }
+
+    /// w_i = (A x)_i + b_i.
+    pub fn row_w(&self, i: usize, x: &[f64]) -> f64 {
+        self.matrix.row_dot(i, x) + self.b[i]
+    }
+
+    /// w = A x + b.
+    pub fn w(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.len()).map(|i| self.row_w(i, x)).collect()
+    }
+
+    /// The boxed problem without coupling whose bounds are those of this one at x.
+    pub fn frozen_at(&self, x: &[f64]) -> Lcp {
+        let (lo, hi) = (0..self.len()).map(|i| self.bounds(i, x)).unzip();
+        Lcp { matrix: self.matrix.clone(), b: self.b.clone(), lo, hi, coupling: None }
+    }
+}
+
+fn check_bounds(i: usize, lo: f64, hi: f64, defects: &mut Defects) {
+    for (name, value, impossible) in [("lo", lo, f64::INFINITY), ("hi", hi, f64::NEG_INFINITY)] {
+        if value.is_nan() || value == impossible {
+            defects.add(format!("{name}[{i}]"), format!("is {value}, no number can meet it"));
+        }
+    }
+    if lo > hi {
+        defects.add(format!("lo[{i}]"), format!("is {lo}, above hi[{i}] = {hi}"));
+    }
+}

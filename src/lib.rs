@@ -1,0 +1,7 @@
+//! A verification and teaching toolkit for rigid-body contact solvers.
+
+pub mod error;
+
+pub mod lcp;
+
+pub mod solver;

@@ -1,0 +1,45 @@
+//! Methods that solve an LCP, one a file, all behind one trait.
+//!
+//! A solver sees numbers only: no body, no contact. What it says of its own answer is its
+//! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide.
+
+mod observer;
+mod settings;
+mod solution;
+
+pub use observer::{Event, Iterate, Observer};
+pub use settings::Settings;
+pub use solution::{Solution, Status};
+
+use crate::lcp::Lcp;
+
+/// A method that solves boxed LCPs.
+pub trait Solver: Send + Sync {
+    /// The name in the registry, on the command line and in every table.
+    fn name(&self) -> &'static str;
+
+    /// Solves the problem from a start, telling the observer of each iterate.
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution;
+}
+
+/// Where a solver starts.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Start<'a> {
+    /// A guess of x (n entries), for example the last step's impulses; 0 without one.
+    pub x: Option<&'a [f64]>,
+}
+
+impl Start<'_> {
+    /// The starting point: the guess or 0, moved into the bounds.
+    pub fn point(&self, lcp: &Lcp) -> Vec<f64> {
+        let mut x = self.x.map_or_else(|| vec![0.0; lcp.len()], <[f64]>::to_vec);
+        assert_eq!(x.len(), lcp.len(), "a start needs one entry a row");
+        for i in 0..x.len() {
+            x[i] = x[i].max(lcp.lo()[i]).min(lcp.hi()[i]);
+        }
+        for i in 0..x.len() {
+            x[i] = lcp.project(i, x[i], &x);
+        }
+        x
+    }
+}

@@ -1,0 +1,85 @@
+//! What a solver returns: x, the w that belongs to it, and the solver's own word on it.
+
+use std::fmt;
+
+use crate::lcp::Lcp;
+
+/// A solver's answer. There is no time in it: a solution is the same on every machine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// The unknowns, n entries.
+    pub x: Vec<f64>,
+    /// w = A x + b, recomputed from x when the solution was made.
+    pub w: Vec<f64>,
+    /// The solver's claim.
+    pub status: Status,
+    /// Sweeps, pivots or Newton steps that were done.
+    pub iterations: usize,
+}
+
+impl Solution {
+    /// The solution with this x; w is recomputed.
+    pub fn new(lcp: &Lcp, x: Vec<f64>, status: Status, iterations: usize) -> Self {
+        Solution { w: lcp.w(&x), x, status, iterations }
+    }
+}
+
+/// A solver's own word on its answer. Only [`Status::Solved`] claims that x is a solution.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Status {
+    /// The scaled residual of x is at most the tolerance.
+    Solved,
+    /// The method ended, but the residual of x is above the tolerance; x is the best it found.
+    Inaccurate,
+    /// The iteration limit was reached; x is the last iterate.
+    IterationLimit,
+    /// No progress any more; x is the last iterate.
+    Stalled,
+    /// The observer asked to stop; x is the last iterate.
+    Stopped,
+    /// The iterates grow without bound; x is the last finite iterate.
+    Diverged,
+    /// An iterate was not finite; x is the last finite one.
+    NotFinite,
+    /// Row `row` has a_ii ≤ 0, by which the method divides; x is the iterate before that.
+    ZeroDiagonal {
+        /// The row.
+        row: usize,
+    },
+    /// The equations of the active set that contains `row` could not be solved.
+    Singular {
+        /// The row.
+        row: usize,
+    },
+    /// x can move along `direction` for ever without moving w_`row` towards 0: as far as the
+    /// solver can tell there is no solution. x is the point where the ray starts.
+    Ray {
+        /// The row that could not be satisfied.
+        row: usize,
+        /// The ray, n entries.
+        direction: Vec<f64>,
+    },
+    /// The method is not made for this problem; x is the start.
+    OutsideClass {
+        /// Which property the problem lacks.
+        reason: &'static str,
+    },
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Status::Solved => write!(f, "solved"),
+            Status::Inaccurate => write!(f, "ended above the tolerance"),
+            Status::IterationLimit => write!(f, "iteration limit"),
+            Status::Stalled => write!(f, "no more progress"),
+            Status::Stopped => write!(f, "stopped by the observer"),
+            Status::Diverged => write!(f, "diverged"),
+            Status::NotFinite => write!(f, "an iterate was not finite"),
+            Status::ZeroDiagonal { row } => write!(f, "the diagonal of row {row} is not positive"),
+            Status::Singular { row } => write!(f, "singular at row {row}"),
+            Status::Ray { row, .. } => write!(f, "a ray: row {row} cannot be satisfied"),
+            Status::OutsideClass { reason } => write!(f, "outside the solver's class: {reason}"),
+        }
+    }
+}
