@@ -108,8 +108,7 @@ impl Matrix {
 
     /// Whether a_ij = a_ji for all entries, exactly.
     pub fn is_symmetric(&self) -> bool {
-        (0..self.len())
-            .all(|i| self.row(i).iter().all(|(j, a)| j == i || self.entry(j, i) == a))
+        (0..self.len()).all(|i| self.row(i).iter().all(|(j, a)| j == i || self.entry(j, i) == a))
     }
 
     /// The matrix as dense nalgebra matrix (n² entries are allocated).

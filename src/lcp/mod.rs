@@ -18,13 +18,16 @@ pub use coupled::Coupling;
 pub use gauss::Gauss;
 pub use matrix::{Matrix, Row, dot};
 
+use std::sync::Arc;
+
 use crate::error::{Defects, Result};
 
 /// A boxed LCP. It is valid from construction on: sizes agree, all numbers of A and b are finite,
 /// no bound is NaN and lo ≤ hi, so no solver checks again.
 #[derive(Debug, Clone)]
 pub struct Lcp {
-    matrix: Matrix,
+    /// Shared, so that the same problem with other bounds costs no copy of A.
+    matrix: Arc<Matrix>,
     b: Vec<f64>,
     lo: Vec<f64>,
     hi: Vec<f64>,
@@ -68,7 +71,7 @@ impl Lcp {
             check_bounds(i, *lo, *hi, &mut defects);
         }
         defects.into_result("problem")?;
-        Ok(Lcp { matrix, b, lo, hi, coupling: None })
+        Ok(Lcp { matrix: Arc::new(matrix), b, lo, hi, coupling: None })
     }
 
     /// The same problem with some rows bounded by ±μ times another row's x.
@@ -146,7 +149,7 @@ impl Lcp {
     /// The boxed problem without coupling whose bounds are those of this one at x.
     pub fn frozen_at(&self, x: &[f64]) -> Lcp {
         let (lo, hi) = (0..self.len()).map(|i| self.bounds(i, x)).unzip();
-        Lcp { matrix: self.matrix.clone(), b: self.b.clone(), lo, hi, coupling: None }
+        Lcp { matrix: Arc::clone(&self.matrix), b: self.b.clone(), lo, hi, coupling: None }
     }
 }
 

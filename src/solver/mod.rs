@@ -3,11 +3,19 @@
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
 //! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide.
 
+mod dantzig;
+mod frozen;
+mod ldlt;
 mod observer;
+mod pgs;
+mod registry;
 mod settings;
 mod solution;
 
+pub use dantzig::Dantzig;
 pub use observer::{Event, Iterate, Observer};
+pub use pgs::Pgs;
+pub use registry::{ALL, Entry, Options, by_name};
 pub use settings::Settings;
 pub use solution::{Solution, Status};
 

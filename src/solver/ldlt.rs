@@ -1,0 +1,87 @@
+//! The factorisation A_CC = L D Lᵀ of a growing and shrinking set C of rows.
+//!
+//! Appending a row solves one triangular system, O(c²) for c rows. Removing row k deletes it from L
+//! and repairs the rows below by a positive rank-1 update (method C1 of Gill, Golub, Murray &
+//! Saunders 1974), which is stable because d_k > 0.
+
+/// L D Lᵀ with unit lower triangular L and positive diagonal D.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Ldlt {
+    /// Row i of L without its unit diagonal: i entries.
+    lower: Vec<Vec<f64>>,
+    diagonal: Vec<f64>,
+}
+
+impl Ldlt {
+    /// The solution z of L D Lᵀ z = rhs, in place.
+    pub(super) fn solve(&self, rhs: &mut [f64]) {
+        self.solve_lower(rhs);
+        for (z, d) in rhs.iter_mut().zip(&self.diagonal) {
+            *z /= d;
+        }
+        for i in (0..self.lower.len()).rev() {
+            let z = rhs[i];
+            for (r, l) in rhs.iter_mut().zip(&self.lower[i]) {
+                *r -= l * z; // rhs ← L⁻ᵀ rhs, by rows of L
+            }
+        }
+    }
+
+    /// Adds a row with `column` = A_Ci and the Schur complement of its diagonal entry.
+    pub(super) fn append(&mut self, column: &[f64], schur: f64) {
+        let mut l = column.to_vec();
+        self.solve_lower(&mut l);
+        for (l, d) in l.iter_mut().zip(&self.diagonal) {
+            *l /= d;
+        }
+        self.lower.push(l);
+        self.diagonal.push(schur);
+    }
+
+    /// Removes the row at position k.
+    pub(super) fn remove(&mut self, k: usize) {
+        self.lower.remove(k);
+        let mut alpha = self.diagonal.remove(k);
+        let below = &mut self.lower[k..];
+        let mut v: Vec<f64> = below.iter_mut().map(|row| row.remove(k)).collect();
+        for j in 0..v.len() {
+            // L D Lᵀ + α v vᵀ, one column of L at a time
+            let (p, d) = (v[j], self.diagonal[k + j]);
+            let d_new = d + alpha * p * p;
+            let beta = alpha * p / d_new;
+            alpha *= d / d_new;
+            self.diagonal[k + j] = d_new;
+            for r in j + 1..v.len() {
+                let l = &mut below[r][k + j];
+                v[r] -= p * *l;
+                *l += beta * v[r];
+            }
+        }
+    }
+
+    fn solve_lower(&self, rhs: &mut [f64]) {
+        for i in 0..self.lower.len() {
+            rhs[i] -= crate::lcp::dot(&self.lower[i], &rhs[..i]); // rhs ← L⁻¹ rhs
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ldlt;
+
+    #[test]
+    fn removing_a_row_leaves_the_factors_of_the_smaller_matrix() {
+        let a = [[4.0, 1.0, 2.0], [1.0, 3.0, 0.5], [2.0, 0.5, 5.0]];
+        let mut factor = Ldlt::default();
+        factor.append(&[], 4.0);
+        factor.append(&[1.0], 3.0 - 1.0 / 4.0);
+        let mut z = [2.0, 0.5];
+        factor.solve(&mut z);
+        factor.append(&[2.0, 0.5], 5.0 - 2.0 * z[0] - 0.5 * z[1]);
+        factor.remove(0);
+        let mut z = [a[1][1] + 2.0 * a[1][2], a[2][1] + 2.0 * a[2][2]]; // A_CC (1, 2)
+        factor.solve(&mut z);
+        assert!((z[0] - 1.0).abs() < 1e-14 && (z[1] - 2.0).abs() < 1e-14, "{z:?}");
+    }
+}
