@@ -5,3 +5,7 @@ pub mod error;
 pub mod lcp;
 
 pub mod solver;
+
+pub mod reference;
+
+pub mod certificate;

@@ -37,7 +37,11 @@ impl RowTerms {
     pub fn scaled_residual(&self, x: f64, lo: f64, hi: f64) -> f64 {
         let scale = if self.scale == 0.0 { 1.0 } else { self.scale };
         let residual = self.w.min(scale * (x - lo)).max(scale * (x - hi)).abs();
-        if residual == 0.0 { 0.0 } else { residual / self.magnitude }
+        match residual {
+            0.0 => 0.0,
+            _ if self.magnitude.is_infinite() => f64::INFINITY, // overflow hides every residual
+            _ => residual / self.magnitude,
+        }
     }
 }
 

@@ -11,10 +11,11 @@
 //! some w_j at a bound reaches zero (j enters C). A_CC = L D Lᵀ is kept up to date.
 //!
 //! Redundant contacts make A singular. Then s = 0 for a row that depends on C, and since A is
-//! semidefinite A d = 0: moving along d changes no w at all. So x moves until a bound stops it,
-//! that row leaves C, and the dependence is gone; if nothing stops it, bᵀd < 0 with A d = 0 proves
-//! that no solution exists (`Ray`). Whether s = 0 is decided relative to the terms it is summed
-//! from, so no unit matters. Ties go to the least index.
+//! semidefinite A d = 0: moving along d changes no w at all. If w_i = 0 already the row is *idle*:
+//! C keeps its w at zero, and when a row leaves C an idle one takes its place. Otherwise x moves
+//! until a bound stops it and that row leaves C; if nothing stops it, bᵀd < 0 with A d = 0 proves
+//! that no solution exists (`Ray`). Whether a number is zero is decided relative to the terms it is
+//! summed from, so no unit matters. Ties go to the least index.
 //!
 //! Ends with the exact active set but for rounding, after at most a few n pivots on contact
 //! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then w is recomputed,
@@ -27,8 +28,10 @@ use super::ldlt::Ldlt;
 use super::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use crate::lcp::{Lcp, merit};
 
-/// A number below this part of the terms it is summed from counts as zero.
+/// A coefficient below this part of the terms it is summed from counts as zero.
 const RELATIVE_ZERO: f64 = 1e-13;
+/// So does a w that cannot be moved: it carries the rounding of all moves before.
+const RELATIVE_ZERO_W: f64 = 1e-11;
 /// Rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 5;
 /// Above this many rows the dense factor would not fit.
@@ -72,8 +75,10 @@ impl Solver for Dantzig {
 enum Side {
     /// Not looked at yet: nothing is asked of its w.
     Waiting,
-    /// In C: strictly between its bounds, w = 0.
+    /// In C: w = 0 is kept by moving x.
     Free,
+    /// Its w is a combination of those of C, and zero with them.
+    Idle,
     /// At its lower bound, w ≥ 0.
     Lower,
     /// At its upper bound, w ≤ 0.
@@ -169,6 +174,11 @@ impl<'a> Run<'a> {
                 return ControlFlow::Break(Status::IterationLimit);
             }
             let direction = self.direction(i)?;
+            if direction.schur == 0.0 && self.is_zero_w(i) {
+                self.w[i] = 0.0;
+                self.side[i] = self.satisfied(i).unwrap_or(Side::Idle);
+                return ControlFlow::Continue(());
+            }
             let sign = -self.w[i].signum();
             let delta_w = self.delta_w(i, &direction);
             let Some(block) = self.blocking(i, sign, &direction, &delta_w) else {
@@ -189,11 +199,17 @@ impl<'a> Run<'a> {
     fn satisfied(&self, i: usize) -> Option<Side> {
         let (lo, hi, x, w) = (self.lcp.lo()[i], self.lcp.hi()[i], self.x[i], self.w[i]);
         match self.side[i] {
-            Side::Free => Some(Side::Free),
+            Side::Free | Side::Idle => Some(self.side[i]),
             _ if x == lo && (w >= 0.0 || lo == hi) => Some(Side::Lower),
             _ if x == hi && w <= 0.0 => Some(Side::Upper),
             _ => None,
         }
+    }
+
+    /// Whether w_i is nothing but rounding.
+    fn is_zero_w(&self, i: usize) -> bool {
+        let terms = merit::RowTerms::at(self.lcp, i, &self.x);
+        terms.w.abs() <= RELATIVE_ZERO_W * terms.magnitude
     }
 
     /// d_C = −A_CC⁻¹ A_Ci and the Schur complement s.
@@ -304,18 +320,38 @@ impl<'a> Run<'a> {
                 self.free.remove(k);
                 self.factor.remove(k);
                 self.w[row] = 0.0;
+                self.side[row] = side;
+                return self.wake_idle();
             }
             (_, Side::Free) => {
                 let d = if row == i { direction } else { self.direction(row)? };
                 if d.schur == 0.0 {
                     return ControlFlow::Break(Status::Singular { row });
                 }
-                self.factor.append(&d.column, d.schur);
-                self.free.push(row);
+                self.enter(row, d);
             }
-            _ => {}
+            _ => self.side[row] = side,
         }
-        self.side[row] = side;
+        ControlFlow::Continue(())
+    }
+
+    fn enter(&mut self, row: usize, direction: Direction) {
+        self.factor.append(&direction.column, direction.schur);
+        self.free.push(row);
+        self.side[row] = Side::Free;
+    }
+
+    /// After a row has left C, lets the idle row that no longer depends on C enter in its place.
+    fn wake_idle(&mut self) -> ControlFlow<Status> {
+        for row in 0..self.side.len() {
+            if self.side[row] == Side::Idle {
+                let direction = self.direction(row)?;
+                if direction.schur > 0.0 {
+                    self.enter(row, direction);
+                    break;
+                }
+            }
+        }
         ControlFlow::Continue(())
     }
 
@@ -346,7 +382,7 @@ impl<'a> Run<'a> {
             .collect();
         for &j in &unsatisfied {
             if self.side[j] != Side::Free {
-                self.side[j] = Side::Waiting;
+                self.side[j] = Side::Waiting; // to be driven once more
             }
         }
         unsatisfied

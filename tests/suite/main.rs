@@ -1,1 +1,7 @@
-fn main() {}
+//! The tests, one binary. The modules mirror `src`.
+
+mod certificate;
+mod common;
+mod lcp;
+mod reference;
+mod solver;

@@ -1,0 +1,31 @@
+//! Sums of products as if computed in twice the precision.
+//!
+//! Each product and each sum is split without error into a rounded value and its rounding error
+//! (Dekker, Knuth); the errors are summed beside (`Dot2` of Ogita, Rump & Oishi 2005). The result is
+//! as good as a quadruple-precision sum rounded once.
+
+/// A running sum Σ a·b with its accumulated rounding errors.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Sum {
+    value: f64,
+    error: f64,
+}
+
+impl Sum {
+    pub(super) fn add(&mut self, term: f64) {
+        let sum = self.value + term;
+        let part = sum - self.value;
+        self.error += (self.value - (sum - part)) + (term - part); // value + term = sum + this
+        self.value = sum;
+    }
+
+    pub(super) fn add_product(&mut self, a: f64, b: f64) {
+        let product = a * b;
+        self.error += a.mul_add(b, -product); // a b = product + this
+        self.add(product);
+    }
+
+    pub(super) fn rounded(self) -> f64 {
+        self.value + self.error
+    }
+}

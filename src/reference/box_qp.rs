@@ -1,0 +1,36 @@
+//! The LCP as a quadratic program over a box, by clarabel's interior-point method.
+//!
+//! ```text
+//! minimise ½ xᵀA x + bᵀx   subject to   lo ≤ x ≤ hi
+//! ```
+//!
+//! For symmetric positive semidefinite A its minimisers are the LCP's solutions: the multipliers of
+//! the bounds are the parts of w. `math §3`.
+
+use super::{Reference, program::Program};
+use crate::lcp::Lcp;
+
+/// Solves the problem as a box QP; `None` where that is not the same problem: A is not symmetric, or
+/// a row is coupled (freeze the bounds first with [`Lcp::frozen_at`]).
+pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
+    if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
+        return None;
+    }
+    let mut program = Program::with_costs(lcp.b().to_vec());
+    for i in 0..lcp.len() {
+        let upper = lcp.matrix().row(i).iter().filter(|&(j, _)| j >= i);
+        program.quadratic.extend(upper.map(|(j, a)| (i, j, a)));
+        let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
+        if lo == hi {
+            program.equate(vec![(i, 1.0)], lo);
+            continue;
+        }
+        if lo.is_finite() {
+            program.at_most(vec![(i, -1.0)], -lo);
+        }
+        if hi.is_finite() {
+            program.at_most(vec![(i, 1.0)], hi);
+        }
+    }
+    Some(program.solve())
+}

@@ -1,0 +1,27 @@
+//! Independent answers to the same problem, by methods that share no code with our solvers.
+//!
+//! [`box_qp`] asks clarabel, an interior-point code, for the minimum of ½ xᵀAx + bᵀx over the box:
+//! the dual view, in impulses. [`gauss`] asks it for the motion of least constraint: the primal
+//! view, in velocities, in which A is never formed.
+
+mod box_qp;
+mod gauss;
+mod program;
+
+pub use box_qp::box_qp;
+pub use gauss::gauss;
+
+/// A reference answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// The minimiser: x for the box QP, u for Gauss's principle.
+    pub point: Vec<f64>,
+    /// The optimal value as clarabel gives it.
+    pub objective: f64,
+    /// Interior-point iterations.
+    pub iterations: usize,
+    /// Clarabel's own status.
+    pub status: String,
+    /// Whether clarabel calls it solved, to full or reduced accuracy.
+    pub solved: bool,
+}

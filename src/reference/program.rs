@@ -1,0 +1,102 @@
+//! A convex quadratic program in clarabel's form, built up row by row.
+//!
+//! ```text
+//! minimise ½ zᵀP z + qᵀz   subject to   G z + s = h,   s = 0 or s ≥ 0 by rows
+//! ```
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
+};
+
+use super::Reference;
+
+/// Tolerance on gap and feasibility: tight, because the answer is a reference.
+const TOLERANCE: f64 = 1e-10;
+
+/// The program so far.
+#[derive(Debug, Default)]
+pub(super) struct Program {
+    /// q; its length is the number of variables.
+    pub(super) linear: Vec<f64>,
+    /// Entries (row ≤ column, value) of P.
+    pub(super) quadratic: Vec<(usize, usize, f64)>,
+    equations: Vec<(Vec<(usize, f64)>, f64)>,
+    inequalities: Vec<(Vec<(usize, f64)>, f64)>,
+}
+
+impl Program {
+    /// A program without constraints in as many variables as there are linear costs.
+    pub(super) fn with_costs(linear: Vec<f64>) -> Self {
+        Program { linear, ..Program::default() }
+    }
+
+    /// Adds a variable with this linear cost; returns its index.
+    pub(super) fn add_variable(&mut self, cost: f64) -> usize {
+        self.linear.push(cost);
+        self.linear.len() - 1
+    }
+
+    /// Σ g z = h.
+    pub(super) fn equate(&mut self, g: Vec<(usize, f64)>, h: f64) {
+        self.equations.push((g, h));
+    }
+
+    /// Σ g z ≤ h.
+    pub(super) fn at_most(&mut self, g: Vec<(usize, f64)>, h: f64) {
+        self.inequalities.push((g, h));
+    }
+
+    pub(super) fn solve(self) -> Reference {
+        let n = self.linear.len();
+        let p = csc(n, n, self.quadratic.into_iter());
+        let cones = [
+            SupportedConeT::ZeroConeT(self.equations.len()),
+            SupportedConeT::NonnegativeConeT(self.inequalities.len()),
+        ];
+        let rows: Vec<_> = self.equations.into_iter().chain(self.inequalities).collect();
+        let h: Vec<f64> = rows.iter().map(|(_, h)| *h).collect();
+        let entries = rows.iter().enumerate();
+        let entries = entries.flat_map(|(i, (g, _))| g.iter().map(move |&(j, v)| (i, j, v)));
+        let g = csc(rows.len(), n, entries);
+        let settings = DefaultSettingsBuilder::default()
+            .verbose(false)
+            .tol_gap_abs(TOLERANCE)
+            .tol_gap_rel(TOLERANCE)
+            .tol_feas(TOLERANCE)
+            .build();
+        let solver = settings.map_err(|e| e.to_string()).and_then(|settings| {
+            DefaultSolver::new(&p, &self.linear, &g, &h, &cones, settings)
+                .map_err(|e| e.to_string())
+        });
+        match solver {
+            Ok(mut solver) => {
+                solver.solve();
+                let solution = solver.solution;
+                let solved =
+                    matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved);
+                Reference {
+                    point: solution.x,
+                    objective: solution.obj_val,
+                    iterations: solution.iterations as usize,
+                    status: format!("{:?}", solution.status),
+                    solved,
+                }
+            }
+            Err(status) => {
+                let point = vec![f64::NAN; n];
+                Reference { point, objective: f64::NAN, iterations: 0, status, solved: false }
+            }
+        }
+    }
+}
+
+fn csc(rows: usize, cols: usize, entries: impl Iterator<Item = (usize, usize, f64)>) -> CscMatrix {
+    let (mut i, mut j, mut v) = (Vec::new(), Vec::new(), Vec::new());
+    for (row, col, value) in entries {
+        i.push(row);
+        j.push(col);
+        v.push(value);
+    }
+    CscMatrix::new_from_triplets(rows, cols, i, j, v)
+}

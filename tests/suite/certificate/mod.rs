@@ -1,0 +1,3 @@
+mod cross_check;
+mod exact;
+mod verdict;

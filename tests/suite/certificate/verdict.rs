@@ -1,0 +1,108 @@
+use lcplab::certificate::{Demand, Verdict, judge};
+use proptest::prelude::*;
+
+use crate::common::{INF, assert_proved, boxed, cases, contacts, manufactured};
+
+#[test]
+fn a_solution_is_proved_and_a_point_beside_it_is_refuted() {
+    // 2x − 4 on [0, 10]: x = 2 (E01).
+    let lcp = boxed(&[&[2.0]], &[-4.0], &[0.0], &[10.0]);
+    assert_proved(&lcp, &[2.0]);
+    let certificate = judge(&lcp, &[2.001], &Demand::default());
+    // |w| = 0.002 of the terms 4.002 + 4
+    let Verdict::NotASolution { row: 0, amount } = certificate.verdict else { panic!() };
+    assert!((amount - 0.002 / 8.002).abs() < 1e-12);
+}
+
+#[test]
+fn a_pinned_row_leaves_its_w_free() {
+    let lcp = boxed(&[&[1.0, 0.5], &[0.5, 1.0]], &[7.0, -1.0], &[2.0, 0.0], &[2.0, INF]);
+    assert_proved(&lcp, &[2.0, 0.0]);
+}
+
+#[test]
+fn a_row_without_bounds_demands_w_zero() {
+    let lcp = boxed(&[&[2.0]], &[3.0], &[-INF], &[INF]);
+    assert_proved(&lcp, &[-1.5]);
+    assert!(!judge(&lcp, &[0.0], &Demand::default()).verdict.is_solution());
+}
+
+#[test]
+fn a_segment_of_solutions_is_proved_at_each_of_its_points() {
+    // All ones, b = −1: every x ≥ 0 with x1 + x2 = 1 (Cottle, Pang & Stone; PSD, not unique).
+    let lcp = contacts(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -1.0]);
+    for x in [[1.0, 0.0], [0.25, 0.75], [0.0, 1.0]] {
+        assert_proved(&lcp, &x);
+    }
+    assert!(!judge(&lcp, &[0.5, 0.25], &Demand::default()).verdict.is_solution());
+}
+
+#[test]
+fn the_gaps_are_those_of_the_quadratic_program() {
+    // min x² − 4x on [0, 1]: x = 1 with value −3; at x = 1/2 w = −3, value −7/4, and the dual bound
+    // at that w is −7/4 − 3/2.
+    let lcp = boxed(&[&[2.0]], &[-4.0], &[0.0], &[1.0]);
+    let at = judge(&lcp, &[0.5], &Demand::default());
+    assert_eq!((at.objective, at.duality_gap, at.complementarity_gap), (-1.75, 1.5, 1.5));
+    assert_eq!((at.bound_violation, at.dual_infeasibility), (0.0, 0.0));
+    let at = judge(&lcp, &[1.0], &Demand::default());
+    assert_eq!((at.objective, at.duality_gap), (-3.0, 0.0));
+}
+
+#[test]
+fn a_cancelled_w_is_computed_to_the_last_digit() {
+    // w = 1e16 + 1 − 1e16: plain summation loses the 1.
+    let lcp = contacts(&[&[1e16, 1.0], &[1.0, 1.0]], &[-1e16, 0.0]);
+    assert_eq!(judge(&lcp, &[1.0, 1.0], &Demand::default()).w[0], 1.0);
+}
+
+#[test]
+fn an_x_that_is_not_finite_is_no_solution() {
+    let lcp = contacts(&[&[1.0]], &[-1.0]);
+    for x in [f64::NAN, INF, -INF] {
+        assert!(!judge(&lcp, &[x], &Demand::default()).verdict.is_solution(), "{x}");
+    }
+}
+
+#[test]
+fn the_empty_problem_is_solved_by_nothing() {
+    let lcp = contacts(&[], &[]);
+    assert_proved(&lcp, &[]);
+}
+
+proptest! {
+    #![proptest_config(cases(200))]
+
+    #[test]
+    fn a_manufactured_solution_is_proved_where_it_lies(m in manufactured(6, 4, 0.0)) {
+        let verdict = judge(&m.lcp, &m.x, &Demand::default()).verdict;
+        prop_assert_eq!(verdict, Verdict::Proved { distance: 0.0 });
+    }
+
+    #[test]
+    fn scaling_rows_and_columns_by_powers_of_two_moves_no_residual(
+        m in manufactured(5, 5, 1.0),
+        powers in proptest::collection::vec(-8i32..=8, 5),
+        moved in proptest::collection::vec(-1.0f64..1.0, 5),
+    ) {
+        // D A D x' + D b with x = D x' is the same problem in other units.
+        let d: Vec<f64> = powers.iter().map(|&k| 2f64.powi(k)).collect();
+        let n = d.len();
+        let entries: Vec<f64> = (0..n * n)
+            .map(|k| d[k / n] * m.lcp.matrix().entry(k / n, k % n) * d[k % n]).collect();
+        let scale = |v: &[f64], by: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
+            v.iter().zip(&d).map(|(v, d)| by(*v, *d)).collect()
+        };
+        let (mul, div) = (|v: f64, d: f64| v * d, |v: f64, d: f64| v / d);
+        let other = lcplab::lcp::Lcp::new(
+            lcplab::lcp::Matrix::dense(n, &entries),
+            scale(m.lcp.b(), &mul), scale(m.lcp.lo(), &div), scale(m.lcp.hi(), &div),
+        ).unwrap();
+        let x: Vec<f64> = m.x.iter().zip(&moved).map(|(x, d)| x + d).collect();
+        let demand = Demand::default();
+        prop_assert_eq!(
+            judge(&m.lcp, &x, &demand).scaled_residual,
+            judge(&other, &scale(&x, &div), &demand).scaled_residual
+        );
+    }
+}

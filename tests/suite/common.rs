@@ -1,0 +1,86 @@
+//! What several test modules share.
+
+use lcplab::certificate::{Certificate, Demand, Verdict, judge};
+use lcplab::lcp::{Lcp, Matrix};
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, FileFailurePersistence};
+
+pub const INF: f64 = f64::INFINITY;
+
+/// The configuration of every property test: failing cases are kept beside the tests.
+pub fn cases(count: u32) -> Config {
+    Config {
+        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
+        ..Config::with_cases(count)
+    }
+}
+
+/// A dense problem with bounds 0 and ∞.
+pub fn contacts(rows: &[&[f64]], b: &[f64]) -> Lcp {
+    boxed(rows, b, &vec![0.0; b.len()], &vec![INF; b.len()])
+}
+
+/// A dense problem.
+pub fn boxed(rows: &[&[f64]], b: &[f64], lo: &[f64], hi: &[f64]) -> Lcp {
+    let a = Matrix::dense(rows.len(), &rows.concat());
+    Lcp::new(a, b.to_vec(), lo.to_vec(), hi.to_vec()).expect("a valid problem")
+}
+
+/// The only notion of "correct": the judge accepts x.
+#[track_caller]
+pub fn assert_certified(lcp: &Lcp, x: &[f64]) -> Certificate {
+    let certificate = judge(lcp, x, &Demand::default());
+    assert!(certificate.verdict.is_solution(), "{} for x = {x:?}", certificate.verdict);
+    certificate
+}
+
+/// The judge proves x exactly.
+#[track_caller]
+pub fn assert_proved(lcp: &Lcp, x: &[f64]) {
+    let verdict = judge(lcp, x, &Demand::default()).verdict;
+    assert!(matches!(verdict, Verdict::Proved { .. }), "{verdict} for x = {x:?}");
+}
+
+/// A problem whose solution was chosen first: x* and w* complementary, b = w* − A x*.
+#[derive(Debug, Clone)]
+pub struct Manufactured {
+    pub lcp: Lcp,
+    pub x: Vec<f64>,
+    pub w: Vec<f64>,
+}
+
+/// Random boxed problems with A = JJᵀ + shift, J of `n` rows and `columns` columns; A is singular
+/// for shift = 0 and fewer columns than rows. All numbers are small multiples of ¼, so x* is exact.
+pub fn manufactured(n: usize, columns: usize, shift: f64) -> impl Strategy<Value = Manufactured> {
+    let quarter = |range: std::ops::RangeInclusive<i32>| range.prop_map(|k| f64::from(k) / 4.0);
+    let row = (0..4u8, quarter(1..=8), quarter(0..=8), quarter(-8..=8));
+    let j = proptest::collection::vec(quarter(-4..=4), n * columns);
+    (j, proptest::collection::vec(row, n)).prop_map(move |(j, rows)| {
+        let j = DMatrix::from_vec(n, columns, j);
+        let a = &j * j.transpose() + DMatrix::identity(n, n) * shift;
+        let (mut lo, mut hi, mut x, mut w) = (vec![], vec![], vec![], vec![]);
+        for (kind, width, slack, at) in rows {
+            let (l, h) = match kind {
+                0 => (-INF, INF),
+                1 => (at, INF),
+                _ => (at, at + width),
+            };
+            let (xi, wi) = match (kind, (slack * 4.0) as i32 % 3) {
+                (0, _) => (at, 0.0),
+                (1, 0) => (at, slack),
+                (1, _) => (at + slack, 0.0),
+                (_, 0) => (l, slack),
+                (_, 1) => (h, -slack),
+                _ => (l + width / 2.0, 0.0),
+            };
+            lo.push(l);
+            hi.push(h);
+            x.push(xi);
+            w.push(wi);
+        }
+        let b = DVector::from_column_slice(&w) - &a * DVector::from_column_slice(&x);
+        let lcp = Lcp::new(Matrix::from(a.as_view()), b.as_slice().to_vec(), lo, hi);
+        Manufactured { lcp: lcp.expect("a valid problem"), x, w }
+    })
+}

@@ -1,0 +1,153 @@
+//! Laws that every registered solver keeps.
+
+use lcplab::certificate::{Demand, judge};
+use lcplab::lcp::{Coupling, Lcp, Matrix};
+use lcplab::solver::{ALL, Options, Settings, Solver, Start, Status, by_name};
+use proptest::prelude::*;
+
+use crate::common::{INF, assert_certified, boxed, cases, contacts, manufactured};
+
+fn all() -> Vec<Box<dyn Solver>> {
+    ALL.iter().map(|entry| by_name(entry.name, &Options::default()).unwrap()).collect()
+}
+
+#[test]
+fn each_has_the_name_it_is_registered_under() {
+    for entry in ALL {
+        assert_eq!(by_name(entry.name, &Options::default()).unwrap().name(), entry.name);
+    }
+}
+
+#[test]
+fn an_unknown_name_is_answered_with_the_known_ones() {
+    let error = by_name("gauss", &Options::default()).err().unwrap();
+    assert_eq!(
+        error.to_string(),
+        "there is no solver named \"gauss\"; there are pgs, sor, dantzig"
+    );
+}
+
+#[test]
+fn the_empty_problem_is_solved() {
+    for solver in all() {
+        let solution = solver.solve(&contacts(&[], &[]), &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved, "{}", solver.name());
+    }
+}
+
+#[test]
+fn one_row_is_clamped_to_its_box() {
+    // 2 (x − 3) on [lo, hi]: x = clamp(3, lo, hi), the cases of GAMS mcp09.
+    for (lo, hi, x) in [
+        (4.0, INF, 4.0),
+        (-INF, 2.0, 2.0),
+        (0.0, INF, 3.0),
+        (4.0, 8.0, 4.0),
+        (0.0, 2.0, 2.0),
+        (4.0, 4.0, 4.0),
+        (2.0, 2.0, 2.0),
+        (-INF, INF, 3.0),
+    ] {
+        let lcp = boxed(&[&[2.0]], &[-6.0], &[lo], &[hi]);
+        for solver in all() {
+            let solution = solver.solve(&lcp, &Start::default(), &mut ());
+            assert_eq!(solution.status, Status::Solved, "{} on [{lo}, {hi}]", solver.name());
+            assert!(
+                (solution.x[0] - x).abs() < 1e-7,
+                "{} on [{lo}, {hi}]: {:?}",
+                solver.name(),
+                solution.x
+            );
+        }
+    }
+}
+
+#[test]
+fn a_problem_without_solution_is_never_called_solved() {
+    // w = −1 whatever x is; and x1 + x2 must equal 1 and 2.
+    let flat = contacts(&[&[0.0]], &[-1.0]);
+    let torn = boxed(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -2.0], &[-INF; 2], &[INF; 2]);
+    for lcp in [flat, torn] {
+        for solver in all() {
+            let solution = solver.solve(&lcp, &Start::default(), &mut ());
+            assert_ne!(solution.status, Status::Solved, "{}", solver.name());
+            assert!(solution.x.iter().all(|x| x.is_finite()), "{}", solver.name());
+        }
+    }
+}
+
+#[test]
+fn a_box_on_a_slope_is_held_by_friction_below_the_cone_and_slides_above() {
+    // One contact, unit mass: rows n, t. Weight (gn, gt) per step; held if gt ≤ μ gn.
+    let slope = |gn: f64, gt: f64| {
+        let lcp = boxed(&[&[1.0, 0.0], &[0.0, 1.0]], &[-gn, -gt], &[0.0, -INF], &[INF, INF]);
+        lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap()).unwrap()
+    };
+    for solver in all() {
+        let held = solver.solve(&slope(2.0, 0.9), &Start::default(), &mut ());
+        let slides = solver.solve(&slope(2.0, 1.5), &Start::default(), &mut ());
+        for (solution, x, w) in [(held, 0.9, 0.0), (slides, 1.0, -0.5)] {
+            assert_eq!(solution.status, Status::Solved, "{}", solver.name());
+            assert!((solution.x[1] - x).abs() < 1e-7 && (solution.w[1] - w).abs() < 1e-7);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(150))]
+
+    #[test]
+    fn what_is_called_solved_is_never_refuted(m in manufactured(6, 4, 0.0)) {
+        for solver in all() {
+            let solution = solver.solve(&m.lcp, &Start::default(), &mut ());
+            if solution.status == Status::Solved {
+                let verdict = judge(&m.lcp, &solution.x, &Demand::default()).verdict;
+                prop_assert!(verdict.is_solution(), "{}: {verdict}", solver.name());
+            }
+        }
+    }
+
+    #[test]
+    fn all_find_the_one_solution_of_a_definite_problem(m in manufactured(6, 6, 1.0)) {
+        for solver in all() {
+            let solution = solver.solve(&m.lcp, &Start::default(), &mut ());
+            prop_assert_eq!(&solution.status, &Status::Solved, "{}", solver.name());
+            for (found, x) in solution.x.iter().zip(&m.x) {
+                prop_assert!((found - x).abs() < 1e-5, "{}: {:?} for {:?}", solver.name(), solution.x, m.x);
+            }
+        }
+    }
+
+    #[test]
+    fn a_start_at_the_solution_stays_there(m in manufactured(5, 5, 1.0)) {
+        for solver in all() {
+            let start = Start { x: Some(&m.x) };
+            let solution = solver.solve(&m.lcp, &start, &mut ());
+            prop_assert_eq!(&solution.x, &m.x, "{}", solver.name());
+        }
+    }
+
+    #[test]
+    fn dense_and_sparse_storage_give_the_same_answer(m in manufactured(5, 5, 1.0)) {
+        let entries: Vec<_> = (0..25).map(|k| (k / 5, k % 5, m.lcp.matrix().entry(k / 5, k % 5)))
+            .filter(|entry| entry.2 != 0.0).collect();
+        let (b, lo, hi) = (m.lcp.b().to_vec(), m.lcp.lo().to_vec(), m.lcp.hi().to_vec());
+        let sparse = Lcp::new(Matrix::sparse(5, &entries), b, lo, hi).unwrap();
+        for solver in all() {
+            let solution = solver.solve(&sparse, &Start::default(), &mut ());
+            assert_certified(&m.lcp, &solution.x);
+        }
+    }
+}
+
+#[test]
+fn an_iteration_limit_is_a_status_and_not_a_solution() {
+    let lcp = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, -1.0]);
+    for entry in ALL {
+        let settings = Settings { max_iterations: 1, tolerance: 0.0, ..Settings::default() };
+        let solver = by_name(entry.name, &Options { settings, ..Options::default() }).unwrap();
+        let solution = solver.solve(&lcp, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::IterationLimit, "{}", entry.name);
+        assert_eq!(solution.iterations, 1, "{}", entry.name);
+    }
+}

@@ -1,0 +1,4 @@
+mod chapter;
+mod dantzig;
+mod every;
+mod pgs;
