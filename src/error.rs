@@ -103,6 +103,14 @@ impl Error {
         }
     }
 
+    /// The same defects, of an input with another name: the file that the parts came from.
+    pub fn within(self, input: &str) -> Self {
+        match self {
+            Error::Invalid { defects, .. } => Error::Invalid { input: input.to_string(), defects },
+            other => other,
+        }
+    }
+
     /// A failed operation on a file.
     pub fn file(path: &std::path::Path, cause: &std::io::Error) -> Self {
         Error::File { path: path.display().to_string(), reason: cause.to_string() }

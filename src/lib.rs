@@ -9,3 +9,5 @@ pub mod solver;
 pub mod reference;
 
 pub mod certificate;
+
+pub mod report;

@@ -19,7 +19,7 @@ use super::modular;
 use crate::lcp::Lcp;
 
 /// An exact binary fraction.
-type Dyadic = FBig<Zero, 2>;
+pub(super) type Dyadic = FBig<Zero, 2>;
 
 /// A solution that exists exactly, near the x it was read off from.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,17 +75,22 @@ fn side(lcp: &Lcp, i: usize, x: f64, w: f64) -> Side {
 }
 
 /// An x of which the `unknowns` are numerators over a common denominator, the others numbers.
-struct Candidate {
+pub(super) struct Candidate {
     /// Which entry of `numerators` belongs to row i.
     position: Vec<Option<usize>>,
     numerators: Vec<Dyadic>,
-    denominator: Dyadic,
+    pub(super) denominator: Dyadic,
     fixed: Vec<f64>,
 }
 
 impl Candidate {
     /// Solves w_rows = 0 for the unknowns, the other entries of x being `fixed`.
-    fn solve(lcp: &Lcp, rows: &[usize], unknowns: Vec<usize>, fixed: Vec<f64>) -> Option<Self> {
+    pub(super) fn solve(
+        lcp: &Lcp,
+        rows: &[usize],
+        unknowns: Vec<usize>,
+        fixed: Vec<f64>,
+    ) -> Option<Self> {
         let mut position = vec![None; lcp.len()];
         for (k, &j) in unknowns.iter().enumerate() {
             position[j] = Some(k);
@@ -104,7 +109,7 @@ impl Candidate {
     }
 
     /// w_i times the denominator, exactly.
-    fn scaled_w(&self, lcp: &Lcp, i: usize) -> Dyadic {
+    pub(super) fn scaled_w(&self, lcp: &Lcp, i: usize) -> Dyadic {
         let mut known = dyadic(lcp.b()[i]);
         let mut sum = Dyadic::ZERO;
         for (j, a) in lcp.matrix().row(i).iter().filter(|&(_, a)| a != 0.0) {
@@ -117,7 +122,7 @@ impl Candidate {
     }
 
     /// x_i times the denominator, exactly.
-    fn scaled_x(&self, i: usize) -> Dyadic {
+    pub(super) fn scaled_x(&self, i: usize) -> Dyadic {
         match self.position[i] {
             Some(k) => self.numerators[k].clone(),
             None => dyadic(self.fixed[i]) * &self.denominator,
@@ -164,7 +169,7 @@ fn least_exponent(lcp: &Lcp, i: usize, columns: &[usize]) -> isize {
     exponents.map(|a| exponent(&dyadic(a))).min().unwrap_or(0)
 }
 
-fn dyadic(x: f64) -> Dyadic {
+pub(super) fn dyadic(x: f64) -> Dyadic {
     exact_precision(Dyadic::try_from(x + 0.0).expect("a finite number")) // + 0 turns −0 into 0
 }
 
@@ -189,7 +194,7 @@ fn integer(x: Dyadic) -> IBig {
     significand << usize::try_from(exponent).expect("scaled to an integer")
 }
 
-fn rational(x: &Dyadic) -> RBig {
+pub(super) fn rational(x: &Dyadic) -> RBig {
     let (significand, exponent) = x.repr().clone().into_parts();
     let power = IBig::ONE << exponent.unsigned_abs();
     if exponent >= 0 {

@@ -24,6 +24,7 @@ mod accurate;
 pub mod cross_check;
 pub mod exact;
 mod modular;
+pub mod ray;
 
 use accurate::Sum;
 

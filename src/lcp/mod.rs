@@ -146,6 +146,11 @@ impl Lcp {
         (0..self.len()).map(|i| self.row_w(i, x)).collect()
     }
 
+    /// The same A and bounds with b = 0.
+    pub fn homogeneous(&self) -> Lcp {
+        Lcp { b: vec![0.0; self.len()], ..self.clone() }
+    }
+
     /// The boxed problem without coupling whose bounds are those of this one at x.
     pub fn frozen_at(&self, x: &[f64]) -> Lcp {
         let (lo, hi) = (0..self.len()).map(|i| self.bounds(i, x)).unzip();

@@ -1,0 +1,88 @@
+//! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
+
+mod problem;
+
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use lcplab::certificate::Demand;
+use lcplab::error::{Error, Result};
+use lcplab::solver::{Options, Settings};
+
+/// Solve, judge and compare contact problems of rigid bodies.
+#[derive(Debug, Parser)]
+#[command(name = "lcplab", version, max_term_width = 100, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Solve(problem::Solve),
+    Judge(problem::Judge),
+}
+
+/// How a command ended, other than by bad input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    Good,
+    Refuted,
+}
+
+/// Runs the command line and returns the exit code.
+pub fn run() -> ExitCode {
+    let result = match Cli::parse().command {
+        Command::Solve(command) => command.run(),
+        Command::Judge(command) => command.run(),
+    };
+    match result {
+        Ok(Outcome::Good) => ExitCode::SUCCESS,
+        Ok(Outcome::Refuted) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// The settings of a solver.
+#[derive(Debug, Args)]
+struct SolverArgs {
+    /// Largest scaled residual that counts as solved
+    #[arg(long, default_value_t = Settings::default().tolerance)]
+    tolerance: f64,
+    /// Most sweeps or pivots
+    #[arg(long, default_value_t = Settings::default().max_iterations)]
+    max_iterations: usize,
+    /// Relaxation factor of sor, above 0 and below 2
+    #[arg(long, default_value_t = Options::default().omega)]
+    omega: f64,
+}
+
+impl SolverArgs {
+    fn options(&self) -> Options {
+        let settings = Settings {
+            tolerance: self.tolerance,
+            max_iterations: self.max_iterations,
+            ..Settings::default()
+        };
+        Options { settings, omega: self.omega }
+    }
+
+    fn demand(&self) -> Demand {
+        Demand { tolerance: self.tolerance, ..Demand::default() }
+    }
+}
+
+/// Prints to standard output; a reader who has gone away is no error.
+fn print(text: &str) -> Result<()> {
+    use std::io::Write;
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(cause) if cause.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Error::file(std::path::Path::new("standard output"), &cause))
+        }
+        _ => Ok(()),
+    }
+}

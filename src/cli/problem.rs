@@ -1,0 +1,129 @@
+//! `solve` and `judge`: commands on a problem file.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lcplab::certificate::{Certificate, Demand, judge};
+use lcplab::error::Result;
+use lcplab::lcp::Lcp;
+use lcplab::lcp::file::{Problem, read_answer};
+use lcplab::report::answer::{Answer, certificate_json, certificate_text};
+use lcplab::solver::by_name;
+
+use super::{Outcome, SolverArgs, print};
+
+/// Rows of x and w that are printed at most.
+const PRINTED_ROWS: usize = 40;
+
+/// Solve a problem file and have the answer judged
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  echo '{\"A\": {\"dense\": [[2, -1], [-1, 2]]}, \"b\": [-1, 2]}' | lcplab solve - --solver dantzig
+
+Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
+pub struct Solve {
+    /// The problem as JSON; - reads standard input
+    problem: PathBuf,
+    /// pgs, sor or dantzig; without it dantzig, which takes a symmetric A
+    #[arg(long, default_value = "dantzig", hide_default_value = true)]
+    solver: String,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    settings: SolverArgs,
+}
+
+impl Solve {
+    pub fn run(&self) -> Result<Outcome> {
+        let solver = by_name(&self.solver, &self.settings.options())?;
+        let problem = read_problem(&self.problem)?;
+        let answer = Answer::obtain(&problem.lcp, &*solver, &self.settings.demand());
+        if self.json {
+            print(&format!("{}\n", answer.to_json()))?;
+        } else {
+            let title = title(&problem);
+            let iterations = answer.solution.iterations;
+            let mut text = format!("{title}\nsolver     {}\n", answer.solver);
+            text += &format!(
+                "status     {}: {}, {iterations} iterations\n",
+                answer.status_word(),
+                answer.message()
+            );
+            text += &certificate_text(&answer.certificate);
+            text += &rows(&problem.lcp, &answer.solution.x, &answer.certificate);
+            print(&text)?;
+        }
+        Ok(outcome(&answer.certificate))
+    }
+}
+
+/// Judge an answer to a problem, whoever found it
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab solve problem.json --json > answer.json; lcplab judge problem.json answer.json
+
+Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
+pub struct Judge {
+    /// The problem as JSON; - reads standard input
+    problem: PathBuf,
+    /// Any JSON object with a key \"x\"
+    answer: PathBuf,
+    /// Largest scaled residual that counts as solved
+    #[arg(long, default_value_t = Demand::default().tolerance)]
+    tolerance: f64,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Judge {
+    pub fn run(&self) -> Result<Outcome> {
+        let problem = read_problem(&self.problem)?;
+        let x = read_answer(&self.answer, problem.lcp.len())?;
+        let demand = Demand { tolerance: self.tolerance, prove_up_to: 150 };
+        let certificate = judge(&problem.lcp, &x, &demand);
+        if self.json {
+            print(&format!("{}\n", serde_json::Value::Object(certificate_json(&certificate))))?;
+        } else {
+            let text = title(&problem) + "\n" + &certificate_text(&certificate);
+            print(&(text + &rows(&problem.lcp, &x, &certificate)))?;
+        }
+        Ok(outcome(&certificate))
+    }
+}
+
+fn outcome(certificate: &Certificate) -> Outcome {
+    if certificate.verdict.is_solution() { Outcome::Good } else { Outcome::Refuted }
+}
+
+fn read_problem(path: &std::path::Path) -> Result<Problem> {
+    let problem = Problem::read(path)?;
+    for warning in &problem.warnings {
+        eprintln!("warning: {warning}");
+    }
+    Ok(problem)
+}
+
+fn title(problem: &Problem) -> String {
+    let name = if problem.name.is_empty() { "problem" } else { &problem.name };
+    let n = problem.lcp.len();
+    format!("{name}: {n} rows, {} stored entries", problem.lcp.matrix().stored())
+}
+
+fn rows(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> String {
+    let mut text = format!("{:>5} {:>13} {:>13} {:>13} {:>13}\n", "row", "lo", "x", "hi", "w");
+    for i in 0..x.len().min(PRINTED_ROWS) {
+        let (lo, hi) = lcp.bounds(i, x);
+        text += &format!(
+            "{i:>5} {lo:>13.6e} {:>13.6e} {hi:>13.6e} {:>13.6e}\n",
+            x[i], certificate.w[i]
+        );
+    }
+    if x.len() > PRINTED_ROWS {
+        text += &format!("      and {} more rows; --json prints all\n", x.len() - PRINTED_ROWS);
+    }
+    text
+}

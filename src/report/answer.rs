@@ -1,0 +1,126 @@
+//! One answer to one problem, as JSON for machines and as text for people.
+
+use serde_json::{Value, json};
+
+use crate::certificate::{Certificate, Demand, judge, ray};
+use crate::lcp::Lcp;
+use crate::lcp::file::number;
+use crate::solver::{Solution, Solver, Start, Status};
+
+/// A solver's answer with its claim, and the judge's verdict on it.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The solver.
+    pub solver: &'static str,
+    /// What it returned.
+    pub solution: Solution,
+    /// What the judge makes of it.
+    pub certificate: Certificate,
+    /// The solver ended on a ray, and the ray was checked exactly: no solution exists.
+    pub infeasible: bool,
+}
+
+impl Answer {
+    /// Solves a problem from 0 and has the answer judged.
+    pub fn obtain(lcp: &Lcp, solver: &dyn Solver, demand: &Demand) -> Self {
+        Self::judged(lcp, solver.name(), solver.solve(lcp, &Start::default(), &mut ()), demand)
+    }
+
+    /// Has a solution judged.
+    pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
+        let certificate = judge(lcp, &solution.x, demand);
+        let infeasible = match &solution.status {
+            Status::Ray { row, direction } if lcp.len() <= demand.prove_up_to => {
+                ray::refute(lcp, *row, direction).is_some()
+            }
+            _ => false,
+        };
+        Answer { solver, solution, certificate, infeasible }
+    }
+
+    /// The solver's claim in one of four words. `infeasible` is said only with a proof.
+    pub fn status_word(&self) -> &'static str {
+        match self.solution.status {
+            Status::Solved => "solved",
+            Status::Inaccurate | Status::IterationLimit | Status::Stalled | Status::Stopped => {
+                "iteration_limit"
+            }
+            Status::Ray { .. } if self.infeasible => "infeasible",
+            Status::Ray { .. }
+            | Status::Diverged
+            | Status::NotFinite
+            | Status::ZeroDiagonal { .. }
+            | Status::Singular { .. }
+            | Status::OutsideClass { .. } => "failed",
+        }
+    }
+
+    /// The status in words.
+    pub fn message(&self) -> String {
+        if self.infeasible {
+            return "no solution exists: the ray was checked exactly".to_string();
+        }
+        self.solution.status.to_string()
+    }
+
+    /// The object that `solve --json` prints.
+    pub fn to_json(&self) -> Value {
+        let vector = |v: &[f64]| -> Value { v.iter().map(|&v| number(v)).collect() };
+        let mut object = json!({
+            "status": self.status_word(),
+            "x": vector(&self.solution.x),
+            "w": vector(&self.certificate.w),
+            "iterations": self.solution.iterations,
+            "solver": self.solver,
+        });
+        let fields = object.as_object_mut().expect("an object");
+        fields.extend(certificate_json(&self.certificate));
+        fields.insert("message".into(), json!(self.message()));
+        object
+    }
+}
+
+/// The judge's part of the JSON: residuals, gaps and the verdict.
+pub fn certificate_json(certificate: &Certificate) -> serde_json::Map<String, Value> {
+    use crate::certificate::Verdict;
+    let mut object = serde_json::Map::new();
+    for (key, value) in [
+        ("natural_residual", certificate.natural_residual),
+        ("scaled_residual", certificate.scaled_residual),
+        ("complementarity_gap", certificate.complementarity_gap),
+        ("bound_violation", certificate.bound_violation),
+        ("dual_infeasibility", certificate.dual_infeasibility),
+        ("objective", certificate.objective),
+        ("duality_gap", certificate.duality_gap),
+    ] {
+        object.insert(key.into(), number(value));
+    }
+    object.insert("verdict".into(), json!(certificate.verdict.word()));
+    match certificate.verdict {
+        Verdict::Proved { distance } => {
+            object.insert("distance".into(), number(distance));
+        }
+        Verdict::NotASolution { row, amount } => {
+            object.insert("row".into(), json!(row));
+            object.insert("amount".into(), number(amount));
+        }
+        Verdict::WithinTolerance => {}
+    }
+    object
+}
+
+/// The residuals and the verdict as lines of text.
+pub fn certificate_text(certificate: &Certificate) -> String {
+    let lines = [
+        ("scaled residual", certificate.scaled_residual, "of the terms of the worst row"),
+        ("natural residual", certificate.natural_residual, "max |x − Π(x − w)|"),
+        ("bound violation", certificate.bound_violation, "how far x lies outside its bounds"),
+        ("complementarity", certificate.complementarity_gap, "largest w times distance to bound"),
+        ("duality gap", certificate.duality_gap, "objective minus lower bound"),
+    ];
+    let mut text = format!("verdict    {}\n", certificate.verdict);
+    for (name, value, meaning) in lines {
+        text += &format!("  {name:<17}{value:>10.2e}  {meaning}\n");
+    }
+    text
+}

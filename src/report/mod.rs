@@ -1,0 +1,3 @@
+//! Results as pages, tables and JSON.
+
+pub mod answer;
