@@ -10,4 +10,6 @@ pub mod reference;
 
 pub mod certificate;
 
+pub mod trace;
+
 pub mod report;

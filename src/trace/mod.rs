@@ -1,0 +1,5 @@
+//! What an observer wrote down: one small record an iteration.
+
+mod convergence;
+
+pub use convergence::{Convergence, Record};
