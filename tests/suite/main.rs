@@ -1,6 +1,8 @@
 //! The tests, one binary. The modules mirror `src`.
 
+mod architecture;
 mod certificate;
+mod cli;
 mod common;
 mod lcp;
 mod reference;
