@@ -5,3 +5,7 @@ pub mod error;
 pub mod lcp;
 
 pub mod solver;
+
+pub mod plot;
+
+pub mod report;

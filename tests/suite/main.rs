@@ -1,1 +1,4 @@
-fn main() {}
+//! The tests, one module a folder of `src`.
+
+mod page;
+mod plot;

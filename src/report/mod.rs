@@ -1,0 +1,3 @@
+//! Reports: pages made of results.
+
+pub mod page;
