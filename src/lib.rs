@@ -12,4 +12,6 @@ pub mod certificate;
 
 pub mod trace;
 
+pub mod plot;
+
 pub mod report;

@@ -5,5 +5,7 @@ mod certificate;
 mod cli;
 mod common;
 mod lcp;
+mod page;
+mod plot;
 mod reference;
 mod solver;
