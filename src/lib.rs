@@ -2,6 +2,10 @@
 
 pub mod error;
 
+pub mod body;
+
+pub mod constraint;
+
 pub mod lcp;
 
 pub mod solver;

@@ -2,6 +2,7 @@
 
 mod certificate;
 mod common;
+mod constraint;
 mod lcp;
 mod reference;
 mod solver;
