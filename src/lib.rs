@@ -6,6 +6,8 @@ pub mod body;
 
 pub mod constraint;
 
+pub mod scene;
+
 pub mod lcp;
 
 pub mod solver;

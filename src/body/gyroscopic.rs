@@ -11,6 +11,8 @@
 //! the step's start are used, where I is constant.
 
 use nalgebra::{Matrix3, Vector3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use super::{Mass, State};
 
@@ -18,7 +20,8 @@ use super::{Mass, State};
 const NEWTON_STEPS: usize = 4;
 
 /// What becomes of the gyroscopic torque.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
 pub enum Gyroscopic {
     /// It is left out, as in the chapter: a free body keeps ω, not its angular momentum.
     Omitted,
