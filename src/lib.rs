@@ -16,6 +16,12 @@ pub mod reference;
 
 pub mod certificate;
 
+pub mod assembly;
+
+pub mod formulation;
+
+pub mod simulation;
+
 pub mod trace;
 
 pub mod report;

@@ -13,9 +13,7 @@
 use nalgebra::{RealField, Vector3};
 
 use super::arms::{Arms, separation};
-use super::{
-    Bodies, Bounds, Constraint, Degenerate, Kind, Orientation, Position, Row, constant,
-};
+use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Orientation, Position, Row, constant};
 use crate::body::{Pose, State};
 
 /// One motion of body 1 relative to body 0 is locked: 1 row.

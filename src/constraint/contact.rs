@@ -173,9 +173,7 @@ fn edges(
         n_rate,
         turn: n.cross(&n_rate),
         jacobian: [j0, j1],
-        velocity_product: n.dot(&arms.cent)
-            + 2.0 * n_rate.dot(&arms.rel)
-            + n_product.dot(&arms.d),
+        velocity_product: n.dot(&arms.cent) + 2.0 * n_rate.dot(&arms.rel) + n_product.dot(&arms.d),
     })
 }
 

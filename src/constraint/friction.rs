@@ -19,12 +19,7 @@ use super::{Bounds, Kind, Row};
 use crate::body::{State, stack};
 
 /// The two tangential rows that follow a contact's normal row.
-pub(super) fn rows(
-    contact: &Contact,
-    arms: &Arms,
-    frame: &Frame,
-    states: [&State; 2],
-) -> [Row; 2] {
+pub(super) fn rows(contact: &Contact, arms: &Arms, frame: &Frame, states: [&State; 2]) -> [Row; 2] {
     let [s0, s1] = states;
     let radius = contact.radii[1];
     let rho1 = arms.r[1] - radius * frame.n;

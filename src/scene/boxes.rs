@@ -23,13 +23,7 @@ pub(super) fn touches(half: [Vector3<f64>; 2], poses: [Pose; 2], margin: f64) ->
     let [pose0, pose1] = poses.map(|pose| to_pose(&pose));
     let mut manifold = ContactManifold::<(), ()>::new();
     let between = pose0.inverse() * pose1;
-    contact_manifold_cuboid_cuboid(
-        &between,
-        &cuboid0,
-        &cuboid1,
-        margin,
-        &mut manifold,
-    );
+    contact_manifold_cuboid_cuboid(&between, &cuboid0, &cuboid1, margin, &mut manifold);
     let n0 = Vector3::from(manifold.local_n1);
     let n1 = Vector3::from(manifold.local_n2);
     let mut touches: Vec<Touch> = Vec::new();
@@ -58,7 +52,8 @@ fn normal(n0: &Vector3<f64>, n1: &Vector3<f64>, poses: &[Pose; 2]) -> (bool, Nor
     }
     let n = poses[0].direction(n0);
     let crossing = |(i, j): (usize, usize)| {
-        let axes = [poses[0].direction(&Vector3::ith(i, 1.0)), poses[1].direction(&Vector3::ith(j, 1.0))];
+        let axes =
+            [poses[0].direction(&Vector3::ith(i, 1.0)), poses[1].direction(&Vector3::ith(j, 1.0))];
         axes[0].cross(&axes[1]).try_normalize(1e-9).map_or(0.0, |across| across.dot(&n))
     };
     let pairs = (0..9).map(|k| (k / 3, k % 3));

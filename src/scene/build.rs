@@ -85,16 +85,12 @@ fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -
     }
 }
 
-fn build_mass(
-    defects: &mut Defects,
-    place: &str,
-    body: &description::Body,
-    shape: &Shape,
-) -> Mass {
+fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shape: &Shape) -> Mass {
     let given = [("mass", body.mass), ("density", body.density)];
     if body.fixed {
         let moments = body.inertia.map(|moments| moments[0]);
-        for (field, _) in given.into_iter().chain([("inertia", moments)]).filter(|g| g.1.is_some()) {
+        for (field, _) in given.into_iter().chain([("inertia", moments)]).filter(|g| g.1.is_some())
+        {
             defects.add(format!("{place}.{field}"), "a fixed body has none");
         }
         return Mass::Fixed;
@@ -120,7 +116,8 @@ fn build_mass(
             1.0
         }
         (None, None, _) => {
-            defects.add(format!("{place}.mass"), "is missing: give mass or density, or fixed = true");
+            defects
+                .add(format!("{place}.mass"), "is missing: give mass or density, or fixed = true");
             1.0
         }
     };

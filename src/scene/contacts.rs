@@ -53,11 +53,14 @@ pub(super) struct Touch {
 
 /// All contact points with a gap up to `margin` (m). One entry of `states` a body.
 pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<Found> {
-    let joined: BTreeSet<[usize; 2]> = scene.constraints.iter().filter_map(|c| pair(c.bodies())).collect();
+    let joined: BTreeSet<[usize; 2]> =
+        scene.constraints.iter().filter_map(|c| pair(c.bodies())).collect();
     let mut found = Vec::new();
     for first in 0..scene.bodies.len() {
         for second in first + 1..scene.bodies.len() {
-            if may_touch(scene, states, [first, second], margin) && !joined.contains(&[first, second]) {
+            if may_touch(scene, states, [first, second], margin)
+                && !joined.contains(&[first, second])
+            {
                 touch(scene, states, [first, second], margin, &mut found);
             }
         }

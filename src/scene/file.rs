@@ -139,9 +139,10 @@ fn field_at(table: &DeTable<'_>, at: usize) -> Option<String> {
 fn in_value(value: &Spanned<DeValue<'_>>, at: usize) -> Option<String> {
     let inner = match value.get_ref() {
         DeValue::Table(table) => field_at(table, at).map(|field| format!(".{field}")),
-        DeValue::Array(items) => items.iter().enumerate().find_map(|(k, item)| {
-            in_value(item, at).map(|inner| format!("[{k}]{inner}"))
-        }),
+        DeValue::Array(items) => items
+            .iter()
+            .enumerate()
+            .find_map(|(k, item)| in_value(item, at).map(|inner| format!("[{k}]{inner}"))),
         _ => None,
     };
     inner.or_else(|| value.span().contains(&at).then(String::new))

@@ -171,7 +171,11 @@ impl Net {
                 }
                 if (r == 0 || r == last(self.rows)) && (c == 0 || c == last(self.columns)) {
                     let [x, y, z] = position;
-                    scene.constraints.push(rod_to_world([x, y, z + self.hang], position, name(r, c)));
+                    scene.constraints.push(rod_to_world(
+                        [x, y, z + self.hang],
+                        position,
+                        name(r, c),
+                    ));
                 }
             }
         }

@@ -93,7 +93,8 @@ impl Site<'_> {
         };
         if !allowed.contains(&written.len()) {
             let (least, most) = (allowed.start(), allowed.end());
-            let wanted = if least == most { format!("{most}") } else { format!("{least} or {most}") };
+            let wanted =
+                if least == most { format!("{most}") } else { format!("{least} or {most}") };
             defects.add(place, format!("names {} bodies, must name {wanted}", written.len()));
             return None;
         }
@@ -121,16 +122,23 @@ impl Site<'_> {
 
     /// A point mass has no orientation that could be kept.
     fn check_turning(&self, defects: &mut Defects, bodies: &Bodies, scene: &Scene) {
-        let turns = matches!(self.written.kind, Kind::Fixed | Kind::Orientation | Kind::LockRotation);
+        let turns =
+            matches!(self.written.kind, Kind::Fixed | Kind::Orientation | Kind::LockRotation);
         for &k in bodies.iter().flatten() {
             if turns && scene.bodies[k].shape == Shape::Point {
-                let reason = format!("{:?} is a point, it has no orientation", scene.bodies[k].name);
+                let reason =
+                    format!("{:?} is a point, it has no orientation", scene.bodies[k].name);
                 defects.add(format!("{}.bodies", self.place), reason);
             }
         }
     }
 
-    fn distance(&self, defects: &mut Defects, bodies: Bodies, poses: &[Pose; 2]) -> Option<Distance> {
+    fn distance(
+        &self,
+        defects: &mut Defects,
+        bodies: Bodies,
+        poses: &[Pose; 2],
+    ) -> Option<Distance> {
         let ends = match (self.written.points, bodies[0]) {
             (Some(points), _) => points.map(Vector3::from),
             (None, Some(_)) => [poses[0].p, poses[1].p],

@@ -24,8 +24,11 @@ fn rotation() -> impl Strategy<Value = UnitQuaternion<f64>> {
 }
 
 pub fn state() -> impl Strategy<Value = State> {
-    (vector(), rotation(), vector(), vector())
-        .prop_map(|(p, q, v, omega)| State { pose: Pose { p, q }, v, omega })
+    (vector(), rotation(), vector(), vector()).prop_map(|(p, q, v, omega)| State {
+        pose: Pose { p, q },
+        v,
+        omega,
+    })
 }
 
 /// p + v t and exp(ω t) q at t = 0 with their first two derivatives: with q' = ½ (0, ω) q and ω
@@ -50,10 +53,9 @@ fn check<C: Constraint + Position>(
     let rows = constraint.rows(states).expect("a regular state");
     prop_assert!(rows.len() >= exact.len());
     for (row, exact) in rows.iter().zip(exact) {
-        let rate = row.jacobian[0].dot(&states[0].velocity())
-            + row.jacobian[1].dot(&states[1].velocity());
-        for (ours, dual) in
-            [(row.c, exact.re), (rate, exact.v1), (row.velocity_product, exact.v2)]
+        let rate =
+            row.jacobian[0].dot(&states[0].velocity()) + row.jacobian[1].dot(&states[1].velocity());
+        for (ours, dual) in [(row.c, exact.re), (rate, exact.v1), (row.velocity_product, exact.v2)]
         {
             prop_assert!((ours - dual).abs() <= 1e-9 * (1.0 + dual.abs()), "{ours} {dual}");
         }
