@@ -2,6 +2,12 @@
 
 pub mod error;
 
+pub mod body;
+
+pub mod constraint;
+
+pub mod scene;
+
 pub mod lcp;
 
 pub mod solver;
@@ -9,6 +15,12 @@ pub mod solver;
 pub mod reference;
 
 pub mod certificate;
+
+pub mod assembly;
+
+pub mod formulation;
+
+pub mod simulation;
 
 pub mod trace;
 

@@ -4,6 +4,7 @@ mod architecture;
 mod certificate;
 mod cli;
 mod common;
+mod constraint;
 mod lcp;
 mod page;
 mod plot;

@@ -1,0 +1,135 @@
+//! A scene at one instant, as matrices: M and M⁻¹, F, u, and the rows with J, J'u and c.
+//!
+//! Only moving bodies have columns: for a fixed one M⁻¹ = 0, so its part of J drops out of
+//! everything. Constraints come first, in the order of the scene, then contacts, each as normal,
+//! first and second tangent. `math §1`, `math §2`.
+
+mod mass;
+mod rows;
+
+pub use mass::Block;
+pub use rows::{Entering, Part, Row, RowId, Source};
+
+use std::fmt;
+
+use nalgebra::Vector6;
+
+use crate::body::State;
+use crate::constraint::{Bodies, Degenerate};
+use crate::scene::{Found, Scene};
+
+/// A scene at one instant, as matrices.
+#[derive(Debug, Clone)]
+pub struct Assembly {
+    /// The diagonal blocks of M and M⁻¹, one a moving body.
+    pub blocks: Vec<Block>,
+    /// The velocities u (m/s, rad/s); one entry a column.
+    pub u: Vec<f64>,
+    /// External forces and torques and the gyroscopic torque F (N, N m); one entry a column.
+    pub force: Vec<f64>,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+impl Assembly {
+    /// Assembles a scene whose bodies have these states and contacts.
+    ///
+    /// # Errors
+    /// [`Undefined`] where a constraint has no direction to push in.
+    pub fn new(
+        scene: &Scene,
+        states: &[State],
+        contacts: &[Found],
+        entering: Entering,
+    ) -> Result<Self, Undefined> {
+        let blocks = mass::blocks(scene, states);
+        let moving = |values: Vec<Vector6<f64>>| -> Vec<f64> {
+            let entries = blocks.iter().zip(values);
+            entries.flat_map(|(block, value)| value.as_slice()[..block.dof].to_vec()).collect()
+        };
+        let u = moving(blocks.iter().map(|block| states[block.body].velocity()).collect());
+        let force = moving(mass::forces(scene, states, &blocks));
+        let rows = rows::rows(scene, states, contacts, entering, &blocks)?;
+        Ok(Assembly { blocks, u, force, rows })
+    }
+
+    /// The number of velocity components of moving bodies, k.
+    pub fn columns(&self) -> usize {
+        self.u.len()
+    }
+
+    /// M⁻¹ times a vector with one entry a column.
+    pub fn accelerate(&self, force: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; force.len()];
+        for block in &self.blocks {
+            block.scatter(&block.accelerate(&block.gather(force)), &mut out);
+        }
+        out
+    }
+
+    /// Jᵀ x: the forces (or impulses) of x (one entry a row) on each column.
+    pub fn pull_back(&self, x: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; self.columns()];
+        for (row, x) in self.rows.iter().zip(x) {
+            for part in row.parts() {
+                let block = &self.blocks[part.block];
+                for (k, j) in part.jacobian.iter().take(block.dof).enumerate() {
+                    out[block.offset + k] += j * x;
+                }
+            }
+        }
+        out
+    }
+
+    /// The stored entries (column, value) of row i of J, columns ascending.
+    pub fn jacobian_row(&self, i: usize) -> Vec<(usize, f64)> {
+        let mut entries: Vec<(usize, f64)> = Vec::new();
+        for part in self.rows[i].parts() {
+            let block = &self.blocks[part.block];
+            let values = part.jacobian.iter().take(block.dof).enumerate();
+            entries.extend(values.map(|(k, &j)| (block.offset + k, j)).filter(|&(_, j)| j != 0.0));
+        }
+        entries.sort_by_key(|&(column, _)| column);
+        entries
+    }
+
+    /// The places (row, column) of the nonzero entries of J.
+    pub fn jacobian_pattern(&self) -> Vec<(usize, usize)> {
+        let row = |i| self.jacobian_row(i).into_iter().map(move |(column, _)| (i, column));
+        (0..self.rows.len()).flat_map(row).collect()
+    }
+
+    /// J times a vector with one entry a column.
+    pub fn push_forward(&self, u: &[f64]) -> Vec<f64> {
+        let row = |row: &Row| {
+            row.parts().map(|part| part.jacobian.dot(&self.blocks[part.block].gather(u))).sum()
+        };
+        self.rows.iter().map(row).collect()
+    }
+
+    /// The states with the velocities of moving bodies replaced by u (one entry a column).
+    pub fn with_velocities(&self, states: &[State], u: &[f64]) -> Vec<State> {
+        let mut states = states.to_vec();
+        for block in &self.blocks {
+            states[block.body] = states[block.body].with_velocity(&block.gather(u));
+        }
+        states
+    }
+}
+
+/// A constraint that has no direction to push in at this instant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Undefined {
+    /// The constraint.
+    pub source: Source,
+    /// Its bodies.
+    pub bodies: Bodies,
+    /// Why.
+    pub cause: Degenerate,
+}
+
+impl fmt::Display for Undefined {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.source, self.cause)
+    }
+}

@@ -1,0 +1,182 @@
+//! The rows of all constraints and contacts, each with a name that persists between steps.
+
+use std::fmt;
+
+use nalgebra::Vector6;
+
+use super::{Block, Undefined};
+use crate::body::State;
+use crate::constraint::{self, Bodies, Bounds, Constraint, Kind};
+use crate::scene::{ContactId, Found, Scene};
+
+/// Which contacts enter; constraints always do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Entering {
+    /// All within the margin: the velocity level, where gaps may close within the step.
+    Near,
+    /// Those that touch, gap ≤ `resting_gap`: impacts.
+    Touching,
+    /// Those that touch and do not part faster than `resting_speed`: the acceleration level.
+    Resting,
+}
+
+/// Where a row comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Source {
+    /// The constraint with this index in the scene.
+    Constraint(usize),
+    /// A contact.
+    Contact(ContactId),
+}
+
+/// A row's name: the same from step to step, so that its x can start the next solve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RowId {
+    /// The constraint or contact.
+    pub source: Source,
+    /// Which of its rows; of a contact 0 normal, 1 and 2 tangential.
+    pub component: usize,
+}
+
+/// A row of J with all that belongs to it.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// Its name.
+    pub id: RowId,
+    /// What it keeps.
+    pub kind: Kind,
+    /// Its bodies by index; `None` is the world.
+    pub bodies: Bodies,
+    /// c (m or rad).
+    pub c: f64,
+    /// J u at the instant's velocities (m/s or rad/s).
+    pub velocity: f64,
+    /// J'u (m/s² or rad/s²).
+    pub velocity_product: f64,
+    /// The least x.
+    pub lo: f64,
+    /// The greatest x.
+    pub hi: f64,
+    /// For a friction row the row that bounds it, and μ.
+    pub friction: Option<(usize, f64)>,
+    parts: [Option<Part>; 2],
+}
+
+/// The part of a row of J that belongs to one moving body.
+#[derive(Debug, Clone, Copy)]
+pub struct Part {
+    /// The body's block.
+    pub block: usize,
+    /// Its entries for [v; ω]; a point mass has the first three only.
+    pub jacobian: Vector6<f64>,
+}
+
+impl Row {
+    /// The parts of moving bodies: one or two.
+    pub fn parts(&self) -> impl Iterator<Item = &Part> {
+        self.parts.iter().flatten()
+    }
+
+    /// The row in words, such as `normal ground box1 3`.
+    pub fn label(&self, scene: &Scene) -> String {
+        let name = |body: Option<usize>| body.map_or("world", |k| scene.bodies[k].name.as_str());
+        let [first, second] = self.bodies.map(name);
+        format!("{} {first} {second} {}", self.kind.name(), self.id.component)
+    }
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Source::Constraint(k) => write!(f, "constraints[{k}]"),
+            Source::Contact(id) => {
+                write!(f, "contact of bodies[{}] and bodies[{}]", id.bodies[0], id.bodies[1])
+            }
+        }
+    }
+}
+
+pub(super) fn rows(
+    scene: &Scene,
+    states: &[State],
+    contacts: &[Found],
+    entering: Entering,
+    blocks: &[Block],
+) -> Result<Vec<Row>, Undefined> {
+    let mut block_of = vec![None; scene.bodies.len()];
+    for (k, block) in blocks.iter().enumerate() {
+        block_of[block.body] = Some(k);
+    }
+    let state = |body: Option<usize>| body.map_or(&State::WORLD, |k| &states[k]);
+    let mut rows = Vec::new();
+    let mut add = |source: Source, constraint: &dyn Constraint| {
+        let bodies = constraint.bodies();
+        let pair = bodies.map(state);
+        let own = constraint.rows(pair).map_err(|cause| Undefined { source, bodies, cause })?;
+        if enters(source, &own, pair, scene, entering) {
+            let first = rows.len();
+            let blocks = bodies.map(|body| body.and_then(|k| block_of[k]));
+            rows.extend(own.iter().enumerate().map(|(component, row)| {
+                placed(row, RowId { source, component }, bodies, blocks, pair, first)
+            }));
+        }
+        Ok(())
+    };
+    for (k, constraint) in scene.constraints.iter().enumerate() {
+        add(Source::Constraint(k), constraint.as_ref())?;
+    }
+    for found in contacts {
+        add(Source::Contact(found.id), &found.contact)?;
+    }
+    Ok(rows)
+}
+
+fn enters(
+    source: Source,
+    rows: &[constraint::Row],
+    states: [&State; 2],
+    scene: &Scene,
+    entering: Entering,
+) -> bool {
+    let (Source::Contact(_), Some(normal)) = (source, rows.first()) else { return true };
+    let touches = normal.c <= scene.contact.resting_gap;
+    match entering {
+        Entering::Near => normal.c <= scene.contact.margin,
+        Entering::Touching => touches,
+        Entering::Resting => touches && rate(normal, states) <= scene.contact.resting_speed,
+    }
+}
+
+/// J u of a constraint's row.
+fn rate(row: &constraint::Row, states: [&State; 2]) -> f64 {
+    let [j0, j1] = &row.jacobian;
+    j0.dot(&states[0].velocity()) + j1.dot(&states[1].velocity())
+}
+
+fn placed(
+    row: &constraint::Row,
+    id: RowId,
+    bodies: Bodies,
+    blocks: [Option<usize>; 2],
+    states: [&State; 2],
+    first: usize,
+) -> Row {
+    let (lo, hi) = row.bounds.interval();
+    let friction = match row.bounds {
+        Bounds::Friction { normal, mu } => Some((first + normal, mu)),
+        Bounds::Bilateral | Bounds::Unilateral => None,
+    };
+    let part = |k: usize| blocks[k].map(|block| Part { block, jacobian: row.jacobian[k] });
+    Row {
+        id,
+        kind: row.kind,
+        bodies,
+        c: row.c,
+        velocity: rate(row, states),
+        velocity_product: row.velocity_product,
+        lo,
+        hi,
+        friction,
+        parts: [part(0), part(1)],
+    }
+}

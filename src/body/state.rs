@@ -1,0 +1,85 @@
+//! Where a body is and how it moves: s = [p; q] and u = [v; ω].
+
+use nalgebra::{Quaternion, RealField, UnitQuaternion, Vector3, Vector6};
+
+use super::{angular, linear, stack};
+
+/// Position and orientation. The scalar is free so that tests can put dual numbers in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose<T: RealField + Copy = f64> {
+    /// The centre of mass (m, world).
+    pub p: Vector3<T>,
+    /// Rotates body to world.
+    pub q: UnitQuaternion<T>,
+}
+
+impl<T: RealField + Copy> Pose<T> {
+    /// The world point (m) that has these coordinates in the body's frame: p + R r.
+    pub fn point(&self, body: &Vector3<f64>) -> Vector3<T> {
+        self.p + self.direction(body)
+    }
+
+    /// The world vector that has these components in the body's frame: R r.
+    pub fn direction(&self, body: &Vector3<f64>) -> Vector3<T> {
+        self.q * body.map(nalgebra::convert::<f64, T>)
+    }
+}
+
+impl Pose {
+    /// The coordinates in the body's frame (m) of a world point: Rᵀ (x − p).
+    pub fn local(&self, world: &Vector3<f64>) -> Vector3<f64> {
+        self.q.inverse() * (world - self.p)
+    }
+}
+
+/// A body's pose and velocity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Position and orientation.
+    pub pose: Pose,
+    /// Velocity of the centre of mass (m/s, world).
+    pub v: Vector3<f64>,
+    /// Angular velocity (rad/s, world).
+    pub omega: Vector3<f64>,
+}
+
+impl State {
+    /// The state of the world itself: at the origin, at rest.
+    pub const WORLD: State = State {
+        pose: Pose {
+            p: Vector3::new(0.0, 0.0, 0.0),
+            q: UnitQuaternion::new_unchecked(Quaternion::new(1.0, 0.0, 0.0, 0.0)),
+        },
+        v: Vector3::new(0.0, 0.0, 0.0),
+        omega: Vector3::new(0.0, 0.0, 0.0),
+    };
+
+    /// u = [v; ω].
+    pub fn velocity(&self) -> Vector6<f64> {
+        stack(self.v, self.omega)
+    }
+
+    /// The same place with another velocity u = [v; ω].
+    pub fn with_velocity(&self, u: &Vector6<f64>) -> State {
+        State { pose: self.pose, v: linear(u), omega: angular(u) }
+    }
+
+    /// ds/dt = S(s) u: the velocity v, and q' = ½ (0, ω) ⊗ q.
+    pub fn rate(&self) -> (Vector3<f64>, Quaternion<f64>) {
+        (self.v, Quaternion::from_imag(self.omega) * self.pose.q.into_inner() * 0.5)
+    }
+
+    /// s + dt S(s) u with the quaternion normalised; the velocity stays.
+    pub fn advanced(&self, dt: f64) -> State {
+        let (p_rate, q_rate) = self.rate();
+        let q = UnitQuaternion::new_normalize(self.pose.q.into_inner() + q_rate * dt);
+        State { pose: Pose { p: self.pose.p + p_rate * dt, q }, ..*self }
+    }
+
+    /// Whether all numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        let numbers = [self.pose.p, self.v, self.omega];
+        numbers.iter().all(|x| x.iter().all(|x| x.is_finite()))
+            && self.pose.q.coords.iter().all(|x| x.is_finite())
+    }
+}

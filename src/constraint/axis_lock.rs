@@ -1,0 +1,86 @@
+//! One degree of freedom locked: no translation along an axis, or no rotation about it.
+//!
+//! The axis n is fixed to body 0, which makes it a world axis when body 0 is the world.
+//!
+//! ```text
+//! translation  c = n·d − offset     J, J'u as of a contact with n fixed to body 0
+//! rotation     c = 2 n·e_v          the component along n of the relative orientation
+//! ```
+//!
+//! A slider is two translation locks and an orientation, a hinge a coincidence and two rotation
+//! locks. `math §2`.
+
+use nalgebra::{RealField, Vector3};
+
+use super::arms::{Arms, separation};
+use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Orientation, Position, Row, constant};
+use crate::body::{Pose, State};
+
+/// One motion of body 1 relative to body 0 is locked: 1 row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AxisLock {
+    /// The bodies.
+    pub bodies: Bodies,
+    /// The unit axis, in body 0's frame.
+    pub axis: Vector3<f64>,
+    /// Which motion is locked.
+    pub motion: Motion,
+}
+
+/// The motion that an [`AxisLock`] locks.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Motion {
+    /// A point of body 1 stays in a plane across the axis.
+    Translation {
+        /// A point of each body, in its frame (m).
+        anchors: [Vector3<f64>; 2],
+        /// n·d (m) at which c = 0.
+        offset: f64,
+    },
+    /// The rotation vector of body 1 against `relative` has no component along the axis.
+    Rotation {
+        /// The orientation that is compared with.
+        relative: Orientation,
+    },
+}
+
+impl Constraint for AxisLock {
+    fn bodies(&self) -> Bodies {
+        self.bodies
+    }
+
+    fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let row = match &self.motion {
+            Motion::Rotation { relative } => relative.row_along(&self.axis, states),
+            Motion::Translation { anchors, offset } => {
+                let arms = Arms::new(states, anchors);
+                let n = states[0].pose.direction(&self.axis);
+                Row {
+                    kind: Kind::Translation,
+                    c: n.dot(&arms.d) - offset,
+                    jacobian: arms.row_with_normal_on_body_0(&n),
+                    velocity_product: arms.product_with_normal_on_body_0(&n, &states[0].omega),
+                    bounds: Bounds::Bilateral,
+                }
+            }
+        };
+        Ok(vec![row])
+    }
+}
+
+impl Position for AxisLock {
+    fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
+        let c = match &self.motion {
+            Motion::Rotation { relative } => {
+                let (_, e_v) = relative.error(poses);
+                let c = self.axis.map(constant::<T>).dot(&e_v);
+                c + c
+            }
+            Motion::Translation { anchors, offset } => {
+                let n = poses[0].direction(&self.axis);
+                n.dot(&separation(poses, anchors)) - constant(*offset)
+            }
+        };
+        vec![c]
+    }
+}

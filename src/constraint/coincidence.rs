@@ -1,0 +1,48 @@
+//! Two points coincide: the ball and socket; with the world as body 0 the *nail*.
+//!
+//! ```text
+//! c   = d                              (3 rows, along the world's axes)
+//! J   = [−I, [r0]×, I, −[r1]×]         since (ω×r) = −[r]× ω
+//! J'u = cent = ω1×(ω1×r1) − ω0×(ω0×r0)
+//! ```
+//!
+//! Row k is the row of n · d with n the k-th world axis, which does not move. K&M (13), `math §2`.
+
+use nalgebra::{RealField, Vector3};
+
+use super::arms::{Arms, separation};
+use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Position, Row};
+use crate::body::{Pose, State};
+
+/// A point of body 1 stays at a point of body 0: 3 rows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coincidence {
+    /// The bodies.
+    pub bodies: Bodies,
+    /// The point in each body's frame (m).
+    pub anchors: [Vector3<f64>; 2],
+}
+
+impl Constraint for Coincidence {
+    fn bodies(&self) -> Bodies {
+        self.bodies
+    }
+
+    fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let arms = Arms::new(states, &self.anchors);
+        let row = |k: usize| Row {
+            kind: Kind::Coincidence,
+            c: arms.d[k],
+            jacobian: arms.row(&Vector3::ith(k, 1.0)),
+            velocity_product: arms.cent[k],
+            bounds: Bounds::Bilateral,
+        };
+        Ok((0..3).map(row).collect())
+    }
+}
+
+impl Position for Coincidence {
+    fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
+        separation(poses, &self.anchors).iter().copied().collect()
+    }
+}

@@ -1,0 +1,199 @@
+//! Two bodies do not enter each other: one unilateral row along a unit normal n from body 0 to 1.
+//!
+//! ```text
+//! c = n·d − (R0 + R1)
+//! ```
+//!
+//! d joins the anchors, which are material points where a vertex touches, and the centre of a ball,
+//! whose radius R is taken off: a ball's touching point is not material, and with it J'u of a
+//! rolling ball would be wrong by |ω|²R. What n depends on makes the kinds of [`Normal`]:
+//!
+//! ```text
+//! face     n = R0 n_body: J = [−n, −((r0+d)×n), n, r1×n], J'u = n·cent + 2(ω0×n)·rel + (ω0×(ω0×n))·d
+//! centres  n = d/|d|: a distance row
+//! edge     n = h/|h|, h = d − e(e·d): the face's J and J'u, plus |h' − n(n·h')|²/|h| as n turns
+//! edges    n = m/|m|, m = e0×e1; with P = I − nnᵀ, t = P d/|m|
+//!          J = [−n, −(r0×n) + e0×(e1×t), n, r1×n + e1×(t×e0)], J'u = n·cent + 2 n'·rel + n''·d
+//! ```
+//!
+//! K&M (22), `math §2`.
+
+use nalgebra::{RealField, Vector3, Vector6};
+
+use super::arms::{Arms, separation};
+use super::distance::COINCIDENT;
+use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Position, Row, constant, friction};
+use crate::body::{Pose, State, stack};
+
+/// A contact point: 1 row, or 3 (normal and two tangents) with friction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact {
+    /// The bodies; body 0 is the one that carries the normal.
+    pub bodies: Bodies,
+    /// The anchors in the bodies' frames (m): material points, or centres of balls.
+    pub anchors: [Vector3<f64>; 2],
+    /// The radii of balls around the anchors (m), 0 for material points.
+    pub radii: [f64; 2],
+    /// What the normal depends on.
+    pub normal: Normal,
+    /// The coefficient of friction μ; without friction there are no tangential rows.
+    pub friction: f64,
+}
+
+/// What the normal of a contact depends on. Vectors are unit vectors in their body's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Normal {
+    /// It is the normal of a face of body 0.
+    Face(Vector3<f64>),
+    /// It points from anchor 0 to anchor 1.
+    Centres,
+    /// It points from an edge of body 0 with this direction to anchor 1.
+    Edge(Vector3<f64>),
+    /// It is across an edge of body 0 and one of body 1, along e0 × e1.
+    Edges([Vector3<f64>; 2]),
+}
+
+/// The normal of a contact at one instant, and how it moves.
+pub(super) struct Frame {
+    /// n (world).
+    pub n: Vector3<f64>,
+    /// n' (1/s).
+    pub n_rate: Vector3<f64>,
+    /// The angular velocity (rad/s) with which the tangents follow n.
+    pub turn: Vector3<f64>,
+    jacobian: [Vector6<f64>; 2],
+    velocity_product: f64,
+}
+
+impl Contact {
+    fn frame(&self, arms: &Arms, states: [&State; 2]) -> Result<Frame, Degenerate> {
+        match &self.normal {
+            Normal::Face(n) => Ok(face(arms, states, states[0].pose.direction(n))),
+            Normal::Centres => round(arms, states, None),
+            Normal::Edge(axis) => round(arms, states, Some(states[0].pose.direction(axis))),
+            Normal::Edges([e0, e1]) => {
+                edges(arms, states, states[0].pose.direction(e0), states[1].pose.direction(e1))
+            }
+        }
+    }
+
+    /// c and n at these states.
+    ///
+    /// # Errors
+    /// Where n is not defined.
+    pub fn gap(&self, states: [&State; 2]) -> Result<(f64, Vector3<f64>), Degenerate> {
+        let arms = Arms::new(states, &self.anchors);
+        let n = self.frame(&arms, states)?.n;
+        Ok((n.dot(&arms.d) - self.radii[0] - self.radii[1], n))
+    }
+}
+
+impl Constraint for Contact {
+    fn bodies(&self) -> Bodies {
+        self.bodies
+    }
+
+    fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let arms = Arms::new(states, &self.anchors);
+        let frame = self.frame(&arms, states)?;
+        let mut rows = vec![Row {
+            kind: Kind::Normal,
+            c: frame.n.dot(&arms.d) - self.radii[0] - self.radii[1],
+            jacobian: frame.jacobian,
+            velocity_product: frame.velocity_product,
+            bounds: Bounds::Unilateral,
+        }];
+        if self.friction > 0.0 {
+            rows.extend(friction::rows(self, &arms, &frame, states));
+        }
+        Ok(rows)
+    }
+}
+
+/// n is fixed to body 0.
+fn face(arms: &Arms, states: [&State; 2], n: Vector3<f64>) -> Frame {
+    let omega0 = states[0].omega;
+    Frame {
+        n,
+        n_rate: omega0.cross(&n),
+        turn: omega0,
+        jacobian: arms.row_with_normal_on_body_0(&n),
+        velocity_product: arms.product_with_normal_on_body_0(&n, &omega0),
+    }
+}
+
+/// n points from an edge of body 0 along `axis`, or from anchor 0 without one, to anchor 1: a face
+/// whose normal moves in body 0's frame.
+fn round(
+    arms: &Arms,
+    states: [&State; 2],
+    axis: Option<Vector3<f64>>,
+) -> Result<Frame, Degenerate> {
+    let across = |y: Vector3<f64>| axis.map_or(y, |e| y - e * e.dot(&y));
+    let h = across(arms.d);
+    let n = h.try_normalize(0.0).ok_or(COINCIDENT)?;
+    let h_rate = across(arms.rel - states[0].omega.cross(&arms.d)); // seen from body 0
+    let slide = h_rate - n * n.dot(&h_rate);
+    let fixed = face(arms, states, n);
+    let n_rate = fixed.n_rate + slide / h.norm();
+    Ok(Frame {
+        n_rate,
+        turn: n.cross(&n_rate),
+        velocity_product: fixed.velocity_product + slide.norm_squared() / h.norm(),
+        ..fixed
+    })
+}
+
+/// n is across the edge e0 of body 0 and the edge e1 of body 1.
+fn edges(
+    arms: &Arms,
+    states: [&State; 2],
+    e0: Vector3<f64>,
+    e1: Vector3<f64>,
+) -> Result<Frame, Degenerate> {
+    let m = e0.cross(&e1);
+    let length = m.norm();
+    let n = m.try_normalize(1e-9).ok_or(PARALLEL)?;
+    let [omega0, omega1] = [states[0].omega, states[1].omega];
+    let (e0_rate, e1_rate) = (omega0.cross(&e0), omega1.cross(&e1));
+    let m_rate = e0_rate.cross(&e1) + e0.cross(&e1_rate);
+    let length_rate = n.dot(&m_rate);
+    let n_rate = (m_rate - n * length_rate) / length;
+    let m_product = omega0.cross(&e0_rate).cross(&e1)
+        + 2.0 * e0_rate.cross(&e1_rate)
+        + e0.cross(&omega1.cross(&e1_rate));
+    let length_product = n.dot(&m_product) + n_rate.dot(&m_rate);
+    let n_product = (m_product - n * length_product - 2.0 * n_rate * length_rate) / length;
+    let t = (arms.d - n * n.dot(&arms.d)) / length;
+    let [mut j0, mut j1] = arms.row(&n);
+    j0 += stack(Vector3::zeros(), e0.cross(&e1.cross(&t)));
+    j1 += stack(Vector3::zeros(), e1.cross(&t.cross(&e0)));
+    Ok(Frame {
+        n,
+        n_rate,
+        turn: n.cross(&n_rate),
+        jacobian: [j0, j1],
+        velocity_product: n.dot(&arms.cent) + 2.0 * n_rate.dot(&arms.rel) + n_product.dot(&arms.d),
+    })
+}
+
+const PARALLEL: Degenerate =
+    Degenerate { reason: "the two edges are parallel, so nothing is across both" };
+
+impl Position for Contact {
+    fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
+        let d = separation(poses, &self.anchors);
+        let c = match &self.normal {
+            Normal::Face(n) => poses[0].direction(n).dot(&d),
+            Normal::Centres => d.norm(),
+            Normal::Edge(axis) => {
+                let e = poses[0].direction(axis);
+                (d - e * e.dot(&d)).norm()
+            }
+            Normal::Edges([e0, e1]) => {
+                poses[0].direction(e0).cross(&poses[1].direction(e1)).normalize().dot(&d)
+            }
+        };
+        vec![c - constant(self.radii[0] + self.radii[1])]
+    }
+}

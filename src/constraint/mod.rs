@@ -1,0 +1,149 @@
+//! What bodies must not do to each other, one constraint a file.
+//!
+//! A constraint gives for each of its rows the position c(s), the row of J with dc/dt = J u, and
+//! the velocity product J'u with d²c/dt² = J u' + J'u. It acts between body 0 and body 1, the sign
+//! is body 1 minus body 0, and the world may take the place of either. Larger joints are combined
+//! of these, never special-cased. `math §2`.
+//!
+//! [`Constraint`] is what assembly sees. [`Position`] is c(s) again, over any real scalar, so that
+//! dual numbers can verify every J and J'u.
+
+mod arms;
+mod axis_lock;
+mod coincidence;
+mod contact;
+mod distance;
+mod friction;
+mod orientation;
+mod weld;
+
+pub use axis_lock::{AxisLock, Motion};
+pub use coincidence::Coincidence;
+pub use contact::{Contact, Normal};
+pub use distance::Distance;
+pub use friction::tangents;
+pub use orientation::Orientation;
+pub use weld::Weld;
+
+use std::fmt;
+
+use nalgebra::{RealField, Vector6};
+
+use crate::body::{Pose, State};
+
+/// The bodies that a constraint joins, by index; `None` is the world.
+pub type Bodies = [Option<usize>; 2];
+
+/// A constraint between two bodies, or between a body and the world.
+pub trait Constraint: fmt::Debug + Send + Sync {
+    /// The bodies whose states [`rows`](Constraint::rows) wants, in this order.
+    fn bodies(&self) -> Bodies;
+
+    /// The rows at these states; always as many, in the same order.
+    ///
+    /// # Errors
+    /// [`Degenerate`] where c has no derivative.
+    fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate>;
+}
+
+/// c(s) of a constraint over any real scalar; one entry a row, as in [`Constraint::rows`]. Friction
+/// rows, which have no position, are left out.
+pub trait Position {
+    /// c(s) in metres or radians.
+    fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T>;
+}
+
+/// One row of a constraint at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// What the row keeps.
+    pub kind: Kind,
+    /// The position c (m or rad); 0 for a friction row.
+    pub c: f64,
+    /// The blocks of J for [v; ω] of body 0 and of body 1.
+    pub jacobian: [Vector6<f64>; 2],
+    /// The velocity product J'u (m/s² or rad/s²).
+    pub velocity_product: f64,
+    /// What the row's force may be.
+    pub bounds: Bounds,
+}
+
+/// What a row keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kind {
+    /// Two points together, along a world axis.
+    Coincidence,
+    /// Two points at a distance.
+    Distance,
+    /// A point in a plane fixed to body 0.
+    Translation,
+    /// A component of the relative rotation at 0.
+    Rotation,
+    /// Two bodies apart: the normal row of a contact.
+    Normal,
+    /// A tangential row of a contact.
+    Friction,
+}
+
+/// What a row's force (or impulse) x may be; x ≥ 0 pushes body 1 away from body 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bounds {
+    /// Any x: an equation.
+    Bilateral,
+    /// x ≥ 0: pushes only.
+    Unilateral,
+    /// |x| ≤ μ x_n with x_n of another row of the same constraint.
+    Friction {
+        /// The index of the normal row among the rows of this constraint.
+        normal: usize,
+        /// The coefficient of friction μ.
+        mu: f64,
+    },
+}
+
+impl Kind {
+    /// One word for tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Coincidence => "coincidence",
+            Kind::Distance => "distance",
+            Kind::Translation => "translation",
+            Kind::Rotation => "rotation",
+            Kind::Normal => "normal",
+            Kind::Friction => "friction",
+        }
+    }
+
+    /// Whether c is an angle, x a torque or an angular impulse.
+    pub fn is_angular(self) -> bool {
+        self == Kind::Rotation
+    }
+}
+
+impl Bounds {
+    /// lo and hi of an uncoupled row, ∓∞ for a friction row.
+    pub fn interval(self) -> (f64, f64) {
+        match self {
+            Bounds::Unilateral => (0.0, f64::INFINITY),
+            Bounds::Bilateral | Bounds::Friction { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+        }
+    }
+}
+
+/// A state in which a constraint has no direction to push in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Degenerate {
+    /// What went wrong.
+    pub reason: &'static str,
+}
+
+impl fmt::Display for Degenerate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.reason)
+    }
+}
+
+/// The f64 constant in another scalar.
+fn constant<T: RealField + Copy>(value: f64) -> T {
+    nalgebra::convert(value)
+}

@@ -1,0 +1,71 @@
+//! A = J M⁻¹ Jᵀ, the Delassus operator: entry ij couples rows that share a moving body.
+//!
+//! ```text
+//! A_ij = Σ over shared bodies k of   (M_k⁻¹ J_ikᵀ) · J_jk
+//! ```
+//!
+//! Only the upper triangle is computed and then mirrored, so A is symmetric to the last bit.
+
+use nalgebra::Vector6;
+
+use crate::assembly::{Assembly, Part};
+use crate::lcp::Matrix;
+
+/// Up to this many rows A is dense, whatever its fill.
+const SMALL: usize = 32;
+/// Beyond SMALL, A is dense where at least this part of its entries is stored.
+const FULL: f64 = 0.25;
+
+pub(super) fn matrix(assembly: &Assembly) -> Matrix {
+    let n = assembly.rows.len();
+    let entries = entries(assembly);
+    if n > SMALL && (entries.len() as f64) < FULL * (n * n) as f64 {
+        return Matrix::sparse(n, &entries);
+    }
+    let mut dense = vec![0.0; n * n];
+    for (i, j, a) in entries {
+        dense[i * n + j] = a;
+    }
+    Matrix::dense(n, &dense)
+}
+
+/// The entries of A, each once.
+fn entries(assembly: &Assembly) -> Vec<(usize, usize, f64)> {
+    // The rows of each body, ascending, with their part of J.
+    let mut rows_of: Vec<Vec<(usize, Vector6<f64>)>> = vec![Vec::new(); assembly.blocks.len()];
+    for (i, row) in assembly.rows.iter().enumerate() {
+        for part in row.parts() {
+            rows_of[part.block].push((i, part.jacobian));
+        }
+    }
+    let mut entries = Vec::new();
+    for (i, row) in assembly.rows.iter().enumerate() {
+        let mut upper: Vec<(usize, f64)> = Vec::new();
+        for part in row.parts() {
+            let response = response(assembly, part);
+            let above = rows_of[part.block].partition_point(|&(j, _)| j < i);
+            let others = &rows_of[part.block][above..];
+            upper.extend(others.iter().map(|(j, other)| (*j, response.dot(other))));
+        }
+        upper.sort_by_key(|&(j, _)| j);
+        upper.dedup_by(|next, sum| {
+            let same = next.0 == sum.0;
+            if same {
+                sum.1 += next.1;
+            }
+            same
+        });
+        for (j, a) in upper {
+            entries.push((i, j, a));
+            if j != i {
+                entries.push((j, i, a));
+            }
+        }
+    }
+    entries
+}
+
+/// M⁻¹ Jᵀ of one part, with no rotation for a point mass.
+fn response(assembly: &Assembly, part: &Part) -> Vector6<f64> {
+    assembly.blocks[part.block].accelerate(&part.jacobian)
+}

@@ -1,0 +1,169 @@
+//! From physics to the LCP and back: the only bridge between the two columns.
+//!
+//! Every stage of a step has the same form. Without constraints the bodies would move with the
+//! *target*: u* = u + dt M⁻¹F, or u itself for an impact, or the accelerations M⁻¹F. Then
+//!
+//! ```text
+//! A = J M⁻¹ Jᵀ,   b = J target + bias,   and the answer x moves them with   target + M⁻¹ Jᵀ x
+//! ```
+//!
+//! and only the target and the bias tell the stages apart: [`velocity`] and [`acceleration`] have
+//! one formula each. x ≥ 0 pushes apart. `math §3`, `math §4`.
+
+mod acceleration;
+mod delassus;
+mod velocity;
+
+pub use crate::scene::Formulation;
+
+use crate::assembly::Assembly;
+use crate::body::State;
+use crate::error::Result;
+use crate::lcp::{Coupling, Gauss, Lcp};
+use crate::scene::Scene;
+
+/// What an LCP decides within a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Stage {
+    /// The impulses (N s) of a step at velocity level.
+    Velocity,
+    /// The impulses (N s) of bodies that hit, before a step at acceleration level.
+    Impact,
+    /// The impulses (N s) again, with rows that bounce.
+    Restitution,
+    /// The forces (N) of a step at acceleration level.
+    Acceleration,
+}
+
+impl Stage {
+    /// One word for tables and file names.
+    pub fn name(self) -> &'static str {
+        match self {
+            Stage::Velocity => "velocity",
+            Stage::Impact => "impact",
+            Stage::Restitution => "restitution",
+            Stage::Acceleration => "acceleration",
+        }
+    }
+
+    /// The unit of x for a row that is angular or not.
+    pub fn unit(self, angular: bool) -> &'static str {
+        match (self, angular) {
+            (Stage::Acceleration, false) => "N",
+            (Stage::Acceleration, true) => "N m",
+            (_, false) => "N s",
+            (_, true) => "N m s",
+        }
+    }
+}
+
+/// An LCP with the matrices it was made of.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// What it decides.
+    pub stage: Stage,
+    /// The problem in numbers.
+    pub lcp: Lcp,
+    /// The scene at this instant; its rows are the LCP's.
+    pub assembly: Assembly,
+    /// The motion without constraints, one entry a column: velocities (m/s, rad/s), at the
+    /// acceleration stage accelerations.
+    pub target: Vec<f64>,
+    /// What is added to J target, one entry a row.
+    pub bias: Vec<f64>,
+}
+
+impl Problem {
+    /// The impulse LCP of a step at velocity level.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn velocity(scene: &Scene, assembly: Assembly) -> Result<Self> {
+        let target = velocity::target(&assembly, scene.step.dt);
+        let bias = velocity::bias(&assembly, scene);
+        Problem::new(Stage::Velocity, assembly, target, bias)
+    }
+
+    /// The impulse LCP of bodies that hit: no force, no bias, only J u⁺ ≥ 0.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn impact(assembly: Assembly) -> Result<Self> {
+        let (target, bias) = (assembly.u.clone(), vec![0.0; assembly.rows.len()]);
+        Problem::new(Stage::Impact, assembly, target, bias)
+    }
+
+    /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that the first answer x pushes
+    /// and that approached faster than `bounce_speed`; `None` if no row does.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn restitution(&self, scene: &Scene, x: &[f64]) -> Result<Option<Self>> {
+        velocity::bouncing(self, scene, x)
+            .map(|bias| {
+                let (assembly, target) = (self.assembly.clone(), self.target.clone());
+                Problem::new(Stage::Restitution, assembly, target, bias)
+            })
+            .transpose()
+    }
+
+    /// The force LCP of a step at acceleration level.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn acceleration(scene: &Scene, assembly: Assembly) -> Result<Self> {
+        let target = assembly.accelerate(&assembly.force);
+        let bias = acceleration::bias(&assembly, scene);
+        Problem::new(Stage::Acceleration, assembly, target, bias)
+    }
+
+    fn new(stage: Stage, assembly: Assembly, target: Vec<f64>, bias: Vec<f64>) -> Result<Self> {
+        let rows = &assembly.rows;
+        let b = assembly.push_forward(&target).iter().zip(&bias).map(|(a, b)| a + b).collect();
+        let (lo, hi) = rows.iter().map(|row| (row.lo, row.hi)).unzip();
+        let index = rows.iter().map(|row| row.friction.map(|(normal, _)| normal)).collect();
+        let mu = rows.iter().map(|row| row.friction.map_or(0.0, |(_, mu)| mu)).collect();
+        let lcp = Lcp::new(delassus::matrix(&assembly), b, lo, hi)?;
+        let lcp = lcp.with_coupling(Coupling::new(index, mu)?)?;
+        Ok(Problem { stage, lcp, assembly, target, bias })
+    }
+
+    /// The motion with the constraints' x: target + M⁻¹ Jᵀ x.
+    pub fn motion(&self, x: &[f64]) -> Vec<f64> {
+        let change = self.assembly.accelerate(&self.assembly.pull_back(x));
+        self.target.iter().zip(change).map(|(target, change)| target + change).collect()
+    }
+
+    /// The velocities u⁺ that x leads to: the motion, or u + dt times it at acceleration level.
+    pub fn next_velocity(&self, x: &[f64], dt: f64) -> Vec<f64> {
+        let motion = self.motion(x);
+        match self.stage {
+            Stage::Velocity | Stage::Impact | Stage::Restitution => motion,
+            Stage::Acceleration => {
+                self.assembly.u.iter().zip(motion).map(|(u, rate)| u + dt * rate).collect()
+            }
+        }
+    }
+
+    /// The states after the step: s + dt S u⁺, for the states of this instant.
+    pub fn next_states(&self, states: &[State], x: &[f64], dt: f64) -> Vec<State> {
+        let moved = self.assembly.with_velocities(states, &self.next_velocity(x, dt));
+        moved.iter().map(|state| state.advanced(dt)).collect()
+    }
+
+    /// The same motion as a primal program, by Gauss's principle; coupled rows have the bounds that
+    /// x gives them.
+    pub fn gauss(&self, x: &[f64]) -> Gauss {
+        let n = self.lcp.len();
+        let (lo, hi) = (0..n).map(|i| self.lcp.bounds(i, x)).unzip();
+        Gauss {
+            mass: self.assembly.blocks.iter().flat_map(|block| block.mass_entries()).collect(),
+            jacobian: (0..n).map(|i| self.assembly.jacobian_row(i)).collect(),
+            bias: self.bias.clone(),
+            compliance: vec![0.0; n],
+            target: self.target.clone(),
+            lo,
+            hi,
+        }
+    }
+}

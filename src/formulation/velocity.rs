@@ -1,0 +1,51 @@
+//! The velocity level: impulses x (N s), w = J u⁺ + bias (m/s).
+//!
+//! ```text
+//! u* = u + dt M⁻¹ F
+//! bias = c/dt                       a gap: it may close within the step, not more (speculative)
+//!        β/dt min(c + slop, 0)      a contact that overlaps
+//!        β/dt c                     an equality
+//!        0                          friction
+//! ```
+//!
+//! A row that bounces has the bias e J u⁻ instead, never beside: a bias added to the bounce would
+//! turn a position error into energy. K&M Code 7 has −x (see the errata), `math §4`.
+
+use super::{Problem, Stage};
+use crate::assembly::{Assembly, Row};
+use crate::constraint::Kind;
+use crate::scene::Scene;
+
+/// u* = u + dt M⁻¹ F.
+pub(super) fn target(assembly: &Assembly, dt: f64) -> Vec<f64> {
+    let rate = assembly.accelerate(&assembly.force);
+    assembly.u.iter().zip(rate).map(|(u, rate)| u + dt * rate).collect()
+}
+
+pub(super) fn bias(assembly: &Assembly, scene: &Scene) -> Vec<f64> {
+    let (dt, beta) = (scene.step.dt, scene.step.baumgarte);
+    let bias = |row: &Row| match row.kind {
+        Kind::Friction => 0.0,
+        Kind::Normal if row.c > 0.0 => row.c / dt,
+        Kind::Normal => beta / dt * (row.c + scene.contact.slop).min(0.0),
+        _ => beta / dt * row.c,
+    };
+    assembly.rows.iter().map(bias).collect()
+}
+
+/// The bias with e J u⁻ in the rows that bounce after the answer x, if any does.
+pub(super) fn bouncing(problem: &Problem, scene: &Scene, x: &[f64]) -> Option<Vec<f64>> {
+    debug_assert!(matches!(problem.stage, Stage::Velocity | Stage::Impact));
+    let e = scene.contact.restitution;
+    let mut bias = problem.bias.clone();
+    let mut any = false;
+    for ((row, x), bias) in problem.assembly.rows.iter().zip(x).zip(&mut bias) {
+        let hit =
+            row.kind == Kind::Normal && *x > 0.0 && row.velocity < -scene.contact.bounce_speed;
+        if hit && e > 0.0 {
+            *bias = e * row.velocity;
+            any = true;
+        }
+    }
+    any.then_some(bias)
+}

@@ -1,0 +1,209 @@
+//! From a description to a scene: every defect is found, none is repaired. Constraints: see
+//! [`joints`](super::joints).
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+use super::description::{self, Description, Rotation};
+use super::joints::Site;
+use super::settings::{not_negative, positive};
+use super::{Scene, generate};
+use crate::body::{Body, Mass, Pose, Shape, State, inertia};
+use crate::error::{Defects, Result};
+
+pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
+    let mut defects = Defects::default();
+    let whole = generate::expand(description, &mut defects);
+    whole.step.check(&mut defects);
+    whole.contact.check(&mut defects);
+    whole.solver.check(&mut defects);
+    finite(&mut defects, "gravity", &whole.gravity);
+    let mut scene = Scene {
+        name: stem(name),
+        title: whole.title.clone(),
+        teaches: whole.teaches.clone(),
+        gravity: whole.gravity.into(),
+        step: whole.step.clone(),
+        contact: whole.contact.clone(),
+        solver: whole.solver.clone(),
+        bodies: Vec::with_capacity(whole.bodies.len()),
+        states: Vec::with_capacity(whole.bodies.len()),
+        constraints: Vec::with_capacity(whole.constraints.len()),
+    };
+    let mut names = HashMap::new();
+    for (k, body) in whole.bodies.iter().enumerate() {
+        let place = format!("bodies[{k}]");
+        if body.name.is_empty() {
+            defects.add(format!("{place}.name"), "is empty");
+        } else if let Some(first) = names.insert(body.name.as_str(), k) {
+            let reason = format!("{:?} is the name of bodies[{first}] too", body.name);
+            defects.add(format!("{place}.name"), reason);
+        }
+        scene.bodies.push(build_body(&mut defects, &place, body, whole.contact.friction));
+        scene.states.push(build_state(&mut defects, &place, body));
+    }
+    for (k, constraint) in whole.constraints.iter().enumerate() {
+        let site = Site { place: format!("constraints[{k}]"), written: constraint };
+        scene.constraints.extend(site.build(&mut defects, &names, &scene));
+    }
+    defects.into_result(name)?;
+    Ok(scene)
+}
+
+fn stem(name: &str) -> String {
+    Path::new(name).file_stem().map_or_else(|| name.into(), |stem| stem.to_string_lossy().into())
+}
+
+fn build_body(defects: &mut Defects, place: &str, body: &description::Body, friction: f64) -> Body {
+    let shape = build_shape(defects, place, &body.shape);
+    let mass = build_mass(defects, place, body, &shape);
+    if let Some(friction) = body.friction {
+        not_negative(defects, format!("{place}.friction"), friction);
+    }
+    Body { name: body.name.clone(), mass, shape, friction: body.friction.unwrap_or(friction) }
+}
+
+fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -> Shape {
+    let place = format!("{place}.shape");
+    match *shape {
+        description::Shape::Point => Shape::Point,
+        description::Shape::Sphere(radius) => {
+            positive(defects, place, radius);
+            Shape::Sphere { radius }
+        }
+        description::Shape::Box(edges) => {
+            for edge in edges {
+                positive(defects, place.as_str(), edge);
+            }
+            Shape::Box { half: Vector3::from(edges) / 2.0 }
+        }
+        description::Shape::Plane(normal) => {
+            Shape::Plane { normal: direction(defects, &place, &normal) }
+        }
+    }
+}
+
+fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shape: &Shape) -> Mass {
+    let given = [("mass", body.mass), ("density", body.density)];
+    if body.fixed {
+        let moments = body.inertia.map(|moments| moments[0]);
+        for (field, _) in given.into_iter().chain([("inertia", moments)]).filter(|g| g.1.is_some())
+        {
+            defects.add(format!("{place}.{field}"), "a fixed body has none");
+        }
+        return Mass::Fixed;
+    }
+    if matches!(shape, Shape::Plane { .. }) {
+        defects.add(format!("{place}.shape"), "a plane must be fixed");
+        return Mass::Fixed;
+    }
+    for (field, value) in given {
+        if let Some(value) = value {
+            positive(defects, format!("{place}.{field}"), value);
+        }
+    }
+    let mass = match (body.mass, body.density, inertia::volume(shape)) {
+        (Some(mass), None, _) => mass,
+        (None, Some(density), Some(volume)) => density * volume,
+        (None, Some(_), None) => {
+            defects.add(format!("{place}.density"), "a point has no volume, give its mass");
+            1.0
+        }
+        (Some(_), Some(_), _) => {
+            defects.add(format!("{place}.density"), "there is a mass too, give one of them");
+            1.0
+        }
+        (None, None, _) => {
+            defects
+                .add(format!("{place}.mass"), "is missing: give mass or density, or fixed = true");
+            1.0
+        }
+    };
+    let Some(homogeneous) = inertia::moments(shape, mass) else {
+        if body.inertia.is_some() {
+            defects.add(format!("{place}.inertia"), "a point has none");
+        }
+        return Mass::Point { mass };
+    };
+    let moments = body.inertia.map_or(homogeneous, Vector3::from);
+    check_moments(defects, place, &moments, body.inertia.is_some());
+    Mass::Rigid { mass, moments }
+}
+
+/// No moment of a body exceeds the sum of the other two.
+fn check_moments(defects: &mut Defects, place: &str, moments: &Vector3<f64>, given: bool) {
+    if !given {
+        return;
+    }
+    let place = format!("{place}.inertia");
+    for &moment in moments {
+        positive(defects, place.as_str(), moment);
+        let rest = moments.sum() - moment;
+        if moment > rest * (1.0 + 1e-12) {
+            let reason = format!("the moment {moment} exceeds the sum {rest} of the other two");
+            defects.add(place.as_str(), reason);
+        }
+    }
+}
+
+fn build_state(defects: &mut Defects, place: &str, body: &description::Body) -> State {
+    finite(defects, &format!("{place}.position"), &body.position);
+    let point = body.shape == description::Shape::Point;
+    let motions = [("velocity", &body.velocity), ("angular_velocity", &body.angular_velocity)];
+    for (field, motion) in motions {
+        let place = format!("{place}.{field}");
+        finite(defects, &place, motion);
+        if body.fixed && *motion != [0.0; 3] {
+            defects.add(place, "a fixed body does not move");
+        } else if point && field == "angular_velocity" && *motion != [0.0; 3] {
+            defects.add(place, "a point does not turn");
+        }
+    }
+    if point && body.rotation.is_some() {
+        defects.add(format!("{place}.rotation"), "a point has no orientation");
+    }
+    let q = body.rotation.map_or(Some(UnitQuaternion::identity()), |rotation| turn(&rotation));
+    if q.is_none() {
+        defects.add(format!("{place}.rotation"), "is not a rotation: it must be finite and not 0");
+    }
+    State {
+        pose: Pose { p: body.position.into(), q: q.unwrap_or_default() },
+        v: body.velocity.into(),
+        omega: body.angular_velocity.into(),
+    }
+}
+
+fn turn(rotation: &Rotation) -> Option<UnitQuaternion<f64>> {
+    let about = |axis: Vector3<f64>, degrees: f64| {
+        degrees.is_finite().then(|| UnitQuaternion::from_scaled_axis(axis * degrees.to_radians()))
+    };
+    match *rotation {
+        Rotation::X(degrees) => about(Vector3::x(), degrees),
+        Rotation::Y(degrees) => about(Vector3::y(), degrees),
+        Rotation::Z(degrees) => about(Vector3::z(), degrees),
+        Rotation::Quaternion([w, x, y, z]) => {
+            let q = Quaternion::new(w, x, y, z);
+            let norm = q.norm();
+            (norm > 0.0 && norm.is_finite()).then(|| UnitQuaternion::new_normalize(q))
+        }
+    }
+}
+
+/// The unit vector along three numbers.
+pub(super) fn direction(defects: &mut Defects, place: &str, vector: &[f64; 3]) -> Vector3<f64> {
+    let vector = Vector3::from(*vector);
+    let norm = vector.norm();
+    if !(norm > 0.0 && norm.is_finite()) {
+        defects.add(place, format!("needs a direction, has length {norm}"));
+        return Vector3::z();
+    }
+    vector / norm
+}
+
+fn finite(defects: &mut Defects, place: &str, numbers: &[f64; 3]) {
+    if let Some(bad) = numbers.iter().find(|x| !x.is_finite()) {
+        defects.add(place, format!("must be finite, has {bad}"));
+    }
+}

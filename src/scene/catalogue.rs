@@ -1,0 +1,51 @@
+//! The scenes that lcplab ships, embedded in the program: the files of the folder `scenes/`.
+
+use super::Scene;
+use crate::error::Result;
+
+/// A shipped scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Shipped {
+    /// The name to load it by.
+    pub name: &'static str,
+    /// Its file.
+    pub text: &'static str,
+}
+
+macro_rules! shipped {
+    ($($name:literal),* $(,)?) => {
+        &[$(Shipped {
+            name: $name,
+            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/", $name, ".toml")),
+        }),*]
+    };
+}
+
+/// All shipped scenes, from the simplest to the largest.
+pub const SHIPPED: &[Shipped] = shipped![
+    "fig6",
+    "fig7",
+    "sphere_plane",
+    "incline",
+    "stack",
+    "pendulum",
+    "double_pendulum",
+    "chain",
+    "ball_chain",
+    "net",
+];
+
+impl Shipped {
+    /// The scene.
+    ///
+    /// # Errors
+    /// None for the shipped files, which the tests read.
+    pub fn scene(&self) -> Result<Scene> {
+        Scene::from_toml(&format!("{}.toml", self.name), self.text)
+    }
+}
+
+/// The text of the shipped scene of this name.
+pub fn text(name: &str) -> Option<&'static str> {
+    SHIPPED.iter().find(|shipped| shipped.name == name).map(|shipped| shipped.text)
+}

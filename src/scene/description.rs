@@ -1,0 +1,177 @@
+//! The scene file, field by field. SI units; angles in radians unless the name says degrees.
+//!
+//! ```toml
+//! title = "A ball on the ground"
+//! gravity = [0, 0, -9.81]
+//!
+//! [step]
+//! dt = 0.01
+//!
+//! [[bodies]]
+//! name = "ground"
+//! fixed = true
+//! shape = { plane = [0, 0, 1] }
+//!
+//! [[bodies]]
+//! name = "ball"
+//! shape = { sphere = 0.5 }
+//! mass = 2
+//! position = [0, 0, 0.5]
+//! ```
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::generate::Generator;
+use super::settings::{Contacts, Solver, Step};
+
+/// A scene as it is written down. [`Scene::new`](super::Scene::new) makes a scene of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Description {
+    /// One line for lists.
+    pub title: String,
+    /// What the scene teaches, and what must hold in it.
+    pub teaches: String,
+    /// The acceleration of gravity (m/s²).
+    pub gravity: [f64; 3],
+    /// How a step is taken.
+    pub step: Step,
+    /// When contacts count, and what they do.
+    pub contact: Contacts,
+    /// Which solver to use.
+    pub solver: Solver,
+    /// Regular structures, added to the bodies and constraints.
+    pub generate: Vec<Generator>,
+    /// The bodies.
+    pub bodies: Vec<Body>,
+    /// The constraints; contacts are found, not written.
+    pub constraints: Vec<Constraint>,
+}
+
+impl Default for Description {
+    fn default() -> Self {
+        Description {
+            title: String::new(),
+            teaches: String::new(),
+            gravity: [0.0, 0.0, -9.81],
+            step: Step::default(),
+            contact: Contacts::default(),
+            solver: Solver::default(),
+            generate: Vec::new(),
+            bodies: Vec::new(),
+            constraints: Vec::new(),
+        }
+    }
+}
+
+/// A body. It needs a name, a shape, and a mass or a density unless it is fixed.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Body {
+    /// The name that constraints use.
+    pub name: String,
+    /// What it looks like.
+    pub shape: Shape,
+    /// Whether it never moves.
+    #[serde(default)]
+    pub fixed: bool,
+    /// Mass (kg).
+    #[serde(default)]
+    pub mass: Option<f64>,
+    /// Density (kg/m³), in place of the mass.
+    #[serde(default)]
+    pub density: Option<f64>,
+    /// Principal moments of inertia (kg m²), in place of those of a homogeneous body.
+    #[serde(default)]
+    pub inertia: Option<[f64; 3]>,
+    /// The centre of mass (m); of a plane, any point of it.
+    #[serde(default)]
+    pub position: [f64; 3],
+    /// The orientation; by default the body's axes are the world's.
+    #[serde(default)]
+    pub rotation: Option<Rotation>,
+    /// Velocity (m/s).
+    #[serde(default)]
+    pub velocity: [f64; 3],
+    /// Angular velocity (rad/s), world axes.
+    #[serde(default)]
+    pub angular_velocity: [f64; 3],
+    /// Coefficient of friction; by default that of `[contact]`. A pair has the geometric mean.
+    #[serde(default)]
+    pub friction: Option<f64>,
+}
+
+/// The shape of a body, as `"point"` or `{ sphere = 0.5 }`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Shape {
+    /// A point mass: it has a place but no orientation, and touches planes only.
+    #[default]
+    Point,
+    /// A ball of this radius (m).
+    Sphere(f64),
+    /// A box with these edge lengths (m).
+    Box([f64; 3]),
+    /// The half space below a plane with this normal (any length); must be fixed.
+    Plane([f64; 3]),
+}
+
+/// An orientation, body to world.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Rotation {
+    /// A quaternion [w, x, y, z] (any length but 0).
+    Quaternion([f64; 4]),
+    /// Turned about the world's x axis by so many degrees.
+    X(f64),
+    /// Turned about the world's y axis by so many degrees.
+    Y(f64),
+    /// Turned about the world's z axis by so many degrees.
+    Z(f64),
+}
+
+/// A constraint. It holds at the initial positions, except for a distance with its own length.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Constraint {
+    /// What is kept.
+    pub kind: Kind,
+    /// The names of one body (joined to the world) or two.
+    pub bodies: Vec<String>,
+    /// `ball`, `nail`, `fixed`: the joint's place (m, world, at the start); by default the centre
+    /// of the last body named.
+    #[serde(default)]
+    pub point: Option<[f64; 3]>,
+    /// `distance`: the two ends (m, world, at the start), in the order of the bodies, the world
+    /// first; by default the centres of two bodies.
+    #[serde(default)]
+    pub points: Option<[[f64; 3]; 2]>,
+    /// `distance`: the length (m); by default the distance at the start.
+    #[serde(default)]
+    pub length: Option<f64>,
+    /// `lock_translation`, `lock_rotation`: the axis (any length), fixed to the first of two bodies
+    /// or to the world; in world axes at the start.
+    #[serde(default)]
+    pub axis: Option<[f64; 3]>,
+}
+
+/// The kinds of constraints in a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// Ball and socket between two bodies.
+    Ball,
+    /// Ball and socket between a body and the world.
+    Nail,
+    /// A massless rod.
+    Distance,
+    /// No relative motion at all.
+    Fixed,
+    /// No translation along an axis.
+    LockTranslation,
+    /// No rotation about an axis.
+    LockRotation,
+    /// No relative rotation.
+    Orientation,
+}

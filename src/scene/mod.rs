@@ -1,0 +1,125 @@
+//! Bodies, constraints and gravity at the start, and how to step them.
+//!
+//! A [`Scene`] is valid from construction on. It is read from TOML ([`Description`] lists every
+//! field) or built from a description made by a program; [`contacts()`] finds where its bodies
+//! touch.
+
+mod boxes;
+mod build;
+pub mod catalogue;
+mod contacts;
+pub mod description;
+mod file;
+pub mod generate;
+mod joints;
+mod settings;
+
+pub use contacts::{ContactId, Found, contacts};
+pub use description::Description;
+pub use file::schema;
+pub use settings::{Contacts, Formulation, Solver, Step};
+
+use std::path::Path;
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use crate::body::{Body, State};
+use crate::constraint::Constraint;
+use crate::error::{Defects, Error, Result};
+
+/// A valid scene.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// The file's name without its extension.
+    pub name: String,
+    /// One line for lists.
+    pub title: String,
+    /// What the scene teaches, and what must hold in it.
+    pub teaches: String,
+    /// The acceleration of gravity (m/s²).
+    pub gravity: Vector3<f64>,
+    /// How a step is taken.
+    pub step: Step,
+    /// When contacts count, and what they do.
+    pub contact: Contacts,
+    /// Which solver to use.
+    pub solver: Solver,
+    /// The bodies.
+    pub bodies: Vec<Body>,
+    /// The bodies' states at the start.
+    pub states: Vec<State>,
+    /// The constraints other than contacts.
+    pub constraints: Vec<Arc<dyn Constraint>>,
+}
+
+impl Scene {
+    /// The scene of a description.
+    ///
+    /// # Errors
+    /// One error with every defect, each at its field, such as `bodies[2].mass`.
+    ///
+    /// ```
+    /// use lcplab::scene::{Description, Scene};
+    ///
+    /// let mut description = Description::default();
+    /// description.step.dt = -1.0;
+    /// let error = Scene::new("empty", &description).unwrap_err();
+    /// assert_eq!(error.to_string(), "empty: step.dt: must be positive, is -1");
+    /// ```
+    pub fn new(name: &str, description: &Description) -> Result<Scene> {
+        build::scene(name, description)
+    }
+
+    /// The scene of a text in the scene format; `path` stands in the messages.
+    ///
+    /// # Errors
+    /// One error with every defect, each with its line and field, such as
+    /// `arch.toml: line 12: bodies[2].mass: must be positive, is -1`.
+    pub fn from_toml(path: &str, text: &str) -> Result<Scene> {
+        file::parse(path, text)
+    }
+
+    /// Reads a scene file, or takes a shipped scene by its name.
+    ///
+    /// # Errors
+    /// A file that cannot be read or is not a scene; a name that is neither a file nor shipped.
+    ///
+    /// ```
+    /// let scene = lcplab::scene::Scene::load("pendulum")?;
+    /// assert_eq!(scene.bodies[0].name, "bob");
+    /// # Ok::<(), lcplab::error::Error>(())
+    /// ```
+    pub fn load(path_or_name: &str) -> Result<Scene> {
+        let path = Path::new(path_or_name);
+        if path.exists() {
+            let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
+            return Scene::from_toml(path_or_name, &text);
+        }
+        match catalogue::text(path_or_name) {
+            Some(text) => Scene::from_toml(&format!("{path_or_name}.toml"), text),
+            None => Err(Error::Unknown {
+                kind: "scene file or shipped scene",
+                name: path_or_name.into(),
+                known: catalogue::SHIPPED.iter().map(|shipped| shipped.name.into()).collect(),
+            }),
+        }
+    }
+
+    /// Whether the step, contact and solver settings can be used, after a change to them.
+    ///
+    /// # Errors
+    /// Lists each setting that cannot.
+    pub fn validate(&self) -> Result<()> {
+        let mut defects = Defects::default();
+        self.step.check(&mut defects);
+        self.contact.check(&mut defects);
+        self.solver.check(&mut defects);
+        defects.into_result(self.name.as_str())
+    }
+
+    /// The index of the body with this name.
+    pub fn body(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|body| body.name == name)
+    }
+}

@@ -1,0 +1,165 @@
+//! How a scene is stepped, solved and when its contacts count. Plain data, read from the file.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::body::Gyroscopic;
+use crate::error::Defects;
+
+/// Which LCP a step means. `math §4`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Formulation {
+    /// The unknowns are impulses (N s), w is the velocity of a row after the step.
+    #[default]
+    Velocity,
+    /// The unknowns are forces (N), w is the acceleration of a row; impacts are impulses before.
+    Acceleration,
+}
+
+impl Formulation {
+    /// Both, in the order of tables.
+    pub const ALL: [Formulation; 2] = [Formulation::Velocity, Formulation::Acceleration];
+
+    /// The word in scene files and tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Formulation::Velocity => "velocity",
+            Formulation::Acceleration => "acceleration",
+        }
+    }
+}
+
+/// How a step is taken.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Step {
+    /// The length of a step (s).
+    pub dt: f64,
+    /// How many steps a simulation takes unless told otherwise.
+    pub count: usize,
+    /// Which LCP a step means.
+    pub formulation: Formulation,
+    /// What becomes of the torque −ω × I ω.
+    pub gyroscopic: Gyroscopic,
+    /// Velocity level: the part β of the position error that is corrected in a step, 0 to 1.
+    pub baumgarte: f64,
+    /// Acceleration level: the rate α (1/s) at which position errors decay.
+    pub alpha: f64,
+}
+
+impl Default for Step {
+    fn default() -> Self {
+        Step {
+            dt: 0.01,
+            count: 200,
+            formulation: Formulation::default(),
+            gyroscopic: Gyroscopic::default(),
+            baumgarte: 0.0,
+            alpha: 0.0,
+        }
+    }
+}
+
+/// When contacts count, and what they do.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Contacts {
+    /// Velocity level: contacts with a gap up to this (m) enter the LCP.
+    pub margin: f64,
+    /// The coefficient of friction of bodies that do not state their own.
+    pub friction: f64,
+    /// The coefficient of restitution e, 0 to 1.
+    pub restitution: f64,
+    /// Approach at less than this speed (m/s) does not bounce.
+    pub bounce_speed: f64,
+    /// Velocity level: penetration up to this (m) is not corrected.
+    pub slop: f64,
+    /// Acceleration level: a contact with a gap up to this (m) touches.
+    pub resting_gap: f64,
+    /// Acceleration level: a touching contact that parts at up to this speed (m/s) rests.
+    pub resting_speed: f64,
+}
+
+impl Default for Contacts {
+    fn default() -> Self {
+        Contacts {
+            margin: 0.05,
+            friction: 0.0,
+            restitution: 0.0,
+            bounce_speed: 0.1,
+            slop: 0.0,
+            resting_gap: 1e-9,
+            resting_speed: 1e-9,
+        }
+    }
+}
+
+/// Which solver to use, by name; whether it exists is known where solvers are.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Solver {
+    /// The solver's name in the registry.
+    pub name: String,
+    /// The relaxation factor ω of methods that have one.
+    pub omega: f64,
+    /// The scaled residual at which a solver stops.
+    pub tolerance: f64,
+    /// The most sweeps or pivots a step may take.
+    pub max_iterations: usize,
+}
+
+impl Default for Solver {
+    fn default() -> Self {
+        Solver { name: "dantzig".into(), omega: 1.3, tolerance: 1e-8, max_iterations: 10_000 }
+    }
+}
+
+impl Step {
+    pub(super) fn check(&self, defects: &mut Defects) {
+        positive(defects, "step.dt", self.dt);
+        within_one(defects, "step.baumgarte", self.baumgarte);
+        not_negative(defects, "step.alpha", self.alpha);
+    }
+}
+
+impl Contacts {
+    pub(super) fn check(&self, defects: &mut Defects) {
+        not_negative(defects, "contact.margin", self.margin);
+        not_negative(defects, "contact.friction", self.friction);
+        within_one(defects, "contact.restitution", self.restitution);
+        not_negative(defects, "contact.bounce_speed", self.bounce_speed);
+        not_negative(defects, "contact.slop", self.slop);
+        not_negative(defects, "contact.resting_gap", self.resting_gap);
+        not_negative(defects, "contact.resting_speed", self.resting_speed);
+    }
+}
+
+impl Solver {
+    pub(super) fn check(&self, defects: &mut Defects) {
+        if !(self.omega > 0.0 && self.omega < 2.0) {
+            defects.add("solver.omega", format!("must lie between 0 and 2, is {}", self.omega));
+        }
+        not_negative(defects, "solver.tolerance", self.tolerance);
+    }
+}
+
+/// A number that must be positive and finite.
+pub(super) fn positive(defects: &mut Defects, place: impl Into<String>, value: f64) {
+    if !(value > 0.0 && value.is_finite()) {
+        defects.add(place, format!("must be positive, is {value}"));
+    }
+}
+
+/// A number that must be finite and at least 0.
+pub(super) fn not_negative(defects: &mut Defects, place: impl Into<String>, value: f64) {
+    if !(value >= 0.0 && value.is_finite()) {
+        defects.add(place, format!("must be at least 0, is {value}"));
+    }
+}
+
+fn within_one(defects: &mut Defects, place: &str, value: f64) {
+    if !(0.0..=1.0).contains(&value) {
+        defects.add(place, format!("must lie between 0 and 1, is {value}"));
+    }
+}

@@ -1,0 +1,68 @@
+//! Energy, momentum and errors of a scene at one instant: what plots and tables show of a motion.
+
+use nalgebra::Vector3;
+
+use crate::body::State;
+use crate::constraint::Bounds;
+use crate::scene::{Scene, contacts};
+
+/// Energy, momentum and errors at one instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// The number of steps taken.
+    pub step: usize,
+    /// Time since the start (s).
+    pub time: f64,
+    /// ½ Σ m |v|² + ω·I ω (J).
+    pub kinetic: f64,
+    /// −Σ m g·p (J): 0 where all masses are at the origin.
+    pub potential: f64,
+    /// Σ m v (kg m/s).
+    pub linear_momentum: Vector3<f64>,
+    /// Σ p × m v + I ω, about the world's origin (kg m²/s).
+    pub angular_momentum: Vector3<f64>,
+    /// max |c| over the equality rows that are lengths (m).
+    pub drift: f64,
+    /// max |c| over the equality rows that are angles (rad).
+    pub angular_drift: f64,
+    /// The deepest overlap of two bodies (m), 0 without one.
+    pub penetration: f64,
+}
+
+impl Motion {
+    /// The measures of a scene whose bodies have these states after so many steps.
+    pub fn of(scene: &Scene, states: &[State], step: usize) -> Self {
+        let bodies = || scene.bodies.iter().map(|body| &body.mass).zip(states);
+        let deepest =
+            contacts(scene, states, 0.0).iter().map(|found| -found.gap).fold(0.0, f64::max);
+        Motion {
+            step,
+            time: step as f64 * scene.step.dt,
+            kinetic: bodies().map(|(mass, state)| mass.kinetic_energy(state)).sum(),
+            potential: bodies()
+                .map(|(mass, state)| -mass.mass() * scene.gravity.dot(&state.pose.p))
+                .sum(),
+            linear_momentum: bodies().map(|(mass, state)| mass.momentum(state)).sum(),
+            angular_momentum: bodies().map(|(mass, state)| mass.angular_momentum(state)).sum(),
+            drift: drift(scene, states, false),
+            angular_drift: drift(scene, states, true),
+            penetration: deepest,
+        }
+    }
+
+    /// Kinetic and potential energy (J).
+    pub fn energy(&self) -> f64 {
+        self.kinetic + self.potential
+    }
+}
+
+/// max |c| over equality rows of one kind; a constraint without direction has no say.
+fn drift(scene: &Scene, states: &[State], angular: bool) -> f64 {
+    let rows = scene.constraints.iter().flat_map(|constraint| {
+        let states = constraint.bodies().map(|body| body.map_or(&State::WORLD, |k| &states[k]));
+        constraint.rows(states).unwrap_or_default()
+    });
+    rows.filter(|row| row.bounds == Bounds::Bilateral && row.kind.is_angular() == angular)
+        .map(|row| row.c.abs())
+        .fold(0.0, f64::max)
+}
