@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{problem_of, scene_options};
-use crate::lcp::{Lcp, merit};
+use crate::lcp::{Lcp, Matrix, merit};
 use crate::scene::Scene;
 use crate::solver::{Dantzig, Pgs, Settings, Solver, Start, theory};
 use crate::trace::{Convergence, Record};
@@ -34,7 +34,8 @@ pub struct Curve {
     pub omega: f64,
     /// The merits after each sweep.
     pub records: Vec<Record>,
-    /// Spectral radius of the iteration matrix on the rows that are free at the solution.
+    /// Spectral radius of the iteration matrix on the rows that are free at the solution, where it
+    /// is below 1.
     pub predicted_rate: Option<f64>,
     /// The factor a sweep, measured over the last half of the curve.
     pub measured_rate: Option<f64>,
@@ -44,6 +45,8 @@ pub struct Curve {
 const SWEEPS: usize = 600;
 /// Residuals below this part of the first are rounding, not convergence.
 const FLOOR: f64 = 1e-12;
+/// From here on the radius belongs to null vectors of A, which w does not feel.
+const CERTAIN: f64 = 1.0 - 1e-9;
 
 /// Runs PGS and SOR on the scene's last LCP of a step.
 pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
@@ -54,14 +57,14 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
     let solution = direct.solve(&lcp, &Start::default(), &mut ());
     let free = free_rows(&lcp, &solution.x);
     let equations_only = free.len() == lcp.len();
-    let optimal_omega = equations_only
-        .then(|| theory::optimal_omega(lcp.matrix(), &free))
-        .flatten();
+    let a = theory::principal_submatrix(lcp.matrix(), &free);
+    let jacobi = theory::spectral_radius(&theory::jacobi_iteration_matrix(&a, 1.0));
+    let optimal_omega = (equations_only && jacobi < 1.0).then(|| theory::optimal_omega(jacobi));
     let mut omegas = omegas.to_vec();
     omegas.extend(optimal_omega.map(|omega| (omega * 1e4).round() / 1e4));
     omegas.sort_by(f64::total_cmp);
     omegas.dedup();
-    let curves = omegas.iter().map(|&omega| curve(&lcp, &free, omega)).collect();
+    let curves = omegas.iter().map(|&omega| curve(&lcp, &a, omega)).collect();
     Some(Study {
         scene: scene.name.clone(),
         title: scene.title.clone(),
@@ -73,7 +76,7 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
     })
 }
 
-fn curve(lcp: &Lcp, free: &[usize], omega: f64) -> Curve {
+fn curve(lcp: &Lcp, free_matrix: &Matrix, omega: f64) -> Curve {
     let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
     let mut trace = Convergence::of(lcp);
     Pgs { omega, settings }.solve(lcp, &Start::default(), &mut trace);
@@ -81,7 +84,8 @@ fn curve(lcp: &Lcp, free: &[usize], omega: f64) -> Curve {
     let measured_rate = trace.rate(floor);
     let reached = trace.records.iter().position(|record| record.natural_residual <= floor);
     trace.records.truncate(reached.map_or(usize::MAX, |k| k + 1));
-    let predicted_rate = theory::sor_rate(lcp.matrix(), free, omega);
+    let radius = theory::spectral_radius(&theory::sor_iteration_matrix(free_matrix, omega));
+    let predicted_rate = (radius < CERTAIN).then_some(radius);
     Curve { omega, records: trace.records, predicted_rate, measured_rate }
 }
 
