@@ -36,7 +36,6 @@ fn table(rows: &[ClosedForm]) -> Table {
             Column::words("unit"),
             Column::numbers("error", ""),
             Column::numbers("allowed", ""),
-            Column::words("because of"),
             Column::words("verdict"),
         ],
         rows: rows.iter().map(cells).collect(),
@@ -60,7 +59,6 @@ fn cells(row: &ClosedForm) -> Vec<Cell> {
         Cell::text(&row.unit),
         Cell::number(row.error(), 2),
         Cell::number(row.tolerance, 1),
-        Cell::text(&row.because),
         verdict,
     ]
 }

@@ -48,7 +48,7 @@ fn figure(study: &Study) -> Lines {
     let kind = if study.equations_only {
         "Equations only: the slope is the spectral radius from the first sweeps on, until rounding."
     } else {
-        "With bounds: the slope is the spectral radius once the active set has settled."
+        "With bounds: a slope is to be expected only once the active set has settled."
     };
     Lines {
         id: format!("convergence_{}", study.scene),
