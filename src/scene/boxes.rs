@@ -16,6 +16,8 @@ use crate::constraint::Normal;
 
 /// A normal this near to a box's axis (as 1 − cosine) is that axis.
 const ALIGNED: f64 = 1e-10;
+/// Points nearer to each other than this part of the smallest edge are one.
+const SAME: f64 = 1e-6;
 
 /// The contact points of two boxes with these half edges, with distance up to `margin` (m).
 pub(super) fn touches(half: [Vector3<f64>; 2], poses: [Pose; 2], margin: f64) -> Vec<Touch> {
@@ -27,7 +29,15 @@ pub(super) fn touches(half: [Vector3<f64>; 2], poses: [Pose; 2], margin: f64) ->
     let n0 = Vector3::from(manifold.local_n1);
     let n1 = Vector3::from(manifold.local_n2);
     let mut touches: Vec<Touch> = Vec::new();
+    let same = SAME * half[0].min().min(half[1].min());
+    let mut seen: Vec<Vector3<f64>> = Vec::new();
     for point in manifold.points.iter().filter(|point| point.dist <= margin) {
+        let place = Vector3::from(point.local_p1);
+        // Corners that lie on each other are found once from either box.
+        if seen.iter().any(|other| (other - place).norm() < same) {
+            continue;
+        }
+        seen.push(place);
         let anchors = [Vector3::from(point.local_p1), Vector3::from(point.local_p2)];
         let (swapped, normal) = normal(&n0, &n1, &poses);
         let [f0, f1] = [point.fid1.0, point.fid2.0];
