@@ -81,12 +81,17 @@ impl Defects {
         self.0.is_empty()
     }
 
-    /// `Ok` if nothing was found wrong with the `input` named.
-    pub fn into_result(self, input: impl Into<String>) -> Result<()> {
+    /// `Ok` if nothing was found wrong with the `input` named so far.
+    pub fn result(&mut self, input: impl Into<String>) -> Result<()> {
         if self.0.is_empty() {
             return Ok(());
         }
-        Err(Error::Invalid { input: input.into(), defects: self.0 })
+        Err(Error::Invalid { input: input.into(), defects: std::mem::take(&mut self.0) })
+    }
+
+    /// `Ok` if nothing was found wrong with the `input` named.
+    pub fn into_result(mut self, input: impl Into<String>) -> Result<()> {
+        self.result(input)
     }
 }
 

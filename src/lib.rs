@@ -24,4 +24,6 @@ pub mod simulation;
 
 pub mod trace;
 
+pub mod plot;
+
 pub mod report;

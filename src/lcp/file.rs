@@ -71,6 +71,10 @@ impl Problem {
     pub fn parse(text: &str, input: &str) -> Result<Self> {
         let object = parse_object(text, input)?;
         let mut defects = Defects::default();
+        for key in ["A", "b"].into_iter().filter(|key| !object.contains_key(*key)) {
+            defects.add(key, "is missing");
+        }
+        defects.result(input)?; // without both there are no sizes to check by
         let parts = Parts::read(&object, &mut defects);
         defects.into_result(input)?;
         let lcp = parts.into_lcp().map_err(|error| error.within(input))?;
@@ -189,22 +193,15 @@ enum Entries {
 impl Parts {
     fn read(object: &Map<String, Value>, defects: &mut Defects) -> Self {
         let b = numbers(object, "b", defects).unwrap_or_default();
-        if !object.contains_key("b") {
-            defects.add("b", "is missing");
-        }
-        let entries = match object.get("A") {
-            Some(Value::Object(a)) if a.contains_key("dense") => {
+        let entries = match &object["A"] {
+            Value::Object(a) if a.contains_key("dense") => {
                 Entries::Dense(dense(&a["dense"], b.len(), defects))
             }
-            Some(Value::Object(a)) if a.contains_key("triplets") => {
+            Value::Object(a) if a.contains_key("triplets") => {
                 Entries::Sparse(triplets(a, b.len(), defects))
             }
-            Some(_) => {
+            _ => {
                 defects.add("A", "must be an object with \"dense\" or \"triplets\"");
-                Entries::Dense(Vec::new())
-            }
-            None => {
-                defects.add("A", "is missing");
                 Entries::Dense(Vec::new())
             }
         };

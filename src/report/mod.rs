@@ -1,3 +1,4 @@
 //! Results as pages, tables and JSON.
 
 pub mod answer;
+pub mod page;

@@ -1,3 +1,4 @@
 mod cross_check;
 mod exact;
+mod ray;
 mod verdict;

@@ -1,2 +1,3 @@
+mod file;
 mod matrix;
 mod problem;

@@ -1,0 +1,128 @@
+//! An axis: its words, where a value lies on it, and which values get a label.
+
+use super::number::{readable, superscript};
+
+/// What an axis shows.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Axis {
+    /// The quantity, for example `natural residual`.
+    pub label: String,
+    /// Its unit, for example `m/s`; empty for a pure number.
+    pub unit: String,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+}
+
+/// How values are spread along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal differences are equal distances.
+    Linear,
+    /// Equal ratios are equal distances; only positive values have a place.
+    Log,
+}
+
+/// A labelled place on an axis.
+pub(super) struct Tick {
+    pub at: f64,
+    pub label: String,
+}
+
+impl Axis {
+    /// A linear axis.
+    pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear }
+    }
+
+    /// A logarithmic axis.
+    pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Log }
+    }
+
+    /// The label with its unit: `time (s)`.
+    pub fn heading(&self) -> String {
+        if self.unit.is_empty() {
+            return self.label.clone();
+        }
+        format!("{} ({})", self.label, self.unit)
+    }
+}
+
+impl Scale {
+    /// Where a value lies: itself, or its decimal logarithm. `None` if it has no place.
+    pub(super) fn position(self, value: f64) -> Option<f64> {
+        let position = match self {
+            Scale::Linear => value,
+            Scale::Log => value.log10(),
+        };
+        // Beyond 1e300 the length of the axis itself would overflow.
+        (position.is_finite() && position.abs() < 1e300).then_some(position)
+    }
+
+    /// The range of positions to show for these ones, a little wider; `None` if there are none.
+    pub(super) fn range(self, positions: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+        let (lo, hi) = positions
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)));
+        if lo > hi {
+            return None;
+        }
+        let length = hi - lo;
+        let margin = match self {
+            _ if length > 1e-12 * hi.abs().max(lo.abs()) => 0.04 * length,
+            Scale::Linear if hi != 0.0 => 0.1 * hi.abs(),
+            Scale::Linear => 1.0,
+            Scale::Log => 0.5,
+        };
+        Some((lo - margin, hi + margin))
+    }
+
+    /// The labelled places between two positions, about `wanted` of them.
+    pub(super) fn ticks(self, (lo, hi): (f64, f64), wanted: usize) -> Vec<Tick> {
+        match self {
+            Scale::Log if hi - lo > 2.2 => decades(lo, hi, wanted),
+            Scale::Log => parts_of_decades(lo, hi),
+            Scale::Linear => round_numbers(lo, hi, wanted),
+        }
+    }
+}
+
+fn round_numbers(lo: f64, hi: f64, wanted: usize) -> Vec<Tick> {
+    let rough = (hi - lo) / wanted.max(1) as f64;
+    let power = 10f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|step| *step >= rough);
+    let step = step.unwrap_or(10.0 * power);
+    let (first, last) = ((lo / step).ceil(), (hi / step).floor());
+    if !(step > 0.0 && last - first <= 100.0) {
+        return Vec::new();
+    }
+    let largest = lo.abs().max(hi.abs());
+    let digits = (largest.log10().floor() - step.log10().floor()).clamp(0.0, 15.0) as usize + 1;
+    (0..=(last - first) as i64)
+        .map(|k| (first + k as f64) * step)
+        .map(|at| Tick { at, label: readable(at, digits) })
+        .collect()
+}
+
+fn decades(lo: f64, hi: f64, wanted: usize) -> Vec<Tick> {
+    let (first, last) = (lo.ceil() as i32, hi.floor() as i32);
+    let step = ((last - first) as usize).div_ceil(wanted.max(1)).max(1) as i32;
+    (first..=last)
+        .filter(|exponent| exponent.rem_euclid(step) == 0)
+        .map(|exponent| Tick { at: exponent.into(), label: power_of_ten(exponent) })
+        .collect()
+}
+
+fn parts_of_decades(lo: f64, hi: f64) -> Vec<Tick> {
+    (lo.floor() as i32..=hi.ceil() as i32)
+        .flat_map(|exponent| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(exponent)))
+        .map(|value| Tick { at: value.log10(), label: readable(value, 1) })
+        .filter(|tick| (lo..=hi).contains(&tick.at))
+        .collect()
+}
+
+fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0..=3 => format!("{}", 10i32.pow(exponent as u32)),
+        _ => format!("10{}", superscript(exponent)),
+    }
+}

@@ -1,0 +1,123 @@
+//! Named amounts as bars, side by side for comparison.
+
+use plotters::prelude::*;
+
+use super::axis::{Axis, Scale};
+use super::canvas::{Anchor, Canvas, Frame, fine, stroke};
+use super::number::readable;
+use super::style::{self, FAINT_INK, GRID, INK, TEXT};
+use super::{Figure, csv};
+
+/// Height of a bar and distance to the next one in px.
+const THICKNESS: f64 = 18.0;
+const PITCH: f64 = 30.0;
+const TOP: f64 = 46.0;
+
+/// Horizontal bars, in the order given.
+#[derive(Debug, Clone)]
+pub struct Bars {
+    /// See [`Figure::id`].
+    pub id: String,
+    /// See [`Figure::title`].
+    pub title: String,
+    /// See [`Figure::caption`].
+    pub caption: String,
+    /// What the length of a bar means.
+    pub x: Axis,
+    /// From top to bottom.
+    pub bars: Vec<Bar>,
+}
+
+/// A named amount.
+#[derive(Debug, Clone)]
+pub struct Bar {
+    /// The name beside the bar; it decides the colour ([`style::style`]).
+    pub name: String,
+    /// The amount; one without a place on the axis is written, not drawn.
+    pub value: f64,
+}
+
+impl Bars {
+    fn range(&self) -> (f64, f64) {
+        let scale = self.x.scale;
+        let positions = self.bars.iter().filter_map(|bar| scale.position(bar.value));
+        match scale {
+            Scale::Linear => scale.range(positions.chain([0.0])).unwrap_or((0.0, 1.0)),
+            // Bars on a logarithmic axis start a decade below the smallest.
+            Scale::Log => {
+                scale.range(positions).map_or((0.0, 1.0), |(lo, hi)| (lo.floor() - 1.0, hi))
+            }
+        }
+    }
+}
+
+impl Figure for Bars {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    fn svg(&self) -> String {
+        let longest =
+            self.bars.iter().map(|bar| style::width(&bar.name, TEXT)).fold(40.0, f64::max);
+        let left = style::EDGE + 12.0 + longest.min(260.0);
+        let bottom = TOP + PITCH * self.bars.len().max(1) as f64;
+        let x = self.range();
+        let frame = Frame { x, y: (0.0, 1.0), left, right: style::WIDTH - 90.0, top: TOP, bottom };
+        let ticks = self.x.scale.ticks(x, 6);
+        let start = if self.x.scale == Scale::Linear { 0.0 } else { x.0 };
+
+        let mut canvas = Canvas::new(bottom + 58.0);
+        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        canvas.layer("class=\"grid\"", |layer| {
+            let plane = frame.plane(layer);
+            ticks.iter().map(|tick| (tick.at, GRID)).chain([(start, FAINT_INK)]).try_for_each(
+                |(at, color)| {
+                    plane.draw(&PathElement::new([(at, 0.0), (at, 1.0)], stroke(color, 1.0)))
+                },
+            )
+        });
+        let mut description = format!("{}: ", self.x.heading());
+        for (k, bar) in self.bars.iter().enumerate() {
+            let middle = TOP + PITCH * (k as f64 + 0.5);
+            let (from, _) = frame.place((start, 0.0));
+            let to = self.x.scale.position(bar.value).map_or(from, |at| frame.place((at, 0.0)).0);
+            let (r, g, b) = style::style(&bar.name).color;
+            canvas.layer("class=\"bar\"", |layer| {
+                let corners = [
+                    (fine(from.min(to)), fine(middle - THICKNESS / 2.0)),
+                    (fine(from.max(to)), fine(middle + THICKNESS / 2.0)),
+                ];
+                layer.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled()))
+            });
+            let amount = readable(bar.value, 3);
+            canvas.text((left - 10.0, middle + 5.0), Anchor::End, TEXT, INK, &bar.name);
+            let beside = (from.max(to) + 8.0, middle + 5.0);
+            canvas.text(beside, Anchor::Start, TEXT, FAINT_INK, &amount);
+            description += &format!("{} {amount}; ", bar.name);
+        }
+        for tick in &ticks {
+            let (x, _) = frame.place((tick.at, 0.0));
+            canvas.text((x, bottom + 19.0), Anchor::Middle, TEXT, FAINT_INK, &tick.label);
+        }
+        let middle = (frame.left + frame.right) / 2.0;
+        canvas.text((middle, bottom + 42.0), Anchor::Middle, TEXT, INK, &self.x.heading());
+        canvas.finish(&self.id, &self.title, description.trim_end_matches("; "))
+    }
+
+    fn csv(&self) -> String {
+        let mut out = String::new();
+        csv::record(&mut out, ["name", &self.x.heading()]);
+        for bar in &self.bars {
+            csv::record(&mut out, [bar.name.as_str(), &csv::number(bar.value)]);
+        }
+        out
+    }
+}

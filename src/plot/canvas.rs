@@ -1,0 +1,173 @@
+//! The sheet a figure is drawn on: layers drawn by plotters, grouped, with our own text.
+//!
+//! plotters writes whole numbers, so a layer is drawn in tenths of a px and scaled down. What its
+//! backend cannot say (dashes, joins, marker outlines, which line is which) stands on the group
+//! around a layer, from which the shapes inherit it.
+
+use std::fmt::Write;
+
+use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::*;
+
+use super::style::{self, FONTS, PAPER, WIDTH};
+
+/// Tenths of a px.
+const FINE: f64 = 10.0;
+
+/// What plotters draws on.
+pub(super) type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// A layer addressed by axis positions.
+pub(super) type Plane<'a> =
+    DrawingArea<SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// Where a text is held.
+#[derive(Clone, Copy)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// The rectangle of a plot and the axis positions at its edges; sizes in px.
+pub(super) struct Frame {
+    pub x: (f64, f64),
+    pub y: (f64, f64),
+    pub left: f64,
+    pub right: f64,
+    pub top: f64,
+    pub bottom: f64,
+}
+
+impl Frame {
+    /// The layer, addressed by axis positions.
+    pub fn plane<'a>(&self, layer: &Layer<'a>) -> Plane<'a> {
+        let columns = fine(self.left)..fine(self.right);
+        let rows = fine(self.bottom)..fine(self.top);
+        let coordinates = Cartesian2d::new(self.x.0..self.x.1, self.y.0..self.y.1, (columns, rows));
+        layer.clone().apply_coord_spec(coordinates)
+    }
+
+    /// The place in px of a point given by its axis positions.
+    pub fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let across = (x - self.x.0) / (self.x.1 - self.x.0);
+        let up = (y - self.y.0) / (self.y.1 - self.y.0);
+        (self.left + across * (self.right - self.left), self.bottom - up * (self.bottom - self.top))
+    }
+}
+
+/// An SVG document in the making.
+pub(super) struct Canvas {
+    height: f64,
+    body: String,
+}
+
+impl Canvas {
+    pub fn new(height: f64) -> Self {
+        let mut canvas = Canvas { height, body: String::new() };
+        let corner = (fine(WIDTH), fine(height));
+        canvas.layer("class=\"paper\"", |layer| {
+            layer.draw(&Rectangle::new([(0, 0), corner], PAPER.filled()))
+        });
+        canvas
+    }
+
+    /// Draws a layer into a group with these attributes.
+    pub fn layer<T, E: std::fmt::Debug>(
+        &mut self,
+        attributes: &str,
+        draw: impl FnOnce(&Layer) -> Result<T, E>,
+    ) {
+        let mut document = String::new();
+        let size = (fine(WIDTH) as u32, fine(self.height) as u32);
+        let layer = SVGBackend::with_string(&mut document, size).into_drawing_area();
+        draw(&layer).expect("a string takes all that is written to it");
+        drop(layer);
+        let shapes = document.split_once('\n').map_or("", |(_, shapes)| shapes);
+        let shapes = shapes.trim_end().trim_end_matches("</svg>");
+        let shapes = shapes.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>");
+        if !shapes.trim().is_empty() {
+            self.raw(&format!("<g transform=\"scale(0.1)\" {attributes}>\n{shapes}</g>\n"));
+        }
+    }
+
+    /// Writes a text whose baseline is at y.
+    pub fn text(&mut self, at: (f64, f64), anchor: Anchor, size: f64, color: RGBColor, text: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let weight = if size >= style::TITLE { " font-weight=\"600\"" } else { "" };
+        let _ = writeln!(
+            self.body,
+            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" font-size=\"{size}\"{weight} \
+             fill=\"{}\">{}</text>",
+            at.0,
+            at.1,
+            hex((color.0, color.1, color.2)),
+            escape(text)
+        );
+    }
+
+    /// Writes markup as it is.
+    pub fn raw(&mut self, markup: &str) {
+        self.body.push_str(markup);
+    }
+
+    /// The document, with its title and description for those who do not see it.
+    pub fn finish(self, id: &str, title: &str, description: &str) -> String {
+        let (id, title, description) = (escape(id), escape(title), escape(description));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" \
+             viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\" \
+             font-family=\"{FONTS}\">\n<title id=\"{id}-title\">{title}</title>\n\
+             <desc id=\"{id}-desc\">{description}</desc>\n{body}</svg>\n",
+            height = self.height,
+            body = self.body
+        )
+    }
+}
+
+/// A length in px as plotters wants it.
+pub(super) fn fine(px: f64) -> i32 {
+    (px * FINE).round() as i32
+}
+
+/// A line of this width in px.
+pub(super) fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
+    color.stroke_width(fine(width) as u32)
+}
+
+/// The group attributes of a dashed line.
+pub(super) fn dashes(pattern: &[u32]) -> String {
+    let lengths: Vec<_> = pattern.iter().map(|length| fine((*length).into()).to_string()).collect();
+    let dash = match lengths.is_empty() {
+        true => String::new(),
+        false => format!(" stroke-dasharray=\"{}\"", lengths.join(" ")),
+    };
+    format!("stroke-linejoin=\"round\"{dash}")
+}
+
+/// `#0072b2`.
+pub(super) fn hex((r, g, b): (u8, u8, u8)) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// The text with the characters that mean something in XML replaced, and those XML forbids removed.
+pub(super) fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\t' | '\n' | '\r' => out.push(' '),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,97 @@
+//! The names above a line figure, and how each is drawn in it.
+
+use std::collections::BTreeMap;
+
+use plotters::prelude::*;
+
+use super::canvas::{Anchor, Canvas, dashes, fine, stroke};
+use super::line::{Lines, Look, RIGHT};
+use super::marker::{draw_markers, draw_zeros};
+use super::style::{self, FAINT_INK, INK, Marker, Style, TEXT, THEORY, width};
+
+/// What the legend says of the mark for a zero that a logarithmic axis has no place for.
+const EXACTLY_ZERO: &str = "exactly 0";
+
+/// How a curve of this name is drawn in this figure.
+pub(super) struct Drawn {
+    pub color: RGBColor,
+    pub width: f64,
+    pub dash: &'static [u32],
+    marker: Option<Marker>,
+}
+
+impl Drawn {
+    /// Draws the curve's markers at these places in px.
+    pub fn mark(&self, canvas: &mut Canvas, spots: &[(f64, f64)]) {
+        if let Some(marker) = self.marker {
+            draw_markers(canvas, spots, marker, self.color);
+        }
+    }
+}
+
+/// The names above the panels, and how each is drawn.
+pub(super) struct Legend<'a> {
+    /// In the order they come, with their places in px.
+    entries: Vec<(&'a str, (f64, f64))>,
+    pub looks: BTreeMap<&'a str, Drawn>,
+    pub rows: usize,
+}
+
+impl<'a> Legend<'a> {
+    const SAMPLE: f64 = 40.0;
+
+    pub fn new(figure: &'a Lines) -> Self {
+        let mut kinds: Vec<(&str, Look)> = Vec::new();
+        for series in figure.panels.iter().flat_map(|panel| &panel.series) {
+            if kinds.iter().all(|(name, _)| *name != series.name) {
+                kinds.push((&series.name, series.look));
+            }
+        }
+        kinds.sort_by_key(|(_, look)| *look != Look::Measured);
+        let named = |wanted| kinds.iter().filter(move |(_, look)| *look == wanted);
+        let names: Vec<&str> = named(Look::Measured).map(|(name, _)| *name).collect();
+        let mut looks: BTreeMap<&str, Drawn> = BTreeMap::new();
+        looks.extend(names.iter().zip(style::styles(&names)).map(|(name, style)| {
+            let Style { color: (r, g, b), dash, marker } = style;
+            let color = RGBColor(r, g, b);
+            (*name, Drawn { color, width: style::LINE, dash, marker: Some(marker) })
+        }));
+        looks.extend(named(Look::Theory).zip(style::THEORY_DASHES.iter().cycle()).map(
+            |((name, _), dash)| {
+                (*name, Drawn { color: THEORY, width: style::THIN, dash, marker: None })
+            },
+        ));
+        looks.extend(named(Look::Reference).map(|(name, _)| {
+            (*name, Drawn { color: INK, width: style::THIN, dash: &[], marker: None })
+        }));
+
+        let (mut x, mut row) = (style::EDGE, 0);
+        let mut entries = Vec::new();
+        let zero = figure.has_zeros().then_some(EXACTLY_ZERO);
+        for name in kinds.iter().map(|(name, _)| *name).chain(zero) {
+            let length = Self::SAMPLE + 8.0 + width(name, TEXT);
+            if x + length > RIGHT && x > style::EDGE {
+                (x, row) = (style::EDGE, row + 1);
+            }
+            entries.push((name, (x, 53.0 + 22.0 * row as f64)));
+            x += length + 20.0;
+        }
+        Legend { rows: if entries.is_empty() { 0 } else { row + 1 }, entries, looks }
+    }
+
+    pub fn draw(&self, canvas: &mut Canvas) {
+        for (name, (x, y)) in &self.entries {
+            let at = (x + Self::SAMPLE + 8.0, y + 5.0);
+            canvas.text(at, Anchor::Start, TEXT, INK, name);
+            let Some(drawn) = self.looks.get(name) else {
+                draw_zeros(canvas, &[(x + Self::SAMPLE / 2.0, *y)], FAINT_INK);
+                continue;
+            };
+            let ends = [(*x, *y), (x + Self::SAMPLE, *y)].map(|(x, y)| (fine(x), fine(y)));
+            canvas.layer(&dashes(drawn.dash), |layer| {
+                layer.draw(&PathElement::new(ends, stroke(drawn.color, drawn.width)))
+            });
+            drawn.mark(canvas, &[(x + Self::SAMPLE / 2.0, *y)]);
+        }
+    }
+}

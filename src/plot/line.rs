@@ -1,0 +1,331 @@
+//! Curves over one axis, in one panel or in several stacked ones.
+
+use std::collections::BTreeMap;
+
+use plotters::prelude::*;
+
+use super::axis::{Axis, Scale, Tick};
+use super::canvas::{Anchor, Canvas, Frame, dashes, escape, stroke};
+use super::legend::{Drawn, Legend};
+use super::marker::{draw_zeros, marker_places};
+use super::number::{count, readable};
+use super::style::{self, FAINT_INK, GRID, INK, TEXT, width};
+use super::{Figure, csv};
+
+/// Where the plots end, in px.
+pub(super) const RIGHT: f64 = style::WIDTH - 12.0;
+
+/// Curves over a common x axis; several panels are stacked.
+#[derive(Debug, Clone)]
+pub struct Lines {
+    /// See [`Figure::id`].
+    pub id: String,
+    /// See [`Figure::title`].
+    pub title: String,
+    /// See [`Figure::caption`].
+    pub caption: String,
+    /// The axis all panels share.
+    pub x: Axis,
+    /// From top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+/// One plot of a stack.
+#[derive(Debug, Clone)]
+pub struct Panel {
+    /// The vertical axis.
+    pub y: Axis,
+    /// The curves; a name may return in another panel and looks the same there.
+    pub series: Vec<Series>,
+}
+
+/// A named curve.
+#[derive(Debug, Clone)]
+pub struct Series {
+    /// The name in the legend; it decides the colour ([`style::style`]).
+    pub name: String,
+    /// In the order in which they are joined. A point without a place on its axis (not finite, or
+    /// not positive on a logarithmic one) breaks the line.
+    pub points: Vec<(f64, f64)>,
+    /// What kind of curve it is.
+    pub look: Look,
+}
+
+/// What a curve is, and so how it is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Look {
+    /// Something that happened: coloured, with markers. Measured curves decide the axes' ranges.
+    Measured,
+    /// What a formula predicts: dashed, in grey, cut off at the frame.
+    Theory,
+    /// A known value or limit: a thin dark line, cut off at the frame.
+    Reference,
+}
+
+impl Series {
+    /// A measured curve.
+    pub fn measured(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Series { name: name.into(), points, look: Look::Measured }
+    }
+
+    /// A predicted curve.
+    pub fn theory(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Series { name: name.into(), points, look: Look::Theory }
+    }
+
+    /// A known value or limit.
+    pub fn reference(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Series { name: name.into(), points, look: Look::Reference }
+    }
+}
+
+impl Figure for Lines {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    fn svg(&self) -> String {
+        let legend = Legend::new(self);
+        let header = 44.0 + 22.0 * legend.rows as f64;
+        let plot = if self.panels.len() < 2 { 340.0 } else { 190.0 };
+        let pitch = plot + 44.0;
+        let footer = 36.0;
+        let mut canvas = Canvas::new(header + pitch * self.panels.len() as f64 + footer);
+        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        legend.draw(&mut canvas);
+
+        let all = || self.panels.iter().flat_map(|panel| &panel.series);
+        let x = range(self.x.scale, all(), |(x, _)| x);
+        let columns = self.x.scale.ticks(x, 8);
+        let wanted = if plot > 250.0 { 8 } else { 5 };
+        let ranges = self.panels.iter().map(|panel| {
+            let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
+            (y, panel.y.scale.ticks(y, wanted))
+        });
+        let ranges: Vec<_> = ranges.collect();
+        let labels = ranges.iter().flat_map(|(_, rows)| rows).map(|row| width(&row.label, TEXT));
+        let left = style::EDGE + 8.0 + labels.fold(32.0, f64::max);
+        for (k, (panel, (y, rows))) in self.panels.iter().zip(&ranges).enumerate() {
+            let top = header + pitch * k as f64 + 32.0;
+            let frame = Frame { x, y: *y, left, right: RIGHT, top, bottom: top + plot };
+            let last = k + 1 == self.panels.len();
+            draw_grid(&mut canvas, &frame, &columns, rows, last);
+            canvas.text((style::EDGE, top - 12.0), Anchor::Start, TEXT, INK, &panel.y.heading());
+            self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
+            if last {
+                let middle = (left + RIGHT) / 2.0;
+                let at = (middle, frame.bottom + 42.0);
+                canvas.text(at, Anchor::Middle, TEXT, INK, &self.x.heading());
+            }
+        }
+        canvas.finish(&self.id, &self.title, &self.description())
+    }
+
+    /// One record a point: series, kind, x, and y in the column of its panel.
+    fn csv(&self) -> String {
+        let mut out = String::new();
+        let mut heads = vec!["series".to_string(), "kind".to_string(), self.x.heading()];
+        heads.extend(self.panels.iter().map(|panel| panel.y.heading()));
+        csv::record(&mut out, &heads);
+        for (k, panel) in self.panels.iter().enumerate() {
+            for series in &panel.series {
+                for (x, y) in &series.points {
+                    let mut fields = vec![String::new(); 3 + self.panels.len()];
+                    fields[0] = series.name.clone();
+                    fields[1] = series.look.word().into();
+                    fields[2] = csv::number(*x);
+                    fields[3 + k] = csv::number(*y);
+                    csv::record(&mut out, &fields);
+                }
+            }
+        }
+        out
+    }
+}
+
+impl Look {
+    fn word(self) -> &'static str {
+        match self {
+            Look::Measured => "measured",
+            Look::Theory => "theory",
+            Look::Reference => "reference",
+        }
+    }
+}
+
+impl Lines {
+    /// What the picture shows, in words.
+    fn description(&self) -> String {
+        let mut text = String::new();
+        for panel in &self.panels {
+            text += &format!("{} against {}: ", panel.y.heading(), self.x.heading());
+            let curves: Vec<_> = panel.series.iter().map(describe).collect();
+            text += &format!("{}. ", curves.join("; "));
+        }
+        text.trim().into()
+    }
+
+    fn draw_curves(
+        &self,
+        canvas: &mut Canvas,
+        frame: &Frame,
+        panel: &Panel,
+        looks: &BTreeMap<&str, Drawn>,
+    ) {
+        let measured = panel.series.iter().filter(|series| series.look == Look::Measured);
+        let others = panel.series.iter().filter(|series| series.look != Look::Measured);
+        // A nested svg cuts predictions off at the frame.
+        canvas.raw(&format!(
+            "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n",
+            frame.left,
+            frame.top,
+            frame.right - frame.left,
+            frame.bottom - frame.top
+        ));
+        for series in others {
+            self.draw_line(canvas, frame, panel, series, &looks[series.name.as_str()]);
+        }
+        canvas.raw("</svg>\n");
+        for (k, series) in measured.enumerate() {
+            let drawn = &looks[series.name.as_str()];
+            canvas.raw(&format!(
+                "<g class=\"series\" data-series=\"{0}\"><title>{0}</title>\n",
+                escape(&series.name)
+            ));
+            let shown = self.draw_line(canvas, frame, panel, series, drawn);
+            drawn.mark(canvas, &marker_places(&shown, frame.left, k));
+            let mut zeros: Vec<_> = self
+                .zeros(panel, series)
+                .map(|x| (frame.place((x, frame.y.0)).0, frame.bottom - 6.0))
+                .collect();
+            zeros.dedup_by(|a, b| (a.0 - b.0).abs() < 14.0);
+            draw_zeros(canvas, &zeros, drawn.color);
+            canvas.raw("</g>\n");
+        }
+    }
+
+    /// Draws the curve; returns the points drawn, in px.
+    fn draw_line(
+        &self,
+        canvas: &mut Canvas,
+        frame: &Frame,
+        panel: &Panel,
+        series: &Series,
+        drawn: &Drawn,
+    ) -> Vec<(f64, f64)> {
+        let place =
+            |(x, y): &(f64, f64)| Some((self.x.scale.position(*x)?, panel.y.scale.position(*y)?));
+        let places: Vec<_> = series.points.iter().map(place).collect();
+        let runs: Vec<Vec<(f64, f64)>> = places
+            .split(Option::is_none)
+            .map(|run| thin(run.iter().flatten().copied(), |point| frame.place(point)))
+            .collect();
+        canvas.layer(&dashes(drawn.dash), |layer| {
+            let plane = frame.plane(layer);
+            runs.iter().filter(|run| run.len() > 1).try_for_each(|run| {
+                plane.draw(&PathElement::new(run.clone(), stroke(drawn.color, drawn.width)))
+            })
+        });
+        runs.into_iter().flatten().map(|point| frame.place(point)).collect()
+    }
+
+    /// Where on x a curve is exactly zero although its axis has no place for zero.
+    fn zeros<'a>(&self, panel: &Panel, series: &'a Series) -> impl Iterator<Item = f64> + 'a {
+        let (across, shown) = (self.x.scale, panel.y.scale == Scale::Log);
+        let zeros = series.points.iter().filter(move |(_, y)| shown && *y == 0.0);
+        zeros.filter_map(move |(x, _)| across.position(*x))
+    }
+
+    pub(super) fn has_zeros(&self) -> bool {
+        self.panels.iter().any(|panel| {
+            let measured = panel.series.iter().filter(|series| series.look == Look::Measured);
+            measured.into_iter().any(|series| self.zeros(panel, series).next().is_some())
+        })
+    }
+}
+
+/// The range of the measured curves on an axis; of all curves if none is measured.
+fn range<'a>(
+    scale: Scale,
+    series: impl Iterator<Item = &'a Series> + Clone,
+    coordinate: impl Fn((f64, f64)) -> f64,
+) -> (f64, f64) {
+    let positions = |wanted: fn(Look) -> bool| {
+        let chosen = series.clone().filter(move |series| wanted(series.look));
+        let points = chosen.flat_map(|series| series.points.iter().copied());
+        scale.range(points.filter_map(|point| scale.position(coordinate(point))))
+    };
+    positions(|look| look == Look::Measured).or_else(|| positions(|_| true)).unwrap_or((0.0, 1.0))
+}
+
+fn describe(series: &Series) -> String {
+    let finite = |point: &&(f64, f64)| point.0.is_finite() && point.1.is_finite();
+    let (first, last) =
+        (series.points.iter().find(finite), series.points.iter().rev().find(finite));
+    match (first, last) {
+        (Some(first), Some(last)) => format!(
+            "{} ({}, {} points) goes from {} to {}",
+            series.name,
+            series.look.word(),
+            count(series.points.len()),
+            readable(first.1, 2),
+            readable(last.1, 2)
+        ),
+        _ => format!("{} has no points", series.name),
+    }
+}
+
+fn draw_grid(canvas: &mut Canvas, frame: &Frame, columns: &[Tick], rows: &[Tick], labels: bool) {
+    canvas.layer("class=\"grid\"", |layer| {
+        let plane = frame.plane(layer);
+        let upright = columns.iter().map(|tick| [(tick.at, frame.y.0), (tick.at, frame.y.1)]);
+        let level = rows.iter().map(|tick| [(frame.x.0, tick.at), (frame.x.1, tick.at)]);
+        upright
+            .chain(level)
+            .try_for_each(|ends| plane.draw(&PathElement::new(ends, stroke(GRID, 1.0))))?;
+        let base = PathElement::new(
+            [(frame.x.0, frame.y.0), (frame.x.1, frame.y.0)],
+            stroke(FAINT_INK, 1.0),
+        );
+        plane.draw(&base)
+    });
+    for tick in rows {
+        let (_, y) = frame.place((frame.x.0, tick.at));
+        canvas.text((frame.left - 8.0, y + 4.5), Anchor::End, TEXT, FAINT_INK, &tick.label);
+    }
+    for tick in columns.iter().filter(|_| labels) {
+        let (x, _) = frame.place((tick.at, frame.y.0));
+        canvas.text((x, frame.bottom + 19.0), Anchor::Middle, TEXT, FAINT_INK, &tick.label);
+    }
+}
+
+/// Of the points that fall into one column of pixels in a row, keeps the first, the lowest, the
+/// highest and the last: the line drawn through them is the same.
+fn thin(
+    points: impl Iterator<Item = (f64, f64)>,
+    place: impl Fn((f64, f64)) -> (f64, f64),
+) -> Vec<(f64, f64)> {
+    let points: Vec<_> = points.collect();
+    let column = |point: &(f64, f64)| place(*point).0.floor();
+    let mut kept = Vec::new();
+    for group in points.chunk_by(|a, b| column(a) == column(b)) {
+        let by_height = |a: &&usize, b: &&usize| group[**a].1.total_cmp(&group[**b].1);
+        let indices: Vec<usize> = (0..group.len()).collect();
+        let lowest = indices.iter().min_by(by_height);
+        let highest = indices.iter().max_by(by_height);
+        let mut chosen: Vec<_> =
+            [indices.first(), lowest, highest, indices.last()].into_iter().flatten().collect();
+        chosen.sort();
+        chosen.dedup();
+        kept.extend(chosen.into_iter().map(|i| group[*i]));
+    }
+    kept
+}

@@ -1,0 +1,84 @@
+//! Markers on curves.
+
+use plotters::prelude::*;
+
+use super::canvas::{Canvas, fine, hex};
+use super::style::{self, Marker};
+
+/// Distance between two markers of one curve in px.
+const MARKER_DISTANCE: f64 = 92.0;
+
+/// The points of the k-th curve that get a marker: all of a short one, else one each so many px,
+/// where its neighbours have none.
+pub(super) fn marker_places(points: &[(f64, f64)], left: f64, k: usize) -> Vec<(f64, f64)> {
+    if points.len() <= 8 {
+        return points.to_vec();
+    }
+    let mut next = left + MARKER_DISTANCE * (0.2 + 0.37 * k as f64).fract();
+    let mut spots = Vec::new();
+    for point in points {
+        if point.0 >= next {
+            spots.push(*point);
+            next += MARKER_DISTANCE * ((point.0 - next) / MARKER_DISTANCE).floor().max(0.0)
+                + MARKER_DISTANCE;
+        }
+    }
+    if spots.is_empty() {
+        points[points.len() / 2..].iter().take(1).copied().collect()
+    } else {
+        spots
+    }
+}
+
+/// Markers with a rim of paper, so that they stand out from the line.
+pub(super) fn draw_markers(
+    canvas: &mut Canvas,
+    spots: &[(f64, f64)],
+    marker: Marker,
+    color: RGBColor,
+) {
+    canvas.layer("stroke=\"#ffffff\" stroke-width=\"12\" paint-order=\"stroke\"", |layer| {
+        spots
+            .iter()
+            .try_for_each(|spot| layer.draw(&Polygon::new(marker.outline(*spot), color.filled())))
+    });
+}
+
+/// Hollow wedges: there a curve is exactly zero on a logarithmic axis.
+pub(super) fn draw_zeros(canvas: &mut Canvas, spots: &[(f64, f64)], color: RGBColor) {
+    let outline = hex((color.0, color.1, color.2));
+    canvas.layer(&format!("stroke=\"{outline}\" stroke-width=\"14\""), |layer| {
+        spots.iter().try_for_each(|spot| {
+            layer.draw(&Polygon::new(Marker::Wedge.outline(*spot), style::PAPER.filled()))
+        })
+    });
+}
+
+impl Marker {
+    /// The corners around a centre given in px, in the units of a layer.
+    fn outline(self, (x, y): (f64, f64)) -> Vec<(i32, i32)> {
+        const R: f64 = style::MARKER;
+        let turned = |corners: u32, radius: f64, start: f64| {
+            (0..corners)
+                .map(|k| (start + 360.0 * f64::from(k) / f64::from(corners)).to_radians())
+                .map(|angle| (x + radius * angle.cos(), y + radius * angle.sin()))
+                .collect::<Vec<_>>()
+        };
+        let corners = match self {
+            Marker::Circle => turned(16, R, 0.0),
+            Marker::Square => turned(4, 1.25 * R, 45.0),
+            Marker::Diamond => turned(4, 1.35 * R, 0.0),
+            Marker::Triangle => turned(3, 1.4 * R, -90.0),
+            Marker::Wedge => turned(3, 1.4 * R, 90.0),
+            Marker::Plus => {
+                let (long, short) = (1.25 * R, 0.42 * R);
+                let quarter = [(short, -long), (short, -short), (long, -short), (long, short)];
+                let rest = [(short, short), (short, long), (-short, long), (-short, short)];
+                let last = [(-long, short), (-long, -short), (-short, -short), (-short, -long)];
+                let all = quarter.into_iter().chain(rest).chain(last);
+                all.map(|(dx, dy)| (x + dx, y + dy)).collect()
+            }
+        };
+        corners.into_iter().map(|(x, y)| (fine(x), fine(y))).collect()
+    }
+}

@@ -1,0 +1,79 @@
+//! Numbers as people read them: `1.3×10⁻⁸`, `−0.25`.
+
+/// The exponent in superscript digits: −8 gives `⁻⁸`.
+pub fn superscript(exponent: i32) -> String {
+    let raise = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
+    };
+    exponent.to_string().chars().map(raise).collect()
+}
+
+/// The value in at most so many significant digits, without idle zeros: as a plain number while that
+/// is short and as mantissa times power of ten otherwise.
+///
+/// ```
+/// use lcplab::plot::number::readable;
+///
+/// assert_eq!(readable(0.25, 3), "0.25");
+/// assert_eq!(readable(-1.5e-9, 2), "−1.5×10⁻⁹");
+/// assert_eq!(readable(1e6, 3), "10⁶");
+/// assert_eq!(readable(f64::INFINITY, 3), "∞");
+/// ```
+pub fn readable(value: f64, digits: usize) -> String {
+    written(value, digits, trimmed)
+}
+
+/// The same with all its significant digits, so that the numbers of a column compare: `3.0×10⁻⁸`.
+pub fn significant(value: f64, digits: usize) -> String {
+    written(value, digits, |decimal| decimal)
+}
+
+fn written(value: f64, digits: usize, trimmed: fn(&str) -> &str) -> String {
+    if value.is_nan() {
+        return "not a number".into();
+    }
+    if value.is_infinite() {
+        return if value > 0.0 { "∞" } else { "−∞" }.into();
+    }
+    let rounded = format!("{:.*e}", digits.max(1) - 1, value);
+    let (mantissa, exponent) = rounded.split_once('e').unwrap_or((&rounded, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let text = if value == 0.0 {
+        "0".into()
+    } else if (-3..5).contains(&exponent) {
+        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+        trimmed(&format!("{value:.decimals$}")).into()
+    } else {
+        match trimmed(mantissa) {
+            "1" => format!("10{}", superscript(exponent)),
+            "-1" => format!("-10{}", superscript(exponent)),
+            mantissa => format!("{mantissa}×10{}", superscript(exponent)),
+        }
+    };
+    text.replace('-', "−")
+}
+
+/// A count with thin spaces between groups of three digits.
+pub fn count(value: usize) -> String {
+    let digits = value.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+fn trimmed(decimal: &str) -> &str {
+    if decimal.contains('.') {
+        decimal.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        decimal
+    }
+}

@@ -1,0 +1,220 @@
+//! The sparsity pattern of a matrix: where it is not zero.
+
+use std::fmt::Write;
+
+use plotters::prelude::*;
+
+use super::axis::Scale;
+use super::canvas::{Anchor, Canvas, fine, hex, stroke};
+use super::number::{count, readable};
+use super::style::{self, FAINT_INK, INK, TEXT};
+use super::{Figure, csv};
+use crate::error::{Defects, Result};
+
+/// Cells along the longer side; beyond that, several entries share a cell.
+const CELLS: usize = 160;
+/// The longest sides of the drawing in px.
+const WIDTH: f64 = 560.0;
+const HEIGHT: f64 = 440.0;
+/// Shades of a cell by the share of its entries that are not zero, palest first.
+const SHADES: [(f64, (u8, u8, u8)); 5] = [
+    (0.05, (158, 202, 225)),
+    (0.15, (107, 174, 214)),
+    (0.35, (49, 130, 189)),
+    (0.7, (8, 81, 156)),
+    (f64::INFINITY, (8, 40, 94)),
+];
+
+/// The nonzeros of a matrix, seen from above.
+#[derive(Debug, Clone)]
+pub struct Spy {
+    id: String,
+    title: String,
+    caption: String,
+    rows: usize,
+    columns: usize,
+    /// Sorted, each entry once.
+    entries: Vec<(usize, usize)>,
+}
+
+impl Spy {
+    /// The pattern of a `rows` × `columns` matrix with these entries (row, column), counted from 0;
+    /// one that comes twice counts once.
+    ///
+    /// # Errors
+    /// Lists every entry outside the matrix.
+    pub fn new(
+        id: impl Into<String>,
+        title: impl Into<String>,
+        caption: impl Into<String>,
+        (rows, columns): (usize, usize),
+        entries: impl IntoIterator<Item = (usize, usize)>,
+    ) -> Result<Self> {
+        let mut entries: Vec<_> = entries.into_iter().collect();
+        entries.sort_unstable();
+        entries.dedup();
+        let mut defects = Defects::default();
+        for (i, j) in entries.iter().filter(|(i, j)| *i >= rows || *j >= columns) {
+            defects.add(format!("entry ({i}, {j})"), format!("is outside {rows} × {columns}"));
+        }
+        let title = title.into();
+        defects.into_result(title.as_str())?;
+        Ok(Spy { id: id.into(), title, caption: caption.into(), rows, columns, entries })
+    }
+
+    /// How many entries are not zero.
+    pub fn nonzeros(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// The share of the entries that are not zero, in per cent; 0 for an empty matrix.
+    pub fn fill(&self) -> f64 {
+        let all = self.rows as f64 * self.columns as f64;
+        if all > 0.0 { 100.0 * self.entries.len() as f64 / all } else { 0.0 }
+    }
+
+    /// Entries along the side of a cell.
+    fn block(&self) -> usize {
+        self.rows.max(self.columns).div_ceil(CELLS).max(1)
+    }
+
+    /// How many entries a cell of the drawing stands for that are not zero, by row, then column.
+    fn cells(&self) -> Vec<((usize, usize), usize)> {
+        let block = self.block();
+        let mut cells: Vec<_> = self.entries.iter().map(|(i, j)| (i / block, j / block)).collect();
+        cells.sort_unstable();
+        cells.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect()
+    }
+
+    /// The share of a cell that is not zero; a cell at the edge may be smaller.
+    fn density(&self, (i, j): (usize, usize), nonzeros: usize) -> f64 {
+        let block = self.block();
+        let height = block.min(self.rows - i * block);
+        let width = block.min(self.columns - j * block);
+        nonzeros as f64 / (height * width) as f64
+    }
+
+    fn subtitle(&self) -> String {
+        let mut text = format!(
+            "{} × {},  {} nonzeros,  {} % filled",
+            count(self.rows),
+            count(self.columns),
+            count(self.nonzeros()),
+            readable(self.fill(), 3)
+        );
+        let block = self.block();
+        if block > 1 {
+            let _ = write!(text, ";  a cell is {block} × {block} entries, darker is denser");
+        }
+        text
+    }
+
+    /// One path for each shade, in units of an entry; neighbours in a row are one rectangle.
+    fn paths(&self) -> String {
+        let block = self.block();
+        let mut paths = vec![String::new(); SHADES.len()];
+        let shaded: Vec<_> = self
+            .cells()
+            .into_iter()
+            .map(|(cell, nonzeros)| {
+                let density = self.density(cell, nonzeros);
+                let shade = match block {
+                    1 => SHADES.len() - 2,
+                    _ => SHADES.iter().position(|(limit, _)| density <= *limit).unwrap_or(0),
+                };
+                (cell, shade)
+            })
+            .collect();
+        let joined = shaded.chunk_by(|(a, shade_a), (b, shade_b)| {
+            block > 1 && a.0 == b.0 && a.1 + 1 == b.1 && shade_a == shade_b
+        });
+        // Single entries are drawn a little smaller than their place, so that each is seen.
+        let gap = if block == 1 { 0.08 } else { 0.0 };
+        for run in joined {
+            let ((i, j), shade) = run[0];
+            let (x, y) = ((j * block) as f64 + gap, (i * block) as f64 + gap);
+            let width = (run.len() * block).min(self.columns - j * block) as f64 - 2.0 * gap;
+            let height = block.min(self.rows - i * block) as f64 - 2.0 * gap;
+            let _ = write!(paths[shade], "M{x} {y}h{width}v{height}h-{width}z");
+        }
+        let mut markup = String::new();
+        for (path, (_, color)) in paths.iter().zip(SHADES).filter(|(path, _)| !path.is_empty()) {
+            let _ = writeln!(markup, "<path fill=\"{}\" d=\"{path}\"/>", hex(color));
+        }
+        markup
+    }
+}
+
+impl Figure for Spy {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    fn svg(&self) -> String {
+        let (rows, columns) = (self.rows.max(1) as f64, self.columns.max(1) as f64);
+        let scale = (WIDTH / columns).min(HEIGHT / rows).min(24.0);
+        // A long thin matrix keeps a visible side.
+        let (width, height) = ((columns * scale).max(12.0), (rows * scale).max(12.0));
+        let (left, top) = ((style::WIDTH - width) / 2.0 + 20.0, 96.0);
+        let mut canvas = Canvas::new(top + height + 14.0);
+        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        canvas.text((style::EDGE, 50.0), Anchor::Start, TEXT, FAINT_INK, &self.subtitle());
+        let sharp = if self.block() > 1 { " shape-rendering=\"crispEdges\"" } else { "" };
+        canvas.raw(&format!(
+            "<g transform=\"translate({left:.1} {top:.1}) scale({:.5} {:.5})\"{sharp}>\n{}</g>\n",
+            width / columns,
+            height / rows,
+            self.paths()
+        ));
+        canvas.layer("class=\"frame\"", |layer| {
+            let (right, bottom) = (left + width, top + height);
+            let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+            let corners = corners.map(|(x, y)| (fine(x), fine(y)));
+            layer.draw(&PathElement::new(corners, stroke(FAINT_INK, 1.0)))
+        });
+        canvas.text((left + width / 2.0, 72.0), Anchor::Middle, TEXT, INK, "column");
+        canvas.raw(&format!("<g transform=\"rotate(-90 {:.1} {:.1})\">", left - 48.0, top));
+        canvas.text((left - 48.0 - height / 2.0, top), Anchor::Middle, TEXT, INK, "row");
+        canvas.raw("</g>\n");
+        for (index, at) in indices(self.columns, width) {
+            canvas.text((left + at, top - 7.0), Anchor::Middle, TEXT, FAINT_INK, &count(index));
+        }
+        for (index, at) in indices(self.rows, height) {
+            let at = (left - 7.0, top + at + 4.5);
+            canvas.text(at, Anchor::End, TEXT, FAINT_INK, &count(index));
+        }
+        canvas.finish(&self.id, &self.title, &self.subtitle())
+    }
+
+    /// One record an entry, counted from 0.
+    fn csv(&self) -> String {
+        let mut out = String::from("row,column\n");
+        for (i, j) in &self.entries {
+            csv::record(&mut out, [i.to_string(), j.to_string()]);
+        }
+        out
+    }
+}
+
+/// Whole round indices along a side of this length, each with the place of its middle in px.
+fn indices(size: usize, length: f64) -> Vec<(usize, f64)> {
+    if size == 0 {
+        return Vec::new();
+    }
+    let step = length / size as f64;
+    let wanted = ((length / 60.0) as usize).clamp(1, size);
+    let ticks = Scale::Linear.ticks((0.0, size as f64 - 0.5), wanted);
+    ticks
+        .into_iter()
+        .filter(|tick| tick.at.fract() == 0.0 && tick.at >= 0.0)
+        .map(|tick| (tick.at as usize, (tick.at + 0.5) * step))
+        .collect()
+}

@@ -1,0 +1,209 @@
+//! One style for all figures: what a name looks like, and the measures and greys around it.
+//!
+//! The hues are those of Okabe and Ito, told apart by colour-blind readers; dash and marker repeat
+//! the difference for print in grey. SOR is one family, darker with growing ω. A variant
+//! written after a comma (`velocity, dt/2`) keeps the colour of the name before it.
+
+use plotters::style::RGBColor;
+
+/// Width of every figure in px.
+pub(super) const WIDTH: f64 = 720.0;
+/// Size of all text but the title in px.
+pub(super) const TEXT: f64 = 14.0;
+/// Size of the title in px.
+pub(super) const TITLE: f64 = 17.0;
+/// Width of a measured line in px.
+pub(super) const LINE: f64 = 2.0;
+/// Width of theory, reference and frame lines in px.
+pub(super) const THIN: f64 = 1.3;
+/// Distance of text from the left edge in px.
+pub(super) const EDGE: f64 = 6.0;
+/// Radius of a marker in px.
+pub(super) const MARKER: f64 = 4.2;
+
+/// Paper, ink, and the greys between them.
+pub(super) const PAPER: RGBColor = RGBColor(255, 255, 255);
+pub(super) const INK: RGBColor = RGBColor(34, 38, 45);
+pub(super) const FAINT_INK: RGBColor = RGBColor(92, 98, 108);
+pub(super) const GRID: RGBColor = RGBColor(228, 230, 234);
+pub(super) const THEORY: RGBColor = RGBColor(112, 112, 112);
+
+/// Fonts that are on the reader's machine.
+pub(super) const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
+                                'Noto Sans', 'Liberation Sans', Arial, sans-serif";
+
+/// Dash patterns in px; the first is a solid line.
+const DASHES: [&[u32]; 6] = [&[], &[9, 4], &[2, 3], &[9, 3, 2, 3], &[5, 3], &[12, 3, 2, 3, 2, 3]];
+
+/// Dash patterns of theory lines, in the order they come in a figure.
+pub(super) const THEORY_DASHES: [&[u32]; 3] = [&[6, 4], &[2, 3], &[8, 3, 2, 3]];
+
+/// A shape drawn on a line here and there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// A disc.
+    Circle,
+    /// A square.
+    Square,
+    /// A triangle, point up.
+    Triangle,
+    /// A square on its corner.
+    Diamond,
+    /// A triangle, point down.
+    Wedge,
+    /// A plus sign.
+    Plus,
+}
+
+const MARKERS: [Marker; 6] = [
+    Marker::Circle,
+    Marker::Square,
+    Marker::Triangle,
+    Marker::Diamond,
+    Marker::Wedge,
+    Marker::Plus,
+];
+
+/// What a line or bar looks like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Style {
+    /// Red, green, blue.
+    pub color: (u8, u8, u8),
+    /// Lengths of stroke and gap in px, in turn; empty for a solid line.
+    pub dash: &'static [u32],
+    /// The marker on the line.
+    pub marker: Marker,
+}
+
+/// Red, green, blue.
+type Rgb = (u8, u8, u8);
+
+const BLUE: Rgb = (0, 114, 178);
+const SKY: Rgb = (70, 165, 220);
+const GREEN: Rgb = (0, 138, 100);
+const PURPLE: Rgb = (190, 95, 150);
+const OCHRE: Rgb = (176, 134, 0);
+const BLACK: Rgb = (45, 45, 50);
+const VERMILION: Rgb = (205, 85, 0);
+
+/// Colour, index of the dash, index of the marker.
+const KNOWN: [(&str, Rgb, usize, usize); 17] = [
+    ("pgs", BLUE, 0, 0),
+    ("jacobi", SKY, 4, 3),
+    ("block_pgs", SKY, 1, 1),
+    ("nncg", SKY, 3, 2),
+    ("apgd", OCHRE, 0, 3),
+    ("dantzig", GREEN, 0, 1),
+    ("lemke", PURPLE, 1, 3),
+    ("murty", PURPLE, 2, 2),
+    ("fischer_newton", OCHRE, 3, 4),
+    ("interior_point", BLACK, 1, 5),
+    ("clarabel", BLACK, 3, 5),
+    ("velocity", BLUE, 0, 0),
+    ("acceleration", VERMILION, 0, 1),
+    ("position", GREEN, 0, 2),
+    ("soft", PURPLE, 0, 3),
+    ("penalty", OCHRE, 0, 4),
+    ("exact", BLACK, 0, 0),
+];
+
+/// SOR by its ω: colours at some ω, blended between them, and a dash and a marker from each on.
+const SOR: [(f64, Rgb, usize, usize); 6] = [
+    (0.4, (232, 190, 110), 2, 5),
+    (0.95, (226, 156, 36), 4, 4),
+    (1.2, (226, 116, 10), 1, 2),
+    (1.4, (200, 66, 10), 3, 1),
+    (1.6, (158, 32, 46), 5, 3),
+    (1.8, (82, 10, 54), 2, 0),
+];
+
+/// The look of a name, the same in every figure.
+pub fn style(name: &str) -> Style {
+    let (base, variant) = name.split_once(',').unwrap_or((name, ""));
+    let key = base.trim().to_lowercase().replace([' ', '-'], "_");
+    let parameter = key
+        .strip_prefix("sor")
+        .filter(|rest| !rest.starts_with(char::is_alphabetic) || rest.starts_with('ω'));
+    let (color, dash, marker) = if let Some(parameter) = parameter {
+        sor(first_number(parameter).or(first_number(variant)).unwrap_or(1.4))
+    } else if let Some((_, color, dash, marker)) = KNOWN.iter().find(|(known, ..)| *known == key) {
+        (*color, *dash, *marker)
+    } else {
+        let hash = fnv(&key);
+        let hues = [BLUE, VERMILION, GREEN, PURPLE, OCHRE, SKY];
+        (hues[hash % 6], hash / 6 % 6, hash / 36 % 6)
+    };
+    if parameter.is_some() || variant.trim().is_empty() {
+        return Style { color, dash: DASHES[dash], marker: MARKERS[marker] };
+    }
+    // dt is the palest, dt/2 and dt/4 come closer to the full colour: finer is stronger.
+    let (white, turn) = match variant.rsplit('/').next().map(str::trim) {
+        Some("2") if variant.contains('/') => (0.25, 1),
+        Some("4") if variant.contains('/') => (0.0, 2),
+        Some("dt") => (0.5, 0),
+        _ => (0.0, fnv(variant) % 6),
+    };
+    let tint = |c: u8| (f64::from(c) + white * (255.0 - f64::from(c))).round() as u8;
+    Style {
+        color: (tint(color.0), tint(color.1), tint(color.2)),
+        dash: DASHES[(dash + turn) % 6],
+        marker: MARKERS[(marker + turn) % 6],
+    }
+}
+
+fn sor(omega: f64) -> (Rgb, usize, usize) {
+    let k = SOR.iter().rposition(|(from, ..)| *from <= omega).unwrap_or(0);
+    let (from, below, dash, marker) = SOR[k];
+    let (to, above, ..) = SOR[(k + 1).min(SOR.len() - 1)];
+    let share = if to > from { ((omega - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+    let blend = |a: u8, b: u8| (f64::from(a) + share * (f64::from(b) - f64::from(a))).round() as u8;
+    let color = (blend(below.0, above.0), blend(below.1, above.1), blend(below.2, above.2));
+    (color, dash, marker)
+}
+
+/// The looks of several names in one figure: each as [`style`] has it, unless one before it looks
+/// the same; then the next free dash and marker.
+pub fn styles(names: &[&str]) -> Vec<Style> {
+    let mut taken: Vec<Style> = Vec::new();
+    for name in names {
+        let mut look = style(name);
+        let (dash, marker) = (place(&DASHES, &look.dash), place(&MARKERS, &look.marker));
+        for turn in 0..36 {
+            look.dash = DASHES[(dash + turn) % 6];
+            look.marker = MARKERS[(marker + turn + turn / 6) % 6];
+            if !taken.contains(&look) {
+                break;
+            }
+        }
+        taken.push(look);
+    }
+    taken
+}
+
+/// Width of a text in px, near enough to lay out labels without a font at hand.
+pub(super) fn width(text: &str, size: f64) -> f64 {
+    let em = |c: char| match c {
+        '⁰'..='⁹' | '¹' | '²' | '³' | '⁻' => 0.4,
+        'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | '.' | ',' | '(' | ')' | '/' | '|' | '\'' => 0.36,
+        'm' | 'w' | 'M' | 'W' => 0.9,
+        'A'..='Z' | '×' | '−' | '=' | 'ω' => 0.78,
+        _ => 0.61,
+    };
+    size * text.chars().map(em).sum::<f64>()
+}
+
+fn place<T: PartialEq>(list: &[T], item: &T) -> usize {
+    list.iter().position(|other| other == item).unwrap_or(0)
+}
+
+fn first_number(text: &str) -> Option<f64> {
+    let start = text.find(|c: char| c.is_ascii_digit())?;
+    let number = text[start..].split(|c: char| !(c.is_ascii_digit() || c == '.')).next()?;
+    number.trim_end_matches('.').parse().ok()
+}
+
+fn fnv(text: &str) -> usize {
+    let hash =
+        text.bytes().fold(0x811c_9dc5_u32, |h, b| (h ^ u32::from(b)).wrapping_mul(0x0100_0193));
+    hash as usize
+}

@@ -1,0 +1,208 @@
+//! A page: a document as plain data, and its rendering to one self-contained HTML file.
+//!
+//! The file fetches nothing: equations are MathML, figures inline SVG, and the mathematics font is
+//! embedded. Titles, names and cells are plain text. A lead, text, note, caption, column title and
+//! "how to read" may carry [`markup`]. The same page gives the same bytes.
+
+pub mod markup;
+mod render;
+
+use crate::plot;
+use crate::plot::number::significant;
+
+/// A document.
+///
+/// ```
+/// use lcplab::report::page::{Block, Page, Section};
+///
+/// let text = Block::Text("The *natural residual* is $|x - \\Pi(x - w)|$.".into());
+/// let section = Section { id: "judge".into(), title: "The judge".into(), blocks: vec![text] };
+/// let page = Page { title: "Report".into(), sections: vec![section], ..Page::default() };
+/// assert!(page.render()?.contains("<em>natural residual</em> is <math>"));
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct Page {
+    /// The heading, and the name of the browser's tab.
+    pub title: String,
+    /// What the page shows and concludes, in a few sentences.
+    pub lead: String,
+    /// The numbered sections.
+    pub sections: Vec<Section>,
+    /// Facts about the run for the foot of the page: a name and a value each.
+    pub facts: Vec<(String, String)>,
+}
+
+/// A numbered part of a page.
+#[derive(Debug, Clone, Default)]
+pub struct Section {
+    /// The anchor, unique on the page: letters, digits, `-` and `_`.
+    pub id: String,
+    /// The heading.
+    pub title: String,
+    /// The contents.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+#[derive(Debug, Clone)]
+pub enum Block {
+    /// Paragraphs and lists.
+    Text(String),
+    /// A displayed equation.
+    Equation {
+        /// LaTeX without delimiters.
+        latex: String,
+        /// A number or source set at the right, for example `K&M 23`.
+        label: Option<String>,
+    },
+    /// A picture.
+    Figure(Picture),
+    /// A table.
+    Table(Table),
+    /// Program text or output.
+    Code {
+        /// The language, `text` for output.
+        language: String,
+        /// The lines.
+        text: String,
+    },
+    /// A remark set apart from the text.
+    Note(String),
+}
+
+/// A numbered picture with its caption.
+#[derive(Debug, Clone)]
+pub struct Picture {
+    /// An SVG document, put on the page as it is.
+    pub svg: String,
+    /// What to see in it.
+    pub caption: String,
+    /// Files behind it: the name of the link and its address, relative to the page.
+    pub files: Vec<(String, String)>,
+}
+
+impl Picture {
+    /// The figure of a plot whose picture and numbers lie in `directory` beside the page.
+    pub fn of(plot: &dyn plot::Figure, directory: &str) -> Self {
+        let file = |kind: &str| format!("{directory}/{}.{kind}", plot.id());
+        Picture {
+            svg: plot.svg(),
+            caption: plot.caption().into(),
+            files: vec![("data (CSV)".into(), file("csv")), ("picture (SVG)".into(), file("svg"))],
+        }
+    }
+}
+
+/// A numbered table.
+#[derive(Debug, Clone, Default)]
+pub struct Table {
+    /// One line that no other table of the page has.
+    pub title: String,
+    /// How to read it, in a sentence.
+    pub how_to_read: String,
+    /// The columns.
+    pub columns: Vec<Column>,
+    /// The rows; each has a cell a column.
+    pub rows: Vec<Vec<Cell>>,
+    /// Files behind it, as for a [`Picture`].
+    pub files: Vec<(String, String)>,
+}
+
+/// A column of a table.
+#[derive(Debug, Clone)]
+pub struct Column {
+    /// The heading.
+    pub title: String,
+    /// The unit of its numbers; empty if there is none.
+    pub unit: String,
+    /// How its cells are set.
+    pub align: Align,
+}
+
+/// How the cells of a column are set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Align {
+    /// Words.
+    Left,
+    /// Numbers.
+    Right,
+}
+
+/// A cell of a table.
+#[derive(Debug, Clone, Default)]
+pub struct Cell {
+    /// What is read.
+    pub text: String,
+    /// The number behind the text, by which rows are sorted and which the CSV has in full.
+    pub value: Option<f64>,
+    /// Whether it stands out.
+    pub mark: Mark,
+}
+
+/// What is said of a cell, by colour and sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Mark {
+    /// Nothing.
+    #[default]
+    Plain,
+    /// It is as it should be.
+    Good,
+    /// It is not.
+    Bad,
+    /// It needs a look.
+    Note,
+}
+
+impl Column {
+    /// A column of words.
+    pub fn words(title: impl Into<String>) -> Self {
+        Column { title: title.into(), unit: String::new(), align: Align::Left }
+    }
+
+    /// A column of numbers in a unit; an empty one for pure numbers.
+    pub fn numbers(title: impl Into<String>, unit: impl Into<String>) -> Self {
+        Column { title: title.into(), unit: unit.into(), align: Align::Right }
+    }
+}
+
+impl Cell {
+    /// A cell of words.
+    pub fn text(text: impl Into<String>) -> Self {
+        Cell { text: text.into(), ..Cell::default() }
+    }
+
+    /// A number, shown with so many significant digits.
+    pub fn number(value: f64, digits: usize) -> Self {
+        Cell { text: significant(value, digits), value: Some(value), mark: Mark::Plain }
+    }
+
+    /// A count.
+    pub fn count(value: usize) -> Self {
+        let text = plot::number::count(value);
+        Cell { text, value: Some(value as f64), mark: Mark::Plain }
+    }
+
+    /// The same cell, marked.
+    pub fn marked(mut self, mark: Mark) -> Self {
+        self.mark = mark;
+        self
+    }
+}
+
+impl Table {
+    /// The table as CSV, numbers in full.
+    pub fn csv(&self) -> String {
+        let mut out = String::new();
+        let heading = |column: &Column| match column.unit.as_str() {
+            "" => column.title.clone(),
+            unit => format!("{} ({unit})", column.title),
+        };
+        plot::csv::record(&mut out, self.columns.iter().map(heading));
+        for row in &self.rows {
+            let field = |cell: &Cell| cell.value.map_or(cell.text.clone(), plot::csv::number);
+            plot::csv::record(&mut out, row.iter().map(field));
+        }
+        out
+    }
+}

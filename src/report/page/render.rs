@@ -1,0 +1,201 @@
+//! A page as HTML. All that is wrong with it is reported at once, with the place.
+
+use askama::Template;
+
+use super::markup::{Renderer, html};
+use super::{Align, Block, Cell, Column, Mark, Page, Picture, Section, Table};
+use crate::error::{Defects, Error, Result};
+
+const FONT: &[u8] = include_bytes!("../assets/lcplab-math.woff2");
+
+/// A cell of more characters than this is broken into lines.
+const LONG: usize = 28;
+
+#[derive(Template)]
+#[template(path = "page.html")]
+struct Document<'a> {
+    page: &'a Page,
+    lead: String,
+    /// Each section with its blocks as HTML.
+    sections: Vec<(&'a Section, Vec<String>)>,
+    font: String,
+    style: &'static str,
+    script: &'static str,
+}
+
+#[derive(Template)]
+#[template(path = "figure.html")]
+struct FigureView<'a> {
+    number: usize,
+    figure: &'a Picture,
+    caption: String,
+}
+
+#[derive(Template)]
+#[template(path = "table.html")]
+struct TableView<'a> {
+    number: usize,
+    table: &'a Table,
+    how_to_read: String,
+    /// Each column with its title as HTML.
+    columns: Vec<(&'a Column, String)>,
+}
+
+impl Page {
+    /// The page as one HTML document.
+    ///
+    /// # Errors
+    /// Lists every equation and piece of markup that cannot be read, every row with too many or too
+    /// few cells, and every section whose id is impossible or taken.
+    pub fn render(&self) -> Result<String> {
+        let mut writer = Writer::default();
+        let lead = writer.checked("lead", |markup| markup.blocks(&self.lead));
+        let sections = self.sections.iter().enumerate();
+        let sections = sections.map(|(k, section)| (section, writer.section(k, section))).collect();
+        let defects = self.ids_checked(writer.defects);
+        defects.into_result(format!("page {:?}", self.title))?;
+        finished(&Document {
+            page: self,
+            lead,
+            sections,
+            font: base64(FONT),
+            style: include_str!("page.css"),
+            script: include_str!("page.js"),
+        })
+    }
+
+    fn ids_checked(&self, mut defects: Defects) -> Defects {
+        for (k, section) in self.sections.iter().enumerate() {
+            let id = section.id.as_str();
+            let allowed = |c: char| c.is_ascii_alphanumeric() || "-_".contains(c);
+            if id.is_empty() || !id.chars().all(allowed) {
+                defects.add(format!("section {}", k + 1), format!("{id:?} cannot be an anchor"));
+            }
+            if let Some(first) = self.sections[..k].iter().position(|other| other.id == id) {
+                let reason = format!("its id {id:?} is that of section {}", first + 1);
+                defects.add(format!("section {}", k + 1), reason);
+            }
+        }
+        defects
+    }
+}
+
+/// Writes blocks, counts figures and tables, collects what is wrong.
+#[derive(Default)]
+struct Writer {
+    markup: Renderer,
+    defects: Defects,
+    figures: usize,
+    tables: usize,
+}
+
+impl Writer {
+    fn section(&mut self, k: usize, section: &Section) -> Vec<String> {
+        let blocks = section.blocks.iter().enumerate();
+        let place = |i: usize| format!("section {} {:?}, block {}", k + 1, section.title, i + 1);
+        blocks.map(|(i, block)| self.block(&place(i), block)).collect()
+    }
+
+    fn block(&mut self, place: &str, block: &Block) -> String {
+        match block {
+            Block::Text(text) => self.checked(place, |markup| markup.blocks(text)),
+            Block::Note(text) => {
+                let text = self.checked(place, |markup| markup.blocks(text));
+                format!("<aside class=\"note\">\n{text}</aside>\n")
+            }
+            Block::Equation { latex, label } => {
+                let mathml = self.checked(place, |markup| markup.equation(latex));
+                let label = label.as_ref().map_or(String::new(), |label| {
+                    format!("<span class=\"label\">({})</span>", html(label))
+                });
+                format!("<div class=\"equation\">{mathml}{label}</div>\n")
+            }
+            Block::Code { language, text } => {
+                let (language, text) = (html(language), html(text.trim_end()));
+                format!(
+                    "<pre tabindex=\"0\"><code class=\"language-{language}\">{text}</code></pre>\n"
+                )
+            }
+            Block::Figure(figure) => self.figure(place, figure),
+            Block::Table(table) => self.table(place, table),
+        }
+    }
+
+    fn figure(&mut self, place: &str, figure: &Picture) -> String {
+        self.figures += 1;
+        let caption = self.checked(place, |markup| markup.inline(&figure.caption));
+        let number = self.figures;
+        self.checked(place, |_| written(&FigureView { number, figure, caption }))
+    }
+
+    fn table(&mut self, place: &str, table: &Table) -> String {
+        self.tables += 1;
+        for (i, row) in table.rows.iter().enumerate() {
+            if row.len() != table.columns.len() {
+                let (cells, columns) = (row.len(), table.columns.len());
+                let place = format!("{place}, row {}", i + 1);
+                self.defects.add(place, format!("has {cells} cells, the table {columns} columns"));
+            }
+        }
+        let how_to_read = self.checked(place, |markup| markup.inline(&table.how_to_read));
+        let titled = table
+            .columns
+            .iter()
+            .map(|column| (column, self.checked(place, |markup| markup.inline(&column.title))));
+        let columns = titled.collect();
+        let number = self.tables;
+        self.checked(place, |_| written(&TableView { number, table, how_to_read, columns }))
+    }
+
+    /// The HTML, or nothing and one more defect.
+    fn checked(
+        &mut self,
+        place: &str,
+        write: impl FnOnce(&Renderer) -> std::result::Result<String, String>,
+    ) -> String {
+        write(&self.markup).unwrap_or_else(|reason| {
+            self.defects.add(place, reason);
+            String::new()
+        })
+    }
+}
+
+impl TableView<'_> {
+    fn class(&self, k: &usize, cell: &Cell) -> String {
+        let align = match self.table.columns[*k].align {
+            Align::Left => "",
+            Align::Right => "number",
+        };
+        let mark = match cell.mark {
+            Mark::Plain => "",
+            Mark::Good => "good",
+            Mark::Bad => "bad",
+            Mark::Note => "caution",
+        };
+        let length = if cell.text.chars().count() > LONG { "long" } else { "" };
+        let classes = [align, mark, length].into_iter().filter(|class| !class.is_empty());
+        classes.collect::<Vec<_>>().join(" ")
+    }
+}
+
+fn written(template: &impl Template) -> std::result::Result<String, String> {
+    template.render().map_err(|error| error.to_string())
+}
+
+fn finished(document: &Document) -> Result<String> {
+    written(document).map_err(|reason| Error::invalid("page", document.page.title.as_str(), reason))
+}
+
+/// RFC 4648.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for chunk in bytes.chunks(3) {
+        let word = (0..3).fold(0, |word, k| word << 8 | u32::from(*chunk.get(k).unwrap_or(&0)));
+        for k in 0..4 {
+            let digit = DIGITS[(word >> (18 - 6 * k) & 63) as usize];
+            out.push(if k <= chunk.len() { digit.into() } else { '=' });
+        }
+    }
+    out
+}

@@ -1,0 +1,138 @@
+use lcplab::lcp::file::Problem;
+use lcplab::lcp::{Coupling, Lcp, Matrix};
+use proptest::prelude::*;
+
+use crate::common::{INF, cases, manufactured};
+
+fn message(text: &str) -> String {
+    Problem::parse(text, "p.json").unwrap_err().to_string()
+}
+
+#[test]
+fn absent_bounds_are_zero_and_infinity() {
+    let problem = Problem::parse(r#"{"A": {"dense": [[2]]}, "b": [1]}"#, "p.json").unwrap();
+    assert_eq!((problem.lcp.lo(), problem.lcp.hi()), (&[0.0][..], &[INF][..]));
+}
+
+#[test]
+fn absent_bounds_of_a_friction_row_are_infinite() {
+    let text = r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [0, 0], "friction_index": [-1, 0], "mu": [0, 0.5]}"#;
+    let problem = Problem::parse(text, "p.json").unwrap();
+    assert_eq!(problem.lcp.lo(), [0.0, -INF]);
+    assert_eq!(problem.lcp.bounds(1, &[2.0, 0.0]), (-1.0, 1.0));
+}
+
+#[test]
+fn triplets_at_the_same_place_add_up() {
+    let text = r#"{"A": {"rows": 1, "cols": 1, "triplets": [[0, 0, 2], [0, 0, 3]]}, "b": [0]}"#;
+    assert_eq!(Problem::parse(text, "p.json").unwrap().lcp.matrix().diagonal(0), 5.0);
+}
+
+#[test]
+fn unknown_keys_are_warned_of_and_known_ones_kept() {
+    let text = r#"{"A": {"dense": [[1]]}, "b": [0], "dt": 0.01, "colour": "red"}"#;
+    let problem = Problem::parse(text, "p.json").unwrap();
+    assert_eq!(problem.warnings, ["p.json: unknown key \"colour\" ignored"]);
+    assert_eq!(problem.to_json()["dt"], 0.01);
+}
+
+#[test]
+fn each_defect_has_its_message() {
+    let cases = [
+        ("[1]", "p.json: file: must be a JSON object"),
+        (r#"{"A": {"dense": [[1]]}}"#, "p.json: b: is missing"),
+        (r#"{}"#, "p.json: 2 defects\n  A: is missing\n  b: is missing"),
+        (r#"{"A": 3, "b": [1]}"#, "p.json: A: must be an object with \"dense\" or \"triplets\""),
+        (r#"{"A": {"dense": [[1, 2]]}, "b": [1]}"#, "p.json: A.dense[0]: has 2 entries, b has 1"),
+        (
+            r#"{"A": {"dense": [["x"]]}, "b": [1]}"#,
+            "p.json: A.dense[0][0]: must be a number, is \"x\"",
+        ),
+        (r#"{"A": {"dense": [[1]]}, "b": ["nan"]}"#, "p.json: b[0]: must be finite, is NaN"),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": [0], "lo": [2], "hi": [1]}"#,
+            "p.json: lo[0]: is 2, above hi[0] = 1",
+        ),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": [0], "lo": ["inf"]}"#,
+            "p.json: lo[0]: is inf, no number can meet it",
+        ),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": [0], "hi": [1, 1]}"#,
+            "p.json: hi: has 2 rows, A is 1 × 1",
+        ),
+        (
+            r#"{"A": {"rows": 1, "cols": 1, "triplets": [[0, 1, 2]]}, "b": [0]}"#,
+            "p.json: A.triplets[0]: row 0 and column 1 must be indices below 1",
+        ),
+        (
+            r#"{"A": {"rows": 1000000000000, "cols": 1, "triplets": []}, "b": [0]}"#,
+            "p.json: A.rows: is 1000000000000, b has 1 rows",
+        ),
+        (r#"{"A": {"dense": [[1]]}, "b": [0], "mu": [1]}"#, "p.json: friction_index: is missing"),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": [0], "friction_index": [0], "mu": [1]}"#,
+            "p.json: friction_index[0]: is 0: a row cannot bound itself",
+        ),
+        (
+            r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [0, 0], "lo": [0, -1], "friction_index": [-1, 0], "mu": [0, 1]}"#,
+            "p.json: lo[1]: is -1, but row 1 is bounded by mu[1] x[0]",
+        ),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(message(text), expected);
+    }
+}
+
+#[test]
+fn a_number_beyond_the_range_of_doubles_is_refused() {
+    assert!(message(r#"{"A": {"dense": [[1e999]]}, "b": [0]}"#).contains("number out of range"));
+}
+
+#[test]
+fn at_most_twenty_defects_are_listed() {
+    let error = message(&format!(r#"{{"A": {{"dense": []}}, "b": [{}]}}"#, ["null"; 30].join(",")));
+    assert_eq!(error.lines().count(), 22);
+    assert!(error.ends_with("and 11 more"));
+}
+
+fn same(a: &Lcp, b: &Lcp) -> bool {
+    let bits = |v: &[f64]| v.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+    let entries =
+        |lcp: &Lcp| (0..lcp.len()).flat_map(|i| lcp.matrix().row(i).iter()).collect::<Vec<_>>();
+    entries(a) == entries(b)
+        && [(a.b(), b.b()), (a.lo(), b.lo()), (a.hi(), b.hi())]
+            .iter()
+            .all(|(a, b)| bits(a) == bits(b))
+        && a.coupling() == b.coupling()
+}
+
+#[test]
+fn a_coupled_sparse_problem_survives_the_round_trip() {
+    let matrix = Matrix::sparse(2, &[(0, 0, 0.1), (1, 1, 1.0 / 3.0)]);
+    let lcp = Lcp::new(matrix, vec![1e-300, -0.0], vec![0.0, -INF], vec![INF; 2]).unwrap();
+    let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.7]).unwrap();
+    let problem = Problem::new("pair", lcp.with_coupling(coupling).unwrap());
+    let back = Problem::parse(&problem.to_json().to_string(), "p.json").unwrap();
+    assert_eq!(back.name, "pair");
+    assert!(same(&problem.lcp, &back.lcp));
+}
+
+proptest! {
+    #![proptest_config(cases(100))]
+
+    #[test]
+    fn every_bit_survives_the_round_trip(m in manufactured(4, 4, 0.1), noise in any::<[f64; 4]>()) {
+        let b = noise.iter().map(|v| if v.is_finite() { *v } else { 0.0 }).collect();
+        let entries: Vec<f64> = (0..16).map(|k| m.lcp.matrix().entry(k / 4, k % 4) / 3.0).collect();
+        let (lo, hi) = (m.lcp.lo().to_vec(), m.lcp.hi().to_vec());
+        let lcp = Lcp::new(Matrix::dense(4, &entries), b, lo, hi).unwrap();
+        let text = Problem::new("", lcp.clone()).to_json().to_string();
+        prop_assert!(same(&lcp, &Problem::parse(&text, "p.json").unwrap().lcp));
+    }
+
+    #[test]
+    fn no_text_makes_the_reader_panic(text in "[\\[\\]{}:,\"a-zA0-9.eE+-]{0,60}") {
+        let _ = Problem::parse(&text, "p.json");
+    }
+}

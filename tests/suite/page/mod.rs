@@ -1,0 +1,135 @@
+//! Pages: self-contained, escaped, and every fault named with its place.
+
+use lcplab::plot::{Axis, Figure, Lines};
+use lcplab::report::page::markup::literal;
+use lcplab::report::page::{Block, Cell, Column, Mark, Page, Picture, Section, Table};
+
+fn page(blocks: Vec<Block>) -> Page {
+    let section = Section { id: "one".into(), title: "One".into(), blocks };
+    Page { title: "Page".into(), sections: vec![section], ..Page::default() }
+}
+
+fn main_part(page: &Page) -> String {
+    let html = page.render().unwrap();
+    let (start, end) = (html.find("<main").unwrap(), html.find("</main>").unwrap());
+    html[start..end].to_string()
+}
+
+fn text(markup: &str) -> String {
+    let html = main_part(&page(vec![Block::Text(markup.into())]));
+    let (start, end) = (html.find("</h2>").unwrap() + 5, html.rfind("</section>").unwrap());
+    html[start..end].trim().to_string()
+}
+
+#[test]
+fn markup_becomes_html() {
+    assert_eq!(text("a *b* **c**\n\nd"), "<p>a <em>b</em> <strong>c</strong></p>\n<p>d</p>");
+    assert_eq!(text("- `x < y`\n- z"), "<ul>\n<li><code>x &lt; y</code></li>\n<li>z</li>\n</ul>");
+    assert_eq!(text("[a *b*](#c)"), "<p><a href=\"#c\">a <em>b</em></a></p>");
+    assert!(text("$x_i$").starts_with("<p><math><msub>"));
+}
+
+#[test]
+fn signs_without_a_partner_are_signs() {
+    assert_eq!(text("x* - y, 2 * 3 * 4, a[3]"), "<p>x* - y, 2 * 3 * 4, a[3]</p>");
+    assert_eq!(text("\\*a\\* \\$5 C:\\dir"), "<p>*a* $5 C:\\dir</p>");
+}
+
+#[test]
+fn literal_text_reads_as_itself() {
+    let name = "- my *scene* `[1](x)` $5 \\ <b>";
+    assert_eq!(text(&literal(name)), "<p>- my *scene* `[1](x)` $5 \\ &lt;b&gt;</p>");
+}
+
+#[test]
+fn text_is_escaped_everywhere() {
+    let evil = "<script>alert(\"1\")</script>";
+    let table = Table {
+        title: evil.into(),
+        how_to_read: evil.into(),
+        columns: vec![Column { unit: evil.into(), ..Column::words(evil) }],
+        rows: vec![vec![Cell::text(evil)]],
+        files: vec![(evil.into(), "a\" onclick=\"b".into())],
+    };
+    let mut page = page(vec![
+        Block::Text(evil.into()),
+        Block::Note(format!("`{evil}` $\\text{{{evil}}}$")),
+        Block::Equation { latex: "x < y".into(), label: Some(evil.into()) },
+        Block::Code { language: evil.into(), text: evil.into() },
+        Block::Table(table),
+    ]);
+    page.title = evil.into();
+    page.lead = evil.into();
+    page.sections[0].title = evil.into();
+    page.facts = vec![(evil.into(), evil.into())];
+    let html = page.render().unwrap();
+    assert_eq!(html.matches("<script>").count(), 1, "our own");
+    assert!(!html.contains("\" onclick"));
+}
+
+#[test]
+fn a_bad_equation_is_an_error_that_names_it_and_its_place() {
+    let mut page = page(vec![
+        Block::Text("good $x$".into()),
+        Block::Equation { latex: "\\nonsense x".into(), label: None },
+        Block::Text("bad $\\frac{1}$ and".into()),
+        Block::Note("open $x".into()),
+    ]);
+    page.lead = "[run](javascript:alert)".into();
+    let message = page.render().unwrap_err().to_string();
+    assert!(message.contains("4 defects"), "{message}");
+    for part in ["section 1 \"One\", block 2", "nonsense x", "frac{1}", "without its partner"] {
+        assert!(message.contains(part), "{part} in {message}");
+    }
+    assert!(message.contains("lead: the link \"javascript:alert\""), "{message}");
+}
+
+#[test]
+fn rows_and_anchors_are_checked() {
+    let columns = vec![Column::words("a"), Column::words("b")];
+    let rows = vec![vec![Cell::text("1")]];
+    let mut page = page(vec![Block::Table(Table { columns, rows, ..Table::default() })]);
+    page.sections.push(Section { id: "one".into(), ..Section::default() });
+    page.sections.push(Section { id: "a b".into(), ..Section::default() });
+    let message = page.render().unwrap_err().to_string();
+    assert!(message.contains("row 1: has 1 cells, the table 2 columns"), "{message}");
+    assert!(message.contains("section 2: its id \"one\" is that of section 1"), "{message}");
+    assert!(message.contains("section 3: \"a b\" cannot be an anchor"), "{message}");
+}
+
+#[test]
+fn a_page_fetches_nothing_and_is_the_same_twice() {
+    let (id, title, caption) = ("empty".into(), "Empty".into(), "See $x$.".into());
+    let plot = Lines { id, title, caption, x: Axis::linear("t", "s"), panels: Vec::new() };
+    let page = page(vec![Block::Figure(Picture::of(&plot, "figures"))]);
+    let html = page.render().unwrap();
+    assert_eq!(html, page.render().unwrap());
+    assert!(html.contains(&plot.svg()) && html.contains("href=\"figures/empty.csv\""));
+    assert!(html.contains("<html lang=\"en\">") && html.contains("<main id=\"content\">"));
+    let outside = html.replace("http://www.w3.org/2000/svg", "");
+    for fetch in ["http:", "https:", "src=\"", "@import", "<link rel=\"stylesheet"] {
+        assert!(!outside.contains(fetch), "{fetch}");
+    }
+    assert!(html.len() < 300_000, "{} bytes", html.len());
+}
+
+#[test]
+fn a_table_shows_short_numbers_and_keeps_full_ones() {
+    let table = Table {
+        title: "Residuals".into(),
+        columns: vec![Column::words("solver"), Column::numbers("residual", "m/s")],
+        rows: vec![
+            vec![Cell::text("pgs, plain"), Cell::number(1.0 / 3.0, 2)],
+            vec![Cell::text("lemke").marked(Mark::Bad), Cell::text("failed")],
+        ],
+        ..Table::default()
+    };
+    assert_eq!(
+        table.csv(),
+        "solver,residual (m/s)\n\"pgs, plain\",0.3333333333333333\nlemke,failed\n"
+    );
+    let html = main_part(&page(vec![Block::Table(table)]));
+    assert!(html.contains("<td class=\"number\" data-value=\"0.3333333333333333\">0.33</td>"));
+    assert!(html.contains("<td class=\"bad\">lemke</td>"));
+    assert!(html.contains("<b>Table 1. Residuals.</b>"));
+}
