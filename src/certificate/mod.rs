@@ -25,6 +25,7 @@ pub mod cross_check;
 pub mod exact;
 mod modular;
 pub mod ray;
+pub mod uniqueness;
 
 use accurate::Sum;
 
@@ -69,6 +70,14 @@ impl Verdict {
     /// Whether x counts as a solution.
     pub fn is_solution(&self) -> bool {
         !matches!(self, Verdict::NotASolution { .. })
+    }
+
+    /// How far an exact solution lies from x at most, where one was proved.
+    pub fn distance(&self) -> Option<f64> {
+        match self {
+            Verdict::Proved { distance } => Some(*distance),
+            _ => None,
+        }
     }
 
     /// The word used in JSON, tables and plots.

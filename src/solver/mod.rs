@@ -11,6 +11,7 @@ mod pgs;
 mod registry;
 mod settings;
 mod solution;
+pub mod theory;
 
 pub use dantzig::Dantzig;
 pub use observer::{Event, Iterate, Observer};

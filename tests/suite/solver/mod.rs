@@ -2,3 +2,4 @@ mod chapter;
 mod dantzig;
 mod every;
 mod pgs;
+mod theory;

@@ -1,0 +1,35 @@
+//! Is x the only solution?
+//!
+//! With A symmetric positive semidefinite, w is the same for all solutions. x is unique if A_FF is
+//! regular, F being the rows strictly between their bounds; a null vector of A_FF is a direction in
+//! which x can be moved without moving anything: redundant contacts share a load in many ways.
+
+use faer::{Mat, Side};
+
+use crate::lcp::Lcp;
+
+/// An eigenvalue below this part of the largest counts as zero.
+const RELATIVE_ZERO: f64 = 1e-11;
+
+/// The number of rows strictly between their bounds at x, and the numerical rank of A there.
+///
+/// A is scaled to a unit diagonal first, so that units and masses do not enter the decision.
+pub fn free_rank(lcp: &Lcp, x: &[f64]) -> (usize, usize) {
+    let free: Vec<usize> = (0..lcp.len())
+        .filter(|&i| {
+            let (lo, hi) = lcp.bounds(i, x);
+            lo < x[i] && x[i] < hi
+        })
+        .collect();
+    let scale = |i: usize| match lcp.matrix().diagonal(i).sqrt() {
+        root if root > 0.0 => root,
+        _ => 1.0,
+    };
+    let a = Mat::from_fn(free.len(), free.len(), |r, c| {
+        lcp.matrix().entry(free[r], free[c]) / (scale(free[r]) * scale(free[c]))
+    });
+    let Ok(eigenvalues) = a.self_adjoint_eigenvalues(Side::Lower) else { return (free.len(), 0) };
+    let largest = eigenvalues.iter().copied().fold(0.0, f64::max);
+    let rank = eigenvalues.iter().filter(|&&value| value > RELATIVE_ZERO * largest).count();
+    (free.len(), rank)
+}

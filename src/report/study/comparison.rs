@@ -1,0 +1,207 @@
+//! One scene, stepped at both levels by every solver, each answer judged.
+
+use std::time::Instant;
+
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::{at_level, scene_options};
+use crate::certificate::{Demand, judge};
+use crate::scene::{Formulation, Scene};
+use crate::simulation::{Motion, Simulation, Solve, Step};
+use crate::solver::{ALL, Solver, Status, by_name};
+
+/// A scene with all solvers at all levels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// The scene's name.
+    pub scene: String,
+    /// Its title.
+    pub title: String,
+    /// What it teaches.
+    pub teaches: String,
+    /// The steps that were to be taken.
+    pub steps: usize,
+    /// The length of a step (s).
+    pub dt: f64,
+    /// The largest scaled residual that passes.
+    pub tolerance: f64,
+    /// One run a level and solver, levels first.
+    pub runs: Vec<Run>,
+}
+
+/// A scene with one solver at one level.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    /// The level.
+    pub formulation: String,
+    /// The solver.
+    pub solver: String,
+    /// Steps taken.
+    pub steps: usize,
+    /// LCPs solved in them; impacts and bounces are LCPs of their own.
+    pub solves: usize,
+    /// LCPs that the solver claims to have solved.
+    pub claimed: usize,
+    /// LCPs whose answer the judge accepts.
+    pub accepted: usize,
+    /// Claims that the judge refutes: this must be 0.
+    pub refuted_claims: usize,
+    /// Sweeps or pivots in all.
+    pub iterations: usize,
+    /// The worst scaled residual of all answers.
+    pub worst_residual: f64,
+    /// The largest number of rows of an LCP.
+    pub rows: usize,
+    /// Why the run ended early, or the last status that was not solved.
+    pub trouble: Option<String>,
+    /// The motion at the start and after each step.
+    pub motion: Vec<Sample>,
+}
+
+/// Energy and errors at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Sample {
+    /// Time (s).
+    pub time: f64,
+    /// Kinetic and potential energy (J).
+    pub energy: f64,
+    /// Largest |c| of an equality row that is a length (m).
+    pub drift: f64,
+    /// Deepest overlap (m).
+    pub penetration: f64,
+}
+
+impl From<&Motion> for Sample {
+    fn from(motion: &Motion) -> Self {
+        let Motion { time, drift, penetration, .. } = *motion;
+        Sample { time, energy: motion.energy(), drift, penetration }
+    }
+}
+
+/// Seconds that one run took; kept apart from the results, which are the same on every machine.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Timing {
+    /// The scene.
+    pub scene: String,
+    /// The level.
+    pub formulation: String,
+    /// The solver.
+    pub solver: String,
+    /// Wall time of the whole run, judging left out (s).
+    pub seconds: f64,
+}
+
+/// Steps a scene with every registered solver at both levels.
+///
+/// Runs are spread over the threads of rayon's pool; none depends on another.
+pub fn compare(scene: &Scene, steps: usize, progress: &ProgressBar) -> (Comparison, Vec<Timing>) {
+    let pairs: Vec<(Formulation, &str)> = Formulation::ALL
+        .into_iter()
+        .flat_map(|level| ALL.iter().map(move |entry| (level, entry.name)))
+        .collect();
+    let run = |&(formulation, solver): &(Formulation, &str)| {
+        let result = run(&at_level(scene, formulation), solver, steps);
+        progress.inc(1);
+        result
+    };
+    let (runs, timings) = pairs.par_iter().map(run).unzip();
+    let comparison = Comparison {
+        scene: scene.name.clone(),
+        title: scene.title.clone(),
+        teaches: scene.teaches.clone(),
+        steps,
+        dt: scene.step.dt,
+        tolerance: scene.solver.tolerance,
+        runs,
+    };
+    (comparison, timings)
+}
+
+/// The number of runs in one comparison, for progress bars.
+pub fn runs_per_scene() -> usize {
+    Formulation::ALL.len() * ALL.len()
+}
+
+fn run(scene: &Scene, solver: &str, steps: usize) -> (Run, Timing) {
+    let formulation = scene.step.formulation.name().to_string();
+    let mut run = Run {
+        formulation: formulation.clone(),
+        solver: solver.to_string(),
+        steps: 0,
+        solves: 0,
+        claimed: 0,
+        accepted: 0,
+        refuted_claims: 0,
+        iterations: 0,
+        worst_residual: 0.0,
+        rows: 0,
+        trouble: None,
+        motion: Vec::new(),
+    };
+    let mut seconds = 0.0;
+    match by_name(solver, &scene_options(scene)) {
+        Ok(solver) => seconds = step_through(scene, solver, steps, &mut run),
+        Err(error) => run.trouble = Some(error.to_string()),
+    }
+    let timing =
+        Timing { scene: scene.name.clone(), formulation, solver: solver.to_string(), seconds };
+    (run, timing)
+}
+
+/// Takes the steps; returns the seconds spent on them.
+fn step_through(scene: &Scene, solver: Box<dyn Solver>, steps: usize, run: &mut Run) -> f64 {
+    let mut simulation = Simulation::new(scene.clone(), solver);
+    run.motion.push(Sample::from(&simulation.motion()));
+    let mut seconds = 0.0;
+    for _ in 0..steps {
+        let start = Instant::now();
+        let step = simulation.step();
+        seconds += start.elapsed().as_secs_f64();
+        match step {
+            Ok(step) => run.record(&step, scene.solver.tolerance),
+            Err(failure) => {
+                run.trouble = Some(failure.to_string());
+                break;
+            }
+        }
+    }
+    seconds
+}
+
+impl Run {
+    fn record(&mut self, step: &Step, tolerance: f64) {
+        self.steps += 1;
+        self.motion.push(Sample::from(&step.motion));
+        for Solve { problem, solution } in &step.solves {
+            let demand = Demand { tolerance, prove_up_to: 0 };
+            let certificate = judge(&problem.lcp, &solution.x, &demand);
+            let (claims, holds) =
+                (solution.status == Status::Solved, certificate.verdict.is_solution());
+            self.solves += 1;
+            self.claimed += usize::from(claims);
+            self.accepted += usize::from(holds);
+            self.refuted_claims += usize::from(claims && !holds);
+            self.iterations += solution.iterations;
+            self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
+            self.rows = self.rows.max(problem.lcp.len());
+            if !claims {
+                self.trouble = Some(format!("step {}: {}", step.number, solution.status));
+            }
+        }
+    }
+
+    /// The largest departure of the energy from its value at the start (J).
+    pub fn energy_change(&self) -> f64 {
+        let Some(first) = self.motion.first() else { return 0.0 };
+        let change = |sample: &Sample| sample.energy - first.energy;
+        let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+        self.motion.iter().map(change).fold(0.0, larger)
+    }
+
+    /// The largest value of a measure over the run.
+    pub fn worst(&self, measure: impl Fn(&Sample) -> f64) -> f64 {
+        self.motion.iter().map(measure).fold(0.0, f64::max)
+    }
+}

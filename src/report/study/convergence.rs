@@ -1,0 +1,97 @@
+//! How the residual falls, sweep by sweep, beside the rate that theory predicts.
+
+use serde::{Deserialize, Serialize};
+
+use super::{problem_of, scene_options};
+use crate::lcp::{Lcp, merit};
+use crate::scene::Scene;
+use crate::solver::{Dantzig, Pgs, Settings, Solver, Start, theory};
+use crate::trace::{Convergence, Record};
+
+/// The first LCP of a scene with several relaxation factors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Study {
+    /// The scene.
+    pub scene: String,
+    /// Its title.
+    pub title: String,
+    /// Rows of the LCP.
+    pub rows: usize,
+    /// Whether all rows are equations, so that the rates are exact predictions from the start.
+    pub equations_only: bool,
+    /// The relaxation factor that is optimal for consistently ordered A, if the theory applies.
+    pub optimal_omega: Option<f64>,
+    /// One curve a relaxation factor.
+    pub curves: Vec<Curve>,
+    /// Pivots of Dantzig's method on the same problem.
+    pub pivots: usize,
+}
+
+/// The iterates with one relaxation factor.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Curve {
+    /// ω.
+    pub omega: f64,
+    /// The merits after each sweep.
+    pub records: Vec<Record>,
+    /// Spectral radius of the iteration matrix on the rows that are free at the solution.
+    pub predicted_rate: Option<f64>,
+    /// The factor a sweep, measured over the last half of the curve.
+    pub measured_rate: Option<f64>,
+}
+
+/// Most sweeps of a curve.
+const SWEEPS: usize = 600;
+/// Residuals below this part of the first are rounding, not convergence.
+const FLOOR: f64 = 1e-12;
+
+/// Runs PGS and SOR on the scene's last LCP of a step.
+pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
+    let lcp = problem_of(scene, step)?.lcp;
+    let mut options = scene_options(scene);
+    options.settings.tolerance = 1e-12;
+    let direct = Dantzig { settings: options.settings };
+    let solution = direct.solve(&lcp, &Start::default(), &mut ());
+    let free = free_rows(&lcp, &solution.x);
+    let equations_only = free.len() == lcp.len();
+    let optimal_omega = equations_only
+        .then(|| theory::optimal_omega(lcp.matrix(), &free))
+        .flatten();
+    let mut omegas = omegas.to_vec();
+    omegas.extend(optimal_omega.map(|omega| (omega * 1e4).round() / 1e4));
+    omegas.sort_by(f64::total_cmp);
+    omegas.dedup();
+    let curves = omegas.iter().map(|&omega| curve(&lcp, &free, omega)).collect();
+    Some(Study {
+        scene: scene.name.clone(),
+        title: scene.title.clone(),
+        rows: lcp.len(),
+        equations_only,
+        optimal_omega,
+        curves,
+        pivots: solution.iterations,
+    })
+}
+
+fn curve(lcp: &Lcp, free: &[usize], omega: f64) -> Curve {
+    let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
+    let mut trace = Convergence::of(lcp);
+    Pgs { omega, settings }.solve(lcp, &Start::default(), &mut trace);
+    let floor = FLOOR * trace.records.first().map_or(0.0, |record| record.natural_residual);
+    let measured_rate = trace.rate(floor);
+    let reached = trace.records.iter().position(|record| record.natural_residual <= floor);
+    trace.records.truncate(reached.map_or(usize::MAX, |k| k + 1));
+    let predicted_rate = theory::sor_rate(lcp.matrix(), free, omega);
+    Curve { omega, records: trace.records, predicted_rate, measured_rate }
+}
+
+fn free_rows(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
+    if merit::free_rows(lcp, x) == lcp.len() {
+        return (0..lcp.len()).collect();
+    }
+    let inside = |&i: &usize| {
+        let (lo, hi) = lcp.bounds(i, x);
+        lo < x[i] && x[i] < hi
+    };
+    (0..lcp.len()).filter(inside).collect()
+}

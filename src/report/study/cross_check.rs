@@ -1,0 +1,86 @@
+//! Dantzig's answer beside two independent ones: the box QP and Gauss's principle.
+
+use serde::{Deserialize, Serialize};
+
+use super::{STEPPER, at_level, problem_of, scene_options};
+use crate::certificate::cross_check::{cross_check, max_difference};
+use crate::certificate::{Demand, judge, uniqueness};
+use crate::reference;
+use crate::scene::{Formulation, Scene};
+use crate::solver::{Start, by_name};
+
+/// One LCP of a scene, solved in three ways.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CrossCheck {
+    /// The scene.
+    pub scene: String,
+    /// What the LCP decides: the stage of the step.
+    pub stage: String,
+    /// The unit of x: N s for impulses, N for forces.
+    pub unit: String,
+    /// The number of the step, from 1.
+    pub step: usize,
+    /// Rows of the LCP.
+    pub rows: usize,
+    /// Rows that are free at the solution, and the rank of A there: x is unique if they agree.
+    pub free: usize,
+    /// The rank of A_FF.
+    pub rank: usize,
+    /// Our answer's verdict.
+    pub verdict: String,
+    /// How far an exact solution lies from our x, where proved.
+    pub distance: Option<f64>,
+    /// The verdict on the QP's answer, at its own looser tolerance.
+    pub reference_verdict: String,
+    /// max |x − x_QP|.
+    pub x_difference: f64,
+    /// max |w − w_QP|.
+    pub w_difference: f64,
+    /// max |u − u_Gauss| of the motion: velocities, or accelerations at acceleration level.
+    pub u_difference: f64,
+    /// ½ xᵀAx + bᵀx of our answer.
+    pub objective: f64,
+    /// The QP's optimal value: should be the same.
+    pub dual_objective: f64,
+    /// Minus the optimal value of Gauss's principle: should be the same.
+    pub primal_objective: f64,
+}
+
+/// Solves the last LCP of a step in three ways at each level.
+///
+/// A level whose simulation fails before that step gives no entry; the comparison of the scene says
+/// why.
+pub fn run(scene: &Scene, step: usize) -> Vec<CrossCheck> {
+    Formulation::ALL.into_iter().filter_map(|level| one(&at_level(scene, level), step)).collect()
+}
+
+fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
+    let problem = problem_of(scene, step)?;
+    let lcp = &problem.lcp;
+    let mut options = scene_options(scene);
+    options.settings.tolerance = 1e-12;
+    let solver = by_name(STEPPER, &options).ok()?;
+    let x = solver.solve(lcp, &Start::default(), &mut ()).x;
+    let certificate = judge(lcp, &x, &Demand::default());
+    let check = cross_check(lcp, &x)?;
+    let gauss = reference::gauss(&problem.gauss(&x));
+    let (free, rank) = uniqueness::free_rank(lcp, &x);
+    Some(CrossCheck {
+        scene: scene.name.clone(),
+        stage: problem.stage.name().to_string(),
+        unit: problem.stage.unit(false).to_string(),
+        step,
+        rows: lcp.len(),
+        free,
+        rank,
+        verdict: certificate.verdict.word().to_string(),
+        distance: certificate.verdict.distance(),
+        reference_verdict: check.certificate.verdict.word().to_string(),
+        x_difference: check.x_difference,
+        w_difference: check.w_difference,
+        u_difference: max_difference(&problem.motion(&x), &gauss.point),
+        objective: certificate.objective,
+        dual_objective: check.objective,
+        primal_objective: -gauss.objective,
+    })
+}

@@ -1,0 +1,86 @@
+//! Energy and constraint errors over time, for shorter and shorter steps.
+
+use serde::{Deserialize, Serialize};
+
+use super::comparison::Sample;
+use super::{STEPPER, at_level, scene_options};
+use crate::scene::{Formulation, Scene};
+use crate::simulation::Simulation;
+use crate::solver::by_name;
+
+/// A scene at both levels with several step lengths.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Study {
+    /// The scene.
+    pub scene: String,
+    /// Its title.
+    pub title: String,
+    /// Simulated time (s).
+    pub duration: f64,
+    /// Energy to measure drift by: the largest kinetic energy of the finest run (J).
+    pub scale: f64,
+    /// One curve a level and step length, levels first.
+    pub curves: Vec<Curve>,
+}
+
+/// One level with one step length.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Curve {
+    /// The level.
+    pub formulation: String,
+    /// The scene's dt divided by this.
+    pub division: usize,
+    /// The step (s).
+    pub dt: f64,
+    /// The motion after each step, the start first.
+    pub samples: Vec<Sample>,
+    /// Why it ended early, if it did.
+    pub failure: Option<String>,
+}
+
+/// Runs the scene for a time with dt, dt/2 and dt/4 at both levels.
+pub fn run(scene: &Scene, duration: f64) -> Study {
+    let mut scale = 0.0;
+    let mut curves = Vec::new();
+    for level in Formulation::ALL {
+        for division in [1, 2, 4] {
+            let mut scene = at_level(scene, level);
+            scene.step.dt /= division as f64;
+            let (curve, kinetic) = curve(&scene, division, duration);
+            scale = f64::max(scale, kinetic);
+            curves.push(curve);
+        }
+    }
+    let (name, title) = (scene.name.clone(), scene.title.clone());
+    Study { scene: name, title, duration, scale, curves }
+}
+
+fn curve(scene: &Scene, division: usize, duration: f64) -> (Curve, f64) {
+    let steps = (duration / scene.step.dt).round() as usize;
+    let (mut samples, mut failure, mut kinetic) = (Vec::new(), None, 0.0);
+    match by_name(STEPPER, &scene_options(scene)) {
+        Ok(solver) => {
+            let recording = Simulation::new(scene.clone(), solver)
+                .run(steps, |_| std::ops::ControlFlow::Continue(()));
+            samples = recording.motion.iter().map(Sample::from).collect();
+            failure = recording.failure.map(|failure| failure.to_string());
+            kinetic = recording.motion.iter().map(|m| m.kinetic).fold(0.0, f64::max);
+        }
+        Err(error) => failure = Some(error.to_string()),
+    }
+    let formulation = scene.step.formulation.name().to_string();
+    (Curve { formulation, division, dt: scene.step.dt, samples, failure }, kinetic)
+}
+
+impl Curve {
+    /// The largest |E − E_0| (J).
+    pub fn energy_error(&self) -> f64 {
+        let first = self.samples.first().map_or(0.0, |sample| sample.energy);
+        self.samples.iter().map(|sample| (sample.energy - first).abs()).fold(0.0, f64::max)
+    }
+
+    /// The largest constraint error (m).
+    pub fn drift(&self) -> f64 {
+        self.samples.iter().map(|sample| sample.drift).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,55 @@
+//! What a report measures, one study a file: each runs simulations or solvers and returns plain
+//! results that can be stored, compared and drawn later without solving anything again.
+
+pub mod closed_form;
+pub mod comparison;
+pub mod convergence;
+pub mod cross_check;
+pub mod drift;
+pub mod sparsity;
+
+use crate::error::Result;
+use crate::formulation::Problem;
+use crate::scene::{Formulation, Scene};
+use crate::simulation::{Simulation, Step};
+use crate::solver::{Options, Settings, Solver, by_name};
+
+/// The solver that studies use where the solver is not what they study.
+const STEPPER: &str = "dantzig";
+
+/// The options that a scene states for its solver.
+pub fn scene_options(scene: &Scene) -> Options {
+    let settings = Settings {
+        tolerance: scene.solver.tolerance,
+        max_iterations: scene.solver.max_iterations,
+        ..Settings::default()
+    };
+    Options { settings, omega: scene.solver.omega }
+}
+
+/// The solver that a scene states.
+///
+/// # Errors
+/// If there is none of that name.
+pub fn scene_solver(scene: &Scene) -> Result<Box<dyn Solver>> {
+    by_name(&scene.solver.name, &scene_options(scene)).map_err(|error| error.within(&scene.name))
+}
+
+/// The scene stepped at another level.
+fn at_level(scene: &Scene, formulation: Formulation) -> Scene {
+    let mut scene = scene.clone();
+    scene.step.formulation = formulation;
+    scene
+}
+
+/// The scene's step of this number, from 1; `None` if the simulation fails before.
+fn step_of(scene: &Scene, number: usize) -> Option<Step> {
+    let solver = by_name(STEPPER, &scene_options(scene)).ok()?;
+    let mut simulation = Simulation::new(scene.clone(), solver);
+    (0..number).map(|_| simulation.step()).last()?.ok()
+}
+
+/// The last LCP of the scene's step of this number.
+fn problem_of(scene: &Scene, number: usize) -> Option<Problem> {
+    step_of(scene, number)?.solves.pop().map(|solve| solve.problem)
+}

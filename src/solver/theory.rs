@@ -1,0 +1,109 @@
+//! What theory says of the splitting methods while no bound interferes.
+//!
+//! On equality rows, or once the set of free rows no longer changes, a sweep multiplies the error
+//! by a fixed matrix G:
+//!
+//! ```text
+//! e ← G e,   G = I − M⁻¹ A
+//! Jacobi with damping θ   M = D / θ
+//! SOR with ω              M = D / ω + L        (ω = 1: Gauss-Seidel)
+//! SSOR with ω             forward SOR, then backward SOR
+//! ```
+//!
+//! with A = L + D + U. The error shrinks to nothing from every start exactly if all eigenvalues of
+//! G are below 1 in modulus, and in the long run by the largest of them, the *spectral radius* ρ, in
+//! each sweep. So ln(reduction) / ln ρ sweeps are to be expected, and slow convergence is a property
+//! of A, not of the implementation.
+//!
+//! For a *consistently ordered* A (tridiagonal or red-black: chains and stacks, numbered from end to
+//! end) Young's theory (1950) ties the methods together:
+//!
+//! ```text
+//! ρ_GS = ρ_J²,   ω* = 2 / (1 + √(1 − ρ_J²)),   ρ(ω*) = ω* − 1
+//! ```
+//!
+//! Where A is singular, G keeps the null vectors of A and ρ = 1; w does not feel them. `math §6`.
+
+use nalgebra::DMatrix;
+
+use crate::lcp::Matrix;
+
+/// The rows and columns `rows` of A, in that order: the matrix of a phase with these rows free.
+pub fn principal_submatrix(a: &Matrix, rows: &[usize]) -> Matrix {
+    let block = DMatrix::from_fn(rows.len(), rows.len(), |i, j| a.entry(rows[i], rows[j]));
+    Matrix::from(block.as_view())
+}
+
+/// I − θ D⁻¹ A, the iteration matrix of Jacobi's method with damping θ.
+///
+/// A diagonal entry of 0 gives infinite entries, here and below.
+pub fn jacobi_iteration_matrix(a: &Matrix, damping: f64) -> DMatrix<f64> {
+    let n = a.len();
+    DMatrix::from_fn(n, n, |i, j| f64::from(i == j) - damping * a.entry(i, j) / a.diagonal(i))
+}
+
+/// The iteration matrix of successive over-relaxation with ω, rows taken in natural order.
+pub fn sor_iteration_matrix(a: &Matrix, omega: f64) -> DMatrix<f64> {
+    ordered_iteration_matrix(a, omega, 0..a.len())
+}
+
+/// The iteration matrix of symmetric SOR with ω: a forward sweep, then a backward one.
+pub fn ssor_iteration_matrix(a: &Matrix, omega: f64) -> DMatrix<f64> {
+    ordered_iteration_matrix(a, omega, (0..a.len()).chain((0..a.len()).rev()))
+}
+
+/// The iteration matrix of relaxation with ω that takes the rows in the given order, some perhaps
+/// more than once.
+///
+/// The sweep itself, done to all unit errors at once:
+///
+/// ```text
+/// E ← I,   then for each row i:   E_i ← E_i − ω/a_ii (A E)_i
+/// ```
+pub fn ordered_iteration_matrix(
+    a: &Matrix,
+    omega: f64,
+    order: impl IntoIterator<Item = usize>,
+) -> DMatrix<f64> {
+    let mut errors = DMatrix::identity(a.len(), a.len());
+    for i in order {
+        let mut correction = DMatrix::zeros(1, a.len()).row(0).into_owned();
+        for (j, entry) in a.row(i).iter() {
+            correction += entry * errors.row(j);
+        }
+        let mut row = errors.row_mut(i);
+        row -= correction * (omega / a.diagonal(i));
+    }
+    errors
+}
+
+/// The largest modulus of an eigenvalue: the factor by which errors shrink or grow in the long run.
+/// NaN if an entry is not finite.
+pub fn spectral_radius(g: &DMatrix<f64>) -> f64 {
+    if g.iter().any(|g| !g.is_finite()) {
+        return f64::NAN;
+    }
+    let g = faer::Mat::from_fn(g.nrows(), g.ncols(), |i, j| g[(i, j)]);
+    let largest =
+        |values: Vec<faer::c64>| values.iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max);
+    g.eigenvalues().map_or(f64::NAN, largest)
+}
+
+/// Young's ω* from the spectral radius of the undamped Jacobi matrix, for a consistently ordered A.
+/// NaN if Jacobi's method does not converge.
+pub fn optimal_omega(jacobi_radius: f64) -> f64 {
+    2.0 / (1.0 + (1.0 - jacobi_radius * jacobi_radius).sqrt())
+}
+
+/// The sweeps after which the error has shrunk by `reduction` (below 1) at spectral radius ρ;
+/// infinite for ρ ≥ 1.
+///
+/// ```
+/// use lcplab::solver::theory::sweeps_to;
+///
+/// assert_eq!(sweeps_to(1e-6, 0.1).round(), 6.0);
+/// assert_eq!(sweeps_to(1e-6, 1.0), f64::INFINITY);
+/// ```
+pub fn sweeps_to(reduction: f64, radius: f64) -> f64 {
+    if radius < 1.0 { reduction.ln() / radius.ln() } else { f64::INFINITY }
+}
