@@ -6,6 +6,7 @@ mod friction;
 mod impact;
 mod pendulum;
 mod resting;
+mod shipped;
 
 use lcplab::scene::{Formulation, Scene};
 use lcplab::simulation::{Simulation, Step};
