@@ -7,8 +7,8 @@
 //! A = J M⁻¹ Jᵀ,   b = J target + bias,   and the answer x moves them with   target + M⁻¹ Jᵀ x
 //! ```
 //!
-//! and only the target and the bias tell the stages apart: [`velocity`] and [`acceleration`] have
-//! one formula each. x ≥ 0 pushes apart. `math §3`, `math §4`.
+//! and only the target and the bias tell the stages apart: velocity.rs and acceleration.rs have one
+//! formula each. x ≥ 0 pushes apart. `math §3`, `math §4`.
 
 mod acceleration;
 mod delassus;

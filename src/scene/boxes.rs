@@ -16,27 +16,34 @@ use crate::constraint::Normal;
 
 /// A normal this near to a box's axis (as 1 − cosine) is that axis.
 const ALIGNED: f64 = 1e-10;
+/// Box 0 is made larger by this part before clipping: equal boxes that stand flush would otherwise
+/// lose or double corners as rounding puts them on one side or the other of the face's rim.
+const RIM: f64 = 1e-6;
 
 /// The contact points of two boxes with these half edges, with distance up to `margin` (m).
 pub(super) fn touches(half: [Vector3<f64>; 2], poses: [Pose; 2], margin: f64) -> Vec<Touch> {
-    let [cuboid0, cuboid1] = half.map(|half| Cuboid::new(to_glam(&half)));
+    let grown = half[0] * (1.0 + RIM);
+    let [cuboid0, cuboid1] = [grown, half[1]].map(|half| Cuboid::new(to_glam(&half)));
     let [pose0, pose1] = poses.map(|pose| to_pose(&pose));
     let mut manifold = ContactManifold::<(), ()>::new();
     let between = pose0.inverse() * pose1;
     contact_manifold_cuboid_cuboid(&between, &cuboid0, &cuboid1, margin, &mut manifold);
-    let n0 = Vector3::from(manifold.local_n1);
-    let n1 = Vector3::from(manifold.local_n2);
+    let (n0, n1) = (Vector3::from(manifold.local_n1), Vector3::from(manifold.local_n2));
+    let (swapped, normal) = normal(&n0, &n1, &poses);
     let mut touches: Vec<Touch> = Vec::new();
     for point in manifold.points.iter().filter(|point| point.dist <= margin) {
-        let anchors = [Vector3::from(point.local_p1), Vector3::from(point.local_p2)];
-        let (swapped, normal) = normal(&n0, &n1, &poses);
-        let [f0, f1] = [point.fid1.0, point.fid2.0];
+        let on_box_0 = Vector3::from(point.local_p1).zip_map(&half[0], |x, h| x.clamp(-h, h));
+        let [a0, a1] = [on_box_0, Vector3::from(point.local_p2)];
+        let names = [point.fid1.0, point.fid2.0];
         // Clipping may name several points of one pair of features alike: count them apart.
-        let alike = touches.iter().filter(|touch| touch.feature[..2] == [f0, f1]).count();
-        let feature = [f0, f1, alike as u32];
-        let [a0, a1] = anchors;
-        let anchors = if swapped { [a1, a0] } else { [a0, a1] };
-        touches.push(Touch { feature, swapped, anchors, radii: [0.0; 2], normal });
+        let alike = touches.iter().filter(|touch| touch.feature[..2] == names).count() as u32;
+        touches.push(Touch {
+            feature: [names[0], names[1], alike],
+            swapped,
+            anchors: if swapped { [a1, a0] } else { [a0, a1] },
+            radii: [0.0; 2],
+            normal,
+        });
     }
     touches
 }

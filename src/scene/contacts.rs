@@ -93,7 +93,7 @@ fn reach(shape: &Shape) -> f64 {
     }
 }
 
-/// Appends the contact points of a pair, nearest states of affairs only: gap ≤ margin.
+/// Appends the contact points of a pair with gap ≤ margin.
 fn touch(scene: &Scene, states: &[State], pair: [usize; 2], margin: f64, found: &mut Vec<Found>) {
     let shapes = pair.map(|k| scene.bodies[k].shape);
     let poses = pair.map(|k| states[k].pose);
@@ -107,7 +107,7 @@ fn touch(scene: &Scene, states: &[State], pair: [usize; 2], margin: f64, found: 
             normal: touch.normal,
             friction: (friction[0] * friction[1]).sqrt(),
         };
-        // Where the normal is not defined (two centres in one place) there is no contact to speak of.
+        // Two balls with one centre have no normal, and nothing to be pushed apart along.
         let Ok((gap, normal)) = contact.gap([&states[k0], &states[k1]]) else { continue };
         if gap <= margin {
             let point = states[k1].pose.point(&touch.anchors[1]) - touch.radii[1] * normal;

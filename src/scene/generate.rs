@@ -12,7 +12,7 @@ const MOST_BODIES: usize = 10_000;
 
 /// A structure to add to a scene, for example `chain = { links = 10, spacing = 0.1, mass = 0.5 }`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "snake_case")]
 pub enum Generator {
     /// Point masses in a line along x, joined by rods; the first rod hangs from the world.
     Chain(Chain),
@@ -21,7 +21,7 @@ pub enum Generator {
     /// Equal cubes on top of each other, from z = 0 up.
     Stack(Stack),
     /// Equal boxes along x, joined end to end by balls and sockets; the first hangs from the world.
-    Ballchain(BallChain),
+    BallChain(BallChain),
 }
 
 /// Point masses p1, p2, … along x from the origin; rods between neighbours.
@@ -83,7 +83,7 @@ impl Generator {
             Generator::Chain(chain) => chain.links,
             Generator::Net(net) => net.rows.saturating_mul(net.columns),
             Generator::Stack(stack) => stack.count,
-            Generator::Ballchain(chain) => chain.links,
+            Generator::BallChain(chain) => chain.links,
         }
     }
 
@@ -95,7 +95,7 @@ impl Generator {
                 vec![("spacing", net.spacing), ("hang", net.hang), ("mass", net.mass)]
             }
             Generator::Stack(stack) => vec![("size", stack.size), ("mass", stack.mass)],
-            Generator::Ballchain(chain) => {
+            Generator::BallChain(chain) => {
                 let sizes = chain.size.map(|size| ("size", size));
                 sizes.into_iter().chain([("mass", chain.mass)]).collect()
             }
@@ -107,7 +107,7 @@ impl Generator {
             Generator::Chain(_) => "chain",
             Generator::Net(_) => "net",
             Generator::Stack(_) => "stack",
-            Generator::Ballchain(_) => "ballchain",
+            Generator::BallChain(_) => "ball_chain",
         }
     }
 
@@ -116,7 +116,7 @@ impl Generator {
             Generator::Chain(chain) => chain.add_to(scene),
             Generator::Net(net) => net.add_to(scene),
             Generator::Stack(stack) => stack.add_to(scene),
-            Generator::Ballchain(chain) => chain.add_to(scene),
+            Generator::BallChain(chain) => chain.add_to(scene),
         }
     }
 }

@@ -5,91 +5,41 @@
 //! forces. Each solve starts from the x that rows of the same name had before.
 
 mod motion;
+mod record;
 
 pub use motion::Motion;
+pub use record::{Cause, Failure, Recording, Solve, Step};
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::ops::ControlFlow;
 
-use crate::assembly::{Assembly, Entering, RowId, Undefined};
+use crate::assembly::{Assembly, Entering, Row, RowId};
 use crate::body::State;
 use crate::constraint::Kind;
-use crate::error::Error;
 use crate::formulation::{Formulation, Problem, Stage};
 use crate::scene::{Found, Scene, contacts};
-use crate::solver::{Observer, Solution, Solver, Start};
+use crate::solver::{Observer, Solver, Start};
 
 /// A speed (m/s or rad/s) beyond which a motion counts as diverged.
 const DIVERGED: f64 = 1e8;
 
 /// A scene on its way through time.
+///
+/// ```
+/// use lcplab::{scene::Scene, simulation::Simulation, solver};
+///
+/// let solver = solver::by_name("dantzig", &solver::Options::default())?;
+/// let mut simulation = Simulation::new(Scene::load("fig7")?, solver);
+/// let step = simulation.step().expect("a step that can be taken");
+/// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
 pub struct Simulation {
     scene: Scene,
     solver: Box<dyn Solver>,
     states: Vec<State>,
     steps: usize,
     previous: BTreeMap<(Stage, RowId), f64>,
-}
-
-/// What happened in one step.
-#[derive(Debug, Clone)]
-pub struct Step {
-    /// The number of the step, from 1.
-    pub number: usize,
-    /// The LCPs of the step and their answers, in the order of solving.
-    pub solves: Vec<Solve>,
-    /// The contacts at its beginning.
-    pub contacts: Vec<Found>,
-    /// The states at its end.
-    pub states: Vec<State>,
-    /// Energy, momentum and errors at its end.
-    pub motion: Motion,
-}
-
-/// An LCP and a solver's answer to it.
-#[derive(Debug, Clone)]
-pub struct Solve {
-    /// The problem; its assembly names the rows.
-    pub problem: Problem,
-    /// The answer.
-    pub solution: Solution,
-}
-
-/// The motion over many steps, as far as it got.
-#[derive(Debug, Clone)]
-pub struct Recording {
-    /// The motion at the start and after each step.
-    pub motion: Vec<Motion>,
-    /// Why it ended early, if it did.
-    pub failure: Option<Failure>,
-}
-
-/// Why a step could not be taken.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Failure {
-    /// The number of the step, from 1.
-    pub step: usize,
-    /// The time at its beginning (s).
-    pub time: f64,
-    /// What went wrong.
-    pub cause: Cause,
-}
-
-/// What went wrong in a step.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Cause {
-    /// A constraint has no direction to push in.
-    Undefined(Undefined),
-    /// The LCP has numbers that are not finite.
-    Problem(Error),
-    /// A body's state is not finite, or it moves faster than anything should.
-    Diverged {
-        /// The body's name.
-        body: String,
-        /// The row with the largest x among those that act on it, if any.
-        row: Option<String>,
-    },
 }
 
 impl Simulation {
@@ -210,7 +160,7 @@ impl Simulation {
     ) -> Result<Vec<State>, Cause> {
         let assembly = self.assembled(&self.states, found, Entering::Touching)?;
         let limit = -self.scene.contact.resting_speed;
-        let hits = |row: &crate::assembly::Row| row.kind == Kind::Normal && row.velocity < limit;
+        let hits = |row: &Row| row.kind == Kind::Normal && row.velocity < limit;
         if !assembly.rows.iter().any(hits) {
             return Ok(self.states.clone());
         }
@@ -280,31 +230,4 @@ fn after(solves: &[Solve], states: &[State], dt: f64) -> Vec<State> {
         || states.to_vec(),
         |Solve { problem, solution }| problem.next_states(states, &solution.x, dt),
     )
-}
-
-impl From<Error> for Cause {
-    fn from(error: Error) -> Self {
-        Cause::Problem(error)
-    }
-}
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "step {}, at {} s: {}", self.step, self.time, self.cause)
-    }
-}
-
-impl fmt::Display for Cause {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Cause::Undefined(undefined) => write!(f, "{undefined}"),
-            Cause::Problem(error) => write!(f, "{error}"),
-            Cause::Diverged { body, row: Some(row) } => {
-                write!(f, "{body:?} diverged; the strongest row on it is {row:?}")
-            }
-            Cause::Diverged { body, row: None } => {
-                write!(f, "{body:?} diverged; no row acts on it")
-            }
-        }
-    }
 }

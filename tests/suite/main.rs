@@ -1,12 +1,16 @@
 //! The tests, one binary. The modules mirror `src`.
 
 mod architecture;
+mod assembly;
 mod certificate;
 mod cli;
 mod common;
 mod constraint;
+mod formulation;
 mod lcp;
 mod page;
 mod plot;
 mod reference;
+mod scene;
+mod simulation;
 mod solver;

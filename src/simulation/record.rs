@@ -1,0 +1,100 @@
+//! What a simulation leaves behind: steps, solves, and why it could not go on.
+
+use std::fmt;
+
+use super::Motion;
+use crate::assembly::Undefined;
+use crate::body::State;
+use crate::error::Error;
+use crate::formulation::Problem;
+use crate::scene::Found;
+use crate::solver::Solution;
+
+/// What happened in one step.
+#[derive(Debug, Clone)]
+pub struct Step {
+    /// The number of the step, from 1.
+    pub number: usize,
+    /// The LCPs of the step and their answers, in the order of solving.
+    pub solves: Vec<Solve>,
+    /// The contacts at its beginning.
+    pub contacts: Vec<Found>,
+    /// The states at its end.
+    pub states: Vec<State>,
+    /// Energy, momentum and errors at its end.
+    pub motion: Motion,
+}
+
+/// An LCP and a solver's answer to it.
+#[derive(Debug, Clone)]
+pub struct Solve {
+    /// The problem; its assembly names the rows.
+    pub problem: Problem,
+    /// The answer.
+    pub solution: Solution,
+}
+
+/// The motion over many steps, as far as it got.
+#[derive(Debug, Clone)]
+pub struct Recording {
+    /// The motion at the start and after each step.
+    pub motion: Vec<Motion>,
+    /// Why it ended early, if it did.
+    pub failure: Option<Failure>,
+}
+
+/// Why a step could not be taken.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failure {
+    /// The number of the step, from 1.
+    pub step: usize,
+    /// The time at its beginning (s).
+    pub time: f64,
+    /// What went wrong.
+    pub cause: Cause,
+}
+
+/// What went wrong in a step.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cause {
+    /// A constraint has no direction to push in.
+    Undefined(Undefined),
+    /// The LCP has numbers that are not finite.
+    Problem(Error),
+    /// A body's state is not finite, or it moves faster than anything should.
+    Diverged {
+        /// The body's name.
+        body: String,
+        /// The row with the largest x among those that act on it, if any.
+        row: Option<String>,
+    },
+}
+
+impl From<Error> for Cause {
+    fn from(error: Error) -> Self {
+        Cause::Problem(error)
+    }
+}
+
+impl std::error::Error for Failure {}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "step {}, at {} s: {}", self.step, self.time, self.cause)
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Cause::Undefined(undefined) => write!(f, "{undefined}"),
+            Cause::Problem(error) => write!(f, "{error}"),
+            Cause::Diverged { body, row: Some(row) } => {
+                write!(f, "{body:?} diverged; the strongest row on it is {row:?}")
+            }
+            Cause::Diverged { body, row: None } => {
+                write!(f, "{body:?} diverged; no row acts on it")
+            }
+        }
+    }
+}

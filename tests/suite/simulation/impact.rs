@@ -1,0 +1,77 @@
+//! Bodies that hit the ground.
+
+use lcplab::formulation::Stage;
+use lcplab::scene::{Formulation, Scene};
+
+use super::{assert_near, simulation};
+
+fn drop_from(height: f64, restitution: f64, dt: f64, level: Formulation) -> Scene {
+    let text = format!(
+        "[step]\ndt = {dt}\nformulation = \"{}\"\n[contact]\nrestitution = {restitution}\n\
+         [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
+         [[bodies]]\nname = \"ball\"\nshape = {{ sphere = 0.5 }}\nmass = 2\nposition = [0, 0, {}]\n",
+        level.name(),
+        0.5 + height
+    );
+    Scene::from_toml("drop.toml", &text).unwrap()
+}
+
+#[test]
+fn a_speculative_contact_closes_its_gap_and_no_more() {
+    // 0.03 m at 5 m/s: within a step of 0.01 s the ball may only come down to the ground.
+    let mut scene = drop_from(0.03, 0.0, 0.01, Formulation::Velocity);
+    scene.states[1].v.z = -5.0;
+    let mut ball = simulation(scene);
+    ball.step().unwrap();
+    assert_near(ball.states()[1].pose.p.z, 0.5, 1e-14);
+    ball.step().unwrap();
+    assert_near(ball.states()[1].pose.p.z, 0.5, 1e-14);
+    assert_near(ball.states()[1].v.z, 0.0, 1e-13);
+}
+
+#[test]
+fn a_ball_bounces_to_e_squared_of_its_height() {
+    let (height, e) = (1.0, 0.8);
+    for level in Formulation::ALL {
+        let error = |dt: f64| {
+            let mut ball = simulation(drop_from(height, e, dt, level));
+            let mut bounced = false;
+            let mut top = 0.0f64;
+            for _ in 0..(0.9 / dt) as usize {
+                let step = ball.step().unwrap();
+                bounced |=
+                    step.solves.iter().any(|solve| solve.problem.stage == Stage::Restitution);
+                if bounced {
+                    top = top.max(ball.states()[1].pose.p.z - 0.5);
+                }
+            }
+            (top - e * e * height).abs()
+        };
+        // The impact is found to within a step, so the height is first order in dt.
+        assert!(error(1e-3) < 0.02, "{}", error(1e-3));
+        assert!(error(1e-4) < 0.002, "{}", error(1e-4));
+    }
+}
+
+#[test]
+fn restitution_reverses_exactly_e_of_the_approach() {
+    // Touching at −3 m/s without gravity: +0.5 · 3 m/s after the step, in both formulations.
+    for level in Formulation::ALL {
+        let mut scene = drop_from(0.0, 0.5, 0.01, level);
+        scene.gravity.z = 0.0;
+        scene.states[1].v.z = -3.0;
+        let mut ball = simulation(scene);
+        ball.step().unwrap();
+        assert_near(ball.states()[1].v.z, 1.5, 1e-14);
+    }
+}
+
+#[test]
+fn slow_approach_does_not_bounce() {
+    let mut scene = drop_from(0.0, 0.5, 0.01, Formulation::Velocity);
+    scene.gravity.z = 0.0;
+    scene.states[1].v.z = -0.09; // below bounce_speed = 0.1 m/s
+    let mut ball = simulation(scene);
+    ball.step().unwrap();
+    assert_eq!(ball.states()[1].v.z, 0.0);
+}

@@ -1,0 +1,37 @@
+//! Motions against closed forms.
+
+mod failures;
+mod free;
+mod friction;
+mod impact;
+mod pendulum;
+mod resting;
+mod shipped;
+
+use lcplab::scene::{Formulation, Scene};
+use lcplab::simulation::{Simulation, Step};
+use lcplab::solver;
+
+/// The shipped scene of this name at this level.
+fn scene(name: &str, formulation: Formulation) -> Scene {
+    let mut scene = Scene::load(name).unwrap();
+    scene.step.formulation = formulation;
+    scene
+}
+
+/// The scene on its way, with Dantzig's method.
+fn simulation(scene: Scene) -> Simulation {
+    scene.validate().unwrap();
+    Simulation::new(scene, solver::by_name("dantzig", &solver::Options::default()).unwrap())
+}
+
+/// The x of the last solve of a step.
+fn x(step: &Step) -> &[f64] {
+    &step.solves.last().unwrap().solution.x
+}
+
+/// Whether two numbers agree to this relative or absolute difference.
+#[track_caller]
+fn assert_near(ours: f64, exact: f64, tolerance: f64) {
+    assert!((ours - exact).abs() <= tolerance * exact.abs().max(1.0), "{ours}, exactly {exact}");
+}

@@ -1,0 +1,30 @@
+//! Every shipped scene moves as it should, in both formulations.
+
+use lcplab::scene::{Formulation, catalogue};
+use lcplab::solver::Status;
+
+use super::{scene, simulation};
+
+#[test]
+fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
+    for shipped in catalogue::SHIPPED {
+        for level in Formulation::ALL {
+            let scene = scene(shipped.name, level);
+            // One per cent of a metre-sized scene, and of the energy that gravity has given.
+            let steps = if scene.bodies.len() > 100 { 3 } else { 30 };
+            let mut moving = simulation(scene);
+            let start = moving.motion();
+            for _ in 0..steps {
+                let step = moving.step().unwrap();
+                for solve in &step.solves {
+                    assert_eq!(solve.solution.status, Status::Solved, "{}", shipped.name);
+                }
+                assert!(step.motion.drift < 0.01, "{} {level:?}", shipped.name);
+                assert!(step.motion.penetration < 1e-6, "{} {level:?}", shipped.name);
+            }
+            let gained = moving.motion().energy() - start.energy();
+            let scale = moving.motion().kinetic.max(1.0);
+            assert!(gained < 0.02 * scale, "{} {level:?} gains {gained} J", shipped.name);
+        }
+    }
+}
