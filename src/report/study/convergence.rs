@@ -81,7 +81,12 @@ fn curve(lcp: &Lcp, omega: f64) -> Curve {
     let measured_rate = trace.rate(floor);
     let reached = trace.records.iter().position(|record| record.natural_residual <= floor);
     trace.records.truncate(reached.map_or(usize::MAX, |k| k + 1));
-    Curve { omega, records: trace.records, predicted_rate: predicted(lcp, &x, omega), measured_rate }
+    Curve {
+        omega,
+        records: trace.records,
+        predicted_rate: predicted(lcp, &x, omega),
+        measured_rate,
+    }
 }
 
 /// The contraction on the rows that are free at x, where the sweeps have led.
