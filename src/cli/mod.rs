@@ -1,10 +1,13 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
 mod problem;
+mod report;
+mod scene;
 
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
 use lcplab::certificate::Demand;
 use lcplab::error::{Error, Result};
 use lcplab::solver::{Options, Settings};
@@ -19,8 +22,13 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Report(report::Report),
     Solve(problem::Solve),
     Judge(problem::Judge),
+    Scenes(scene::Scenes),
+    Simulate(scene::Simulate),
+    Compare(scene::Compare),
+    Export(scene::Export),
 }
 
 /// How a command ended, other than by bad input.
@@ -33,8 +41,13 @@ enum Outcome {
 /// Runs the command line and returns the exit code.
 pub fn run() -> ExitCode {
     let result = match Cli::parse().command {
+        Command::Report(command) => command.run(),
         Command::Solve(command) => command.run(),
         Command::Judge(command) => command.run(),
+        Command::Scenes(command) => command.run(),
+        Command::Simulate(command) => command.run(),
+        Command::Compare(command) => command.run(),
+        Command::Export(command) => command.run(),
     };
     match result {
         Ok(Outcome::Good) => ExitCode::SUCCESS,
@@ -73,6 +86,13 @@ impl SolverArgs {
     fn demand(&self) -> Demand {
         Demand { tolerance: self.tolerance, ..Demand::default() }
     }
+}
+
+/// A progress bar on a terminal, nothing in a pipe.
+fn bar(length: u64, message: &str) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(length).with_style(style).with_message(message.to_string())
 }
 
 /// Prints to standard output; a reader who has gone away is no error.

@@ -238,7 +238,8 @@ impl Parts {
     }
 }
 
-fn as_number(value: &Value) -> Option<f64> {
+/// The number that a JSON value stands for: a number, or one of the words "inf", "-inf" and "nan".
+pub fn as_number(value: &Value) -> Option<f64> {
     match value {
         Value::Number(number) => number.as_f64(),
         Value::String(word) => match word.as_str() {

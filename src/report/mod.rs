@@ -1,4 +1,13 @@
-//! Results as pages, tables and JSON.
+//! Results as pages, tables and JSON: [`experiment`] says what is to be found out, [`run`] finds it
+//! out, [`results`] holds it, [`view`] shows it and [`write`](mod@write) puts it on disk.
 
 pub mod answer;
+pub mod experiment;
 pub mod page;
+pub mod recording;
+pub mod results;
+pub mod run;
+pub mod study;
+pub mod text;
+pub mod view;
+pub mod write;

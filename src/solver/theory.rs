@@ -89,6 +89,25 @@ pub fn spectral_radius(g: &DMatrix<f64>) -> f64 {
     g.eigenvalues().map_or(f64::NAN, largest)
 }
 
+/// The factor by which w shrinks in the long run: the largest modulus of an eigenvalue other than 1.
+///
+/// The eigenvalue 1 belongs to the null vectors of a singular A: redundant contacts keep their share
+/// of the load from the start on, and no w feels it. NaN if an entry is not finite.
+pub fn contraction(g: &DMatrix<f64>) -> f64 {
+    if g.iter().any(|g| !g.is_finite()) {
+        return f64::NAN;
+    }
+    let g = faer::Mat::from_fn(g.nrows(), g.ncols(), |i, j| g[(i, j)]);
+    let moving = |z: &faer::c64| (z.re - 1.0).hypot(z.im) > NULL;
+    let largest = |values: Vec<faer::c64>| {
+        values.iter().filter(|z| moving(z)).map(|z| z.re.hypot(z.im)).fold(0.0, f64::max)
+    };
+    g.eigenvalues().map_or(f64::NAN, largest)
+}
+
+/// An eigenvalue this near to 1 is 1 but for rounding.
+const NULL: f64 = 1e-9;
+
 /// Young's ω* from the spectral radius of the undamped Jacobi matrix, for a consistently ordered A.
 /// NaN if Jacobi's method does not converge.
 pub fn optimal_omega(jacobi_radius: f64) -> f64 {

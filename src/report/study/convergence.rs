@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{problem_of, scene_options};
-use crate::lcp::{Lcp, merit};
+use crate::lcp::Lcp;
 use crate::scene::Scene;
 use crate::solver::{Dantzig, Pgs, Settings, Solver, Start, theory};
 use crate::trace::{Convergence, Record};
@@ -34,7 +34,8 @@ pub struct Curve {
     pub omega: f64,
     /// The merits after each sweep.
     pub records: Vec<Record>,
-    /// Spectral radius of the iteration matrix on the rows that are free at the solution.
+    /// The largest modulus below 1 of an eigenvalue of the iteration matrix, on the rows that are
+    /// free where the sweeps lead.
     pub predicted_rate: Option<f64>,
     /// The factor a sweep, measured over the last half of the curve.
     pub measured_rate: Option<f64>,
@@ -51,17 +52,16 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
     let mut options = scene_options(scene);
     options.settings.tolerance = 1e-12;
     let direct = Dantzig { settings: options.settings };
-    let solution = direct.solve(&lcp, &Start::default(), &mut ());
-    let free = free_rows(&lcp, &solution.x);
-    let equations_only = free.len() == lcp.len();
-    let optimal_omega = equations_only
-        .then(|| theory::optimal_omega(lcp.matrix(), &free))
-        .flatten();
+    let pivots = direct.solve(&lcp, &Start::default(), &mut ()).iterations;
+    let unbounded = |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite();
+    let equations_only = lcp.coupling().is_none() && (0..lcp.len()).all(unbounded);
+    let jacobi = theory::spectral_radius(&theory::jacobi_iteration_matrix(lcp.matrix(), 1.0));
+    let optimal_omega = (equations_only && jacobi < 1.0).then(|| theory::optimal_omega(jacobi));
     let mut omegas = omegas.to_vec();
     omegas.extend(optimal_omega.map(|omega| (omega * 1e4).round() / 1e4));
     omegas.sort_by(f64::total_cmp);
     omegas.dedup();
-    let curves = omegas.iter().map(|&omega| curve(&lcp, &free, omega)).collect();
+    let curves = omegas.iter().map(|&omega| curve(&lcp, omega)).collect();
     Some(Study {
         scene: scene.name.clone(),
         title: scene.title.clone(),
@@ -69,29 +69,29 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
         equations_only,
         optimal_omega,
         curves,
-        pivots: solution.iterations,
+        pivots,
     })
 }
 
-fn curve(lcp: &Lcp, free: &[usize], omega: f64) -> Curve {
+fn curve(lcp: &Lcp, omega: f64) -> Curve {
     let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
     let mut trace = Convergence::of(lcp);
-    Pgs { omega, settings }.solve(lcp, &Start::default(), &mut trace);
+    let x = Pgs { omega, settings }.solve(lcp, &Start::default(), &mut trace).x;
     let floor = FLOOR * trace.records.first().map_or(0.0, |record| record.natural_residual);
     let measured_rate = trace.rate(floor);
     let reached = trace.records.iter().position(|record| record.natural_residual <= floor);
     trace.records.truncate(reached.map_or(usize::MAX, |k| k + 1));
-    let predicted_rate = theory::sor_rate(lcp.matrix(), free, omega);
-    Curve { omega, records: trace.records, predicted_rate, measured_rate }
+    Curve { omega, records: trace.records, predicted_rate: predicted(lcp, &x, omega), measured_rate }
 }
 
-fn free_rows(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
-    if merit::free_rows(lcp, x) == lcp.len() {
-        return (0..lcp.len()).collect();
-    }
+/// The contraction on the rows that are free at x, where the sweeps have led.
+fn predicted(lcp: &Lcp, x: &[f64], omega: f64) -> Option<f64> {
     let inside = |&i: &usize| {
         let (lo, hi) = lcp.bounds(i, x);
         lo < x[i] && x[i] < hi
     };
-    (0..lcp.len()).filter(inside).collect()
+    let free: Vec<usize> = (0..lcp.len()).filter(inside).collect();
+    let a = theory::principal_submatrix(lcp.matrix(), &free);
+    let rate = theory::contraction(&theory::sor_iteration_matrix(&a, omega));
+    (rate < 1.0).then_some(rate)
 }

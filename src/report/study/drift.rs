@@ -1,5 +1,7 @@
 //! Energy and constraint errors over time, for shorter and shorter steps.
 
+use std::ops::ControlFlow;
+
 use serde::{Deserialize, Serialize};
 
 use super::comparison::Sample;
@@ -57,19 +59,25 @@ pub fn run(scene: &Scene, duration: f64) -> Study {
 
 fn curve(scene: &Scene, division: usize, duration: f64) -> (Curve, f64) {
     let steps = (duration / scene.step.dt).round() as usize;
-    let (mut samples, mut failure, mut kinetic) = (Vec::new(), None, 0.0);
-    match by_name(STEPPER, &scene_options(scene)) {
-        Ok(solver) => {
-            let recording = Simulation::new(scene.clone(), solver)
-                .run(steps, |_| std::ops::ControlFlow::Continue(()));
-            samples = recording.motion.iter().map(Sample::from).collect();
-            failure = recording.failure.map(|failure| failure.to_string());
-            kinetic = recording.motion.iter().map(|m| m.kinetic).fold(0.0, f64::max);
+    let mut curve = Curve {
+        formulation: scene.step.formulation.name().to_string(),
+        division,
+        dt: scene.step.dt,
+        samples: Vec::new(),
+        failure: None,
+    };
+    let solver = match by_name(STEPPER, &scene_options(scene)) {
+        Ok(solver) => solver,
+        Err(error) => {
+            curve.failure = Some(error.to_string());
+            return (curve, 0.0);
         }
-        Err(error) => failure = Some(error.to_string()),
-    }
-    let formulation = scene.step.formulation.name().to_string();
-    (Curve { formulation, division, dt: scene.step.dt, samples, failure }, kinetic)
+    };
+    let recording =
+        Simulation::new(scene.clone(), solver).run(steps, |_| ControlFlow::Continue(()));
+    curve.samples = recording.motion.iter().map(Sample::from).collect();
+    curve.failure = recording.failure.map(|failure| failure.to_string());
+    (curve, recording.motion.iter().map(|motion| motion.kinetic).fold(0.0, f64::max))
 }
 
 impl Curve {

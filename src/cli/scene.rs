@@ -1,0 +1,253 @@
+//! `scenes`, `simulate`, `compare` and `export`: commands on a scene.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use lcplab::error::{Error, Result};
+use lcplab::lcp::file::{Problem, number};
+use lcplab::report::study::{comparison, scene_solver};
+use lcplab::report::{recording, text, view, write};
+use lcplab::scene::{Formulation, Scene, catalogue};
+use lcplab::simulation::{Simulation, Step};
+use serde_json::json;
+
+use super::{Outcome, bar, print};
+
+/// List the shipped scenes, or print one
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab scenes
+  lcplab scenes pendulum > mine.toml   # a start for a scene of your own")]
+pub struct Scenes {
+    /// Print this scene's file
+    name: Option<String>,
+    /// Print the JSON schema of the scene format
+    #[arg(long, conflicts_with = "name")]
+    schema: bool,
+}
+
+impl Scenes {
+    pub fn run(&self) -> Result<Outcome> {
+        if self.schema {
+            print(&format!("{}\n", lcplab::scene::schema()))?;
+            return Ok(Outcome::Good);
+        }
+        if let Some(name) = &self.name {
+            let known = || catalogue::SHIPPED.iter().map(|shipped| shipped.name.into()).collect();
+            let file = catalogue::text(name).ok_or_else(|| Error::Unknown {
+                kind: "shipped scene",
+                name: name.clone(),
+                known: known(),
+            })?;
+            print(file)?;
+            return Ok(Outcome::Good);
+        }
+        let mut list = String::new();
+        for shipped in catalogue::SHIPPED {
+            list += &format!("{:<16} {}\n", shipped.name, shipped.scene()?.title);
+        }
+        print(&list)?;
+        Ok(Outcome::Good)
+    }
+}
+
+/// A scene, and what to change in it.
+#[derive(Debug, Args)]
+struct SceneArgs {
+    /// A scene file, or the name of a shipped scene
+    scene: String,
+    /// Level of the equations; the scene's own without it
+    #[arg(long, value_enum)]
+    formulation: Option<Level>,
+    /// Solver; the scene's own without it
+    #[arg(long)]
+    solver: Option<String>,
+    /// Length of a step in seconds; the scene's own without it
+    #[arg(long)]
+    dt: Option<f64>,
+    /// Largest scaled residual that counts as solved
+    #[arg(long)]
+    tolerance: Option<f64>,
+    /// Most sweeps or pivots in a solve
+    #[arg(long)]
+    max_iterations: Option<usize>,
+    /// Relaxation factor of sor, above 0 and below 2
+    #[arg(long)]
+    omega: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Level {
+    /// Impulses; velocities after the step
+    Velocity,
+    /// Forces; accelerations
+    Acceleration,
+}
+
+impl SceneArgs {
+    fn load(&self) -> Result<Scene> {
+        let mut scene = Scene::load(&self.scene)?;
+        match self.formulation {
+            Some(Level::Velocity) => scene.step.formulation = Formulation::Velocity,
+            Some(Level::Acceleration) => scene.step.formulation = Formulation::Acceleration,
+            None => {}
+        }
+        scene.step.dt = self.dt.unwrap_or(scene.step.dt);
+        let solver = &mut scene.solver;
+        solver.name = self.solver.clone().unwrap_or_else(|| solver.name.clone());
+        solver.tolerance = self.tolerance.unwrap_or(solver.tolerance);
+        solver.max_iterations = self.max_iterations.unwrap_or(solver.max_iterations);
+        solver.omega = self.omega.unwrap_or(solver.omega);
+        scene.validate()?;
+        Ok(scene)
+    }
+}
+
+/// Step a scene through time
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab simulate pendulum --steps 500 --out swing
+
+Writes trajectory.csv (poses and velocities), ledger.csv (energy, momentum, errors) and results.json
+to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
+recorded until then is written), 2 for bad input.")]
+pub struct Simulate {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Number of steps; the scene's own without it
+    #[arg(long)]
+    steps: Option<usize>,
+    /// Folder for the recorded motion
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Simulate {
+    pub fn run(&self) -> Result<Outcome> {
+        let scene = self.scene.load()?;
+        let solver = scene_solver(&scene)?;
+        let steps = self.steps.unwrap_or(scene.step.count);
+        let progress = bar(steps as u64, &scene.name);
+        let mut simulation = Simulation::new(scene.clone(), solver);
+        let mut record = recording::Record::start(&scene, &simulation);
+        let recording = simulation.run(steps, |step: &Step| {
+            record.add(step);
+            progress.inc(1);
+            ControlFlow::Continue(())
+        });
+        progress.finish_and_clear();
+        record.end(recording.failure.as_ref());
+        if let Some(folder) = &self.out {
+            record.write(folder)?;
+        }
+        if self.json {
+            print(&format!("{}\n", record.summary()))?;
+        } else {
+            print(&record.text())?;
+        }
+        Ok(if record.is_good() { Outcome::Good } else { Outcome::Refuted })
+    }
+}
+
+/// Step a scene with every solver at both levels, and judge every answer
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab compare stack --steps 20 --out stack-report
+
+With --out the folder gets a page with the table and the plots. Exit code 1 if the judge refutes a
+solver's claim, 2 for bad input; a solver that admits failure is a row of the table.")]
+pub struct Compare {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Number of steps; the scene's own without it
+    #[arg(long)]
+    steps: Option<usize>,
+    /// Folder for a page with table and plots
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Compare {
+    pub fn run(&self) -> Result<Outcome> {
+        let scene = self.scene.load()?;
+        let steps = self.steps.unwrap_or(scene.step.count);
+        let progress = bar(comparison::runs_per_scene() as u64, &scene.name);
+        let (comparison, timings) = comparison::compare(&scene, steps, &progress);
+        progress.finish_and_clear();
+        if self.json {
+            print(&format!("{}\n", json!({ "comparison": comparison, "timings": timings })))?;
+        } else {
+            print(&text::table(&view::comparison_table(&comparison)))?;
+        }
+        if let Some(folder) = &self.out {
+            let page = write::document(&view::comparison_document(&comparison), folder)?;
+            eprintln!("{}", page.display());
+        }
+        let refuted = comparison.runs.iter().any(|run| run.refuted_claims > 0);
+        Ok(if refuted { Outcome::Refuted } else { Outcome::Good })
+    }
+}
+
+/// Write the LCP of one step of a scene as a problem file
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab export stack --step 1 --out stack.json; lcplab solve stack.json
+
+Rows come in the order of the scene's constraints, then contacts, each as normal, first and second
+tangent. A step that solves several LCPs (an impact, a bounce) gives the last one.")]
+pub struct Export {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// The step, from 1
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    step: u64,
+    /// The file; standard output without it
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+impl Export {
+    pub fn run(&self) -> Result<Outcome> {
+        let scene = self.scene.load()?;
+        let mut simulation = Simulation::new(scene.clone(), scene_solver(&scene)?);
+        let mut last = None;
+        for _ in 0..self.step {
+            match simulation.step() {
+                Ok(step) => last = step.solves.into_iter().next_back(),
+                Err(failure) => {
+                    eprintln!("error: {}: {failure}", scene.name);
+                    return Ok(Outcome::Refuted);
+                }
+            }
+        }
+        let Some(solve) = last else { return Ok(Outcome::Refuted) };
+        let assembled = &solve.problem;
+        let mut problem =
+            Problem::new(format!("{}, step {}", scene.name, self.step), assembled.lcp.clone());
+        let rows = assembled.assembly.rows.iter().map(|row| {
+            let unit = assembled.stage.unit(row.kind.is_angular());
+            json!({ "label": row.label(&scene), "kind": row.kind.name(), "unit": unit })
+        });
+        problem.extra.insert("rows".into(), rows.collect());
+        problem.extra.insert("dt".into(), number(scene.step.dt));
+        let source = format!("lcplab scene {}, {} level", scene.name, assembled.stage.name());
+        problem.extra.insert("source".into(), source.into());
+        let text = format!("{}\n", problem.to_json());
+        match &self.out {
+            Some(path) => write::file(Path::new(path), &text)?,
+            None => print(&text)?,
+        }
+        Ok(Outcome::Good)
+    }
+}

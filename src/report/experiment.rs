@@ -1,0 +1,115 @@
+//! What a report is to find out, as a file: scenes, studies and their settings.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, Result};
+
+/// The reports that lcplab ships, by name.
+const SHIPPED: [(&str, &str); 1] =
+    [("standard", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/standard.toml")))];
+
+/// A report's description, read from TOML.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Experiment {
+    /// The file's name without its extension; also the folder the report is written to.
+    #[serde(default)]
+    pub name: String,
+    /// The heading.
+    pub title: String,
+    /// What the report is about, in a few sentences of page markup.
+    pub lead: String,
+    /// Whether the known numbers are measured.
+    #[serde(default)]
+    pub closed_forms: bool,
+    /// Scenes stepped by every solver at both levels.
+    #[serde(default)]
+    pub comparison: Vec<Stepped>,
+    /// LCPs solved in three ways.
+    #[serde(default)]
+    pub cross_check: Vec<AtStep>,
+    /// LCPs solved by sweeps.
+    #[serde(default)]
+    pub convergence: Vec<Sweeps>,
+    /// Matrices drawn.
+    #[serde(default)]
+    pub sparsity: Vec<AtStep>,
+    /// Scenes run with shorter and shorter steps.
+    #[serde(default)]
+    pub drift: Vec<Timed>,
+}
+
+/// A scene and how many steps it takes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stepped {
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// The number of steps.
+    pub steps: usize,
+}
+
+/// A scene and one of its steps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AtStep {
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// The number of the step, from 1.
+    pub step: usize,
+}
+
+/// A scene, one of its steps, and relaxation factors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sweeps {
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// The number of the step, from 1.
+    pub step: usize,
+    /// The relaxation factors ω; the optimal one is added where theory knows it.
+    pub omegas: Vec<f64>,
+}
+
+/// A scene and how long it runs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Timed {
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// Simulated time (s).
+    pub duration: f64,
+}
+
+impl Experiment {
+    /// Reads a report file, or takes a shipped report by its name.
+    ///
+    /// # Errors
+    /// A name that is neither a file nor shipped, or a file with a defect, with its line.
+    pub fn load(path_or_name: &str) -> Result<Self> {
+        let path = Path::new(path_or_name);
+        if path.is_file() {
+            let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
+            let name = path.file_stem().map_or("report".into(), |name| name.to_string_lossy());
+            return Self::parse(&text, path_or_name, &name);
+        }
+        let shipped = SHIPPED.iter().find(|(name, _)| *name == path_or_name);
+        let (name, text) = shipped.ok_or_else(|| Error::Unknown {
+            kind: "report file or shipped report",
+            name: path_or_name.into(),
+            known: SHIPPED.iter().map(|(name, _)| (*name).into()).collect(),
+        })?;
+        Self::parse(text, path_or_name, name)
+    }
+
+    fn parse(text: &str, input: &str, name: &str) -> Result<Self> {
+        let mut experiment: Experiment = toml::from_str(text).map_err(|cause| {
+            let line = cause.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
+            Error::invalid(input, format!("line {line}"), cause.message())
+        })?;
+        experiment.name = name.to_string();
+        Ok(experiment)
+    }
+}

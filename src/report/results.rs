@@ -1,0 +1,95 @@
+//! Everything a report found out, as plain data: what `results.json` holds.
+//!
+//! All of it but `machine` is the same in every run on the same kind of processor.
+
+use serde::{Deserialize, Serialize};
+
+use super::experiment::Experiment;
+use super::study::comparison::{Comparison, Timing};
+use super::study::{closed_form, convergence, cross_check, drift, sparsity};
+
+/// The results of a report.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Results {
+    /// The version of lcplab.
+    pub version: String,
+    /// What was run.
+    pub experiment: Experiment,
+    /// Known numbers beside measured ones.
+    pub closed_forms: Vec<closed_form::ClosedForm>,
+    /// Scenes with all solvers at all levels.
+    pub comparisons: Vec<Comparison>,
+    /// LCPs solved in three ways.
+    pub cross_checks: Vec<cross_check::CrossCheck>,
+    /// Residuals by sweep.
+    pub convergence: Vec<convergence::Study>,
+    /// Patterns of J and A.
+    pub sparsity: Vec<sparsity::Patterns>,
+    /// Energy and constraint errors by step length.
+    pub drift: Vec<drift::Study>,
+    /// What differs from machine to machine.
+    pub machine: Machine,
+}
+
+impl Results {
+    /// Whether every known number came out and no claim of a solver was refuted.
+    pub fn is_good(&self) -> bool {
+        self.closed_forms.iter().all(closed_form::ClosedForm::passes) && self.refuted_claims() == 0
+    }
+
+    /// The outcome in two lines.
+    pub fn summary(&self) -> String {
+        let runs = || self.comparisons.iter().flat_map(|comparison| &comparison.runs);
+        let passed = self.closed_forms.iter().filter(|row| row.passes()).count();
+        format!(
+            "closed forms   {passed} of {} within tolerance\n\
+             comparison     {} problems, {} claimed solved, {} accepted by the judge, {} claims refuted",
+            self.closed_forms.len(),
+            runs().map(|run| run.solves).sum::<usize>(),
+            runs().map(|run| run.claimed).sum::<usize>(),
+            runs().map(|run| run.accepted).sum::<usize>(),
+            self.refuted_claims(),
+        )
+    }
+
+    fn refuted_claims(&self) -> usize {
+        let runs = self.comparisons.iter().flat_map(|comparison| &comparison.runs);
+        runs.map(|run| run.refuted_claims).sum()
+    }
+}
+
+/// What differs from machine to machine.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Machine {
+    /// Operating system and processor family.
+    pub platform: String,
+    /// Threads that ran the comparison; they share the processor, so times are upper bounds.
+    pub threads: usize,
+    /// Wall time of the whole report (s).
+    pub seconds: f64,
+    /// Wall time of each run of the comparison.
+    pub timings: Vec<Timing>,
+}
+
+/// Numbers that JSON has no word for, as "nan", "inf" and "-inf".
+pub mod number {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+    use serde_json::Value;
+
+    /// A number, or a word for one that is not finite.
+    ///
+    /// # Errors
+    /// As the serializer.
+    pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        crate::lcp::file::number(*value).serialize(serializer)
+    }
+
+    /// A number, or a word for one that is not finite.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        crate::lcp::file::as_number(&value).ok_or_else(|| D::Error::custom("not a number"))
+    }
+}

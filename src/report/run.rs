@@ -1,0 +1,113 @@
+//! Runs an experiment: the stage that simulates and solves.
+
+use std::time::Instant;
+
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+
+use super::experiment::Experiment;
+use super::results::{Machine, Results};
+use super::study::{closed_form, comparison, convergence, cross_check, drift, sparsity};
+use crate::error::Result;
+use crate::scene::Scene;
+
+/// Runs everything in the experiment. The results do not depend on the number of threads.
+///
+/// # Errors
+/// If a scene cannot be loaded; all are loaded before anything runs.
+pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
+    let start = Instant::now();
+    let scenes = Scenes::load(experiment)?;
+    progress.set_length(scenes.tasks(experiment) as u64);
+    let after = |value| {
+        progress.inc(1);
+        value
+    };
+    let mut timings = Vec::new();
+    let mut comparisons = Vec::new();
+    for (scene, task) in scenes.comparison.iter().zip(&experiment.comparison) {
+        progress.set_message(format!("comparing solvers on {}", scene.name));
+        let (comparison, times) = comparison::compare(scene, task.steps, progress);
+        comparisons.push(comparison);
+        timings.extend(times);
+    }
+    progress.set_message("closed forms");
+    let closed_forms = if experiment.closed_forms { closed_form::run()? } else { Vec::new() };
+    progress.set_message("energy drift");
+    let drift = scenes.drift.par_iter().zip(&experiment.drift);
+    let drift = drift.map(|(scene, task)| after(drift::run(scene, task.duration))).collect();
+    progress.set_message("cross-checks");
+    let checks: Vec<_> = scenes
+        .cross_check
+        .par_iter()
+        .zip(&experiment.cross_check)
+        .map(|(scene, task)| {
+            progress.inc(1);
+            cross_check::run(scene, task.step)
+        })
+        .collect();
+    progress.set_message("convergence");
+    let convergence =
+        scenes.convergence.par_iter().zip(&experiment.convergence).map(|(scene, task)| {
+            progress.inc(1);
+            convergence::run(scene, task.step, &task.omegas)
+        });
+    let convergence: Vec<_> = convergence.collect();
+    progress.set_message("sparsity");
+    let sparsity: Vec<_> = scenes
+        .sparsity
+        .par_iter()
+        .zip(&experiment.sparsity)
+        .map(|(scene, task)| {
+            progress.inc(1);
+            sparsity::run(scene, task.step)
+        })
+        .collect();
+    Ok(Results {
+        version: env!("CARGO_PKG_VERSION").to_string(),
+        experiment: experiment.clone(),
+        closed_forms,
+        comparisons,
+        cross_checks: checks.into_iter().flatten().collect(),
+        convergence: convergence.into_iter().flatten().collect(),
+        sparsity: sparsity.into_iter().flatten().collect(),
+        drift,
+        machine: Machine {
+            platform: format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
+            threads: rayon::current_num_threads(),
+            seconds: start.elapsed().as_secs_f64(),
+            timings,
+        },
+    })
+}
+
+/// The scenes of each study, in the order of the experiment.
+struct Scenes {
+    comparison: Vec<Scene>,
+    cross_check: Vec<Scene>,
+    convergence: Vec<Scene>,
+    sparsity: Vec<Scene>,
+    drift: Vec<Scene>,
+}
+
+impl Scenes {
+    fn load(experiment: &Experiment) -> Result<Self> {
+        let load = |names: Vec<&str>| names.into_iter().map(Scene::load).collect::<Result<_>>();
+        Ok(Scenes {
+            comparison: load(experiment.comparison.iter().map(|t| t.scene.as_str()).collect())?,
+            cross_check: load(experiment.cross_check.iter().map(|t| t.scene.as_str()).collect())?,
+            convergence: load(experiment.convergence.iter().map(|t| t.scene.as_str()).collect())?,
+            sparsity: load(experiment.sparsity.iter().map(|t| t.scene.as_str()).collect())?,
+            drift: load(experiment.drift.iter().map(|t| t.scene.as_str()).collect())?,
+        })
+    }
+
+    fn tasks(&self, experiment: &Experiment) -> usize {
+        self.comparison.len() * comparison::runs_per_scene()
+            + usize::from(experiment.closed_forms)
+            + self.cross_check.len()
+            + self.convergence.len()
+            + self.sparsity.len()
+            + self.drift.len()
+    }
+}

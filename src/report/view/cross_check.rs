@@ -1,0 +1,109 @@
+//! Our answers beside two independent ones.
+
+use super::Document;
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::cross_check::CrossCheck;
+
+pub(super) fn section(document: &mut Document, checks: &[CrossCheck]) {
+    if checks.is_empty() {
+        return;
+    }
+    document.open("cross-check", "The same answers from elsewhere");
+    document.text(
+        "Dantzig's answer is compared with two that share no code with it, both by the interior-\
+         point solver clarabel. The *box QP* is the same problem read as a minimisation over \
+         impulses:",
+    );
+    document.equation("\\min_{lo \\le x \\le hi}\\; \\tfrac12 x^T A x + b^T x", "dual");
+    document.text(
+        "*Gauss's principle* is the same motion read as a minimisation over velocities, in which \
+         $A$ is never formed, so that it checks the assembly of $A$ as well:",
+    );
+    document.equation(
+        "\\min_u\\; \\tfrac12 (u - u^*)^T M (u - u^*) \\quad \\text{subject to} \\quad J u + \
+         \\text{bias} \\ge 0",
+        "primal",
+    );
+    document.text(
+        "The two optimal values must be opposite. Where contacts are redundant, $x$ is not unique: \
+         the rank of $A$ on the free rows is then less than their number, and $x$ may differ while \
+         $w$ and the motion $u$ agree.",
+    );
+    document.table("cross_checks", table(checks));
+    document.table("objectives", objectives(checks));
+}
+
+fn table(checks: &[CrossCheck]) -> Table {
+    Table {
+        title: "Differences from the reference solutions".into(),
+        how_to_read: "Largest difference of any entry. “shared” in the column *x* means that x is \
+                      not unique, so that a difference in x is no fault."
+            .into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::words("problem"),
+            Column::numbers("step", ""),
+            Column::numbers("rows", ""),
+            Column::numbers("free", ""),
+            Column::numbers("rank", ""),
+            Column::words("x"),
+            Column::numbers("x − x_QP", "x"),
+            Column::numbers("w − w_QP", "w"),
+            Column::numbers("u − u_Gauss", "u"),
+            Column::words("verdict"),
+            Column::words("verdict on QP"),
+        ],
+        rows: checks.iter().map(cells).collect(),
+        files: Vec::new(),
+    }
+}
+
+fn cells(check: &CrossCheck) -> Vec<Cell> {
+    let unique = if check.rank == check.free { "unique" } else { "shared" };
+    vec![
+        Cell::text(&check.scene),
+        Cell::text(&check.stage),
+        Cell::count(check.step),
+        Cell::count(check.rows),
+        Cell::count(check.free),
+        Cell::count(check.rank),
+        Cell::text(unique),
+        Cell::number(check.x_difference, 2),
+        Cell::number(check.w_difference, 2),
+        Cell::number(check.u_difference, 2),
+        verdict(&check.verdict),
+        verdict(&check.reference_verdict),
+    ]
+}
+
+fn verdict(word: &str) -> Cell {
+    let mark = if word == "not_a_solution" { Mark::Bad } else { Mark::Good };
+    Cell::text(word.replace('_', " ")).marked(mark)
+}
+
+fn objectives(checks: &[CrossCheck]) -> Table {
+    let cells = |check: &CrossCheck| {
+        vec![
+            Cell::text(&check.scene),
+            Cell::text(&check.stage),
+            Cell::number(check.objective, 10),
+            Cell::number(check.dual_objective, 10),
+            Cell::number(check.primal_objective, 10),
+        ]
+    };
+    Table {
+        title: "The optimal value, three times".into(),
+        how_to_read: "½ xᵀAx + bᵀx at our x, the box QP's optimum, and minus the optimum of \
+                      Gauss's principle: all three should agree. Joules for impulses."
+            .into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::words("problem"),
+            Column::numbers("at our x", ""),
+            Column::numbers("box QP", ""),
+            Column::numbers("− Gauss", ""),
+        ],
+        rows: checks.iter().map(cells).collect(),
+        files: Vec::new(),
+    }
+}

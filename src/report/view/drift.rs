@@ -1,0 +1,101 @@
+//! Energy and constraint errors, level by level, for shorter and shorter steps.
+
+use super::Document;
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Table};
+use crate::report::study::comparison::Sample;
+use crate::report::study::drift::{Curve, Study};
+
+pub(super) fn section(document: &mut Document, studies: &[Study]) {
+    if studies.is_empty() {
+        return;
+    }
+    document.open("drift", "Energy, and how far the rods stretch");
+    document.text(
+        "A pendulum keeps its energy and its length; a simulated one does so only as far as its \
+         step and its formulation let it. Below, the energy error is measured against the largest \
+         kinetic energy of the motion, and the *drift* is how much the worst rod is too long or too \
+         short. Halving the step should halve the errors of a first-order method.",
+    );
+    for study in studies {
+        document.figure(figure(study));
+    }
+    document.table("drift", table(studies));
+}
+
+fn name(curve: &Curve) -> String {
+    match curve.division {
+        1 => format!("{}, dt", curve.formulation),
+        division => format!("{}, dt/{division}", curve.formulation),
+    }
+}
+
+fn figure(study: &Study) -> Lines {
+    let series = |measure: &dyn Fn(&Curve, &Sample) -> f64| -> Vec<Series> {
+        let one = |curve: &Curve| {
+            let points = curve.samples.iter().map(|s| (s.time, measure(curve, s))).collect();
+            Series::measured(name(curve), points)
+        };
+        study.curves.iter().map(one).collect()
+    };
+    let start = |curve: &Curve| curve.samples.first().map_or(0.0, |sample| sample.energy);
+    let energy = series(&|curve, sample| 100.0 * (sample.energy - start(curve)) / study.scale);
+    let drift = series(&|_, sample| 1e3 * sample.drift);
+    let dt = study.curves.first().map_or(0.0, |curve| curve.dt);
+    Lines {
+        id: format!("drift_{}", study.scene),
+        title: study.title.clone(),
+        caption: format!(
+            "dt = {dt} s. Above: energy error in percent of the largest kinetic energy. Below: the \
+             error of the worst rod's length.",
+        ),
+        x: Axis::linear("time", "s"),
+        panels: vec![
+            Panel { y: Axis::linear("energy error", "%"), series: energy },
+            Panel { y: Axis::linear("drift", "mm"), series: drift },
+        ],
+    }
+}
+
+fn table(studies: &[Study]) -> Table {
+    let cells = |study: &Study, k: usize| {
+        let curve = &study.curves[k];
+        let coarser = k.checked_sub(1).map(|k| &study.curves[k]);
+        let coarser = coarser.filter(|coarser| coarser.formulation == curve.formulation);
+        let ratio = |measure: fn(&Curve) -> f64| {
+            coarser.map_or(Cell::text("–"), |coarser| {
+                Cell::number(measure(coarser) / measure(curve), 3)
+            })
+        };
+        vec![
+            Cell::text(&study.scene),
+            Cell::text(&curve.formulation),
+            Cell::number(curve.dt, 3),
+            Cell::number(100.0 * curve.energy_error() / study.scale, 3),
+            ratio(Curve::energy_error),
+            Cell::number(1e3 * curve.drift(), 3),
+            ratio(Curve::drift),
+            Cell::text(curve.failure.clone().unwrap_or_default()),
+        ]
+    };
+    let rows =
+        studies.iter().flat_map(|study| (0..study.curves.len()).map(move |k| cells(study, k)));
+    Table {
+        title: "Largest errors over the run".into(),
+        how_to_read: "*gain* is the error of the step twice as long, divided by this one: 2 for a \
+                      first-order method, 4 for a second-order one."
+            .into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::words("level"),
+            Column::numbers("dt", "s"),
+            Column::numbers("energy error", "%"),
+            Column::numbers("gain", ""),
+            Column::numbers("drift", "mm"),
+            Column::numbers("gain", ""),
+            Column::words("trouble"),
+        ],
+        rows: rows.collect(),
+        files: Vec::new(),
+    }
+}
