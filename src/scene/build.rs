@@ -13,6 +13,9 @@ use super::{Scene, generate};
 use crate::body::{Body, Mass, Pose, Shape, State, inertia};
 use crate::error::{Defects, Result};
 
+/// The mass of a body whose own cannot be used: one that causes no further defects.
+const STAND_IN: Mass = Mass::Point { mass: 1.0 };
+
 pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     let mut defects = Defects::default();
     let whole = generate::expand(description, &mut defects);
@@ -86,64 +89,63 @@ fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -
 }
 
 fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shape: &Shape) -> Mass {
-    let given = [("mass", body.mass), ("density", body.density)];
     if body.fixed {
-        let moments = body.inertia.map(|moments| moments[0]);
-        for (field, _) in given.into_iter().chain([("inertia", moments)]).filter(|g| g.1.is_some())
-        {
+        let given = [body.mass.is_some(), body.density.is_some(), body.inertia.is_some()];
+        for (field, _) in ["mass", "density", "inertia"].iter().zip(given).filter(|(_, on)| *on) {
             defects.add(format!("{place}.{field}"), "a fixed body has none");
         }
         return Mass::Fixed;
     }
     if matches!(shape, Shape::Plane { .. }) {
         defects.add(format!("{place}.shape"), "a plane must be fixed");
-        return Mass::Fixed;
+        return STAND_IN;
     }
-    for (field, value) in given {
-        if let Some(value) = value {
-            positive(defects, format!("{place}.{field}"), value);
-        }
-    }
-    let mass = match (body.mass, body.density, inertia::volume(shape)) {
-        (Some(mass), None, _) => mass,
-        (None, Some(density), Some(volume)) => density * volume,
-        (None, Some(_), None) => {
-            defects.add(format!("{place}.density"), "a point has no volume, give its mass");
-            1.0
-        }
-        (Some(_), Some(_), _) => {
-            defects.add(format!("{place}.density"), "there is a mass too, give one of them");
-            1.0
-        }
-        (None, None, _) => {
-            defects
-                .add(format!("{place}.mass"), "is missing: give mass or density, or fixed = true");
-            1.0
-        }
-    };
-    let Some(homogeneous) = inertia::moments(shape, mass) else {
-        if body.inertia.is_some() {
+    let Some(mass) = weigh(defects, place, body, shape) else { return STAND_IN };
+    match (inertia::moments(shape, mass), body.inertia) {
+        (None, None) => Mass::Point { mass },
+        (None, Some(_)) => {
             defects.add(format!("{place}.inertia"), "a point has none");
+            Mass::Point { mass }
         }
-        return Mass::Point { mass };
+        (Some(homogeneous), given) => {
+            let moments = given.map_or(homogeneous, Vector3::from);
+            check_moments(defects, &format!("{place}.inertia"), &moments);
+            Mass::Rigid { mass, moments }
+        }
+    }
+}
+
+/// The mass (kg) that is given, or that of the density given.
+fn weigh(
+    defects: &mut Defects,
+    place: &str,
+    body: &description::Body,
+    shape: &Shape,
+) -> Option<f64> {
+    let (field, mass) = match (body.mass, body.density, inertia::volume(shape)) {
+        (Some(mass), None, _) => ("mass", Ok(mass)),
+        (None, Some(density), Some(volume)) if density > 0.0 => ("density", Ok(density * volume)),
+        (None, Some(density), Some(_)) => ("density", Ok(density)),
+        (None, Some(_), None) => ("density", Err("a point has no volume, give its mass")),
+        (Some(_), Some(_), _) => ("density", Err("there is a mass too, give one of them")),
+        (None, None, _) => ("mass", Err("is missing: give mass or density, or fixed = true")),
     };
-    let moments = body.inertia.map_or(homogeneous, Vector3::from);
-    check_moments(defects, place, &moments, body.inertia.is_some());
-    Mass::Rigid { mass, moments }
+    let place = format!("{place}.{field}");
+    match mass {
+        Ok(mass) => positive(defects, place, mass),
+        Err(reason) => defects.add(place, reason),
+    }
+    mass.ok().filter(|mass| *mass > 0.0 && mass.is_finite())
 }
 
 /// No moment of a body exceeds the sum of the other two.
-fn check_moments(defects: &mut Defects, place: &str, moments: &Vector3<f64>, given: bool) {
-    if !given {
-        return;
-    }
-    let place = format!("{place}.inertia");
+fn check_moments(defects: &mut Defects, place: &str, moments: &Vector3<f64>) {
     for &moment in moments {
-        positive(defects, place.as_str(), moment);
+        positive(defects, place, moment);
         let rest = moments.sum() - moment;
         if moment > rest * (1.0 + 1e-12) {
             let reason = format!("the moment {moment} exceeds the sum {rest} of the other two");
-            defects.add(place.as_str(), reason);
+            defects.add(place, reason);
         }
     }
 }

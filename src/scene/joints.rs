@@ -86,13 +86,8 @@ impl Site<'_> {
     ) -> Option<Bodies> {
         let place = format!("{}.bodies", self.place);
         let written = &self.written.bodies;
-        let allowed = match self.written.kind {
-            Kind::Ball => 2..=2,
-            Kind::Nail => 1..=1,
-            _ => 1..=2,
-        };
-        if !allowed.contains(&written.len()) {
-            let (least, most) = (allowed.start(), allowed.end());
+        let (least, most) = self.arity();
+        if !(least..=most).contains(&written.len()) {
             let wanted =
                 if least == most { format!("{most}") } else { format!("{least} or {most}") };
             defects.add(place, format!("names {} bodies, must name {wanted}", written.len()));
@@ -118,6 +113,15 @@ impl Site<'_> {
         }
         self.check_turning(defects, &bodies, scene);
         Some(bodies)
+    }
+
+    /// The least and the greatest number of bodies this kind joins.
+    fn arity(&self) -> (usize, usize) {
+        match self.written.kind {
+            Kind::Ball => (2, 2),
+            Kind::Nail => (1, 1),
+            _ => (1, 2),
+        }
     }
 
     /// A point mass has no orientation that could be kept.

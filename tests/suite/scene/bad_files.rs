@@ -15,6 +15,15 @@ fn a_negative_mass_is_reported_with_file_line_and_field() {
 }
 
 #[test]
+fn one_defect_does_not_cause_others() {
+    let text = lcplab::scene::catalogue::text("pendulum").unwrap();
+    let text = text.replace("mass = 1", "mass = 0");
+    let line = 1 + text.lines().position(|line| line == "mass = 0").unwrap();
+    let expected = format!("bad.toml: line {line}: bodies[0].mass: must be positive, is 0");
+    assert_eq!(message(&text), expected);
+}
+
+#[test]
 fn all_defects_come_at_once() {
     let text = format!("gravity = [0, 0, nan]\n[step]\ndt = 0\nbaumgarte = 2\n{BALL}{BALL}");
     assert_eq!(
