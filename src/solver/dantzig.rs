@@ -34,6 +34,8 @@ const RELATIVE_ZERO: f64 = 1e-13;
 const RELATIVE_ZERO_W: f64 = 1e-11;
 /// Rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 5;
+/// Steps of iterative refinement in a round: the second takes what the first has left.
+const REFINEMENTS: usize = 2;
 /// Above this many rows the dense factor would not fit.
 const MAX_ROWS: usize = 8_000;
 
@@ -325,10 +327,11 @@ impl<'a> Run<'a> {
             }
             (_, Side::Free) => {
                 let d = if row == i { direction } else { self.direction(row)? };
-                if d.schur == 0.0 {
-                    return ControlFlow::Break(Status::Singular { row });
+                if d.schur > 0.0 {
+                    self.enter(row, d);
+                } else {
+                    self.side[row] = Side::Idle; // only rounding had moved its w
                 }
-                self.enter(row, d);
             }
             _ => self.side[row] = side,
         }
@@ -366,11 +369,13 @@ impl<'a> Run<'a> {
 
     /// x_C ← x_C − A_CC⁻¹ w_C with w recomputed; returns the rows that are still not satisfied.
     fn refine(&mut self) -> Vec<usize> {
-        let mut correction: Vec<f64> =
-            self.free.iter().map(|&j| self.lcp.row_w(j, &self.x)).collect();
-        self.factor.solve(&mut correction);
-        for (&j, c) in self.free.iter().zip(&correction) {
-            self.x[j] = (self.x[j] - c).max(self.lcp.lo()[j]).min(self.lcp.hi()[j]);
+        for _ in 0..REFINEMENTS {
+            let mut correction: Vec<f64> =
+                self.free.iter().map(|&j| self.lcp.row_w(j, &self.x)).collect();
+            self.factor.solve(&mut correction);
+            for (&j, c) in self.free.iter().zip(&correction) {
+                self.x[j] = (self.x[j] - c).max(self.lcp.lo()[j]).min(self.lcp.hi()[j]);
+            }
         }
         self.w = self.lcp.w(&self.x);
         let unsatisfied: Vec<usize> = (0..self.x.len())

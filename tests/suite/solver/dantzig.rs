@@ -1,4 +1,5 @@
 use lcplab::certificate::{Demand, judge};
+use lcplab::lcp::file::Problem;
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::solver::{Dantzig, Settings, Solver, Start, Status};
 use nalgebra::DMatrix;
@@ -65,6 +66,20 @@ fn fathis_matrix_costs_one_pivot_in_the_favourable_numbering() {
         let solution = dantzig().solve(&lcp, &Start::default(), &mut ());
         assert_proved(&lcp, &solution.x);
         assert_eq!((solution.x[0], solution.iterations), (1.0, 1));
+    }
+}
+
+#[test]
+fn nearly_redundant_contacts_of_a_real_stack_are_solved() {
+    // Five boxes after some fifty steps: the corners' places differ by rounding, so that what is
+    // dependent and what is not is a matter of the last digits.
+    for text in
+        [include_str!("../../problems/stack_48.json"), include_str!("../../problems/stack_49.json")]
+    {
+        let lcp = Problem::parse(text, "stack").unwrap().lcp;
+        let solution = dantzig().solve(&lcp, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved);
+        assert_certified(&lcp, &solution.x);
     }
 }
 
