@@ -100,7 +100,7 @@ impl Candidate {
         let known: Vec<Dyadic> = rows.iter().map(|&i| -candidate.scaled_w(lcp, i)).collect();
         let shifts: Vec<isize> = rows.iter().map(|&i| least_exponent(lcp, i, &unknowns)).collect();
         let scaled: Vec<Dyadic> = known.into_iter().zip(&shifts).map(|(r, &k)| r >> k).collect();
-        let common = scaled.iter().map(|r| exponent(r)).min().unwrap_or(0).min(0);
+        let common = scaled.iter().map(exponent).min().unwrap_or(0).min(0);
         let rhs: Vec<IBig> = scaled.into_iter().map(|r| integer(r >> common)).collect();
         let (numerators, denominator) = modular::solve(&integer_rows(lcp, rows, &unknowns), &rhs)?;
         candidate.numerators = numerators.into_iter().map(|x| exact(x) << common).collect();

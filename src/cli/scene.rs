@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::file::{Problem, number};
+use lcplab::report::experiment::all_solvers;
 use lcplab::report::study::{comparison, scene_solver};
 use lcplab::report::{recording, text, view, write};
 use lcplab::scene::{Formulation, Scene, catalogue};
@@ -181,8 +182,10 @@ impl Compare {
     pub fn run(&self) -> Result<Outcome> {
         let scene = self.scene.load()?;
         let steps = self.steps.unwrap_or(scene.step.count);
-        let progress = bar(comparison::runs_per_scene() as u64, &scene.name);
-        let (comparison, timings) = comparison::compare(&scene, steps, &progress);
+        let solvers = self.scene.solver.clone().map_or_else(all_solvers, |solver| vec![solver]);
+        scene_solver(&scene)?;
+        let progress = bar(comparison::runs(solvers.len()) as u64, &scene.name);
+        let (comparison, timings) = comparison::compare(&scene, &solvers, steps, &progress);
         progress.finish_and_clear();
         if self.json {
             print(&format!("{}\n", json!({ "comparison": comparison, "timings": timings })))?;

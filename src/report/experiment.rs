@@ -5,6 +5,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
+use crate::solver::ALL;
 
 /// The reports that lcplab ships, by name.
 const SHIPPED: [(&str, &str); 1] =
@@ -24,7 +25,10 @@ pub struct Experiment {
     /// Whether the known numbers are measured.
     #[serde(default)]
     pub closed_forms: bool,
-    /// Scenes stepped by every solver at both levels.
+    /// The solvers to compare, by name; all without it.
+    #[serde(default = "all_solvers")]
+    pub solvers: Vec<String>,
+    /// Scenes stepped by these solvers at both levels.
     #[serde(default)]
     pub comparison: Vec<Stepped>,
     /// LCPs solved in three ways.
@@ -81,6 +85,11 @@ pub struct Timed {
     pub scene: String,
     /// Simulated time (s).
     pub duration: f64,
+}
+
+/// The names of all registered solvers.
+pub fn all_solvers() -> Vec<String> {
+    ALL.iter().map(|entry| entry.name.to_string()).collect()
 }
 
 impl Experiment {

@@ -10,6 +10,7 @@ use super::results::{Machine, Results};
 use super::study::{closed_form, comparison, convergence, cross_check, drift, sparsity};
 use crate::error::Result;
 use crate::scene::Scene;
+use crate::solver::{Options, by_name};
 
 /// Runs everything in the experiment. The results do not depend on the number of threads.
 ///
@@ -18,6 +19,9 @@ use crate::scene::Scene;
 pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     let start = Instant::now();
     let scenes = Scenes::load(experiment)?;
+    for name in &experiment.solvers {
+        by_name(name, &Options::default())?;
+    }
     progress.set_length(scenes.tasks(experiment) as u64);
     let after = |value| {
         progress.inc(1);
@@ -27,7 +31,8 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     let mut comparisons = Vec::new();
     for (scene, task) in scenes.comparison.iter().zip(&experiment.comparison) {
         progress.set_message(format!("comparing solvers on {}", scene.name));
-        let (comparison, times) = comparison::compare(scene, task.steps, progress);
+        let (comparison, times) =
+            comparison::compare(scene, &experiment.solvers, task.steps, progress);
         comparisons.push(comparison);
         timings.extend(times);
     }
@@ -103,7 +108,7 @@ impl Scenes {
     }
 
     fn tasks(&self, experiment: &Experiment) -> usize {
-        self.comparison.len() * comparison::runs_per_scene()
+        self.comparison.len() * comparison::runs(experiment.solvers.len())
             + usize::from(experiment.closed_forms)
             + self.cross_check.len()
             + self.convergence.len()

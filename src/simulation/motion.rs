@@ -40,7 +40,7 @@ impl Motion {
             time: step as f64 * scene.step.dt,
             kinetic: bodies().map(|(mass, state)| mass.kinetic_energy(state)).sum(),
             potential: bodies()
-                .map(|(mass, state)| -mass.mass() * scene.gravity.dot(&state.pose.p))
+                .map(|(mass, state)| 0.0 - mass.mass() * scene.gravity.dot(&state.pose.p))
                 .sum(),
             linear_momentum: bodies().map(|(mass, state)| mass.momentum(state)).sum(),
             angular_momentum: bodies().map(|(mass, state)| mass.angular_momentum(state)).sum(),

@@ -59,7 +59,7 @@ fn imports(text: &str) -> Vec<String> {
         });
         parts.collect::<Vec<_>>()
     };
-    code.flat_map(|line| names(line)).filter(|name| !name.is_empty()).collect()
+    code.flat_map(names).filter(|name| !name.is_empty()).collect()
 }
 
 #[test]

@@ -135,3 +135,53 @@ fn every_command_has_help_with_an_example() {
         assert!(help.contains("Example:\n  "), "{name} --help shows no example");
     }
 }
+
+#[test]
+fn an_exported_step_is_solved_like_any_other_problem() {
+    let exported = run(&["export", "fig7", "--step", "1"]);
+    let problem: Value = serde_json::from_str(&out(&exported)).unwrap();
+    assert_eq!(problem["rows"][0]["kind"], "normal");
+    assert_eq!((&problem["rows"][0]["unit"], &problem["dt"]), (&"N s".into(), &1.0.into()));
+    let solved = run_with(&out(&exported), &["solve", "-", "--json"]);
+    let answer: Value = serde_json::from_str(&out(&solved)).unwrap();
+    assert_eq!(answer["x"], serde_json::json!([4.0, 3.0, 1.0])); // errata, part 3
+    assert_eq!(err(&solved), "");
+}
+
+#[test]
+fn simulate_records_every_step_and_body() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let output = run(&["simulate", "pendulum", "--steps", "7", "--out", path, "--json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let summary: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!((&summary["steps"], &summary["refuted_claims"]), (&7.into(), &0.into()));
+    let lines =
+        |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap().lines().count();
+    assert_eq!((lines("ledger.csv"), lines("trajectory.csv")), (9, 9)); // heading, start, 7 steps
+}
+
+#[test]
+fn compare_takes_a_scene_that_is_not_shipped() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    let mine = out(&run(&["scenes", "fig7"])).replace("mass = 1", "mass = 2");
+    std::fs::write(&path, mine).unwrap();
+    let output = run(&["compare", path.to_str().unwrap(), "--steps", "1", "--json"]);
+    let result: Value = serde_json::from_str(&out(&output)).unwrap();
+    let runs = result["comparison"]["runs"].as_array().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(runs.iter().all(|run| run["claimed"] == run["accepted"]));
+    let bad = out(&run(&["scenes", "fig7"])).replace("mass = 1", "mass = -1");
+    std::fs::write(&path, bad).unwrap();
+    let output = run(&["compare", path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("bodies[1].mass: must be positive, is -1"), "{}", err(&output));
+}
+
+#[test]
+fn a_scene_whose_solver_does_not_exist_is_refused() {
+    let output = run(&["simulate", "fig6", "--solver", "magic"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).starts_with("error: there is no solver named \"magic\""));
+}

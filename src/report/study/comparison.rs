@@ -10,7 +10,7 @@ use super::{at_level, scene_options};
 use crate::certificate::{Demand, judge};
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
-use crate::solver::{ALL, Solver, Status, by_name};
+use crate::solver::{Solver, Status, by_name};
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -93,13 +93,18 @@ pub struct Timing {
     pub seconds: f64,
 }
 
-/// Steps a scene with every registered solver at both levels.
+/// Steps a scene with each of these solvers at both levels.
 ///
 /// Runs are spread over the threads of rayon's pool; none depends on another.
-pub fn compare(scene: &Scene, steps: usize, progress: &ProgressBar) -> (Comparison, Vec<Timing>) {
+pub fn compare(
+    scene: &Scene,
+    solvers: &[String],
+    steps: usize,
+    progress: &ProgressBar,
+) -> (Comparison, Vec<Timing>) {
     let pairs: Vec<(Formulation, &str)> = Formulation::ALL
         .into_iter()
-        .flat_map(|level| ALL.iter().map(move |entry| (level, entry.name)))
+        .flat_map(|level| solvers.iter().map(move |solver| (level, solver.as_str())))
         .collect();
     let run = |&(formulation, solver): &(Formulation, &str)| {
         let result = run(&at_level(scene, formulation), solver, steps);
@@ -119,9 +124,9 @@ pub fn compare(scene: &Scene, steps: usize, progress: &ProgressBar) -> (Comparis
     (comparison, timings)
 }
 
-/// The number of runs in one comparison, for progress bars.
-pub fn runs_per_scene() -> usize {
-    Formulation::ALL.len() * ALL.len()
+/// The number of runs in a comparison of so many solvers, for progress bars.
+pub fn runs(solvers: usize) -> usize {
+    Formulation::ALL.len() * solvers
 }
 
 fn run(scene: &Scene, solver: &str, steps: usize) -> (Run, Timing) {

@@ -12,6 +12,8 @@ pub struct Patterns {
     pub scene: String,
     /// Its title.
     pub title: String,
+    /// The number of the step, from 1.
+    pub step: usize,
     /// Rows of J and A.
     pub rows: usize,
     /// Columns of J: velocity components of moving bodies.
@@ -28,6 +30,7 @@ pub fn run(scene: &Scene, step: usize) -> Option<Patterns> {
     Some(Patterns {
         scene: scene.name.clone(),
         title: scene.title.clone(),
+        step,
         rows: problem.lcp.len(),
         columns: problem.assembly.columns(),
         jacobian: problem.assembly.jacobian_pattern(),

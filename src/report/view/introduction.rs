@@ -12,8 +12,8 @@ pub(super) fn problem(document: &mut Document, results: &Results) {
          none is pushed where it need not be.",
     );
     document.equation(
-        "w = A x + b, \\qquad lo \\le x \\le hi, \\qquad w_i > 0 \\Rightarrow x_i = lo_i, \
-         \\qquad w_i < 0 \\Rightarrow x_i = hi_i",
+        "w = A x + b, \\quad lo \\le x \\le hi, \\quad w_i > 0 \\Rightarrow x_i = lo_i, \
+         \\quad w_i < 0 \\Rightarrow x_i = hi_i",
         "K&M 1",
     );
     document.text(

@@ -20,10 +20,11 @@ pub(super) fn section(document: &mut Document, patterns: &[Patterns]) {
             ("jacobian", "J", (scene.rows, scene.columns), &scene.jacobian),
             ("matrix", "A = J M⁻¹ Jᵀ", (scene.rows, scene.rows), &scene.matrix),
         ];
+        let step = scene.step;
         for (kind, name, size, places) in figures {
             let id = format!("sparsity_{}_{kind}", scene.scene);
             let caption = format!(
-                "{name} of the first step: {}",
+                "{name} in step {step}: {}",
                 crate::report::page::markup::literal(&scene.title)
             );
             let title = format!("{name}: {}", scene.scene);

@@ -24,7 +24,8 @@ fn pgs(omega: f64) -> Pgs {
 #[test]
 fn the_clamp_stands_inside_the_sweep() {
     // E06 (a), (b), (c): solved exactly by one sweep; clamping after the sweep goes elsewhere.
-    let cases: [(&[&[f64]], &[f64], &[f64]); 3] = [
+    type Case<'a> = (&'a [&'a [f64]], &'a [f64], &'a [f64]);
+    let cases: [Case; 3] = [
         (&[&[1.0, 0.5], &[0.5, 1.0]], &[1.0, -1.0], &[0.0, 1.0]),
         (&[&[2.0, -1.0], &[-1.0, 2.0]], &[1.0, -1.0], &[0.0, 0.5]),
         (
