@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::file::{Problem, number};
-use lcplab::report::experiment::all_solvers;
 use lcplab::report::study::{comparison, scene_solver};
 use lcplab::report::{recording, text, view, write};
 use lcplab::scene::{Formulation, Scene, catalogue};
 use lcplab::simulation::{Simulation, Step};
+use lcplab::solver::{ALL, entry};
 use serde_json::json;
 
 use super::{Outcome, bar, print};
@@ -182,8 +182,10 @@ impl Compare {
     pub fn run(&self) -> Result<Outcome> {
         let scene = self.scene.load()?;
         let steps = self.steps.unwrap_or(scene.step.count);
-        let solvers = self.scene.solver.clone().map_or_else(all_solvers, |solver| vec![solver]);
-        scene_solver(&scene)?;
+        let solvers = match &self.scene.solver {
+            Some(name) => vec![*entry(name)?],
+            None => ALL.to_vec(),
+        };
         let progress = bar(comparison::runs(solvers.len()) as u64, &scene.name);
         let (comparison, timings) = comparison::compare(&scene, &solvers, steps, &progress);
         progress.finish_and_clear();

@@ -88,7 +88,7 @@ pub struct Timed {
 }
 
 /// The names of all registered solvers.
-pub fn all_solvers() -> Vec<String> {
+fn all_solvers() -> Vec<String> {
     ALL.iter().map(|entry| entry.name.to_string()).collect()
 }
 

@@ -13,6 +13,8 @@ use super::study::{closed_form, convergence, cross_check, drift, sparsity};
 pub struct Results {
     /// The version of lcplab.
     pub version: String,
+    /// The versions of the libraries that compute, as `name version`.
+    pub libraries: Vec<String>,
     /// What was run.
     pub experiment: Experiment,
     /// Known numbers beside measured ones.
@@ -56,6 +58,21 @@ impl Results {
         let runs = self.comparisons.iter().flat_map(|comparison| &comparison.runs);
         runs.map(|run| run.refuted_claims).sum()
     }
+}
+
+/// The versions of the libraries that compute, from the lock file of this build.
+pub fn libraries() -> Vec<String> {
+    const LOCK: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.lock"));
+    let version = |name: &&str| {
+        let entry =
+            LOCK.split("[[package]]").find(|e| e.contains(&format!("name = \"{name}\"\n")))?;
+        let version = entry.split("version = \"").nth(1)?.split('"').next()?;
+        Some(format!("{name} {version}"))
+    };
+    ["nalgebra", "faer", "clarabel", "parry3d-f64", "dashu-ratio", "plotters"]
+        .iter()
+        .filter_map(version)
+        .collect()
 }
 
 /// What differs from machine to machine.

@@ -6,11 +6,11 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use super::experiment::Experiment;
-use super::results::{Machine, Results};
+use super::results::{Machine, Results, libraries};
 use super::study::{closed_form, comparison, convergence, cross_check, drift, sparsity};
 use crate::error::Result;
 use crate::scene::Scene;
-use crate::solver::{Options, by_name};
+use crate::solver::{Entry, entry};
 
 /// Runs everything in the experiment. The results do not depend on the number of threads.
 ///
@@ -19,9 +19,8 @@ use crate::solver::{Options, by_name};
 pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     let start = Instant::now();
     let scenes = Scenes::load(experiment)?;
-    for name in &experiment.solvers {
-        by_name(name, &Options::default())?;
-    }
+    let solvers = experiment.solvers.iter().map(|name| entry(name).copied());
+    let solvers: Vec<Entry> = solvers.collect::<Result<_>>()?;
     progress.set_length(scenes.tasks(experiment) as u64);
     let after = |value| {
         progress.inc(1);
@@ -31,8 +30,7 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     let mut comparisons = Vec::new();
     for (scene, task) in scenes.comparison.iter().zip(&experiment.comparison) {
         progress.set_message(format!("comparing solvers on {}", scene.name));
-        let (comparison, times) =
-            comparison::compare(scene, &experiment.solvers, task.steps, progress);
+        let (comparison, times) = comparison::compare(scene, &solvers, task.steps, progress);
         comparisons.push(comparison);
         timings.extend(times);
     }
@@ -70,6 +68,7 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
         .collect();
     Ok(Results {
         version: env!("CARGO_PKG_VERSION").to_string(),
+        libraries: libraries(),
         experiment: experiment.clone(),
         closed_forms,
         comparisons,

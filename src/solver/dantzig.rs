@@ -64,9 +64,12 @@ impl Solver for Dantzig {
         if observer.observe(&Iterate { iteration: 0, x: &x, event: Event::Start }).is_break() {
             return Solution::new(lcp, x, Status::Stopped, 0);
         }
-        frozen::solve(lcp, x, &self.settings, |lcp, x, pivots| {
-            let mut run = Run::new(lcp, x, pivots, &self.settings, observer);
+        frozen::solve(lcp, x, &self.settings, |lcp, start, pivots| {
+            let mut run = Run::new(lcp, start.clone(), pivots, &self.settings, observer);
             let status = run.solve();
+            if run.x.iter().any(|x| !x.is_finite()) {
+                return Solution::new(lcp, start, Status::NotFinite, run.pivots);
+            }
             Solution::new(lcp, run.x, status, run.pivots)
         })
     }

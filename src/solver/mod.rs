@@ -16,7 +16,7 @@ pub mod theory;
 pub use dantzig::Dantzig;
 pub use observer::{Event, Iterate, Observer};
 pub use pgs::Pgs;
-pub use registry::{ALL, Entry, Options, by_name};
+pub use registry::{ALL, Entry, Options, by_name, entry};
 pub use settings::Settings;
 pub use solution::{Solution, Status};
 

@@ -80,10 +80,17 @@ pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
         let reason = format!("must lie between 0 and 2, is {}", options.omega);
         return Err(Error::invalid("settings", "omega", reason));
     }
-    let entry = ALL.iter().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
+    Ok((entry(name)?.build)(options))
+}
+
+/// The entry of this name.
+///
+/// # Errors
+/// If there is none.
+pub fn entry(name: &str) -> Result<&'static Entry> {
+    ALL.iter().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
         kind: "solver",
         name: name.to_string(),
         known: ALL.iter().map(|entry| entry.name.to_string()).collect(),
-    })?;
-    Ok((entry.build)(options))
+    })
 }

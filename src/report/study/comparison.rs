@@ -10,7 +10,7 @@ use super::{at_level, scene_options};
 use crate::certificate::{Demand, judge};
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
-use crate::solver::{Solver, Status, by_name};
+use crate::solver::{Entry, Solver, Status};
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -93,20 +93,20 @@ pub struct Timing {
     pub seconds: f64,
 }
 
-/// Steps a scene with each of these solvers at both levels.
+/// Steps a scene with each of these solvers at both levels; an entry need not be a registered one.
 ///
 /// Runs are spread over the threads of rayon's pool; none depends on another.
 pub fn compare(
     scene: &Scene,
-    solvers: &[String],
+    solvers: &[Entry],
     steps: usize,
     progress: &ProgressBar,
 ) -> (Comparison, Vec<Timing>) {
-    let pairs: Vec<(Formulation, &str)> = Formulation::ALL
+    let pairs: Vec<(Formulation, &Entry)> = Formulation::ALL
         .into_iter()
-        .flat_map(|level| solvers.iter().map(move |solver| (level, solver.as_str())))
+        .flat_map(|level| solvers.iter().map(move |solver| (level, solver)))
         .collect();
-    let run = |&(formulation, solver): &(Formulation, &str)| {
+    let run = |&(formulation, solver): &(Formulation, &Entry)| {
         let result = run(&at_level(scene, formulation), solver, steps);
         progress.inc(1);
         result
@@ -129,11 +129,11 @@ pub fn runs(solvers: usize) -> usize {
     Formulation::ALL.len() * solvers
 }
 
-fn run(scene: &Scene, solver: &str, steps: usize) -> (Run, Timing) {
+fn run(scene: &Scene, solver: &Entry, steps: usize) -> (Run, Timing) {
     let formulation = scene.step.formulation.name().to_string();
     let mut run = Run {
         formulation: formulation.clone(),
-        solver: solver.to_string(),
+        solver: solver.name.to_string(),
         steps: 0,
         solves: 0,
         claimed: 0,
@@ -145,13 +145,10 @@ fn run(scene: &Scene, solver: &str, steps: usize) -> (Run, Timing) {
         trouble: None,
         motion: Vec::new(),
     };
-    let mut seconds = 0.0;
-    match by_name(solver, &scene_options(scene)) {
-        Ok(solver) => seconds = step_through(scene, solver, steps, &mut run),
-        Err(error) => run.trouble = Some(error.to_string()),
-    }
-    let timing =
-        Timing { scene: scene.name.clone(), formulation, solver: solver.to_string(), seconds };
+    let built = (solver.build)(&scene_options(scene));
+    let seconds = step_through(scene, built, steps, &mut run);
+    let (scene, solver) = (scene.name.clone(), solver.name.to_string());
+    let timing = Timing { scene, formulation, solver, seconds };
     (run, timing)
 }
 

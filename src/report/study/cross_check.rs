@@ -3,8 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::{STEPPER, at_level, problem_of, scene_options};
+use crate::assembly::Block;
 use crate::certificate::cross_check::{cross_check, max_difference};
 use crate::certificate::{Demand, judge, uniqueness};
+use crate::formulation::Problem;
 use crate::reference;
 use crate::scene::{Formulation, Scene};
 use crate::solver::{Start, by_name};
@@ -38,12 +40,25 @@ pub struct CrossCheck {
     pub w_difference: f64,
     /// max |u − u_Gauss| of the motion: velocities, or accelerations at acceleration level.
     pub u_difference: f64,
+    /// Where x is not unique: the resulting force and torque on each moving body.
+    pub wrenches: Vec<Wrench>,
     /// ½ xᵀAx + bᵀx of our answer.
     pub objective: f64,
     /// The QP's optimal value: should be the same.
     pub dual_objective: f64,
     /// Minus the optimal value of Gauss's principle: should be the same.
     pub primal_objective: f64,
+}
+
+/// What all rows together do to one body: its part of Jᵀx, about its centre of mass.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Wrench {
+    /// The body.
+    pub body: String,
+    /// Force, then torque, of our x (N, N m; N s, N m s for impulses).
+    pub ours: Vec<f64>,
+    /// The same of the QP's x.
+    pub reference: Vec<f64>,
 }
 
 /// Solves the last LCP of a step in three ways at each level.
@@ -65,6 +80,7 @@ fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
     let check = cross_check(lcp, &x)?;
     let gauss = reference::gauss(&problem.gauss(&x));
     let (free, rank) = uniqueness::free_rank(lcp, &x);
+    let wrenches = if free == rank { Vec::new() } else { wrenches(scene, &problem, &x, &check.x) };
     Some(CrossCheck {
         scene: scene.name.clone(),
         stage: problem.stage.name().to_string(),
@@ -79,8 +95,22 @@ fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
         x_difference: check.x_difference,
         w_difference: check.w_difference,
         u_difference: max_difference(&problem.motion(&x), &gauss.point),
+        wrenches,
         objective: certificate.objective,
         dual_objective: check.objective,
         primal_objective: -gauss.objective,
     })
+}
+
+fn wrenches(scene: &Scene, problem: &Problem, x: &[f64], reference: &[f64]) -> Vec<Wrench> {
+    let [ours, theirs] = [x, reference].map(|x| problem.assembly.pull_back(x));
+    let wrench = |block: &Block| {
+        let part = block.offset..block.offset + block.dof;
+        Wrench {
+            body: scene.bodies[block.body].name.clone(),
+            ours: ours[part.clone()].to_vec(),
+            reference: theirs[part].to_vec(),
+        }
+    };
+    problem.assembly.blocks.iter().map(wrench).collect()
 }

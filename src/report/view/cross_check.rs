@@ -1,8 +1,10 @@
 //! Our answers beside two independent ones.
 
 use super::Document;
+use crate::certificate::cross_check::max_difference;
+use crate::plot::number::significant;
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::cross_check::CrossCheck;
+use crate::report::study::cross_check::{CrossCheck, Wrench};
 
 pub(super) fn section(document: &mut Document, checks: &[CrossCheck]) {
     if checks.is_empty() {
@@ -31,6 +33,13 @@ pub(super) fn section(document: &mut Document, checks: &[CrossCheck]) {
     );
     document.table("cross_checks", table(checks));
     document.table("objectives", objectives(checks));
+    if checks.iter().any(|check| !check.wrenches.is_empty()) {
+        document.text(
+            "Where a load is shared in more than one way, single forces mean nothing; what the \
+             contacts do together to each body is unique, and both answers must agree on it:",
+        );
+        document.table("wrenches", wrenches(checks));
+    }
 }
 
 fn table(checks: &[CrossCheck]) -> Table {
@@ -106,4 +115,46 @@ fn objectives(checks: &[CrossCheck]) -> Table {
         rows: checks.iter().map(cells).collect(),
         files: Vec::new(),
     }
+}
+
+fn wrenches(checks: &[CrossCheck]) -> Table {
+    let cells = |check: &CrossCheck, wrench: &Wrench| {
+        let vector = |v: &[f64]| {
+            let entries: Vec<String> = v.iter().map(|&v| significant(rounded(v), 4)).collect();
+            Cell::text(format!("({})", entries.join(", ")))
+        };
+        let half = 3.min(wrench.ours.len());
+        vec![
+            Cell::text(&check.scene),
+            Cell::text(&check.stage),
+            Cell::text(&wrench.body),
+            vector(&wrench.ours[..half]),
+            vector(&wrench.ours[half..]),
+            Cell::number(max_difference(&wrench.ours, &wrench.reference), 2),
+        ]
+    };
+    let rows = checks
+        .iter()
+        .flat_map(|check| check.wrenches.iter().map(move |wrench| cells(check, wrench)));
+    Table {
+        title: "Resulting force and torque on each body".into(),
+        how_to_read: "Sum over all rows, about the centre of mass; the last column is the largest \
+                      difference from the box QP's answer."
+            .into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::words("problem"),
+            Column::words("body"),
+            Column::words("force"),
+            Column::words("torque"),
+            Column::numbers("difference", ""),
+        ],
+        rows: rows.collect(),
+        files: Vec::new(),
+    }
+}
+
+/// 0 for what is only rounding beside the forces of a body.
+fn rounded(value: f64) -> f64 {
+    if value.abs() < 1e-12 { 0.0 } else { value }
 }

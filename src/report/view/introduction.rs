@@ -60,6 +60,7 @@ pub(super) fn limits(document: &mut Document) {
 pub(super) fn facts(results: &Results) -> Vec<(String, String)> {
     vec![
         ("lcplab".into(), results.version.clone()),
+        ("libraries".into(), results.libraries.join(", ")),
         ("report".into(), results.experiment.name.clone()),
         ("platform".into(), results.machine.platform.clone()),
         ("threads".into(), results.machine.threads.to_string()),
