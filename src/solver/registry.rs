@@ -1,6 +1,9 @@
 //! The list of solvers: one entry each. Command line, comparison, report and tests read it.
 
-use super::{Dantzig, Pgs, Settings, Solver};
+use super::{
+    Admm, Apgd, BlockPgs, Code6, Damping, Dantzig, Equations, InteriorPoint, Jacobi, Mprgp, Newton,
+    Nncg, Order, Pgs, Settings, Solver, Spectral,
+};
 use crate::error::{Error, Result};
 
 /// A solver in the registry.
@@ -25,29 +28,119 @@ pub struct Options {
     pub settings: Settings,
     /// The relaxation factor ω of SOR.
     pub omega: f64,
+    /// The order of the rows in a sweep of PGS and SOR.
+    pub order: Order,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { settings: Settings::default(), omega: 1.3 }
+        Options { settings: Settings::default(), omega: 1.3, order: Order::default() }
     }
 }
 
-/// All solvers.
+/// All solvers; the [`SPECIMENS`] are not among them.
 pub const ALL: &[Entry] = &[
     Entry {
         name: "pgs",
         method: "projected Gauss-Seidel, iterative",
         class: "symmetric positive semidefinite, positive diagonal",
         source: "K&M (2), (3); Cryer 1971",
-        build: |options| Box::new(Pgs { omega: 1.0, settings: options.settings.clone() }),
+        build: |options| relaxation(1.0, options.order, options),
     },
     Entry {
         name: "sor",
         method: "projected successive over-relaxation, iterative",
         class: "symmetric positive semidefinite, positive diagonal, 0 < ω < 2",
         source: "Cryer 1971; Luo & Tseng 1991",
-        build: |options| Box::new(Pgs { omega: options.omega, settings: options.settings.clone() }),
+        build: |options| relaxation(options.omega, options.order, options),
+    },
+    Entry {
+        name: "ssor",
+        method: "projected symmetric SOR, a sweep there and back, iterative",
+        class: "symmetric positive semidefinite, positive diagonal, 0 < ω < 2",
+        source: "Sheldon 1955; Mangasarian 1977",
+        build: |options| relaxation(options.omega, Order::Symmetric, options),
+    },
+    Entry {
+        name: "red-black",
+        method: "projected Gauss-Seidel, colour by colour, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Young 1950",
+        build: |options| relaxation(1.0, Order::Coloured, options),
+    },
+    Entry {
+        name: "jacobi",
+        method: "projected Jacobi with safe damping, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Goldstein 1964; Mangasarian 1977",
+        build: |options| {
+            Box::new(Jacobi { damping: Damping::Safe, settings: options.settings.clone() })
+        },
+    },
+    Entry {
+        name: "block-pgs",
+        method: "projected Gauss-Seidel by contacts and joints, iterative",
+        class: "symmetric positive semidefinite",
+        source: "Luo & Tseng 1992",
+        build: |options| {
+            Box::new(BlockPgs { settings: options.settings.clone(), ..BlockPgs::default() })
+        },
+    },
+    Entry {
+        name: "nncg",
+        method: "nonsmooth nonlinear conjugate gradients around PGS, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Silcowitz, Niebe & Erleben 2010",
+        build: |options| Box::new(Nncg { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "newton",
+        method: "Newton on the minimum map with line search, iterative",
+        class: "positive diagonal; symmetric positive semidefinite for convergence from everywhere",
+        source: "Pang 1990; Qi & Sun 1993",
+        build: |options| newton(Equations::MinimumMap, options),
+    },
+    Entry {
+        name: "fischer-newton",
+        method: "Newton on Fischer-Burmeister's equations with line search, iterative",
+        class: "P0 matrix, positive diagonal",
+        source: "Fischer 1992; De Luca, Facchinei & Kanzow 1996",
+        build: |options| newton(Equations::FischerBurmeister, options),
+    },
+    Entry {
+        name: "mprgp",
+        method: "projected conjugate gradients with proportioning, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Dostál & Schöberl 2005",
+        build: |options| Box::new(Mprgp { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "apgd",
+        method: "accelerated projected gradients with restart, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Nesterov 1983; Mazhar, Heyn, Negrut & Tasora 2015",
+        build: |options| Box::new(Apgd { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "spectral",
+        method: "projected gradients with Barzilai-Borwein steps, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Barzilai & Borwein 1988; Birgin, Martínez & Raydan 2000",
+        build: |options| Box::new(Spectral { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "admm",
+        method: "alternating direction method of multipliers, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
+        build: |options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
+    },
+    Entry {
+        name: "interior-point",
+        method: "primal-dual interior point, predictor-corrector, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Mehrotra 1992",
+        build: |options| Box::new(InteriorPoint { settings: options.settings.clone() }),
     },
     Entry {
         name: "dantzig",
@@ -58,7 +151,24 @@ pub const ALL: &[Entry] = &[
     },
 ];
 
-/// The solver of this name.
+/// Methods that are wrong, kept to be looked at beside the right ones.
+pub const SPECIMENS: &[Entry] = &[Entry {
+    name: "code6",
+    method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",
+    class: "no bound active; with bounds it may converge to no solution, or diverge",
+    source: "K&M Code 6, E06",
+    build: |options| Box::new(Code6 { settings: options.settings.clone() }),
+}];
+
+fn newton(equations: Equations, options: &Options) -> Box<dyn Solver> {
+    Box::new(Newton { equations, settings: options.settings.clone() })
+}
+
+fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {
+    Box::new(Pgs { omega, order, settings: options.settings.clone() })
+}
+
+/// The solver or specimen of this name.
 ///
 /// ```
 /// use lcplab::lcp::{Lcp, Matrix};
@@ -83,14 +193,15 @@ pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
     Ok((entry(name)?.build)(options))
 }
 
-/// The entry of this name.
+/// The entry of this name, among the solvers and the specimens.
 ///
 /// # Errors
 /// If there is none.
 pub fn entry(name: &str) -> Result<&'static Entry> {
-    ALL.iter().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
+    let entries = || ALL.iter().chain(SPECIMENS);
+    entries().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
         kind: "solver",
         name: name.to_string(),
-        known: ALL.iter().map(|entry| entry.name.to_string()).collect(),
+        known: entries().map(|entry| entry.name.to_string()).collect(),
     })
 }
