@@ -28,6 +28,9 @@ pub struct Proof {
     pub x: Vec<RBig>,
     /// max_i |x_i − x*_i|, rounded up.
     pub distance: f64,
+    /// A direction d with A d = 0 among rows strictly between their bounds, if there is one: x* can
+    /// be moved along it without moving any w, so it is not the only solution.
+    pub null_direction: Option<Vec<RBig>>,
 }
 
 /// Proves that the active set of x carries a solution of a problem without coupling, if it does.
@@ -47,8 +50,31 @@ pub fn prove(lcp: &Lcp, x: &[f64], w: &[f64]) -> Option<Proof> {
     let profile = modular::rank_profile(&system);
     let rows: Vec<usize> = profile.rows.iter().map(|&k| free[k]).collect();
     let unknowns: Vec<usize> = profile.columns.iter().map(|&k| free[k]).collect();
-    let candidate = Candidate::solve(lcp, &rows, unknowns, fixed)?;
-    (0..lcp.len()).all(|i| candidate.satisfies(lcp, i, sides[i])).then(|| candidate.proof(x))
+    let dependent = free.iter().copied().find(|i| !unknowns.contains(i));
+    let candidate = Candidate::solve(lcp, &rows, unknowns.clone(), fixed)?;
+    if !(0..lcp.len()).all(|i| candidate.satisfies(lcp, i, sides[i])) {
+        return None;
+    }
+    let null = dependent.and_then(|i| null_direction(lcp, &candidate, &rows, unknowns, i));
+    Some(candidate.proof(x, null))
+}
+
+/// The direction with d_i = 1 in which the other unknowns follow x_i so that w stays; `None` if
+/// some w moves after all or a row of it lies at a bound.
+fn null_direction(
+    lcp: &Lcp,
+    solution: &Candidate,
+    rows: &[usize],
+    unknowns: Vec<usize>,
+    i: usize,
+) -> Option<Vec<RBig>> {
+    let mut unit = vec![0.0; lcp.len()];
+    unit[i] = 1.0;
+    let homogeneous = lcp.homogeneous();
+    let d = Candidate::solve(&homogeneous, rows, unknowns, unit)?;
+    let stays = |j: usize| d.scaled_w(&homogeneous, j) == Dyadic::ZERO;
+    let free = |j: usize| d.scaled_x(j) == Dyadic::ZERO || solution.is_inside(lcp, j);
+    (0..lcp.len()).all(|j| stays(j) && free(j)).then(|| d.entries())
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,7 +105,7 @@ pub(super) struct Candidate {
     /// Which entry of `numerators` belongs to row i.
     position: Vec<Option<usize>>,
     numerators: Vec<Dyadic>,
-    pub(super) denominator: Dyadic,
+    denominator: Dyadic,
     fixed: Vec<f64>,
 }
 
@@ -143,15 +169,27 @@ impl Candidate {
         }
     }
 
-    fn proof(&self, x: &[f64]) -> Proof {
+    /// Whether x_i lies strictly between its bounds.
+    fn is_inside(&self, lcp: &Lcp, i: usize) -> bool {
+        let (lo, hi, x) = (lcp.lo()[i], lcp.hi()[i], self.scaled_x(i));
+        (lo.is_infinite() || x > dyadic(lo) * &self.denominator)
+            && (hi.is_infinite() || x < dyadic(hi) * &self.denominator)
+    }
+
+    /// All entries as fractions.
+    pub(super) fn entries(&self) -> Vec<RBig> {
         let denominator = rational(&self.denominator);
-        let exact: Vec<RBig> =
-            (0..x.len()).map(|i| rational(&self.scaled_x(i)) / &denominator).collect();
+        let entry = |i| rational(&self.scaled_x(i)) / &denominator;
+        (0..self.position.len()).map(entry).collect()
+    }
+
+    fn proof(&self, x: &[f64], null_direction: Option<Vec<RBig>>) -> Proof {
+        let exact = self.entries();
         let distance = exact.iter().zip(x).map(|(exact, x)| {
             let rounded = (exact - rational(&dyadic(*x))).abs().to_f64_fast();
             if rounded == 0.0 { rounded } else { rounded.next_up().next_up() }
         });
-        Proof { distance: distance.fold(0.0, f64::max), x: exact }
+        Proof { distance: distance.fold(0.0, f64::max), x: exact, null_direction }
     }
 }
 
@@ -194,7 +232,7 @@ fn integer(x: Dyadic) -> IBig {
     significand << usize::try_from(exponent).expect("scaled to an integer")
 }
 
-pub(super) fn rational(x: &Dyadic) -> RBig {
+fn rational(x: &Dyadic) -> RBig {
     let (significand, exponent) = x.repr().clone().into_parts();
     let power = IBig::ONE << exponent.unsigned_abs();
     if exponent >= 0 {

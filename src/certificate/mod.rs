@@ -29,6 +29,7 @@ pub mod ray;
 pub mod uniqueness;
 
 use accurate::Sum;
+use dashu_ratio::RBig;
 
 use crate::lcp::{Lcp, merit::RowTerms, merit::row_scale};
 
@@ -130,6 +131,9 @@ pub struct Certificate {
     pub duality_gap: f64,
     /// The decision.
     pub verdict: Verdict,
+    /// With the verdict *proved*: an exact direction in which x can be moved without moving any w,
+    /// if there is one. Redundant contacts share a load in many ways.
+    pub null_direction: Option<Vec<RBig>>,
 }
 
 /// Judges x for a problem; coupled rows have the bounds they have at this x.
@@ -147,6 +151,7 @@ pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
             && let Some(proof) = exact::prove(lcp, x, &certificate.w)
         {
             certificate.verdict = Verdict::Proved { distance: proof.distance };
+            certificate.null_direction = proof.null_direction;
         }
     }
     certificate
@@ -196,6 +201,7 @@ fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
         objective: objective.rounded(),
         duality_gap: duality_gap.rounded(),
         verdict: Verdict::NotASolution { row: worst_row, amount: scaled_residual },
+        null_direction: None,
     }
 }
 

@@ -12,7 +12,7 @@
 
 use dashu_ratio::RBig;
 
-use super::exact::{Candidate, Dyadic, dyadic, rational};
+use super::exact::{Candidate, Dyadic, dyadic};
 use crate::lcp::Lcp;
 
 /// A vector d that proves that no solution exists.
@@ -35,11 +35,7 @@ pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     let mut fixed = vec![0.0; lcp.len()];
     fixed[row] = direction[row];
     let d = Candidate::solve(&lcp.homogeneous(), &support, support.clone(), fixed)?;
-    proves(lcp, &d).then(|| {
-        let denominator = rational(&d.denominator);
-        let entry = |i| rational(&d.scaled_x(i)) / &denominator;
-        Farkas { vector: (0..lcp.len()).map(entry).collect() }
-    })
+    proves(lcp, &d).then(|| Farkas { vector: d.entries() })
 }
 
 /// Whether max (Aᵀd)ᵀx + bᵀd < 0, with every d_i on an allowed side. All terms carry d's positive

@@ -1,5 +1,6 @@
 //! One answer to one problem, as JSON for machines and as text for people.
 
+use dashu_ratio::RBig;
 use serde_json::{Value, json};
 
 use crate::certificate::ray::{self, Farkas};
@@ -85,8 +86,8 @@ impl Answer {
             fields.insert("error_bound".into(), number(bound));
         }
         if let Some(farkas) = &self.farkas {
-            let vector: Vec<String> = farkas.vector.iter().map(ToString::to_string).collect();
-            fields.insert("certificate".into(), json!({ "no_solution": vector }));
+            fields
+                .insert("certificate".into(), json!({ "no_solution": fractions(&farkas.vector) }));
         }
         object
     }
@@ -125,7 +126,15 @@ pub fn certificate_json(certificate: &Certificate) -> serde_json::Map<String, Va
         }
         Verdict::WithinTolerance => {}
     }
+    if let Some(direction) = &certificate.null_direction {
+        object.insert("certificate".into(), json!({ "not_unique": fractions(direction) }));
+    }
     object
+}
+
+/// Exact numbers as text, such as "-1/3".
+fn fractions(vector: &[RBig]) -> Vec<String> {
+    vector.iter().map(ToString::to_string).collect()
 }
 
 /// The residuals and the verdict as lines of text.
@@ -140,6 +149,13 @@ pub fn certificate_text(certificate: &Certificate) -> String {
     let mut text = format!("verdict    {}\n", certificate.verdict);
     for (name, value, meaning) in lines {
         text += &format!("  {name:<17}{value:>10.2e}  {meaning}\n");
+    }
+    if let Some(direction) = &certificate.null_direction {
+        let shown =
+            fractions(direction).iter().take(12).map(|d| d.clone() + " ").collect::<String>();
+        let more = if direction.len() > 12 { "…" } else { "" };
+        text +=
+            &format!("  not unique: x can move along ({}{more}), and no w moves\n", shown.trim());
     }
     text
 }

@@ -44,11 +44,23 @@ fn a_redundant_system_is_solved_with_the_open_unknowns_kept() {
         &[-2.0, 1.0, 1.0, 4.0],
     ];
     let lcp = contacts(&a, &[-1.0; 4]);
-    for shift in [0.0, 0.125, -0.25] {
+    for shift in [0.0, 0.125, -0.125] {
         let x = [0.25 + shift, 0.25 - shift, 0.25 - shift, 0.25 + shift];
         let proof = prove(&lcp, &x, &lcp.w(&x)).expect("a solution");
         assert_eq!(proof.distance, 0.0);
+        let null = proof.null_direction.expect("forces that are not unique");
+        let (plus, minus) = (fraction(1, 1), fraction(-1, 1));
+        // Any multiple of (1, −1, −1, 1); the unit entry is at the dependent row, the last.
+        assert_eq!(null, [plus.clone(), minus.clone(), minus, plus]);
     }
+}
+
+#[test]
+fn at_the_end_of_a_segment_of_solutions_no_free_direction_is_left() {
+    // x1 + x2 = 1: at (1, 0) row 2 is at its bound, so only row 1 is free and A_FF = 1 is regular.
+    let lcp = contacts(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -1.0]);
+    let x = [1.0, 0.0];
+    assert_eq!(prove(&lcp, &x, &lcp.w(&x)).unwrap().null_direction, None);
 }
 
 #[test]
