@@ -80,7 +80,7 @@ impl SolverArgs {
             max_iterations: self.max_iterations,
             ..Settings::default()
         };
-        Options { settings, omega: self.omega }
+        Options { settings, omega: self.omega, ..Options::default() }
     }
 
     fn demand(&self) -> Demand {

@@ -136,6 +136,16 @@ impl Lcp {
         value.max(lo).min(hi)
     }
 
+    /// x ← Π(x). A friction row is clamped by the x its normal row has after that.
+    pub fn project_all(&self, x: &mut [f64]) {
+        for i in 0..x.len() {
+            x[i] = x[i].max(self.lo[i]).min(self.hi[i]);
+        }
+        for (i, _) in self.coupling.iter().flat_map(Coupling::rows) {
+            x[i] = self.project(i, x[i], x);
+        }
+    }
+
     /// w_i = (A x)_i + b_i.
     pub fn row_w(&self, i: usize, x: &[f64]) -> f64 {
         self.matrix.row_dot(i, x) + self.b[i]

@@ -3,20 +3,28 @@
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
 //! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide.
 
+mod code6;
 mod dantzig;
 mod frozen;
+mod iterate;
+mod jacobi;
 mod ldlt;
+mod metric;
 mod observer;
+mod order;
 mod pgs;
 mod registry;
 mod settings;
 mod solution;
 pub mod theory;
 
+pub use code6::Code6;
 pub use dantzig::Dantzig;
+pub use jacobi::{Damping, Jacobi};
 pub use observer::{Event, Iterate, Observer};
+pub use order::Order;
 pub use pgs::Pgs;
-pub use registry::{ALL, Entry, Options, by_name, entry};
+pub use registry::{ALL, Entry, Options, SPECIMENS, by_name, entry};
 pub use settings::Settings;
 pub use solution::{Solution, Status};
 
@@ -43,12 +51,7 @@ impl Start<'_> {
     pub fn point(&self, lcp: &Lcp) -> Vec<f64> {
         let mut x = self.x.map_or_else(|| vec![0.0; lcp.len()], <[f64]>::to_vec);
         assert_eq!(x.len(), lcp.len(), "a start needs one entry a row");
-        for i in 0..x.len() {
-            x[i] = x[i].max(lcp.lo()[i]).min(lcp.hi()[i]);
-        }
-        for i in 0..x.len() {
-            x[i] = lcp.project(i, x[i], &x);
-        }
+        lcp.project_all(&mut x);
         x
     }
 }

@@ -33,6 +33,8 @@ pub enum Event {
     Start,
     /// One pass over all rows.
     Sweep,
+    /// One step of a Newton or first-order method, all rows at once.
+    Step,
     /// A pivoting method moved x while driving row `driven`; row `blocking` ended the move.
     Pivot {
         /// The row whose w is driven to 0.

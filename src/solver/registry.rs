@@ -1,6 +1,6 @@
 //! The list of solvers: one entry each. Command line, comparison, report and tests read it.
 
-use super::{Dantzig, Pgs, Settings, Solver};
+use super::{Code6, Damping, Dantzig, Jacobi, Order, Pgs, Settings, Solver};
 use crate::error::{Error, Result};
 
 /// A solver in the registry.
@@ -25,29 +25,54 @@ pub struct Options {
     pub settings: Settings,
     /// The relaxation factor ω of SOR.
     pub omega: f64,
+    /// The order of the rows in a sweep of PGS and SOR.
+    pub order: Order,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { settings: Settings::default(), omega: 1.3 }
+        Options { settings: Settings::default(), omega: 1.3, order: Order::default() }
     }
 }
 
-/// All solvers.
+/// All solvers; the [`SPECIMENS`] are not among them.
 pub const ALL: &[Entry] = &[
     Entry {
         name: "pgs",
         method: "projected Gauss-Seidel, iterative",
         class: "symmetric positive semidefinite, positive diagonal",
         source: "K&M (2), (3); Cryer 1971",
-        build: |options| Box::new(Pgs { omega: 1.0, settings: options.settings.clone() }),
+        build: |options| relaxation(1.0, options.order, options),
     },
     Entry {
         name: "sor",
         method: "projected successive over-relaxation, iterative",
         class: "symmetric positive semidefinite, positive diagonal, 0 < ω < 2",
         source: "Cryer 1971; Luo & Tseng 1991",
-        build: |options| Box::new(Pgs { omega: options.omega, settings: options.settings.clone() }),
+        build: |options| relaxation(options.omega, options.order, options),
+    },
+    Entry {
+        name: "ssor",
+        method: "projected symmetric SOR, a sweep there and back, iterative",
+        class: "symmetric positive semidefinite, positive diagonal, 0 < ω < 2",
+        source: "Sheldon 1955; Mangasarian 1977",
+        build: |options| relaxation(options.omega, Order::Symmetric, options),
+    },
+    Entry {
+        name: "red-black",
+        method: "projected Gauss-Seidel, colour by colour, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Young 1950",
+        build: |options| relaxation(1.0, Order::Coloured, options),
+    },
+    Entry {
+        name: "jacobi",
+        method: "projected Jacobi with safe damping, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Goldstein 1964; Mangasarian 1977",
+        build: |options| {
+            Box::new(Jacobi { damping: Damping::Safe, settings: options.settings.clone() })
+        },
     },
     Entry {
         name: "dantzig",
@@ -58,7 +83,20 @@ pub const ALL: &[Entry] = &[
     },
 ];
 
-/// The solver of this name.
+/// Methods that are wrong, kept to be looked at beside the right ones.
+pub const SPECIMENS: &[Entry] = &[Entry {
+    name: "code6",
+    method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",
+    class: "no bound active; with bounds it may converge to no solution, or diverge",
+    source: "K&M Code 6, E06",
+    build: |options| Box::new(Code6 { settings: options.settings.clone() }),
+}];
+
+fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {
+    Box::new(Pgs { omega, order, settings: options.settings.clone() })
+}
+
+/// The solver or specimen of this name.
 ///
 /// ```
 /// use lcplab::lcp::{Lcp, Matrix};
@@ -83,14 +121,15 @@ pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
     Ok((entry(name)?.build)(options))
 }
 
-/// The entry of this name.
+/// The entry of this name, a solver's or a specimen's.
 ///
 /// # Errors
 /// If there is none.
 pub fn entry(name: &str) -> Result<&'static Entry> {
-    ALL.iter().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
+    let entries = || ALL.iter().chain(SPECIMENS);
+    entries().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
         kind: "solver",
         name: name.to_string(),
-        known: ALL.iter().map(|entry| entry.name.to_string()).collect(),
+        known: entries().map(|entry| entry.name.to_string()).collect(),
     })
 }

@@ -1,7 +1,7 @@
 use std::ops::ControlFlow;
 
 use lcplab::lcp::merit;
-use lcplab::solver::{Iterate, Observer, Pgs, Settings, Solver, Start, Status};
+use lcplab::solver::{Iterate, Observer, Pgs, Solver, Start, Status};
 use proptest::prelude::*;
 
 use crate::common::{INF, boxed, cases, contacts, manufactured};
@@ -18,7 +18,7 @@ impl Observer for Iterates {
 }
 
 fn pgs(omega: f64) -> Pgs {
-    Pgs { omega, settings: Settings::default() }
+    Pgs { omega, ..Pgs::default() }
 }
 
 #[test]

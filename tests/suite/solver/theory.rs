@@ -148,7 +148,7 @@ impl Observer for Until<'_> {
 
 fn sweeps(lcp: &Lcp, residual: f64) -> usize {
     let settings = Settings { tolerance: 0.0, max_iterations: 20_000, ..Settings::default() };
-    let solver = Pgs { omega: 1.0, settings };
+    let solver = Pgs { settings, ..Pgs::default() };
     let solution = solver.solve(lcp, &Start::default(), &mut Until(lcp, residual));
     assert_eq!(solution.status, Status::Stopped);
     solution.iterations

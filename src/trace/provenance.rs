@@ -1,0 +1,73 @@
+//! Which algorithm made this answer? A fingerprint of its path.
+
+use std::ops::ControlFlow;
+
+use crate::lcp::{Lcp, merit};
+use crate::solver::{Event, Iterate, Observer};
+
+/// An observer that condenses all iterates into one number.
+///
+/// Two methods that end at the same x have different fingerprints unless their iterates agree bit
+/// for bit from the start on; so a method that secretly runs another one is found out.
+///
+/// ```
+/// use lcplab::lcp::{Lcp, Matrix};
+/// use lcplab::solver::{self, Options, Start};
+/// use lcplab::trace::Provenance;
+///
+/// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
+/// let lcp = Lcp::new(a, vec![-1.0, -1.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let path = |name| {
+///     let mut provenance = Provenance::of(&lcp);
+///     let solver = solver::by_name(name, &Options::default()).unwrap();
+///     solver.solve(&lcp, &Start::default(), &mut provenance);
+///     provenance
+/// };
+/// assert_eq!(path("pgs"), path("pgs"));
+/// assert_ne!(path("pgs").fingerprint, path("sor").fingerprint);
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Provenance<'a> {
+    lcp: &'a Lcp,
+    /// The 64-bit FNV-1a hash of the iterates after the start: the bytes of each x_i, rows
+    /// ascending, least significant byte first, −0 as 0.
+    pub fingerprint: u64,
+    /// Iterates seen after the start.
+    pub iterations: usize,
+    /// Rows of the last iterate that stand at a bound.
+    pub active_rows: usize,
+}
+
+impl PartialEq for Provenance<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        let key = |p: &Self| (p.fingerprint, p.iterations, p.active_rows);
+        key(self) == key(other)
+    }
+}
+
+const FNV_OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
+const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
+
+impl<'a> Provenance<'a> {
+    /// No iterates so far, of a solver of this problem.
+    pub fn of(lcp: &'a Lcp) -> Self {
+        Provenance { lcp, fingerprint: FNV_OFFSET, iterations: 0, active_rows: 0 }
+    }
+}
+
+impl Observer for Provenance<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        self.active_rows = self.lcp.len() - merit::free_rows(self.lcp, iterate.x);
+        if iterate.event == Event::Start {
+            return ControlFlow::Continue(());
+        }
+        self.iterations += 1;
+        for x in iterate.x {
+            for byte in (x + 0.0).to_le_bytes() {
+                self.fingerprint = (self.fingerprint ^ u64::from(byte)).wrapping_mul(FNV_PRIME);
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
