@@ -54,7 +54,8 @@ impl Lcp {
     pub fn new(matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Result<Self> {
         let mut defects = Defects::default();
         let n = matrix.len();
-        for (name, values) in [("b", &b), ("lo", &lo), ("hi", &hi)] {
+        check_offset(&b, n, &mut defects);
+        for (name, values) in [("lo", &lo), ("hi", &hi)] {
             if values.len() != n {
                 defects.add(name, format!("has {} rows, A is {n} × {n}", values.len()));
             }
@@ -63,9 +64,6 @@ impl Lcp {
             for (j, a) in matrix.row(i).iter().filter(|(_, a)| !a.is_finite()) {
                 defects.add(format!("A[{i}][{j}]"), format!("must be finite, is {a}"));
             }
-        }
-        for (i, value) in b.iter().enumerate().filter(|(_, value)| !value.is_finite()) {
-            defects.add(format!("b[{i}]"), format!("must be finite, is {value}"));
         }
         for (i, (lo, hi)) in lo.iter().zip(&hi).enumerate() {
             check_bounds(i, *lo, *hi, &mut defects);
@@ -156,6 +154,17 @@ impl Lcp {
         (0..self.len()).map(|i| self.row_w(i, x)).collect()
     }
 
+    /// The same A and bounds with another b.
+    ///
+    /// # Errors
+    /// As [`Lcp::new`].
+    pub fn with_b(&self, b: Vec<f64>) -> Result<Lcp> {
+        let mut defects = Defects::default();
+        check_offset(&b, self.len(), &mut defects);
+        defects.into_result("problem")?;
+        Ok(Lcp { b, ..self.clone() })
+    }
+
     /// The same A and bounds with b = 0.
     pub fn homogeneous(&self) -> Lcp {
         Lcp { b: vec![0.0; self.len()], ..self.clone() }
@@ -165,6 +174,15 @@ impl Lcp {
     pub fn frozen_at(&self, x: &[f64]) -> Lcp {
         let (lo, hi) = (0..self.len()).map(|i| self.bounds(i, x)).unzip();
         Lcp { matrix: Arc::clone(&self.matrix), b: self.b.clone(), lo, hi, coupling: None }
+    }
+}
+
+fn check_offset(b: &[f64], n: usize, defects: &mut Defects) {
+    if b.len() != n {
+        defects.add("b", format!("has {} rows, A is {n} × {n}", b.len()));
+    }
+    for (i, value) in b.iter().enumerate().filter(|(_, value)| !value.is_finite()) {
+        defects.add(format!("b[{i}]"), format!("must be finite, is {value}"));
     }
 }
 

@@ -3,13 +3,21 @@
 use std::ops::ControlFlow;
 
 use super::{Event, Iterate, Observer, Settings, Solution, Status};
-use crate::lcp::{Lcp, merit};
+use crate::lcp::{Lcp, dot, merit};
+
+/// dᵀA d below this part of the terms it is summed from counts as zero.
+const RELATIVE_ZERO: f64 = 1e-14;
+/// So does bᵀd: a d with dᵀA d = 0 in this sense is a null vector to about 1e-7.
+const RELATIVE_ZERO_SLOPE: f64 = 1e-6;
 
 /// Repeats `step` from x until the scaled residual is within the tolerance, the limit is reached,
 /// the observer asks to stop, or an iterate is not finite.
 ///
 /// A step moves x and says what it did, or leaves x alone and says why it cannot go on. Iterations
 /// are counted from `first`, which is above 0 when an earlier loop was continued with other bounds.
+///
+/// Where there is no solution x runs off along a ray, and the residual becomes small *beside x*; so
+/// the last step is looked at before an end is given a name.
 pub(super) fn iterate(
     lcp: &Lcp,
     mut x: Vec<f64>,
@@ -20,17 +28,17 @@ pub(super) fn iterate(
 ) -> Solution {
     let Settings { tolerance, max_iterations, check_every } = *settings;
     let is_solved = |x: &[f64]| merit::scaled_residual(lcp, x) <= tolerance;
-    let mut event = Event::Start;
-    let mut last_finite = x.clone();
+    let is_finite = |x: &[f64]| x.iter().all(|x| x.is_finite());
+    let (mut before, mut last_finite, mut event) = (x.clone(), x.clone(), Event::Start);
     for iteration in first..=max_iterations {
         if iteration > first {
+            before.copy_from_slice(&x);
             match step(&mut x) {
                 ControlFlow::Continue(done) => event = done,
-                ControlFlow::Break(_) if is_solved(&x) => {
-                    return Solution::new(lcp, x, Status::Solved, iteration - 1);
-                }
                 ControlFlow::Break(status) => {
-                    return Solution::new(lcp, last_finite, status, iteration - 1);
+                    let status = if is_solved(&x) { Status::Solved } else { status };
+                    let x = if is_finite(&x) { x } else { last_finite };
+                    return Solution::new(lcp, x, status, iteration - 1);
                 }
             }
         }
@@ -41,14 +49,51 @@ pub(super) fn iterate(
             }
         }
         if iteration % check_every == 0 || iteration == first || iteration == max_iterations {
-            if x.iter().any(|x| !x.is_finite()) {
+            if !is_finite(&x) {
                 return Solution::new(lcp, last_finite, Status::Diverged, iteration);
             }
             if is_solved(&x) {
-                return Solution::new(lcp, x, Status::Solved, iteration);
+                return finish(lcp, &before, x, Status::Solved, iteration);
             }
             last_finite.copy_from_slice(&x);
         }
     }
-    Solution::new(lcp, x, Status::IterationLimit, max_iterations)
+    finish(lcp, &before, x, Status::IterationLimit, max_iterations)
+}
+
+/// The solution x, unless the step to it from `before` shows that there is none.
+fn finish(lcp: &Lcp, before: &[f64], x: Vec<f64>, status: Status, iterations: usize) -> Solution {
+    let direction: Vec<f64> = x.iter().zip(before).map(|(x, before)| x - before).collect();
+    if is_ray(lcp, &direction) {
+        let ray = Status::Ray { row: largest(&direction), direction };
+        return Solution::new(lcp, before.to_vec(), ray, iterations);
+    }
+    Solution::new(lcp, x, status, iterations)
+}
+
+/// Whether the objective falls along d for ever: A d = 0, bᵀd < 0, and no bound stops d.
+fn is_ray(lcp: &Lcp, d: &[f64]) -> bool {
+    let stops = |i: usize| match d[i] {
+        d if d > 0.0 => lcp.hi()[i].is_finite(),
+        d if d < 0.0 => lcp.lo()[i].is_finite(),
+        _ => false,
+    };
+    let size = |u: &[f64]| u.iter().map(|u| u.abs()).collect::<Vec<_>>();
+    let slope_terms = dot(&size(lcp.b()), &size(d));
+    if (0..d.len()).any(stops) || !(dot(lcp.b(), d) < -RELATIVE_ZERO_SLOPE * slope_terms) {
+        return false;
+    }
+    let (mut curvature, mut terms) = (0.0, 0.0);
+    for i in 0..d.len() {
+        for (j, a) in lcp.matrix().row(i).iter() {
+            curvature += d[i] * a * d[j];
+            terms += (d[i] * a * d[j]).abs();
+        }
+    }
+    f64::abs(curvature) <= RELATIVE_ZERO * terms && lcp.matrix().is_symmetric()
+}
+
+/// The row with the largest |d_i|.
+pub(super) fn largest(d: &[f64]) -> usize {
+    (0..d.len()).max_by(|&i, &j| d[i].abs().total_cmp(&d[j].abs())).unwrap_or(0)
 }

@@ -56,7 +56,7 @@ impl Solver for Jacobi {
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
         let theta = match self.damping {
-            Damping::Safe => 1.0 / metric.largest_eigenvalue(lcp),
+            Damping::Safe => 1.0 / metric.eigenvalue,
             Damping::Factor(theta) => theta,
         };
         iterate(lcp, x, 0, &self.settings, observer, |x| {

@@ -3,30 +3,46 @@
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
 //! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide.
 
+mod admm;
+mod apgd;
+mod block_pgs;
 mod code6;
 mod dantzig;
 mod frozen;
+mod interior_point;
 mod iterate;
 mod jacobi;
 mod ldlt;
 mod metric;
+mod mprgp;
+mod newton;
+mod nncg;
 mod observer;
 mod order;
 mod pgs;
 mod registry;
 mod settings;
 mod solution;
+mod spectral;
 pub mod theory;
 
+pub use admm::Admm;
+pub use apgd::Apgd;
+pub use block_pgs::BlockPgs;
 pub use code6::Code6;
 pub use dantzig::Dantzig;
+pub use interior_point::InteriorPoint;
 pub use jacobi::{Damping, Jacobi};
+pub use mprgp::Mprgp;
+pub use newton::{Equations, Newton};
+pub use nncg::Nncg;
 pub use observer::{Event, Iterate, Observer};
 pub use order::Order;
 pub use pgs::Pgs;
 pub use registry::{ALL, Entry, Options, SPECIMENS, by_name, entry};
 pub use settings::Settings;
 pub use solution::{Solution, Status};
+pub use spectral::Spectral;
 
 use crate::lcp::Lcp;
 

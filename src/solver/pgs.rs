@@ -62,7 +62,7 @@ impl Solver for Pgs {
         let (order, omega) = (self.order.rows(lcp), self.omega);
         iterate(lcp, x, 0, &self.settings, observer, |x| {
             for &i in &order {
-                let step = omega * lcp.row_w(i, x) / metric.diagonal(i);
+                let step = omega * lcp.row_w(i, x) / metric.diagonal[i];
                 x[i] = lcp.project(i, x[i] - step, x); // x_i ← Π_i(x_i − ω w_i / a_ii)
             }
             ControlFlow::Continue(Event::Sweep)

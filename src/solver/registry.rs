@@ -1,6 +1,9 @@
 //! The list of solvers: one entry each. Command line, comparison, report and tests read it.
 
-use super::{Code6, Damping, Dantzig, Jacobi, Order, Pgs, Settings, Solver};
+use super::{
+    Admm, Apgd, BlockPgs, Code6, Damping, Dantzig, Equations, InteriorPoint, Jacobi, Mprgp, Newton,
+    Nncg, Order, Pgs, Settings, Solver, Spectral,
+};
 use crate::error::{Error, Result};
 
 /// A solver in the registry.
@@ -75,6 +78,71 @@ pub const ALL: &[Entry] = &[
         },
     },
     Entry {
+        name: "block-pgs",
+        method: "projected Gauss-Seidel by contacts and joints, iterative",
+        class: "symmetric positive semidefinite",
+        source: "Luo & Tseng 1992",
+        build: |options| {
+            Box::new(BlockPgs { settings: options.settings.clone(), ..BlockPgs::default() })
+        },
+    },
+    Entry {
+        name: "nncg",
+        method: "nonsmooth nonlinear conjugate gradients around PGS, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Silcowitz, Niebe & Erleben 2010",
+        build: |options| Box::new(Nncg { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "newton",
+        method: "Newton on the minimum map with line search, iterative",
+        class: "positive diagonal; symmetric positive semidefinite for convergence from everywhere",
+        source: "Pang 1990; Qi & Sun 1993",
+        build: |options| newton(Equations::MinimumMap, options),
+    },
+    Entry {
+        name: "fischer-newton",
+        method: "Newton on Fischer-Burmeister's equations with line search, iterative",
+        class: "P0 matrix, positive diagonal",
+        source: "Fischer 1992; De Luca, Facchinei & Kanzow 1996",
+        build: |options| newton(Equations::FischerBurmeister, options),
+    },
+    Entry {
+        name: "mprgp",
+        method: "projected conjugate gradients with proportioning, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Dostál & Schöberl 2005",
+        build: |options| Box::new(Mprgp { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "apgd",
+        method: "accelerated projected gradients with restart, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Nesterov 1983; Mazhar, Heyn, Negrut & Tasora 2015",
+        build: |options| Box::new(Apgd { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "spectral",
+        method: "projected gradients with Barzilai-Borwein steps, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Barzilai & Borwein 1988; Birgin, Martínez & Raydan 2000",
+        build: |options| Box::new(Spectral { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "admm",
+        method: "alternating direction method of multipliers, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
+        build: |options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
+    },
+    Entry {
+        name: "interior-point",
+        method: "primal-dual interior point, predictor-corrector, iterative",
+        class: "symmetric positive semidefinite, positive diagonal",
+        source: "Mehrotra 1992",
+        build: |options| Box::new(InteriorPoint { settings: options.settings.clone() }),
+    },
+    Entry {
         name: "dantzig",
         method: "Dantzig pivoting with updated LDLᵀ, finite",
         class: "symmetric positive semidefinite",
@@ -91,6 +159,10 @@ pub const SPECIMENS: &[Entry] = &[Entry {
     source: "K&M Code 6, E06",
     build: |options| Box::new(Code6 { settings: options.settings.clone() }),
 }];
+
+fn newton(equations: Equations, options: &Options) -> Box<dyn Solver> {
+    Box::new(Newton { equations, settings: options.settings.clone() })
+}
 
 fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {
     Box::new(Pgs { omega, order, settings: options.settings.clone() })

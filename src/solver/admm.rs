@@ -1,0 +1,100 @@
+//! The alternating direction method of multipliers for the quadratic program over the box.
+//!
+//! The program min ½ xᵀAx + bᵀx, lo ≤ x ≤ hi, is split into two parts that are easy by themselves: x
+//! minimises, z keeps the bounds, and a multiplier R y pulls them together:
+//!
+//! ```text
+//! (A + R) x = R (z − y) − b      one factorisation A + R = L Lᵀ for all iterations
+//! x̂ = 1.6 x + (1 − 1.6) z        over-relaxation
+//! z ← Π(x̂ + y)
+//! y ← y + x̂ − z                  at the solution R y = −w
+//! ```
+//!
+//! as in OSQP (Stellato, Banjac, Goulart, Bemporad & Boyd 2020). Converges for every symmetric
+//! semidefinite A and R > 0, also a singular one, since A + R is definite. Its rate depends on R: rows
+//! that stay free like it small, rows at a bound large. R = r diag(A) with one r for all bounded rows;
+//! rows without bounds need no multiplier and get a thousandth of it. The iterate shown is z, which
+//! never leaves the bounds. Costs n³/3 once and 2 n² an iteration.
+//!
+//! A not symmetric, or no Cholesky factor: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`.
+//! Coupled rows: see [`frozen`](super::frozen); freezing keeps the factor.
+
+use std::ops::ControlFlow;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::iterate::iterate;
+use super::metric::Metric;
+use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::lcp::Lcp;
+
+/// Over-relaxation.
+const RELAXATION: f64 = 1.6;
+/// The part of r that rows without bounds get.
+const UNBOUNDED: f64 = 1e-3;
+/// Above this many rows the dense factor would not fit.
+const MAX_ROWS: usize = 8_000;
+
+/// The alternating direction method of multipliers.
+#[derive(Debug, Clone)]
+pub struct Admm {
+    /// r: the weight of the multipliers as a part of the diagonal of A, above 0.
+    pub weight: f64,
+    /// The common settings; an iteration is one triangular solve and one projection.
+    pub settings: Settings,
+}
+
+impl Default for Admm {
+    fn default() -> Self {
+        Admm { weight: 0.3, settings: Settings::default() }
+    }
+}
+
+impl Solver for Admm {
+    fn name(&self) -> &'static str {
+        "admm"
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        let z = start.point(lcp);
+        if lcp.len() > MAX_ROWS {
+            let reason = "a dense factor of more than 8000 rows";
+            return Solution::new(lcp, z, Status::OutsideClass { reason }, 0);
+        }
+        let metric = match Metric::of_symmetric(lcp) {
+            Ok(metric) => metric,
+            Err(status) => return Solution::new(lcp, z, status, 0),
+        };
+        let weight = self.weights(lcp, &metric);
+        let regularised = lcp.matrix().to_dense() + DMatrix::from_diagonal(&weight);
+        let Some(factor) = regularised.cholesky() else {
+            let reason = "A is not positive semidefinite";
+            return Solution::new(lcp, z, Status::OutsideClass { reason }, 0);
+        };
+        frozen::solve(lcp, z, &self.settings, |lcp, z, first| {
+            let mut y = DVector::from_vec(lcp.w(&z)).component_div(&-&weight); // R y = −w
+            iterate(lcp, z, first, &self.settings, observer, |z| {
+                let pull = |i: usize| weight[i] * (z[i] - y[i]) - lcp.b()[i];
+                let x = factor.solve(&DVector::from_fn(z.len(), |i, _| pull(i)));
+                for i in 0..z.len() {
+                    let relaxed = RELAXATION * x[i] + (1.0 - RELAXATION) * z[i];
+                    z[i] = lcp.project(i, relaxed + y[i], &[]);
+                    y[i] += relaxed - z[i];
+                }
+                ControlFlow::Continue(Event::Step)
+            })
+        })
+    }
+}
+
+impl Admm {
+    /// The diagonal of R.
+    fn weights(&self, lcp: &Lcp, metric: &Metric) -> DVector<f64> {
+        DVector::from_fn(lcp.len(), |i, _| {
+            let bounded = lcp.lo()[i].is_finite()
+                || lcp.hi()[i].is_finite()
+                || lcp.coupling().is_some_and(|coupling| coupling.index(i).is_some());
+            self.weight * metric.diagonal[i] * if bounded { 1.0 } else { UNBOUNDED }
+        })
+    }
+}

@@ -1,0 +1,107 @@
+//! Spectral projected gradient: the step length of Barzilai and Borwein, made safe.
+//!
+//! ```text
+//! d ← Π(x − t ∇(x)) − x,   x ← x + λ d
+//! t ← sᵀD s / sᵀA s        with s the last step: an inverse Rayleigh quotient of D⁻¹A
+//! ```
+//!
+//! A gradient step needs a length; the last step s has felt a curvature between the smallest and the
+//! largest eigenvalue of D⁻¹A, and its inverse is used as the next length (Barzilai & Borwein 1988).
+//! These lengths sweep through the spectrum, so one error component after another is removed, and
+//! the objective is *not* monotone: that is what makes the method fast. To be safe (Birgin, Martínez
+//! & Raydan 2000) a full step λ = 1 must lead below the largest of the last ten objectives; otherwise
+//! λ minimises the objective along d, which for a quadratic is one division:
+//!
+//! ```text
+//! λ = min(1, −wᵀd / dᵀA d)
+//! ```
+//!
+//! Converges to a minimum of ½ xᵀAx + bᵀx over the box for symmetric semidefinite A, if there is one.
+//! Changes of the objective are computed as λ wᵀd + ½ λ² dᵀA d, never as a difference of two
+//! objectives, so the test works down to rounding. Lengths are measured by D = diag(A). A step costs
+//! two products with A.
+//!
+//! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see
+//! [`frozen`](super::frozen).
+
+use std::collections::VecDeque;
+use std::ops::ControlFlow;
+
+use super::iterate::iterate;
+use super::metric::{Curvature, Metric};
+use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::lcp::Lcp;
+
+/// The objective may rise above the last one, but not above the largest of this many.
+const MEMORY: usize = 10;
+/// The part of the predicted decrease that a full step must deliver.
+const SUFFICIENT: f64 = 1e-4;
+
+/// Spectral projected gradient (Barzilai-Borwein steps).
+#[derive(Debug, Clone, Default)]
+pub struct Spectral {
+    /// The common settings; an iteration is one step.
+    pub settings: Settings,
+}
+
+impl Solver for Spectral {
+    fn name(&self) -> &'static str {
+        "spectral"
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        let x = start.point(lcp);
+        let metric = match Metric::of_symmetric(lcp) {
+            Ok(metric) => metric,
+            Err(status) => return Solution::new(lcp, x, status, 0),
+        };
+        frozen::solve(lcp, x, &self.settings, |lcp, x, first| {
+            let mut length = 1.0 / metric.eigenvalue;
+            // The objectives of the last steps, counted from the newest one.
+            let mut heights = VecDeque::from([0.0]);
+            iterate(lcp, x, first, &self.settings, observer, |x| {
+                let gradient = metric.gradient(lcp, x);
+                let d = projected_direction(lcp, x, &gradient, length);
+                let slope = metric.inner(&gradient, &d);
+                if !(slope < 0.0) {
+                    return ControlFlow::Break(Status::Stalled);
+                }
+                let curvature = match metric.curvature(lcp, &d) {
+                    Curvature::Positive(curvature) => curvature,
+                    _ => 0.0,
+                };
+                let highest = heights.iter().copied().fold(0.0, f64::max);
+                let change = |lambda: f64| lambda * (slope + 0.5 * lambda * curvature);
+                let lambda = if change(1.0) <= highest + SUFFICIENT * slope {
+                    1.0
+                } else {
+                    f64::min(1.0, -slope / curvature)
+                };
+                for i in 0..x.len() {
+                    x[i] = lcp.project(i, x[i] + lambda * d[i], &[]);
+                }
+                remember(&mut heights, change(lambda));
+                if curvature > 0.0 {
+                    length = metric.inner(&d, &d) / curvature;
+                }
+                ControlFlow::Continue(Event::Step)
+            })
+        })
+    }
+}
+
+/// Π(x − t ∇) − x.
+fn projected_direction(lcp: &Lcp, x: &[f64], gradient: &[f64], t: f64) -> Vec<f64> {
+    (0..x.len()).map(|i| lcp.project(i, x[i] - t * gradient[i], x) - x[i]).collect()
+}
+
+/// Counts the heights from the new objective, which lies `change` above the last one.
+fn remember(heights: &mut VecDeque<f64>, change: f64) {
+    for height in heights.iter_mut() {
+        *height -= change;
+    }
+    heights.push_back(0.0);
+    if heights.len() > MEMORY {
+        heights.pop_front();
+    }
+}
