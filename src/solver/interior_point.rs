@@ -20,8 +20,7 @@
 //! symmetric semidefinite A; singular is no difficulty, as the bounds add to the diagonal (rows
 //! without bounds get 10⁻¹² a_ii). Where solutions are not unique it finds one in their middle.
 //!
-//! x never touches a bound: rows at one end beside it, by about μ/w_i. So the answer is as exact as
-//! the tolerance and no more. A start is only used where it lies well inside. A not symmetric, or no
+//! Rows at a bound end beside it, by about μ/w_i: the answer is as exact as the tolerance and no more. A start is only used where it lies well inside. A not symmetric, or no
 //! Cholesky factor: `OutsideClass`; steps that have shrunk to nothing: `Stalled`. Coupled rows: see [`frozen`](super::frozen).
 
 use std::ops::ControlFlow;
@@ -139,6 +138,7 @@ impl<'a> Path<'a> {
         for (x, d) in x.iter_mut().zip(corrector.x.iter()) {
             *x += length * d;
         }
+        self.lcp.project_all(x); // a room below the rounding of x leaves x on the bound, or beside it
         for (k, bound) in self.bounds.iter_mut().enumerate() {
             bound.room += length * corrector.room[k];
             bound.push += length * corrector.push[k];
