@@ -76,7 +76,7 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
 fn curve(lcp: &Lcp, omega: f64) -> Curve {
     let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
     let mut trace = Convergence::of(lcp);
-    let x = Pgs { omega, settings }.solve(lcp, &Start::default(), &mut trace).x;
+    let x = Pgs { omega, settings, ..Pgs::default() }.solve(lcp, &Start::default(), &mut trace).x;
     let floor = FLOOR * trace.records.first().map_or(0.0, |record| record.natural_residual);
     let measured_rate = trace.rate(floor);
     let reached = trace.records.iter().position(|record| record.natural_residual <= floor);

@@ -24,7 +24,7 @@ pub fn scene_options(scene: &Scene) -> Options {
         max_iterations: scene.solver.max_iterations,
         ..Settings::default()
     };
-    Options { settings, omega: scene.solver.omega }
+    Options { settings, omega: scene.solver.omega, ..Options::default() }
 }
 
 /// The solver that a scene states.
