@@ -6,6 +6,7 @@ use lcplab::certificate::{Demand, judge};
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::solver::{ALL, Options, SPECIMENS, Settings, Solver, Start, Status, by_name};
 use lcplab::trace::Provenance;
+use nalgebra::DMatrix;
 use proptest::prelude::*;
 
 use crate::common::{INF, assert_certified, boxed, cases, contacts, manufactured};
@@ -118,6 +119,16 @@ fn a_box_on_a_slope_is_held_by_friction_below_the_cone_and_slides_above() {
     }
 }
 
+#[test]
+fn a_mass_ratio_of_1e12_is_no_ray() {
+    let a: [&[f64]; 2] = [&[1.0, -1.0], &[-1.0, 1.0 + 1e-12]];
+    let lcp = boxed(&a, &[-0.1635, 0.0], &[-INF; 2], &[INF; 2]);
+    for solver in all() {
+        let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
+        assert!(!matches!(status, Status::Ray { .. }), "{}: {status}", solver.name());
+    }
+}
+
 proptest! {
     #![proptest_config(cases(150))]
 
@@ -140,6 +151,21 @@ proptest! {
             for (found, x) in solution.x.iter().zip(&m.x) {
                 prop_assert!((found - x).abs() < 1e-5, "{}: {:?} for {:?}", solver.name(), solution.x, m.x);
             }
+        }
+    }
+
+    #[test]
+    fn a_singular_system_with_a_solution_is_no_ray(
+        j in proptest::collection::vec(-1.0f64..1.0, 18),
+        x in proptest::collection::vec(-1.0f64..1.0, 6),
+    ) {
+        let j = DMatrix::from_vec(6, 3, j);
+        let a = Matrix::from((&j * j.transpose()).as_view());
+        let b = (0..6).map(|i| -a.row_dot(i, &x)).collect();
+        let lcp = Lcp::new(a, b, vec![-INF; 6], vec![INF; 6]).unwrap();
+        for solver in all() {
+            let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
+            prop_assert!(!matches!(status, Status::Ray { .. }), "{}: {status}", solver.name());
         }
     }
 
