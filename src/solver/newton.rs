@@ -21,14 +21,14 @@
 //! solution both double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei &
 //! Kanzow 1996).
 //!
-//! Redundant contacts make J singular. The term ν (Levenberg-Marquardt) then picks the least
-//! change of x, and since it vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima
-//! 2001). Where no length of d reduces |H|, which happens at kinks of the minimum map, the step is a
-//! sweep of [`Pgs`](super::Pgs), and the observer is told so (`Sweep` for `Step`).
+//! Redundant contacts make J singular. The term ν (Levenberg-Marquardt) then picks the least change
+//! of x, and since it vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001).
+//! Where no length of d reduces |H|, which happens at kinks of the minimum map, the step is a sweep
+//! of [`Pgs`](super::Pgs), and the observer is told so (`Sweep` for `Step`).
 //!
-//! |H|² is summed as Σ a_ii H_i², an energy. A step costs a dense least-squares problem, O(n³): A of
-//! any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows are part of H, with
-//! their derivatives. `ZeroDiagonal` and `Diverged` as for PGS.
+//! |H|² is summed as Σ a_ii H_i², an energy. A step costs a dense least-squares problem, O(n³): A
+//! of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows are part of H,
+//! with their derivatives. `ZeroDiagonal` and `Diverged` as for PGS.
 
 use std::ops::ControlFlow;
 
@@ -44,8 +44,8 @@ use crate::lcp::Lcp;
 const HALVINGS: i32 = 12;
 /// |H|² must fall by this part of what a linear H would give.
 const SUFFICIENT: f64 = 1e-4;
-/// ν for |H|² = Σ b_i²/a_ii, which it has at x = 0 without bounds. Only the flattest directions feel
-/// it.
+/// ν for |H|² = Σ b_i²/a_ii, which it has at x = 0 without bounds. Only the flattest directions
+/// feel it.
 const DAMPING: f64 = 1e-10;
 /// ν stays above this, so that a singular J keeps its least-squares problem solvable.
 const LEAST_DAMPING: f64 = 1e-28;
@@ -156,7 +156,8 @@ impl Run<'_> {
         let n = x.len();
         let root: Vec<f64> = (0..n).map(|i| self.metric.diagonal[i].sqrt()).collect();
         let start: f64 = (0..n).map(|i| (self.lcp.b()[i] / root[i]).powi(2)).sum();
-        let damping = (DAMPING * (square / start).min(1.0)).max(LEAST_DAMPING).sqrt(); // √ν
+        let reduction = if start > 0.0 { (square / start).min(1.0) } else { 1.0 };
+        let damping = (DAMPING * reduction).max(LEAST_DAMPING).sqrt(); // √ν
         let mut j = Mat::<f64>::zeros(2 * n, n);
         let mut rhs = Mat::<f64>::zeros(2 * n, 1);
         for (i, row) in rows.iter().enumerate() {

@@ -193,7 +193,7 @@ pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
     Ok((entry(name)?.build)(options))
 }
 
-/// The entry of this name, a solver's or a specimen's.
+/// The entry of this name, among the solvers and the specimens.
 ///
 /// # Errors
 /// If there is none.

@@ -5,11 +5,12 @@
 //! t ← sᵀD s / sᵀA s        with s the last step: an inverse Rayleigh quotient of D⁻¹A
 //! ```
 //!
-//! A gradient step needs a length; the last step s has felt a curvature between the smallest and the
-//! largest eigenvalue of D⁻¹A, and its inverse is used as the next length (Barzilai & Borwein 1988).
-//! These lengths sweep through the spectrum, so one error component after another is removed, and
-//! the objective is *not* monotone: that is what makes the method fast. To be safe (Birgin, Martínez
-//! & Raydan 2000) λ ≤ 1 is taken as long as the objective stays below the largest of the last ten:
+//! A gradient step needs a length; the last step s has felt a curvature between the smallest and
+//! the largest eigenvalue of D⁻¹A, and its inverse is used as the next length (Barzilai & Borwein
+//! 1988). These lengths sweep through the spectrum, so one error component after another is
+//! removed, and the objective is *not* monotone: that is what makes the method fast. To be safe
+//! (Birgin, Martínez & Raydan 2000) λ ≤ 1 is taken as long as the objective stays below the largest
+//! of the last ten:
 //!
 //! ```text
 //! λ wᵀd + ½ λ² dᵀA d ≤ h + 10⁻⁴ λ wᵀd,   h = the height of that largest one above the last
@@ -17,10 +18,10 @@
 //!
 //! which for a quadratic is a quadratic equation for λ.
 //!
-//! Converges to a minimum of ½ xᵀAx + bᵀx over the box for symmetric semidefinite A, if there is one.
-//! The left side is the change of the objective, never computed as a difference of two objectives, so
-//! the rule works down to rounding. Lengths are measured by D = diag(A). A step costs
-//! two products with A.
+//! Converges to a minimum of ½ xᵀAx + bᵀx over the box for symmetric semidefinite A, if there is
+//! one. The left side is the change of the objective, never computed as a difference of two
+//! objectives, so the rule works down to rounding. Lengths are measured by D = diag(A). A step
+//! costs two products with A.
 //!
 //! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see
 //! [`frozen`](super::frozen).

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{problem_of, scene_options};
 use crate::lcp::Lcp;
 use crate::scene::Scene;
-use crate::solver::{Dantzig, Pgs, Settings, Solver, Start, theory};
+use crate::solver::{Dantzig, Order, Pgs, Settings, Solver, Start, theory};
 use crate::trace::{Convergence, Record};
 
 /// The first LCP of a scene with several relaxation factors.
@@ -76,7 +76,9 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
 fn curve(lcp: &Lcp, omega: f64) -> Curve {
     let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
     let mut trace = Convergence::of(lcp);
-    let x = Pgs { omega, settings, ..Pgs::default() }.solve(lcp, &Start::default(), &mut trace).x;
+    let x = Pgs { omega, order: Order::default(), settings }
+        .solve(lcp, &Start::default(), &mut trace)
+        .x;
     let floor = FLOOR * trace.records.first().map_or(0.0, |record| record.natural_residual);
     let measured_rate = trace.rate(floor);
     let reached = trace.records.iter().position(|record| record.natural_residual <= floor);
