@@ -54,17 +54,15 @@ impl Lcp {
     pub fn new(matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Result<Self> {
         let mut defects = Defects::default();
         let n = matrix.len();
-        check_offset(&b, n, &mut defects);
-        for (name, values) in [("lo", &lo), ("hi", &hi)] {
-            if values.len() != n {
-                defects.add(name, format!("has {} rows, A is {n} × {n}", values.len()));
-            }
+        for (name, values) in [("b", &b), ("lo", &lo), ("hi", &hi)] {
+            check_length(name, values, n, &mut defects);
         }
         for i in 0..n {
             for (j, a) in matrix.row(i).iter().filter(|(_, a)| !a.is_finite()) {
                 defects.add(format!("A[{i}][{j}]"), format!("must be finite, is {a}"));
             }
         }
+        check_finite("b", &b, &mut defects);
         for (i, (lo, hi)) in lo.iter().zip(&hi).enumerate() {
             check_bounds(i, *lo, *hi, &mut defects);
         }
@@ -160,7 +158,8 @@ impl Lcp {
     /// As [`Lcp::new`].
     pub fn with_b(&self, b: Vec<f64>) -> Result<Lcp> {
         let mut defects = Defects::default();
-        check_offset(&b, self.len(), &mut defects);
+        check_length("b", &b, self.len(), &mut defects);
+        check_finite("b", &b, &mut defects);
         defects.into_result("problem")?;
         Ok(Lcp { b, ..self.clone() })
     }
@@ -177,12 +176,15 @@ impl Lcp {
     }
 }
 
-fn check_offset(b: &[f64], n: usize, defects: &mut Defects) {
-    if b.len() != n {
-        defects.add("b", format!("has {} rows, A is {n} × {n}", b.len()));
+fn check_length(name: &str, values: &[f64], n: usize, defects: &mut Defects) {
+    if values.len() != n {
+        defects.add(name, format!("has {} rows, A is {n} × {n}", values.len()));
     }
-    for (i, value) in b.iter().enumerate().filter(|(_, value)| !value.is_finite()) {
-        defects.add(format!("b[{i}]"), format!("must be finite, is {value}"));
+}
+
+fn check_finite(name: &str, values: &[f64], defects: &mut Defects) {
+    for (i, value) in values.iter().enumerate().filter(|(_, value)| !value.is_finite()) {
+        defects.add(format!("{name}[{i}]"), format!("must be finite, is {value}"));
     }
 }
 

@@ -1,7 +1,7 @@
 //! The alternating direction method of multipliers for the quadratic program over the box.
 //!
-//! The program min ½ xᵀAx + bᵀx, lo ≤ x ≤ hi, is split into two parts that are easy by themselves: x
-//! minimises, z keeps the bounds, and a multiplier R y pulls them together:
+//! The program min ½ xᵀAx + bᵀx, lo ≤ x ≤ hi, is split into two parts that are easy by themselves:
+//! x minimises, z keeps the bounds, and a multiplier R y pulls them together:
 //!
 //! ```text
 //! (A + R) x = R (z − y) − b      one factorisation A + R = L Lᵀ for all iterations
@@ -11,10 +11,10 @@
 //! ```
 //!
 //! as in OSQP (Stellato, Banjac, Goulart, Bemporad & Boyd 2020). Converges for every symmetric
-//! semidefinite A and R > 0, also a singular one, since A + R is definite. Its rate depends on R: rows
-//! that stay free like it small, rows at a bound large. R = r diag(A) with one r for all bounded rows;
-//! rows without bounds need no multiplier and get a thousandth of it. The iterate shown is z, which
-//! never leaves the bounds. Costs n³/3 once and 2 n² an iteration.
+//! semidefinite A and R > 0, also a singular one, since A + R is definite. Its rate depends on R:
+//! rows that stay free like it small, rows at a bound large. R = r diag(A) with one r for all
+//! bounded rows; rows without bounds need no multiplier and get a thousandth of it. The iterate
+//! shown is z, which never leaves the bounds. Costs n³/3 once and 2 n² an iteration.
 //!
 //! A not symmetric, or no Cholesky factor: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`.
 //! Coupled rows: see [`frozen`](super::frozen); freezing keeps the factor.

@@ -6,16 +6,16 @@
 //! ```
 //!
 //! Projected gradient steps (damped [`Jacobi`](super::Jacobi)) from a point y that runs ahead of x:
-//! Nesterov's method (1983), used for contacts by Mazhar, Heyn, Negrut & Tasora (2015). After k steps
-//! the objective is within 2 L |x⁰ − x*|² / k² of its minimum for every symmetric semidefinite A,
-//! where plain steps have 1/k only. Momentum makes the objective ripple; whenever the last step goes
-//! uphill, ⟨∇(y), x⁺ − x⟩ > 0, momentum is dropped and θ set to 1 again (O'Donoghue & Candès 2015),
-//! which restores the linear rate 1 − 1/√κ without κ being known.
+//! Nesterov's method (1983), used for contacts by Mazhar, Heyn, Negrut & Tasora (2015). After k
+//! steps the objective is within 2 L |x⁰ − x*|² / k² of its minimum for every symmetric
+//! semidefinite A, where plain steps have 1/k only. Momentum makes the objective ripple; whenever
+//! the last step goes uphill, ⟨∇(y), x⁺ − x⟩ > 0, momentum is dropped and θ set to 1 again
+//! (O'Donoghue & Candès 2015), which restores the linear rate 1 − 1/√κ without κ being known.
 //!
 //! L is found by trial: it starts at 1, and a step is taken back and L doubled until the objective
-//! lies below its model, dᵀA d ≤ L dᵀD d with d = x⁺ − y. Lengths are measured by D = diag(A), so that
-//! units do not matter and L never exceeds the number of entries in a row.
-//! A step costs two products with A, and one more for each trial.
+//! lies below its model, dᵀA d ≤ L dᵀD d with d = x⁺ − y. Lengths are measured by D = diag(A), so
+//! that units do not matter and L never exceeds the number of entries in a row. A step costs two
+//! products with A, and one more for each trial.
 //!
 //! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see
 //! [`frozen`](super::frozen).

@@ -1,8 +1,8 @@
 //! A primal-dual interior-point method for the quadratic program over the box.
 //!
-//! Each finite bound k of a row i(k) gets a *room* ρ_k > 0, the distance from x_i to it, and a *push*
-//! z_k > 0 away from it, with sign s_k = 1 at a lower bound and −1 at an upper one. Room times push
-//! is not asked to vanish at once but approached along the *central path*, μ → 0:
+//! Each finite bound k of a row i(k) gets a *room* ρ_k > 0, the distance from x_i to it, and a
+//! *push* z_k > 0 away from it, with sign s_k = 1 at a lower bound and −1 at an upper one. Room
+//! times push is not asked to vanish at once but approached along the *central path*, μ → 0:
 //!
 //! ```text
 //! A x + b = Σ_k s_k z_k,   ρ_k z_k = μ
@@ -16,13 +16,15 @@
 //! ```
 //!
 //! It is solved twice with one factorisation (Mehrotra 1992): first for μ = 0, to see how far that
-//! would get, say to μ'; then for (μ'/μ)³ μ, with the error dρ dz of the first step taken off r. Ten to thirty iterations whatever the size and the condition of A, n³/3 each, for
-//! symmetric semidefinite A; singular is no difficulty, as the bounds add to the diagonal (rows
-//! without bounds get 10⁻¹² a_ii). Where solutions are not unique it finds one in their middle.
+//! would get, say to μ'; then for (μ'/μ)³ μ, with the error dρ dz of the first step taken off r.
+//! Ten to thirty iterations whatever the size and the condition of A, n³/3 each, for symmetric
+//! semidefinite A; singular is no difficulty, as the bounds add to the diagonal (rows without
+//! bounds get 10⁻¹² a_ii). Where solutions are not unique it finds one in their middle.
 //!
-//! x never touches a bound: rows at one end beside it, by about μ/w_i. So the answer is as exact as
-//! the tolerance and no more. A start is only used where it lies well inside. A not symmetric, or no
-//! Cholesky factor: `OutsideClass`; steps that have shrunk to nothing: `Stalled`. Coupled rows: see [`frozen`](super::frozen).
+//! Rows at a bound end beside it, by about μ/w_i: the answer is as exact as the tolerance and no
+//! more. A start is only used where it lies well inside. A not symmetric, or no Cholesky factor:
+//! `OutsideClass`; steps that have shrunk to nothing: `Stalled`. Coupled rows: see
+//! [`frozen`](super::frozen).
 
 use std::ops::ControlFlow;
 
@@ -139,6 +141,7 @@ impl<'a> Path<'a> {
         for (x, d) in x.iter_mut().zip(corrector.x.iter()) {
             *x += length * d;
         }
+        self.lcp.project_all(x); // a room below the rounding of x may leave it beside the bound
         for (k, bound) in self.bounds.iter_mut().enumerate() {
             bound.room += length * corrector.room[k];
             bound.push += length * corrector.push[k];

@@ -12,8 +12,8 @@
 //! For symmetric positive semidefinite A it converges, and the objective ½ xᵀAx + bᵀx falls in each
 //! sweep, if 0 < θ < 2/λ with λ the largest eigenvalue of D⁻¹A. Plain Jacobi, θ = 1, therefore does
 //! *not* converge on every positive definite A: ones on the diagonal and 0.9 elsewhere (n = 3) has
-//! λ = 2.8 (E09). Two rows always have λ ≤ 2, k rows that all touch each other may have λ close to k;
-//! [`Damping::Safe`] takes 1/θ from a bound on λ. A sweep costs one product A x.
+//! λ = 2.8 (E09). Two rows always have λ ≤ 2, k rows that all touch each other may have λ close to
+//! k; [`Damping::Safe`] takes 1/θ from a bound on λ. A sweep costs one product A x.
 //!
 //! A row with a_ii ≤ 0 ends it with `ZeroDiagonal`; iterates that overflow with `Diverged`.
 //! Coupled rows are clamped to ±μ times the new x of their normal rows. `math §6`.

@@ -1,9 +1,9 @@
 //! The diagonal of A as a measure of length.
 //!
-//! Rows have units of their own (N s, N m s), so Σ x_i² adds what cannot be added. Σ a_ii x_i² is an
-//! energy, and w_i / a_ii is the gradient of ½ xᵀAx + bᵀx in that measure. Gradient methods that use
-//! it are those for D^-½ A D^-½ (unit diagonal) in the variables D^½ x, without any root taken: no
-//! choice of units changes them.
+//! Rows have units of their own (N s, N m s), so Σ x_i² adds what cannot be added. Σ a_ii x_i² is
+//! an energy, and w_i / a_ii is the gradient of ½ xᵀAx + bᵀx in that measure. Gradient methods that
+//! use it are those for D^-½ A D^-½ (unit diagonal) in the variables D^½ x, without any root taken:
+//! no choice of units changes them.
 
 use super::Status;
 use crate::lcp::Lcp;

@@ -10,12 +10,12 @@
 //! otherwise:    proportioning: x ← x − α β lets rows leave their bounds; p starts anew
 //! ```
 //!
-//! So the free rows are explored by conjugate gradients, which need about √κ steps where Gauss-Seidel
-//! needs κ, and many rows can join or leave the bounds in a single step. No step raises the
-//! objective. For symmetric positive definite A it converges linearly with a rate known from the
-//! extreme eigenvalues, and finitely (but for rounding) where w ≠ 0 on all rows at a bound
-//! (Dostál & Schöberl 2005; both bounds: Dostál 2009). Lengths are measured by D = diag(A), and
-//! ᾱ = 1/λ with a bound λ on the largest eigenvalue of D⁻¹A. A step costs two products with A.
+//! So the free rows are explored by conjugate gradients, which need about √κ steps where
+//! Gauss-Seidel needs κ, and many rows can join or leave the bounds in a single step. No step
+//! raises the objective. For symmetric positive definite A it converges linearly with a rate known
+//! from the extreme eigenvalues, and finitely (but for rounding) where w ≠ 0 on all rows at a bound
+//! (Dostál & Schöberl 2005; both bounds: Dostál 2009). Lengths are measured by D = diag(A), and ᾱ =
+//! 1/λ with a bound λ on the largest eigenvalue of D⁻¹A. A step costs two products with A.
 //!
 //! Where A is singular, p may have no curvature: then x moves until a bound stops it, and if none
 //! does the problem has no solution (`Ray`). pᵀA p < 0 or A not symmetric: `OutsideClass`. A row

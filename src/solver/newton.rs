@@ -11,7 +11,7 @@
 //! ones), and no variable is doubled for the upper bounds. Each step solves for d
 //!
 //! ```text
-//! (JᵀJ + ν I) d = −Jᵀ H,   J one generalised Jacobian of H at x,   ν ~ |H|²
+//! (JᵀJ + ν I) d = −Jᵀ H,   J a generalised Jacobian at x,   ν = 10⁻¹⁰ |H|² / Σ b_i²/a_ii
 //! ```
 //!
 //! and halves it until |H| falls enough. For the minimum map row i of J is that of A where row i is
@@ -21,14 +21,14 @@
 //! solution both double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei &
 //! Kanzow 1996).
 //!
-//! Redundant contacts make J singular. The term ν (Levenberg-Marquardt) then picks the least
-//! change of x, and since it vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima
-//! 2001). Where no length of d reduces |H|, which happens at kinks of the minimum map, the step is a
-//! sweep of [`Pgs`](super::Pgs), and the observer is told so (`Sweep` for `Step`).
+//! Redundant contacts make J singular. The term ν (Levenberg-Marquardt) then picks the least change
+//! of x, and since it vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001).
+//! Where no length of d reduces |H|, which happens at kinks of the minimum map, the step is a sweep
+//! of [`Pgs`](super::Pgs), and the observer is told so (`Sweep` for `Step`).
 //!
-//! |H|² is summed as Σ a_ii H_i², an energy. A step costs a dense least-squares problem, O(n³): A of
-//! any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows are part of H, with
-//! their derivatives. `ZeroDiagonal` and `Diverged` as for PGS.
+//! |H|² is summed as Σ a_ii H_i², an energy. A step costs a dense least-squares problem, O(n³): A
+//! of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows are part of H,
+//! with their derivatives. `ZeroDiagonal` and `Diverged` as for PGS.
 
 use std::ops::ControlFlow;
 
@@ -44,6 +44,9 @@ use crate::lcp::Lcp;
 const HALVINGS: i32 = 12;
 /// |H|² must fall by this part of what a linear H would give.
 const SUFFICIENT: f64 = 1e-4;
+/// ν for |H|² = Σ b_i²/a_ii, which it has at x = 0 without bounds. Only the flattest directions
+/// feel it.
+const DAMPING: f64 = 1e-10;
 /// ν stays above this, so that a singular J keeps its least-squares problem solvable.
 const LEAST_DAMPING: f64 = 1e-28;
 /// Above this many rows the dense problem takes too long.
@@ -153,8 +156,8 @@ impl Run<'_> {
         let n = x.len();
         let root: Vec<f64> = (0..n).map(|i| self.metric.diagonal[i].sqrt()).collect();
         let start: f64 = (0..n).map(|i| (self.lcp.b()[i] / root[i]).powi(2)).sum();
-        let reduction = if start > 0.0 { square / start } else { 1.0 };
-        let damping = reduction.clamp(LEAST_DAMPING, 1.0).sqrt(); // √ν
+        let reduction = if start > 0.0 { (square / start).min(1.0) } else { 1.0 };
+        let damping = (DAMPING * reduction).max(LEAST_DAMPING).sqrt(); // √ν
         let mut j = Mat::<f64>::zeros(2 * n, n);
         let mut rhs = Mat::<f64>::zeros(2 * n, 1);
         for (i, row) in rows.iter().enumerate() {

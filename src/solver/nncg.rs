@@ -1,7 +1,7 @@
 //! Nonsmooth nonlinear conjugate gradients around projected Gauss-Seidel.
 //!
-//! One sweep of [`Pgs`](super::Pgs) is a map x → P(x) whose fixed points are the solutions. Its step
-//! is taken for the negative gradient of an unknown function, and Fletcher-Reeves' conjugate
+//! One sweep of [`Pgs`](super::Pgs) is a map x → P(x) whose fixed points are the solutions. Its
+//! step is taken for the negative gradient of an unknown function, and Fletcher-Reeves' conjugate
 //! gradients are run on that (Silcowitz, Niebe & Erleben 2010):
 //!
 //! ```text
@@ -12,10 +12,10 @@
 //!
 //! Gauss-Seidel is slow because its last, smoothest error component shrinks by ρ ≈ 1 in each sweep;
 //! the memory p adds those many equal small steps up. On contact stacks that turns n² sweeps into
-//! about n, at nearly the cost of a sweep each. There is no convergence proof: neither the objective
-//! nor the residual falls monotonically. Two rules keep it honest: where the sweeps do not shrink,
-//! β > 1, it is Gauss-Seidel for one step; and x is projected, where the original lets it leave the
-//! bounds until the next sweep. Lengths are measured by D = diag(A).
+//! about n, at nearly the cost of a sweep each. There is no convergence proof: neither the
+//! objective nor the residual falls monotonically. Two rules keep it honest: where the sweeps do
+//! not shrink, β > 1, it is Gauss-Seidel for one step; and x is projected, where the original lets
+//! it leave the bounds until the next sweep. Lengths are measured by D = diag(A).
 //!
 //! A row with a_ii ≤ 0 ends it with `ZeroDiagonal`; iterates that overflow with `Diverged`.
 //! A coupled row is clamped to ±μ times the newest x of its normal row.

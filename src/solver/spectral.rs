@@ -5,21 +5,23 @@
 //! t ← sᵀD s / sᵀA s        with s the last step: an inverse Rayleigh quotient of D⁻¹A
 //! ```
 //!
-//! A gradient step needs a length; the last step s has felt a curvature between the smallest and the
-//! largest eigenvalue of D⁻¹A, and its inverse is used as the next length (Barzilai & Borwein 1988).
-//! These lengths sweep through the spectrum, so one error component after another is removed, and
-//! the objective is *not* monotone: that is what makes the method fast. To be safe (Birgin, Martínez
-//! & Raydan 2000) a full step λ = 1 must lead below the largest of the last ten objectives; otherwise
-//! λ minimises the objective along d, which for a quadratic is one division:
+//! A gradient step needs a length; the last step s has felt a curvature between the smallest and
+//! the largest eigenvalue of D⁻¹A, and its inverse is used as the next length (Barzilai & Borwein
+//! 1988). These lengths sweep through the spectrum, so one error component after another is
+//! removed, and the objective is *not* monotone: that is what makes the method fast. To be safe
+//! (Birgin, Martínez & Raydan 2000) λ ≤ 1 is taken as long as the objective stays below the largest
+//! of the last ten:
 //!
 //! ```text
-//! λ = min(1, −wᵀd / dᵀA d)
+//! λ wᵀd + ½ λ² dᵀA d ≤ h + 10⁻⁴ λ wᵀd,   h = the height of that largest one above the last
 //! ```
 //!
-//! Converges to a minimum of ½ xᵀAx + bᵀx over the box for symmetric semidefinite A, if there is one.
-//! Changes of the objective are computed as λ wᵀd + ½ λ² dᵀA d, never as a difference of two
-//! objectives, so the test works down to rounding. Lengths are measured by D = diag(A). A step costs
-//! two products with A.
+//! which for a quadratic is a quadratic equation for λ.
+//!
+//! Converges to a minimum of ½ xᵀAx + bᵀx over the box for symmetric semidefinite A, if there is
+//! one. The left side is the change of the objective, never computed as a difference of two
+//! objectives, so the rule works down to rounding. Lengths are measured by D = diag(A). A step
+//! costs two products with A.
 //!
 //! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see
 //! [`frozen`](super::frozen).
@@ -71,16 +73,11 @@ impl Solver for Spectral {
                     _ => 0.0,
                 };
                 let highest = heights.iter().copied().fold(0.0, f64::max);
-                let change = |lambda: f64| lambda * (slope + 0.5 * lambda * curvature);
-                let lambda = if change(1.0) <= highest + SUFFICIENT * slope {
-                    1.0
-                } else {
-                    f64::min(1.0, -slope / curvature)
-                };
+                let lambda = longest(highest, slope, curvature);
                 for i in 0..x.len() {
                     x[i] = lcp.project(i, x[i] + lambda * d[i], &[]);
                 }
-                remember(&mut heights, change(lambda));
+                remember(&mut heights, lambda * (slope + 0.5 * lambda * curvature));
                 if curvature > 0.0 {
                     length = metric.inner(&d, &d) / curvature;
                 }
@@ -93,6 +90,13 @@ impl Solver for Spectral {
 /// Π(x − t ∇) − x.
 fn projected_direction(lcp: &Lcp, x: &[f64], gradient: &[f64], t: f64) -> Vec<f64> {
     (0..x.len()).map(|i| lcp.project(i, x[i] - t * gradient[i], x) - x[i]).collect()
+}
+
+/// The longest λ ≤ 1 with λ s + ½ λ² c ≤ h + γ λ s, for the slope s < 0 and the curvature c ≥ 0.
+fn longest(highest: f64, slope: f64, curvature: f64) -> f64 {
+    let s = (SUFFICIENT - 1.0) * slope;
+    let root = s + (s * s + 2.0 * curvature * highest).sqrt();
+    if root >= curvature { 1.0 } else { root / curvature }
 }
 
 /// Counts the heights from the new objective, which lies `change` above the last one.

@@ -11,12 +11,12 @@
 //! ```
 //!
 //! with A = L + D + U. The error shrinks to nothing from every start exactly if all eigenvalues of
-//! G are below 1 in modulus, and in the long run by the largest of them, the *spectral radius* ρ, in
-//! each sweep. So ln(reduction) / ln ρ sweeps are to be expected, and slow convergence is a property
-//! of A, not of the implementation.
+//! G are below 1 in modulus, and in the long run by the largest of them, the *spectral radius* ρ,
+//! in each sweep. So ln(reduction) / ln ρ sweeps are to be expected, and slow convergence is a
+//! property of A, not of the implementation.
 //!
-//! For a *consistently ordered* A (tridiagonal or red-black: chains and stacks, numbered from end to
-//! end) Young's theory (1950) ties the methods together:
+//! For a *consistently ordered* A (tridiagonal or red-black: chains and stacks, numbered from end
+//! to end) Young's theory (1950) ties the methods together:
 //!
 //! ```text
 //! ρ_GS = ρ_J²,   ω* = 2 / (1 + √(1 − ρ_J²)),   ρ(ω*) = ω* − 1
@@ -89,10 +89,11 @@ pub fn spectral_radius(g: &DMatrix<f64>) -> f64 {
     g.eigenvalues().map_or(f64::NAN, largest)
 }
 
-/// The factor by which w shrinks in the long run: the largest modulus of an eigenvalue other than 1.
+/// The factor by which w shrinks in the long run: the largest modulus of an eigenvalue other than
+/// 1.
 ///
-/// The eigenvalue 1 belongs to the null vectors of a singular A: redundant contacts keep their share
-/// of the load from the start on, and no w feels it. NaN if an entry is not finite.
+/// The eigenvalue 1 belongs to the null vectors of a singular A: redundant contacts keep their
+/// share of the load from the start on, and no w feels it. NaN if an entry is not finite.
 pub fn contraction(g: &DMatrix<f64>) -> f64 {
     if g.iter().any(|g| !g.is_finite()) {
         return f64::NAN;

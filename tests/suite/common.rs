@@ -1,7 +1,10 @@
 //! What several test modules share.
 
+use std::ops::ControlFlow;
+
 use lcplab::certificate::{Certificate, Demand, Verdict, judge};
-use lcplab::lcp::{Lcp, Matrix};
+use lcplab::lcp::{Lcp, Matrix, merit};
+use lcplab::solver::{Iterate, Observer, Solver, Start};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, FileFailurePersistence};
@@ -25,6 +28,50 @@ pub fn contacts(rows: &[&[f64]], b: &[f64]) -> Lcp {
 pub fn boxed(rows: &[&[f64]], b: &[f64], lo: &[f64], hi: &[f64]) -> Lcp {
     let a = Matrix::dense(rows.len(), &rows.concat());
     Lcp::new(a, b.to_vec(), lo.to_vec(), hi.to_vec()).expect("a valid problem")
+}
+
+/// Keeps every iterate.
+#[derive(Default)]
+pub struct Iterates(pub Vec<Vec<f64>>);
+
+impl Observer for Iterates {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        self.0.push(iterate.x.to_vec());
+        ControlFlow::Continue(())
+    }
+}
+
+/// All iterates of a solver from 0, the start first.
+pub fn iterates(solver: &dyn Solver, lcp: &Lcp) -> Vec<Vec<f64>> {
+    let mut iterates = Iterates::default();
+    solver.solve(lcp, &Start::default(), &mut iterates);
+    iterates.0
+}
+
+/// The objective of every iterate.
+pub fn objectives(solver: &dyn Solver, lcp: &Lcp) -> Vec<f64> {
+    iterates(solver, lcp).iter().map(|x| merit::objective(lcp, x)).collect()
+}
+
+/// tridiag(−1, 2, −1) with this first diagonal entry: a chain of rods for 2, a stack on the ground
+/// for 1.
+pub fn tridiagonal(n: usize, first: f64) -> Matrix {
+    let diagonal = (0..n).map(|i| (i, i, if i == 0 { first } else { 2.0 }));
+    let beside = (1..n).flat_map(|i| [(i, i - 1, -1.0), (i - 1, i, -1.0)]);
+    Matrix::sparse(n, &diagonal.chain(beside).collect::<Vec<_>>())
+}
+
+/// n equal bodies at rest on each other, after one step of 1/60 s under gravity.
+pub fn stack(n: usize) -> Lcp {
+    let mut b = vec![0.0; n];
+    b[0] = -9.81 / 60.0;
+    Lcp::new(tridiagonal(n, 1.0), b, vec![0.0; n], vec![INF; n]).expect("a valid problem")
+}
+
+/// n equal rods in a line, all to be brought to these velocities: equations only.
+pub fn chain(n: usize) -> Lcp {
+    let b = (0..n).map(|i| (i as f64).sin()).collect();
+    Lcp::new(tridiagonal(n, 2.0), b, vec![-INF; n], vec![INF; n]).expect("a valid problem")
 }
 
 /// The only notion of "correct": the judge accepts x.

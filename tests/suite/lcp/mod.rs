@@ -1,3 +1,4 @@
 mod file;
 mod matrix;
+mod merit;
 mod problem;

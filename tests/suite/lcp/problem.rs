@@ -8,7 +8,7 @@ fn every_defect_is_reported_at_once() {
     let error = Lcp::new(a, vec![INF, 0.0], vec![2.0, 0.0], vec![1.0, f64::NAN]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "problem: 4 defects\n  b[0]: must be finite, is inf\n  A[0][1]: must be finite, is NaN\n  \
+        "problem: 4 defects\n  A[0][1]: must be finite, is NaN\n  b[0]: must be finite, is inf\n  \
          lo[0]: is 2, above hi[0] = 1\n  hi[1]: is NaN, no number can meet it"
     );
 }

@@ -1,8 +1,12 @@
 //! Laws that every registered solver keeps.
 
+use std::collections::HashMap;
+
 use lcplab::certificate::{Demand, judge};
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::solver::{ALL, Options, SPECIMENS, Settings, Solver, Start, Status, by_name};
+use lcplab::trace::Provenance;
+use nalgebra::DMatrix;
 use proptest::prelude::*;
 
 use crate::common::{INF, assert_certified, boxed, cases, contacts, manufactured};
@@ -24,6 +28,29 @@ fn an_unknown_name_is_answered_with_the_known_ones() {
     let known: Vec<&str> = ALL.iter().chain(SPECIMENS).map(|entry| entry.name).collect();
     let expected = format!("there is no solver named \"gauss\"; there are {}", known.join(", "));
     assert_eq!(error.to_string(), expected);
+}
+
+#[test]
+fn no_two_take_the_same_path() {
+    // Contacts of unequal weight, some of which open; the first sweep is on the wrong side of several.
+    let a: [&[f64]; 5] = [
+        &[4.0, -1.5, 0.5, 0.0, 0.25],
+        &[-1.5, 3.0, -1.0, 0.5, 0.0],
+        &[0.5, -1.0, 2.0, -0.75, 0.5],
+        &[0.0, 0.5, -0.75, 5.0, -2.0],
+        &[0.25, 0.0, 0.5, -2.0, 2.5],
+    ];
+    let lcp = boxed(&a, &[-1.0, 0.75, -2.0, 1.5, -3.0], &[0.0; 5], &[INF, INF, INF, 0.5, 1.75]);
+    let mut paths: HashMap<u64, &str> = HashMap::new();
+    for entry in ALL.iter().chain(SPECIMENS) {
+        let solver = by_name(entry.name, &Options::default()).unwrap();
+        let mut provenance = Provenance::of(&lcp);
+        let solution = solver.solve(&lcp, &Start::default(), &mut provenance);
+        assert_eq!(provenance.iterations, solution.iterations, "{}", entry.name);
+        assert!(provenance.iterations > 0, "{}", entry.name);
+        let other = paths.insert(provenance.fingerprint, entry.name);
+        assert_eq!(other, None, "{} does the same", entry.name);
+    }
 }
 
 #[test]
@@ -92,6 +119,16 @@ fn a_box_on_a_slope_is_held_by_friction_below_the_cone_and_slides_above() {
     }
 }
 
+#[test]
+fn a_mass_ratio_of_1e12_is_no_ray() {
+    let a: [&[f64]; 2] = [&[1.0, -1.0], &[-1.0, 1.0 + 1e-12]];
+    let lcp = boxed(&a, &[-0.1635, 0.0], &[-INF; 2], &[INF; 2]);
+    for solver in all() {
+        let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
+        assert!(!matches!(status, Status::Ray { .. }), "{}: {status}", solver.name());
+    }
+}
+
 proptest! {
     #![proptest_config(cases(150))]
 
@@ -114,6 +151,39 @@ proptest! {
             for (found, x) in solution.x.iter().zip(&m.x) {
                 prop_assert!((found - x).abs() < 1e-5, "{}: {:?} for {:?}", solver.name(), solution.x, m.x);
             }
+        }
+    }
+
+    #[test]
+    fn a_singular_system_with_a_solution_is_no_ray(
+        j in proptest::collection::vec(-1.0f64..1.0, 18),
+        x in proptest::collection::vec(-1.0f64..1.0, 6),
+    ) {
+        let j = DMatrix::from_vec(6, 3, j);
+        let a = Matrix::from((&j * j.transpose()).as_view());
+        let b = (0..6).map(|i| -a.row_dot(i, &x)).collect();
+        let lcp = Lcp::new(a, b, vec![-INF; 6], vec![INF; 6]).unwrap();
+        for solver in all() {
+            let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
+            prop_assert!(!matches!(status, Status::Ray { .. }), "{}: {status}", solver.name());
+        }
+    }
+
+    #[test]
+    fn units_do_not_matter(m in manufactured(6, 6, 1.0), k in proptest::collection::vec(-9..=9i32, 7)) {
+        // Powers of two, so that arithmetic is exact: b and w in another unit, each row in its own.
+        let (lcp, unit): (_, Vec<f64>) = (&m.lcp, k.iter().map(|&k| 2f64.powi(k)).collect());
+        let of_w = |v: &[f64]| (0..6).map(|i| v[i] * unit[i] * unit[6]).collect::<Vec<_>>();
+        let of_x = |v: &[f64]| (0..6).map(|i| v[i] / unit[i] * unit[6]).collect::<Vec<_>>();
+        let a: Vec<f64> = (0..36)
+            .map(|k| lcp.matrix().entry(k / 6, k % 6) * unit[k / 6] * unit[k % 6])
+            .collect();
+        let scaled = Lcp::new(Matrix::dense(6, &a), of_w(lcp.b()), of_x(lcp.lo()), of_x(lcp.hi()));
+        let scaled = scaled.unwrap();
+        for solver in all() {
+            let here = solver.solve(lcp, &Start::default(), &mut ());
+            let there = solver.solve(&scaled, &Start::default(), &mut ());
+            prop_assert_eq!(there.x, of_x(&here.x), "{}", solver.name());
         }
     }
 

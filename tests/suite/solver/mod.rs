@@ -1,5 +1,12 @@
+mod block_pgs;
 mod chapter;
+mod code6;
 mod dantzig;
 mod every;
+mod first_order;
+mod interior_point;
+mod jacobi;
+mod newton;
+mod order;
 mod pgs;
 mod theory;

@@ -1,21 +1,7 @@
-use std::ops::ControlFlow;
-
-use lcplab::lcp::merit;
-use lcplab::solver::{Iterate, Observer, Pgs, Solver, Start, Status};
+use lcplab::solver::{Pgs, Solver, Start, Status};
 use proptest::prelude::*;
 
-use crate::common::{INF, boxed, cases, contacts, manufactured};
-
-/// Keeps every iterate.
-#[derive(Default)]
-struct Iterates(Vec<Vec<f64>>);
-
-impl Observer for Iterates {
-    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        self.0.push(iterate.x.to_vec());
-        ControlFlow::Continue(())
-    }
-}
+use crate::common::{INF, boxed, cases, contacts, iterates, manufactured, objectives};
 
 fn pgs(omega: f64) -> Pgs {
     Pgs { omega, ..Pgs::default() }
@@ -44,9 +30,7 @@ fn the_clamp_stands_inside_the_sweep() {
 fn errors_of_an_equality_pair_shrink_by_a_quarter_each_sweep() {
     // [2 −1; −1 2] with b = −(1, 1): x* = (1, 1), errors of x2 are 1/4, 1/16, … (E07).
     let lcp = boxed(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, -1.0], &[-INF; 2], &[INF; 2]);
-    let mut iterates = Iterates::default();
-    pgs(1.0).solve(&lcp, &Start::default(), &mut iterates);
-    for (k, x) in iterates.0.iter().enumerate().skip(1).take(10) {
+    for (k, x) in iterates(&pgs(1.0), &lcp).iter().enumerate().skip(1).take(10) {
         assert_eq!(1.0 - x[1], 0.25f64.powi(k as i32));
     }
 }
@@ -72,10 +56,7 @@ proptest! {
 
     #[test]
     fn no_sweep_raises_the_objective(m in manufactured(6, 4, 0.5), omega in 0.1f64..1.9) {
-        let mut iterates = Iterates::default();
-        pgs(omega).solve(&m.lcp, &Start::default(), &mut iterates);
-        let objective: Vec<f64> = iterates.0.iter().map(|x| merit::objective(&m.lcp, x)).collect();
-        for pair in objective.windows(2) {
+        for pair in objectives(&pgs(omega), &m.lcp).windows(2) {
             prop_assert!(pair[1] <= pair[0] + 1e-12 * (1.0 + pair[0].abs()), "{pair:?}");
         }
     }
