@@ -4,6 +4,8 @@
 //! (Dekker, Knuth); the errors are summed beside (`Dot2` of Ogita, Rump & Oishi 2005). The result is
 //! as good as a quadruple-precision sum rounded once.
 
+use crate::lcp::merit;
+
 /// A running sum Σ a·b with its accumulated rounding errors.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sum {
@@ -12,20 +14,22 @@ pub(super) struct Sum {
 }
 
 impl Sum {
-    pub(super) fn add(&mut self, term: f64) {
+    fn add(&mut self, term: f64) {
         let sum = self.value + term;
         let part = sum - self.value;
         self.error += (self.value - (sum - part)) + (term - part); // value + term = sum + this
         self.value = sum;
     }
+}
 
-    pub(super) fn add_product(&mut self, a: f64, b: f64) {
+impl merit::Sum for Sum {
+    fn add_product(&mut self, a: f64, b: f64) {
         let product = a * b;
         self.error += a.mul_add(b, -product); // a b = product + this
         self.add(product);
     }
 
-    pub(super) fn rounded(self) -> f64 {
+    fn value(&self) -> f64 {
         self.value + self.error
     }
 }

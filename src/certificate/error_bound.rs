@@ -77,6 +77,9 @@ fn least_eigenvalue(a: &Mat<f64>) -> Option<f64> {
 fn residual(lcp: &Lcp, i: usize, x: &[f64], d: f64) -> f64 {
     let terms = accurate_terms(lcp, i, x);
     let n = lcp.len() as f64 + 2.0;
+    if terms.exponent != 0 {
+        return f64::INFINITY; // too large or too small to bound in plain numbers
+    }
     let error = U * terms.w.abs() + (n * U) * (n * U) * terms.magnitude + f64::MIN_POSITIVE;
     let (w, x) = (d * terms.w, x[i] / d);
     let natural = w.min(x - lcp.lo()[i] / d).max(x - lcp.hi()[i] / d).abs();

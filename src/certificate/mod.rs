@@ -31,7 +31,8 @@ pub mod uniqueness;
 use accurate::Sum;
 use dashu_ratio::RBig;
 
-use crate::lcp::{Lcp, merit::RowTerms, merit::row_scale};
+use crate::lcp::Lcp;
+use crate::lcp::merit::{RowTerms, Sum as _};
 
 /// What the judge asks of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -159,13 +160,7 @@ pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
 
 /// The terms of row i in compensated arithmetic.
 fn accurate_terms(lcp: &Lcp, i: usize, x: &[f64]) -> RowTerms {
-    let (mut sum, mut magnitude) = (Sum::default(), lcp.b()[i].abs());
-    sum.add(lcp.b()[i]);
-    for (j, a) in lcp.matrix().row(i).iter() {
-        sum.add_product(a, x[j]);
-        magnitude += (a * x[j]).abs();
-    }
-    RowTerms { w: sum.rounded(), magnitude, scale: row_scale(lcp, i) }
+    RowTerms::summed::<Sum>(lcp, i, x)
 }
 
 fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
@@ -173,7 +168,7 @@ fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
     let (mut natural, mut gap, mut outside, mut infeasible) = (0.0, 0.0, 0.0, 0.0);
     let (mut objective, mut duality_gap) = (Sum::default(), Sum::default());
     for (i, row) in terms.iter().enumerate() {
-        let (lo, hi, w) = (lcp.lo()[i], lcp.hi()[i], row.w);
+        let (lo, hi, w) = (lcp.lo()[i], lcp.hi()[i], row.w());
         let residual = finite_or_infinite(row.scaled_residual(x[i], lo, hi));
         if residual > scaled_residual {
             (worst_row, scaled_residual) = (i, residual);
@@ -191,15 +186,15 @@ fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
         objective.add_product(0.5 * x[i], lcp.b()[i]);
     }
     Certificate {
-        w: terms.iter().map(|row| row.w).collect(),
+        w: terms.iter().map(RowTerms::w).collect(),
         natural_residual: natural,
         scaled_residual,
         worst_row,
         complementarity_gap: gap,
         bound_violation: outside,
         dual_infeasibility: infeasible,
-        objective: objective.rounded(),
-        duality_gap: duality_gap.rounded(),
+        objective: objective.value(),
+        duality_gap: duality_gap.value(),
         verdict: Verdict::NotASolution { row: worst_row, amount: scaled_residual },
         null_direction: None,
     }

@@ -85,7 +85,7 @@ fn bound_in_digits(a: &[Vec<IBig>], r: &[IBig]) -> usize {
     };
     let determinant: usize = a.iter().map(|row| norm_bits(row)).sum();
     let rhs = norm_bits(r);
-    (2 * determinant + rhs + 2) / 61 + 2
+    2 * (determinant + rhs + 1) / 61 + 2
 }
 
 fn digit(inverse: &[Vec<u64>], rest: &[IBig]) -> Vec<u64> {

@@ -6,26 +6,70 @@
 
 use super::Lcp;
 
+/// Terms in this range lose nothing to overflow or underflow, nor do their sums.
+const SAFE: std::ops::Range<f64> = 1e-250..1e250;
+
 /// What one row contributes to a residual: w_i with the sizes to measure it by.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RowTerms {
-    /// w_i = Σ_j a_ij x_j + b_i.
+    /// w_i = Σ_j a_ij x_j + b_i, in units of 2^`exponent`.
     pub w: f64,
-    /// Σ_j |a_ij x_j| + |b_i|: what w_i would be without cancellation.
+    /// Σ_j |a_ij x_j| + |b_i|: what w_i would be without cancellation, in units of 2^`exponent`.
     pub magnitude: f64,
     /// s_i = |a_ii|, or max_j |a_ij| where a_ii = 0: how much w_i moves with x_i.
     pub scale: f64,
+    /// 0 unless the terms are so large or so small that they would overflow or vanish.
+    pub exponent: i32,
+}
+
+/// How the terms of a row are added up.
+pub trait Sum: Default {
+    /// Adds a b.
+    fn add_product(&mut self, a: f64, b: f64);
+    /// The sum, rounded.
+    fn value(&self) -> f64;
+}
+
+/// Plain floating-point summation.
+impl Sum for f64 {
+    fn add_product(&mut self, a: f64, b: f64) {
+        *self += a * b;
+    }
+
+    fn value(&self) -> f64 {
+        *self
+    }
 }
 
 impl RowTerms {
-    /// The terms of row i at x.
+    /// The terms of row i at x, in plain floating point.
     pub fn at(lcp: &Lcp, i: usize, x: &[f64]) -> Self {
-        let (mut sum, mut magnitude) = (0.0, lcp.b()[i].abs());
-        for (j, a) in lcp.matrix().row(i).iter() {
-            sum += a * x[j];
-            magnitude += (a * x[j]).abs();
+        Self::summed::<f64>(lcp, i, x)
+    }
+
+    /// The terms of row i at x, added up by S.
+    pub fn summed<S: Sum>(lcp: &Lcp, i: usize, x: &[f64]) -> Self {
+        let products =
+            || lcp.matrix().row(i).iter().map(|(j, a)| (a, x[j])).chain([(lcp.b()[i], 1.0)]);
+        let (mut w, mut magnitude) = (S::default(), 0.0);
+        for (a, x) in products() {
+            w.add_product(a, x);
+            magnitude += (a * x).abs();
         }
-        RowTerms { w: sum + lcp.b()[i], magnitude, scale: row_scale(lcp, i) }
+        let scale = row_scale(lcp, i);
+        let largest = products().filter_map(|(a, x)| exponent(a, x)).max();
+        match largest {
+            Some(largest) if !SAFE.contains(&magnitude) && x.iter().all(|x| x.is_finite()) => {
+                let (mut w, mut magnitude) = (S::default(), 0.0);
+                for (a, x) in products() {
+                    let (a, x) = shifted(a, x, -largest);
+                    w.add_product(a, x);
+                    magnitude += (a * x).abs();
+                }
+                RowTerms { w: w.value(), magnitude, scale, exponent: largest }
+            }
+            _ => RowTerms { w: w.value(), magnitude, scale, exponent: 0 },
+        }
     }
 
     /// ```text
@@ -36,13 +80,39 @@ impl RowTerms {
     /// Computed as the median of s (x − hi), w and s (x − lo), which needs no division by s.
     pub fn scaled_residual(&self, x: f64, lo: f64, hi: f64) -> f64 {
         let scale = if self.scale == 0.0 { 1.0 } else { self.scale };
-        let residual = self.w.min(scale * (x - lo)).max(scale * (x - hi)).abs();
+        let room = |distance: f64| match self.exponent {
+            0 => scale * distance,
+            exponent => {
+                let (scale, distance) = shifted(scale, distance, -exponent);
+                scale * distance
+            }
+        };
+        let residual = self.w.min(room(x - lo)).max(room(x - hi)).abs();
         match residual {
             0.0 => 0.0,
-            _ if self.magnitude.is_infinite() => f64::INFINITY, // overflow hides every residual
+            _ if self.magnitude.is_infinite() => f64::INFINITY, // x is not finite
             _ => residual / self.magnitude,
         }
     }
+
+    /// w_i itself, which may overflow.
+    pub fn w(&self) -> f64 {
+        libm::ldexp(self.w, self.exponent)
+    }
+}
+
+/// The exponent of a b, unless it is 0.
+fn exponent(a: f64, b: f64) -> Option<i32> {
+    (a != 0.0 && b != 0.0).then(|| libm::frexp(a).1 + libm::frexp(b).1)
+}
+
+/// Two factors whose product is a b 2^shift, neither of them extreme if the product is not.
+fn shifted(a: f64, b: f64, shift: i32) -> (f64, f64) {
+    if a == 0.0 || b == 0.0 || !b.is_finite() {
+        return (a, b);
+    }
+    let ((a, m), (b, k)) = (libm::frexp(a), libm::frexp(b));
+    (libm::ldexp(a, m + k + shift), b)
 }
 
 /// s_i: |a_ii|, or max_j |a_ij| where a_ii = 0.

@@ -65,6 +65,24 @@ fn an_x_that_is_not_finite_is_no_solution() {
 }
 
 #[test]
+fn neither_overflow_nor_underflow_hides_a_wrong_answer() {
+    // (a x + b) with b = −a: x = 1 solves it, x = 0.9 does not, whatever a is.
+    for a in [1e-320, 1e-300, 1e-200, 1e200, 1e300, 1.7e308] {
+        let lcp = contacts(&[&[a]], &[-a]);
+        assert_proved(&lcp, &[1.0]);
+        let verdict = judge(&lcp, &[0.9], &Demand::default()).verdict;
+        assert!(!verdict.is_solution(), "a = {a:e}");
+    }
+    // a x vanishes beside nothing: w = 1e-400 > 0 at x > 0 is no solution, and x = 0 is one.
+    let lcp = contacts(&[&[1e-200]], &[0.0]);
+    assert!(!judge(&lcp, &[1e-200], &Demand::default()).verdict.is_solution());
+    assert_proved(&lcp, &[0.0]);
+    // Terms that overflow and cancel: 1e200 · 1e200 (1 − 1).
+    let lcp = boxed(&[&[1e200, -1e200], &[0.0, 1.0]], &[0.0, -1e200], &[-INF; 2], &[INF; 2]);
+    assert_proved(&lcp, &[1e200, 1e200]);
+}
+
+#[test]
 fn the_empty_problem_is_solved_by_nothing() {
     let lcp = contacts(&[], &[]);
     assert_proved(&lcp, &[]);
