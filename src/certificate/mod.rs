@@ -22,6 +22,7 @@
 
 mod accurate;
 pub mod cross_check;
+pub mod error_bound;
 pub mod exact;
 mod modular;
 pub mod ray;

@@ -6,12 +6,14 @@ use clap::Args;
 use lcplab::certificate::{Certificate, Demand, judge};
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
-use lcplab::lcp::file::{Problem, read_answer};
-use lcplab::report::answer::{Answer, certificate_json, certificate_text};
+use lcplab::lcp::file::{Problem, number, read_answer};
+use lcplab::report::answer::{Answer, bound, certificate_json, certificate_text};
 use lcplab::solver::by_name;
 
 use super::{Outcome, SolverArgs, print};
 
+/// Rows up to which `judge` and `solve --exact` prove.
+const PROVED_ROWS: usize = 150;
 /// Rows of x and w that are printed at most.
 const PRINTED_ROWS: usize = 40;
 
@@ -28,6 +30,9 @@ pub struct Solve {
     /// pgs, sor or dantzig; without it dantzig, which takes a symmetric A
     #[arg(long, default_value = "dantzig", hide_default_value = true)]
     solver: String,
+    /// Prove problems of up to 150 rows exactly, not only of up to 50
+    #[arg(long)]
+    exact: bool,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -39,7 +44,11 @@ impl Solve {
     pub fn run(&self) -> Result<Outcome> {
         let solver = by_name(&self.solver, &self.settings.options())?;
         let problem = read_problem(&self.problem)?;
-        let answer = Answer::obtain(&problem.lcp, &*solver, &self.settings.demand());
+        let mut demand = self.settings.demand();
+        if self.exact {
+            demand.prove_up_to = PROVED_ROWS;
+        }
+        let answer = Answer::obtain(&problem.lcp, &*solver, &demand);
         if self.json {
             print(&format!("{}\n", answer.to_json()))?;
         } else {
@@ -52,6 +61,7 @@ impl Solve {
                 answer.message()
             );
             text += &certificate_text(&answer.certificate);
+            text += &bound_text(answer.error_bound);
             text += &rows(&problem.lcp, &answer.solution.x, &answer.certificate);
             print(&text)?;
         }
@@ -83,12 +93,18 @@ impl Judge {
     pub fn run(&self) -> Result<Outcome> {
         let problem = read_problem(&self.problem)?;
         let x = read_answer(&self.answer, problem.lcp.len())?;
-        let demand = Demand { tolerance: self.tolerance, prove_up_to: 150 };
+        let demand = Demand { tolerance: self.tolerance, prove_up_to: PROVED_ROWS };
         let certificate = judge(&problem.lcp, &x, &demand);
+        let bound = bound(&problem.lcp, &x, &certificate);
         if self.json {
-            print(&format!("{}\n", serde_json::Value::Object(certificate_json(&certificate))))?;
+            let mut object = certificate_json(&certificate);
+            if let Some(bound) = bound {
+                object.insert("error_bound".into(), number(bound));
+            }
+            print(&format!("{}\n", serde_json::Value::Object(object)))?;
         } else {
-            let text = title(&problem) + "\n" + &certificate_text(&certificate);
+            let text =
+                title(&problem) + "\n" + &certificate_text(&certificate) + &bound_text(bound);
             print(&(text + &rows(&problem.lcp, &x, &certificate)))?;
         }
         Ok(outcome(&certificate))
@@ -111,6 +127,11 @@ fn title(problem: &Problem) -> String {
     let name = if problem.name.is_empty() { "problem" } else { &problem.name };
     let n = problem.lcp.len();
     format!("{name}: {n} rows, {} stored entries", problem.lcp.matrix().stored())
+}
+
+fn bound_text(bound: Option<f64>) -> String {
+    let line = |bound| format!("  error bound      {bound:>10.2e}  no entry of x is further off\n");
+    bound.map(line).unwrap_or_default()
 }
 
 fn rows(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> String {

@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::certificate::{Certificate, Demand, judge, ray};
+use crate::certificate::ray::{self, Farkas};
+use crate::certificate::{Certificate, Demand, Verdict, error_bound, judge};
 use crate::lcp::Lcp;
 use crate::lcp::file::number;
 use crate::solver::{Solution, Solver, Start, Status};
@@ -16,8 +17,11 @@ pub struct Answer {
     pub solution: Solution,
     /// What the judge makes of it.
     pub certificate: Certificate,
-    /// The solver ended on a ray, and the ray was checked exactly: no solution exists.
-    pub infeasible: bool,
+    /// The vector that proves that no solution exists, if the solver ended on a ray and the ray
+    /// was checked exactly.
+    pub farkas: Option<Farkas>,
+    /// A bound on max |x − x*| where A is verifiably definite and nothing better was proved.
+    pub error_bound: Option<f64>,
 }
 
 impl Answer {
@@ -29,13 +33,14 @@ impl Answer {
     /// Has a solution judged.
     pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
         let certificate = judge(lcp, &solution.x, demand);
-        let infeasible = match &solution.status {
+        let farkas = match &solution.status {
             Status::Ray { row, direction } if lcp.len() <= demand.prove_up_to => {
-                ray::refute(lcp, *row, direction).is_some()
+                ray::refute(lcp, *row, direction)
             }
-            _ => false,
+            _ => None,
         };
-        Answer { solver, solution, certificate, infeasible }
+        let error_bound = bound(lcp, &solution.x, &certificate);
+        Answer { solver, solution, certificate, farkas, error_bound }
     }
 
     /// The solver's claim in one of four words. `infeasible` is said only with a proof.
@@ -45,7 +50,7 @@ impl Answer {
             Status::Inaccurate | Status::IterationLimit | Status::Stalled | Status::Stopped => {
                 "iteration_limit"
             }
-            Status::Ray { .. } if self.infeasible => "infeasible",
+            Status::Ray { .. } if self.farkas.is_some() => "infeasible",
             Status::Ray { .. }
             | Status::Diverged
             | Status::NotFinite
@@ -57,7 +62,7 @@ impl Answer {
 
     /// The status in words.
     pub fn message(&self) -> String {
-        if self.infeasible {
+        if self.farkas.is_some() {
             return "no solution exists: the ray was checked exactly".to_string();
         }
         self.solution.status.to_string()
@@ -76,13 +81,27 @@ impl Answer {
         let fields = object.as_object_mut().expect("an object");
         fields.extend(certificate_json(&self.certificate));
         fields.insert("message".into(), json!(self.message()));
+        if let Some(bound) = self.error_bound {
+            fields.insert("error_bound".into(), number(bound));
+        }
+        if let Some(farkas) = &self.farkas {
+            let vector: Vec<String> = farkas.vector.iter().map(ToString::to_string).collect();
+            fields.insert("certificate".into(), json!({ "no_solution": vector }));
+        }
         object
+    }
+}
+
+/// The bound that certifies x to ε, where the verdict is within tolerance and no more.
+pub fn bound(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> Option<f64> {
+    match certificate.verdict {
+        Verdict::WithinTolerance => error_bound::error_bound(lcp, x),
+        _ => None,
     }
 }
 
 /// The judge's part of the JSON: residuals, gaps and the verdict.
 pub fn certificate_json(certificate: &Certificate) -> serde_json::Map<String, Value> {
-    use crate::certificate::Verdict;
     let mut object = serde_json::Map::new();
     for (key, value) in [
         ("natural_residual", certificate.natural_residual),

@@ -1,4 +1,5 @@
 mod cross_check;
+mod error_bound;
 mod exact;
 mod ray;
 mod verdict;

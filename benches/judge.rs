@@ -1,0 +1,42 @@
+//! What does an exact proof cost? Random definite problems with half of the rows free.
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use lcplab::certificate::exact::prove;
+use lcplab::lcp::{Lcp, Matrix};
+use lcplab::solver::{Dantzig, Settings, Solver, Start};
+use nalgebra::DMatrix;
+
+/// A = JJᵀ + 1 with 53-bit entries from a fixed sequence, b so that about half of the rows are free.
+fn problem(n: usize) -> Lcp {
+    let mut state = 1u64;
+    let mut next = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    };
+    let j = DMatrix::from_fn(n, n, |_, _| next());
+    let a = &j * j.transpose() + DMatrix::identity(n, n);
+    let b = (0..n).map(|_| next()).collect();
+    Lcp::new(Matrix::from(a.as_view()), b, vec![0.0; n], vec![f64::INFINITY; n])
+        .expect("a valid problem")
+}
+
+fn exact_proof(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("exact proof");
+    group.sample_size(10);
+    for n in [10, 50, 150] {
+        let lcp = problem(n);
+        let settings = Settings { tolerance: 1e-12, ..Settings::default() };
+        let x = Dantzig { settings }.solve(&lcp, &Start::default(), &mut ()).x;
+        let w = lcp.w(&x);
+        assert!(prove(&lcp, &x, &w).is_some(), "nothing is timed that is not proved");
+        group.bench_function(BenchmarkId::from_parameter(n), |bencher| {
+            bencher.iter(|| prove(black_box(&lcp), &x, &w));
+        });
+    }
+}
+
+criterion_group!(benches, exact_proof);
+criterion_main!(benches);

@@ -1,0 +1,54 @@
+use lcplab::certificate::error_bound::error_bound;
+use lcplab::lcp::{Lcp, Matrix};
+use proptest::prelude::*;
+
+use crate::common::{cases, contacts, manufactured};
+
+#[test]
+fn a_singular_matrix_has_no_bound() {
+    assert_eq!(
+        error_bound(&contacts(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -1.0]), &[0.5, 0.5]),
+        None
+    );
+}
+
+#[test]
+fn a_matrix_that_is_definite_only_by_rounding_has_no_bound() {
+    // det = 2⁻⁶⁰ exactly, below what floating point can verify.
+    let nearly = 1.0 + 2f64.powi(-30);
+    let lcp = contacts(&[&[nearly, 1.0], &[1.0, 1.0 / nearly]], &[-1.0, -1.0]);
+    let _ = error_bound(&lcp, &[0.5, 0.5]).inspect(|bound| assert!(*bound > 1e6));
+}
+
+proptest! {
+    #![proptest_config(cases(200))]
+
+    #[test]
+    fn the_distance_to_the_solution_is_below_the_bound_and_not_far_below(
+        m in manufactured(6, 6, 1.0),
+        moved in proptest::collection::vec(-1.0f64..1.0, 6),
+        size in -12i32..0,
+    ) {
+        let moved: Vec<f64> = moved.iter().map(|d| d * 10f64.powi(size)).collect();
+        let x: Vec<f64> = (0..6).map(|i| (m.x[i] + moved[i]).clamp(m.lcp.lo()[i], m.lcp.hi()[i])).collect();
+        let distance = x.iter().zip(&m.x).map(|(x, s)| (x - s).abs()).fold(0.0, f64::max);
+        let bound = error_bound(&m.lcp, &x).expect("a definite problem");
+        prop_assert!(distance <= bound, "{distance} {bound}");
+        // (1 + |A|) |r| / λ with λ ≥ 1, |A| ≤ 13 and |r| ≤ (1 + |A|) |x − x*|, and n from the norms
+        prop_assert!(bound <= 2e4 * distance + 1e-12, "{distance} {bound}");
+    }
+
+    #[test]
+    fn units_do_not_spoil_the_bound(m in manufactured(4, 4, 1.0), powers in proptest::collection::vec(-20i32..20, 4)) {
+        // Scaled to D A D, D b, bounds and x by D⁻¹, the bound moves at most with the largest 1/D.
+        let d: Vec<f64> = powers.iter().map(|&k| 2f64.powi(k)).collect();
+        let entries: Vec<f64> = (0..16).map(|k| d[k / 4] * m.lcp.matrix().entry(k / 4, k % 4) * d[k % 4]).collect();
+        let scale = |v: &[f64], times: bool| v.iter().zip(&d).map(|(v, d)| if times { v * d } else { v / d }).collect::<Vec<_>>();
+        let lcp = Lcp::new(Matrix::dense(4, &entries), scale(m.lcp.b(), true), scale(m.lcp.lo(), false), scale(m.lcp.hi(), false)).unwrap();
+        let mut x = m.x.clone();
+        x[0] = (x[0] + 1e-6).min(m.lcp.hi()[0]);
+        let (plain, scaled) = (error_bound(&m.lcp, &x).unwrap(), error_bound(&lcp, &scale(&x, false)).unwrap());
+        let largest = d.iter().map(|d| 1.0 / d).fold(0.0, f64::max);
+        prop_assert!(scaled <= 4.0 * plain * largest + 1e-300);
+    }
+}
