@@ -1,5 +1,6 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
+mod library;
 mod problem;
 mod report;
 mod scene;
@@ -25,6 +26,8 @@ enum Command {
     Report(report::Report),
     Solve(problem::Solve),
     Judge(problem::Judge),
+    Problems(library::Problems),
+    Generate(library::Generate),
     Scenes(scene::Scenes),
     Simulate(scene::Simulate),
     Compare(scene::Compare),
@@ -44,6 +47,8 @@ pub fn run() -> ExitCode {
         Command::Report(command) => command.run(),
         Command::Solve(command) => command.run(),
         Command::Judge(command) => command.run(),
+        Command::Problems(command) => command.run(),
+        Command::Generate(command) => command.run(),
         Command::Scenes(command) => command.run(),
         Command::Simulate(command) => command.run(),
         Command::Compare(command) => command.run(),

@@ -11,6 +11,7 @@
 mod coupled;
 pub mod file;
 mod gauss;
+pub mod library;
 mod matrix;
 pub mod merit;
 

@@ -52,6 +52,7 @@ impl Answer {
                 "iteration_limit"
             }
             Status::Ray { .. } if self.farkas.is_some() => "infeasible",
+            Status::NoSolution => "infeasible",
             Status::Ray { .. }
             | Status::Diverged
             | Status::NotFinite

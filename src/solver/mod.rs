@@ -3,37 +3,52 @@
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
 //! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide.
 
+mod active_set;
 mod admm;
 mod apgd;
 mod block_pgs;
+mod block_pivoting;
 mod code6;
 mod dantzig;
+mod dictionary;
+mod elimination;
+mod enumeration;
 mod frozen;
 mod interior_point;
 mod iterate;
 mod jacobi;
 mod ldlt;
+mod lemke;
 mod metric;
 mod mprgp;
+mod murty;
 mod newton;
 mod nncg;
 mod observer;
 mod order;
 mod pgs;
+mod pivoting;
+mod principal;
+mod rational;
 mod registry;
 mod settings;
 mod solution;
 mod spectral;
+mod standard_form;
 pub mod theory;
 
 pub use admm::Admm;
 pub use apgd::Apgd;
 pub use block_pgs::BlockPgs;
+pub use block_pivoting::BlockPivoting;
 pub use code6::Code6;
 pub use dantzig::Dantzig;
+pub use enumeration::{Enumeration, all_solutions};
 pub use interior_point::InteriorPoint;
 pub use jacobi::{Damping, Jacobi};
+pub use lemke::Lemke;
 pub use mprgp::Mprgp;
+pub use murty::Murty;
 pub use newton::{Equations, Newton};
 pub use nncg::Nncg;
 pub use observer::{Event, Iterate, Observer};

@@ -42,4 +42,11 @@ pub enum Event {
         /// The row that changed sides, `driven` itself when it got there.
         blocking: usize,
     },
+    /// A block of rows changed sides at once.
+    Exchange {
+        /// How many rows.
+        rows: usize,
+    },
+    /// An enumeration looked at another active set.
+    Trial,
 }

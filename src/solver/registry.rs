@@ -1,8 +1,9 @@
 //! The list of solvers: one entry each. Command line, comparison, report and tests read it.
 
 use super::{
-    Admm, Apgd, BlockPgs, Code6, Damping, Dantzig, Equations, InteriorPoint, Jacobi, Mprgp, Newton,
-    Nncg, Order, Pgs, Settings, Solver, Spectral,
+    Admm, Apgd, BlockPgs, BlockPivoting, Code6, Damping, Dantzig, Enumeration, Equations,
+    InteriorPoint, Jacobi, Lemke, Mprgp, Murty, Newton, Nncg, Order, Pgs, Settings, Solver,
+    Spectral,
 };
 use crate::error::{Error, Result};
 
@@ -148,6 +149,37 @@ pub const ALL: &[Entry] = &[
         class: "symmetric positive semidefinite",
         source: "Cottle & Dantzig 1968; Baraff 1994",
         build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "lemke",
+        method: "Lemke's complementary pivoting, lexicographic ties, finite",
+        class: "copositive plus, P-matrix, or all bounds finite",
+        source: "Lemke 1965; Cottle, Pang & Stone 1992",
+        build: |options| Box::new(Lemke { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "murty",
+        method: "least-index principal pivoting, finite",
+        class: "P-matrix",
+        source: "Murty 1974",
+        build: |options| Box::new(Murty { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "block-pivoting",
+        method: "block principal pivoting with Murty's rule as safeguard, finite",
+        class: "P-matrix",
+        source: "Kostreva 1978; Júdice & Pires 1994",
+        build: |options| {
+            let settings = options.settings.clone();
+            Box::new(BlockPivoting { settings, ..BlockPivoting::default() })
+        },
+    },
+    Entry {
+        name: "enumeration",
+        method: "all active sets in exact arithmetic, finite",
+        class: "any, up to 65536 active sets",
+        source: "decided by trying",
+        build: |options| Box::new(Enumeration { settings: options.settings.clone() }),
     },
 ];
 

@@ -59,6 +59,8 @@ pub enum Status {
         /// The ray, n entries.
         direction: Vec<f64>,
     },
+    /// All active sets were tried in exact arithmetic and none carries a solution; x is the start.
+    NoSolution,
     /// The method is not made for this problem; x is the start.
     OutsideClass {
         /// Which property the problem lacks.
@@ -79,6 +81,7 @@ impl fmt::Display for Status {
             Status::ZeroDiagonal { row } => write!(f, "the diagonal of row {row} is not positive"),
             Status::Singular { row } => write!(f, "singular at row {row}"),
             Status::Ray { row, .. } => write!(f, "a ray: row {row} cannot be satisfied"),
+            Status::NoSolution => write!(f, "no solution exists: no active set carries one"),
             Status::OutsideClass { reason } => write!(f, "outside the solver's class: {reason}"),
         }
     }

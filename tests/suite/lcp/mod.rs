@@ -1,4 +1,5 @@
 mod file;
+mod library;
 mod matrix;
 mod merit;
 mod problem;

@@ -10,3 +10,6 @@ mod newton;
 mod order;
 mod pgs;
 mod theory;
+mod differential;
+mod lemke;
+mod worst_cases;

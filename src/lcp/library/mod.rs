@@ -1,0 +1,237 @@
+//! The problem library: LCPs to try solvers on, most of them with exact solutions.
+//!
+//! A [`Family`] makes a problem from a few parameters; the same parameters always make the same
+//! bits. What is known of the solutions stands under the key `expected` of the problem file:
+//!
+//! ```json
+//! {"solutions": [["14/5", "0", "4/5", "6/5"]], "complete": true}
+//! ```
+//!
+//! Each solution is a list of fractions and solves the problem *exactly*, as the numbers of the file
+//! stand. `complete` says that there is no other one, apart from segments between them and rays from
+//! them; an empty complete list says that no solution exists.
+//!
+//! ```
+//! use lcplab::lcp::library;
+//!
+//! let problem = library::by_name("murty")?.generate(&[("n", 4.0)])?;
+//! assert_eq!(problem.lcp.matrix().row_dot(0, &[1.0; 4]), 7.0);
+//! assert_eq!(problem.extra["expected"]["solutions"][0], serde_json::json!(["0", "0", "0", "1"]));
+//! # Ok::<(), lcplab::error::Error>(())
+//! ```
+
+mod contact;
+mod hard;
+mod manufactured;
+mod published;
+mod random;
+
+use dashu_ratio::RBig;
+use serde_json::{Value, json};
+
+use super::file::Problem;
+use super::{Lcp, Matrix};
+use crate::error::{Defects, Error, Result};
+
+/// A family of problems.
+pub trait Family: Sync {
+    /// The name to choose it by.
+    fn name(&self) -> &'static str;
+
+    /// What it is and what it teaches, in one line.
+    fn about(&self) -> &'static str;
+
+    /// Where it comes from.
+    fn source(&self) -> &'static str;
+
+    /// What can be chosen.
+    fn parameters(&self) -> &'static [Parameter];
+
+    /// The problem with these values, one for each parameter and each in its range.
+    fn make(&self, values: &Values) -> Problem;
+
+    /// The problem with the given values, and the defaults of the other parameters.
+    ///
+    /// # Errors
+    /// Lists each value that is not in its range or belongs to no parameter.
+    fn generate(&self, given: &[(&str, f64)]) -> Result<Problem> {
+        let values = Values::new(self.parameters(), given).map_err(|e| e.within(self.name()))?;
+        let mut problem = self.make(&values);
+        problem.name = values.title(self.name());
+        problem.extra.insert("source".into(), self.source().into());
+        Ok(problem)
+    }
+}
+
+/// Something that can be chosen about a family.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    /// Its name.
+    pub name: &'static str,
+    /// What it means.
+    pub about: &'static str,
+    /// Its value if nothing is said.
+    pub default: f64,
+    /// The least value allowed.
+    pub least: f64,
+    /// The greatest value allowed.
+    pub most: f64,
+    /// Whether only whole numbers are allowed.
+    pub is_whole: bool,
+}
+
+impl Parameter {
+    const fn whole(name: &'static str, about: &'static str, default: u32, range: [u32; 2]) -> Self {
+        let [least, most] = [range[0] as f64, range[1] as f64];
+        Parameter { name, about, default: default as f64, least, most, is_whole: true }
+    }
+
+    const fn real(name: &'static str, about: &'static str, default: f64, range: [f64; 2]) -> Self {
+        Parameter { name, about, default, least: range[0], most: range[1], is_whole: false }
+    }
+
+    const fn seed() -> Self {
+        Self::whole("seed", "seed of the random numbers", 1, [0, u32::MAX])
+    }
+}
+
+/// A value for each parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Values(Vec<(&'static str, f64)>);
+
+impl Values {
+    fn new(parameters: &'static [Parameter], given: &[(&str, f64)]) -> Result<Self> {
+        let mut defects = Defects::default();
+        for (name, _) in given.iter().filter(|(n, _)| parameters.iter().all(|p| p.name != *n)) {
+            let known: Vec<&str> = parameters.iter().map(|p| p.name).collect();
+            let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
+            defects.add(*name, format!("is no parameter of this family; there are {known}"));
+        }
+        let value = |p: &Parameter| {
+            given.iter().rev().find(|(name, _)| *name == p.name).map_or(p.default, |(_, v)| *v)
+        };
+        for p in parameters {
+            let value = value(p);
+            if !(p.least <= value && value <= p.most) {
+                defects.add(p.name, format!("must lie in {} … {}, is {value}", p.least, p.most));
+            } else if p.is_whole && value.fract() != 0.0 {
+                defects.add(p.name, format!("must be a whole number, is {value}"));
+            }
+        }
+        defects.into_result("problem")?;
+        Ok(Values(parameters.iter().map(|p| (p.name, value(p))).collect()))
+    }
+
+    /// The value of a parameter of the family.
+    fn real(&self, name: &str) -> f64 {
+        let of = |(n, v): &(&str, f64)| (*n == name).then_some(*v);
+        self.0.iter().find_map(of).expect("a parameter of the family")
+    }
+
+    fn whole(&self, name: &str) -> usize {
+        self.real(name) as usize
+    }
+
+    fn title(&self, family: &str) -> String {
+        let values: Vec<String> = self.0.iter().map(|(name, v)| format!("{name} = {v}")).collect();
+        if values.is_empty() { family.into() } else { format!("{family}, {}", values.join(", ")) }
+    }
+}
+
+/// A family that is made by a function.
+#[derive(Debug, Clone, Copy)]
+struct Generated {
+    name: &'static str,
+    about: &'static str,
+    source: &'static str,
+    parameters: &'static [Parameter],
+    make: fn(&Values) -> Problem,
+}
+
+impl Family for Generated {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn about(&self) -> &'static str {
+        self.about
+    }
+
+    fn source(&self) -> &'static str {
+        self.source
+    }
+
+    fn parameters(&self) -> &'static [Parameter] {
+        self.parameters
+    }
+
+    fn make(&self, values: &Values) -> Problem {
+        (self.make)(values)
+    }
+}
+
+/// All families.
+pub fn all() -> impl Iterator<Item = &'static dyn Family> {
+    let generated = [manufactured::FAMILIES, hard::FAMILIES, contact::FAMILIES];
+    let generated = generated.into_iter().flatten().map(|family| family as &dyn Family);
+    generated.chain(published::ALL.iter().map(|problem| problem as &dyn Family))
+}
+
+/// The family of this name.
+///
+/// # Errors
+/// If there is none.
+pub fn by_name(name: &str) -> Result<&'static dyn Family> {
+    all().find(|family| family.name() == name).ok_or_else(|| Error::Unknown {
+        kind: "problem family",
+        name: name.to_string(),
+        known: all().map(|family| family.name().to_string()).collect(),
+    })
+}
+
+/// What is known of the solutions, for the key `expected`.
+struct Expected {
+    solutions: Vec<Vec<RBig>>,
+    complete: bool,
+}
+
+impl Expected {
+    /// The one solution.
+    fn unique(x: Vec<RBig>) -> Self {
+        Expected { solutions: vec![x], complete: true }
+    }
+
+    /// One solution; there may be others.
+    fn one_of_several(x: Vec<RBig>) -> Self {
+        Expected { solutions: vec![x], complete: false }
+    }
+
+    fn json(&self) -> Value {
+        let text = |x: &Vec<RBig>| -> Value { x.iter().map(|x| json!(x.to_string())).collect() };
+        let solutions: Value = self.solutions.iter().map(text).collect();
+        json!({ "solutions": solutions, "complete": self.complete })
+    }
+}
+
+/// A problem with bounds 0 and ∞; the caller's numbers are finite and the sizes agree.
+fn contacts(matrix: Matrix, b: Vec<f64>, expected: &Expected) -> Problem {
+    let n = b.len();
+    boxed(matrix, b, vec![0.0; n], vec![f64::INFINITY; n], expected)
+}
+
+fn boxed(matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>, expected: &Expected) -> Problem {
+    let lcp = Lcp::new(matrix, b, lo, hi).expect("a family makes valid problems");
+    let mut problem = Problem::new("", lcp);
+    problem.extra.insert("expected".into(), expected.json());
+    problem
+}
+
+/// A floating-point number as the rational that it is.
+fn rational(x: f64) -> RBig {
+    RBig::try_from(x).expect("a finite number")
+}
+
+/// w − A x, which makes x a solution with this w. Exact where the sums are.
+fn offset(matrix: &Matrix, x: &[f64], w: &[f64]) -> Vec<f64> {
+    (0..x.len()).map(|i| w[i] - matrix.row_dot(i, x)).collect()
+}

@@ -1,0 +1,94 @@
+//! Active sets: which rows stand at a bound, and the point that belongs to such a choice.
+//!
+//! With the rows at a bound fixed there, the free rows F have their w at zero:
+//!
+//! ```text
+//! x_B = the bounds,   A_FF x_F = −(b_F + A_FB x_B)
+//! ```
+//!
+//! The point solves the LCP if x_F lies within its bounds and w_B has the right signs. Principal
+//! pivoting methods differ only in how they go from one active set to the next.
+
+use super::elimination::Lu;
+use super::{Settings, Start, Status};
+use crate::lcp::{Lcp, merit};
+
+/// A row whose scaled residual is below this is satisfied: what is left is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Where a row stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    /// x = lo, w ≥ 0 asked for.
+    Lower,
+    /// w = 0, lo ≤ x ≤ hi asked for.
+    Free,
+    /// x = hi, w ≤ 0 asked for.
+    Upper,
+}
+
+/// A side for each row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct ActiveSet(pub(super) Vec<Side>);
+
+impl ActiveSet {
+    /// The active set of a guess; without one, every row that has a bound is at it.
+    pub(super) fn initial(lcp: &Lcp, start: &Start<'_>, x: &[f64]) -> Self {
+        let side = |i: usize| match (lcp.lo()[i], lcp.hi()[i]) {
+            (lo, _) if x[i] == lo => Side::Lower,
+            (_, hi) if x[i] == hi => Side::Upper,
+            (lo, _) if start.x.is_none() && lo.is_finite() => Side::Lower,
+            (_, hi) if start.x.is_none() && hi.is_finite() => Side::Upper,
+            _ => Side::Free,
+        };
+        ActiveSet((0..lcp.len()).map(side).collect())
+    }
+
+    /// The point of this active set, or the row whose pivot vanishes if A_FF is singular.
+    pub(super) fn point(&self, lcp: &Lcp) -> Result<Vec<f64>, usize> {
+        let bound = |i: usize| match self.0[i] {
+            Side::Lower => lcp.lo()[i],
+            Side::Upper => lcp.hi()[i],
+            Side::Free => 0.0,
+        };
+        let mut x: Vec<f64> = (0..lcp.len()).map(bound).collect();
+        let free: Vec<usize> = (0..lcp.len()).filter(|&i| self.0[i] == Side::Free).collect();
+        let entry = |r: usize, c: usize| lcp.matrix().entry(free[r], free[c]);
+        let factor = Lu::of(free.len(), entry).map_err(|k| free[k])?;
+        for _ in 0..2 {
+            // the second time it is a step of iterative refinement
+            let mut step: Vec<f64> = free.iter().map(|&i| -lcp.row_w(i, &x)).collect();
+            factor.solve(&mut step);
+            for (&i, step) in free.iter().zip(&step) {
+                x[i] += step;
+            }
+        }
+        Ok(x)
+    }
+
+    /// The side that row i should change to, if it is not satisfied at the point x of this set.
+    pub(super) fn better_side(&self, lcp: &Lcp, i: usize, x: &[f64]) -> Option<Side> {
+        let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
+        let residual = merit::RowTerms::at(lcp, i, x).scaled_residual(x[i], lo, hi);
+        if residual <= ROUNDING {
+            return None;
+        }
+        match self.0[i] {
+            Side::Free if x[i] < lo => Some(Side::Lower),
+            Side::Free if x[i] > hi => Some(Side::Upper),
+            Side::Free => None, // A_FF is so ill conditioned that w_F is not zero
+            Side::Lower | Side::Upper => Some(Side::Free),
+        }
+    }
+}
+
+/// The status of a method that has ended at x by its own rules.
+pub(super) fn claim(lcp: &Lcp, x: &[f64], settings: &Settings) -> Status {
+    if x.iter().any(|x| !x.is_finite()) {
+        Status::NotFinite
+    } else if merit::scaled_residual(lcp, x) <= settings.tolerance {
+        Status::Solved
+    } else {
+        Status::Inaccurate
+    }
+}

@@ -1,0 +1,67 @@
+//! Block principal pivoting: all wrong rows change sides at once, with Murty's rule as a safeguard.
+//!
+//! ```text
+//! repeat   x ← the point of the active set
+//!          H ← the rows that are not satisfied
+//!          |H| is the least so far:    all of H change sides; `patience` is full again
+//!          otherwise, patience left:   all of H change sides; patience shrinks by 1
+//!          patience used up:           the least row of H changes sides, until |H| is a new least
+//! ```
+//!
+//! (Kostreva 1978 without, Júdice & Pires 1994 with the safeguard.) A block exchange is a Newton
+//! step on the equations min(x − lo, max(x − hi, w)) = 0 and finds the active set of most contact
+//! problems within ten exchanges, whatever n is; but it may cycle. Murty's rule does not on a
+//! P-matrix (see [`Murty`](super::Murty)), and each new least |H| lies below the last, so the two
+//! together always end there.
+//!
+//! An exchange factorises A_FF, O(f³). Observers see `Exchange` for a block and `Pivot` for a step
+//! of the safeguard. Where A_FF is singular, so that A is no P-matrix, the method ends with
+//! `Singular`. Coupled rows: see [`frozen`](super::frozen).
+
+use super::principal::{self, Change};
+use super::{Observer, Settings, Solution, Solver, Start};
+use crate::lcp::Lcp;
+
+/// Block principal pivoting with Júdice and Pires' safeguard.
+#[derive(Debug, Clone)]
+pub struct BlockPivoting {
+    /// Block exchanges without a new least |H| before the safeguard takes over.
+    pub patience: usize,
+    /// The common settings; an iteration is an exchange, of a block or of one row.
+    pub settings: Settings,
+}
+
+impl Default for BlockPivoting {
+    fn default() -> Self {
+        BlockPivoting { patience: 10, settings: Settings::default() }
+    }
+}
+
+impl Solver for BlockPivoting {
+    fn name(&self) -> &'static str {
+        "block-pivoting"
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        principal::solve(lcp, start, &self.settings, observer, || self.rule())
+    }
+}
+
+impl BlockPivoting {
+    /// All rows while that makes progress, the least one while it does not.
+    fn rule(&self) -> impl FnMut(usize) -> Change {
+        let full = self.patience;
+        let (mut least, mut patience) = (usize::MAX, full);
+        move |wrong| {
+            if wrong < least {
+                (least, patience) = (wrong, full);
+                return Change::All;
+            }
+            if patience == 0 {
+                return Change::Least;
+            }
+            patience -= 1;
+            Change::All
+        }
+    }
+}

@@ -1,0 +1,143 @@
+use dashu_ratio::RBig;
+use lcplab::lcp::Lcp;
+use lcplab::lcp::file::Problem;
+use lcplab::lcp::library::{self, Family};
+use lcplab::solver::all_solutions;
+use serde_json::Value;
+
+/// The expected solutions, and whether there are no others; `None` where nothing is known.
+fn expected(problem: &Problem) -> Option<(Vec<Vec<RBig>>, bool)> {
+    let expected = problem.extra.get("expected")?;
+    let fraction = |text: &Value| text.as_str().unwrap().parse().unwrap();
+    let solution = |x: &Value| x.as_array().unwrap().iter().map(fraction).collect();
+    let solutions = expected["solutions"].as_array().unwrap().iter().map(solution).collect();
+    Some((solutions, expected["complete"] == true))
+}
+
+fn rational(x: f64) -> RBig {
+    RBig::try_from(x).unwrap()
+}
+
+/// The definition of a solution, word for word, in exact arithmetic.
+#[track_caller]
+fn assert_solves(lcp: &Lcp, x: &[RBig], name: &str) {
+    assert_eq!(x.len(), lcp.len(), "{name}");
+    for i in 0..x.len() {
+        let row = lcp.matrix().row(i).iter();
+        let w = row.fold(rational(lcp.b()[i]), |w, (j, a)| w + rational(a) * &x[j]);
+        let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
+        let is_at = |bound: f64| bound.is_finite() && x[i] == rational(bound);
+        assert!(lo.is_infinite() || x[i] >= rational(lo), "{name}, row {i}");
+        assert!(hi.is_infinite() || x[i] <= rational(hi), "{name}, row {i}");
+        assert!(w <= RBig::ZERO || is_at(lo), "{name}, row {i}: w = {w}, x = {}", x[i]);
+        assert!(w >= RBig::ZERO || is_at(hi), "{name}, row {i}: w = {w}, x = {}", x[i]);
+    }
+}
+
+#[test]
+fn every_expected_solution_solves_its_problem_exactly() {
+    let variants: [&[(&str, f64)]; 6] = [
+        &[],
+        &[("n", 1.0)],
+        &[("n", 3.0), ("seed", 2.0)],
+        &[("n", 12.0), ("boxed", 0.5), ("degenerate", 0.25), ("active", 0.25), ("rank", 0.5)],
+        &[("n", 2.0), ("ratio", 1e9), ("contacts", 7.0), ("bits", 20.0), ("side", 10.0)],
+        &[("n", 16.0), ("reversed", 1.0), ("condition", 1e6), ("pairs", 3.0), ("ratio", 3.0)],
+    ];
+    for family in library::all() {
+        for variant in variants {
+            let of_this = |v: &&(&str, f64)| family.parameters().iter().any(|p| p.name == v.0 && p.least <= v.1);
+            let values: Vec<_> = variant.iter().filter(of_this).copied().collect();
+            let problem = family.generate(&values).unwrap();
+            for x in expected(&problem).into_iter().flat_map(|(solutions, _)| solutions) {
+                assert_solves(&problem.lcp, &x, &problem.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn complete_lists_are_those_of_exact_enumeration() {
+    for family in library::all() {
+        let has_n = family.parameters().iter().any(|p| p.name == "n");
+        let values = if has_n { vec![("n", 4.0)] } else { Vec::new() };
+        let problem = family.generate(&values).unwrap();
+        let Some((mut listed, true)) = expected(&problem) else { continue };
+        let Some(mut found) = all_solutions(&problem.lcp) else { continue };
+        listed.sort();
+        found.sort();
+        assert_eq!(listed, found, "{}", problem.name);
+    }
+}
+
+#[test]
+fn the_same_parameters_make_the_same_bits_and_survive_the_file() {
+    for family in library::all() {
+        let [first, second] = [(); 2].map(|()| family.generate(&[]).unwrap().to_json().to_string());
+        assert_eq!(first, second, "{}", family.name());
+        let back = Problem::parse(&first, "p.json").unwrap();
+        assert_eq!(back.warnings, [""; 0], "{}", family.name());
+        assert_eq!(back.to_json().to_string(), first, "{}", family.name());
+    }
+}
+
+#[test]
+fn another_seed_makes_another_problem() {
+    for family in library::all() {
+        if family.parameters().iter().any(|p| p.name == "seed") {
+            let b = |seed| family.generate(&[("seed", seed)]).unwrap().lcp.b().to_vec();
+            assert_ne!(b(1.0), b(2.0), "{}", family.name());
+        }
+    }
+}
+
+#[test]
+fn names_are_unique_and_values_are_checked() {
+    let mut names: Vec<&str> = library::all().map(Family::name).collect();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), library::all().count());
+    let message = |given: &[(&str, f64)]| {
+        library::by_name("murty").unwrap().generate(given).unwrap_err().to_string()
+    };
+    assert_eq!(message(&[("n", 0.0)]), "murty: n: must lie in 1 … 50, is 0");
+    assert_eq!(message(&[("n", 2.5)]), "murty: n: must be a whole number, is 2.5");
+    assert_eq!(message(&[("n", f64::NAN)]), "murty: n: must lie in 1 … 50, is NaN");
+    assert_eq!(
+        message(&[("m", 1.0)]),
+        "murty: m: is no parameter of this family; there are n, reversed"
+    );
+    let unknown = library::by_name("murphy").err().unwrap().to_string();
+    assert!(unknown.starts_with("there is no problem family named \"murphy\"; there are manufact"));
+}
+
+#[test]
+fn a_manufactured_problem_has_the_rank_and_the_condition_asked_for() {
+    let make = |given: &[(&str, f64)]| {
+        library::by_name("manufactured").unwrap().generate(given).unwrap().lcp
+    };
+    let eigenvalues = |lcp: &Lcp| {
+        let mut values = lcp.matrix().to_dense().symmetric_eigenvalues().as_slice().to_vec();
+        values.sort_by(f64::total_cmp);
+        values
+    };
+    let regular = eigenvalues(&make(&[("n", 30.0), ("condition", 1e4)]));
+    let ratio = regular[29] / regular[0];
+    assert!((0.8e4..1.2e4).contains(&ratio), "{ratio}");
+    let singular = eigenvalues(&make(&[("n", 30.0), ("rank", 0.4)]));
+    assert_eq!(singular.iter().filter(|&&value| value > 1e-12).count(), 12);
+}
+
+#[test]
+fn a_manufactured_problem_has_the_active_set_asked_for() {
+    let given = [("n", 40.0), ("active", 0.5), ("degenerate", 0.25), ("boxed", 0.5)];
+    let problem = library::by_name("manufactured").unwrap().generate(&given).unwrap();
+    let lcp = &problem.lcp;
+    let x: Vec<f64> = expected(&problem).unwrap().0[0].iter().map(|x| x.to_f64().value()).collect();
+    let w = lcp.w(&x);
+    let at_bound = |i: &usize| x[*i] == lcp.lo()[*i] || x[*i] == lcp.hi()[*i];
+    assert_eq!((0..40).filter(|&i| w[i] != 0.0).count(), 20);
+    assert_eq!((0..40).filter(|i| at_bound(i) && w[*i] == 0.0).count(), 10);
+    assert_eq!(lcp.hi().iter().filter(|hi| hi.is_finite()).count(), 20);
+    assert!(w.iter().any(|&w| w < 0.0), "some row is pushed to its upper bound");
+}
