@@ -11,7 +11,8 @@ struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self, least: i64, most: i64) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (least + ((self.0 >> 33) % (most - least + 1) as u64) as i64) as f64
     }
 }
@@ -30,7 +31,8 @@ fn problem(dice: &mut Dice, kind: Kind) -> Lcp {
     let n = dice.roll(1, 4) as usize;
     let columns = dice.roll(1, n as i64) as usize;
     let j: Vec<f64> = (0..n * columns).map(|_| dice.roll(-2, 2)).collect();
-    let gram = |r: usize, c: usize| (0..columns).map(|k| j[r * columns + k] * j[c * columns + k]).sum();
+    let gram =
+        |r: usize, c: usize| (0..columns).map(|k| j[r * columns + k] * j[c * columns + k]).sum();
     let mut a: Vec<f64> = (0..n * n).map(|_| dice.roll(-2, 2)).collect();
     for i in 0..n {
         for k in 0..n {

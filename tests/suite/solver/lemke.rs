@@ -33,6 +33,9 @@ fn published_problems_take_the_published_number_of_pivots() {
     for (name, given, pivots, x) in table {
         let lcp = library::by_name(name).unwrap().generate(given).unwrap().lcp;
         let solution = lemke(&lcp);
-        println!("{name}: {} pivots, {}, x = {:?}", solution.iterations, solution.status, solution.x);
+        println!(
+            "{name}: {} pivots, {}, x = {:?}",
+            solution.iterations, solution.status, solution.x
+        );
     }
 }

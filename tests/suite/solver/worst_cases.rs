@@ -1,9 +1,10 @@
 use lcplab::lcp::{Lcp, library};
-use lcplab::solver::{Options, by_name, Start};
+use lcplab::solver::{Options, Start, by_name};
 
 fn pivots(solver: &str, family: &str, given: &[(&str, f64)]) -> usize {
     let lcp: Lcp = library::by_name(family).unwrap().generate(given).unwrap().lcp;
-    let solution = by_name(solver, &Options::default()).unwrap().solve(&lcp, &Start::default(), &mut ());
+    let solution =
+        by_name(solver, &Options::default()).unwrap().solve(&lcp, &Start::default(), &mut ());
     println!("{solver} {family} {given:?}: {} {}", solution.iterations, solution.status);
     solution.iterations
 }
