@@ -73,9 +73,10 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
         worst_row,
         worst_contact,
         cone_violation: outside.fold(0.0, f64::max),
-        verdict: match is_solution {
-            true => Verdict::WithinTolerance,
-            false => Verdict::NotASolution { row: worst_row, amount: scaled_residual },
+        verdict: if is_solution {
+            Verdict::WithinTolerance
+        } else {
+            Verdict::NotASolution { row: worst_row, amount: scaled_residual }
         },
     }
 }

@@ -125,7 +125,9 @@ impl Complementarity for ConeProblem {
     }
 
     fn project_all(&self, x: &mut [f64]) {
-        self.friction.lcp.project_all(x);
+        for &i in &self.friction.others {
+            x[i] = self.friction.lcp.project(i, x[i], &[]);
+        }
         for contact in &self.friction.contacts {
             contact.put(project(contact.mu, contact.of(x)), x);
         }

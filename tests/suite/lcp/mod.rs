@@ -1,4 +1,5 @@
 mod file;
+mod friction;
 mod matrix;
 mod merit;
 mod problem;
