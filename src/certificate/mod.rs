@@ -21,12 +21,15 @@
 //! ```
 
 mod accurate;
+mod cone;
 pub mod cross_check;
 pub mod error_bound;
 pub mod exact;
 mod modular;
 pub mod ray;
 pub mod uniqueness;
+
+pub use cone::{ConeCertificate, judge_cone};
 
 use accurate::Sum;
 use dashu_ratio::RBig;

@@ -6,15 +6,19 @@
 //!
 //! (K&M (1) with the signs settled, E01.) A row with bounds 0 and ∞ is a contact, one with −∞ and ∞
 //! an equation w_i = 0, one with lo = hi pins x_i and leaves w_i free. A row may be *coupled* to
-//! another one ([`Coupling`]): its bounds are then ±μ times that row's x, which is dry friction.
+//! another one ([`Coupling`]): its bounds are then ±μ times that row's x, which is dry friction in one of
+//! the four models of [`friction`].
 
+mod complementarity;
 mod coupled;
 pub mod file;
+pub mod friction;
 mod gauss;
 pub mod library;
 mod matrix;
 pub mod merit;
 
+pub use complementarity::Complementarity;
 pub use coupled::Coupling;
 pub use gauss::Gauss;
 pub use matrix::{Matrix, Row, dot};

@@ -16,21 +16,9 @@ pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
     if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
         return None;
     }
-    let mut program = Program::with_costs(lcp.b().to_vec());
+    let mut program = Program::with_objective(lcp);
     for i in 0..lcp.len() {
-        let upper = lcp.matrix().row(i).iter().filter(|&(j, _)| j >= i);
-        program.quadratic.extend(upper.map(|(j, a)| (i, j, a)));
-        let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
-        if lo == hi {
-            program.equate(vec![(i, 1.0)], lo);
-            continue;
-        }
-        if lo.is_finite() {
-            program.at_most(vec![(i, -1.0)], -lo);
-        }
-        if hi.is_finite() {
-            program.at_most(vec![(i, 1.0)], hi);
-        }
+        program.bound(i, lcp.lo()[i], lcp.hi()[i]);
     }
     Some(program.solve())
 }

@@ -2,13 +2,15 @@
 //!
 //! [`box_qp`] asks clarabel, an interior-point code, for the minimum of ½ xᵀAx + bᵀx over the box:
 //! the dual view, in impulses. [`gauss`] asks it for the motion of least constraint: the primal
-//! view, in velocities, in which A is never formed.
+//! view, in velocities, in which A is never formed. [`cone_qp`] is the dual view with friction cones.
 
 mod box_qp;
+mod cone_qp;
 mod gauss;
 mod program;
 
 pub use box_qp::box_qp;
+pub use cone_qp::cone_qp;
 pub use gauss::gauss;
 
 /// A reference answer.

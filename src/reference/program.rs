@@ -1,7 +1,7 @@
 //! A convex quadratic program in clarabel's form, built up row by row.
 //!
 //! ```text
-//! minimise ½ zᵀP z + qᵀz   subject to   G z + s = h,   s = 0 or s ≥ 0 by rows
+//! minimise ½ zᵀP z + qᵀz   subject to   G z + s = h,   s = 0 or s ≥ 0 by rows, or s in a cone
 //! ```
 
 use clarabel::algebra::CscMatrix;
@@ -10,6 +10,7 @@ use clarabel::solver::{
 };
 
 use super::Reference;
+use crate::lcp::Lcp;
 
 /// Tolerance on gap and feasibility: tight, because the answer is a reference.
 const TOLERANCE: f64 = 1e-10;
@@ -23,12 +24,21 @@ pub(super) struct Program {
     pub(super) quadratic: Vec<(usize, usize, f64)>,
     equations: Vec<(Vec<(usize, f64)>, f64)>,
     inequalities: Vec<(Vec<(usize, f64)>, f64)>,
+    /// Rows in threes, each three a cone.
+    cones: Vec<(Vec<(usize, f64)>, f64)>,
 }
 
 impl Program {
     /// A program without constraints in as many variables as there are linear costs.
     pub(super) fn with_costs(linear: Vec<f64>) -> Self {
         Program { linear, ..Program::default() }
+    }
+
+    /// ½ zᵀA z + bᵀz, with the symmetric A and the b of an LCP.
+    pub(super) fn with_objective(lcp: &Lcp) -> Self {
+        let upper = |i: usize| lcp.matrix().row(i).iter().filter(move |&(j, _)| j >= i);
+        let entries = (0..lcp.len()).flat_map(|i| upper(i).map(move |(j, a)| (i, j, a)));
+        Program { quadratic: entries.collect(), ..Program::with_costs(lcp.b().to_vec()) }
     }
 
     /// Adds a variable with this linear cost; returns its index.
@@ -47,14 +57,36 @@ impl Program {
         self.inequalities.push((g, h));
     }
 
+    /// lo ≤ z_i ≤ hi.
+    pub(super) fn bound(&mut self, i: usize, lo: f64, hi: f64) {
+        if lo == hi {
+            self.equate(vec![(i, 1.0)], lo);
+            return;
+        }
+        if lo.is_finite() {
+            self.at_most(vec![(i, -1.0)], -lo);
+        }
+        if hi.is_finite() {
+            self.at_most(vec![(i, 1.0)], hi);
+        }
+    }
+
+    /// |(z_j, z_k)| ≤ μ z_i for the variables i, j, k, with μ > 0.
+    pub(super) fn within_cone(&mut self, mu: f64, [i, j, k]: [usize; 3]) {
+        let rows = [(i, mu), (j, 1.0), (k, 1.0)]; // s = (μ z_i, z_j, z_k)
+        self.cones.extend(rows.map(|(i, value)| (vec![(i, -value)], 0.0)));
+    }
+
     pub(super) fn solve(self) -> Reference {
         let n = self.linear.len();
         let p = csc(n, n, self.quadratic.into_iter());
-        let cones = [
+        let mut cones = vec![
             SupportedConeT::ZeroConeT(self.equations.len()),
             SupportedConeT::NonnegativeConeT(self.inequalities.len()),
         ];
-        let rows: Vec<_> = self.equations.into_iter().chain(self.inequalities).collect();
+        cones.extend(self.cones.chunks(3).map(|_| SupportedConeT::SecondOrderConeT(3)));
+        let rows: Vec<_> =
+            self.equations.into_iter().chain(self.inequalities).chain(self.cones).collect();
         let h: Vec<f64> = rows.iter().map(|(_, h)| *h).collect();
         let entries = rows.iter().enumerate();
         let entries = entries.flat_map(|(i, (g, _))| g.iter().map(move |&(j, v)| (i, j, v)));

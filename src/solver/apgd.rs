@@ -17,15 +17,19 @@
 //! that units do not matter and L never exceeds the number of entries in a row. A step costs two
 //! products with A, and one more for each trial.
 //!
-//! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see
-//! [`frozen`](super::frozen).
+//! Nothing but Π knows the feasible set, so the same code descends over boxes and over the circular
+//! cones of friction, where D has one number a contact.
+//!
+//! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows and Coulomb's
+//! law: see [`frozen`](super::frozen).
 
 use std::ops::ControlFlow;
 
 use super::iterate::iterate;
 use super::metric::{Metric, energy_product};
-use super::{Event, Observer, Settings, Solution, Solver, Start, frozen};
-use crate::lcp::Lcp;
+use super::{ConeSolver, Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::lcp::friction::ConeProblem;
+use crate::lcp::{Complementarity, Lcp};
 
 /// Accelerated projected gradient descent.
 #[derive(Debug, Clone, Default)]
@@ -40,17 +44,45 @@ impl Solver for Apgd {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        let x = start.point(lcp);
-        let metric = match Metric::of_symmetric(lcp) {
+        self.descend(lcp, Metric::of_symmetric(lcp), start, observer)
+    }
+}
+
+impl ConeSolver for Apgd {
+    fn name(&self) -> &'static str {
+        "apgd"
+    }
+
+    fn solve(
+        &self,
+        problem: &ConeProblem,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        self.descend(problem, Metric::of_cones(problem), start, observer)
+    }
+}
+
+impl Apgd {
+    fn descend<P: Complementarity>(
+        &self,
+        problem: &P,
+        metric: Result<Metric, Status>,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        let x = start.point(problem);
+        let metric = match metric {
             Ok(metric) => metric,
-            Err(status) => return Solution::new(lcp, x, status, 0),
+            Err(status) => return Solution::new(problem.lcp(), x, status, 0),
         };
-        frozen::solve(lcp, x, &self.settings, |lcp, x, first| {
+        frozen::solve(problem, x, &self.settings, |problem, x, first| {
+            let lcp = problem.lcp();
             let (mut y, mut theta, mut curvature) = (x.clone(), 1.0, 1.0);
-            iterate(lcp, x, first, &self.settings, observer, |x| {
+            iterate(problem, x, first, &self.settings, observer, |x| {
                 let gradient = metric.gradient(lcp, &y);
                 let next = loop {
-                    let next = gradient_step(lcp, &y, &gradient, 1.0 / curvature);
+                    let next = gradient_step(problem, &y, &gradient, 1.0 / curvature);
                     let d = difference(&next, &y);
                     let below = energy_product(lcp, &d, &d) <= curvature * metric.inner(&d, &d);
                     if below || curvature >= metric.eigenvalue {
@@ -75,9 +107,9 @@ impl Solver for Apgd {
 }
 
 /// Π(y − t ∇).
-fn gradient_step(lcp: &Lcp, y: &[f64], gradient: &[f64], t: f64) -> Vec<f64> {
+fn gradient_step(problem: &impl Complementarity, y: &[f64], gradient: &[f64], t: f64) -> Vec<f64> {
     let mut next: Vec<f64> = y.iter().zip(gradient).map(|(y, g)| y - t * g).collect();
-    lcp.project_all(&mut next);
+    problem.project_all(&mut next);
     next
 }
 

@@ -1,43 +1,43 @@
-//! Coupled rows for a solver of boxed problems: freeze the bounds, solve, repeat.
+//! Bounds or offsets that depend on x, for a solver of problems where they do not: freeze, solve,
+//! repeat.
 //!
 //! ```text
-//! x⁰ = start,   xᵏ⁺¹ = the solution with the bounds ±μ max(x_kⁿ, 0) frozen at xᵏ
+//! x⁰ = start,   xᵏ⁺¹ = the solution of the problem frozen at xᵏ
 //! ```
 //!
-//! A fixed point solves the coupled problem. The map contracts for small μ; for large μ a fixed
-//! point need not be reached, and then the answer is `Stalled`, not `Solved`. `math §5`, models 1
-//! and 2.
+//! A fixed point solves the problem itself. Of coupled rows the bounds ±μ max(x_n, 0) are frozen
+//! (`math §5`, models 1 and 2), of cones under Coulomb's law the shift μ |w_t| (model 4). One contact
+//! with A = 1 and cones contracts by μ²/(1 + μ²) a round. In general the map contracts for small μ;
+//! for large μ a fixed point need not be reached, and then the answer is `Stalled`, not `Solved`.
 
 use super::{Settings, Solution, Status};
-use crate::lcp::{Lcp, merit};
+use crate::lcp::Complementarity;
 
-/// Boxed problems solved before giving up.
+/// Frozen problems solved before giving up.
 const MAX_ROUNDS: usize = 200;
 
-/// Solves a problem by a method for boxed ones, `boxed(problem, start, iterations so far)`.
-pub(super) fn solve(
-    lcp: &Lcp,
+/// Solves a problem by a method for frozen ones, `method(problem, start, iterations so far)`.
+pub(super) fn solve<P: Complementarity>(
+    problem: &P,
     start: Vec<f64>,
     settings: &Settings,
-    mut boxed: impl FnMut(&Lcp, Vec<f64>, usize) -> Solution,
+    mut method: impl FnMut(&P, Vec<f64>, usize) -> Solution,
 ) -> Solution {
-    if lcp.coupling().is_none() {
-        return boxed(lcp, start, 0);
+    if problem.is_frozen() {
+        return method(problem, start, 0);
     }
     let (mut x, mut iterations) = (start, 0);
     for _ in 0..MAX_ROUNDS {
-        let frozen = lcp.frozen_at(&x);
-        for i in 0..x.len() {
-            x[i] = frozen.project(i, x[i], &[]);
-        }
-        let solution = boxed(&frozen, x, iterations);
+        let frozen = problem.frozen_at(&x);
+        frozen.project_all(&mut x);
+        let solution = method(&frozen, x, iterations);
         (x, iterations) = (solution.x, solution.iterations);
         if solution.status != Status::Solved {
-            return Solution::new(lcp, x, solution.status, iterations);
+            return Solution::new(problem.lcp(), x, solution.status, iterations);
         }
-        if merit::scaled_residual(lcp, &x) <= settings.tolerance {
-            return Solution::new(lcp, x, Status::Solved, iterations);
+        if problem.scaled_residual(&x) <= settings.tolerance {
+            return Solution::new(problem.lcp(), x, Status::Solved, iterations);
         }
     }
-    Solution::new(lcp, x, Status::Stalled, iterations)
+    Solution::new(problem.lcp(), x, Status::Stalled, iterations)
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{Event, Iterate, Observer, Settings, Solution, Status};
-use crate::lcp::{Lcp, dot, merit};
+use crate::lcp::{Complementarity, Lcp, dot};
 
 /// dᵀA d below this part of the terms it is summed from counts as zero.
 const RELATIVE_ZERO: f64 = 1e-14;
@@ -19,7 +19,7 @@ const RELATIVE_ZERO_SLOPE: f64 = 1e-6;
 /// Where there is no solution x runs off along a ray, and the residual becomes small *beside x*; so
 /// the last step is looked at before an end is given a name.
 pub(super) fn iterate(
-    lcp: &Lcp,
+    problem: &impl Complementarity,
     mut x: Vec<f64>,
     first: usize,
     settings: &Settings,
@@ -27,7 +27,8 @@ pub(super) fn iterate(
     mut step: impl FnMut(&mut [f64]) -> ControlFlow<Status, Event>,
 ) -> Solution {
     let Settings { tolerance, max_iterations, check_every } = *settings;
-    let is_solved = |x: &[f64]| merit::scaled_residual(lcp, x) <= tolerance;
+    let lcp = problem.lcp();
+    let is_solved = |x: &[f64]| problem.scaled_residual(x) <= tolerance;
     let is_finite = |x: &[f64]| x.iter().all(|x| x.is_finite());
     let (mut before, mut last_finite, mut event) = (x.clone(), x.clone(), Event::Start);
     for iteration in first..=max_iterations {
@@ -53,34 +54,36 @@ pub(super) fn iterate(
                 return Solution::new(lcp, last_finite, Status::Diverged, iteration);
             }
             if is_solved(&x) {
-                return finish(lcp, &before, x, Status::Solved, iteration);
+                return finish(problem, &before, x, Status::Solved, iteration);
             }
             last_finite.copy_from_slice(&x);
         }
     }
-    finish(lcp, &before, x, Status::IterationLimit, max_iterations)
+    finish(problem, &before, x, Status::IterationLimit, max_iterations)
 }
 
 /// The solution x, unless the step to it from `before` shows that there is none.
-fn finish(lcp: &Lcp, before: &[f64], x: Vec<f64>, status: Status, iterations: usize) -> Solution {
+fn finish(
+    problem: &impl Complementarity,
+    before: &[f64],
+    x: Vec<f64>,
+    status: Status,
+    iterations: usize,
+) -> Solution {
+    let lcp = problem.lcp();
     let direction: Vec<f64> = x.iter().zip(before).map(|(x, before)| x - before).collect();
-    if is_ray(lcp, &direction) {
+    if problem.recedes(&direction) && is_downhill_for_ever(lcp, &direction) {
         let ray = Status::Ray { row: largest(&direction), direction };
         return Solution::new(lcp, before.to_vec(), ray, iterations);
     }
     Solution::new(lcp, x, status, iterations)
 }
 
-/// Whether the objective falls along d for ever: A d = 0, bᵀd < 0, and no bound stops d.
-fn is_ray(lcp: &Lcp, d: &[f64]) -> bool {
-    let stops = |i: usize| match d[i] {
-        d if d > 0.0 => lcp.hi()[i].is_finite(),
-        d if d < 0.0 => lcp.lo()[i].is_finite(),
-        _ => false,
-    };
+/// Whether the objective falls along d at a rate that never changes: A d = 0, bᵀd < 0.
+fn is_downhill_for_ever(lcp: &Lcp, d: &[f64]) -> bool {
     let size = |u: &[f64]| u.iter().map(|u| u.abs()).collect::<Vec<_>>();
     let slope_terms = dot(&size(lcp.b()), &size(d));
-    if (0..d.len()).any(stops) || !(dot(lcp.b(), d) < -RELATIVE_ZERO_SLOPE * slope_terms) {
+    if !(dot(lcp.b(), d) < -RELATIVE_ZERO_SLOPE * slope_terms) {
         return false;
     }
     let (mut curvature, mut terms) = (0.0, 0.0);

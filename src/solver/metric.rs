@@ -6,7 +6,8 @@
 //! no choice of units changes them.
 
 use super::Status;
-use crate::lcp::Lcp;
+use crate::lcp::friction::ConeProblem;
+use crate::lcp::{Complementarity, Lcp};
 
 /// dᵀA d below this part of λ dᵀD d counts as zero.
 const RELATIVE_ZERO: f64 = 1e-14;
@@ -40,12 +41,16 @@ impl Metric {
             _ if lcp.lo()[row] == lcp.hi()[row] => Ok(1.0),
             _ => Err(Status::ZeroDiagonal { row }),
         };
-        let diagonal: Vec<f64> = (0..lcp.len()).map(entry).collect::<Result<_, _>>()?;
+        let diagonal = (0..lcp.len()).map(entry).collect::<Result<_, _>>()?;
+        Ok(Metric::with_diagonal(lcp, diagonal))
+    }
+
+    fn with_diagonal(lcp: &Lcp, diagonal: Vec<f64>) -> Metric {
         let root: Vec<f64> = diagonal.iter().map(|d| d.sqrt()).collect();
         let scaled = |i: usize, (j, a): (usize, f64)| a.abs() / root[i] / root[j];
         let row_sum = |i: usize| lcp.matrix().row(i).iter().map(|a| scaled(i, a)).sum();
         let eigenvalue = (0..lcp.len()).map(row_sum).fold(1.0, f64::max);
-        Ok(Metric { diagonal, eigenvalue })
+        Metric { diagonal, eigenvalue }
     }
 
     /// The same for methods that descend the objective: A must be symmetric too.
@@ -54,6 +59,17 @@ impl Metric {
             return Err(Status::OutsideClass { reason: "A is not symmetric" });
         }
         Metric::of(lcp)
+    }
+
+    /// The same for cones. A contact has one d for its three rows, so that its nearest point in the
+    /// cone is the same in this measure as in the usual one.
+    pub(super) fn of_cones(problem: &ConeProblem) -> Result<Metric, Status> {
+        let lcp = problem.lcp();
+        let mut metric = Metric::of_symmetric(lcp)?;
+        for contact in problem.friction().contacts() {
+            contact.put([problem.scale(contact); 3], &mut metric.diagonal);
+        }
+        Ok(Metric::with_diagonal(lcp, metric.diagonal))
     }
 
     /// Σ d_i u_i v_i.

@@ -9,6 +9,7 @@ mod apgd;
 mod block_pgs;
 mod block_pivoting;
 mod code6;
+mod cone;
 mod dantzig;
 mod dictionary;
 mod elimination;
@@ -42,6 +43,7 @@ pub use apgd::Apgd;
 pub use block_pgs::BlockPgs;
 pub use block_pivoting::BlockPivoting;
 pub use code6::Code6;
+pub use cone::{CONES, ConeEntry, ConePgs, ConeSolver, cone_by_name};
 pub use dantzig::Dantzig;
 pub use enumeration::{Enumeration, all_solutions};
 pub use interior_point::InteriorPoint;
@@ -59,7 +61,7 @@ pub use settings::Settings;
 pub use solution::{Solution, Status};
 pub use spectral::Spectral;
 
-use crate::lcp::Lcp;
+use crate::lcp::{Complementarity, Lcp};
 
 /// A method that solves boxed LCPs.
 pub trait Solver: Send + Sync {
@@ -78,11 +80,12 @@ pub struct Start<'a> {
 }
 
 impl Start<'_> {
-    /// The starting point: the guess or 0, moved into the bounds.
-    pub fn point(&self, lcp: &Lcp) -> Vec<f64> {
-        let mut x = self.x.map_or_else(|| vec![0.0; lcp.len()], <[f64]>::to_vec);
-        assert_eq!(x.len(), lcp.len(), "a start needs one entry a row");
-        lcp.project_all(&mut x);
+    /// The starting point: the guess or 0, moved into the bounds or cones.
+    pub fn point(&self, problem: &impl Complementarity) -> Vec<f64> {
+        let n = problem.lcp().len();
+        let mut x = self.x.map_or_else(|| vec![0.0; n], <[f64]>::to_vec);
+        assert_eq!(x.len(), n, "a start needs one entry a row");
+        problem.project_all(&mut x);
         x
     }
 }

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use lcplab::certificate::{Certificate, Demand, Verdict, judge};
+use lcplab::lcp::friction::{Contact, FrictionProblem};
 use lcplab::lcp::{Lcp, Matrix, merit};
 use lcplab::solver::{Iterate, Observer, Solver, Start};
 use nalgebra::{DMatrix, DVector};
@@ -129,5 +130,38 @@ pub fn manufactured(n: usize, columns: usize, shift: f64) -> impl Strategy<Value
         let b = DVector::from_column_slice(&w) - &a * DVector::from_column_slice(&x);
         let lcp = Lcp::new(Matrix::from(a.as_view()), b.as_slice().to_vec(), lo, hi);
         Manufactured { lcp: lcp.expect("a valid problem"), x, w }
+    })
+}
+
+/// A unit mass on the floor, μ = ½, x_n = `press` if it does not lift off, pushed with `push` at an
+/// angle (degrees) to t1.
+pub fn pushed_mass(press: f64, push: f64, degrees: f64) -> FrictionProblem {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
+    let b = [-press, -push * cos, -push * sin];
+    let lcp = boxed(&rows, &b, &[0.0, -INF, -INF], &[INF; 3]);
+    FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }]).expect("one contact")
+}
+
+/// Random problems of some contacts after one row that is an equation: A = JJᵀ + shift with J of
+/// `columns` columns, b = J u*, so that u = 0 is always a possible motion.
+pub fn rubbing(
+    contacts: usize,
+    columns: usize,
+    shift: f64,
+) -> impl Strategy<Value = FrictionProblem> {
+    let n = 1 + 3 * contacts;
+    let quarters =
+        |count| proptest::collection::vec((-4..=4).prop_map(|k| f64::from(k) / 4.0), count);
+    let mu = proptest::collection::vec((0..=4).prop_map(|k| f64::from(k) / 4.0), contacts);
+    (quarters(n * columns), quarters(columns), mu).prop_map(move |(j, u, mu)| {
+        let j = DMatrix::from_vec(n, columns, j);
+        let a = &j * j.transpose() + DMatrix::identity(n, n) * shift;
+        let b = &j * DVector::from_vec(u);
+        let lo = (0..n).map(|i| if i % 3 == 1 { 0.0 } else { -INF }).collect();
+        let lcp = Lcp::new(Matrix::from(a.as_view()), b.as_slice().to_vec(), lo, vec![INF; n]);
+        let contact = |(c, &mu): (usize, &f64)| Contact { rows: [1, 2, 3].map(|i| i + 3 * c), mu };
+        let contacts = mu.iter().enumerate().map(contact).collect();
+        FrictionProblem::new(lcp.expect("a valid problem"), contacts).expect("valid contacts")
     })
 }

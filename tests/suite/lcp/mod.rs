@@ -1,5 +1,6 @@
 mod file;
 mod library;
+mod friction;
 mod matrix;
 mod merit;
 mod problem;

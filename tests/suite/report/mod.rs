@@ -1,2 +1,3 @@
+mod friction;
 mod page;
 mod standard;

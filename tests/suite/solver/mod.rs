@@ -1,6 +1,7 @@
 mod block_pgs;
 mod chapter;
 mod code6;
+mod cone;
 mod dantzig;
 mod differential;
 mod every;

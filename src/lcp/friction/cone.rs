@@ -1,0 +1,192 @@
+//! Model 4: the circular cone itself.
+//!
+//! ```text
+//! K  = { x : |x_t| ≤ μ x_n }         Coulomb's cone, where the impulse lies
+//! K* = { w : w_n ≥ μ |w_t| }         its dual: all w with x·w ≥ 0 for every x in K
+//!
+//! 4a  K ∋ x ⟂ w ∈ K*                 w = A x + b
+//! 4b  K ∋ x ⟂ ŵ ∈ K*                 ŵ = w + μ |w_t| n
+//! ```
+//!
+//! 4a is what minimising ½ xᵀAx + bᵀx over the cones leads to, so for semidefinite A it is convex and
+//! solved reliably: by cone programming, by projected gradients. While a contact slides, x lies on the
+//! surface of K, so w is on that of K*: w_n = μ |w_t|. The bodies *separate* as they slide, at the
+//! slope of the cone; in a time step dt they float at a height dt μ |w_t|. The slip is opposite to
+//! friction, and no direction is preferred. (In plasticity such a flow rule is called associated.)
+//!
+//! De Saxcé & Feng (1991) take that separation out: with ŵ in place of w, sliding means
+//! ŵ_n = μ |w_t|, hence w_n = 0, and 4b is Coulomb's law exactly. Now the shift μ |w_t| depends on x,
+//! and there is no minimum behind it: the problem is not convex. But with the shift *frozen* at some x
+//! it is a 4a with another b_n ([`ConeProblem::frozen_at`]), and x solves 4b if and only if it solves
+//! the 4a frozen at x; so freezing, solving and repeating leads to Coulomb's law just as it leads from
+//! model 1 to model 2 (Acary, Cadoux, Lemaréchal & Malick 2011).
+//!
+//! Both are the same as being a fixed point of a projection, which measures how far x is from one:
+//!
+//! ```text
+//! x = Π_K(x − ŵ / s)      r = |x − Π_K(x − ŵ / s)| s / |(Σ_j |a_ij x_j| + |b_i|)_i|     for each contact
+//! ```
+//!
+//! `math §5`, model 4.
+
+use super::{Contact, FrictionProblem};
+use crate::lcp::merit::RowTerms;
+use crate::lcp::{Complementarity, Lcp};
+
+/// What a sliding contact does along its normal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Law {
+    /// 4a: it separates, w_n = μ |w_t|; x minimises ½ xᵀAx + bᵀx.
+    Associated,
+    /// 4b: it stays, w_n = 0; Coulomb's law.
+    Coulomb,
+}
+
+/// A friction problem with circular cones.
+#[derive(Debug, Clone)]
+pub struct ConeProblem {
+    friction: FrictionProblem,
+    law: Law,
+}
+
+impl ConeProblem {
+    /// The problem under this law.
+    pub fn new(friction: FrictionProblem, law: Law) -> Self {
+        ConeProblem { friction, law }
+    }
+
+    /// The contacts and the other rows.
+    pub fn friction(&self) -> &FrictionProblem {
+        &self.friction
+    }
+
+    /// The law.
+    pub fn law(&self) -> Law {
+        self.law
+    }
+
+    /// What is added to the w_n of a contact: μ |w_t| under Coulomb's law, else nothing.
+    pub fn shift(&self, contact: &Contact, [_, w1, w2]: [f64; 3]) -> f64 {
+        match self.law {
+            Law::Associated => 0.0,
+            Law::Coulomb => contact.mu * w1.hypot(w2),
+        }
+    }
+
+    /// Π_K(x − ŵ / s): the contact's x after a step against ŵ. A solution is one that it leaves alone.
+    pub fn step(&self, contact: &Contact, x: [f64; 3], w: [f64; 3], s: f64) -> [f64; 3] {
+        let shifted = [w[0] + self.shift(contact, w), w[1], w[2]];
+        project(contact.mu, std::array::from_fn(|i| x[i] - shifted[i] / s))
+    }
+
+    /// s: the largest absolute row sum of the contact's 3 × 3 block of A, by which its largest
+    /// eigenvalue is bounded; 1 for a block of zeros.
+    pub fn scale(&self, contact: &Contact) -> f64 {
+        let a = self.friction.lcp.matrix();
+        let row_sum = |i: usize| contact.rows.iter().map(|&j| a.entry(i, j).abs()).sum::<f64>();
+        match contact.rows.map(row_sum).into_iter().fold(0.0, f64::max) {
+            0.0 => 1.0,
+            s => s,
+        }
+    }
+
+    /// The scaled residual r_i of each row from the terms of all rows at x; the rows of a contact
+    /// have its r. NaN counts as ∞.
+    pub fn residuals(&self, terms: &[RowTerms], x: &[f64]) -> Vec<f64> {
+        let Lcp { lo, hi, .. } = &self.friction.lcp;
+        let mut residuals = vec![0.0; x.len()];
+        for &i in &self.friction.others {
+            residuals[i] = terms[i].scaled_residual(x[i], lo[i], hi[i]);
+        }
+        for contact in &self.friction.contacts {
+            let residual = self.contact_residual(contact, contact.rows.map(|i| terms[i]), x);
+            contact.put([residual; 3], &mut residuals);
+        }
+        let not_nan = |r: f64| if r.is_nan() { f64::INFINITY } else { r };
+        residuals.into_iter().map(not_nan).collect()
+    }
+
+    fn contact_residual(&self, contact: &Contact, terms: [RowTerms; 3], x: &[f64]) -> f64 {
+        let (x, w, s) = (contact.of(x), terms.map(|row| row.w), self.scale(contact));
+        let target = self.step(contact, x, w, s);
+        let [m, m1, m2] = terms.map(|row| row.magnitude);
+        let magnitude = norm([m + self.shift(contact, w), m1, m2]);
+        match s * norm(std::array::from_fn(|i| x[i] - target[i])) {
+            0.0 => 0.0,
+            _ if magnitude.is_infinite() => f64::INFINITY, // overflow hides every residual
+            residual => residual / magnitude,
+        }
+    }
+}
+
+impl Complementarity for ConeProblem {
+    fn lcp(&self) -> &Lcp {
+        &self.friction.lcp
+    }
+
+    fn project_all(&self, x: &mut [f64]) {
+        for &i in &self.friction.others {
+            x[i] = self.friction.lcp.project(i, x[i], &[]);
+        }
+        for contact in &self.friction.contacts {
+            contact.put(project(contact.mu, contact.of(x)), x);
+        }
+    }
+
+    fn scaled_residual(&self, x: &[f64]) -> f64 {
+        let lcp = &self.friction.lcp;
+        let terms: Vec<_> = (0..x.len()).map(|i| RowTerms::at(lcp, i, x)).collect();
+        self.residuals(&terms, x).into_iter().fold(0.0, f64::max)
+    }
+
+    fn is_frozen(&self) -> bool {
+        self.law == Law::Associated
+    }
+
+    fn frozen_at(&self, x: &[f64]) -> Self {
+        let mut friction = self.friction.clone();
+        let w = friction.lcp.w(x);
+        for contact in &self.friction.contacts {
+            friction.lcp.b[contact.rows[0]] += self.shift(contact, contact.of(&w));
+        }
+        ConeProblem { friction, law: Law::Associated }
+    }
+
+    fn recedes(&self, d: &[f64]) -> bool {
+        let is_in_cone = |contact: &Contact| {
+            let [n, t1, t2] = contact.of(d);
+            t1.hypot(t2) <= contact.mu * n
+        };
+        self.is_frozen()
+            && self.friction.lcp.recedes(d)
+            && self.friction.contacts.iter().all(is_in_cone)
+    }
+}
+
+/// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n, for v = (n, t1, t2).
+///
+/// Inside the cone v itself, in the opposite cone μ |v_t| ≤ −v_n its tip, elsewhere the nearest point
+/// of the side that faces v.
+///
+/// ```
+/// use lcplab::lcp::friction::project;
+///
+/// assert_eq!(project(0.75, [4.0, 0.0, 3.0]), [4.0, 0.0, 3.0]);
+/// assert_eq!(project(0.75, [-3.0, 0.0, 4.0]), [0.0; 3]);
+/// assert_eq!(project(0.75, [0.0, 0.0, 6.25]), [3.0, 0.0, 2.25]);
+/// ```
+pub fn project(mu: f64, [n, t1, t2]: [f64; 3]) -> [f64; 3] {
+    let t = t1.hypot(t2);
+    if n + mu * t <= 0.0 {
+        return [0.0; 3];
+    }
+    if t <= mu * n {
+        return [n, t1, t2];
+    }
+    let n = (n + mu * t) / (1.0 + mu * mu);
+    [n, mu * n * (t1 / t), mu * n * (t2 / t)]
+}
+
+fn norm([n, t1, t2]: [f64; 3]) -> f64 {
+    n.hypot(t1).hypot(t2)
+}

@@ -1,0 +1,29 @@
+//! Model 1: a box whose size is known beforehand.
+//!
+//! ```text
+//! x_n ≥ 0,   −μ x̄_n ≤ x_t1, x_t2 ≤ μ x̄_n        x̄_n given, say the last step's
+//! ```
+//!
+//! With x̄_n from the last time step, or from the last sweep, friction is a boxed LCP with symmetric
+//! A: it always has a solution, w is unique, and every solver of this crate takes it. The price is a
+//! delay: a box that lands gets no friction in its first step, one that lifts off keeps some in its
+//! last, and x_t may lie outside the box of the x_n found. Repeating it with the x_n found until
+//! nothing changes leads to [model 2](super::coupled_box). `math §5`, model 1.
+
+use super::FrictionProblem;
+use crate::lcp::Lcp;
+
+impl FrictionProblem {
+    /// Model 1, the boxed LCP with |x_t1|, |x_t2| ≤ μ max(x̄_n, 0), given the x̄_n of each contact.
+    ///
+    /// # Panics
+    /// If there is not one x̄_n a contact.
+    pub fn frozen_box(&self, normal: &[f64]) -> Lcp {
+        assert_eq!(normal.len(), self.contacts().len(), "one normal impulse a contact");
+        let mut x = vec![0.0; self.lcp().len()];
+        for (contact, normal) in self.contacts().iter().zip(normal) {
+            x[contact.rows[0]] = *normal;
+        }
+        self.coupled_box().frozen_at(&x)
+    }
+}

@@ -1,0 +1,171 @@
+//! Dry friction at contacts: one problem, four models.
+//!
+//! A contact has three rows of A, its normal n and two tangents t1, t2. x_n presses, x_t rubs; w_n
+//! and w_t are the velocities (or accelerations) they lead to. Coulomb's law says of each contact:
+//!
+//! ```text
+//! x_n ≥ 0,  w_n ≥ 0,  x_n w_n = 0          it neither pulls nor is pressed in
+//! |x_t| ≤ μ x_n                            friction stays within a cone
+//! w_t ≠ 0  ⇒  x_t = −μ x_n w_t / |w_t|     a sliding contact rubs with full force against the slip
+//! ```
+//!
+//! The third line is what makes it hard: it is neither linear nor the condition of any minimum. Each
+//! model gives up one thing:
+//!
+//! | model | x_t lies in | gives up | becomes |
+//! | --- | --- | --- | --- |
+//! | 1 [`FrictionProblem::frozen_box`] | a square of fixed size | the present x_n | a boxed LCP, symmetric |
+//! | 2 [`FrictionProblem::coupled_box`] | a square of half-width μ x_n | that all directions are alike | a boxed LCP with [`Coupling`] |
+//! | 3 [`Polyhedral`] | a polygon with k corners | all but k directions | an LCP, not symmetric |
+//! | 4a [`ConeProblem`], [`Law::Associated`] | the disc | w_n = 0 while sliding | a convex cone program |
+//! | 4b [`ConeProblem`], [`Law::Coulomb`] | the disc | nothing | a cone problem, not convex |
+//!
+//! A push along an edge of the square and one along its diagonal meet resistances of μ x_n and
+//! √2 μ x_n: the box rubs 41 % too much. A polygon with four corners on the disc rubs 29 % too little
+//! across an edge, one with k corners 1 − cos(π/k). `math §5`.
+//!
+//! ```
+//! use lcplab::lcp::{Lcp, Matrix};
+//! use lcplab::lcp::friction::{Contact, FrictionProblem};
+//!
+//! // A unit mass, pressed to the floor with 2 N s and pushed along t1 with 3 N s; μ = ½.
+//! let a = Matrix::dense(3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+//! let (lo, hi) = (vec![0.0, -f64::INFINITY, -f64::INFINITY], vec![f64::INFINITY; 3]);
+//! let lcp = Lcp::new(a, vec![-2.0, -3.0, 0.0], lo, hi)?;
+//! let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+//! assert_eq!(problem.coupled_box().bounds(1, &[2.0, 0.0, 0.0]), (-1.0, 1.0));
+//! # Ok::<(), lcplab::error::Error>(())
+//! ```
+
+mod cone;
+mod coupled_box;
+mod frozen_box;
+mod polyhedral;
+
+pub use cone::{ConeProblem, Law, project};
+pub use polyhedral::Polyhedral;
+
+use super::{Coupling, Lcp};
+use crate::error::{Defects, Result};
+
+/// A contact with friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Its rows n, t1, t2 of A. The tangents are orthogonal.
+    pub rows: [usize; 3],
+    /// Its coefficient of friction μ ≥ 0.
+    pub mu: f64,
+}
+
+impl Contact {
+    /// The contact's entries n, t1, t2 of a vector with an entry a row.
+    pub fn of(&self, values: &[f64]) -> [f64; 3] {
+        self.rows.map(|i| values[i])
+    }
+
+    /// Puts the contact's entries n, t1, t2 into a vector with an entry a row.
+    pub fn put(&self, entries: [f64; 3], values: &mut [f64]) {
+        for (i, entry) in self.rows.into_iter().zip(entries) {
+            values[i] = entry;
+        }
+    }
+}
+
+/// w = A x + b with some contacts; the other rows have bounds of their own. It is valid from
+/// construction on: a contact's rows belong to it alone, x_n is bounded by 0 from below, and x_t by
+/// the model of friction only.
+#[derive(Debug, Clone)]
+pub struct FrictionProblem {
+    /// A, b and the bounds without friction; no coupling.
+    lcp: Lcp,
+    contacts: Vec<Contact>,
+    /// The rows that belong to no contact.
+    others: Vec<usize>,
+}
+
+impl FrictionProblem {
+    /// The problem with these contacts among the rows of an LCP without coupling.
+    ///
+    /// # Errors
+    /// Lists each contact with a row that does not exist, is taken or has other bounds than 0 ≤ x_n,
+    /// x_t free, and each μ that is negative or not finite.
+    pub fn new(lcp: Lcp, contacts: Vec<Contact>) -> Result<Self> {
+        let mut defects = Defects::default();
+        if lcp.coupling().is_some() {
+            defects.add("friction_index", "is given, and so are contacts: one of them is enough");
+        }
+        let mut is_free = vec![true; lcp.len()];
+        for (c, contact) in contacts.iter().enumerate() {
+            if !(contact.mu.is_finite() && contact.mu >= 0.0) {
+                defects.add(format!("contact {c}"), format!("mu must be ≥ 0, is {}", contact.mu));
+            }
+            for (name, &i) in ["n", "t1", "t2"].iter().zip(&contact.rows) {
+                if let Some(reason) = take_row(&lcp, &mut is_free, i, *name == "n") {
+                    defects.add(format!("contact {c}"), format!("row {name} = {i} {reason}"));
+                }
+            }
+        }
+        defects.into_result("contacts")?;
+        let others = (0..lcp.len()).filter(|&i| is_free[i]).collect();
+        Ok(FrictionProblem { lcp, contacts, others })
+    }
+
+    /// The problem whose box model is this LCP: the friction rows that a row bounds are its tangents.
+    ///
+    /// # Errors
+    /// Lists each row that bounds not exactly two others, or two with different μ; otherwise as
+    /// [`FrictionProblem::new`].
+    pub fn of(lcp: &Lcp) -> Result<Self> {
+        let mut tangents = vec![Vec::new(); lcp.len()];
+        for (i, k) in lcp.coupling().into_iter().flat_map(Coupling::rows) {
+            tangents[k].push(i);
+        }
+        let mu = |i: usize| lcp.coupling().map_or(0.0, |coupling| coupling.mu(i));
+        let (mut defects, mut contacts) = (Defects::default(), Vec::new());
+        for (n, tangents) in tangents.iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
+            match **tangents {
+                [t1, t2] if mu(t1) == mu(t2) => {
+                    contacts.push(Contact { rows: [n, t1, t2], mu: mu(t1) });
+                }
+                [t1, t2] => {
+                    let reason = format!("mu is {} along t1, {} along t2", mu(t1), mu(t2));
+                    defects.add(format!("row {n}"), reason);
+                }
+                _ => {
+                    let reason = format!("bounds {} friction rows, not 2", tangents.len());
+                    defects.add(format!("row {n}"), reason);
+                }
+            }
+        }
+        defects.into_result("contacts")?;
+        FrictionProblem::new(Lcp { coupling: None, ..lcp.clone() }, contacts)
+    }
+
+    /// A, b and the bounds that are left without friction: 0 ≤ x_n, x_t free.
+    pub fn lcp(&self) -> &Lcp {
+        &self.lcp
+    }
+
+    /// The contacts.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// The rows that belong to no contact, ascending.
+    pub fn others(&self) -> &[usize] {
+        &self.others
+    }
+}
+
+/// Marks row i as taken; says why, if a contact cannot have it.
+fn take_row(lcp: &Lcp, is_free: &mut [bool], i: usize, is_normal: bool) -> Option<String> {
+    match is_free.get_mut(i) {
+        None => return Some(format!("does not exist, there are only {} rows", lcp.len())),
+        Some(false) => return Some("is taken twice".to_string()),
+        Some(free) => *free = false,
+    }
+    let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
+    let expected = if is_normal { 0.0 } else { f64::NEG_INFINITY };
+    let fits = (lo, hi) == (expected, f64::INFINITY);
+    (!fits).then(|| format!("has bounds {lo} and {hi}, not {expected} and inf"))
+}

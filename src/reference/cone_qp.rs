@@ -1,0 +1,36 @@
+//! The convex cone problem of friction as a second-order cone program, by clarabel.
+//!
+//! ```text
+//! minimise ½ xᵀA x + bᵀx   subject to   |x_t| ≤ μ x_n for each contact,   lo ≤ x ≤ hi elsewhere
+//! ```
+//!
+//! `math §5`, model 4. The multipliers of the cones are the w in their dual cones.
+
+use super::{Reference, program::Program};
+use crate::lcp::Complementarity;
+use crate::lcp::friction::ConeProblem;
+
+/// Solves the cone program; `None` where that is not the same problem: A is not symmetric, or the law
+/// is Coulomb's (freeze the shift first with [`ConeProblem`]'s
+/// [`frozen_at`](crate::lcp::Complementarity::frozen_at)).
+pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
+    let (lcp, friction) = (problem.lcp(), problem.friction());
+    if !problem.is_frozen() || !lcp.matrix().is_symmetric() {
+        return None;
+    }
+    let mut program = Program::with_objective(lcp);
+    for &i in friction.others() {
+        program.bound(i, lcp.lo()[i], lcp.hi()[i]);
+    }
+    for contact in friction.contacts() {
+        let [n, t1, t2] = contact.rows;
+        if contact.mu > 0.0 {
+            program.within_cone(contact.mu, contact.rows);
+        } else {
+            program.bound(n, 0.0, f64::INFINITY);
+            program.bound(t1, 0.0, 0.0);
+            program.bound(t2, 0.0, 0.0);
+        }
+    }
+    Some(program.solve())
+}

@@ -1,0 +1,144 @@
+//! The four models as problems: sizes, entries, bad input.
+
+use lcplab::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Polyhedral, project};
+use lcplab::lcp::{Complementarity, Coupling};
+use proptest::prelude::*;
+
+use crate::common::{INF, boxed, cases, contacts, pushed_mass, rubbing};
+
+#[test]
+fn the_coupled_box_leads_back_to_the_contacts() {
+    let problem = pushed_mass(2.0, 3.0, 30.0);
+    let again = FrictionProblem::of(&problem.coupled_box()).unwrap();
+    assert_eq!(again.contacts(), [Contact { rows: [0, 1, 2], mu: 0.5 }]);
+    assert_eq!(again.lcp().bounds(1, &[1.0, 0.0, 0.0]), (-INF, INF));
+}
+
+#[test]
+fn the_frozen_box_has_the_size_of_the_given_impulse() {
+    let lcp = pushed_mass(2.0, 3.0, 30.0).frozen_box(&[4.0]);
+    assert_eq!((lcp.lo(), lcp.hi()), (&[0.0, -2.0, -2.0][..], &[INF, 2.0, 2.0][..]));
+    let lifted = pushed_mass(2.0, 3.0, 30.0).frozen_box(&[-4.0]);
+    assert_eq!(lifted.bounds(1, &[]), (-0.0, 0.0));
+}
+
+#[test]
+fn four_directions_give_the_matrix_of_stewart_and_trinkle() {
+    let polyhedral = Polyhedral::new(&pushed_mass(2.0, 3.0, 0.0), 4).unwrap();
+    let expected = [
+        [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0, -1.0, 0.0, 1.0],
+        [0.0, 0.0, 1.0, 0.0, -1.0, 1.0],
+        [0.0, -1.0, 0.0, 1.0, 0.0, 1.0],
+        [0.0, 0.0, -1.0, 0.0, 1.0, 1.0],
+        [0.5, -1.0, -1.0, -1.0, -1.0, 0.0],
+    ];
+    let matrix = polyhedral.lcp().matrix();
+    for (i, row) in expected.iter().enumerate() {
+        for (j, a) in row.iter().enumerate() {
+            assert_eq!(matrix.entry(i, j), *a, "entry {i} {j}");
+        }
+    }
+    assert_eq!(polyhedral.lcp().b(), [-2.0, -3.0, 0.0, 3.0, 0.0, 0.0]);
+    assert_eq!(polyhedral.x(&[2.0, 0.75, 0.25, 0.0, 0.5, 9.0]), [2.0, 0.75, -0.25]);
+}
+
+#[test]
+fn other_numbers_of_directions_are_refused() {
+    let error = Polyhedral::new(&pushed_mass(2.0, 3.0, 0.0), 6).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "polyhedral friction: directions: must be a positive multiple of 4, is 6"
+    );
+}
+
+#[test]
+fn contacts_that_cannot_be_are_listed() {
+    let lcp = contacts(&[&[1.0, 0.0], &[0.0, 1.0]], &[0.0, 0.0]);
+    let error = FrictionProblem::new(lcp, vec![Contact { rows: [0, 0, 2], mu: -1.0 }]).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "contacts: 3 defects\n  contact 0: mu must be ≥ 0, is -1\n  contact 0: row t1 = 0 is taken \
+         twice\n  contact 0: row t2 = 2 does not exist, there are only 2 rows"
+    );
+    let lcp = contacts(&[&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]], &[0.0; 3]);
+    let error = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 1.0 }]).unwrap_err();
+    assert!(error.to_string().contains("row t1 = 1 has bounds 0 and inf, not -inf and inf"));
+}
+
+#[test]
+fn friction_rows_that_are_no_pair_are_listed() {
+    let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
+    let lcp = boxed(&rows, &[0.0; 3], &[0.0, -INF, -INF], &[INF; 3]);
+    let coupled = |index: [Option<usize>; 3], mu: [f64; 3]| {
+        let coupling = Coupling::new(index.to_vec(), mu.to_vec()).unwrap();
+        let lcp = lcp.clone().with_coupling(coupling).unwrap();
+        FrictionProblem::of(&lcp).unwrap_err().to_string()
+    };
+    assert_eq!(
+        coupled([None, Some(0), None], [0.0, 1.0, 0.0]),
+        "contacts: row 0: bounds 1 friction rows, not 2"
+    );
+    assert_eq!(
+        coupled([None, Some(0), Some(0)], [0.0, 1.0, 0.5]),
+        "contacts: row 0: mu is 1 along t1, 0.5 along t2"
+    );
+}
+
+/// A point in space.
+fn point() -> impl Strategy<Value = [f64; 3]> {
+    [-2.0..2.0, -2.0..2.0, -2.0..2.0]
+}
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    #[test]
+    fn the_projection_is_the_nearest_point_of_the_cone(mu in 0.0..3.0, v in point()) {
+        // Moreau: p in K, v − p in the polar cone −K*, both orthogonal.
+        let p = project(mu, v);
+        let d: [f64; 3] = std::array::from_fn(|i| v[i] - p[i]);
+        prop_assert!(p[1].hypot(p[2]) <= mu * p[0] + 1e-12 && p[0] >= 0.0);
+        prop_assert!(mu * d[1].hypot(d[2]) <= -d[0] + 1e-12);
+        prop_assert!((0..3).map(|i| p[i] * d[i]).sum::<f64>().abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_contact_without_friction_has_a_ray_for_a_cone(v in point()) {
+        prop_assert_eq!(project(0.0, v), [v[0].max(0.0), 0.0, 0.0]);
+    }
+
+    #[test]
+    fn polyhedral_matrices_are_copositive(
+        problem in rubbing(2, 4, 0.0), z in proptest::collection::vec(0.0..2.0, 21),
+    ) {
+        // zᵀ M z = xᵀ A x + Σ μ x_n γ for 1 + 2 + 2·8 + 2 unknowns.
+        let polyhedral = Polyhedral::new(&problem, 8).unwrap();
+        let lcp = polyhedral.lcp().homogeneous();
+        let x = polyhedral.x(&z);
+        let square = |w: Vec<f64>, x: &[f64]| w.iter().zip(x).map(|(w, x)| w * x).sum::<f64>();
+        let power: f64 = problem.contacts().iter().enumerate()
+            .map(|(c, contact)| contact.mu * z[1 + c] * z[19 + c]).sum();
+        let energy = square(problem.lcp().homogeneous().w(&x), &x);
+        prop_assert!((square(lcp.w(&z), &z) - energy - power).abs() < 1e-9);
+    }
+
+    #[test]
+    fn coulombs_law_is_the_associated_one_frozen_at_x(
+        problem in rubbing(2, 6, 0.0), x in proptest::collection::vec(-1.0..1.0, 7),
+    ) {
+        // The same x − Π(x − ŵ/s), and terms that are at least as large.
+        let coulomb = ConeProblem::new(problem, Law::Coulomb);
+        let frozen = coulomb.frozen_at(&x);
+        prop_assert!(coulomb.scaled_residual(&x) <= frozen.scaled_residual(&x) * (1.0 + 1e-12));
+        for contact in coulomb.friction().contacts() {
+            let step = |problem: &ConeProblem| {
+                let w = contact.of(&problem.lcp().w(&x));
+                problem.step(contact, contact.of(&x), w, problem.scale(contact))
+            };
+            for (a, b) in step(&coulomb).iter().zip(step(&frozen)) {
+                prop_assert!((a - b).abs() < 1e-12);
+            }
+        }
+    }
+}

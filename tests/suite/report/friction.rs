@@ -1,0 +1,189 @@
+//! The four models beside each other, against closed forms.
+
+use std::f64::consts::PI;
+
+use lcplab::certificate::cross_check::max_difference;
+use lcplab::lcp::friction::{Contact, FrictionProblem};
+use lcplab::lcp::merit;
+use lcplab::report::study::friction::{Answer, ContactAnswer, Model, compare};
+use lcplab::solver::Settings;
+use proptest::prelude::*;
+
+use crate::common::{INF, boxed, cases, pushed_mass, rubbing};
+
+const POLYGON: Model = Model::Polyhedral { directions: 4 };
+
+fn answers(problem: &FrictionProblem, models: &[Model]) -> Vec<Answer> {
+    let settings = Settings { tolerance: 1e-11, ..Settings::default() };
+    compare(problem, models, &settings).unwrap()
+}
+
+fn answer(problem: &FrictionProblem, model: Model) -> Answer {
+    answers(problem, &[model]).pop().unwrap()
+}
+
+/// The answer for a unit mass, pressed with 2 N s; μ = ½, so that friction is 1 N s at most.
+fn pushed(model: Model, push: f64, degrees: f64) -> ContactAnswer {
+    let answer = answer(&pushed_mass(2.0, push, degrees), model);
+    assert_ne!(answer.verdict, "not_a_solution", "{model}");
+    assert_eq!(answer.status, "solved", "{model}");
+    answer.contacts[0].clone()
+}
+
+#[track_caller]
+fn assert_near(found: f64, expected: f64) {
+    assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
+}
+
+#[test]
+fn along_a_tangent_all_models_stick_up_to_mu_times_the_normal_impulse() {
+    for model in Model::ALL {
+        let sticks = pushed(model, 0.999, 0.0);
+        let slides = pushed(model, 1.001, 0.0);
+        assert_near(sticks.velocity[1], 0.0);
+        assert_eq!(sticks.misalignment, None, "{model}");
+        assert!(slides.velocity[1] < -1e-4, "{model}");
+        assert_near(slides.strength.unwrap(), 1.0);
+        assert_near(slides.misalignment.unwrap(), 0.0);
+    }
+}
+
+#[test]
+fn across_the_tangents_the_box_holds_41_percent_too_much_and_the_diamond_29_too_little() {
+    for (model, strength) in [
+        (Model::FrozenBox, 2f64.sqrt()),
+        (Model::CoupledBox, 2f64.sqrt()),
+        (POLYGON, 0.5f64.sqrt()),
+        (Model::CoulombCone, 1.0),
+    ] {
+        assert_near(pushed(model, strength * 0.999, 45.0).velocity[1], 0.0);
+        let slides = pushed(model, strength * 1.001, 45.0);
+        assert!(slides.velocity[1] < -1e-4, "{model}");
+        assert_near(slides.strength.unwrap(), strength);
+    }
+}
+
+#[test]
+fn more_directions_lose_one_minus_cos_of_pi_over_k() {
+    for k in [4, 8, 16, 32] {
+        let halfway = 180.0 / k as f64;
+        let slides = pushed(Model::Polyhedral { directions: k }, 3.0, halfway);
+        assert_near(slides.strength.unwrap(), (PI / k as f64).cos());
+        assert_near(slides.misalignment.unwrap(), 0.0);
+    }
+}
+
+#[test]
+fn at_30_degrees_box_and_polygon_rub_aslant_and_the_cone_against_the_slip() {
+    // Friction is the point of the model's figure nearest to the push 3 (cos 30°, sin 30°): a corner
+    // of the square, a corner of the diamond, and the same direction on the disc.
+    let friction = |model| {
+        let contact = pushed(model, 3.0, 30.0);
+        ([contact.impulse[1], contact.impulse[2]], contact.misalignment.unwrap())
+    };
+    let slip = |[x1, x2]: [f64; 2]| {
+        let (w1, w2) = (3.0 * 0.75f64.sqrt() - x1, 1.5 - x2);
+        (f64::atan2(w2, w1) - f64::atan2(x2, x1)).abs().to_degrees()
+    };
+    for (model, [x1, x2]) in [
+        (Model::CoupledBox, [1.0, 1.0]),
+        (POLYGON, [1.0, 0.0]),
+        (Model::CoulombCone, [0.75f64.sqrt(), 0.5]),
+    ] {
+        let ([found1, found2], angle) = friction(model);
+        assert_near(found1, x1);
+        assert_near(found2, x2);
+        assert_near(angle, slip([x1, x2]));
+    }
+    assert!(friction(Model::CoupledBox).1 > 25.0 && friction(POLYGON).1 > 40.0);
+}
+
+#[test]
+fn the_exact_cone_has_no_directions_of_its_own() {
+    for degrees in [0.0, 10.0, 30.0, 45.0, 77.0, 190.0] {
+        for (model, x_n, strength) in
+            [(Model::CoulombCone, 2.0, 1.0), (Model::AssociatedCone, 2.8, 1.0)]
+        {
+            let slides = pushed(model, 3.0, degrees);
+            assert_near(slides.impulse[0], x_n);
+            assert_near(slides.strength.unwrap(), strength);
+            assert_near(slides.misalignment.unwrap(), 0.0);
+        }
+    }
+}
+
+#[test]
+fn only_the_associated_cone_separates_while_it_slides() {
+    for model in Model::ALL {
+        let [w_n, w1, w2] = pushed(model, 3.0, 0.0).velocity;
+        let rising = if model == Model::AssociatedCone { 0.5 * w1.hypot(w2) } else { 0.0 };
+        assert_near(w_n, rising);
+    }
+}
+
+#[test]
+fn what_a_model_gives_up_is_its_residual_in_coulombs_law() {
+    let at_45 = answers(&pushed_mass(2.0, 3.0, 45.0), &Model::ALL);
+    let follows = |answer: &&Answer| answer.coulomb_residual < 1e-9;
+    let who: Vec<Model> = at_45.iter().filter(follows).map(|answer| answer.model).collect();
+    // 45° is a corner of the polygons with 8 and 16.
+    let polygons = [8, 16].map(|directions| Model::Polyhedral { directions });
+    assert_eq!(who, [polygons[0], polygons[1], Model::CoulombCone]);
+}
+
+/// A rod of mass 1 and radius of gyration ½ lies along t1 on its ends at ±1, pressed unevenly and
+/// pushed; 2 contacts, 6 rows.
+fn rod() -> FrictionProblem {
+    // Columns of J: v_z, v_x, v_y, ω_y, ω_z; inverse inertia 4.
+    let j =
+        |x: f64| [[1.0, 0.0, 0.0, -x, 0.0], [0.0, 1.0, 0.0, 0.25, 0.0], [0.0, 0.0, 1.0, 0.0, x]];
+    let rows: Vec<[f64; 5]> = [j(-1.0), j(1.0)].concat();
+    let inverse_mass = [1.0, 1.0, 1.0, 4.0, 4.0];
+    let u = [-1.0, 0.7, 0.4, 0.3, 0.2];
+    let product =
+        |a: &[f64; 5], b: &[f64; 5]| -> f64 { (0..5).map(|k| a[k] * inverse_mass[k] * b[k]).sum() };
+    let a: Vec<Vec<f64>> =
+        rows.iter().map(|r| rows.iter().map(|s| product(r, s)).collect()).collect();
+    let a: Vec<&[f64]> = a.iter().map(Vec::as_slice).collect();
+    let b: Vec<f64> = rows.iter().map(|r| (0..5).map(|k| r[k] * u[k]).sum()).collect();
+    let lo = [0.0, -INF, -INF, 0.0, -INF, -INF];
+    let contact = |first| Contact { rows: [first, first + 1, first + 2], mu: 0.3 };
+    FrictionProblem::new(boxed(&a, &b, &lo, &[INF; 6]), vec![contact(0), contact(3)]).unwrap()
+}
+
+#[test]
+fn polygons_of_many_corners_approach_coulombs_cone_for_two_coupled_contacts() {
+    let problem = rod();
+    let w = |answer: &Answer| problem.lcp().w(&answer.x);
+    let exact = answer(&problem, Model::CoulombCone);
+    assert!(exact.contacts.iter().all(|contact| contact.misalignment.is_some()), "both slide");
+    let difference = |directions: usize| {
+        let polygon = answer(&problem, Model::Polyhedral { directions });
+        assert_eq!(polygon.verdict, "proved");
+        max_difference(&w(&polygon), &w(&exact))
+    };
+    let differences = [8, 16, 32, 64].map(difference);
+    assert!(differences[3] < 0.1 * differences[0], "{differences:?}");
+    assert!(differences[3] < 0.01, "{differences:?}");
+}
+
+proptest! {
+    #![proptest_config(cases(40))]
+
+    #[test]
+    fn every_model_is_solved_and_takes_energy(problem in rubbing(2, 7, 0.5)) {
+        for answer in answers(&problem, &Model::ALL) {
+            let name = answer.model.to_string();
+            if answer.status != "solved" {
+                prop_assert_eq!(answer.model, Model::CoupledBox, "{}", answer.status);
+                continue; // freezing need not converge where μ and the coupling are large
+            }
+            prop_assert_ne!(&answer.verdict, "not_a_solution", "{}", name);
+            prop_assert!(merit::objective(problem.lcp(), &answer.x) <= 1e-9, "{}", name);
+            for contact in &answer.contacts {
+                let ([_, x1, x2], [_, w1, w2]) = (contact.impulse, contact.velocity);
+                prop_assert!(x1 * w1 + x2 * w2 <= 1e-9, "{}", name);
+            }
+        }
+    }
+}
