@@ -55,7 +55,7 @@ pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
 fn scaling(lcp: &Lcp) -> Option<Vec<f64>> {
     let power = |i: usize| {
         let a = lcp.matrix().diagonal(i);
-        (a > 0.0).then(|| 2f64.powi((-0.5 * a.log2()).round() as i32))
+        (a > 0.0).then(|| 2f64.powi((0.5 - 0.5 * a.log2()).floor() as i32))
     };
     (0..lcp.len()).map(power).collect()
 }

@@ -46,10 +46,7 @@ pub fn prove(lcp: &Lcp, x: &[f64], w: &[f64]) -> Option<Proof> {
         })
         .collect();
     let free: Vec<usize> = (0..lcp.len()).filter(|&i| sides[i] == Side::Free).collect();
-    let system = integer_rows(lcp, &free, &free);
-    let profile = modular::rank_profile(&system);
-    let rows: Vec<usize> = profile.rows.iter().map(|&k| free[k]).collect();
-    let unknowns: Vec<usize> = profile.columns.iter().map(|&k| free[k]).collect();
+    let (rows, unknowns) = independent(lcp, &free);
     let dependent = free.iter().copied().find(|i| !unknowns.contains(i));
     let candidate = Candidate::solve(lcp, &rows, unknowns.clone(), fixed)?;
     if !(0..lcp.len()).all(|i| candidate.satisfies(lcp, i, sides[i])) {
@@ -57,6 +54,13 @@ pub fn prove(lcp: &Lcp, x: &[f64], w: &[f64]) -> Option<Proof> {
     }
     let null = dependent.and_then(|i| null_direction(lcp, &candidate, &rows, unknowns, i));
     Some(candidate.proof(x, null))
+}
+
+/// Rows and columns among `free` of a largest regular submatrix of A.
+pub(super) fn independent(lcp: &Lcp, free: &[usize]) -> (Vec<usize>, Vec<usize>) {
+    let profile = modular::rank_profile(&integer_rows(lcp, free, free));
+    let chosen = |places: Vec<usize>| places.into_iter().map(|k| free[k]).collect();
+    (chosen(profile.rows), chosen(profile.columns))
 }
 
 /// The direction with d_i = 1 in which the other unknowns follow x_i so that w stays; `None` if

@@ -12,7 +12,7 @@
 
 use dashu_ratio::RBig;
 
-use super::exact::{Candidate, Dyadic, dyadic};
+use super::exact::{Candidate, Dyadic, dyadic, independent};
 use crate::lcp::Lcp;
 
 /// A vector d that proves that no solution exists.
@@ -25,16 +25,15 @@ pub struct Farkas {
 /// Tries to prove from a solver's ray that a problem with symmetric A and no coupling has no
 /// solution.
 ///
-/// `row` is the driven row. Rounding in the other entries is repaired first: they are solved anew,
-/// exactly, from (A d)_j = 0.
+/// `row` is the driven row. Rounding in the other entries is repaired first: as many as the equations
+/// (A d)_j = 0 determine are solved anew, exactly.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
         return None;
     }
     let support: Vec<usize> = (0..lcp.len()).filter(|&j| j != row && direction[j] != 0.0).collect();
-    let mut fixed = vec![0.0; lcp.len()];
-    fixed[row] = direction[row];
-    let d = Candidate::solve(&lcp.homogeneous(), &support, support.clone(), fixed)?;
+    let (rows, unknowns) = independent(lcp, &support);
+    let d = Candidate::solve(&lcp.homogeneous(), &rows, unknowns, direction.to_vec())?;
     proves(lcp, &d).then(|| Farkas { vector: d.entries() })
 }
 

@@ -9,6 +9,8 @@ use crate::lcp::{Complementarity, Lcp, dot};
 const RELATIVE_ZERO: f64 = 1e-14;
 /// So does bᵀd: a d with dᵀA d = 0 in this sense is a null vector to about 1e-7.
 const RELATIVE_ZERO_SLOPE: f64 = 1e-6;
+/// Entries of a direction below this part of the longest are not part of a ray.
+const SHORT: f64 = 1e-7;
 
 /// Repeats `step` from x until the scaled residual is within the tolerance, the limit is reached,
 /// the observer asks to stop, or an iterate is not finite.
@@ -17,7 +19,8 @@ const RELATIVE_ZERO_SLOPE: f64 = 1e-6;
 /// are counted from `first`, which is above 0 when an earlier loop was continued with other bounds.
 ///
 /// Where there is no solution x runs off along a ray, and the residual becomes small *beside x*; so
-/// the last step is looked at before an end is given a name.
+/// the last step, and the whole way from the start, are looked at before an end is given a name; and
+/// an x whose residual is no smaller than that of doing nothing has `Diverged`.
 pub(super) fn iterate(
     problem: &impl Complementarity,
     mut x: Vec<f64>,
@@ -30,6 +33,7 @@ pub(super) fn iterate(
     let lcp = problem.lcp();
     let is_solved = |x: &[f64]| problem.scaled_residual(x) <= tolerance;
     let is_finite = |x: &[f64]| x.iter().all(|x| x.is_finite());
+    let start = x.clone();
     let (mut before, mut last_finite, mut event) = (x.clone(), x.clone(), Event::Start);
     for iteration in first..=max_iterations {
         if iteration > first {
@@ -54,29 +58,46 @@ pub(super) fn iterate(
                 return Solution::new(lcp, last_finite, Status::Diverged, iteration);
             }
             if is_solved(&x) {
-                return finish(problem, &before, x, Status::Solved, iteration);
+                return finish(problem, [&before, &start], x, Status::Solved, iteration);
             }
             last_finite.copy_from_slice(&x);
         }
     }
-    finish(problem, &before, x, Status::IterationLimit, max_iterations)
+    finish(problem, [&before, &start], x, Status::IterationLimit, max_iterations)
 }
 
-/// The solution x, unless the step to it from `before` shows that there is none.
+/// The solution x, unless the way to it from one of the points before shows that there is none.
 fn finish(
     problem: &impl Complementarity,
-    before: &[f64],
+    before: [&[f64]; 2],
     x: Vec<f64>,
     status: Status,
     iterations: usize,
 ) -> Solution {
     let lcp = problem.lcp();
-    let direction: Vec<f64> = x.iter().zip(before).map(|(x, before)| x - before).collect();
-    if problem.recedes(&direction) && is_downhill_for_ever(lcp, &direction) {
-        let ray = Status::Ray { row: largest(&direction), direction };
-        return Solution::new(lcp, before.to_vec(), ray, iterations);
+    for before in before {
+        let direction = long_part(lcp, &x, before);
+        if problem.recedes(&direction) && is_downhill_for_ever(lcp, &direction) {
+            let ray = Status::Ray { row: largest(&direction), direction };
+            return Solution::new(lcp, before.to_vec(), ray, iterations);
+        }
     }
-    Solution::new(lcp, x, status, iterations)
+    let ran_off = status == Status::Solved && !problem.is_better_than_nothing(&x);
+    Solution::new(lcp, x, if ran_off { Status::Diverged } else { status }, iterations)
+}
+
+/// x − before without the entries that are small beside the others, each measured by √a_ii: what
+/// remains of a long way along a ray when the way to the ray is taken off.
+fn long_part(lcp: &Lcp, x: &[f64], before: &[f64]) -> Vec<f64> {
+    let length = |i: usize, d: f64| d.abs() * lcp.matrix().diagonal(i).abs().sqrt();
+    let mut direction: Vec<f64> = x.iter().zip(before).map(|(x, before)| x - before).collect();
+    let longest = direction.iter().enumerate().map(|(i, &d)| length(i, d)).fold(0.0, f64::max);
+    for (i, d) in direction.iter_mut().enumerate() {
+        if length(i, *d) < SHORT * longest {
+            *d = 0.0;
+        }
+    }
+    direction
 }
 
 /// Whether the objective falls along d at a rate that never changes: A d = 0, bᵀd < 0.

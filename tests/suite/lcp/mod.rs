@@ -1,6 +1,6 @@
 mod file;
-mod library;
 mod friction;
+mod library;
 mod matrix;
 mod merit;
 mod problem;
