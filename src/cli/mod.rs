@@ -1,5 +1,6 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
+mod families;
 mod library;
 mod problem;
 mod report;
@@ -31,6 +32,7 @@ enum Command {
     Scenes(scene::Scenes),
     Simulate(scene::Simulate),
     Compare(scene::Compare),
+    CompareSolvers(families::CompareSolvers),
     Export(scene::Export),
 }
 
@@ -52,6 +54,7 @@ pub fn run() -> ExitCode {
         Command::Scenes(command) => command.run(),
         Command::Simulate(command) => command.run(),
         Command::Compare(command) => command.run(),
+        Command::CompareSolvers(command) => command.run(),
         Command::Export(command) => command.run(),
     };
     match result {

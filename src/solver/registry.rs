@@ -39,6 +39,21 @@ impl Default for Options {
     }
 }
 
+impl Options {
+    /// Whether the options can be used.
+    ///
+    /// # Errors
+    /// Names the option that cannot.
+    pub fn validate(&self) -> Result<()> {
+        self.settings.validate()?;
+        if !(self.omega > 0.0 && self.omega < 2.0) {
+            let reason = format!("must lie between 0 and 2, is {}", self.omega);
+            return Err(Error::invalid("settings", "omega", reason));
+        }
+        Ok(())
+    }
+}
+
 /// All solvers; the [`SPECIMENS`] are not among them.
 pub const ALL: &[Entry] = &[
     Entry {
@@ -217,11 +232,7 @@ fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {
 /// # Errors
 /// If there is none of this name, or an option cannot be used.
 pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
-    options.settings.validate()?;
-    if !(options.omega > 0.0 && options.omega < 2.0) {
-        let reason = format!("must lie between 0 and 2, is {}", options.omega);
-        return Err(Error::invalid("settings", "omega", reason));
-    }
+    options.validate()?;
     Ok((entry(name)?.build)(options))
 }
 

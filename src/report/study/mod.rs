@@ -6,6 +6,7 @@ pub mod comparison;
 pub mod convergence;
 pub mod cross_check;
 pub mod drift;
+pub mod families;
 pub mod friction;
 pub mod sparsity;
 

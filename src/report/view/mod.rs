@@ -5,11 +5,14 @@ mod comparison;
 mod convergence;
 mod cross_check;
 mod drift;
+mod families;
 mod introduction;
 mod sparsity;
 mod timing;
 
 pub use comparison::{document as comparison_document, table as comparison_table};
+
+pub use families::table as families_table;
 
 use super::page::{Block, Page, Picture, Section, Table};
 use super::results::Results;

@@ -1,3 +1,4 @@
+mod families;
 mod friction;
 mod page;
 mod standard;

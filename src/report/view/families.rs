@@ -1,0 +1,63 @@
+//! Problem families × solvers as a table.
+
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::families::Row;
+
+/// One row a family and solver.
+pub fn table(rows: &[Row]) -> Table {
+    Table {
+        title: "Problem families and solvers".into(),
+        how_to_read:
+            "*outside*: the solver says the problem is not in its class. *claims* are its \
+                      own, *proved* and *accepted* the judge's; *refuted* and *false* claims must \
+                      be 0. *must fail*: a failure that mathematics explains, and that must stay \
+                      one."
+                .into(),
+        columns: vec![
+            Column::words("family"),
+            Column::words("solver"),
+            Column::numbers("problems", ""),
+            Column::numbers("outside", ""),
+            Column::numbers("claims", ""),
+            Column::numbers("proved", ""),
+            Column::numbers("accepted", ""),
+            Column::numbers("refuted", ""),
+            Column::numbers("false", ""),
+            Column::numbers("iterations", "a problem"),
+            Column::numbers("worst residual", ""),
+            Column::numbers("time", "ms"),
+            Column::words("iterates"),
+            Column::words("why not"),
+        ],
+        rows: rows.iter().map(cells).collect(),
+        files: Vec::new(),
+    }
+}
+
+fn cells(row: &Row) -> Vec<Cell> {
+    let attempts = row.problems - row.outside;
+    let zero =
+        |count: usize| Cell::count(count).marked(if count == 0 { Mark::Plain } else { Mark::Bad });
+    let short = row.claimed < attempts && row.known_failure.is_none();
+    let why = match (&row.known_failure, &row.trouble) {
+        (Some(why), _) => format!("must fail: {why}"),
+        (None, Some(trouble)) => trouble.clone(),
+        (None, None) => String::new(),
+    };
+    vec![
+        Cell::text(&row.family),
+        Cell::text(&row.solver),
+        Cell::count(row.problems),
+        Cell::count(row.outside),
+        Cell::count(row.claimed).marked(if short { Mark::Note } else { Mark::Plain }),
+        Cell::count(row.proved),
+        Cell::count(row.accepted),
+        zero(row.refuted_claims),
+        zero(row.false_claims),
+        Cell::number(row.iterations as f64 / attempts.max(1) as f64, 3),
+        Cell::number(row.worst_residual, 2),
+        Cell::number(1e3 * row.seconds, 2),
+        Cell::text(&row.fingerprint[..8]),
+        Cell::text(why),
+    ]
+}
