@@ -18,12 +18,13 @@
 //! it is that speed: friction acts along the d_j most opposed to the slip. The third: a contact that
 //! slides, γ > 0, uses all of μ x_n. E has a column of k ones a contact.
 //!
-//! The matrix is not symmetric, so there is no energy to minimise and sweeps have nothing to descend.
-//! It is copositive: zᵀMz = xᵀA x + μ·x_n γ ≥ 0 for z ≥ 0, and so
-//! [Lemke's method](crate::solver) ends at a solution, which exists whenever the contacts alone do
-//! not force anything impossible. The price is k + 2 unknowns a contact, and directions still: the
-//! polygon's edge is cos(π/k) as far as its corner, 29 % too little friction for k = 4, 8 % for 8,
-//! 2 % for 16.
+//! The matrix M is not symmetric, so there is no energy to minimise and sweeps have nothing to
+//! descend. It is copositive, zᵀM z = xᵀA x + Σ μ x_n γ ≥ 0 for z ≥ 0, which is what Lemke's method
+//! needs: it ends at a solution whenever b = J u*, for then xᵀA x = 0 implies Jᵀx = 0 and bᵀx = 0. The
+//! price is k + 2 unknowns a contact, and directions still: an edge of the polygon comes nearer to the
+//! centre than a corner by the factor cos(π/k), 29 % too little friction for k = 4, 8 % for 8, 2 % for
+//! 16. Between two directions a sliding contact rubs along one of them, up to 180°/k aslant of the one
+//! nearest to the slip.
 //!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997. `math §5`, model 3.
 

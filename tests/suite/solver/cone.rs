@@ -24,7 +24,11 @@ fn solved(solver: &dyn ConeSolver, problem: &ConeProblem) -> Vec<f64> {
 }
 
 fn assert_near(found: &[f64], expected: &[f64]) {
-    let is_near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-8);
+    assert_near_to(found, expected, 1e-8);
+}
+
+fn assert_near_to(found: &[f64], expected: &[f64], tolerance: f64) {
+    let is_near = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < tolerance);
     assert!(is_near && found.len() == expected.len(), "{found:?} is not {expected:?}");
 }
 
@@ -146,6 +150,17 @@ proptest! {
     }
 
     #[test]
+    fn turning_the_tangents_turns_the_friction(problem in rubbing(2, 7, 0.25)) {
+        for law in [Law::Associated, Law::Coulomb] {
+            for solver in all() {
+                let x = solved(solver.as_ref(), &ConeProblem::new(problem.clone(), law));
+                let turned = ConeProblem::new(turned(&problem), law);
+                assert_near_to(&solved(solver.as_ref(), &turned), &turn(&x), 1e-6);
+            }
+        }
+    }
+
+    #[test]
     fn redundant_contacts_share_and_move_as_one(problem in rubbing(1, 4, 0.25)) {
         for law in [Law::Associated, Law::Coulomb] {
             let single = ConeProblem::new(problem.clone(), law);
@@ -172,4 +187,33 @@ fn twice(problem: &FrictionProblem) -> FrictionProblem {
     let copy = problem.contacts().iter().map(|c| Contact { rows: c.rows.map(|i| i + n), ..*c });
     let contacts = problem.contacts().iter().copied().chain(copy).collect();
     FrictionProblem::new(doubled, contacts).unwrap()
+}
+
+/// Components along tangents turned by the angle of the 3-4-5 triangle; row 0 is no contact's.
+fn turn(values: &[f64]) -> Vec<f64> {
+    let mut turned = values.to_vec();
+    for contact in turned[1..].chunks_mut(3) {
+        let (t1, t2) = (contact[1], contact[2]);
+        (contact[1], contact[2]) = (0.8 * t1 + 0.6 * t2, 0.8 * t2 - 0.6 * t1);
+    }
+    turned
+}
+
+/// The problem with turned tangents, R A Rᵀ and R b.
+fn turned(problem: &FrictionProblem) -> FrictionProblem {
+    let lcp = problem.lcp();
+    let a = lcp.matrix().to_dense();
+    let half: Vec<Vec<f64>> = a.column_iter().map(|column| turn(column.as_slice())).collect();
+    let transposed = |rows: &[Vec<f64>]| -> Vec<Vec<f64>> {
+        (0..rows.len()).map(|j| rows.iter().map(|row| row[j]).collect()).collect()
+    };
+    let mut rows: Vec<Vec<f64>> = transposed(&half).iter().map(|row| turn(row)).collect();
+    for i in 0..rows.len() {
+        for j in 0..i {
+            rows[i][j] = rows[j][i]; // symmetric in spite of rounding
+        }
+    }
+    let rows: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
+    let lcp = boxed(&rows, &turn(lcp.b()), lcp.lo(), lcp.hi());
+    FrictionProblem::new(lcp, problem.contacts().to_vec()).unwrap()
 }
