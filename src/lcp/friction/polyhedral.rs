@@ -46,7 +46,8 @@ pub struct Polyhedral {
 
 impl Polyhedral {
     /// The LCP with k directions: 4, 8, 12, …, the first one along t1. Its unknowns are the x of
-    /// rows that belong to no contact, all x_n, the k impulses β of each contact, and all γ.
+    /// rows that belong to no contact, all x_n, the k impulses β of each contact, and all γ; a contact
+    /// with μ = 0 has neither β nor γ.
     ///
     /// # Errors
     /// If k is not a positive multiple of 4.
@@ -58,16 +59,16 @@ impl Polyhedral {
         let impulses = impulses(problem, k);
         let (contacts, others) = (problem.contacts(), problem.others());
         let mut entries = delassus(problem.lcp().matrix(), &impulses);
-        let first_beta = others.len() + contacts.len();
-        for (c, contact) in contacts.iter().enumerate() {
-            let gamma = impulses.len() + c;
+        let (mut beta, mut gamma) = (others.len() + contacts.len(), impulses.len());
+        for (c, contact) in contacts.iter().enumerate().filter(|(_, contact)| contact.mu > 0.0) {
             entries.push((gamma, others.len() + c, contact.mu)); // μ
-            for beta in first_beta + c * k..first_beta + (c + 1) * k {
+            for beta in beta..beta + k {
                 entries.push((beta, gamma, 1.0)); // E
                 entries.push((gamma, beta, -1.0)); // −Eᵀ
             }
+            (beta, gamma) = (beta + k, gamma + 1);
         }
-        let size = impulses.len() + contacts.len();
+        let size = gamma;
         let mut b: Vec<f64> = impulses.iter().map(|u| along(u, problem.lcp().b())).collect();
         b.resize(size, 0.0);
         let mut lo: Vec<f64> = others.iter().map(|&i| problem.lcp().lo()[i]).collect();
@@ -101,7 +102,7 @@ fn impulses(problem: &FrictionProblem, k: usize) -> Vec<Vec<(usize, f64)>> {
     let normals = contacts.iter().map(|contact| contact.rows[0]);
     let mut impulses: Vec<_> =
         others.iter().copied().chain(normals).map(|i| vec![(i, 1.0)]).collect();
-    for contact in contacts {
+    for contact in contacts.iter().filter(|contact| contact.mu > 0.0) {
         let [_, t1, t2] = contact.rows;
         impulses.extend((0..k).map(|j| {
             let [d1, d2] = direction(j, k);
