@@ -1,7 +1,8 @@
 //! Methods that solve an LCP, one a file, all behind one trait.
 //!
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
-//! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide.
+//! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide. Methods
+//! for circular friction cones have a trait of their own, [`ConeSolver`].
 
 mod active_set;
 mod admm;

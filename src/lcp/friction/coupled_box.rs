@@ -9,9 +9,9 @@
 //! full, by √2 μ x_n in all, in the direction of a corner of the square and not against the slip.
 //! Rotating the tangents changes the answer: the model has directions that nature has not.
 //!
-//! A solution is a fixed point of [model 1](super::frozen_box). It exists for rigid-body problems
-//! but need not be unique when μ is large. Open Dynamics Engine's `findex`, and most game engines,
-//! are this model. `math §5`, model 2.
+//! A solution is a fixed point of [`FrictionProblem::frozen_box`]: x̄_n in, x_n out. It need not be
+//! unique, and freezing need not lead to it, when μ is large. Open Dynamics Engine's `findex` and most
+//! game engines are this model. `math §5`, model 2.
 
 use super::FrictionProblem;
 use crate::lcp::{Coupling, Lcp};

@@ -5,10 +5,10 @@
 //! ```
 //!
 //! With x̄_n from the last time step, or from the last sweep, friction is a boxed LCP with symmetric
-//! A: it always has a solution, w is unique, and every solver of this crate takes it. The price is a
-//! delay: a box that lands gets no friction in its first step, one that lifts off keeps some in its
-//! last, and x_t may lie outside the box of the x_n found. Repeating it with the x_n found until
-//! nothing changes leads to [model 2](super::coupled_box). `math §5`, model 1.
+//! A, hence a convex quadratic program: w is unique, and every solver of this crate takes it. The
+//! price is a delay: a body that lands gets no friction in its first step, one that lifts off keeps
+//! some in its last, and x_t may lie outside the box of the x_n found. Repeating it with the x_n found
+//! until nothing changes leads to [`FrictionProblem::coupled_box`]. `math §5`, model 1.
 
 use super::FrictionProblem;
 use crate::lcp::Lcp;

@@ -18,12 +18,13 @@
 //! it is that speed: friction acts along the d_j most opposed to the slip. The third: a contact that
 //! slides, γ > 0, uses all of μ x_n. E has a column of k ones a contact.
 //!
-//! The matrix is not symmetric, so there is no energy to minimise and sweeps have nothing to descend.
-//! It is copositive: zᵀMz = xᵀA x + μ·x_n γ ≥ 0 for z ≥ 0, and so
-//! [Lemke's method](crate::solver) ends at a solution, which exists whenever the contacts alone do
-//! not force anything impossible. The price is k + 2 unknowns a contact, and directions still: the
-//! polygon's edge is cos(π/k) as far as its corner, 29 % too little friction for k = 4, 8 % for 8,
-//! 2 % for 16.
+//! The matrix M is not symmetric, so there is no energy to minimise and sweeps have nothing to
+//! descend. It is copositive, zᵀM z = xᵀA x + Σ μ x_n γ ≥ 0 for z ≥ 0, which is what Lemke's method
+//! needs: it ends at a solution whenever b = J u*, for then xᵀA x = 0 implies Jᵀx = 0 and bᵀx = 0. The
+//! price is k + 2 unknowns a contact, and directions still: an edge of the polygon comes nearer to the
+//! centre than a corner by the factor cos(π/k), 29 % too little friction for k = 4, 8 % for 8, 2 % for
+//! 16. Between two directions a sliding contact rubs along one of them, up to 180°/k aslant of the one
+//! nearest to the slip.
 //!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997. `math §5`, model 3.
 
@@ -45,7 +46,8 @@ pub struct Polyhedral {
 
 impl Polyhedral {
     /// The LCP with k directions: 4, 8, 12, …, the first one along t1. Its unknowns are the x of
-    /// rows that belong to no contact, all x_n, the k impulses β of each contact, and all γ.
+    /// rows that belong to no contact, all x_n, the k impulses β of each contact, and all γ; a contact
+    /// with μ = 0 has neither β nor γ.
     ///
     /// # Errors
     /// If k is not a positive multiple of 4.
@@ -57,16 +59,16 @@ impl Polyhedral {
         let impulses = impulses(problem, k);
         let (contacts, others) = (problem.contacts(), problem.others());
         let mut entries = delassus(problem.lcp().matrix(), &impulses);
-        let first_beta = others.len() + contacts.len();
-        for (c, contact) in contacts.iter().enumerate() {
-            let gamma = impulses.len() + c;
+        let (mut beta, mut gamma) = (others.len() + contacts.len(), impulses.len());
+        for (c, contact) in contacts.iter().enumerate().filter(|(_, contact)| contact.mu > 0.0) {
             entries.push((gamma, others.len() + c, contact.mu)); // μ
-            for beta in first_beta + c * k..first_beta + (c + 1) * k {
+            for beta in beta..beta + k {
                 entries.push((beta, gamma, 1.0)); // E
                 entries.push((gamma, beta, -1.0)); // −Eᵀ
             }
+            (beta, gamma) = (beta + k, gamma + 1);
         }
-        let size = impulses.len() + contacts.len();
+        let size = gamma;
         let mut b: Vec<f64> = impulses.iter().map(|u| along(u, problem.lcp().b())).collect();
         b.resize(size, 0.0);
         let mut lo: Vec<f64> = others.iter().map(|&i| problem.lcp().lo()[i]).collect();
@@ -100,7 +102,7 @@ fn impulses(problem: &FrictionProblem, k: usize) -> Vec<Vec<(usize, f64)>> {
     let normals = contacts.iter().map(|contact| contact.rows[0]);
     let mut impulses: Vec<_> =
         others.iter().copied().chain(normals).map(|i| vec![(i, 1.0)]).collect();
-    for contact in contacts {
+    for contact in contacts.iter().filter(|contact| contact.mu > 0.0) {
         let [_, t1, t2] = contact.rows;
         impulses.extend((0..k).map(|j| {
             let [d1, d2] = direction(j, k);

@@ -13,7 +13,9 @@
 //! line with ŵ is the projection of De Saxcé & Feng (1991): one sweep solves and freezes at once,
 //! where [`frozen`](crate::solver) solves to the end before it freezes again. Nothing is guaranteed
 //! then, and little goes wrong as long as μ is not large. A contact on its own with A = 1 contracts by
-//! μ²/(1 + μ²) a sweep under Coulomb's law, and is solved by one update under the other.
+//! μ²/(1 + μ²) a sweep under Coulomb's law, and is solved by one update under the other. Like all
+//! sweeps it is slow where forces pass through many bodies, and where a contact is about to slide but
+//! hardly does: the surface of the cone is curved there, which intervals are not.
 //!
 //! A sweep costs one product A x. A contact whose block of A is not positive: `ZeroDiagonal`.
 

@@ -1,3 +1,4 @@
+mod cone;
 mod cross_check;
 mod error_bound;
 mod exact;

@@ -1,7 +1,7 @@
 //! The four models as problems: sizes, entries, bad input.
 
 use lcplab::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Polyhedral, project};
-use lcplab::lcp::{Complementarity, Coupling};
+use lcplab::lcp::{Complementarity, Coupling, Lcp, merit};
 use proptest::prelude::*;
 
 use crate::common::{INF, boxed, cases, contacts, pushed_mass, rubbing};
@@ -112,15 +112,17 @@ proptest! {
     fn polyhedral_matrices_are_copositive(
         problem in rubbing(2, 4, 0.0), z in proptest::collection::vec(0.0..2.0, 21),
     ) {
-        // zᵀ M z = xᵀ A x + Σ μ x_n γ for 1 + 2 + 2·8 + 2 unknowns.
+        // zᵀ M z = xᵀ A x + Σ μ x_n γ for 1 + 2 + 2·8 + 2 unknowns, less those of contacts with μ = 0.
         let polyhedral = Polyhedral::new(&problem, 8).unwrap();
-        let lcp = polyhedral.lcp().homogeneous();
-        let x = polyhedral.x(&z);
-        let square = |w: Vec<f64>, x: &[f64]| w.iter().zip(x).map(|(w, x)| w * x).sum::<f64>();
-        let power: f64 = problem.contacts().iter().enumerate()
-            .map(|(c, contact)| contact.mu * z[1 + c] * z[19 + c]).sum();
-        let energy = square(problem.lcp().homogeneous().w(&x), &x);
-        prop_assert!((square(lcp.w(&z), &z) - energy - power).abs() < 1e-9);
+        let rubbing = || problem.contacts().iter().enumerate().filter(|(_, c)| c.mu > 0.0);
+        let z = &z[..3 + 9 * rubbing().count()];
+        prop_assert_eq!(polyhedral.lcp().len(), z.len());
+        let gammas = &z[3 + 8 * rubbing().count()..];
+        let power: f64 =
+            rubbing().zip(gammas).map(|((c, contact), gamma)| contact.mu * z[1 + c] * gamma).sum();
+        let square = |lcp: &Lcp, x: &[f64]| 2.0 * merit::objective(&lcp.homogeneous(), x);
+        let energy = square(problem.lcp(), &polyhedral.x(z));
+        prop_assert!((square(polyhedral.lcp(), z) - energy - power).abs() < 1e-9);
     }
 
     #[test]

@@ -168,17 +168,21 @@ fn polygons_of_many_corners_approach_coulombs_cone_for_two_coupled_contacts() {
 }
 
 proptest! {
-    #![proptest_config(cases(40))]
+    #![proptest_config(cases(60))]
 
     #[test]
-    fn every_model_is_solved_and_takes_energy(problem in rubbing(2, 7, 0.5)) {
+    fn no_model_is_refuted_and_friction_takes_energy(problem in rubbing(2, 7, 0.5)) {
         for answer in answers(&problem, &Model::ALL) {
             let name = answer.model.to_string();
-            if answer.status != "solved" {
-                prop_assert_eq!(answer.model, Model::CoupledBox, "{}", answer.status);
-                continue; // freezing need not converge where μ and the coupling are large
+            if answer.verdict == "not_a_solution" {
+                // Freezing and Lemke's path can fail, and then they say so.
+                let may_fail = matches!(
+                    answer.model,
+                    Model::CoupledBox | Model::CoulombCone | Model::Polyhedral { .. }
+                );
+                prop_assert!(may_fail && answer.status != "solved", "{}", name);
+                continue;
             }
-            prop_assert_ne!(&answer.verdict, "not_a_solution", "{}", name);
             prop_assert!(merit::objective(problem.lcp(), &answer.x) <= 1e-9, "{}", name);
             for contact in &answer.contacts {
                 let ([_, x1, x2], [_, w1, w2]) = (contact.impulse, contact.velocity);
