@@ -23,8 +23,7 @@
 //! needs: it ends at a solution whenever b = J u*, for then xᵀA x = 0 implies Jᵀx = 0 and bᵀx = 0. The
 //! price is k + 2 unknowns a contact, and directions still: an edge of the polygon comes nearer to the
 //! centre than a corner by the factor cos(π/k), 29 % too little friction for k = 4, 8 % for 8, 2 % for
-//! 16. Between two directions a sliding contact rubs along one of them, up to 180°/k aslant of the one
-//! nearest to the slip.
+//! 16. A contact that slides between two directions rubs along the nearer one, up to 180°/k off.
 //!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997. `math §5`, model 3.
 
