@@ -2,16 +2,19 @@
 
 use lcplab::certificate::{Demand, judge, ray};
 use lcplab::lcp::{Lcp, Matrix};
-use lcplab::solver::{ALL, Options, Solution, Solver, Start, Status, all_solutions, by_name};
+use lcplab::solver::{Options, Solution, Start, Status, all_solutions, by_name};
 
 use crate::common::INF;
+
+const PIVOTING: [&str; 5] = ["dantzig", "lemke", "murty", "block-pivoting", "enumeration"];
 
 /// Whole numbers by a linear congruence (Knuth's MMIX), high bits first.
 struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self, least: i64, most: i64) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (least + ((self.0 >> 33) % (most - least + 1) as u64) as i64) as f64
     }
 }
@@ -30,7 +33,8 @@ fn problem(dice: &mut Dice, kind: Kind) -> Lcp {
     let n = dice.roll(1, 4) as usize;
     let columns = dice.roll(1, n as i64) as usize;
     let j: Vec<f64> = (0..n * columns).map(|_| dice.roll(-2, 2)).collect();
-    let gram = |r: usize, c: usize| (0..columns).map(|k| j[r * columns + k] * j[c * columns + k]).sum();
+    let gram =
+        |r: usize, c: usize| (0..columns).map(|k| j[r * columns + k] * j[c * columns + k]).sum();
     let mut a: Vec<f64> = (0..n * n).map(|_| dice.roll(-2, 2)).collect();
     for i in 0..n {
         for k in 0..n {
@@ -54,12 +58,11 @@ fn problem(dice: &mut Dice, kind: Kind) -> Lcp {
     Lcp::new(Matrix::dense(n, &a), b, lo, hi).unwrap()
 }
 
-/// Solves with every solver and holds each claim against the list of all solutions.
+/// Solves with every pivoting method and holds each claim against the list of all solutions.
 fn check(kind: Kind, seed: u64, count: usize, must_solve: &[&str]) {
     println!("seed {seed}");
     let mut dice = Dice(seed);
-    let solvers: Vec<Box<dyn Solver>> =
-        ALL.iter().map(|entry| by_name(entry.name, &Options::default()).unwrap()).collect();
+    let solvers = PIVOTING.map(|name| by_name(name, &Options::default()).unwrap());
     for number in 0..count {
         let lcp = problem(&mut dice, kind);
         let exact = all_solutions(&lcp).expect("few enough sets");
