@@ -8,7 +8,7 @@ use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::{Problem, number, read_answer};
 use lcplab::report::answer::{Answer, bound, certificate_json, certificate_text};
-use lcplab::solver::by_name;
+use lcplab::solver::{by_name, default_for};
 
 use super::{Outcome, SolverArgs, print};
 
@@ -27,9 +27,9 @@ Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Solve {
     /// The problem as JSON; - reads standard input
     problem: PathBuf,
-    /// pgs, sor or dantzig; without it dantzig, which takes a symmetric A
-    #[arg(long, default_value = "dantzig", hide_default_value = true)]
-    solver: String,
+    /// The name of a solver; without it dantzig for symmetric A, lemke for any other
+    #[arg(long)]
+    solver: Option<String>,
     /// Prove problems of up to 150 rows exactly, not only of up to 50
     #[arg(long)]
     exact: bool,
@@ -42,8 +42,13 @@ pub struct Solve {
 
 impl Solve {
     pub fn run(&self) -> Result<Outcome> {
-        let solver = by_name(&self.solver, &self.settings.options())?;
+        let options = self.settings.options();
+        let named = self.solver.as_ref().map(|name| by_name(name, &options)).transpose()?;
         let problem = read_problem(&self.problem)?;
+        let solver = match named {
+            Some(solver) => solver,
+            None => by_name(default_for(&problem.lcp), &options)?,
+        };
         let mut demand = self.settings.demand();
         if self.exact {
             demand.prove_up_to = PROVED_ROWS;

@@ -14,7 +14,7 @@ use super::{Settings, Start, Status};
 use crate::lcp::{Lcp, merit};
 
 /// A row whose scaled residual is below this is satisfied: what is left is rounding.
-const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = 1e-12;
 
 /// Where a row stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,24 +46,47 @@ impl ActiveSet {
 
     /// The point of this active set, or the row whose pivot vanishes if A_FF is singular.
     pub(super) fn point(&self, lcp: &Lcp) -> Result<Vec<f64>, usize> {
-        let bound = |i: usize| match self.0[i] {
-            Side::Lower => lcp.lo()[i],
-            Side::Upper => lcp.hi()[i],
-            Side::Free => 0.0,
-        };
-        let mut x: Vec<f64> = (0..lcp.len()).map(bound).collect();
+        let mut x = self.moved_to_bounds(lcp, &vec![0.0; lcp.len()]);
         let free: Vec<usize> = (0..lcp.len()).filter(|&i| self.0[i] == Side::Free).collect();
-        let entry = |r: usize, c: usize| lcp.matrix().entry(free[r], free[c]);
+        let unit: Vec<f64> = free.iter().map(|&i| unit(lcp, i)).collect();
+        let entry = |r: usize, c: usize| lcp.matrix().entry(free[r], free[c]) / unit[r] / unit[c];
         let factor = Lu::of(free.len(), entry).map_err(|k| free[k])?;
         for _ in 0..2 {
             // the second time it is a step of iterative refinement
-            let mut step: Vec<f64> = free.iter().map(|&i| -lcp.row_w(i, &x)).collect();
+            let w = free.iter().zip(&unit).map(|(&i, unit)| -lcp.row_w(i, &x) / unit);
+            let mut step: Vec<f64> = w.collect();
             factor.solve(&mut step);
-            for (&i, step) in free.iter().zip(&step) {
-                x[i] += step;
+            for ((&i, step), unit) in free.iter().zip(&step).zip(&unit) {
+                x[i] += step / unit;
             }
         }
         Ok(x)
+    }
+
+    /// The same with the free rows at a bound that are there, but for rounding.
+    pub(super) fn tightened(&self, lcp: &Lcp, x: &[f64]) -> Self {
+        let side = |i: usize| {
+            let terms = merit::RowTerms::at(lcp, i, x);
+            let is_at = |bound: f64| {
+                terms.scale * (x[i] - bound).abs() <= ROUNDING * terms.magnitude // false for ∞
+            };
+            match self.0[i] {
+                Side::Free if is_at(lcp.lo()[i]) => Side::Lower,
+                Side::Free if is_at(lcp.hi()[i]) => Side::Upper,
+                side => side,
+            }
+        };
+        ActiveSet((0..self.0.len()).map(side).collect())
+    }
+
+    /// x with the rows at a bound exactly there.
+    pub(super) fn moved_to_bounds(&self, lcp: &Lcp, x: &[f64]) -> Vec<f64> {
+        let place = |i: usize| match self.0[i] {
+            Side::Lower => lcp.lo()[i],
+            Side::Upper => lcp.hi()[i],
+            Side::Free => x[i],
+        };
+        (0..x.len()).map(place).collect()
     }
 
     /// The side that row i should change to, if it is not satisfied at the point x of this set.
@@ -82,11 +105,21 @@ impl ActiveSet {
     }
 }
 
+/// A power of two near √s_i, the size of w_i where x_i w_i is about 1: so A scaled by these units
+/// has a diagonal from 1 to 4, whatever units the rows came in.
+pub(super) fn unit(lcp: &Lcp, i: usize) -> f64 {
+    match merit::row_scale(lcp, i) {
+        0.0 => 1.0,
+        scale => {
+            let exponent = (scale.to_bits() >> 52) as i32 - 1023; // 2^exponent ≤ scale
+            2f64.powi(exponent.div_euclid(2))
+        }
+    }
+}
+
 /// The status of a method that has ended at x by its own rules.
 pub(super) fn claim(lcp: &Lcp, x: &[f64], settings: &Settings) -> Status {
-    if x.iter().any(|x| !x.is_finite()) {
-        Status::NotFinite
-    } else if merit::scaled_residual(lcp, x) <= settings.tolerance {
+    if merit::scaled_residual(lcp, x) <= settings.tolerance {
         Status::Solved
     } else {
         Status::Inaccurate

@@ -15,7 +15,11 @@
 //! C keeps its w at zero, and when a row leaves C an idle one takes its place. Otherwise x moves
 //! until a bound stops it and that row leaves C; if nothing stops it, bᵀd < 0 with A d = 0 proves
 //! that no solution exists (`Ray`). Whether a number is zero is decided relative to the terms it is
-//! summed from, so no unit matters. Ties go to the least index.
+//! summed from, so no unit matters.
+//!
+//! Where several things end a move at once, the driven row goes first, then a row that enters C, the
+//! one longest at its bound before the others, then a row that leaves C. The rule matters: Fathi's
+//! problem, all ties, takes n² − n + 1 pivots with it and 2ⁿ − 1 if ties go to the least index.
 //!
 //! Ends with the exact active set but for rounding, after at most a few n pivots on contact
 //! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then w is recomputed,
@@ -24,6 +28,7 @@
 
 use std::ops::ControlFlow;
 
+use super::elimination::difference;
 use super::ldlt::Ldlt;
 use super::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use crate::lcp::{Lcp, merit};
@@ -32,6 +37,8 @@ use crate::lcp::{Lcp, merit};
 const RELATIVE_ZERO: f64 = 1e-13;
 /// So does a w that cannot be moved: it carries the rounding of all moves before.
 const RELATIVE_ZERO_W: f64 = 1e-11;
+/// Moves whose lengths differ by less than this part of them end together.
+const TIE: f64 = 1e-10;
 /// Rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 5;
 /// Steps of iterative refinement in a round: the second takes what the first has left.
@@ -100,6 +107,8 @@ struct Run<'a> {
     side: Vec<Side>,
     /// C, in the order of the factor's rows.
     free: Vec<usize>,
+    /// The rows at a bound, in the order in which they came there.
+    bound: Vec<usize>,
     factor: Ldlt,
     pivots: usize,
 }
@@ -136,6 +145,7 @@ impl<'a> Run<'a> {
             w: vec![0.0; n],
             side: vec![Side::Waiting; n],
             free: Vec::new(),
+            bound: Vec::new(),
             factor: Ldlt::default(),
             lcp,
             settings,
@@ -172,7 +182,7 @@ impl<'a> Run<'a> {
         self.w[i] = self.lcp.row_w(i, &self.x);
         loop {
             if let Some(side) = self.satisfied(i) {
-                self.side[i] = side;
+                self.put(i, side);
                 return ControlFlow::Continue(());
             }
             if self.pivots >= self.settings.max_iterations {
@@ -181,7 +191,7 @@ impl<'a> Run<'a> {
             let direction = self.direction(i)?;
             if direction.schur == 0.0 && self.is_zero_w(i) {
                 self.w[i] = 0.0;
-                self.side[i] = self.satisfied(i).unwrap_or(Side::Idle);
+                self.put(i, self.satisfied(i).unwrap_or(Side::Idle));
                 return ControlFlow::Continue(());
             }
             let sign = -self.w[i].signum();
@@ -260,32 +270,33 @@ impl<'a> Run<'a> {
         (0..d.len()).map(|j| if moves(j) { delta(j) } else { 0.0 }).collect()
     }
 
-    /// The first thing that ends a move of x_i by sign · t, t ≥ 0; ties go to the least row.
+    /// The first thing that ends a move of x_i by sign · t, t ≥ 0; see the module for ties.
     fn blocking(&self, i: usize, sign: f64, d: &Direction, delta_w: &[f64]) -> Option<Block> {
-        let mut first: Option<Block> = None;
+        let mut blocks: Vec<Block> = Vec::new();
         let mut consider = |length: f64, row: usize, side: Side| {
-            let before = |b: Block| length < b.length || (length == b.length && row < b.row);
-            if length < f64::INFINITY && first.is_none_or(before) {
-                first = Some(Block { length: length.max(0.0), row, side });
+            if length < f64::INFINITY {
+                blocks.push(Block { length: length.max(0.0), row, side });
             }
         };
         if d.schur > 0.0 {
             consider(self.w[i].abs() / d.schur, i, Side::Free);
         }
-        let moves = self.free.iter().copied().zip(d.free.iter().copied());
-        for (j, d) in moves.chain([(i, 1.0)]) {
-            let (length, side) = self.distance_to_bound(j, sign * d);
-            consider(length, j, side);
-        }
-        for (j, delta) in delta_w.iter().enumerate() {
-            let delta = sign * delta;
+        let (length, side) = self.distance_to_bound(i, sign);
+        consider(length, i, side);
+        for &j in &self.bound {
+            let delta = sign * delta_w[j];
             let falls = self.side[j] == Side::Lower && delta < 0.0;
             let rises = self.side[j] == Side::Upper && delta > 0.0;
             if (falls || rises) && self.lcp.lo()[j] < self.lcp.hi()[j] {
                 consider(-self.w[j] / delta, j, Side::Free);
             }
         }
-        first
+        for (&j, d) in self.free.iter().zip(&d.free) {
+            let (length, side) = self.distance_to_bound(j, sign * d);
+            consider(length, j, side);
+        }
+        let least = blocks.iter().map(|block| block.length).fold(f64::INFINITY, f64::min);
+        blocks.into_iter().find(|block| block.length <= least * (1.0 + TIE))
     }
 
     /// How far x_j can move at this velocity, and the bound it meets then.
@@ -303,10 +314,10 @@ impl<'a> Run<'a> {
     fn advance(&mut self, i: usize, t: f64, direction: &Direction, delta_w: &[f64]) {
         self.x[i] += t;
         for (&j, d) in self.free.iter().zip(&direction.free) {
-            self.x[j] += t * d;
+            self.x[j] = difference(self.x[j], -t * d);
         }
         for (w, delta) in self.w.iter_mut().zip(delta_w) {
-            *w += t * delta;
+            *w = difference(*w, -t * delta); // exactly 0 where it should be, or ties are missed
         }
         self.w[i] += t * direction.schur;
     }
@@ -325,7 +336,7 @@ impl<'a> Run<'a> {
                 self.free.remove(k);
                 self.factor.remove(k);
                 self.w[row] = 0.0;
-                self.side[row] = side;
+                self.put(row, side);
                 return self.wake_idle();
             }
             (_, Side::Free) => {
@@ -333,10 +344,10 @@ impl<'a> Run<'a> {
                 if d.schur > 0.0 {
                     self.enter(row, d);
                 } else {
-                    self.side[row] = Side::Idle; // only rounding had moved its w
+                    self.put(row, Side::Idle); // only rounding had moved its w
                 }
             }
-            _ => self.side[row] = side,
+            _ => self.put(row, side),
         }
         ControlFlow::Continue(())
     }
@@ -344,7 +355,16 @@ impl<'a> Run<'a> {
     fn enter(&mut self, row: usize, direction: Direction) {
         self.factor.append(&direction.column, direction.schur);
         self.free.push(row);
-        self.side[row] = Side::Free;
+        self.put(row, Side::Free);
+    }
+
+    /// Notes that a row stands on this side from now on.
+    fn put(&mut self, row: usize, side: Side) {
+        self.side[row] = side;
+        self.bound.retain(|&j| j != row);
+        if matches!(side, Side::Lower | Side::Upper) {
+            self.bound.push(row);
+        }
     }
 
     /// After a row has left C, lets the idle row that no longer depends on C enter in its place.
@@ -390,7 +410,7 @@ impl<'a> Run<'a> {
             .collect();
         for &j in &unsatisfied {
             if self.side[j] != Side::Free {
-                self.side[j] = Side::Waiting; // to be driven once more
+                self.put(j, Side::Waiting); // to be driven once more
             }
         }
         unsatisfied

@@ -19,6 +19,11 @@ pub(super) struct Dictionary<V> {
     pub(super) nonbasic: Vec<V>,
     /// c.
     pub(super) constant: Vec<f64>,
+    /// The largest terms that each constant was ever summed from, which is what its rounding errors
+    /// are proportional to.
+    pub(super) terms: Vec<f64>,
+    /// A constant below this part of those terms is zero, not only one that cancels in a single sum.
+    pub(super) forgives: f64,
     /// T, by rows.
     pub(super) rows: Vec<Vec<f64>>,
 }
@@ -34,18 +39,44 @@ impl<V: Copy + PartialEq> Dictionary<V> {
         let mut row = std::mem::take(&mut self.rows[r]);
         let pivot = std::mem::replace(&mut row[c], -1.0);
         row.iter_mut().for_each(|entry| *entry /= -pivot);
-        let constant = -self.constant[r] / pivot;
-        for (other, other_constant) in self.rows.iter_mut().zip(&mut self.constant) {
-            if other.is_empty() || other[c] == 0.0 {
+        let (constant, terms) = (-self.constant[r] / pivot, self.terms[r] / pivot.abs());
+        for i in 0..self.rows.len() {
+            if i == r || self.rows[i][c] == 0.0 {
                 continue;
             }
-            let factor = std::mem::take(&mut other[c]);
-            for (entry, &new) in other.iter_mut().zip(&row) {
+            let factor = std::mem::take(&mut self.rows[i][c]);
+            for (entry, &new) in self.rows[i].iter_mut().zip(&row) {
                 *entry = difference(*entry, -factor * new);
             }
-            *other_constant = difference(*other_constant, -factor * constant);
+            self.constant[i] = difference(self.constant[i], -factor * constant);
+            self.terms[i] = self.terms[i].max(factor.abs() * terms);
+            if self.constant[i].abs() <= self.forgives * self.terms[i] {
+                self.constant[i] = 0.0;
+            }
         }
-        (self.rows[r], self.constant[r]) = (row, constant);
+        (self.rows[r], self.constant[r], self.terms[r]) = (row, constant, terms);
+    }
+
+    /// Exchanges these basic variables for these nonbasic ones, the largest entry first, until all
+    /// are exchanged or only zeros are left.
+    pub(super) fn exchange(
+        &mut self,
+        is_leaving: impl Fn(V) -> bool,
+        is_entering: impl Fn(V) -> bool,
+    ) {
+        loop {
+            let rows = (0..self.basic.len()).filter(|&r| is_leaving(self.basic[r]));
+            let columns: Vec<usize> =
+                (0..self.nonbasic.len()).filter(|&c| is_entering(self.nonbasic[c])).collect();
+            let size = |&(r, c): &(usize, usize)| self.rows[r][c].abs();
+            let largest = rows
+                .flat_map(|r| columns.iter().map(move |&c| (r, c)))
+                .max_by(|a, b| size(a).total_cmp(&size(b)));
+            match largest {
+                Some((r, c)) if self.rows[r][c] != 0.0 => self.pivot(r, c),
+                _ => return,
+            }
+        }
     }
 
     /// The value of a variable while all nonbasic ones are 0.
@@ -84,6 +115,7 @@ impl<V: Copy + PartialEq> Dictionary<V> {
     pub(super) fn add_row(&mut self, variable: V, constant: f64, row: Vec<f64>) {
         self.basic.push(variable);
         self.constant.push(constant);
+        self.terms.push(constant.abs());
         self.rows.push(row);
     }
 

@@ -1,12 +1,12 @@
 //! Lemke's complementary pivoting: follows a path of almost-solutions, for any square A.
 //!
-//! A covering variable z₀, the same for all rows, makes every w big enough:
+//! A covering variable z₀ makes every w big enough:
 //!
 //! ```text
 //! w = A x + b + z₀ e,   x, w, z₀ ≥ 0,   x_i w_i = 0        e = (1, …, 1)
 //! ```
 //!
-//! (for bounds 0 and ∞; a boxed problem is first brought into this form, see
+//! (e_i is the unit of w_i instead where units are far apart; bounds are 0 and ∞: a boxed problem is first brought into this form, see
 //! [`standard_form`](super::standard_form).) At x = 0 the least z₀ that works has some w_r = 0. From
 //! there the partner of whatever variable has just become zero is raised, until the next one becomes
 //! zero: a *pivot*. The path never forks, so it cannot return, and it ends in one of two ways:
@@ -22,18 +22,26 @@
 //! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
 //! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
 //! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
-//! At the end x is computed afresh from the active set.
+//! At the end x is computed afresh from the active set. Rounding piles up on a long path: one that
+//! ends at no solution is followed once more, with a tableau that is made anew from the problem every
+//! 50 pivots; its pivots are counted on.
 //!
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
 //! [`frozen`](super::frozen).
 
-use super::active_set::claim;
+use std::ops::ControlFlow;
+
+use super::active_set::{ROUNDING, claim};
+use super::dictionary::Dictionary;
 use super::standard_form::{StandardForm, Variable};
 use super::{
     Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen, pivoting,
 };
 use crate::lcp::{Lcp, merit};
 
+/// A path of more pivots may be followed a second time; then the tableau is made anew after each so
+/// many pivots.
+const PIVOTS_TO_RENEWAL: usize = 50;
 /// Two ratios that differ by less than this part of them are tied.
 const TIE: f64 = 1e-12;
 
@@ -54,16 +62,19 @@ impl Solver for Lemke {
         if let Some(status) = pivoting::at_once(lcp, &x, &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
-        frozen::solve(lcp, x, &self.settings, |lcp, _, pivots| {
-            let mut path = Path::new(lcp);
-            match path.follow(pivots, self.settings.max_iterations, observer) {
-                Status::Solved => {
-                    let x = path.refined(lcp);
-                    let status = claim(lcp, &x, &self.settings);
-                    Solution::new(lcp, x, status, path.pivots)
-                }
-                status => Solution::new(lcp, path.form.x(lcp), status, path.pivots),
+        frozen::solve(lcp, x, &self.settings, |lcp, _, before| {
+            let mut path = Path::new(lcp, before);
+            let (x, status) = path.solve(&self.settings, observer);
+            let is_final = matches!(
+                status,
+                Status::Solved | Status::IterationLimit | Status::Stopped | Status::Stalled
+            );
+            if is_final || path.pivots - before <= PIVOTS_TO_RENEWAL {
+                return Solution::new(lcp, x, status, path.pivots);
             }
+            let mut path = Path::new(lcp, path.pivots).with_renewals();
+            let (x, status) = path.solve(&self.settings, observer);
+            Solution::new(lcp, x, status, path.pivots)
         })
     }
 }
@@ -71,58 +82,108 @@ impl Solver for Lemke {
 struct Path<'a> {
     lcp: &'a Lcp,
     form: StandardForm,
-    /// The basic variables of the pairs before the first pivot: their columns are B⁻¹.
-    first_basis: Vec<Variable>,
+    /// The tableau before the first pivot. The columns of its basic variables are B⁻¹.
+    first: Dictionary<Variable>,
+    renews: bool,
+    /// x after the last pivot.
+    x: Vec<f64>,
     pivots: usize,
 }
 
 impl<'a> Path<'a> {
-    fn new(lcp: &'a Lcp) -> Self {
-        let form = StandardForm::of(lcp);
-        let first_basis = form.dictionary.basic[..form.pairs].to_vec();
-        Path { lcp, form, first_basis, pivots: 0 }
+    /// The start of the path, after so many pivots on other ones.
+    fn new(lcp: &'a Lcp, pivots: usize) -> Self {
+        let mut form = StandardForm::of(lcp);
+        let cover: Vec<f64> = form.dictionary.basic.iter().map(|&v| form.cover(lcp, v)).collect();
+        form.dictionary.add_column(Variable::Cover, |r| cover[r]);
+        let (x, first) = (form.x(lcp), form.dictionary.clone());
+        form.dictionary.forgives = 0.0;
+        Path { lcp, form, first, renews: false, x, pivots }
     }
 
-    /// Pivots until the covering variable has left again (`Solved`) or something else ends the path.
-    fn follow(&mut self, before: usize, limit: usize, observer: &mut dyn Observer) -> Status {
-        self.pivots = before;
-        let pairs = self.form.pairs;
-        if self.form.dictionary.constant[..pairs].iter().all(|&c| c >= 0.0) {
-            return Status::Solved;
+    /// The same, with a fresh tableau now and then and generous zeros.
+    fn with_renewals(mut self) -> Self {
+        self.form.dictionary.forgives = self.first.forgives;
+        Path { renews: true, ..self }
+    }
+
+    /// x at the end of the path, and what it is worth.
+    fn solve(&mut self, settings: &Settings, observer: &mut dyn Observer) -> (Vec<f64>, Status) {
+        match self.follow(settings.max_iterations, observer) {
+            ControlFlow::Continue(()) => {
+                let x = self.refined();
+                let status = claim(self.lcp, &x, settings);
+                (x, status)
+            }
+            ControlFlow::Break(status) => (self.x.clone(), status),
+        }
+    }
+
+    /// Pivots until the covering variable has left again.
+    fn follow(&mut self, limit: usize, observer: &mut dyn Observer) -> ControlFlow<Status> {
+        let start = self.pivots;
+        if self.form.dictionary.constant[..self.form.pairs].iter().all(|&c| c >= 0.0) {
+            return ControlFlow::Continue(());
         }
         let mut entering = Variable::Cover;
-        let mut leaving = self.add_cover();
+        let mut leaving = self.lexicographic_minimum(|r| self.cover(r));
         loop {
-            let d = &mut self.form.dictionary;
-            let Some(c) = d.column_of(entering) else { return Status::Stalled };
-            let Some(r) = leaving else { return self.ray(c) };
+            let column = self.form.dictionary.column_of(entering);
+            let Some(c) = column else { return ControlFlow::Break(Status::Stalled) };
+            let Some(r) = leaving else { return ControlFlow::Break(self.ray(c)) };
             if self.pivots >= limit {
-                return Status::IterationLimit;
+                return ControlFlow::Break(Status::IterationLimit);
             }
-            let left = d.basic[r];
-            d.pivot(r, c);
-            self.pivots += 1;
-            let x = self.form.x(self.lcp);
-            let driven = entering.row().or(left.row()).unwrap_or(0);
-            let event = Event::Pivot { driven, blocking: left.row().unwrap_or(driven) };
-            let iterate = Iterate { iteration: self.pivots, x: &x, event };
-            if observer.observe(&iterate).is_break() {
-                return Status::Stopped;
-            }
+            let left = self.pivot(r, c, observer)?;
             if left == Variable::Cover {
-                return Status::Solved;
+                return ControlFlow::Continue(());
+            }
+            if self.renews && (self.pivots - start).is_multiple_of(PIVOTS_TO_RENEWAL) {
+                self.renew();
             }
             entering = left.partner();
-            leaving = self.form.dictionary.column_of(entering).and_then(|c| self.blocking(c));
+            let column = self.form.dictionary.column_of(entering);
+            leaving = column.and_then(|c| self.blocking(c));
         }
     }
 
-    /// Lets the covering variable in as a nonbasic one; returns the row that it has to leave by.
-    fn add_cover(&mut self) -> Option<usize> {
-        let covered: Vec<bool> =
-            self.form.dictionary.basic.iter().map(|&v| self.form.needs_cover(v)).collect();
-        self.form.dictionary.add_column(Variable::Cover, |r| f64::from(covered[r]));
-        self.lexicographic_minimum(|r| f64::from(covered[r]))
+    /// One pivot; returns the variable that has become zero.
+    fn pivot(
+        &mut self,
+        r: usize,
+        c: usize,
+        observer: &mut dyn Observer,
+    ) -> ControlFlow<Status, Variable> {
+        let (entering, left) = (self.form.dictionary.nonbasic[c], self.form.dictionary.basic[r]);
+        self.form.dictionary.pivot(r, c);
+        self.pivots += 1;
+        let x = self.form.x(self.lcp);
+        if x.iter().any(|x| !x.is_finite()) {
+            return ControlFlow::Break(Status::NotFinite);
+        }
+        self.x = x;
+        let driven = entering.row().or(left.row()).unwrap_or(0);
+        let event = Event::Pivot { driven, blocking: left.row().unwrap_or(driven) };
+        let iterate = Iterate { iteration: self.pivots, x: &self.x, event };
+        if observer.observe(&iterate).is_break() {
+            return ControlFlow::Break(Status::Stopped);
+        }
+        ControlFlow::Continue(left)
+    }
+
+    /// e_r, while the covering variable is nonbasic.
+    fn cover(&self, r: usize) -> f64 {
+        self.form.cover(self.lcp, self.form.dictionary.basic[r])
+    }
+
+    /// Makes the tableau of the present basis anew from the first one.
+    fn renew(&mut self) {
+        let now = &self.form.dictionary;
+        let mut renewed = self.first.clone();
+        renewed.exchange(|v| now.column_of(v).is_some(), |v| now.row_of(v).is_some());
+        if renewed.basic.iter().all(|&v| now.row_of(v).is_some()) {
+            self.form.dictionary = renewed;
+        }
     }
 
     /// The pair variable that becomes zero first when that of column c grows.
@@ -138,7 +199,7 @@ impl<'a> Path<'a> {
         if let Some(&cover) = tied.iter().find(|&&r| d.basic[r] == Variable::Cover) {
             return Some(cover);
         }
-        for &v in &self.first_basis {
+        for &v in &self.first.basic[..self.form.pairs] {
             if tied.len() <= 1 {
                 break;
             }
@@ -157,14 +218,22 @@ impl<'a> Path<'a> {
         Status::Ray { row, direction }
     }
 
-    /// x from a fresh factorisation of the active set, unless the tableau's own is better.
-    fn refined(&self, lcp: &Lcp) -> Vec<f64> {
-        let x = self.form.x(lcp);
-        let residual = |x: &[f64]| merit::scaled_residual(lcp, x);
-        match self.form.active_set().point(lcp) {
-            Ok(point) if residual(&point) <= residual(&x) => point,
-            _ => x,
+    /// x at the end of the path without the rounding of the path: from a fresh factorisation of the
+    /// active set, first with the free rows at a bound that are there but for rounding.
+    fn refined(&self) -> Vec<f64> {
+        let (lcp, x) = (self.lcp, &self.x);
+        let set = self.form.active_set();
+        let tight = set.tightened(lcp, x);
+        let moved = tight.moved_to_bounds(lcp, x);
+        let candidates = [tight.point(lcp).ok(), Some(moved), set.point(lcp).ok(), Some(x.clone())];
+        let mut best = (Vec::new(), f64::INFINITY);
+        for candidate in candidates.into_iter().flatten() {
+            let residual = merit::scaled_residual(lcp, &candidate);
+            if best.0.is_empty() || (best.1 > ROUNDING && residual < best.1) {
+                best = (candidate, residual);
+            }
         }
+        best.0
     }
 }
 

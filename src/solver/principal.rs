@@ -25,6 +25,11 @@ pub(super) fn solve<R: FnMut(usize) -> Change>(
     if let Some(status) = pivoting::at_once(lcp, &x, settings, observer) {
         return Solution::new(lcp, x, status, 0);
     }
+    let is_pinned = |i: usize| lcp.lo()[i] == lcp.hi()[i];
+    if (0..lcp.len()).any(|i| !is_pinned(i) && !(lcp.matrix().diagonal(i) > 0.0)) {
+        let reason = "A is no P-matrix: a diagonal entry is not positive";
+        return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+    }
     frozen::solve(lcp, x, settings, |lcp, x, count| {
         let set = ActiveSet::initial(lcp, start, &x);
         exchange(lcp, set, x, count, settings, observer, rule())
@@ -43,7 +48,8 @@ fn exchange(
     let mut last = None;
     loop {
         match set.point(lcp) {
-            Ok(point) => x = point,
+            Ok(point) if point.iter().all(|x| x.is_finite()) => x = point,
+            Ok(_) => return Solution::new(lcp, x, Status::NotFinite, count),
             Err(row) => return Solution::new(lcp, x, Status::Singular { row }, count),
         }
         if let Some(event) = last

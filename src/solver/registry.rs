@@ -1,11 +1,12 @@
 //! The list of solvers: one entry each. Command line, comparison, report and tests read it.
 
 use super::{
-    Admm, Apgd, BlockPgs, BlockPivoting, Code6, Damping, Dantzig, Enumeration, Equations,
-    InteriorPoint, Jacobi, Lemke, Mprgp, Murty, Newton, Nncg, Order, Pgs, Settings, Solver,
-    Spectral,
+    Admm, Apgd, BlockPgs, BlockPivoting, Class, Code6, Damping, Dantzig, Enumeration, Equations,
+    InteriorPoint, Jacobi, Lemke, MatrixClass, Mprgp, Murty, Newton, Nncg, Order, Pgs, Settings,
+    Solver, Spectral,
 };
 use crate::error::{Error, Result};
+use crate::lcp::Lcp;
 
 /// A solver in the registry.
 #[derive(Debug, Clone, Copy)]
@@ -14,8 +15,8 @@ pub struct Entry {
     pub name: &'static str,
     /// The method in one line.
     pub method: &'static str,
-    /// For which A it is made.
-    pub class: &'static str,
+    /// For which problems it is made.
+    pub class: Class,
     /// Where it comes from.
     pub source: &'static str,
     /// Makes one.
@@ -54,40 +55,43 @@ impl Options {
     }
 }
 
+/// What the methods ask for that sweep over the rows.
+const SWEEPS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
+
 /// All solvers; the [`SPECIMENS`] are not among them.
 pub const ALL: &[Entry] = &[
     Entry {
         name: "pgs",
         method: "projected Gauss-Seidel, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "K&M (2), (3); Cryer 1971",
         build: |options| relaxation(1.0, options.order, options),
     },
     Entry {
         name: "sor",
-        method: "projected successive over-relaxation, iterative",
-        class: "symmetric positive semidefinite, positive diagonal, 0 < ω < 2",
+        method: "projected successive over-relaxation, 0 < ω < 2, iterative",
+        class: SWEEPS,
         source: "Cryer 1971; Luo & Tseng 1991",
         build: |options| relaxation(options.omega, options.order, options),
     },
     Entry {
         name: "ssor",
-        method: "projected symmetric SOR, a sweep there and back, iterative",
-        class: "symmetric positive semidefinite, positive diagonal, 0 < ω < 2",
+        method: "projected symmetric SOR, a sweep there and back, 0 < ω < 2, iterative",
+        class: SWEEPS,
         source: "Sheldon 1955; Mangasarian 1977",
         build: |options| relaxation(options.omega, Order::Symmetric, options),
     },
     Entry {
         name: "red-black",
         method: "projected Gauss-Seidel, colour by colour, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "Young 1950",
         build: |options| relaxation(1.0, Order::Coloured, options),
     },
     Entry {
         name: "jacobi",
         method: "projected Jacobi with safe damping, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "Goldstein 1964; Mangasarian 1977",
         build: |options| {
             Box::new(Jacobi { damping: Damping::Safe, settings: options.settings.clone() })
@@ -96,7 +100,7 @@ pub const ALL: &[Entry] = &[
     Entry {
         name: "block-pgs",
         method: "projected Gauss-Seidel by contacts and joints, iterative",
-        class: "symmetric positive semidefinite",
+        class: Class::of(MatrixClass::Semidefinite),
         source: "Luo & Tseng 1992",
         build: |options| {
             Box::new(BlockPgs { settings: options.settings.clone(), ..BlockPgs::default() })
@@ -105,84 +109,84 @@ pub const ALL: &[Entry] = &[
     Entry {
         name: "nncg",
         method: "nonsmooth nonlinear conjugate gradients around PGS, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "Silcowitz, Niebe & Erleben 2010",
         build: |options| Box::new(Nncg { settings: options.settings.clone() }),
     },
     Entry {
         name: "newton",
         method: "Newton on the minimum map with line search, iterative",
-        class: "positive diagonal; symmetric positive semidefinite for convergence from everywhere",
+        class: SWEEPS,
         source: "Pang 1990; Qi & Sun 1993",
         build: |options| newton(Equations::MinimumMap, options),
     },
     Entry {
         name: "fischer-newton",
         method: "Newton on Fischer-Burmeister's equations with line search, iterative",
-        class: "P0 matrix, positive diagonal",
+        class: Class::of(MatrixClass::P0).with_positive_diagonal(),
         source: "Fischer 1992; De Luca, Facchinei & Kanzow 1996",
         build: |options| newton(Equations::FischerBurmeister, options),
     },
     Entry {
         name: "mprgp",
         method: "projected conjugate gradients with proportioning, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "Dostál & Schöberl 2005",
         build: |options| Box::new(Mprgp { settings: options.settings.clone() }),
     },
     Entry {
         name: "apgd",
         method: "accelerated projected gradients with restart, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "Nesterov 1983; Mazhar, Heyn, Negrut & Tasora 2015",
         build: |options| Box::new(Apgd { settings: options.settings.clone() }),
     },
     Entry {
         name: "spectral",
         method: "projected gradients with Barzilai-Borwein steps, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "Barzilai & Borwein 1988; Birgin, Martínez & Raydan 2000",
         build: |options| Box::new(Spectral { settings: options.settings.clone() }),
     },
     Entry {
         name: "admm",
         method: "alternating direction method of multipliers, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
         build: |options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
     },
     Entry {
         name: "interior-point",
         method: "primal-dual interior point, predictor-corrector, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: SWEEPS,
         source: "Mehrotra 1992",
         build: |options| Box::new(InteriorPoint { settings: options.settings.clone() }),
     },
     Entry {
         name: "dantzig",
         method: "Dantzig pivoting with updated LDLᵀ, finite",
-        class: "symmetric positive semidefinite",
+        class: Class::of(MatrixClass::Semidefinite),
         source: "Cottle & Dantzig 1968; Baraff 1994",
         build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
     },
     Entry {
         name: "lemke",
         method: "Lemke's complementary pivoting, lexicographic ties, finite",
-        class: "copositive plus, P-matrix, or all bounds finite",
+        class: Class::of(MatrixClass::CopositivePlus),
         source: "Lemke 1965; Cottle, Pang & Stone 1992",
         build: |options| Box::new(Lemke { settings: options.settings.clone() }),
     },
     Entry {
         name: "murty",
         method: "least-index principal pivoting, finite",
-        class: "P-matrix",
+        class: Class::of(MatrixClass::P),
         source: "Murty 1974",
         build: |options| Box::new(Murty { settings: options.settings.clone() }),
     },
     Entry {
         name: "block-pivoting",
         method: "block principal pivoting with Murty's rule as safeguard, finite",
-        class: "P-matrix",
+        class: Class::of(MatrixClass::P),
         source: "Kostreva 1978; Júdice & Pires 1994",
         build: |options| {
             let settings = options.settings.clone();
@@ -191,9 +195,9 @@ pub const ALL: &[Entry] = &[
     },
     Entry {
         name: "enumeration",
-        method: "all active sets in exact arithmetic, finite",
-        class: "any, up to 65536 active sets",
-        source: "decided by trying",
+        method: "up to 65536 active sets in exact arithmetic, finite",
+        class: Class::of(MatrixClass::General),
+        source: "the definition of a solution",
         build: |options| Box::new(Enumeration { settings: options.settings.clone() }),
     },
 ];
@@ -202,7 +206,7 @@ pub const ALL: &[Entry] = &[
 pub const SPECIMENS: &[Entry] = &[Entry {
     name: "code6",
     method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",
-    class: "no bound active; with bounds it may converge to no solution, or diverge",
+    class: Class { bounds: false, coupling: false, ..SWEEPS },
     source: "K&M Code 6, E06",
     build: |options| Box::new(Code6 { settings: options.settings.clone() }),
 }];
@@ -247,4 +251,9 @@ pub fn entry(name: &str) -> Result<&'static Entry> {
         name: name.to_string(),
         known: entries().map(|entry| entry.name.to_string()).collect(),
     })
+}
+
+/// The solver to take where none is named: Dantzig's for symmetric A, Lemke's for any other.
+pub fn default_for(lcp: &Lcp) -> &'static str {
+    if lcp.matrix().is_symmetric() { "dantzig" } else { "lemke" }
 }

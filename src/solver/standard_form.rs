@@ -13,9 +13,14 @@
 //! no pivot is left, because A is singular there, is split: x = y − v with 0 ≤ y ⟂ w ≥ 0 and
 //! 0 ≤ v ⟂ t = −w ≥ 0. None of this changes that A is positive semidefinite.
 
-use super::active_set::{ActiveSet, Side};
+use super::active_set::{ActiveSet, Side, unit};
 use super::dictionary::Dictionary;
-use crate::lcp::Lcp;
+use crate::lcp::{Lcp, merit::RowTerms};
+
+/// What a constant may lose to rounding in a block of exchanges, relative to its terms.
+pub(super) const FORGIVEN: f64 = 1e-11;
+/// Units of w that differ by more than this factor are far apart.
+const FAR_APART: f64 = 1024.0;
 
 /// A variable of the standard form; the number is the row of the boxed problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,6 +91,8 @@ pub(super) struct StandardForm {
     pub(super) dictionary: Dictionary<Variable>,
     /// The number of pairs.
     pub(super) pairs: usize,
+    /// Whether the rows have very different units.
+    needs_units: bool,
 }
 
 impl StandardForm {
@@ -108,9 +115,14 @@ impl StandardForm {
             basic: rows.iter().map(|&i| Variable::W(i)).collect(),
             nonbasic: rows.iter().map(|&i| Variable::Y(i)).collect(),
             constant: rows.iter().map(|&i| sign[i] * lcp.row_w(i, &base)).collect(),
+            terms: rows.iter().map(|&i| RowTerms::at(lcp, i, &base).magnitude).collect(),
+            forgives: FORGIVEN,
             rows: rows.iter().map(|&i| rows.iter().map(|&j| entry(i, j)).collect()).collect(),
         };
-        let mut form = StandardForm { kind, base, sign, dictionary, pairs: 0 };
+        let units = rows.iter().map(|&i| unit(lcp, i));
+        let (least, most) = units.fold((f64::INFINITY, 0.0), |(l, m), u| (u.min(l), u.max(m)));
+        let needs_units = most > FAR_APART * least;
+        let mut form = StandardForm { kind, base, sign, dictionary, pairs: 0, needs_units };
         form.eliminate_free();
         form.split_free();
         form.add_upper_bounds(lcp);
@@ -118,23 +130,18 @@ impl StandardForm {
         form
     }
 
-    /// Solves w = 0 for the free x, the largest entry first.
+    /// Solves w = 0 for the free x, and drops their w.
     fn eliminate_free(&mut self) {
-        while let Some((r, c)) = self.largest_free_entry() {
-            self.dictionary.pivot(r, c);
-            self.dictionary.drop_column(c); // its w stays 0
+        let is_free = |i: usize| self.kind[i] == Kind::Free;
+        self.dictionary.exchange(
+            |v| matches!(v, Variable::W(i) if is_free(i)),
+            |v| matches!(v, Variable::Y(i) if is_free(i)),
+        );
+        for c in (0..self.dictionary.nonbasic.len()).rev() {
+            if matches!(self.dictionary.nonbasic[c], Variable::W(_)) {
+                self.dictionary.drop_column(c);
+            }
         }
-    }
-
-    fn largest_free_entry(&self) -> Option<(usize, usize)> {
-        let is_free = |v: Variable| v.row().is_some_and(|i| self.kind[i] == Kind::Free);
-        let d = &self.dictionary;
-        let rows = (0..d.basic.len())
-            .filter(|&r| matches!(d.basic[r], Variable::W(_)) && is_free(d.basic[r]));
-        let columns = || (0..d.nonbasic.len()).filter(|&c| is_free(d.nonbasic[c]));
-        rows.flat_map(|r| columns().map(move |c| (r, c)))
-            .filter(|&(r, c)| d.rows[r][c] != 0.0)
-            .max_by(|a, b| d.rows[a.0][a.1].abs().total_cmp(&d.rows[b.0][b.1].abs()))
     }
 
     /// Splits the free x that no equation of a free row contains any more.
@@ -176,16 +183,19 @@ impl StandardForm {
         let order: Vec<usize> = pairs.into_iter().chain(free).collect();
         d.basic = order.iter().map(|&r| d.basic[r]).collect();
         d.constant = order.iter().map(|&r| d.constant[r]).collect();
+        d.terms = order.iter().map(|&r| d.terms[r]).collect();
         d.rows = order.iter().map(|&r| std::mem::take(&mut d.rows[r])).collect();
     }
 
-    /// Whether the start leaves this basic variable without a bound of its own: every one but the
-    /// distance to an upper bound.
-    pub(super) fn needs_cover(&self, variable: Variable) -> bool {
+    /// How much the covering variable lifts this basic variable: 1 for all but distances to an upper
+    /// bound, which are not negative to begin with; or the row's unit of w, if the units differ so
+    /// much that the large would swallow the small.
+    pub(super) fn cover(&self, lcp: &Lcp, variable: Variable) -> f64 {
         match variable {
-            Variable::W(_) => true,
-            Variable::T(i) => self.kind[i] == Kind::Free,
-            _ => false,
+            Variable::T(i) if self.kind[i] != Kind::Free => 0.0,
+            Variable::W(i) | Variable::T(i) if self.needs_units => unit(lcp, i),
+            Variable::W(_) | Variable::T(_) => 1.0,
+            _ => 0.0,
         }
     }
 

@@ -47,6 +47,29 @@ fn solve_prints_one_json_object_with_the_fixed_keys() {
 }
 
 #[test]
+fn without_a_name_the_matrix_chooses_the_solver() {
+    let skew = r#"{"A": {"dense": [[0, -1], [1, 1]]}, "b": [1, -2]}"#;
+    for (problem, solver) in [(GOOD, "dantzig"), (skew, "lemke")] {
+        let output = run_with(problem, &["solve", "-", "--json"]);
+        let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+        assert_eq!((output.status.code(), &answer["solver"]), (Some(0), &solver.into()));
+    }
+}
+
+#[test]
+fn a_generated_problem_is_solved_from_the_pipe() {
+    let fathi = run(&["generate", "fathi", "--n", "4", "--set", "reversed=1"]);
+    let output = run_with(&out(&fathi), &["solve", "-", "--json"]);
+    let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!((&answer["verdict"], &answer["iterations"]), (&"proved".into(), &1.into()));
+    let wrong = run(&["generate", "fathi", "--seed", "4"]);
+    assert_eq!(wrong.status.code(), Some(2));
+    assert!(err(&wrong).contains("fathi: seed: is no parameter of this family"));
+    assert!(out(&run(&["problems"])).contains("\nfathi "));
+    assert!(out(&run(&["problems", "stack"])).contains("ratio"));
+}
+
+#[test]
 fn solve_tells_people_the_verdict() {
     let output = run_with(GOOD, &["solve", "-"]);
     assert!(out(&output).contains("verdict    proved: an exact solution lies within 0.0e0 of x"));

@@ -12,5 +12,6 @@ mod lemke;
 mod newton;
 mod order;
 mod pgs;
+mod principal;
 mod theory;
 mod worst_cases;

@@ -1,0 +1,82 @@
+//! For which problems a method is made, as data.
+
+use std::fmt;
+
+/// Classes of matrices, each with what the theory of LCPs says of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MatrixClass {
+    /// Symmetric, all eigenvalues positive: one solution, the minimum of ½ xᵀAx + bᵀx in the box.
+    Definite,
+    /// Symmetric, no eigenvalue negative: solutions are the minima of the same; w is unique.
+    Semidefinite,
+    /// All principal minors positive: one solution for every b.
+    P,
+    /// No principal minor negative.
+    P0,
+    /// xᵀAx ≥ 0 for x ≥ 0, and (A + Aᵀ) x = 0 where it is 0: solvable if A x + b ≥ 0 ≤ x is. All
+    /// positive semidefinite matrices belong here, symmetric or not.
+    CopositivePlus,
+    /// Any square matrix.
+    General,
+}
+
+impl fmt::Display for MatrixClass {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            MatrixClass::Definite => "symmetric positive definite",
+            MatrixClass::Semidefinite => "symmetric positive semidefinite",
+            MatrixClass::P => "P-matrix",
+            MatrixClass::P0 => "P0 matrix",
+            MatrixClass::CopositivePlus => "copositive plus",
+            MatrixClass::General => "any",
+        })
+    }
+}
+
+/// The problems that a method is made for.
+///
+/// On other problems it may still find a solution, fail, or refuse (`OutsideClass`); it never calls
+/// solved what is not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Class {
+    /// The class that A must belong to.
+    pub matrix: MatrixClass,
+    /// Whether it divides by a_ii, which must then be positive.
+    pub divides_by_diagonal: bool,
+    /// Whether rows may have finite bounds.
+    pub bounds: bool,
+    /// Whether rows may have no finite bound.
+    pub free_rows: bool,
+    /// Whether rows may be bounded by ±μ times another row's x.
+    pub coupling: bool,
+}
+
+impl Class {
+    /// All kinds of rows with this kind of matrix.
+    pub const fn of(matrix: MatrixClass) -> Self {
+        let divides_by_diagonal = false;
+        Class { matrix, divides_by_diagonal, bounds: true, free_rows: true, coupling: true }
+    }
+
+    /// The same for a method that divides by a_ii.
+    pub const fn with_positive_diagonal(self) -> Self {
+        Class { divides_by_diagonal: true, ..self }
+    }
+}
+
+impl fmt::Display for Class {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.matrix)?;
+        for (remark, applies) in [
+            (", positive diagonal", self.divides_by_diagonal),
+            (", equations only", !self.bounds),
+            (", no free rows", !self.free_rows),
+            (", no coupled rows", !self.coupling),
+        ] {
+            if applies {
+                f.write_str(remark)?;
+            }
+        }
+        Ok(())
+    }
+}
