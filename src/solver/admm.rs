@@ -17,7 +17,7 @@
 //! shown is z, which never leaves the bounds. Costs n³/3 once and 2 n² an iteration.
 //!
 //! A not symmetric, or no Cholesky factor: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`.
-//! Coupled rows: see [`frozen`](super::frozen); freezing keeps the factor.
+//! Coupled rows: see [`frozen`]; freezing keeps the factor.
 
 use std::ops::ControlFlow;
 

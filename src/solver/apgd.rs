@@ -21,7 +21,7 @@
 //! cones of friction, where D has one number a contact.
 //!
 //! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows and Coulomb's
-//! law: see [`frozen`](super::frozen).
+//! law: see [`frozen`].
 
 use std::ops::ControlFlow;
 

@@ -8,7 +8,7 @@
 //! [`Pgs`](super::Pgs) is the case of one row a block. The rows of a contact or a joint act on the
 //! same two bodies and are strongly coupled; solving them together spares the sweeps in which they
 //! would negotiate, and a friction row is bounded by the normal impulse found with it, not by the
-//! last one. Each small problem is solved exactly by [`Dantzig`](super::Dantzig)'s method, which
+//! last one. Each small problem is solved exactly by [`Dantzig`]'s method, which
 //! also takes a singular A_BB. Blocks of two directions: for symmetric positive semidefinite A no
 //! block raises the objective ½ xᵀAx + bᵀx, and for a definite one x converges to the solution
 //! (block coordinate descent; Luo & Tseng 1992). Where no bound is active the error shrinks by the

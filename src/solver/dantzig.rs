@@ -24,7 +24,7 @@
 //! Ends with the exact active set but for rounding, after at most a few n pivots on contact
 //! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then w is recomputed,
 //! x is refined, and rows that rounding has left unsatisfied are driven once more. Not symmetric or
-//! not semidefinite A: `OutsideClass`. Coupled rows: see [`frozen`](super::frozen).
+//! not semidefinite A: `OutsideClass`. Coupled rows: see [`frozen`].
 
 use std::ops::ControlFlow;
 

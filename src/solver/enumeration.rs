@@ -13,7 +13,7 @@
 //!
 //! Exact elimination costs O(n³) a set, so the number of sets is limited: `OutsideClass` above 65536
 //! (16 contacts, 10 boxes). Sets are counted with row 0 fastest. Coupled rows: see
-//! [`frozen`](super::frozen).
+//! [`frozen`].
 
 use dashu_ratio::RBig;
 

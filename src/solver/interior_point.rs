@@ -24,7 +24,7 @@
 //! Rows at a bound end beside it, by about μ/w_i: the answer is as exact as the tolerance and no
 //! more. A start is only used where it lies well inside. A not symmetric, or no Cholesky factor:
 //! `OutsideClass`; steps that have shrunk to nothing: `Stalled`. Coupled rows: see
-//! [`frozen`](super::frozen).
+//! [`frozen`].
 
 use std::ops::ControlFlow;
 

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! (e_i is the unit of w_i instead where units are far apart; bounds are 0 and ∞: a boxed problem is first brought into this form, see
-//! [`standard_form`](super::standard_form).) At x = 0 the least z₀ that works has some w_r = 0. From
+//! `standard_form.rs`.) At x = 0 the least z₀ that works has some w_r = 0. From
 //! there the partner of whatever variable has just become zero is raised, until the next one becomes
 //! zero: a *pivot*. The path never forks, so it cannot return, and it ends in one of two ways:
 //!
@@ -27,7 +27,7 @@
 //! 50 pivots; its pivots are counted on.
 //!
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
-//! [`frozen`](super::frozen).
+//! [`frozen`].
 
 use std::ops::ControlFlow;
 

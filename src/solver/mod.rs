@@ -3,40 +3,66 @@
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
 //! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide. Methods
 //! for circular friction cones have a trait of their own, [`ConeSolver`].
+//!
+//! # Four families, a page a method
+//!
+//! **Splitting.** Solve row i for x_i while the others wait, clamp, go on; after enough sweeps nothing
+//! moves any more. A sweep is cheap, can be stopped at any time, and starts from the last step's
+//! answer; but news travels one row at a time, so tall stacks and large mass ratios need thousands of
+//! sweeps ([`theory`] says how many). [`pgs`] (and SOR, symmetric SOR and colours, by [`order`]),
+//! [`jacobi`], [`block_pgs`]; [`code6`] is the chapter's listing as printed, which is something else.
+//!
+//! **Pivoting.** A solution is known once it is known which rows are at which bound. Pivoting methods
+//! guess that set, look for a row that contradicts, and exchange it; they end after finitely many
+//! exchanges with an answer that is exact but for rounding, or with a [ray](Status::Ray). [`dantzig`]
+//! for symmetric semidefinite A, [`lemke`] for much more, [`murty`] and [`block_pivoting`] for
+//! P-matrices, [`enumeration`] for all solutions of small problems of any kind. In the worst case
+//! they need 2ⁿ exchanges; contacts are not the worst case.
+//!
+//! **Newton.** Complementarity is an equation that is not smooth, min(x, w) = 0 or Fischer-Burmeister's;
+//! Newton's method solves it in a handful of steps, each a linear system of the size of the problem.
+//! [`newton`]; and [`interior_point`], which smooths the corner and lets the smoothing go to zero.
+//!
+//! **First order.** For symmetric semidefinite A the problem is a minimisation over a box, and every
+//! method for that serves: gradients with memory ([`apgd`], [`spectral`]), conjugate gradients that
+//! know of bounds ([`mprgp`], [`nncg`]), operator splitting ([`admm`]). Products with A and nothing
+//! else, and far fewer of them than sweeps.
+//!
+//! Friction rows whose bounds follow another row are solved in the sweep, or by [`frozen`] bounds.
 
 mod active_set;
-mod admm;
-mod apgd;
-mod block_pgs;
-mod block_pivoting;
+pub mod admm;
+pub mod apgd;
+pub mod block_pgs;
+pub mod block_pivoting;
 mod class;
-mod code6;
+pub mod code6;
 mod cone;
-mod dantzig;
+pub mod dantzig;
 mod dictionary;
 mod elimination;
-mod enumeration;
-mod frozen;
-mod interior_point;
+pub mod enumeration;
+pub mod frozen;
+pub mod interior_point;
 mod iterate;
-mod jacobi;
+pub mod jacobi;
 mod ldlt;
-mod lemke;
+pub mod lemke;
 mod metric;
-mod mprgp;
-mod murty;
-mod newton;
-mod nncg;
+pub mod mprgp;
+pub mod murty;
+pub mod newton;
+pub mod nncg;
 mod observer;
-mod order;
-mod pgs;
+pub mod order;
+pub mod pgs;
 mod pivoting;
 mod principal;
 mod rational;
 mod registry;
 mod settings;
 mod solution;
-mod spectral;
+pub mod spectral;
 mod standard_form;
 pub mod theory;
 

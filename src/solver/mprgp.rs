@@ -19,7 +19,7 @@
 //!
 //! Where A is singular, p may have no curvature: then x moves until a bound stops it, and if none
 //! does the problem has no solution (`Ray`). pᵀA p < 0 or A not symmetric: `OutsideClass`. A row
-//! with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see [`frozen`](super::frozen).
+//! with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see [`frozen`].
 
 use std::ops::ControlFlow;
 

@@ -24,7 +24,7 @@
 //! costs two products with A.
 //!
 //! A not symmetric: `OutsideClass`. A row with a_ii ≤ 0: `ZeroDiagonal`. Coupled rows: see
-//! [`frozen`](super::frozen).
+//! [`frozen`].
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
