@@ -87,7 +87,7 @@ const BLACK: Rgb = (45, 45, 50);
 const VERMILION: Rgb = (205, 85, 0);
 
 /// Colour, index of the dash, index of the marker.
-const KNOWN: [(&str, Rgb, usize, usize); 17] = [
+const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("pgs", BLUE, 0, 0),
     ("jacobi", SKY, 4, 3),
     ("block_pgs", SKY, 1, 1),
@@ -105,6 +105,12 @@ const KNOWN: [(&str, Rgb, usize, usize); 17] = [
     ("soft", PURPLE, 0, 3),
     ("penalty", OCHRE, 0, 4),
     ("exact", BLACK, 0, 0),
+    ("scaled_residual", BLUE, 0, 0),
+    ("natural_residual", VERMILION, 1, 1),
+    ("fischer_burmeister", GREEN, 2, 2),
+    ("siconos", PURPLE, 3, 3),
+    ("dart", OCHRE, 4, 4),
+    ("k&m_(4)", BLACK, 0, 5),
 ];
 
 /// SOR by its ω: colours at some ω, blended between them, and a dash and a marker from each on.

@@ -37,6 +37,9 @@ pub struct Experiment {
     /// LCPs solved by sweeps.
     #[serde(default)]
     pub convergence: Vec<Sweeps>,
+    /// LCPs on which the merit functions are compared.
+    #[serde(default)]
+    pub merits: Vec<AtStep>,
     /// Matrices drawn.
     #[serde(default)]
     pub sparsity: Vec<AtStep>,

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::experiment::Experiment;
 use super::study::comparison::{Comparison, Timing};
-use super::study::{closed_form, convergence, cross_check, drift, sparsity};
+use super::study::{closed_form, convergence, cross_check, drift, merits, sparsity};
 
 /// The results of a report.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,6 +25,8 @@ pub struct Results {
     pub cross_checks: Vec<cross_check::CrossCheck>,
     /// Residuals by sweep.
     pub convergence: Vec<convergence::Study>,
+    /// Merit functions by sweep.
+    pub merits: Vec<merits::Study>,
     /// Patterns of J and A.
     pub sparsity: Vec<sparsity::Patterns>,
     /// Energy and constraint errors by step length.

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::experiment::Experiment;
 use super::results::{Machine, Results, libraries};
-use super::study::{closed_form, comparison, convergence, cross_check, drift, sparsity};
+use super::study::{closed_form, comparison, convergence, cross_check, drift, merits, sparsity};
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::solver::{Entry, entry};
@@ -22,10 +22,6 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     let solvers = experiment.solvers.iter().map(|name| entry(name).copied());
     let solvers: Vec<Entry> = solvers.collect::<Result<_>>()?;
     progress.set_length(scenes.tasks(experiment) as u64);
-    let after = |value| {
-        progress.inc(1);
-        value
-    };
     let mut timings = Vec::new();
     let mut comparisons = Vec::new();
     for (scene, task) in scenes.comparison.iter().zip(&experiment.comparison) {
@@ -36,36 +32,24 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     }
     progress.set_message("closed forms");
     let closed_forms = if experiment.closed_forms { closed_form::run()? } else { Vec::new() };
-    progress.set_message("energy drift");
-    let drift = scenes.drift.par_iter().zip(&experiment.drift);
-    let drift = drift.map(|(scene, task)| after(drift::run(scene, task.duration))).collect();
-    progress.set_message("cross-checks");
-    let checks: Vec<_> = scenes
-        .cross_check
-        .par_iter()
-        .zip(&experiment.cross_check)
-        .map(|(scene, task)| {
-            progress.inc(1);
+    let each = Each { progress };
+    let drift = each.run("energy drift", &scenes.drift, &experiment.drift, |scene, task| {
+        drift::run(scene, task.duration)
+    });
+    let checks =
+        each.run("cross-checks", &scenes.cross_check, &experiment.cross_check, |scene, task| {
             cross_check::run(scene, task.step)
-        })
-        .collect();
-    progress.set_message("convergence");
+        });
     let convergence =
-        scenes.convergence.par_iter().zip(&experiment.convergence).map(|(scene, task)| {
-            progress.inc(1);
+        each.run("convergence", &scenes.convergence, &experiment.convergence, |scene, task| {
             convergence::run(scene, task.step, &task.omegas)
         });
-    let convergence: Vec<_> = convergence.collect();
-    progress.set_message("sparsity");
-    let sparsity: Vec<_> = scenes
-        .sparsity
-        .par_iter()
-        .zip(&experiment.sparsity)
-        .map(|(scene, task)| {
-            progress.inc(1);
-            sparsity::run(scene, task.step)
-        })
-        .collect();
+    let merits = each.run("merits", &scenes.merits, &experiment.merits, |scene, task| {
+        merits::run(scene, task.step)
+    });
+    let sparsity = each.run("sparsity", &scenes.sparsity, &experiment.sparsity, |scene, task| {
+        sparsity::run(scene, task.step)
+    });
     Ok(Results {
         version: env!("CARGO_PKG_VERSION").to_string(),
         libraries: libraries(),
@@ -74,6 +58,7 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
         comparisons,
         cross_checks: checks.into_iter().flatten().collect(),
         convergence: convergence.into_iter().flatten().collect(),
+        merits: merits.into_iter().flatten().collect(),
         sparsity: sparsity.into_iter().flatten().collect(),
         drift,
         machine: Machine {
@@ -85,11 +70,35 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     })
 }
 
+/// Runs a study on each of its scenes, in parallel, results in order.
+struct Each<'a> {
+    progress: &'a ProgressBar,
+}
+
+impl Each<'_> {
+    fn run<T: Sync, R: Send>(
+        &self,
+        name: &'static str,
+        scenes: &[Scene],
+        tasks: &[T],
+        study: impl Fn(&Scene, &T) -> R + Sync,
+    ) -> Vec<R> {
+        self.progress.set_message(name);
+        let one = |(scene, task)| {
+            let result = study(scene, task);
+            self.progress.inc(1);
+            result
+        };
+        scenes.par_iter().zip(tasks).map(one).collect()
+    }
+}
+
 /// The scenes of each study, in the order of the experiment.
 struct Scenes {
     comparison: Vec<Scene>,
     cross_check: Vec<Scene>,
     convergence: Vec<Scene>,
+    merits: Vec<Scene>,
     sparsity: Vec<Scene>,
     drift: Vec<Scene>,
 }
@@ -101,6 +110,7 @@ impl Scenes {
             comparison: load(experiment.comparison.iter().map(|t| t.scene.as_str()).collect())?,
             cross_check: load(experiment.cross_check.iter().map(|t| t.scene.as_str()).collect())?,
             convergence: load(experiment.convergence.iter().map(|t| t.scene.as_str()).collect())?,
+            merits: load(experiment.merits.iter().map(|t| t.scene.as_str()).collect())?,
             sparsity: load(experiment.sparsity.iter().map(|t| t.scene.as_str()).collect())?,
             drift: load(experiment.drift.iter().map(|t| t.scene.as_str()).collect())?,
         })
@@ -111,6 +121,7 @@ impl Scenes {
             + usize::from(experiment.closed_forms)
             + self.cross_check.len()
             + self.convergence.len()
+            + self.merits.len()
             + self.sparsity.len()
             + self.drift.len()
     }

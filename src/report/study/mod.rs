@@ -8,6 +8,7 @@ pub mod cross_check;
 pub mod drift;
 pub mod families;
 pub mod friction;
+pub mod merits;
 pub mod sparsity;
 
 use crate::error::Result;

@@ -7,6 +7,7 @@ mod cross_check;
 mod drift;
 mod families;
 mod introduction;
+mod merits;
 mod sparsity;
 mod timing;
 
@@ -47,6 +48,7 @@ pub fn document(results: &Results) -> Document {
     comparison::section(&mut document, &results.comparisons);
     cross_check::section(&mut document, &results.cross_checks);
     convergence::section(&mut document, &results.convergence);
+    merits::section(&mut document, &results.merits);
     sparsity::section(&mut document, &results.sparsity);
     drift::section(&mut document, &results.drift);
     timing::section(&mut document, results);

@@ -12,6 +12,7 @@ solvers = ["pgs", "dantzig"]
 comparison = [{ scene = "fig7", steps = 2 }, { scene = "incline", steps = 3 }]
 cross_check = [{ scene = "fig7", step = 1 }]
 convergence = [{ scene = "chain", step = 20, omegas = [1.0, 1.5] }]
+merits = [{ scene = "stack", step = 1 }]
 sparsity = [{ scene = "stack", step = 1 }]
 drift = [{ scene = "pendulum", duration = 0.1 }]
 "#;
@@ -64,8 +65,8 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
         assert!(folder.path().join("data").join(link).is_file(), "{link}");
         count += 1;
     }
-    // A CSV for each of 7 tables, an SVG and a CSV for each of 4 figures.
-    assert_eq!(count, 7 + 2 * 4);
+    // A CSV for each of 8 tables, an SVG and a CSV for each of 5 figures.
+    assert_eq!(count, 8 + 2 * 5);
     assert!(folder.path().join("results.json").is_file());
     let left_over = std::fs::read_dir(folder.path()).unwrap();
     assert!(left_over.flatten().all(|file| file.path().extension().is_none_or(|e| e != "part")));
