@@ -37,6 +37,8 @@ use crate::lcp::{Lcp, merit};
 const RELATIVE_ZERO: f64 = 1e-13;
 /// So does a w that cannot be moved: it carries the rounding of all moves before.
 const RELATIVE_ZERO_W: f64 = 1e-11;
+/// So does a part of a null direction, which carries the rounding of the factor.
+const RELATIVE_ZERO_D: f64 = 1e-11;
 /// Moves whose lengths differ by less than this part of them end together.
 const TIE: f64 = 1e-10;
 /// Rounds of refinement and renewed driving at the end.
@@ -197,6 +199,10 @@ impl<'a> Run<'a> {
             let sign = -self.w[i].signum();
             let delta_w = self.delta_w(i, &direction);
             let Some(block) = self.blocking(i, sign, &direction, &delta_w) else {
+                if self.is_level(i, &direction) {
+                    self.put(i, Side::Idle);
+                    return ControlFlow::Continue(());
+                }
                 return ControlFlow::Break(self.ray(i, sign, &direction));
             };
             self.advance(i, sign * block.length, &direction, &delta_w);
@@ -227,6 +233,16 @@ impl<'a> Run<'a> {
         terms.w.abs() <= RELATIVE_ZERO_W * terms.magnitude
     }
 
+    /// Whether bᵀd is nothing but rounding. Where A d = 0 and w_C = 0 it is w_i, without the rounding
+    /// of x.
+    fn is_level(&self, i: usize, direction: &Direction) -> bool {
+        let b = self.lcp.b();
+        let terms = self.free.iter().zip(&direction.free).map(|(&j, d)| b[j] * d);
+        let (sum, magnitude) =
+            terms.fold((b[i], b[i].abs()), |(sum, magnitude), t| (sum + t, magnitude + t.abs()));
+        sum.abs() <= RELATIVE_ZERO * magnitude
+    }
+
     /// d_C = −A_CC⁻¹ A_Ci and the Schur complement s.
     fn direction(&self, i: usize) -> ControlFlow<Status, Direction> {
         let a = self.lcp.matrix();
@@ -245,8 +261,22 @@ impl<'a> Run<'a> {
         }
         if schur <= RELATIVE_ZERO * magnitude {
             schur = 0.0;
+            self.clean_null_direction(i, &mut d);
         }
         ControlFlow::Continue(Direction { free: d, column, schur })
+    }
+
+    /// Sets to zero what is only rounding in d where A d = 0: along such a d a move may be long, and
+    /// must not end at a bound that only rounding leads to. √a_jj d_j has the same unit in all rows.
+    fn clean_null_direction(&self, i: usize, d: &mut [f64]) {
+        let root = |j: usize| self.lcp.matrix().diagonal(j).max(0.0).sqrt();
+        let size = |j: usize, d: f64| root(j) * d.abs();
+        let largest = self.free.iter().zip(&*d).map(|(&j, &d)| size(j, d)).fold(root(i), f64::max);
+        for (&j, d) in self.free.iter().zip(d) {
+            if size(j, *d) <= RELATIVE_ZERO_D * largest {
+                *d = 0.0;
+            }
+        }
     }
 
     /// Δw for a unit move of x_i, for the rows at a bound; 0 where it is only rounding.

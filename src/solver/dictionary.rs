@@ -10,6 +10,9 @@
 
 use super::elimination::difference;
 
+/// An entry below this part of the largest that it was is zero.
+const RELATIVE_ZERO: f64 = 1e-12;
+
 /// v_B = c + T v_N.
 #[derive(Debug, Clone)]
 pub(super) struct Dictionary<V> {
@@ -58,23 +61,36 @@ impl<V: Copy + PartialEq> Dictionary<V> {
     }
 
     /// Exchanges these basic variables for these nonbasic ones, the largest entry first, until all
-    /// are exchanged or only zeros are left.
+    /// are exchanged or only zeros are left. Zero is an entry that has lost all its digits, compared
+    /// with the largest that it was on the way.
     pub(super) fn exchange(
         &mut self,
         is_leaving: impl Fn(V) -> bool,
         is_entering: impl Fn(V) -> bool,
     ) {
+        let mut largest = self.rows.clone();
         loop {
+            for (seen, now) in largest.iter_mut().flatten().zip(self.rows.iter().flatten()) {
+                *seen = seen.abs().max(now.abs());
+            }
             let rows = (0..self.basic.len()).filter(|&r| is_leaving(self.basic[r]));
             let columns: Vec<usize> =
                 (0..self.nonbasic.len()).filter(|&c| is_entering(self.nonbasic[c])).collect();
             let size = |&(r, c): &(usize, usize)| self.rows[r][c].abs();
-            let largest = rows
+            let pivot = rows
                 .flat_map(|r| columns.iter().map(move |&c| (r, c)))
+                .filter(|at| size(at) > RELATIVE_ZERO * largest[at.0][at.1])
                 .max_by(|a, b| size(a).total_cmp(&size(b)));
-            match largest {
-                Some((r, c)) if self.rows[r][c] != 0.0 => self.pivot(r, c),
-                _ => return,
+            match pivot {
+                Some((r, c)) => self.pivot(r, c),
+                None => break,
+            }
+        }
+        for r in 0..self.basic.len() {
+            for c in 0..self.nonbasic.len() {
+                if is_leaving(self.basic[r]) && is_entering(self.nonbasic[c]) {
+                    self.rows[r][c] = 0.0;
+                }
             }
         }
     }

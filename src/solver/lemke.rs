@@ -6,10 +6,11 @@
 //! w = A x + b + z₀ e,   x, w, z₀ ≥ 0,   x_i w_i = 0        e = (1, …, 1)
 //! ```
 //!
-//! (e_i is the unit of w_i instead where units are far apart; bounds are 0 and ∞: a boxed problem is first brought into this form, see
-//! `standard_form.rs`.) At x = 0 the least z₀ that works has some w_r = 0. From
-//! there the partner of whatever variable has just become zero is raised, until the next one becomes
-//! zero: a *pivot*. The path never forks, so it cannot return, and it ends in one of two ways:
+//! (Bounds are 0 and ∞ here: a boxed problem is first brought into this form, see
+//! `standard_form.rs`. Where the units of the rows are far apart, e_i is that of
+//! w_i.) At x = 0 the least z₀ that works has some w_r = 0. From there the partner of whatever has
+//! just become zero is raised, until the next variable becomes zero: a *pivot*. The path never
+//! forks, so it cannot return, and it ends in one of two ways:
 //!
 //! - z₀ becomes zero: x is a solution;
 //! - nothing becomes zero: a *ray*, `Ray`. For copositive-plus A, which includes every positive
@@ -22,9 +23,9 @@
 //! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
 //! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
 //! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
-//! At the end x is computed afresh from the active set. Rounding piles up on a long path: one that
-//! ends at no solution is followed once more, with a tableau that is made anew from the problem every
-//! 50 pivots; its pivots are counted on.
+//! At the end x is computed afresh from the active set. Rounding piles up: a path of more than 50
+//! pivots, or with a very small one, that ends at no solution is followed once more, with a tableau
+//! that is made anew every 50 pivots; its pivots are counted on.
 //!
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
 //! [`frozen`].
@@ -39,6 +40,8 @@ use super::{
 };
 use crate::lcp::{Lcp, merit};
 
+/// A pivot below this part of its row may be rounding.
+const DOUBTFUL: f64 = 1e-10;
 /// A path of more pivots may be followed a second time; then the tableau is made anew after each so
 /// many pivots.
 const PIVOTS_TO_RENEWAL: usize = 50;
@@ -65,11 +68,8 @@ impl Solver for Lemke {
         frozen::solve(lcp, x, &self.settings, |lcp, _, before| {
             let mut path = Path::new(lcp, before);
             let (x, status) = path.solve(&self.settings, observer);
-            let is_final = matches!(
-                status,
-                Status::Solved | Status::IterationLimit | Status::Stopped | Status::Stalled
-            );
-            if is_final || path.pivots - before <= PIVOTS_TO_RENEWAL {
+            let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
+            if !(is_long && matches!(status, Status::Ray { .. } | Status::Inaccurate)) {
                 return Solution::new(lcp, x, status, path.pivots);
             }
             let mut path = Path::new(lcp, path.pivots).with_renewals();
@@ -85,6 +85,8 @@ struct Path<'a> {
     /// The tableau before the first pivot. The columns of its basic variables are B⁻¹.
     first: Dictionary<Variable>,
     renews: bool,
+    /// Whether some pivot may have been nothing but rounding.
+    is_doubtful: bool,
     /// x after the last pivot.
     x: Vec<f64>,
     pivots: usize,
@@ -98,7 +100,7 @@ impl<'a> Path<'a> {
         form.dictionary.add_column(Variable::Cover, |r| cover[r]);
         let (x, first) = (form.x(lcp), form.dictionary.clone());
         form.dictionary.forgives = 0.0;
-        Path { lcp, form, first, renews: false, x, pivots }
+        Path { lcp, form, first, renews: false, is_doubtful: false, x, pivots }
     }
 
     /// The same, with a fresh tableau now and then and generous zeros.
@@ -109,13 +111,13 @@ impl<'a> Path<'a> {
 
     /// x at the end of the path, and what it is worth.
     fn solve(&mut self, settings: &Settings, observer: &mut dyn Observer) -> (Vec<f64>, Status) {
-        match self.follow(settings.max_iterations, observer) {
-            ControlFlow::Continue(()) => {
-                let x = self.refined();
-                let status = claim(self.lcp, &x, settings);
-                (x, status)
-            }
-            ControlFlow::Break(status) => (self.x.clone(), status),
+        let end = self.follow(settings.max_iterations, observer);
+        let x = self.refined();
+        match (claim(self.lcp, &x, settings), end) {
+            (status, ControlFlow::Continue(())) => (x, status),
+            // z₀ was zero but for rounding
+            (Status::Solved, ControlFlow::Break(Status::Ray { .. })) => (x, Status::Solved),
+            (_, ControlFlow::Break(status)) => (self.x.clone(), status),
         }
     }
 
@@ -155,6 +157,7 @@ impl<'a> Path<'a> {
         observer: &mut dyn Observer,
     ) -> ControlFlow<Status, Variable> {
         let (entering, left) = (self.form.dictionary.nonbasic[c], self.form.dictionary.basic[r]);
+        self.is_doubtful |= self.part_of_row(r, c) <= DOUBTFUL;
         self.form.dictionary.pivot(r, c);
         self.pivots += 1;
         let x = self.form.x(self.lcp);
@@ -188,7 +191,15 @@ impl<'a> Path<'a> {
 
     /// The pair variable that becomes zero first when that of column c grows.
     fn blocking(&self, c: usize) -> Option<usize> {
-        self.lexicographic_minimum(|r| -self.form.dictionary.rows[r][c])
+        let is_zero = |r: usize| self.renews && self.part_of_row(r, c) <= DOUBTFUL;
+        let rate = |r: usize| self.form.dictionary.rows[r][c];
+        self.lexicographic_minimum(|r| if is_zero(r) { 0.0 } else { -rate(r) })
+    }
+
+    /// An entry of the tableau beside the largest of its row.
+    fn part_of_row(&self, r: usize, c: usize) -> f64 {
+        let row = &self.form.dictionary.rows[r];
+        row[c].abs() / row.iter().fold(0.0, |largest, entry| f64::max(largest, entry.abs()))
     }
 
     /// The row r with the lexicographically least (c_r, B⁻¹_r) / weight_r among positive weights.
@@ -226,14 +237,9 @@ impl<'a> Path<'a> {
         let tight = set.tightened(lcp, x);
         let moved = tight.moved_to_bounds(lcp, x);
         let candidates = [tight.point(lcp).ok(), Some(moved), set.point(lcp).ok(), Some(x.clone())];
-        let mut best = (Vec::new(), f64::INFINITY);
-        for candidate in candidates.into_iter().flatten() {
-            let residual = merit::scaled_residual(lcp, &candidate);
-            if best.0.is_empty() || (best.1 > ROUNDING && residual < best.1) {
-                best = (candidate, residual);
-            }
-        }
-        best.0
+        let residual = |x: &Vec<f64>| merit::scaled_residual(lcp, x).max(ROUNDING);
+        let better = |a: &Vec<f64>, b: &Vec<f64>| residual(a).total_cmp(&residual(b));
+        candidates.into_iter().flatten().min_by(better).unwrap_or_default() // the first of equals
     }
 }
 
