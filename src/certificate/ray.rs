@@ -28,7 +28,8 @@ pub struct Farkas {
 /// `row` is the driven row. Rounding in the other entries is repaired first: as many as the equations
 /// (A d)_j = 0 determine are solved anew, exactly.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
-    if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
+    let usable = direction.len() == lcp.len() && direction.iter().all(|d| d.is_finite());
+    if !usable || lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
         return None;
     }
     let support: Vec<usize> = (0..lcp.len()).filter(|&j| j != row && direction[j] != 0.0).collect();

@@ -20,6 +20,14 @@ fn a_ray_against_a_finite_bound_proves_nothing() {
 }
 
 #[test]
+fn a_direction_that_is_not_finite_or_too_short_proves_nothing() {
+    let lcp = contacts(&[&[0.0]], &[-1.0]);
+    for direction in [&[f64::INFINITY][..], &[f64::NAN], &[]] {
+        assert!(refute(&lcp, 0, direction).is_none());
+    }
+}
+
+#[test]
 fn rounding_in_the_ray_is_repaired() {
     // A = vvᵀ with v = (1, 1/3 as 3 and 1): null vector (1, −3), given with noise.
     let lcp = boxed(&[&[9.0, 3.0], &[3.0, 1.0]], &[0.0, 1.0], &[-INF; 2], &[INF; 2]);
