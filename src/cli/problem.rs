@@ -60,11 +60,11 @@ impl Solve {
             let title = title(&problem);
             let iterations = answer.solution.iterations;
             let mut text = format!("{title}\nsolver     {}\n", answer.solver);
-            text += &format!(
-                "status     {}: {}, {iterations} iterations\n",
-                answer.status_word(),
-                answer.message()
-            );
+            let status = match (answer.status_word(), answer.message()) {
+                (word, message) if word == message => message,
+                (word, message) => format!("{word}: {message}"),
+            };
+            text += &format!("status     {status}, {iterations} iterations\n");
             text += &certificate_text(&answer.certificate);
             text += &bound_text(answer.error_bound);
             text += &rows(&problem.lcp, &answer.solution.x, &answer.certificate);
