@@ -100,23 +100,21 @@ pub fn document(comparison: &Comparison) -> Document {
     document
 }
 
-/// Energy, drift and penetration of all runs over time.
+/// Energy, drift and penetration over time; runs that move alike share a curve.
 fn motion_figure(comparison: &Comparison) -> Lines {
+    let alike = alike(&comparison.runs);
     let panel = |label: &str, unit: &str, measure: fn(&Run, &Sample) -> f64| Panel {
         y: Axis::linear(label, unit),
-        series: comparison
-            .runs
+        series: alike
             .iter()
-            .map(|run| {
+            .map(|(name, run)| {
                 let point = |sample: &Sample| (sample.time, measure(run, sample));
-                let name = format!("{}, {}", run.solver, run.formulation);
-                Series::measured(name, run.motion.iter().map(point).collect())
+                Series::measured(name.clone(), run.motion.iter().map(point).collect())
             })
             .collect(),
     };
-    let mut panels = vec![panel("energy change", "J", |run, sample| {
-        sample.energy - run.motion.first().map_or(0.0, |first| first.energy)
-    })];
+    let mut panels =
+        vec![panel("energy change", "J", |run, sample| sample.energy - start_energy(run))];
     let any = |measure: fn(&Sample) -> f64| {
         comparison.runs.iter().any(|run| run.motion.iter().any(|sample| measure(sample) > 0.0))
     };
@@ -129,8 +127,50 @@ fn motion_figure(comparison: &Comparison) -> Lines {
     Lines {
         id: format!("motion_{}", comparison.scene),
         title: format!("{}: energy and errors", comparison.title),
-        caption: "Solvers that solve every step draw the same curve; levels differ.".into(),
+        caption: "Solvers whose motions agree to a thousandth of the largest energy change and of \
+                  the largest error share a curve; what then differs is the level."
+            .into(),
         x: Axis::linear("time", "s"),
         panels,
     }
+}
+
+fn start_energy(run: &Run) -> f64 {
+    run.motion.first().map_or(0.0, |first| first.energy)
+}
+
+/// One run for each group of runs that move alike at one level, with a name for the group.
+fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
+    let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
+    let apart = |a: &Run, b: &Run, measure: fn(&Sample) -> f64| {
+        let pairs = a.motion.iter().zip(&b.motion);
+        pairs.map(|(a, b)| (measure(a) - measure(b)).abs()).fold(0.0, f64::max)
+    };
+    let size = |k: usize| {
+        let over =
+            |run: &Run| if k == 0 { run.energy_change().abs() } else { run.worst(measures[k]) };
+        runs.iter().map(over).fold(0.0, f64::max)
+    };
+    let sizes = [size(0), size(1), size(2)];
+    let same = |a: &Run, b: &Run| {
+        a.formulation == b.formulation
+            && a.motion.len() == b.motion.len()
+            && (0..3).all(|k| apart(a, b, measures[k]) <= 1e-3 * sizes[k])
+    };
+    let mut groups: Vec<Vec<&Run>> = Vec::new();
+    for run in runs {
+        match groups.iter_mut().find(|group| same(group[0], run)) {
+            Some(group) => group.push(run),
+            None => groups.push(vec![run]),
+        }
+    }
+    let name = |group: &[&Run]| match group {
+        [only] => format!("{}, {}", only.solver, only.formulation),
+        [first, ..] => {
+            let others = group.len() - 1;
+            format!("{}: {} and {others} more", first.formulation, first.solver)
+        }
+        [] => String::new(),
+    };
+    groups.iter().map(|group| (name(group), group[0])).collect()
 }
