@@ -2,11 +2,9 @@
 
 use lcplab::certificate::{Demand, judge, ray};
 use lcplab::lcp::{Lcp, Matrix};
-use lcplab::solver::{Options, Solution, Start, Status, all_solutions, by_name};
+use lcplab::solver::{ALL, Options, Solution, Solver, Start, Status, all_solutions, by_name};
 
 use crate::common::INF;
-
-const PIVOTING: [&str; 5] = ["dantzig", "lemke", "murty", "block-pivoting", "enumeration"];
 
 /// Whole numbers by a linear congruence (Knuth's MMIX), high bits first.
 struct Dice(u64);
@@ -58,11 +56,12 @@ fn problem(dice: &mut Dice, kind: Kind) -> Lcp {
     Lcp::new(Matrix::dense(n, &a), b, lo, hi).unwrap()
 }
 
-/// Solves with every pivoting method and holds each claim against the list of all solutions.
+/// Solves with every solver and holds each claim against the list of all solutions.
 fn check(kind: Kind, seed: u64, count: usize, must_solve: &[&str]) {
     println!("seed {seed}");
     let mut dice = Dice(seed);
-    let solvers = PIVOTING.map(|name| by_name(name, &Options::default()).unwrap());
+    let solvers: Vec<Box<dyn Solver>> =
+        ALL.iter().map(|entry| by_name(entry.name, &Options::default()).unwrap()).collect();
     for number in 0..count {
         let lcp = problem(&mut dice, kind);
         let exact = all_solutions(&lcp).expect("few enough sets");
