@@ -136,6 +136,26 @@ impl Ledger {
     }
 }
 
+impl std::ops::Add for Ledger {
+    type Output = Ledger;
+
+    fn add(self, other: Ledger) -> Ledger {
+        Ledger {
+            change: self.change + other.change,
+            constraint: self.constraint + other.constraint,
+            contact: self.contact + other.contact,
+            restitution: self.restitution + other.restitution,
+            bias: self.bias + other.bias,
+            friction: self.friction + other.friction,
+            motor: self.motor + other.motor,
+            spring: self.spring + other.spring,
+            gyroscopic: self.gyroscopic + other.gyroscopic,
+            integrator: self.integrator + other.integrator,
+            correction: self.correction + other.correction,
+        }
+    }
+}
+
 /// The solves whose answers counted: a bounce replaces the solve before it.
 fn deciding(solves: &[Solve]) -> impl Iterator<Item = &Solve> {
     let replaced =
