@@ -27,8 +27,8 @@ pub(super) fn section(document: &mut Document, study: &Study) {
          Solvers replace it:\n\n\
          - **Frozen box**: each tangent has bounds of its own, $\\pm\\mu$ times the normal impulse \
          that there would be *without* friction. A square of fixed size.\n\
-         - **Coupled box**: the same square, with the present $x_n$. The scenes of this report and \
-         most game engines do this.\n\
+         - **Coupled box**: the same square, with the present $x_n$. The scenes of this report do \
+         this, and so does Open Dynamics Engine.\n\
          - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one unknown \
          more for each corner, solved by Lemke's method.\n\
          - **Cone**: the disc itself. *Associated*, as a convex problem, which pays for convexity by \

@@ -37,12 +37,12 @@ pub(super) fn section(document: &mut Document, systems: &[System]) {
     );
     document.equation("\\rho_{GS} = \\frac{r}{1 + r}", "two bodies");
     document.table("rates_contraction", contraction(systems));
-    document.text(format!(
+    document.text(
         "How many sweeps is that? The *rule of thumb* is $\\ln\\varepsilon / \\ln\\rho$ for a \
          reduction by $\\varepsilon$. It assumes that all of the error is of the slowest kind. At \
          the start, $x = 0$, only a part of it is. Projecting the start on the slowest eigenvector \
          leaves, after $k$ sweeps, a natural residual $\\max_i |x_i - \\Pi(x_i - w_i)|$ of",
-    ));
+    );
     document.equation(
         "\\frac{2}{n}\\, v\\, \\rho_{GS}^k \\;\\; \\text{(column of n)}, \\qquad \
          v\\, \\rho_{GS}^k \\;\\; \\text{(two bodies, exactly)}",

@@ -98,7 +98,11 @@ fn cells(study: &Study, case: &Case) -> Vec<Cell> {
         "murty-exponential" => "U, no ties",
         other => other,
     };
-    let solution = if case.reversed { "e₁" } else { "eₙ" };
+    let solution = match (case.matrix.as_str(), case.reversed) {
+        ("murty-exponential", _) => "2ⁿ eₙ",
+        (_, false) => "eₙ",
+        (_, true) => "e₁",
+    };
     let kind = if case.favourable { "good" } else { "bad" };
     let mut cells = vec![
         Cell::text(&case.solver),
