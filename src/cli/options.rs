@@ -26,13 +26,13 @@ pub struct SolverArgs {
 /// Options that only some solvers look at; one that no solver of the command does is refused.
 #[derive(Debug, Args)]
 pub struct Choices {
-    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3]
+    /// Relaxation factor of sor and ssor, above 0 and below 2; 1.3 or the scene's own without it
     #[arg(long)]
     pub omega: Option<f64>,
-    /// Order of the rows in a sweep of pgs and sor [default: natural]
+    /// Order of the rows in a sweep of pgs and sor; natural or the scene's own without it
     #[arg(long, value_enum)]
     pub order: Option<RowOrder>,
-    /// Seed of --order shuffled [default: 1]
+    /// Seed of --order shuffled; 1 or the scene's own without it
     #[arg(long)]
     pub seed: Option<u64>,
     /// Length of jacobi's steps, above 0 and below 2; safe for every semidefinite A without it

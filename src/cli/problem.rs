@@ -100,7 +100,7 @@ Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Judge {
     /// The problem as JSON; - reads standard input
     problem: PathBuf,
-    /// Any JSON object with a key \"x\"
+    /// Any JSON object with a key "x"
     answer: PathBuf,
     /// Model of friction to judge by; the file's own without it
     #[arg(long)]
