@@ -25,7 +25,9 @@ mod cone;
 pub mod cross_check;
 pub mod error_bound;
 pub mod exact;
+mod interval;
 mod modular;
+pub mod motion_bound;
 pub mod ray;
 pub mod uniqueness;
 
