@@ -40,6 +40,7 @@
 mod cone;
 mod coupled_box;
 mod frozen_box;
+pub mod merit;
 mod polyhedral;
 
 pub use cone::{ConeProblem, Law, project};

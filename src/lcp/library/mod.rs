@@ -23,6 +23,7 @@
 mod contact;
 mod hard;
 mod manufactured;
+mod painleve;
 mod published;
 mod random;
 
@@ -172,7 +173,7 @@ impl Family for Generated {
 
 /// All families.
 pub fn all() -> impl Iterator<Item = &'static dyn Family> {
-    let generated = [manufactured::FAMILIES, hard::FAMILIES, contact::FAMILIES];
+    let generated = [manufactured::FAMILIES, hard::FAMILIES, contact::FAMILIES, painleve::FAMILIES];
     let generated = generated.into_iter().flatten().map(|family| family as &dyn Family);
     generated.chain(published::ALL.iter().map(|problem| problem as &dyn Family))
 }
