@@ -141,8 +141,8 @@ fn motions([a_nn, a_nt, a_tt, mu, fall]: [RBig; 5]) -> Vec<Vec<RBig>> {
     let determinant = &a_nn * &a_tt - &a_nt * &a_nt; // 4, rounded
     let x_n = (&a_tt * &fall - &a_nt) / &determinant;
     let x_t = (&a_nn - &a_nt * &fall) / &determinant;
-    let is_within = &x_t <= &(&mu * &x_n) && -&x_t <= &mu * &x_n;
-    if is_within {
+    let limit = &mu * &x_n;
+    if x_t <= limit && -&x_t <= limit {
         motions.push(unknowns(x_n, x_t, RBig::ZERO));
     }
     motions
