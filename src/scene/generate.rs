@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::description::{Body, Constraint, Description, Kind, Shape};
+use super::description::{Body, Constraint, Description, Shape};
 use super::settings::positive;
 use crate::error::Defects;
 
@@ -209,8 +209,8 @@ impl BallChain {
             });
             let end = Some([(k - 1) as f64 * length, 0.0, 0.0]);
             scene.constraints.push(match k {
-                1 => joint(Kind::Nail, vec!["link1".into()], end),
-                _ => joint(Kind::Ball, vec![format!("link{}", k - 1), format!("link{k}")], end),
+                1 => joint("nail", vec!["link1".into()], end),
+                _ => joint("ball", vec![format!("link{}", k - 1), format!("link{k}")], end),
             });
         }
     }
@@ -220,14 +220,14 @@ fn point(name: String, mass: f64, position: [f64; 3]) -> Body {
     Body { name, shape: Shape::Point, mass: Some(mass), position, ..Body::default() }
 }
 
-fn joint(kind: Kind, bodies: Vec<String>, point: Option<[f64; 3]>) -> Constraint {
-    Constraint { kind, bodies, point, points: None, length: None, axis: None }
+fn joint(kind: &str, bodies: Vec<String>, point: Option<[f64; 3]>) -> Constraint {
+    Constraint { kind: kind.into(), bodies, point, ..Constraint::default() }
 }
 
 fn rod(bodies: [String; 2]) -> Constraint {
-    joint(Kind::Distance, bodies.into(), None)
+    joint("distance", bodies.into(), None)
 }
 
 fn rod_to_world(from: [f64; 3], to: [f64; 3], body: String) -> Constraint {
-    Constraint { points: Some([from, to]), ..joint(Kind::Distance, vec![body], None) }
+    Constraint { points: Some([from, to]), ..joint("distance", vec![body], None) }
 }
