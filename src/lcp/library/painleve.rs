@@ -1,28 +1,31 @@
 //! Painlevé's rod: dry friction that leaves a rigid body without a motion, or with several.
 //!
-//! A uniform rod of mass m and length 2a slides with one end on the ground, at the angle θ to it. Units
-//! are m = a = 1 and g = 1, and the rod leans to the right. With the moment of inertia 1/3 and c = cos θ, s = sin θ
-//! the end has
+//! A uniform rod of mass m and length 2a slides with one end on the ground, at the angle θ to it.
+//! Units are m = a = 1 and g = 1, and the rod leans to the right. With the moment of inertia 1/3
+//! and c = cos θ, s = sin θ the end has
 //!
 //! ```text
 //! J_n = (0, 1, −c),   J_t = (1, 0, s)      A_nn = 1 + 3c²,   A_nt = −3sc,   A_tt = 1 + 3s²
 //! ```
 //!
-//! (K&M's A with M⁻¹ = diag(1, 1, 3); A_nn A_tt − A_nt² = 4.) It slides to the left, so friction is x_t = μ x_n, and
-//! the normal row alone is an LCP of one number:
+//! (A = J M⁻¹ Jᵀ with M⁻¹ = diag(1, 1, 3); A_nn A_tt − A_nt² = 4.) It slides to the left, so
+//! friction is x_t = μ x_n, and the normal row alone is an LCP of one number:
 //!
 //! ```text
-//! w = a x + b,   a = A_nn + μ A_nt = 1 + 3c² − 3μ sc,   b = spin − 1       spin = ω² s, what the turning lifts
+//! w = a x + b,   a = A_nn + μ A_nt = 1 + 3c² − 3μ sc,   b = spin − 1       spin = ω² s
 //! ```
 //!
-//! Friction turns the rod into the ground. For μ above (1 + 3c²) / 3sc = (4 + tan²θ) / (3 tan θ), which is least at
-//! tan θ = 2 where it is 4/3, it does so faster than the push lifts it: a < 0, and
+//! Friction turns the rod into the ground. For μ above (1 + 3c²) / 3sc = (4 + tan²θ) / (3 tan θ),
+//! which is least at tan θ = 2 where it is 4/3, it does so faster than the push lifts it: a < 0,
+//! and
 //!
-//! - b < 0: no solution; with a x ≤ 0, d = 1 is a Farkas vector ([`refute`](crate::certificate::ray::refute));
+//! - b < 0: no solution; with a x ≤ 0, d = 1 is a Farkas vector
+//!   ([`refute`](crate::certificate::ray::refute));
 //! - b > 0: two, x = 0 and x = b / |a|.
 //!
-//! Forces do not suffice, impulses do. The same rod with a time step, b_n = −fall, slip −1 and the four-sided cone of
-//! [`Polyhedral`] always has a solution, because its matrix is copositive (Stewart & Trinkle):
+//! Forces do not suffice, impulses do. The same rod with a time step, b_n = −fall, slip −1 and the
+//! four-sided cone of [`Polyhedral`] always has a solution, because its matrix is copositive
+//! (Stewart & Trinkle):
 //!
 //! ```text
 //! apart    x = 0                                       if fall ≤ 0
@@ -30,11 +33,12 @@
 //! stick    x = ¼ [A_tt −A_nt; −A_nt A_nn] (fall, 1)    if |x_t| ≤ μ x_n
 //! ```
 //!
-//! In the inconsistent case the end sticks at once, with an impulse that does not vanish with the step:
-//! x_n → ¾ sc. Nothing approached, and yet it is an impact (Lecornu). In the indeterminate case all three hold.
-//! The lists give one solution where only the parts of friction that cancel each other can be chosen.
+//! In the inconsistent case the end sticks at once, with an impulse that does not vanish with the
+//! step: x_n → ¾ sc. Nothing approached, and yet it is an impact (Lecornu). In the indeterminate
+//! case all three may hold. The lists give one solution where only the parts of friction that cancel
+//! each other can be chosen.
 //!
-//! Painlevé 1895; Lecornu 1905; Génot & Brogliato 1999. `decisions 14`.
+//! Painlevé 1895; Lecornu 1905; Génot & Brogliato 1999. `math §6`.
 
 use dashu_ratio::RBig;
 

@@ -44,7 +44,8 @@ fn a_redundant_table_has_a_sharp_bound_that_shrinks_with_the_error() {
         for decade in 1..=12 {
             let size = 10f64.powi(-decade);
             // The load is uneven too: A has rank 3, so a checkerboard of ± moves nothing.
-            let uneven = |k: usize| if (k / side + k % side) % 2 == 0 { 0.5 } else { -0.5 };
+            let uneven =
+                |k: usize| if (k / side + k % side).is_multiple_of(2) { 0.5 } else { -0.5 };
             let even = if side % 2 == 0 { 1.0 } else { 0.0 };
             let x: Vec<f64> = (0..n)
                 .map(|k| 3.0 / n as f64 * (1.0 + even * uneven(k) + size * (k as f64).sin()))
@@ -181,7 +182,10 @@ fn known(kinds: std::ops::RangeInclusive<u8>) -> impl Strategy<Value = Known> {
             }
             gauss.jacobian.push(entries.into_iter().enumerate().collect());
             gauss.compliance.push(if soft == 0 { 0.5 } else { 0.0 });
-            (gauss.lo.push(lo), gauss.hi.push(hi), x.push(xi), w.push(wi));
+            gauss.lo.push(lo);
+            gauss.hi.push(hi);
+            x.push(xi);
+            w.push(wi);
         }
         gauss.bias = (0..7)
             .map(|i| {
