@@ -61,7 +61,7 @@ fn scaling(lcp: &Lcp) -> Option<Vec<f64>> {
 }
 
 /// A verified lower bound on the least eigenvalue, if it is positive.
-fn least_eigenvalue(a: &Mat<f64>) -> Option<f64> {
+pub(super) fn least_eigenvalue(a: &Mat<f64>) -> Option<f64> {
     let n = a.nrows();
     let guess =
         a.self_adjoint_eigenvalues(Side::Lower).ok()?.into_iter().fold(f64::INFINITY, f64::min);

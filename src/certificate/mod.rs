@@ -26,7 +26,9 @@ pub mod cross_check;
 pub mod error_bound;
 pub mod exact;
 mod friction;
+mod interval;
 mod modular;
+pub mod motion_bound;
 pub mod ray;
 pub mod uniqueness;
 

@@ -160,8 +160,8 @@ pub fn km4(lcp: &Lcp, x: &[f64]) -> f64 {
 }
 
 /// |x − Π(x − w)|₂ / |b|₂, or the numerator alone where b = 0: the error by which Siconos judges an
-/// LCP (`lcp_compute_error`), and the one of the comparison RR-9118 (Acary, Brémond & Huber) where
-/// there is no friction cone. It adds rows of different units, and grows with the number of rows.
+/// LCP (`lcp_compute_error`); [`friction::merit::rr9118`](super::friction::merit::rr9118) is the same for
+/// cones. It adds rows of different units, and grows with the number of rows.
 pub fn siconos(lcp: &Lcp, x: &[f64]) -> f64 {
     let residual: Vec<f64> =
         (0..lcp.len()).map(|i| x[i] - lcp.project(i, x[i] - lcp.row_w(i, x), x)).collect();
@@ -191,7 +191,8 @@ pub fn free_rows(lcp: &Lcp, x: &[f64]) -> usize {
         .count()
 }
 
-fn euclidean(v: &[f64]) -> f64 {
+/// |v|₂.
+pub(super) fn euclidean(v: &[f64]) -> f64 {
     v.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 

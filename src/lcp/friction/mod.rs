@@ -42,6 +42,7 @@
 mod cone;
 mod coupled_box;
 mod frozen_box;
+pub mod merit;
 mod model;
 mod polyhedral;
 

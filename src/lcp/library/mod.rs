@@ -25,6 +25,7 @@ mod contact;
 mod friction;
 mod hard;
 mod manufactured;
+mod painleve;
 mod published;
 mod random;
 
@@ -174,7 +175,13 @@ impl Family for Generated {
 
 /// All families.
 pub fn all() -> impl Iterator<Item = &'static dyn Family> {
-    let generated = [manufactured::FAMILIES, hard::FAMILIES, contact::FAMILIES, friction::FAMILIES];
+    let generated = [
+        manufactured::FAMILIES,
+        hard::FAMILIES,
+        contact::FAMILIES,
+        friction::FAMILIES,
+        painleve::FAMILIES,
+    ];
     let generated = generated.into_iter().flatten().map(|family| family as &dyn Family);
     generated.chain(published::ALL.iter().map(|problem| problem as &dyn Family))
 }

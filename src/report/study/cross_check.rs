@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{STEPPER, at_level, problem_of, scene_options};
 use crate::assembly::Block;
 use crate::certificate::cross_check::{cross_check, max_difference};
+use crate::certificate::motion_bound::motion_bound;
 use crate::certificate::{Demand, judge, uniqueness};
 use crate::formulation::Problem;
 use crate::reference;
@@ -40,6 +41,10 @@ pub struct CrossCheck {
     pub w_difference: f64,
     /// max |u − u_Gauss| of the motion: velocities, or accelerations at acceleration level.
     pub u_difference: f64,
+    /// A verified bound on max |u − û|, û being the exact motion; `None` if there is none.
+    pub u_bound: Option<f64>,
+    /// Why there is no such bound.
+    pub u_unproved: Option<String>,
     /// Where x is not unique: the resulting force and torque on each moving body.
     pub wrenches: Vec<Wrench>,
     /// ½ xᵀAx + bᵀx of our answer.
@@ -78,7 +83,9 @@ fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
     let x = solver.solve(lcp, &Start::default(), &mut ()).x;
     let certificate = judge(lcp, &x, &Demand::default());
     let check = cross_check(lcp, &x)?;
-    let gauss = reference::gauss(&problem.gauss(&x));
+    let primal = problem.gauss(&x);
+    let gauss = reference::gauss(&primal);
+    let bound = motion_bound(&primal, &x);
     let (free, rank) = uniqueness::free_rank(lcp, &x);
     let wrenches = if free == rank { Vec::new() } else { wrenches(scene, &problem, &x, &check.x) };
     Some(CrossCheck {
@@ -95,6 +102,8 @@ fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
         x_difference: check.x_difference,
         w_difference: check.w_difference,
         u_difference: max_difference(&problem.motion(&x), &gauss.point),
+        u_bound: bound.as_ref().ok().map(|bound| bound.largest_entry),
+        u_unproved: bound.err().map(|why| why.to_string()),
         wrenches,
         objective: certificate.objective,
         dual_objective: check.objective,

@@ -5,17 +5,29 @@ use std::ops::ControlFlow;
 use serde::{Deserialize, Serialize};
 
 use super::problem_of;
-use crate::lcp::{Lcp, merit};
+use crate::lcp::friction::{ConeProblem, FrictionProblem, Law, merit as cone_merit};
+use crate::lcp::{Complementarity, Lcp, merit};
 use crate::scene::Scene;
-use crate::solver::{Iterate, Observer, Order, Pgs, Settings, Solver, Start};
+use crate::solver::{ConePgs, ConeSolver, Iterate, Observer, Order, Pgs, Settings, Solver, Start};
 
-/// A run of PGS on one LCP of a scene.
+/// Which problem a run solves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Shape {
+    /// The LCP, friction in a box, by PGS.
+    Box,
+    /// Coulomb's law with circular cones, by PGS for cones.
+    Cone,
+}
+
+/// A run on one LCP of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Study {
     /// The scene.
     pub scene: String,
     /// Its title.
     pub title: String,
+    /// What it solves.
+    pub shape: Shape,
     /// One curve a merit.
     pub curves: Vec<Curve>,
 }
@@ -31,53 +43,129 @@ pub struct Curve {
     pub values: Vec<f64>,
 }
 
-/// A measure of how far x is from a solution.
-type Merit = fn(&Lcp, &[f64]) -> f64;
+/// A measure of how far x is from a solution of P.
+struct Merit<P> {
+    name: &'static str,
+    definition: &'static str,
+    of: fn(&P, &[f64]) -> f64,
+}
 
-const MERITS: [(&str, &str, Merit); 6] = [
-    (
-        "scaled residual",
-        "|x − Π(x − w/s)| s over the terms of its row, the worst",
-        merit::scaled_residual,
-    ),
-    ("natural residual", "|x − Π(x − w)|, the worst", merit::natural_residual),
-    (
-        "Fischer-Burmeister",
-        "|a + b − √(a² + b²)| of distance and push, the worst",
-        merit::fischer_burmeister,
-    ),
-    ("Siconos", "|x − Π(x − w)|₂ over |b|₂", merit::siconos),
-    ("DART", "|x − Π(x − w)|∞ over max(1, |b|∞, |A|∞ |x|∞)", merit::dart),
-    ("K&M (4)", "|A x + b|₂ over |b|₂: not zero at a solution with an active bound", merit::km4),
+const BOX: [Merit<Lcp>; 6] = [
+    Merit {
+        name: "scaled residual",
+        definition: "|x − Π(x − w/s)| s over the terms of its row, the worst",
+        of: merit::scaled_residual,
+    },
+    Merit {
+        name: "natural residual",
+        definition: "|x − Π(x − w)|, the worst",
+        of: merit::natural_residual,
+    },
+    Merit {
+        name: "Fischer-Burmeister",
+        definition: "|a + b − √(a² + b²)| of distance and push, the worst",
+        of: merit::fischer_burmeister,
+    },
+    Merit { name: "Siconos", definition: "|x − Π(x − w)|₂ over |b|₂", of: merit::siconos },
+    Merit {
+        name: "DART",
+        definition: "|x − Π(x − w)|∞ over max(1, |b|∞, |A|∞ |x|∞)",
+        of: merit::dart,
+    },
+    Merit {
+        name: "K&M (4)",
+        definition: "|A x + b|₂ over |b|₂: not zero at a solution with an active bound",
+        of: merit::km4,
+    },
+];
+
+const CONE: [Merit<ConeProblem>; 6] = [
+    Merit {
+        name: "scaled residual",
+        definition: "|x − Π_K(x − ŵ/s)| s over the terms of its contact, the worst",
+        of: |problem, x| problem.scaled_residual(x),
+    },
+    Merit {
+        name: "RR-9118, Siconos",
+        definition: "|x − Π_K(x − ŵ)|₂ over |b|₂",
+        of: cone_merit::rr9118,
+    },
+    Merit {
+        name: "FCLIB",
+        definition: "|x − Π_K(x − ŵ)|₂ over 1 + √|b|₂ for contacts, over 1 + |b|₂ for other rows",
+        of: cone_merit::fclib,
+    },
+    Merit {
+        name: "Siconos, as LCP",
+        definition: "|x − Π(x − w)|₂ over |b|₂ with the box ±μ x_n: another law",
+        of: |problem, x| merit::siconos(&problem.friction().coupled_box(), x),
+    },
+    Merit {
+        name: "DART",
+        definition: "|x − Π(x − w)|∞ over max(1, |b|∞, |A|∞ |x|∞) with the box: another law",
+        of: |problem, x| merit::dart(&problem.friction().coupled_box(), x),
+    },
+    Merit {
+        name: "K&M (4)",
+        definition: "|A x + b|₂ over |b|₂: not zero at a solution with an active bound",
+        of: |problem, x| merit::km4(problem.lcp(), x),
+    },
 ];
 
 /// Most sweeps of the run.
 const SWEEPS: usize = 60;
 
-/// Runs PGS on the scene's last LCP of a step.
-pub fn run(scene: &Scene, step: usize) -> Option<Study> {
-    let lcp = problem_of(scene, step)?.lcp;
-    let mut seen = Seen { lcp: &lcp, values: vec![Vec::new(); MERITS.len()] };
+/// Runs PGS on the scene's last LCP of a step, and on its cones where it has contacts with friction.
+pub fn run(scene: &Scene, step: usize) -> Vec<Study> {
+    let Some(problem) = problem_of(scene, step) else { return Vec::new() };
+    let lcp = problem.lcp;
     let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
-    Pgs { omega: 1.0, order: Order::default(), settings }.solve(&lcp, &Start::default(), &mut seen);
-    let curve = |((name, definition, _), values): (&(&str, &str, Merit), Vec<f64>)| Curve {
-        name: (*name).to_string(),
-        definition: (*definition).to_string(),
-        values,
+    let study = |shape, curves| Study {
+        scene: scene.name.clone(),
+        title: scene.title.clone(),
+        shape,
+        curves,
     };
-    let curves = MERITS.iter().zip(seen.values).map(curve).collect();
-    Some(Study { scene: scene.name.clone(), title: scene.title.clone(), curves })
+    let pgs = Pgs { omega: 1.0, order: Order::default(), settings: settings.clone() };
+    let mut seen = Seen::new(&lcp, &BOX);
+    pgs.solve(&lcp, &Start::default(), &mut seen);
+    let mut studies = vec![study(Shape::Box, seen.curves())];
+    let friction = FrictionProblem::of(&lcp).ok().filter(|f| !f.contacts().is_empty());
+    if let Some(friction) = friction {
+        let problem = ConeProblem::new(friction, Law::Coulomb);
+        let mut seen = Seen::new(&problem, &CONE);
+        ConePgs { settings }.solve(&problem, &Start::default(), &mut seen);
+        studies.push(study(Shape::Cone, seen.curves()));
+    }
+    studies
 }
 
-struct Seen<'a> {
-    lcp: &'a Lcp,
+/// An observer that measures every iterate by every merit.
+struct Seen<'a, P> {
+    problem: &'a P,
+    merits: &'a [Merit<P>],
     values: Vec<Vec<f64>>,
 }
 
-impl Observer for Seen<'_> {
+impl<'a, P> Seen<'a, P> {
+    fn new(problem: &'a P, merits: &'a [Merit<P>]) -> Self {
+        Seen { problem, merits, values: vec![Vec::new(); merits.len()] }
+    }
+
+    fn curves(self) -> Vec<Curve> {
+        let curve = |(merit, values): (&Merit<P>, Vec<f64>)| Curve {
+            name: merit.name.to_string(),
+            definition: merit.definition.to_string(),
+            values,
+        };
+        self.merits.iter().zip(self.values).map(curve).collect()
+    }
+}
+
+impl<P> Observer for Seen<'_, P> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        for ((_, _, merit), values) in MERITS.iter().zip(&mut self.values) {
-            values.push(merit(self.lcp, iterate.x));
+        for (merit, values) in self.merits.iter().zip(&mut self.values) {
+            values.push((merit.of)(self.problem, iterate.x));
         }
         ControlFlow::Continue(())
     }

@@ -1,9 +1,9 @@
-//! One run, measured in six ways.
+//! The same iterates, measured in six ways.
 
 use super::Document;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table, markup};
-use crate::report::study::merits::{Curve, Study};
+use crate::report::study::merits::{Curve, Shape, Study};
 
 pub(super) fn section(document: &mut Document, studies: &[Study]) {
     if studies.is_empty() {
@@ -14,11 +14,29 @@ pub(super) fn section(document: &mut Document, studies: &[Study]) {
         "The same iterates of Gauss-Seidel, measured by the merit functions of different codes. \
          Factors between the curves are a matter of units and norms; that one of them stays where \
          it is is not: the chapter's stop test measures $w$, which at a solution is not zero where \
-         a bound holds (E04).",
+         a bound holds (E04). Where there is friction, a second run solves Coulomb's law with \
+         circular cones: the codes that measure cones, $K$ with $\\hat w = w + \\mu |w_t| n$, agree up \
+         to a factor; those that see a box stay where the slip is oblique, for the box is another \
+         law.",
     );
     for study in studies {
         document.figure(figure(study));
-        document.table(&format!("merits_{}", study.scene), table(study));
+        document.table(&id(study), table(study));
+    }
+}
+
+fn id(study: &Study) -> String {
+    match study.shape {
+        Shape::Box => format!("merits_{}", study.scene),
+        Shape::Cone => format!("merits_{}_cone", study.scene),
+    }
+}
+
+/// What tells two runs on one scene apart.
+fn suffix(study: &Study) -> &'static str {
+    match study.shape {
+        Shape::Box => "",
+        Shape::Cone => ", circular cones",
     }
 }
 
@@ -28,8 +46,8 @@ fn figure(study: &Study) -> Lines {
         Series::measured(curve.name.clone(), points)
     };
     Lines {
-        id: format!("merits_{}", study.scene),
-        title: format!("{}: merits by sweep", study.title),
+        id: id(study),
+        title: format!("{}{}: merits by sweep", study.title, suffix(study)),
         caption: "A measure of w alone cannot fall where a bound holds at the solution.".into(),
         x: Axis::linear("sweep", ""),
         panels: vec![Panel {
@@ -45,7 +63,11 @@ fn table(study: &Study) -> Table {
         vec![Cell::text(&curve.name), Cell::text(&curve.definition), Cell::number(last, 3)]
     };
     Table {
-        title: format!("Merits and their definitions: {}", markup::literal(&study.scene)),
+        title: format!(
+            "Merits and their definitions: {}{}",
+            markup::literal(&study.scene),
+            suffix(study)
+        ),
         how_to_read: "The value after the last sweep of the figure.".into(),
         columns: vec![
             Column::words("merit"),

@@ -3,5 +3,6 @@ mod cross_check;
 mod error_bound;
 mod exact;
 mod friction;
+mod motion_bound;
 mod ray;
 mod verdict;

@@ -50,13 +50,17 @@ fn assert_solves(lcp: &Lcp, x: &[RBig], name: &str) {
 
 #[test]
 fn every_expected_solution_solves_its_problem_exactly() {
-    let variants: [&[(&str, f64)]; 6] = [
+    let variants: [&[(&str, f64)]; 10] = [
         &[],
         &[("n", 1.0)],
         &[("n", 3.0), ("seed", 2.0)],
         &[("n", 12.0), ("boxed", 0.5), ("degenerate", 0.25), ("active", 0.25), ("rank", 0.5)],
         &[("n", 2.0), ("ratio", 1e9), ("contacts", 7.0), ("bits", 20.0), ("side", 10.0)],
         &[("n", 16.0), ("reversed", 1.0), ("condition", 1e6), ("pairs", 3.0), ("ratio", 3.0)],
+        &[("mu", 1.0), ("spin", 0.5), ("fall", 0.3)],
+        &[("mu", 1.5), ("spin", 2.0), ("fall", -0.01)],
+        &[("mu", 3.0), ("tan", 0.7), ("spin", 5.0), ("fall", -2.0)],
+        &[("mu", 0.0), ("spin", 1.0), ("fall", 1.0)],
     ];
     for family in library::all() {
         for variant in variants {

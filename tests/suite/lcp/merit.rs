@@ -1,7 +1,8 @@
+use lcplab::lcp::friction::{ConeProblem, Law, merit as cone};
 use lcplab::lcp::merit;
 use lcplab::solver::{Dantzig, Solver, Start};
 
-use crate::common::{chain, contacts};
+use crate::common::{chain, contacts, pushed_mass};
 
 #[test]
 fn each_measure_is_its_definition() {
@@ -30,4 +31,33 @@ fn dart_accepts_any_small_impulse() {
     let small = lcp.with_b(lcp.b().iter().map(|b| b * 1e-6).collect()).unwrap();
     assert!(merit::dart(&small, &[0.0; 3]) < 1e-4);
     assert!(merit::scaled_residual(&small, &[0.0; 3]) > 0.9);
+}
+
+#[test]
+fn the_cone_measures_are_their_definitions() {
+    // A = 1, μ = ½, b = (−2, −3, 0), x = (2, 0, 0): w = (0, −3, 0), ŵ = (1.5, −3, 0), x − ŵ = (0.5, 3, 0);
+    // its projection has x_n = (0.5 + 1.5) / 1.25 = 1.6 and x_t = 0.8. So F = (0.4, −0.8, 0).
+    let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 0.0), Law::Coulomb);
+    let x = [2.0, 0.0, 0.0];
+    for (entry, expected) in cone::natural_map(&problem, &x).into_iter().zip([0.4, -0.8, 0.0]) {
+        assert!((entry - expected).abs() < 1e-15, "{entry}");
+    }
+    let (error, b) = (0.8f64.sqrt(), 13f64.sqrt());
+    assert!((cone::rr9118(&problem, &x) - error / b).abs() < 1e-15);
+    assert!((cone::fclib(&problem, &x) - error / (1.0 + b.sqrt())).abs() < 1e-15);
+    // Full friction solves it.
+    let solution = [2.0, 1.0, 0.0];
+    assert!(cone::rr9118(&problem, &solution) < 1e-15 && cone::fclib(&problem, &solution) < 1e-15);
+}
+
+#[test]
+fn oblique_slip_tells_the_cone_from_the_box() {
+    // Pushed at 45°: Coulomb's friction is (1, 1)/√2, the box's (1, 1).
+    let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 45.0), Law::Coulomb);
+    let half = 0.5f64.sqrt();
+    let (disc, square) = ([2.0, half, half], [2.0, 1.0, 1.0]);
+    let coupled = problem.friction().coupled_box();
+    assert!(cone::rr9118(&problem, &disc) < 1e-15 && merit::siconos(&coupled, &disc) > 0.1);
+    assert!(cone::rr9118(&problem, &square) > 0.1 && merit::siconos(&coupled, &square) < 1e-15);
+    assert!(merit::dart(&coupled, &disc) > 0.1 && merit::dart(&coupled, &square) < 1e-15);
 }

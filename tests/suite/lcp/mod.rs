@@ -3,4 +3,5 @@ mod friction;
 mod library;
 mod matrix;
 mod merit;
+mod painleve;
 mod problem;
