@@ -20,7 +20,6 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
-mod accurate;
 mod cone;
 pub mod cross_check;
 pub mod error_bound;
@@ -31,7 +30,7 @@ pub mod uniqueness;
 
 pub use cone::{ConeCertificate, judge_cone};
 
-use accurate::Sum;
+use crate::lcp::accurate::Sum;
 use dashu_ratio::RBig;
 
 use crate::lcp::Lcp;

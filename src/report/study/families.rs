@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::certificate::{Demand, Verdict, judge};
 use crate::lcp::file::Problem;
 use crate::lcp::library::Family;
-use crate::solver::{Entry, Options, Start, Status};
+use crate::solver::{Entry, Options, Solution, Start, Status};
 use crate::trace::Provenance;
 
 /// A solver on the problems of one family.
@@ -39,6 +39,10 @@ pub struct Row {
     pub worst_residual: f64,
     /// The fingerprint of the iterates on the first problem.
     pub fingerprint: String,
+    /// Problems where something else than the method itself had a part in the answer.
+    pub fallbacks: usize,
+    /// What that was, the last time.
+    pub fallback: Option<String>,
     /// Why the last problem that was not solved was not.
     pub trouble: Option<String>,
     /// Why this solver cannot solve this family, where that is known.
@@ -107,6 +111,8 @@ fn attempt(family: &str, problems: &[Problem], entry: &Entry, options: &Options)
         iterations: 0,
         worst_residual: 0.0,
         fingerprint: String::new(),
+        fallbacks: 0,
+        fallback: None,
         trouble: None,
         known_failure: known.map(str::to_string),
         seconds: 0.0,
@@ -122,7 +128,7 @@ fn attempt(family: &str, problems: &[Problem], entry: &Entry, options: &Options)
         }
         let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
         let certificate = judge(&problem.lcp, &solution.x, &demand);
-        row.add(problem, &solution.status, solution.iterations, &certificate);
+        row.add(problem, &solution, &certificate);
     }
     row
 }
@@ -131,10 +137,10 @@ impl Row {
     fn add(
         &mut self,
         problem: &Problem,
-        status: &Status,
-        iterations: usize,
+        solution: &Solution,
         certificate: &crate::certificate::Certificate,
     ) {
+        let status = &solution.status;
         let (claims, holds) = (*status == Status::Solved, certificate.verdict.is_solution());
         self.outside += usize::from(matches!(status, Status::OutsideClass { .. }));
         self.claimed += usize::from(claims);
@@ -142,7 +148,11 @@ impl Row {
         self.accepted += usize::from(holds);
         self.refuted_claims += usize::from(claims && !holds);
         self.false_claims += usize::from(claims && has_no_solution(problem));
-        self.iterations += iterations;
+        self.iterations += solution.iterations;
+        if let Some(fallback) = solution.fallback {
+            self.fallbacks += 1;
+            self.fallback = Some(fallback.to_string());
+        }
         if claims {
             self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
         } else {
