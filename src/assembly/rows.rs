@@ -6,15 +6,16 @@ use nalgebra::Vector6;
 
 use super::{Block, Undefined};
 use crate::body::State;
-use crate::constraint::{self, Bodies, Bounds, Constraint, Kind};
+use crate::constraint::{self, Bodies, Bounds, Constraint, Kind, Spring};
 use crate::scene::{ContactId, Found, Scene};
 
-/// Which contacts enter; constraints always do.
+/// Which inequalities enter, contacts and limits alike; equations always do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Entering {
-    /// All within the margin: the velocity level, where gaps may close within the step.
+    /// Contacts within the margin and all limits: the velocity level, where gaps may close within
+    /// the step.
     Near,
-    /// Those that touch, gap ≤ `resting_gap`: impacts.
+    /// Those that touch, c ≤ `resting_gap`: impacts.
     Touching,
     /// Those that touch and do not part faster than `resting_speed`: the acceleration level.
     Resting,
@@ -53,12 +54,12 @@ pub struct Row {
     pub velocity: f64,
     /// J'u (m/s² or rad/s²).
     pub velocity_product: f64,
-    /// The least x.
-    pub lo: f64,
-    /// The greatest x.
-    pub hi: f64,
-    /// For a friction row the row that bounds it, and μ.
-    pub friction: Option<(usize, f64)>,
+    /// What J u is to be (m/s or rad/s).
+    pub speed: f64,
+    /// How it yields.
+    pub spring: Option<Spring>,
+    /// What its force may be; a friction row's `normal` counts among the rows of the assembly.
+    pub bounds: Bounds,
     parts: [Option<Part>; 2],
 }
 
@@ -75,6 +76,11 @@ impl Row {
     /// The parts of moving bodies: one or two.
     pub fn parts(&self) -> impl Iterator<Item = &Part> {
         self.parts.iter().flatten()
+    }
+
+    /// Whether its force is limited by itself or by yielding, so that it has no part in a blow.
+    pub fn is_gentle(&self) -> bool {
+        self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))
     }
 
     /// The row in words, such as `normal ground box1 3`.
@@ -113,12 +119,19 @@ pub(super) fn rows(
         let bodies = constraint.bodies();
         let pair = bodies.map(state);
         let own = constraint.rows(pair).map_err(|cause| Undefined { source, bodies, cause })?;
-        if enters(source, &own, pair, scene, entering) {
-            let first = rows.len();
-            let blocks = bodies.map(|body| body.and_then(|k| block_of[k]));
-            rows.extend(own.iter().enumerate().map(|(component, row)| {
-                placed(row, RowId { source, component }, bodies, blocks, pair, first)
-            }));
+        let blocks = bodies.map(|body| body.and_then(|k| block_of[k]));
+        let mut places = vec![None; own.len()];
+        for (component, row) in own.iter().enumerate() {
+            let wanted = match row.bounds {
+                Bounds::Unilateral => enters(row, pair, source, scene, entering),
+                Bounds::Friction { normal, .. } => places[normal].is_some(),
+                Bounds::Bilateral | Bounds::Effort(_) => true,
+            };
+            if wanted {
+                places[component] = Some(rows.len());
+                let id = RowId { source, component };
+                rows.push(placed(row, id, bodies, blocks, pair, &places));
+            }
         }
         Ok(())
     };
@@ -131,19 +144,19 @@ pub(super) fn rows(
     Ok(rows)
 }
 
+/// Whether an inequality enters.
 fn enters(
-    source: Source,
-    rows: &[constraint::Row],
+    row: &constraint::Row,
     states: [&State; 2],
+    source: Source,
     scene: &Scene,
     entering: Entering,
 ) -> bool {
-    let (Source::Contact(_), Some(normal)) = (source, rows.first()) else { return true };
-    let touches = normal.c <= scene.contact.resting_gap;
+    let touches = row.c <= scene.contact.resting_gap;
     match entering {
-        Entering::Near => normal.c <= scene.contact.margin,
+        Entering::Near => matches!(source, Source::Constraint(_)) || row.c <= scene.contact.margin,
         Entering::Touching => touches,
-        Entering::Resting => touches && rate(normal, states) <= scene.contact.resting_speed,
+        Entering::Resting => touches && rate(row, states) <= scene.contact.resting_speed,
     }
 }
 
@@ -153,18 +166,20 @@ fn rate(row: &constraint::Row, states: [&State; 2]) -> f64 {
     j0.dot(&states[0].velocity()) + j1.dot(&states[1].velocity())
 }
 
+/// A row in its place; `places` tells where the constraint's earlier rows stand.
 fn placed(
     row: &constraint::Row,
     id: RowId,
     bodies: Bodies,
     blocks: [Option<usize>; 2],
     states: [&State; 2],
-    first: usize,
+    places: &[Option<usize>],
 ) -> Row {
-    let (lo, hi) = row.bounds.interval();
-    let friction = match row.bounds {
-        Bounds::Friction { normal, mu } => Some((first + normal, mu)),
-        Bounds::Bilateral | Bounds::Unilateral => None,
+    let bounds = match row.bounds {
+        Bounds::Friction { normal, mu } => {
+            Bounds::Friction { normal: places[normal].unwrap_or_default(), mu }
+        }
+        own => own,
     };
     let part = |k: usize| blocks[k].map(|block| Part { block, jacobian: row.jacobian[k] });
     Row {
@@ -174,9 +189,9 @@ fn placed(
         c: row.c,
         velocity: rate(row, states),
         velocity_product: row.velocity_product,
-        lo,
-        hi,
-        friction,
+        speed: row.speed,
+        spring: row.spring,
+        bounds,
         parts: [part(0), part(1)],
     }
 }

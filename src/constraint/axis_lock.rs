@@ -10,10 +10,14 @@
 //! A slider is two translation locks and an orientation, a hinge a coincidence and two rotation
 //! locks. `math §2`.
 
+use std::sync::Arc;
+
 use nalgebra::{RealField, Vector3};
 
 use super::arms::{Arms, separation};
-use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Orientation, Position, Row, constant};
+use super::{
+    Bodies, Constraint, Degenerate, Field, Joint, Kind, Orientation, Position, Row, constant,
+};
 use crate::body::{Pose, State};
 
 /// One motion of body 1 relative to body 0 is locked: 1 row.
@@ -44,6 +48,33 @@ pub enum Motion {
     },
 }
 
+/// No translation along an axis.
+pub(super) const TRANSLATION: Joint = Joint {
+    name: "lock_translation",
+    title: "no translation along an axis",
+    bodies: (1, 2),
+    turns: false,
+    fields: &[Field::Axis],
+    build: |at| {
+        let motion = Motion::Translation { anchors: at.anchors(), offset: 0.0 };
+        Ok(Arc::new(AxisLock { bodies: at.bodies, axis: at.axis()?, motion }))
+    },
+};
+
+/// No rotation about an axis.
+pub(super) const ROTATION: Joint = Joint {
+    name: "lock_rotation",
+    title: "no rotation about an axis",
+    bodies: (1, 2),
+    turns: true,
+    fields: &[Field::Axis],
+    build: |at| {
+        let relative = Orientation { bodies: at.bodies, relative: at.relative() };
+        let motion = Motion::Rotation { relative };
+        Ok(Arc::new(AxisLock { bodies: at.bodies, axis: at.axis()?, motion }))
+    },
+};
+
 impl Constraint for AxisLock {
     fn bodies(&self) -> Bodies {
         self.bodies
@@ -55,13 +86,12 @@ impl Constraint for AxisLock {
             Motion::Translation { anchors, offset } => {
                 let arms = Arms::new(states, anchors);
                 let n = states[0].pose.direction(&self.axis);
-                Row {
-                    kind: Kind::Translation,
-                    c: n.dot(&arms.d) - offset,
-                    jacobian: arms.row_with_normal_on_body_0(&n),
-                    velocity_product: arms.product_with_normal_on_body_0(&n, &states[0].omega),
-                    bounds: Bounds::Bilateral,
-                }
+                Row::equation(
+                    Kind::Translation,
+                    n.dot(&arms.d) - offset,
+                    arms.row_with_normal_on_body_0(&n),
+                    arms.product_with_normal_on_body_0(&n, &states[0].omega),
+                )
             }
         };
         Ok(vec![row])

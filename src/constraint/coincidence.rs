@@ -8,10 +8,12 @@
 //!
 //! Row k is the row of n · d with n the k-th world axis, which does not move. K&M (13), `math §2`.
 
+use std::sync::Arc;
+
 use nalgebra::{RealField, Vector3};
 
 use super::arms::{Arms, separation};
-use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Position, Row};
+use super::{Bodies, Constraint, Degenerate, Field, Joint, Kind, Position, Row};
 use crate::body::{Pose, State};
 
 /// A point of body 1 stays at a point of body 0: 3 rows.
@@ -23,6 +25,24 @@ pub struct Coincidence {
     pub anchors: [Vector3<f64>; 2],
 }
 
+/// A point that two bodies share.
+pub(super) const BALL: Joint = Joint {
+    name: "ball",
+    title: "ball and socket between two bodies",
+    bodies: (2, 2),
+    turns: false,
+    fields: &[Field::Point],
+    build: |at| Ok(Arc::new(Coincidence { bodies: at.bodies, anchors: at.anchors() })),
+};
+
+/// A point of a body that stays where it is in the world. K&M (35).
+pub(super) const NAIL: Joint = Joint {
+    name: "nail",
+    title: "ball and socket between a body and the world",
+    bodies: (1, 1),
+    ..BALL
+};
+
 impl Constraint for Coincidence {
     fn bodies(&self) -> Bodies {
         self.bodies
@@ -30,12 +50,9 @@ impl Constraint for Coincidence {
 
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
         let arms = Arms::new(states, &self.anchors);
-        let row = |k: usize| Row {
-            kind: Kind::Coincidence,
-            c: arms.d[k],
-            jacobian: arms.row(&Vector3::ith(k, 1.0)),
-            velocity_product: arms.cent[k],
-            bounds: Bounds::Bilateral,
+        let row = |k: usize| {
+            let jacobian = arms.row(&Vector3::ith(k, 1.0));
+            Row::equation(Kind::Coincidence, arms.d[k], jacobian, arms.cent[k])
         };
         Ok((0..3).map(row).collect())
     }

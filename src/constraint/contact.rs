@@ -22,7 +22,7 @@ use nalgebra::{RealField, Vector3, Vector6};
 
 use super::arms::{Arms, separation};
 use super::distance::COINCIDENT;
-use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Position, Row, constant, friction};
+use super::{Bodies, Constraint, Degenerate, Kind, Position, Row, constant, friction};
 use crate::body::{Pose, State, stack};
 
 /// A contact point: 1 row, or 3 (normal and two tangents) with friction.
@@ -96,13 +96,9 @@ impl Constraint for Contact {
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
         let arms = Arms::new(states, &self.anchors);
         let frame = self.frame(&arms, states)?;
-        let mut rows = vec![Row {
-            kind: Kind::Normal,
-            c: frame.n.dot(&arms.d) - self.radii[0] - self.radii[1],
-            jacobian: frame.jacobian,
-            velocity_product: frame.velocity_product,
-            bounds: Bounds::Unilateral,
-        }];
+        let c = frame.n.dot(&arms.d) - self.radii[0] - self.radii[1];
+        let normal = Row::inequality(Kind::Normal, c, frame.jacobian, frame.velocity_product);
+        let mut rows = vec![normal];
         if self.friction > 0.0 {
             rows.extend(friction::rows(self, &arms, &frame, states));
         }

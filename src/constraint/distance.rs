@@ -9,10 +9,12 @@
 //! x ≥ 0 pushes the ends apart: a rod under tension has x < 0. Where the ends coincide n is not
 //! defined. `math §2`.
 
+use std::sync::Arc;
+
 use nalgebra::{RealField, Vector3};
 
 use super::arms::{Arms, separation};
-use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Position, Row, constant};
+use super::{Bodies, Constraint, Degenerate, Field, Joint, Kind, Position, Row, constant};
 use crate::body::{Pose, State};
 
 /// A point of body 1 stays at a distance from a point of body 0: 1 row.
@@ -26,6 +28,23 @@ pub struct Distance {
     pub length: f64,
 }
 
+/// A massless rod.
+pub(super) const DISTANCE: Joint = Joint {
+    name: "distance",
+    title: "a massless rod between two points",
+    bodies: (1, 2),
+    turns: false,
+    fields: &[Field::Points, Field::Length],
+    build: |at| {
+        let (anchors, apart) = at.ends()?;
+        let length = at.length.unwrap_or(apart);
+        if length > 0.0 {
+            return Ok(Arc::new(Distance { bodies: at.bodies, anchors, length }));
+        }
+        Err(Field::Length.fault(format!("must be positive, is {length}")))
+    },
+};
+
 impl Constraint for Distance {
     fn bodies(&self) -> Bodies {
         self.bodies
@@ -34,13 +53,8 @@ impl Constraint for Distance {
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
         let arms = Arms::new(states, &self.anchors);
         let n = arms.d.try_normalize(0.0).ok_or(COINCIDENT)?;
-        Ok(vec![Row {
-            kind: Kind::Distance,
-            c: arms.d.norm() - self.length,
-            jacobian: arms.row(&n),
-            velocity_product: arms.product_of_distance(&n),
-            bounds: Bounds::Bilateral,
-        }])
+        let c = arms.d.norm() - self.length;
+        Ok(vec![Row::equation(Kind::Distance, c, arms.row(&n), arms.product_of_distance(&n))])
     }
 }
 

@@ -28,12 +28,11 @@ pub(super) fn rows(contact: &Contact, arms: &Arms, frame: &Frame, states: [&Stat
     let rho1_rate = s1.omega.cross(&arms.r[1]) - radius * frame.n_rate;
     let rho0_rate = s1.v + rho1_rate - s0.v;
     let slip_product = s1.omega.cross(&rho1_rate) - s0.omega.cross(&rho0_rate);
-    tangents(&frame.n).map(|t| Row {
-        kind: Kind::Friction,
-        c: 0.0,
-        jacobian: [stack(-t, -rho0.cross(&t)), stack(t, rho1.cross(&t))],
-        velocity_product: t.dot(&slip_product) + frame.turn.cross(&t).dot(&slip),
-        bounds: Bounds::Friction { normal: 0, mu: contact.friction },
+    tangents(&frame.n).map(|t| {
+        let jacobian = [stack(-t, -rho0.cross(&t)), stack(t, rho1.cross(&t))];
+        let product = t.dot(&slip_product) + frame.turn.cross(&t).dot(&slip);
+        let bounds = Bounds::Friction { normal: 0, mu: contact.friction };
+        Row { bounds, ..Row::equation(Kind::Friction, 0.0, jacobian, product) }
     })
 }
 

@@ -14,6 +14,7 @@ mod coincidence;
 mod contact;
 mod distance;
 mod friction;
+mod joint;
 mod orientation;
 mod weld;
 
@@ -22,6 +23,7 @@ pub use coincidence::Coincidence;
 pub use contact::{Contact, Normal};
 pub use distance::Distance;
 pub use friction::tangents;
+pub use joint::{ALL, Fault, Field, Joint, Placement};
 pub use orientation::Orientation;
 pub use weld::Weld;
 
@@ -66,6 +68,71 @@ pub struct Row {
     pub velocity_product: f64,
     /// What the row's force may be.
     pub bounds: Bounds,
+    /// What J u is to be (m/s or rad/s): 0 but for motors.
+    pub speed: f64,
+    /// How the row yields; a row without yields to nothing.
+    pub spring: Option<Spring>,
+}
+
+/// A row that yields: x = −(k c + d ċ), taken at the end of the step so that no stiffness is too
+/// large for it.
+///
+/// ```text
+/// over a step h:   w = J u⁺ + β/h c + γ x,   γ = 1/(h (d + h k)),   β = h k/(d + h k)
+/// ```
+///
+/// `math §4`; Catto, *Soft Constraints*, GDC 2011.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spring {
+    /// k (N/m or N m/rad), at least 0.
+    pub stiffness: f64,
+    /// d (N s/m or N m s/rad), at least 0; not both are 0.
+    pub damping: f64,
+}
+
+impl Spring {
+    /// γ (m/s per N s, or rad/s per N m s) over a step of h (s): what the row adds to A's diagonal.
+    pub fn compliance(&self, h: f64) -> f64 {
+        1.0 / (h * (self.damping + h * self.stiffness))
+    }
+
+    /// β/h (1/s) over a step of h (s).
+    pub fn feedback(&self, h: f64) -> f64 {
+        self.stiffness / (self.damping + h * self.stiffness)
+    }
+}
+
+impl Row {
+    /// A row of an equation c = 0: any x, no drive, no spring.
+    pub fn equation(
+        kind: Kind,
+        c: f64,
+        jacobian: [Vector6<f64>; 2],
+        velocity_product: f64,
+    ) -> Self {
+        let bounds = Bounds::Bilateral;
+        Row { kind, c, jacobian, velocity_product, bounds, speed: 0.0, spring: None }
+    }
+
+    /// A row of an inequality c ≥ 0: x ≥ 0.
+    pub fn inequality(
+        kind: Kind,
+        c: f64,
+        jacobian: [Vector6<f64>; 2],
+        velocity_product: f64,
+    ) -> Self {
+        Row { bounds: Bounds::Unilateral, ..Row::equation(kind, c, jacobian, velocity_product) }
+    }
+
+    /// The row of −c: what an upper limit is to a lower one.
+    pub fn negated(self) -> Self {
+        Row {
+            c: -self.c,
+            jacobian: self.jacobian.map(|j| -j),
+            velocity_product: -self.velocity_product,
+            ..self
+        }
+    }
 }
 
 /// What a row keeps.
@@ -92,6 +159,8 @@ pub enum Bounds {
     Bilateral,
     /// x ≥ 0: pushes only.
     Unilateral,
+    /// |x| ≤ this force (N) or torque (N m): a motor.
+    Effort(f64),
     /// |x| ≤ μ x_n with x_n of another row of the same constraint.
     Friction {
         /// The index of the normal row among the rows of this constraint.
@@ -121,10 +190,11 @@ impl Kind {
 }
 
 impl Bounds {
-    /// lo and hi of an uncoupled row, ∓∞ for a friction row.
+    /// The least and the greatest force (N or N m) of an uncoupled row, ∓∞ for a friction row.
     pub fn interval(self) -> (f64, f64) {
         match self {
             Bounds::Unilateral => (0.0, f64::INFINITY),
+            Bounds::Effort(effort) => (-effort, effort),
             Bounds::Bilateral | Bounds::Friction { .. } => (f64::NEG_INFINITY, f64::INFINITY),
         }
     }

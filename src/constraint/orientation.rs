@@ -11,9 +11,11 @@
 //! The first term of J'u is G' a: e_w' = −½ e_v·a and e_v' = ½ G a leave −½ |a|² e_v, the second is
 //! G times the velocity part of a'. At c = 0, G = I.
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
-use super::{Bodies, Bounds, Constraint, Degenerate, Kind, Position, Row, constant};
+use super::{Bodies, Constraint, Degenerate, Joint, Kind, Position, Row, constant};
 use crate::body::{Pose, State, stack};
 
 /// Body 1 does not turn relative to body 0: 3 rows.
@@ -36,13 +38,12 @@ impl Orientation {
         // axisᵀ G R0ᵀ, as a column.
         let along = s0.pose.q * (g.transpose() * axis);
         let turning = g * (to_body_0 * s0.omega.cross(&s1.omega));
-        Row {
-            kind: Kind::Rotation,
-            c: 2.0 * axis.dot(&e_v),
-            jacobian: [stack(Vector3::zeros(), -along), stack(Vector3::zeros(), along)],
-            velocity_product: axis.dot(&(-0.5 * a.norm_squared() * e_v - turning)),
-            bounds: Bounds::Bilateral,
-        }
+        Row::equation(
+            Kind::Rotation,
+            2.0 * axis.dot(&e_v),
+            [stack(Vector3::zeros(), -along), stack(Vector3::zeros(), along)],
+            axis.dot(&(-0.5 * a.norm_squared() * e_v - turning)),
+        )
     }
 
     /// e as (e_w, e_v), e_w ≥ 0.
@@ -53,6 +54,16 @@ impl Orientation {
         if e.w < T::zero() { (-e.w, -e.imag()) } else { (e.w, e.imag()) }
     }
 }
+
+/// No relative rotation.
+pub(super) const ORIENTATION: Joint = Joint {
+    name: "orientation",
+    title: "no relative rotation",
+    bodies: (1, 2),
+    turns: true,
+    fields: &[],
+    build: |at| Ok(Arc::new(Orientation { bodies: at.bodies, relative: at.relative() })),
+};
 
 impl Constraint for Orientation {
     fn bodies(&self) -> Bodies {

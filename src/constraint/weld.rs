@@ -4,9 +4,13 @@
 //! c = (c of the coincidence, c of the orientation),   6 rows; J and J'u likewise
 //! ```
 
+use std::sync::Arc;
+
 use nalgebra::RealField;
 
-use super::{Bodies, Coincidence, Constraint, Degenerate, Orientation, Position, Row};
+use super::{
+    Bodies, Coincidence, Constraint, Degenerate, Field, Joint, Orientation, Position, Row,
+};
 use crate::body::{Pose, State};
 
 /// A coincidence and an orientation of the same two bodies: 6 rows.
@@ -17,6 +21,20 @@ pub struct Weld {
     /// Keeps the orientation.
     pub orientation: Orientation,
 }
+
+/// No relative motion at all.
+pub(super) const FIXED: Joint = Joint {
+    name: "fixed",
+    title: "a weld: no relative motion at all",
+    bodies: (1, 2),
+    turns: true,
+    fields: &[Field::Point],
+    build: |at| {
+        let point = Coincidence { bodies: at.bodies, anchors: at.anchors() };
+        let orientation = Orientation { bodies: at.bodies, relative: at.relative() };
+        Ok(Arc::new(Weld { point, orientation }))
+    },
+};
 
 impl Constraint for Weld {
     fn bodies(&self) -> Bodies {

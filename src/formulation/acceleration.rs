@@ -1,24 +1,31 @@
 //! The acceleration level: forces x (N), w = d²c/dt² + 2α dc/dt + α² c (m/s²).
 //!
 //! ```text
-//! b = J M⁻¹F + J'u + 2α J u + α² c       errors of position and velocity decay like e^(−αt)
-//! b = J M⁻¹F + J'u + J u/dt              friction: the slip after the step, over dt
+//! b = J M⁻¹F + J'u + 2α J u + α² c          errors of position and velocity decay like e^(−αt)
+//! b = J M⁻¹F + J'u + J u/dt                 friction: the slip after the step, over dt
+//! b = J M⁻¹F + J'u + (J u − v)/dt           a motor: the speed v is reached within the step
+//! b = J M⁻¹F + J'u + (J u + (β/dt) c)/dt    a spring, with γ on the diagonal: x = −(k c⁺ + d ċ⁺)
 //! ```
 //!
 //! A friction force opposes the slip, not its acceleration. With J u/dt in its row the force stops
 //! the slip within the step where its bound allows, and is at the bound, against the slip, where it
 //! does not: the box model of the velocity level, on accelerations. Without it, a force at its bound
-//! would flip to whichever side the other forces pull, even against the slip. `math §4`.
+//! would flip to whichever side the other forces pull, even against the slip. A motor is dry friction
+//! against another speed than 0. `math §4`.
 
 use crate::assembly::{Assembly, Row};
-use crate::constraint::Kind;
+use crate::constraint::Bounds;
 use crate::scene::Scene;
 
 pub(super) fn bias(assembly: &Assembly, scene: &Scene) -> Vec<f64> {
     let (dt, alpha) = (scene.step.dt, scene.step.alpha);
-    let bias = |row: &Row| match row.kind {
-        Kind::Friction => row.velocity_product + row.velocity / dt,
-        _ => row.velocity_product + 2.0 * alpha * row.velocity + alpha * alpha * row.c,
+    let bias = |row: &Row| {
+        let error = match (row.spring, row.bounds) {
+            (Some(spring), _) => (row.velocity + spring.feedback(dt) * row.c) / dt,
+            (None, Bounds::Friction { .. } | Bounds::Effort(_)) => (row.velocity - row.speed) / dt,
+            (None, _) => 2.0 * alpha * row.velocity + alpha * alpha * row.c,
+        };
+        row.velocity_product + error
     };
     assembly.rows.iter().map(bias).collect()
 }

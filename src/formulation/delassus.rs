@@ -1,4 +1,4 @@
-//! A = J M⁻¹ Jᵀ, the Delassus operator: entry ij couples rows that share a moving body.
+//! A = J M⁻¹ Jᵀ + diag(γ), the Delassus operator: entry ij couples rows that share a moving body.
 //!
 //! ```text
 //! A_ij = Σ over shared bodies k of   (M_k⁻¹ J_ikᵀ) · J_jk
@@ -16,9 +16,12 @@ const SMALL: usize = 32;
 /// Beyond SMALL, A is dense where at least this part of its entries is stored.
 const FULL: f64 = 0.25;
 
-pub(super) fn matrix(assembly: &Assembly) -> Matrix {
+pub(super) fn matrix(assembly: &Assembly, compliance: &[f64]) -> Matrix {
     let n = assembly.rows.len();
-    let entries = entries(assembly);
+    let mut entries = entries(assembly);
+    for (i, j, a) in &mut entries {
+        *a += if i == j { compliance[*i] } else { 0.0 };
+    }
     if n > SMALL && (entries.len() as f64) < FULL * (n * n) as f64 {
         return Matrix::sparse(n, &entries);
     }

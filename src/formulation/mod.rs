@@ -4,11 +4,12 @@
 //! *target*: u* = u + dt M⁻¹F, or u itself for an impact, or the accelerations M⁻¹F. Then
 //!
 //! ```text
-//! A = J M⁻¹ Jᵀ,   b = J target + bias,   and the answer x moves them with   target + M⁻¹ Jᵀ x
+//! A = J M⁻¹ Jᵀ + diag(γ),   b = J target + bias,   and the answer x moves them with   target + M⁻¹ Jᵀ x
 //! ```
 //!
 //! and only the target and the bias tell the stages apart: velocity.rs and acceleration.rs have one
-//! formula each. x ≥ 0 pushes apart. `math §3`, `math §4`.
+//! formula each. γ > 0 where a row is a spring; forces that have a bound of their own act for a
+//! duration, dt for an impulse, and not at all in a blow. x ≥ 0 pushes apart. `math §3`, `math §4`.
 
 mod acceleration;
 mod delassus;
@@ -16,8 +17,9 @@ mod velocity;
 
 pub use crate::scene::Formulation;
 
-use crate::assembly::Assembly;
+use crate::assembly::{Assembly, Row};
 use crate::body::State;
+use crate::constraint::Bounds;
 use crate::error::Result;
 use crate::lcp::{Coupling, Gauss, Lcp};
 use crate::scene::Scene;
@@ -62,6 +64,8 @@ impl Stage {
 pub struct Problem {
     /// What it decides.
     pub stage: Stage,
+    /// The length of the step it decides (s): 0 for a blow.
+    pub dt: f64,
     /// The problem in numbers.
     pub lcp: Lcp,
     /// The scene at this instant; its rows are the LCP's.
@@ -71,6 +75,8 @@ pub struct Problem {
     pub target: Vec<f64>,
     /// What is added to J target, one entry a row.
     pub bias: Vec<f64>,
+    /// γ, what springs add to the diagonal of A, one entry a row.
+    pub compliance: Vec<f64>,
 }
 
 impl Problem {
@@ -81,7 +87,7 @@ impl Problem {
     pub fn velocity(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let target = velocity::target(&assembly, scene.step.dt);
         let bias = velocity::bias(&assembly, scene);
-        Problem::new(Stage::Velocity, assembly, target, bias)
+        Problem::new(Stage::Velocity, assembly, target, bias, scene.step.dt)
     }
 
     /// The impulse LCP of bodies that hit: no force, no bias, only J u⁺ ≥ 0.
@@ -90,7 +96,7 @@ impl Problem {
     /// If a number is not finite.
     pub fn impact(assembly: Assembly) -> Result<Self> {
         let (target, bias) = (assembly.u.clone(), vec![0.0; assembly.rows.len()]);
-        Problem::new(Stage::Impact, assembly, target, bias)
+        Problem::new(Stage::Impact, assembly, target, bias, 0.0)
     }
 
     /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that the first answer x pushes
@@ -101,8 +107,9 @@ impl Problem {
     pub fn restitution(&self, scene: &Scene, x: &[f64]) -> Result<Option<Self>> {
         velocity::bouncing(self, scene, x)
             .map(|bias| {
-                let (assembly, target) = (self.assembly.clone(), self.target.clone());
-                Problem::new(Stage::Restitution, assembly, target, bias)
+                let b = offsets(&self.assembly, &self.target, &bias);
+                let lcp = self.lcp.with_b(b)?;
+                Ok(Problem { stage: Stage::Restitution, lcp, bias, ..self.clone() })
             })
             .transpose()
     }
@@ -114,18 +121,28 @@ impl Problem {
     pub fn acceleration(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let target = assembly.accelerate(&assembly.force);
         let bias = acceleration::bias(&assembly, scene);
-        Problem::new(Stage::Acceleration, assembly, target, bias)
+        Problem::new(Stage::Acceleration, assembly, target, bias, scene.step.dt)
     }
 
-    fn new(stage: Stage, assembly: Assembly, target: Vec<f64>, bias: Vec<f64>) -> Result<Self> {
+    fn new(
+        stage: Stage,
+        assembly: Assembly,
+        target: Vec<f64>,
+        bias: Vec<f64>,
+        dt: f64,
+    ) -> Result<Self> {
         let rows = &assembly.rows;
-        let b = assembly.push_forward(&target).iter().zip(&bias).map(|(a, b)| a + b).collect();
-        let (lo, hi) = rows.iter().map(|row| (row.lo, row.hi)).unzip();
-        let index = rows.iter().map(|row| row.friction.map(|(normal, _)| normal)).collect();
-        let mu = rows.iter().map(|row| row.friction.map_or(0.0, |(_, mu)| mu)).collect();
-        let lcp = Lcp::new(delassus::matrix(&assembly), b, lo, hi)?;
+        let compliance: Vec<f64> = rows.iter().map(|row| compliance(row, stage, dt)).collect();
+        let (lo, hi) = rows.iter().map(|row| limits(row, stage, dt)).unzip();
+        let friction = rows.iter().map(|row| match row.bounds {
+            Bounds::Friction { normal, mu } => (Some(normal), mu),
+            _ => (None, 0.0),
+        });
+        let (index, mu) = friction.unzip();
+        let b = offsets(&assembly, &target, &bias);
+        let lcp = Lcp::new(delassus::matrix(&assembly, &compliance), b, lo, hi)?;
         let lcp = lcp.with_coupling(Coupling::new(index, mu)?)?;
-        Ok(Problem { stage, lcp, assembly, target, bias })
+        Ok(Problem { stage, dt, lcp, assembly, target, bias, compliance })
     }
 
     /// The motion with the constraints' x: target + M⁻¹ Jᵀ x.
@@ -160,10 +177,33 @@ impl Problem {
             mass: self.assembly.blocks.iter().flat_map(|block| block.mass_entries()).collect(),
             jacobian: (0..n).map(|i| self.assembly.jacobian_row(i)).collect(),
             bias: self.bias.clone(),
-            compliance: vec![0.0; n],
+            compliance: self.compliance.clone(),
             target: self.target.clone(),
             lo,
             hi,
         }
+    }
+}
+
+/// b = J target + bias.
+fn offsets(assembly: &Assembly, target: &[f64], bias: &[f64]) -> Vec<f64> {
+    assembly.push_forward(target).iter().zip(bias).map(|(a, b)| a + b).collect()
+}
+
+/// lo and hi of a row: forces, or impulses of forces that act for dt; a blow is too short for
+/// forces that are limited.
+fn limits(row: &Row, stage: Stage, dt: f64) -> (f64, f64) {
+    match (stage, row.bounds) {
+        (Stage::Impact, _) if row.is_gentle() => (0.0, 0.0),
+        (Stage::Velocity, Bounds::Effort(effort)) => (-effort * dt, effort * dt),
+        (_, bounds) => bounds.interval(),
+    }
+}
+
+/// γ of a row.
+fn compliance(row: &Row, stage: Stage, dt: f64) -> f64 {
+    match row.spring {
+        Some(spring) if stage != Stage::Impact => spring.compliance(dt),
+        _ => 0.0,
     }
 }

@@ -3,9 +3,10 @@
 //! ```text
 //! u* = u + dt M⁻¹ F
 //! bias = c/dt                       a gap: it may close within the step, not more (speculative)
-//!        β/dt min(c + slop, 0)      a contact that overlaps
+//!        β/dt min(c + slop, 0)      a contact that overlaps; a limit likewise, without slop
 //!        β/dt c                     an equality
-//!        0                          friction
+//!        0 − v                      friction, v = 0, and motors
+//!        β/dt c, γ on the diagonal  a spring, with its own β
 //! ```
 //!
 //! A row that bounces has the bias e J u⁻ instead, never beside: a bias added to the bounce would
@@ -13,7 +14,7 @@
 
 use super::{Problem, Stage};
 use crate::assembly::{Assembly, Row};
-use crate::constraint::Kind;
+use crate::constraint::{Bounds, Kind};
 use crate::scene::Scene;
 
 /// u* = u + dt M⁻¹ F.
@@ -24,11 +25,13 @@ pub(super) fn target(assembly: &Assembly, dt: f64) -> Vec<f64> {
 
 pub(super) fn bias(assembly: &Assembly, scene: &Scene) -> Vec<f64> {
     let (dt, beta) = (scene.step.dt, scene.step.baumgarte);
-    let bias = |row: &Row| match row.kind {
-        Kind::Friction => 0.0,
-        Kind::Normal if row.c > 0.0 => row.c / dt,
-        Kind::Normal => beta / dt * (row.c + scene.contact.slop).min(0.0),
-        _ => beta / dt * row.c,
+    let slop = |row: &Row| if row.kind == Kind::Normal { scene.contact.slop } else { 0.0 };
+    let bias = |row: &Row| match (row.spring, row.bounds) {
+        (Some(spring), _) => spring.feedback(dt) * row.c,
+        (None, Bounds::Friction { .. } | Bounds::Effort(_)) => 0.0 - row.speed,
+        (None, Bounds::Unilateral) if row.c > 0.0 => row.c / dt,
+        (None, Bounds::Unilateral) => beta / dt * (row.c + slop(row)).min(0.0),
+        (None, Bounds::Bilateral) => beta / dt * row.c,
     };
     assembly.rows.iter().map(bias).collect()
 }

@@ -204,7 +204,7 @@ pub(super) fn direction(defects: &mut Defects, place: &str, vector: &[f64; 3]) -
     vector / norm
 }
 
-fn finite(defects: &mut Defects, place: &str, numbers: &[f64; 3]) {
+pub(super) fn finite(defects: &mut Defects, place: &str, numbers: &[f64; 3]) {
     if let Some(bad) = numbers.iter().find(|x| !x.is_finite()) {
         defects.add(place, format!("must be finite, has {bad}"));
     }

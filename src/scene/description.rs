@@ -132,46 +132,33 @@ pub enum Rotation {
 }
 
 /// A constraint. It holds at the initial positions, except for a distance with its own length.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// [`constraint::ALL`](crate::constraint::ALL) lists the kinds and which fields each has.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Constraint {
-    /// What is kept.
-    pub kind: Kind,
+    /// What is kept: the name of a joint, such as `ball`.
+    #[schemars(schema_with = "kinds")]
+    pub kind: String,
     /// The names of one body (joined to the world) or two.
     pub bodies: Vec<String>,
-    /// `ball`, `nail`, `fixed`: the joint's place (m, world, at the start); by default the centre
-    /// of the last body named.
+    /// The joint's place (m, world, at the start); by default the centre of the last body named.
     #[serde(default)]
     pub point: Option<[f64; 3]>,
-    /// `distance`: the two ends (m, world, at the start), in the order of the bodies, the world
-    /// first; by default the centres of two bodies.
+    /// The two ends (m, world, at the start), in the order of the bodies, the world first; by
+    /// default the centres of two bodies.
     #[serde(default)]
     pub points: Option<[[f64; 3]; 2]>,
-    /// `distance`: the length (m); by default the distance at the start.
+    /// The length (m); by default the distance at the start.
     #[serde(default)]
     pub length: Option<f64>,
-    /// `lock_translation`, `lock_rotation`: the axis (any length), fixed to the first of two bodies
-    /// or to the world; in world axes at the start.
+    /// The axis (any length), fixed to the first of two bodies or to the world; in world axes at
+    /// the start.
     #[serde(default)]
     pub axis: Option<[f64; 3]>,
 }
 
-/// The kinds of constraints in a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Kind {
-    /// Ball and socket between two bodies.
-    Ball,
-    /// Ball and socket between a body and the world.
-    Nail,
-    /// A massless rod.
-    Distance,
-    /// No relative motion at all.
-    Fixed,
-    /// No translation along an axis.
-    LockTranslation,
-    /// No rotation about an axis.
-    LockRotation,
-    /// No relative rotation.
-    Orientation,
+/// The schema of a constraint's kind: one of the names of the joints.
+fn kinds(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    let names: Vec<_> = crate::constraint::ALL.iter().map(|joint| joint.name).collect();
+    schemars::json_schema!({ "type": "string", "enum": names })
 }

@@ -1,4 +1,5 @@
-//! From the constraints of a description to those of a scene: anchors in the bodies' frames.
+//! From the constraints of a description to those of a scene: names become bodies, fields are
+//! checked, and the joint of that name makes the rest.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -6,13 +7,11 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::Scene;
-use super::build::direction;
-use super::description::{self, Kind};
+use super::build::{direction, finite};
+use super::description;
 use super::settings::positive;
-use crate::body::{Mass, Pose, Shape, State};
-use crate::constraint::{
-    AxisLock, Bodies, Coincidence, Constraint, Distance, Motion, Orientation, Weld,
-};
+use crate::body::{Mass, Shape, State};
+use crate::constraint::{ALL, Bodies, Constraint, Field, Joint, Placement};
 use crate::error::Defects;
 
 /// A constraint as it was written, and where.
@@ -31,62 +30,85 @@ impl Site<'_> {
         names: &HashMap<&str, usize>,
         scene: &Scene,
     ) -> Option<Arc<dyn Constraint>> {
-        self.check_fields(defects);
-        let bodies = self.bodies(defects, names, scene)?;
-        let poses = bodies.map(|body| body.map_or(State::WORLD, |k| scene.states[k]).pose);
-        let anchored = |x: &Vector3<f64>| [poses[0].local(x), poses[1].local(x)];
-        let point = self.written.point.map_or(poses[1].p, Vector3::from);
-        let relative = poses[0].q.inverse() * poses[1].q;
-        let orientation = Orientation { bodies, relative };
-        Some(match self.written.kind {
-            Kind::Ball | Kind::Nail => Arc::new(Coincidence { bodies, anchors: anchored(&point) }),
-            Kind::Orientation => Arc::new(orientation),
-            Kind::Fixed => Arc::new(Weld {
-                point: Coincidence { bodies, anchors: anchored(&point) },
-                orientation,
-            }),
-            Kind::Distance => Arc::new(self.distance(defects, bodies, &poses)?),
-            Kind::LockTranslation | Kind::LockRotation => {
-                let axis = poses[0].q.inverse() * self.axis(defects)?;
-                let motion = match self.written.kind {
-                    Kind::LockRotation => Motion::Rotation { relative: orientation },
-                    _ => Motion::Translation { anchors: anchored(&poses[1].p), offset: 0.0 },
-                };
-                Arc::new(AxisLock { bodies, axis, motion })
-            }
-        })
+        let joint = self.joint(defects)?;
+        self.check_fields(defects, joint);
+        let bodies = self.bodies(defects, joint, names, scene)?;
+        let placement = self.placement(defects, bodies, scene);
+        let built = (joint.build)(&placement);
+        built.map_err(|fault| defects.add(self.at(fault.field), fault.reason)).ok()
+    }
+
+    /// The place of a field in the file.
+    fn at(&self, field: Field) -> String {
+        format!("{}.{field}", self.place)
+    }
+
+    fn joint(&self, defects: &mut Defects) -> Option<&'static Joint> {
+        let joint = Joint::by_name(&self.written.kind);
+        if joint.is_none() {
+            let known: Vec<_> = ALL.iter().map(|joint| joint.name).collect();
+            let reason = format!(
+                "there is no constraint {:?}; known are {}",
+                self.written.kind,
+                known.join(", ")
+            );
+            defects.add(format!("{}.kind", self.place), reason);
+        }
+        joint
+    }
+
+    /// Whether a field is written.
+    fn has(&self, field: Field) -> bool {
+        match field {
+            Field::Point => self.written.point.is_some(),
+            Field::Points => self.written.points.is_some(),
+            Field::Axis => self.written.axis.is_some(),
+            Field::Length => self.written.length.is_some(),
+        }
     }
 
     /// Fields that this kind does not have.
-    fn check_fields(&self, defects: &mut Defects) {
-        use Kind::{Ball, Distance, Fixed, LockRotation, LockTranslation, Nail};
-        let written = self.written;
-        let fields: [(&str, bool, &[Kind]); 4] = [
-            ("point", written.point.is_some(), &[Ball, Nail, Fixed]),
-            ("points", written.points.is_some(), &[Distance]),
-            ("length", written.length.is_some(), &[Distance]),
-            ("axis", written.axis.is_some(), &[LockTranslation, LockRotation]),
-        ];
-        for (field, given, kinds) in fields {
-            if given && !kinds.contains(&written.kind) {
-                defects.add(format!("{}.{field}", self.place), "this kind of constraint has none");
+    fn check_fields(&self, defects: &mut Defects, joint: &Joint) {
+        for field in Field::ALL {
+            if self.has(field) && !joint.fields.contains(&field) {
+                defects.add(self.at(field), format!("a {} has none", joint.name));
             }
         }
-        let points = written.points.into_iter().flatten().chain(written.point);
-        if points.flatten().any(|x| !x.is_finite()) {
-            defects.add(format!("{}.point", self.place), "must be finite");
+    }
+
+    /// The fields given, checked each by itself.
+    fn placement(&self, defects: &mut Defects, bodies: Bodies, scene: &Scene) -> Placement {
+        let written = self.written;
+        if let Some(point) = &written.point {
+            finite(defects, &self.at(Field::Point), point);
+        }
+        for point in written.points.iter().flatten() {
+            finite(defects, &self.at(Field::Points), point);
+        }
+        if let Some(length) = written.length {
+            positive(defects, self.at(Field::Length), length);
+        }
+        let axis = written.axis.as_ref();
+        Placement {
+            bodies,
+            poses: bodies.map(|body| body.map_or(State::WORLD, |k| scene.states[k]).pose),
+            point: written.point.map(Vector3::from),
+            points: written.points.map(|points| points.map(Vector3::from)),
+            axis: axis.map(|axis| direction(defects, &self.at(Field::Axis), axis)),
+            length: written.length,
         }
     }
 
     fn bodies(
         &self,
         defects: &mut Defects,
+        joint: &Joint,
         names: &HashMap<&str, usize>,
         scene: &Scene,
     ) -> Option<Bodies> {
         let place = format!("{}.bodies", self.place);
         let written = &self.written.bodies;
-        let (least, most) = self.arity();
+        let (least, most) = joint.bodies;
         if !(least..=most).contains(&written.len()) {
             let wanted =
                 if least == most { format!("{most}") } else { format!("{least} or {most}") };
@@ -111,57 +133,12 @@ impl Site<'_> {
             defects.add(place, "joins only bodies that do not move");
             return None;
         }
-        self.check_turning(defects, &bodies, scene);
+        for body in bodies.iter().flatten().map(|&k| &scene.bodies[k]) {
+            if joint.turns && body.shape == Shape::Point {
+                let reason = format!("{:?} is a point, it has no orientation", body.name);
+                defects.add(place.as_str(), reason);
+            }
+        }
         Some(bodies)
-    }
-
-    /// The least and the greatest number of bodies this kind joins.
-    fn arity(&self) -> (usize, usize) {
-        match self.written.kind {
-            Kind::Ball => (2, 2),
-            Kind::Nail => (1, 1),
-            _ => (1, 2),
-        }
-    }
-
-    /// A point mass has no orientation that could be kept.
-    fn check_turning(&self, defects: &mut Defects, bodies: &Bodies, scene: &Scene) {
-        let turns =
-            matches!(self.written.kind, Kind::Fixed | Kind::Orientation | Kind::LockRotation);
-        for &k in bodies.iter().flatten() {
-            if turns && scene.bodies[k].shape == Shape::Point {
-                let reason =
-                    format!("{:?} is a point, it has no orientation", scene.bodies[k].name);
-                defects.add(format!("{}.bodies", self.place), reason);
-            }
-        }
-    }
-
-    fn distance(
-        &self,
-        defects: &mut Defects,
-        bodies: Bodies,
-        poses: &[Pose; 2],
-    ) -> Option<Distance> {
-        let ends = match (self.written.points, bodies[0]) {
-            (Some(points), _) => points.map(Vector3::from),
-            (None, Some(_)) => [poses[0].p, poses[1].p],
-            (None, None) => {
-                defects.add(format!("{}.points", self.place), "is missing: where in the world?");
-                return None;
-            }
-        };
-        let length = self.written.length.unwrap_or((ends[1] - ends[0]).norm());
-        positive(defects, format!("{}.length", self.place), length);
-        Some(Distance { bodies, anchors: [0, 1].map(|k| poses[k].local(&ends[k])), length })
-    }
-
-    fn axis(&self, defects: &mut Defects) -> Option<Vector3<f64>> {
-        let place = format!("{}.axis", self.place);
-        let Some(axis) = self.written.axis else {
-            defects.add(place, "is missing");
-            return None;
-        };
-        Some(direction(defects, &place, &axis))
     }
 }

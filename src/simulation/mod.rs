@@ -1,24 +1,26 @@
 //! Many steps: a scene, its formulation and a solver.
 //!
-//! A step finds the contacts, assembles, solves and moves. At velocity level that is one LCP, and a
-//! second one if something bounces; at acceleration level impacts come first, as impulses, then the
-//! forces. Each solve starts from the x that rows of the same name had before.
+//! A step finds the contacts, assembles, solves and moves, each family of methods in its own way
+//! (`family/`). Each solve starts from the x that rows of the same name had before.
 
+mod family;
+mod laws;
+mod ledger;
 mod motion;
 mod record;
+mod solving;
 
+pub use laws::Laws;
+pub use ledger::Ledger;
 pub use motion::Motion;
 pub use record::{Cause, Failure, Recording, Solve, Step};
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-use crate::assembly::{Assembly, Entering, Row, RowId};
 use crate::body::State;
-use crate::constraint::Kind;
-use crate::formulation::{Formulation, Problem, Stage};
-use crate::scene::{Found, Scene, contacts};
-use crate::solver::{Observer, Solver, Start};
+use crate::scene::{Scene, contacts};
+use crate::solver::{Observer, Solver};
+use solving::{Memory, Solving};
 
 /// A speed (m/s or rad/s) beyond which a motion counts as diverged.
 const DIVERGED: f64 = 1e8;
@@ -39,14 +41,14 @@ pub struct Simulation {
     solver: Box<dyn Solver>,
     states: Vec<State>,
     steps: usize,
-    previous: BTreeMap<(Stage, RowId), f64>,
+    previous: Memory,
 }
 
 impl Simulation {
     /// The scene at its start.
     pub fn new(scene: Scene, solver: Box<dyn Solver>) -> Self {
         let states = scene.states.clone();
-        Simulation { scene, solver, states, steps: 0, previous: BTreeMap::new() }
+        Simulation { scene, solver, states, steps: 0, previous: Memory::new() }
     }
 
     /// The scene; its states are those at the start.
@@ -83,16 +85,26 @@ impl Simulation {
     /// As [`step`](Simulation::step).
     pub fn observed_step(&mut self, observer: &mut dyn Observer) -> Result<Step, Failure> {
         let failure = |cause| Failure { step: self.steps + 1, time: self.time(), cause };
-        let found = contacts(&self.scene, &self.states, self.reach());
-        let (solves, states) = self.moved(&found, observer).map_err(failure)?;
+        let found = contacts(&self.scene, &self.states, family::reach(&self.scene));
+        let mut solving = Solving {
+            scene: &self.scene,
+            solver: self.solver.as_ref(),
+            previous: &self.previous,
+            observer,
+            solves: Vec::new(),
+        };
+        let states = family::step(&mut solving, &self.states, &found).map_err(failure)?;
+        let solves = solving.solves;
         if let Some(cause) = self.divergence(&states, &solves) {
             return Err(failure(cause));
         }
+        let ledger = Ledger::of(&self.scene, &self.states, &solves, &states);
+        let laws = Laws::of(&self.states, &solves, &ledger);
         self.remember(&solves);
         self.states.clone_from(&states);
         self.steps += 1;
         let motion = self.motion();
-        Ok(Step { number: self.steps, solves, contacts: found, states, motion })
+        Ok(Step { number: self.steps, solves, contacts: found, states, motion, ledger, laws })
     }
 
     /// Takes up to `steps` steps, showing each to `watch`, which may end the run.
@@ -116,94 +128,6 @@ impl Simulation {
         Recording { motion, failure: None }
     }
 
-    /// How near (m) contacts must be to matter.
-    fn reach(&self) -> f64 {
-        match self.scene.step.formulation {
-            Formulation::Velocity => self.scene.contact.margin,
-            Formulation::Acceleration => self.scene.contact.resting_gap,
-        }
-    }
-
-    /// The solves of a step and the states they lead to.
-    fn moved(
-        &self,
-        found: &[Found],
-        observer: &mut dyn Observer,
-    ) -> Result<(Vec<Solve>, Vec<State>), Cause> {
-        let dt = self.scene.step.dt;
-        let mut solves = Vec::new();
-        match self.scene.step.formulation {
-            Formulation::Velocity => {
-                let assembly = self.assembled(&self.states, found, Entering::Near)?;
-                let problem = Problem::velocity(&self.scene, assembly)?;
-                self.solve_bouncing(problem, &mut solves, observer)?;
-                let states = after(&solves, &self.states, dt);
-                Ok((solves, states))
-            }
-            Formulation::Acceleration => {
-                let states = self.impacts(found, &mut solves, observer)?;
-                let assembly = self.assembled(&states, found, Entering::Resting)?;
-                let problem = Problem::acceleration(&self.scene, assembly)?;
-                solves.push(self.solve(problem, observer));
-                let states = after(&solves, &states, dt);
-                Ok((solves, states))
-            }
-        }
-    }
-
-    /// The states after the impacts, where bodies touch and approach.
-    fn impacts(
-        &self,
-        found: &[Found],
-        solves: &mut Vec<Solve>,
-        observer: &mut dyn Observer,
-    ) -> Result<Vec<State>, Cause> {
-        let assembly = self.assembled(&self.states, found, Entering::Touching)?;
-        let limit = -self.scene.contact.resting_speed;
-        let hits = |row: &Row| row.kind == Kind::Normal && row.velocity < limit;
-        if !assembly.rows.iter().any(hits) {
-            return Ok(self.states.clone());
-        }
-        self.solve_bouncing(Problem::impact(assembly)?, solves, observer)?;
-        Ok(solves.last().map_or_else(
-            || self.states.clone(),
-            |Solve { problem, solution }| {
-                let u = problem.next_velocity(&solution.x, 0.0);
-                problem.assembly.with_velocities(&self.states, &u)
-            },
-        ))
-    }
-
-    fn assembled(
-        &self,
-        states: &[State],
-        found: &[Found],
-        entering: Entering,
-    ) -> Result<Assembly, Cause> {
-        Assembly::new(&self.scene, states, found, entering).map_err(Cause::Undefined)
-    }
-
-    /// Solves, and again with restitution if something bounces.
-    fn solve_bouncing(
-        &self,
-        problem: Problem,
-        solves: &mut Vec<Solve>,
-        observer: &mut dyn Observer,
-    ) -> Result<(), Cause> {
-        let first = self.solve(problem, observer);
-        let second = first.problem.restitution(&self.scene, &first.solution.x)?;
-        solves.push(first);
-        solves.extend(second.map(|problem| self.solve(problem, observer)));
-        Ok(())
-    }
-
-    fn solve(&self, problem: Problem, observer: &mut dyn Observer) -> Solve {
-        let before = |id: RowId| self.previous.get(&(problem.stage, id)).copied().unwrap_or(0.0);
-        let x: Vec<f64> = problem.assembly.rows.iter().map(|row| before(row.id)).collect();
-        let solution = self.solver.solve(&problem.lcp, &Start { x: Some(&x) }, observer);
-        Solve { problem, solution }
-    }
-
     fn remember(&mut self, solves: &[Solve]) {
         self.previous.clear();
         for Solve { problem, solution } in solves {
@@ -222,12 +146,4 @@ impl Simulation {
         let row = largest.map(|(row, _)| row.label(&self.scene));
         Some(Cause::Diverged { body: self.scene.bodies[body].name.clone(), row })
     }
-}
-
-/// The states after a step whose last solve is the last of these.
-fn after(solves: &[Solve], states: &[State], dt: f64) -> Vec<State> {
-    solves.last().map_or_else(
-        || states.to_vec(),
-        |Solve { problem, solution }| problem.next_states(states, &solution.x, dt),
-    )
 }

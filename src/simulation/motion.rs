@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::body::State;
-use crate::constraint::Bounds;
+use crate::constraint::{Bounds, Row};
 use crate::scene::{Scene, contacts};
 
 /// Energy, momentum and errors at one instant.
@@ -56,13 +56,14 @@ impl Motion {
     }
 }
 
-/// max |c| over equality rows of one kind; a constraint without direction has no say.
+/// max |c| over rigid equality rows of one kind; a constraint without direction has no say.
 fn drift(scene: &Scene, states: &[State], angular: bool) -> f64 {
     let rows = scene.constraints.iter().flat_map(|constraint| {
         let states = constraint.bodies().map(|body| body.map_or(&State::WORLD, |k| &states[k]));
         constraint.rows(states).unwrap_or_default()
     });
-    rows.filter(|row| row.bounds == Bounds::Bilateral && row.kind.is_angular() == angular)
+    let rigid = |row: &Row| row.bounds == Bounds::Bilateral && row.spring.is_none();
+    rows.filter(|row| rigid(row) && row.kind.is_angular() == angular)
         .map(|row| row.c.abs())
         .fold(0.0, f64::max)
 }

@@ -1,6 +1,7 @@
 //! Matrices of a scene at one instant.
 
 use lcplab::assembly::{Assembly, Entering, RowId, Source};
+use lcplab::constraint::Bounds;
 use lcplab::scene::{Scene, contacts};
 use nalgebra::DMatrix;
 
@@ -57,7 +58,11 @@ fn contact_rows_come_as_normal_and_two_tangents_bound_by_it() {
     let (_, stack) = assembled("stack", Entering::Near);
     for (i, row) in stack.rows.iter().enumerate() {
         assert_eq!(row.id.component, i % 3);
-        assert_eq!(row.friction, (i % 3 > 0).then_some((i - i % 3, 0.5)));
+        let expected = match i % 3 {
+            0 => Bounds::Unilateral,
+            component => Bounds::Friction { normal: i - component, mu: 0.5 },
+        };
+        assert_eq!(row.bounds, expected);
     }
 }
 

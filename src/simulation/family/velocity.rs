@@ -1,0 +1,26 @@
+//! The velocity level: one LCP in impulses, and a second one if something bounces.
+//!
+//! ```text
+//! u⁺ = u + dt M⁻¹F + M⁻¹Jᵀx,   s⁺ = s + dt S u⁺
+//! ```
+//!
+//! Stewart & Trinkle 1996, Anitescu & Potra 1997; `math §4`.
+
+use super::moved;
+use crate::assembly::Entering;
+use crate::body::State;
+use crate::formulation::Problem;
+use crate::scene::Found;
+use crate::simulation::Cause;
+use crate::simulation::solving::Solving;
+
+pub(super) fn step(
+    solving: &mut Solving,
+    states: &[State],
+    found: &[Found],
+) -> Result<Vec<State>, Cause> {
+    let assembly = solving.assemble(states, found, Entering::Near)?;
+    let problem = Problem::velocity(solving.scene, assembly)?;
+    let dt = solving.scene.step.dt;
+    Ok(moved(solving.solve_bouncing(problem)?, states, dt))
+}
