@@ -16,7 +16,7 @@ fn options() -> Options {
 /// The LCP of the third step.
 fn tower(count: usize, mu: f64) -> Lcp {
     let text = format!(
-        "generate = [{{ stack = {{ count = {count}, size = 1, mass = 1 }} }}]\n\
+        "generate = {{ kind = \"stack\", count = {count}, size = 1, mass = 1 }}\n\
          [contact]\nfriction = {mu}\n\
          [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n"
     );

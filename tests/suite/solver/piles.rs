@@ -40,7 +40,7 @@ fn scene(boxes: &str, mu: f64) -> Scene {
 
 /// Cubes on top of each other, four contacts each; the masses grow by `ratio` in all, upwards.
 fn tower(count: usize, ratio: f64, mu: f64) -> Scene {
-    let boxes = format!("generate = [{{ stack = {{ count = {count}, size = 1, mass = 1 }} }}]");
+    let boxes = format!("generate = {{ kind = \"stack\", count = {count}, size = 1, mass = 1 }}");
     let mut scene = scene(&boxes, mu);
     let moving = scene.bodies.iter_mut().filter(|body| body.mass != Mass::Fixed);
     for (k, body) in moving.enumerate() {
@@ -173,8 +173,7 @@ fn sweeps_that_take_rounding_away_are_named() {
 fn a_second_path_of_lemke_is_named() {
     let lcp = last(wall(3, 1.0, 0.0), Copies::Near);
     let solution = honest("lemke", &lcp);
-    let is_second = solution.iterations > 1 && solution.status != Status::Solved;
-    assert_eq!(solution.fallback, is_second.then_some(Fallback::SecondPath));
+    assert_eq!(solution.fallback, Some(Fallback::SecondPath), "{}", solution.status);
     let first = honest("lemke", &last(wall(3, 1.0, 0.0), Copies::None));
     assert_eq!((first.status, first.fallback), (Status::Solved, None));
 }
