@@ -20,7 +20,6 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
-mod accurate;
 mod cone;
 pub mod cross_check;
 pub mod error_bound;
@@ -35,7 +34,7 @@ pub mod uniqueness;
 pub use cone::{ConeCertificate, judge_cone};
 pub use friction::{FrictionCertificate, judge_friction};
 
-use accurate::Sum;
+use crate::lcp::accurate::Sum;
 use dashu_ratio::RBig;
 
 use crate::lcp::Lcp;

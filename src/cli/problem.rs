@@ -80,6 +80,9 @@ impl Solve {
                 (word, message) => format!("{word}: {message}"),
             };
             text += &format!("status     {status}, {iterations} iterations\n");
+            if let Some(fallback) = answer.solution.fallback {
+                text += &format!("fallback   {fallback}\n");
+            }
             text += &certificate_text(&answer.certificate);
             text += &bound_text(answer.error_bound);
             text += &rows(&problem.lcp, &answer.solution.x, &answer.certificate);

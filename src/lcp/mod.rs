@@ -9,6 +9,7 @@
 //! another one ([`Coupling`]): its bounds are then ±μ times that row's x, which is dry friction in one of
 //! the four models of [`friction`].
 
+pub(crate) mod accurate;
 mod complementarity;
 mod coupled;
 pub mod file;

@@ -70,6 +70,9 @@ impl Answer {
         let fields = object.as_object_mut().expect("an object");
         fields.extend(certificate_json(&self.certificate));
         fields.insert("message".into(), json!(self.message()));
+        if let Some(fallback) = self.solution.fallback {
+            fields.insert("fallback".into(), json!(fallback.to_string()));
+        }
         if let Some(bound) = self.error_bound {
             fields.insert("error_bound".into(), number(bound));
         }

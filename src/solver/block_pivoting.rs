@@ -15,11 +15,11 @@
 //! together always end there.
 //!
 //! An exchange factorises A_FF, O(f³). Observers see `Exchange` for a block and `Pivot` for a step
-//! of the safeguard. Where A_FF is singular, so that A is no P-matrix, the method ends with
+//! of the safeguard, and the solution names it ([`Fallback`]). Where A_FF is singular, so that A is no P-matrix, the method ends with
 //! `Singular`. Coupled rows: see [`frozen`](super::frozen).
 
 use super::principal::{self, Change};
-use super::{Observer, Settings, Solution, Solver, Start};
+use super::{Fallback, Observer, Settings, Solution, Solver, Start};
 use crate::lcp::Lcp;
 
 /// Block principal pivoting with Júdice and Pires' safeguard.
@@ -43,7 +43,8 @@ impl Solver for BlockPivoting {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        principal::solve(lcp, start, &self.settings, observer, || self.rule())
+        let safeguard = Some(Fallback::LeastIndex);
+        principal::solve(lcp, start, &self.settings, observer, safeguard, || self.rule())
     }
 }
 

@@ -26,18 +26,18 @@ pub(super) fn solve<P: Complementarity>(
     if problem.is_frozen() {
         return method(problem, start, 0);
     }
-    let (mut x, mut iterations) = (start, 0);
+    let (mut x, mut iterations, mut fallback) = (start, 0, None);
     for _ in 0..MAX_ROUNDS {
         let frozen = problem.frozen_at(&x);
         frozen.project_all(&mut x);
         let solution = method(&frozen, x, iterations);
         (x, iterations) = (solution.x, solution.iterations);
-        if solution.status != Status::Solved {
-            return Solution::new(problem.lcp(), x, solution.status, iterations);
-        }
-        if problem.scaled_residual(&x) <= settings.tolerance {
-            return Solution::new(problem.lcp(), x, Status::Solved, iterations);
-        }
+        fallback = fallback.or(solution.fallback);
+        let status = match solution.status {
+            Status::Solved if problem.scaled_residual(&x) > settings.tolerance => continue,
+            status => status,
+        };
+        return Solution::new(problem.lcp(), x, status, iterations).with_fallback(fallback);
     }
-    Solution::new(problem.lcp(), x, Status::Stalled, iterations)
+    Solution::new(problem.lcp(), x, Status::Stalled, iterations).with_fallback(fallback)
 }

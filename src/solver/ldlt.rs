@@ -13,6 +13,42 @@ pub(super) struct Ldlt {
 }
 
 impl Ldlt {
+    /// The factors of a largest independent set of rows of the n × n matrix with these entries, and
+    /// the set in the order it was chosen: always the row that has lost the least of its diagonal
+    /// entry, until all others have lost all but this part of it.
+    pub(super) fn pivoted(
+        n: usize,
+        independent: f64,
+        entry: impl Fn(usize, usize) -> f64,
+    ) -> (Vec<usize>, Self) {
+        let mut pivot: Vec<f64> = (0..n).map(|r| entry(r, r)).collect();
+        let mut lower: Vec<Vec<f64>> = vec![Vec::new(); n];
+        let (mut chosen, mut left) = (Vec::new(), (0..n).collect::<Vec<usize>>());
+        let mut factor = Ldlt::default();
+        let part = |pivot: f64, r: usize| pivot / entry(r, r);
+        while let Some(k) = (0..left.len())
+            .filter(|&k| part(pivot[left[k]], left[k]) > independent)
+            .max_by(|&a, &b| {
+                part(pivot[left[a]], left[a])
+                    .total_cmp(&part(pivot[left[b]], left[b]))
+                    .then(b.cmp(&a))
+            })
+        {
+            let p = left.remove(k);
+            let (d, row) = (pivot[p], std::mem::take(&mut lower[p]));
+            let scaled: Vec<f64> = row.iter().zip(&factor.diagonal).map(|(l, d)| l * d).collect();
+            for &r in &left {
+                let l = (entry(r, p) - crate::lcp::dot(&lower[r], &scaled)) / d;
+                lower[r].push(l);
+                pivot[r] -= l * l * d;
+            }
+            factor.lower.push(row);
+            factor.diagonal.push(d);
+            chosen.push(p);
+        }
+        (chosen, factor)
+    }
+
     /// The solution z of L D Lᵀ z = rhs, in place.
     pub(super) fn solve(&self, rhs: &mut [f64]) {
         self.solve_lower(rhs);

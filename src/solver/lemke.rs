@@ -25,7 +25,7 @@
 //! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
 //! At the end x is computed afresh from the active set. Rounding piles up: a path of more than 50
 //! pivots, or with a very small one, that ends at no solution is followed once more, with a tableau
-//! that is made anew every 50 pivots; its pivots are counted on.
+//! that is made anew every 50 pivots; its pivots are counted on, and the solution says so ([`Fallback`]).
 //!
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
 //! [`frozen`].
@@ -36,7 +36,7 @@ use super::active_set::{ROUNDING, claim};
 use super::dictionary::Dictionary;
 use super::standard_form::{StandardForm, Variable};
 use super::{
-    Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen, pivoting,
+    Event, Fallback, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen, pivoting,
 };
 use crate::lcp::{Lcp, merit};
 
@@ -74,7 +74,8 @@ impl Solver for Lemke {
             }
             let mut path = Path::new(lcp, path.pivots).with_renewals();
             let (x, status) = path.solve(&self.settings, observer);
-            Solution::new(lcp, x, status, path.pivots)
+            let solution = Solution::new(lcp, x, status, path.pivots);
+            solution.with_fallback(Some(Fallback::SecondPath))
         })
     }
 }

@@ -89,7 +89,7 @@ pub use order::Order;
 pub use pgs::Pgs;
 pub use registry::{ALL, Choice, Entry, Options, SPECIMENS, by_name, default_for, entry};
 pub use settings::Settings;
-pub use solution::{Solution, Status};
+pub use solution::{Fallback, Solution, Status};
 pub use spectral::Spectral;
 
 use crate::lcp::{Complementarity, Lcp};

@@ -35,6 +35,6 @@ impl Solver for Murty {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        principal::solve(lcp, start, &self.settings, observer, || |_| Change::Least)
+        principal::solve(lcp, start, &self.settings, observer, None, || |_| Change::Least)
     }
 }

@@ -1,7 +1,9 @@
 //! The loop of the principal pivoting methods: from one active set to the next.
 
 use super::active_set::{ActiveSet, Side, claim};
-use super::{Event, Iterate, Observer, Settings, Solution, Start, Status, frozen, pivoting};
+use super::{
+    Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen, pivoting,
+};
 use crate::lcp::Lcp;
 
 /// Which of the rows that are not satisfied change sides.
@@ -13,12 +15,14 @@ pub(super) enum Change {
     All,
 }
 
-/// Changes sides until all rows are satisfied. `rule` is told how many are not, and chooses.
+/// Changes sides until all rows are satisfied. `rule` is told how many are not, and chooses; if it
+/// takes to the least row, the solution says so by `safeguard`.
 pub(super) fn solve<R: FnMut(usize) -> Change>(
     lcp: &Lcp,
     start: &Start<'_>,
     settings: &Settings,
     observer: &mut dyn Observer,
+    safeguard: Option<Fallback>,
     rule: impl Fn() -> R,
 ) -> Solution {
     let x = start.point(lcp);
@@ -32,7 +36,14 @@ pub(super) fn solve<R: FnMut(usize) -> Change>(
     }
     frozen::solve(lcp, x, settings, |lcp, x, count| {
         let set = ActiveSet::initial(lcp, start, &x);
-        exchange(lcp, set, x, count, settings, observer, rule())
+        let (mut rule, mut fallback) = (rule(), None);
+        let watched = |wrong| {
+            let change = rule(wrong);
+            fallback = if change == Change::Least { safeguard } else { fallback };
+            change
+        };
+        let solution = exchange(lcp, set, x, count, settings, observer, watched);
+        solution.with_fallback(fallback)
     })
 }
 

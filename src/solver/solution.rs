@@ -15,12 +15,41 @@ pub struct Solution {
     pub status: Status,
     /// Sweeps, pivots or Newton steps that were done.
     pub iterations: usize,
+    /// What else than the method itself had a part in it; none by default.
+    pub fallback: Option<Fallback>,
 }
 
 impl Solution {
     /// The solution with this x; w is recomputed.
     pub fn new(lcp: &Lcp, x: Vec<f64>, status: Status, iterations: usize) -> Self {
-        Solution { w: lcp.w(&x), x, status, iterations }
+        Solution { w: lcp.w(&x), x, status, iterations, fallback: None }
+    }
+
+    /// The same, with the part that something else had in it.
+    pub fn with_fallback(self, fallback: Option<Fallback>) -> Self {
+        Solution { fallback, ..self }
+    }
+}
+
+/// What a method does where it does not get on by itself. No solver transforms a problem before it
+/// starts (presolve) or hands it on to another one; these are all the exceptions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fallback {
+    /// Block pivoting made no progress, and single rows were exchanged by Murty's rule.
+    LeastIndex,
+    /// Lemke's path ended at no solution and was followed once more with fresh tableaux.
+    SecondPath,
+    /// Sweeps of projected Gauss-Seidel took away what rounding Dantzig's method had left.
+    Sweeps,
+}
+
+impl fmt::Display for Fallback {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Fallback::LeastIndex => "least-index rule",
+            Fallback::SecondPath => "second path",
+            Fallback::Sweeps => "Gauss-Seidel sweeps",
+        })
     }
 }
 

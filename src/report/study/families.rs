@@ -46,6 +46,10 @@ pub struct Row {
     pub worst_residual: f64,
     /// The fingerprint of the iterates on the first problem.
     pub fingerprint: String,
+    /// Problems where something else than the method itself had a part in the answer.
+    pub fallbacks: usize,
+    /// What that was, the last time.
+    pub fallback: Option<String>,
     /// Why the last problem that was not solved was not.
     pub trouble: Option<String>,
     /// Why this solver cannot solve this family, where that is known.
@@ -149,6 +153,8 @@ fn attempt(posing: &Posing, method: &Method, options: &Options) -> Row {
         iterations: 0,
         worst_residual: 0.0,
         fingerprint: String::new(),
+        fallbacks: 0,
+        fallback: None,
         trouble: None,
         known_failure: known.map(str::to_string),
         seconds: 0.0,
@@ -174,15 +180,19 @@ fn attempt(posing: &Posing, method: &Method, options: &Options) -> Row {
 
 impl Row {
     fn add(&mut self, solution: &Solution, certificate: &FrictionCertificate, unsolvable: bool) {
-        let (claims, holds) =
-            (solution.status == Status::Solved, certificate.verdict.is_solution());
-        self.outside += usize::from(matches!(solution.status, Status::OutsideClass { .. }));
+        let status = &solution.status;
+        let (claims, holds) = (*status == Status::Solved, certificate.verdict.is_solution());
+        self.outside += usize::from(matches!(status, Status::OutsideClass { .. }));
         self.claimed += usize::from(claims);
         self.proved += usize::from(matches!(certificate.verdict, Verdict::Proved { .. }));
         self.accepted += usize::from(holds);
         self.refuted_claims += usize::from(claims && !holds);
         self.false_claims += usize::from(claims && unsolvable);
         self.iterations += solution.iterations;
+        if let Some(fallback) = solution.fallback {
+            self.fallbacks += 1;
+            self.fallback = Some(fallback.to_string());
+        }
         if claims {
             self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
         } else {

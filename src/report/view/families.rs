@@ -10,8 +10,9 @@ pub fn table(rows: &[Row]) -> Table {
         how_to_read:
             "*friction*: the model that x is solved and judged under. *outside*: the solver says \
                       the problem is not in its class. *claims* are its own, *proved* and \
-                      *accepted* the judge's; *refuted* and *false* claims must be 0. *must \
-                      fail*: a failure that mathematics explains, and that must stay one."
+                      *accepted* the judge's; *refuted* and *false* claims must be 0. *fallback*: \
+                      what else than the method itself had a part, and how often. *must fail*: a \
+                      failure that mathematics explains, and that must stay one."
                 .into(),
         columns: vec![
             Column::words("family"),
@@ -28,6 +29,7 @@ pub fn table(rows: &[Row]) -> Table {
             Column::numbers("worst residual", ""),
             Column::numbers("time", "ms"),
             Column::words("iterates"),
+            Column::words("fallback"),
             Column::words("why not"),
         ],
         rows: rows.iter().map(cells).collect(),
@@ -45,6 +47,10 @@ fn cells(row: &Row) -> Vec<Cell> {
         (None, Some(trouble)) => trouble.clone(),
         (None, None) => String::new(),
     };
+    let fallback = match &row.fallback {
+        Some(what) => format!("{what}, {} of {}", row.fallbacks, row.problems),
+        None => "none".into(),
+    };
     vec![
         Cell::text(&row.family),
         Cell::text(row.model.as_deref().unwrap_or_default()),
@@ -60,6 +66,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         Cell::number(row.worst_residual, 2),
         Cell::number(1e3 * row.seconds, 2),
         Cell::text(&row.fingerprint[..8]),
+        Cell::text(fallback),
         Cell::text(why),
     ]
 }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use dashu_ratio::RBig;
 use lcplab::lcp::library;
 use lcplab::solver::{
-    BlockPivoting, Enumeration, Event, Iterate, Murty, Observer, Solver, Start, Status,
+    BlockPivoting, Enumeration, Event, Fallback, Iterate, Murty, Observer, Solver, Start, Status,
     all_solutions,
 };
 
@@ -39,6 +39,7 @@ fn the_safeguard_takes_over_where_blocks_cycle_and_is_seen() {
     assert_eq!(solution.status, Status::Solved);
     assert_proved(&lcp, &solution.x);
     assert!(count.exchanges > 10 && count.pivots > 0, "{count:?}");
+    assert_eq!(solution.fallback, Some(Fallback::LeastIndex));
     let endless = BlockPivoting { patience: usize::MAX, ..BlockPivoting::default() };
     let status = endless.solve(&lcp, &Start::default(), &mut ()).status;
     assert_eq!(status, Status::IterationLimit);

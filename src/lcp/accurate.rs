@@ -4,11 +4,11 @@
 //! (Dekker, Knuth); the errors are summed beside (`Dot2` of Ogita, Rump & Oishi 2005). The result is
 //! as good as a quadruple-precision sum rounded once.
 
-use crate::lcp::merit;
+use super::merit;
 
 /// A running sum Σ a·b with its accumulated rounding errors.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Sum {
+pub(crate) struct Sum {
     value: f64,
     error: f64,
 }
