@@ -121,8 +121,8 @@ impl SceneArgs {
 Example:
   lcplab simulate pendulum --steps 500 --out swing
 
-Writes trajectory.csv (poses and velocities), ledger.csv (energy, momentum, errors) and results.json
-to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
+Writes trajectory.csv (poses and velocities), ledger.csv (energy and where it went, momentum, errors),
+forces.csv (x and w of every row) and results.json to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
 recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
     #[command(flatten)]
