@@ -84,7 +84,7 @@ impl Constraint for Limit {
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
         let row = self.coordinate.row(states)?;
         let row = Row { c: row.c + self.turns(row.c), bounds: Bounds::Unilateral, ..row };
-        let from = |stop: f64| stop.is_finite().then(|| Row { c: row.c - stop, ..row });
+        let from = |stop: f64| stop.is_finite().then_some(Row { c: row.c - stop, ..row });
         let [lower, upper] = self.stops.map(from);
         Ok(lower.into_iter().chain(upper.map(Row::negated)).collect())
     }
@@ -94,7 +94,7 @@ impl Position for Limit {
     fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
         let value: T = self.coordinate.value(poses);
         let value = value + constant(self.turns(plain(value)));
-        let from = |stop: f64| stop.is_finite().then(|| value - constant(stop));
+        let from = |stop: f64| stop.is_finite().then_some(value - constant(stop));
         let [lower, upper] = self.stops.map(from);
         lower.into_iter().chain(upper.map(|c| -c)).collect()
     }
