@@ -76,6 +76,11 @@ impl Defects {
         self.0.push(Defect { place: place.into(), reason: reason.into() });
     }
 
+    /// How many were found so far.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
     /// Whether nothing was found wrong so far.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

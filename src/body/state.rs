@@ -25,6 +25,13 @@ impl<T: RealField + Copy> Pose<T> {
     }
 }
 
+/// The world's own: at the origin, unturned.
+impl Default for Pose {
+    fn default() -> Self {
+        State::WORLD.pose
+    }
+}
+
 impl Pose {
     /// The coordinates in the body's frame (m) of a world point: Rᵀ (x − p).
     pub fn local(&self, world: &Vector3<f64>) -> Vector3<f64> {

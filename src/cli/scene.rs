@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use lcplab::constraint;
 use lcplab::error::{Error, Result};
 use lcplab::lcp::file::{Problem, number};
 use lcplab::report::study::{comparison, scene_solver};
@@ -21,19 +22,27 @@ use super::{Outcome, bar, print};
 #[command(after_help = "\
 Example:
   lcplab scenes
-  lcplab scenes pendulum > mine.toml   # a start for a scene of your own")]
+  lcplab scenes pendulum > mine.toml   # a start for a scene of your own
+  lcplab scenes --joints               # the constraints that it may have")]
 pub struct Scenes {
     /// Print this scene's file
     name: Option<String>,
     /// Print the JSON schema of the scene format
     #[arg(long, conflicts_with = "name")]
     schema: bool,
+    /// List the constraints that a scene can name, with their fields
+    #[arg(long, conflicts_with_all = ["name", "schema"])]
+    joints: bool,
 }
 
 impl Scenes {
     pub fn run(&self) -> Result<Outcome> {
         if self.schema {
             print(&format!("{}\n", lcplab::scene::schema()))?;
+            return Ok(Outcome::Good);
+        }
+        if self.joints {
+            constraint::ALL.iter().try_for_each(|joint| print(&format!("{joint}\n")))?;
             return Ok(Outcome::Good);
         }
         if let Some(name) = &self.name {

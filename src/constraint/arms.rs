@@ -60,6 +60,11 @@ impl Arms {
     }
 }
 
+/// The row of m·(ω1 − ω0): [0, −m, 0, m].
+pub(super) fn turning_row(m: &Vector3<f64>) -> [Vector6<f64>; 2] {
+    [stack(Vector3::zeros(), -m), stack(Vector3::zeros(), *m)]
+}
+
 /// d over any real scalar.
 pub(super) fn separation<T: RealField + Copy>(
     poses: [&Pose<T>; 2],

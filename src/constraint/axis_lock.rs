@@ -7,16 +7,17 @@
 //! rotation     c = 2 n·e_v          the component along n of the relative orientation
 //! ```
 //!
-//! A slider is two translation locks and an orientation, a hinge a coincidence and two rotation
-//! locks. `math §2`.
+//! A slider is two translation locks and an orientation. `math §2`.
 
 use std::sync::Arc;
 
 use nalgebra::{RealField, Vector3};
 
-use super::arms::{Arms, separation};
+use super::arms::separation;
+use super::coordinate::translation;
 use super::{
-    Bodies, Constraint, Degenerate, Field, Joint, Kind, Orientation, Position, Row, constant,
+    Bodies, Constraint, Degenerate, Fault, Field, Joint, Orientation, Placement, Position, Row,
+    constant, tangents,
 };
 use crate::body::{Pose, State};
 
@@ -31,7 +32,7 @@ pub struct AxisLock {
     pub motion: Motion,
 }
 
-/// The motion that an [`AxisLock`] locks.
+/// A motion along or about an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
     /// A point of body 1 stays in a plane across the axis.
@@ -54,7 +55,8 @@ pub(super) const TRANSLATION: Joint = Joint {
     title: "no translation along an axis",
     bodies: (1, 2),
     turns: false,
-    fields: &[Field::Axis],
+    needs: &[Field::Axis],
+    takes: &[],
     build: |at| {
         let motion = Motion::Translation { anchors: at.anchors(), offset: 0.0 };
         Ok(Arc::new(AxisLock { bodies: at.bodies, axis: at.axis()?, motion }))
@@ -67,13 +69,26 @@ pub(super) const ROTATION: Joint = Joint {
     title: "no rotation about an axis",
     bodies: (1, 2),
     turns: true,
-    fields: &[Field::Axis],
+    needs: &[Field::Axis],
+    takes: &[],
     build: |at| {
         let relative = Orientation { bodies: at.bodies, relative: at.relative() };
         let motion = Motion::Rotation { relative };
         Ok(Arc::new(AxisLock { bodies: at.bodies, axis: at.axis()?, motion }))
     },
 };
+
+impl AxisLock {
+    /// A point of body 1 stays on the line through a placement's point along its axis.
+    ///
+    /// # Errors
+    /// Without an axis.
+    pub fn on_line(at: &Placement) -> Result<[AxisLock; 2], Fault> {
+        let (bodies, anchors) = (at.bodies, at.anchors());
+        let motion = Motion::Translation { anchors, offset: 0.0 };
+        Ok(tangents(&at.axis()?).map(|axis| AxisLock { bodies, axis, motion: motion.clone() }))
+    }
+}
 
 impl Constraint for AxisLock {
     fn bodies(&self) -> Bodies {
@@ -84,14 +99,7 @@ impl Constraint for AxisLock {
         let row = match &self.motion {
             Motion::Rotation { relative } => relative.row_along(&self.axis, states),
             Motion::Translation { anchors, offset } => {
-                let arms = Arms::new(states, anchors);
-                let n = states[0].pose.direction(&self.axis);
-                Row::equation(
-                    Kind::Translation,
-                    n.dot(&arms.d) - offset,
-                    arms.row_with_normal_on_body_0(&n),
-                    arms.product_with_normal_on_body_0(&n, &states[0].omega),
-                )
+                translation(&self.axis, anchors, *offset, states)
             }
         };
         Ok(vec![row])

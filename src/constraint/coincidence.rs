@@ -31,7 +31,8 @@ pub(super) const BALL: Joint = Joint {
     title: "ball and socket between two bodies",
     bodies: (2, 2),
     turns: false,
-    fields: &[Field::Point],
+    needs: &[],
+    takes: &[Field::Point],
     build: |at| Ok(Arc::new(Coincidence { bodies: at.bodies, anchors: at.anchors() })),
 };
 

@@ -14,7 +14,9 @@ use std::sync::Arc;
 use nalgebra::{RealField, Vector3};
 
 use super::arms::{Arms, separation};
-use super::{Bodies, Constraint, Degenerate, Field, Joint, Kind, Position, Row, constant};
+use super::{
+    Bodies, Constraint, Degenerate, Fault, Field, Joint, Kind, Placement, Position, Row, constant,
+};
 use crate::body::{Pose, State};
 
 /// A point of body 1 stays at a distance from a point of body 0: 1 row.
@@ -34,16 +36,25 @@ pub(super) const DISTANCE: Joint = Joint {
     title: "a massless rod between two points",
     bodies: (1, 2),
     turns: false,
-    fields: &[Field::Points, Field::Length],
-    build: |at| {
+    needs: &[],
+    takes: &[Field::Points, Field::Length],
+    build: |at| Ok(Arc::new(Distance::of(at)?)),
+};
+
+impl Distance {
+    /// The rod between the ends of a placement, of its length or as long as they are apart.
+    ///
+    /// # Errors
+    /// Without ends, or without length.
+    pub fn of(at: &Placement) -> Result<Self, Fault> {
         let (anchors, apart) = at.ends()?;
         let length = at.length.unwrap_or(apart);
         if length > 0.0 {
-            return Ok(Arc::new(Distance { bodies: at.bodies, anchors, length }));
+            return Ok(Distance { bodies: at.bodies, anchors, length });
         }
         Err(Field::Length.fault(format!("must be positive, is {length}")))
-    },
-};
+    }
+}
 
 impl Constraint for Distance {
     fn bodies(&self) -> Bodies {

@@ -7,7 +7,10 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::{Bodies, Constraint, axis_lock, coincidence, distance, orientation, weld};
+use super::{
+    Bodies, Verifiable, axis_lock, coincidence, cone_limit, cylindrical, distance, gear, hinge,
+    limit, motor, orientation, rope, slider, spring, squared_distance, universal, weld,
+};
 use crate::body::Pose;
 
 /// Every constraint that a scene file can name; contacts are found, not named.
@@ -18,7 +21,21 @@ pub const ALL: &[&Joint] = &[
     &orientation::ORIENTATION,
     &axis_lock::TRANSLATION,
     &axis_lock::ROTATION,
+    &hinge::HINGE,
+    &slider::SLIDER,
+    &cylindrical::CYLINDRICAL,
+    &universal::UNIVERSAL,
     &distance::DISTANCE,
+    &squared_distance::SQUARED_DISTANCE,
+    &rope::ROPE,
+    &spring::SPRING,
+    &spring::TORSION,
+    &motor::TRANSLATION,
+    &motor::ROTATION,
+    &limit::TRANSLATION,
+    &limit::ROTATION,
+    &cone_limit::CONE,
+    &gear::GEAR,
 ];
 
 /// A constraint as scene files write it.
@@ -32,10 +49,12 @@ pub struct Joint {
     pub bodies: (usize, usize),
     /// Whether its bodies need an orientation, which a point mass has not.
     pub turns: bool,
-    /// The fields it may have.
-    pub fields: &'static [Field],
+    /// The fields it must have.
+    pub needs: &'static [Field],
+    /// The fields it may have besides.
+    pub takes: &'static [Field],
     /// Makes it.
-    pub build: fn(&Placement) -> Result<Arc<dyn Constraint>, Fault>,
+    pub build: fn(&Placement) -> Result<Arc<dyn Verifiable>, Fault>,
 }
 
 /// A field of a constraint in a scene file.
@@ -47,13 +66,29 @@ pub enum Field {
     Points,
     /// The axis.
     Axis,
+    /// Two axes.
+    Axes,
     /// The length.
     Length,
+    /// The half angle of a cone.
+    Angle,
+    /// The lower and the upper stop.
+    Limits,
+    /// The speed of a motor.
+    Speed,
+    /// The greatest force or torque of a motor.
+    Effort,
+    /// The stiffness of a spring.
+    Stiffness,
+    /// The damping of a spring.
+    Damping,
+    /// The numbers of teeth.
+    Teeth,
 }
 
-/// Where a constraint is put: its bodies at the start, and the fields given, which are finite.
+/// Where a constraint is put: its bodies at the start, and the fields given, each good by itself.
 /// Points and axes are in world coordinates at the start.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Placement {
     /// The bodies.
     pub bodies: Bodies,
@@ -65,8 +100,24 @@ pub struct Placement {
     pub points: Option<[Vector3<f64>; 2]>,
     /// The axis, a unit vector.
     pub axis: Option<Vector3<f64>>,
+    /// The axes of body 0 and of body 1, unit vectors.
+    pub axes: Option<[Vector3<f64>; 2]>,
     /// The length (m), positive.
     pub length: Option<f64>,
+    /// The half angle of a cone (rad), positive.
+    pub angle: Option<f64>,
+    /// The lower and the upper stop (m or rad); ∓∞ for none.
+    pub limits: Option<[f64; 2]>,
+    /// The speed of a motor (m/s or rad/s).
+    pub speed: Option<f64>,
+    /// The greatest force of a motor (N or N m), positive.
+    pub effort: Option<f64>,
+    /// The stiffness of a spring (N/m or N m/rad), at least 0.
+    pub stiffness: Option<f64>,
+    /// The damping of a spring (N s/m or N m s/rad), at least 0.
+    pub damping: Option<f64>,
+    /// The numbers of teeth of the wheels of body 0 and of body 1, at least 1.
+    pub teeth: Option<[u32; 2]>,
 }
 
 /// Why a constraint cannot be made of its fields.
@@ -82,6 +133,21 @@ impl Joint {
     /// The constraint with this name.
     pub fn by_name(name: &str) -> Option<&'static Joint> {
         ALL.iter().find(|joint| joint.name == name).copied()
+    }
+}
+
+/// One line for lists: name, title, fields; those in brackets need not be given.
+impl fmt::Display for Joint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let bodies = match self.bodies {
+            (1, 1) => "1 body",
+            (2, 2) => "2 bodies",
+            _ => "1 or 2 bodies",
+        };
+        let needs = self.needs.iter().map(|field| format!(", {field}"));
+        let takes = self.takes.iter().map(|field| format!(", [{field}]"));
+        let fields: String = needs.chain(takes).collect();
+        write!(f, "{:<18} {}\n{:18} {bodies}{fields}", self.name, self.title, "")
     }
 }
 
@@ -110,8 +176,16 @@ impl Placement {
     /// # Errors
     /// If it is missing.
     pub fn axis(&self) -> Result<Vector3<f64>, Fault> {
-        let axis = self.axis.ok_or_else(|| Field::Axis.fault("is missing"))?;
-        Ok(self.poses[0].q.inverse() * axis)
+        Ok(self.axis_on_both()?[0])
+    }
+
+    /// The axis in each body's frame.
+    ///
+    /// # Errors
+    /// If it is missing.
+    pub fn axis_on_both(&self) -> Result<[Vector3<f64>; 2], Fault> {
+        let axis = Field::Axis.given(self.axis)?;
+        Ok(self.poses.map(|pose| pose.q.inverse() * axis))
     }
 
     /// The orientation of body 1 seen from body 0.
@@ -127,7 +201,20 @@ impl Placement {
 
 impl Field {
     /// All of them, in the order of the scene format.
-    pub const ALL: [Field; 4] = [Field::Point, Field::Points, Field::Axis, Field::Length];
+    pub const ALL: [Field; 12] = [
+        Field::Point,
+        Field::Points,
+        Field::Axis,
+        Field::Axes,
+        Field::Length,
+        Field::Angle,
+        Field::Limits,
+        Field::Speed,
+        Field::Effort,
+        Field::Stiffness,
+        Field::Damping,
+        Field::Teeth,
+    ];
 
     /// The word in the file.
     pub fn name(self) -> &'static str {
@@ -135,8 +222,24 @@ impl Field {
             Field::Point => "point",
             Field::Points => "points",
             Field::Axis => "axis",
+            Field::Axes => "axes",
             Field::Length => "length",
+            Field::Angle => "angle",
+            Field::Limits => "limits",
+            Field::Speed => "speed",
+            Field::Effort => "effort",
+            Field::Stiffness => "stiffness",
+            Field::Damping => "damping",
+            Field::Teeth => "teeth",
         }
+    }
+
+    /// The value given for this field.
+    ///
+    /// # Errors
+    /// Without one.
+    pub fn given<T>(self, value: Option<T>) -> Result<T, Fault> {
+        value.ok_or_else(|| self.fault("is missing"))
     }
 
     /// Something wrong with this field.

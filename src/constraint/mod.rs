@@ -6,25 +6,68 @@
 //! of these, never special-cased. `math §2`.
 //!
 //! [`Constraint`] is what assembly sees. [`Position`] is c(s) again, over any real scalar, so that
-//! dual numbers can verify every J and J'u.
+//! [`verify()`] can hold every J and J'u against exact derivatives, yours too.
+//!
+//! | primitive | c | made of it |
+//! | --- | --- | --- |
+//! | [`Coincidence`] | two points together | ball, nail |
+//! | [`Orientation`] | no relative rotation | [`Weld`] |
+//! | [`AxisLock`] | one translation or rotation | [`Slider`] |
+//! | [`Perpendicular`] | two directions at a right angle | [`Hinge`], [`Universal`], [`Cylindrical`] |
+//! | [`Distance`], [`SquaredDistance`] | two points at a distance | [`Rope`], spring |
+//! | [`Coordinate`] | displacement along an axis, angle about it | [`Limit`], [`Motor`], torsion spring, [`Gear`] |
+//! | [`ConeLimit`] | an axis within a cone | with a ball and a limit: cone-twist |
+//! | [`Contact`] | two surfaces apart | friction |
+//!
+//! A pair or an array of constraints is a constraint, and [`Elastic`] makes any of them yield.
+//! Limits and motors are constraints beside the joint that they serve, not parts of it.
 
 mod arms;
 mod axis_lock;
 mod coincidence;
+mod combined;
+mod cone_limit;
 mod contact;
+mod coordinate;
+mod cylindrical;
 mod distance;
 mod friction;
+mod gear;
+mod hinge;
 mod joint;
+mod limit;
+mod motor;
 mod orientation;
+mod perpendicular;
+mod rope;
+mod slider;
+mod spring;
+mod squared_distance;
+mod universal;
+mod verify;
 mod weld;
 
 pub use axis_lock::{AxisLock, Motion};
 pub use coincidence::Coincidence;
+pub use cone_limit::ConeLimit;
 pub use contact::{Contact, Normal};
+pub use coordinate::Coordinate;
+pub use cylindrical::Cylindrical;
 pub use distance::Distance;
 pub use friction::tangents;
+pub use gear::Gear;
+pub use hinge::Hinge;
 pub use joint::{ALL, Fault, Field, Joint, Placement};
+pub use limit::Limit;
+pub use motor::Motor;
 pub use orientation::Orientation;
+pub use perpendicular::Perpendicular;
+pub use rope::Rope;
+pub use slider::Slider;
+pub use spring::Elastic;
+pub use squared_distance::SquaredDistance;
+pub use universal::Universal;
+pub use verify::{Mistake, Quantity, Verifiable, verify};
 pub use weld::Weld;
 
 use std::fmt;
@@ -49,7 +92,7 @@ pub trait Constraint: fmt::Debug + Send + Sync {
 }
 
 /// c(s) of a constraint over any real scalar; one entry a row, as in [`Constraint::rows`]. Friction
-/// rows, which have no position, are left out.
+/// rows, which have no position, are left out; a motor, whose c is 0, gives what it drives.
 pub trait Position {
     /// c(s) in metres or radians.
     fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T>;
@@ -140,11 +183,11 @@ impl Row {
 pub enum Kind {
     /// Two points together, along a world axis.
     Coincidence,
-    /// Two points at a distance.
+    /// Two points at a distance: exactly, at most, or by a spring.
     Distance,
-    /// A point in a plane fixed to body 0.
+    /// The motion of a point along an axis of body 0.
     Translation,
-    /// A component of the relative rotation at 0.
+    /// The turning of one body against the other.
     Rotation,
     /// Two bodies apart: the normal row of a contact.
     Normal,
@@ -211,6 +254,16 @@ impl fmt::Display for Degenerate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.reason)
     }
+}
+
+/// An angle or another cyclic quantity to within half its period on either side of 0.
+fn wrapped(value: f64, half: f64) -> f64 {
+    value - 2.0 * half * (value / (2.0 * half)).round()
+}
+
+/// The value of a scalar without its derivatives.
+fn plain<T: RealField + Copy>(value: T) -> f64 {
+    nalgebra::try_convert(value).unwrap_or(f64::NAN)
 }
 
 /// The f64 constant in another scalar.

@@ -15,8 +15,9 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
+use super::arms::turning_row;
 use super::{Bodies, Constraint, Degenerate, Joint, Kind, Position, Row, constant};
-use crate::body::{Pose, State, stack};
+use crate::body::{Pose, State};
 
 /// Body 1 does not turn relative to body 0: 3 rows.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +42,7 @@ impl Orientation {
         Row::equation(
             Kind::Rotation,
             2.0 * axis.dot(&e_v),
-            [stack(Vector3::zeros(), -along), stack(Vector3::zeros(), along)],
+            turning_row(&along),
             axis.dot(&(-0.5 * a.norm_squared() * e_v - turning)),
         )
     }
@@ -61,7 +62,8 @@ pub(super) const ORIENTATION: Joint = Joint {
     title: "no relative rotation",
     bodies: (1, 2),
     turns: true,
-    fields: &[],
+    needs: &[],
+    takes: &[],
     build: |at| Ok(Arc::new(Orientation { bodies: at.bodies, relative: at.relative() })),
 };
 

@@ -6,21 +6,10 @@
 
 use std::sync::Arc;
 
-use nalgebra::RealField;
-
-use super::{
-    Bodies, Coincidence, Constraint, Degenerate, Field, Joint, Orientation, Position, Row,
-};
-use crate::body::{Pose, State};
+use super::{Coincidence, Field, Joint, Orientation};
 
 /// A coincidence and an orientation of the same two bodies: 6 rows.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Weld {
-    /// Keeps a point.
-    pub point: Coincidence,
-    /// Keeps the orientation.
-    pub orientation: Orientation,
-}
+pub type Weld = (Coincidence, Orientation);
 
 /// No relative motion at all.
 pub(super) const FIXED: Joint = Joint {
@@ -28,30 +17,11 @@ pub(super) const FIXED: Joint = Joint {
     title: "a weld: no relative motion at all",
     bodies: (1, 2),
     turns: true,
-    fields: &[Field::Point],
+    needs: &[],
+    takes: &[Field::Point],
     build: |at| {
         let point = Coincidence { bodies: at.bodies, anchors: at.anchors() };
         let orientation = Orientation { bodies: at.bodies, relative: at.relative() };
-        Ok(Arc::new(Weld { point, orientation }))
+        Ok(Arc::new((point, orientation)))
     },
 };
-
-impl Constraint for Weld {
-    fn bodies(&self) -> Bodies {
-        self.point.bodies
-    }
-
-    fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
-        let mut rows = self.point.rows(states)?;
-        rows.extend(self.orientation.rows(states)?);
-        Ok(rows)
-    }
-}
-
-impl Position for Weld {
-    fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
-        let mut c = self.point.c(poses);
-        c.extend(self.orientation.c(poses));
-        c
-    }
-}

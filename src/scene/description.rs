@@ -131,8 +131,10 @@ pub enum Rotation {
     Z(f64),
 }
 
-/// A constraint. It holds at the initial positions, except for a distance with its own length.
-/// [`constraint::ALL`](crate::constraint::ALL) lists the kinds and which fields each has.
+/// A constraint. It holds at the initial positions, except for a distance with its own length; what
+/// has an angle or a displacement counts it from there.
+/// [`constraint::ALL`](crate::constraint::ALL), and `lcplab scenes --joints`, list the kinds and which
+/// fields each has.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Constraint {
@@ -155,6 +157,32 @@ pub struct Constraint {
     /// the start.
     #[serde(default)]
     pub axis: Option<[f64; 3]>,
+    /// Two axes (any length) in world axes at the start: of a universal joint the first on the first
+    /// of two bodies or the world, the second on the other body; of a gear those of its wheels.
+    #[serde(default)]
+    pub axes: Option<[[f64; 3]; 2]>,
+    /// The half angle of a cone (rad).
+    #[serde(default)]
+    pub angle: Option<f64>,
+    /// The lower and the upper stop (m or rad), 0 being the start; along an axis either may be
+    /// infinite.
+    #[serde(default)]
+    pub limits: Option<[f64; 2]>,
+    /// The speed of a motor (m/s or rad/s), that of the last body against the other.
+    #[serde(default)]
+    pub speed: Option<f64>,
+    /// The greatest force of a motor (N or N m).
+    #[serde(default)]
+    pub effort: Option<f64>,
+    /// The stiffness of a spring (N/m or N m/rad).
+    #[serde(default)]
+    pub stiffness: Option<f64>,
+    /// The damping of a spring (N s/m or N m s/rad); by default 0.
+    #[serde(default)]
+    pub damping: Option<f64>,
+    /// The numbers of teeth of a gear's wheels, in the order of the bodies.
+    #[serde(default)]
+    pub teeth: Option<[u32; 2]>,
 }
 
 /// The schema of a constraint's kind: one of the names of the joints.

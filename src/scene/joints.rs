@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use super::Scene;
 use super::build::{direction, finite};
 use super::description;
-use super::settings::positive;
+use super::settings::{not_negative, positive};
 use crate::body::{Mass, Shape, State};
 use crate::constraint::{ALL, Bodies, Constraint, Field, Joint, Placement};
 use crate::error::Defects;
@@ -31,11 +31,20 @@ impl Site<'_> {
         scene: &Scene,
     ) -> Option<Arc<dyn Constraint>> {
         let joint = self.joint(defects)?;
+        let before = defects.len();
         self.check_fields(defects, joint);
         let bodies = self.bodies(defects, joint, names, scene)?;
         let placement = self.placement(defects, bodies, scene);
-        let built = (joint.build)(&placement);
-        built.map_err(|fault| defects.add(self.at(fault.field), fault.reason)).ok()
+        if defects.len() > before {
+            return None;
+        }
+        match (joint.build)(&placement) {
+            Ok(constraint) => Some(constraint),
+            Err(fault) => {
+                defects.add(self.at(fault.field), fault.reason);
+                None
+            }
+        }
     }
 
     /// The place of a field in the file.
@@ -59,19 +68,31 @@ impl Site<'_> {
 
     /// Whether a field is written.
     fn has(&self, field: Field) -> bool {
+        let written = self.written;
         match field {
-            Field::Point => self.written.point.is_some(),
-            Field::Points => self.written.points.is_some(),
-            Field::Axis => self.written.axis.is_some(),
-            Field::Length => self.written.length.is_some(),
+            Field::Point => written.point.is_some(),
+            Field::Points => written.points.is_some(),
+            Field::Axis => written.axis.is_some(),
+            Field::Axes => written.axes.is_some(),
+            Field::Length => written.length.is_some(),
+            Field::Angle => written.angle.is_some(),
+            Field::Limits => written.limits.is_some(),
+            Field::Speed => written.speed.is_some(),
+            Field::Effort => written.effort.is_some(),
+            Field::Stiffness => written.stiffness.is_some(),
+            Field::Damping => written.damping.is_some(),
+            Field::Teeth => written.teeth.is_some(),
         }
     }
 
-    /// Fields that this kind does not have.
+    /// Fields that this kind does not have, and those that it lacks.
     fn check_fields(&self, defects: &mut Defects, joint: &Joint) {
         for field in Field::ALL {
-            if self.has(field) && !joint.fields.contains(&field) {
+            let needed = joint.needs.contains(&field);
+            if self.has(field) && !needed && !joint.takes.contains(&field) {
                 defects.add(self.at(field), format!("a {} has none", joint.name));
+            } else if needed && !self.has(field) {
+                defects.add(self.at(field), "is missing");
             }
         }
     }
@@ -79,23 +100,52 @@ impl Site<'_> {
     /// The fields given, checked each by itself.
     fn placement(&self, defects: &mut Defects, bodies: Bodies, scene: &Scene) -> Placement {
         let written = self.written;
+        self.check_numbers(defects);
         if let Some(point) = &written.point {
             finite(defects, &self.at(Field::Point), point);
         }
         for point in written.points.iter().flatten() {
             finite(defects, &self.at(Field::Points), point);
         }
-        if let Some(length) = written.length {
-            positive(defects, self.at(Field::Length), length);
-        }
-        let axis = written.axis.as_ref();
+        let mut unit = |field, axis: &[f64; 3]| direction(defects, &self.at(field), axis);
         Placement {
             bodies,
             poses: bodies.map(|body| body.map_or(State::WORLD, |k| scene.states[k]).pose),
             point: written.point.map(Vector3::from),
             points: written.points.map(|points| points.map(Vector3::from)),
-            axis: axis.map(|axis| direction(defects, &self.at(Field::Axis), axis)),
+            axis: written.axis.map(|axis| unit(Field::Axis, &axis)),
+            axes: written.axes.map(|axes| axes.map(|axis| unit(Field::Axes, &axis))),
             length: written.length,
+            angle: written.angle,
+            limits: written.limits,
+            speed: written.speed,
+            effort: written.effort,
+            stiffness: written.stiffness,
+            damping: written.damping,
+            teeth: written.teeth,
+        }
+    }
+
+    /// Single numbers that cannot be.
+    fn check_numbers(&self, defects: &mut Defects) {
+        let written = self.written;
+        let sizes = [
+            (Field::Length, written.length),
+            (Field::Angle, written.angle),
+            (Field::Effort, written.effort),
+        ];
+        for (field, size) in sizes {
+            size.into_iter().for_each(|size| positive(defects, self.at(field), size));
+        }
+        let rates = [(Field::Stiffness, written.stiffness), (Field::Damping, written.damping)];
+        for (field, rate) in rates {
+            rate.into_iter().for_each(|rate| not_negative(defects, self.at(field), rate));
+        }
+        if let Some(speed) = written.speed.filter(|speed| !speed.is_finite()) {
+            defects.add(self.at(Field::Speed), format!("must be finite, is {speed}"));
+        }
+        if written.teeth.is_some_and(|teeth| teeth.contains(&0)) {
+            defects.add(self.at(Field::Teeth), "must be at least 1 each");
         }
     }
 

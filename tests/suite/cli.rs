@@ -70,6 +70,15 @@ fn a_generated_problem_is_solved_from_the_pipe() {
 }
 
 #[test]
+fn scenes_lists_every_joint_with_its_fields() {
+    let list = out(&run(&["scenes", "--joints"]));
+    for joint in lcplab::constraint::ALL {
+        assert!(list.contains(&format!("\n{joint}\n")) || list.starts_with(&format!("{joint}\n")));
+    }
+    assert!(list.contains("1 or 2 bodies, axis, [point]\n"), "{list}");
+}
+
+#[test]
 fn solve_tells_people_the_verdict() {
     let output = run_with(GOOD, &["solve", "-"]);
     assert!(out(&output).contains("verdict    proved: an exact solution lies within 0.0e0 of x"));

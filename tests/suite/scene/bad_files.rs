@@ -90,6 +90,66 @@ fn a_rod_of_no_length_is_refused() {
 }
 
 #[test]
+fn impossible_joints_are_refused() {
+    let cases = [
+        (
+            "kind = \"motor_rotation\"\nspeed = inf",
+            "3 defects\n  \
+             line 6: constraints[0].axis: is missing\n  \
+             line 6: constraints[0].effort: is missing\n  \
+             line 8: constraints[0].speed: must be finite, is inf",
+        ),
+        (
+            "kind = \"rope\"\naxis = [0, 0, 1]\nlength = -1",
+            "2 defects\n  \
+             line 8: constraints[0].axis: a rope has none\n  \
+             line 9: constraints[0].length: must be positive, is -1",
+        ),
+        (
+            "kind = \"universal\"\naxes = [[1, 0, 0], [1, 1, 0]]",
+            "line 8: constraints[0].axes: must be perpendicular, are 45.0° apart",
+        ),
+        (
+            "kind = \"limit_translation\"\naxis = [0, 0, 1]\nlimits = [2, 1]",
+            "line 9: constraints[0].limits: the lower one must be below the upper, are 2, 1",
+        ),
+        (
+            "kind = \"limit_rotation\"\naxis = [0, 0, 1]\nlimits = [-inf, 1]",
+            "line 9: constraints[0].limits: must be less than a turn apart, 2π",
+        ),
+        (
+            "kind = \"limit_cone\"\naxis = [0, 0, 1]\nangle = 4",
+            "line 9: constraints[0].angle: must be below π, is 4",
+        ),
+        (
+            "kind = \"spring\"\npoints = [[0, 0, 0], [0, 0, 1]]\nstiffness = 0",
+            "line 9: constraints[0].stiffness: is 0 and so is the damping: nothing would hold",
+        ),
+        (
+            "kind = \"spring_rotation\"\naxis = [0, 0, 0]\nstiffness = -2\ndamping = nan",
+            "3 defects\n  \
+             line 9: constraints[0].stiffness: must be at least 0, is -2\n  \
+             line 10: constraints[0].damping: must be at least 0, is NaN\n  \
+             line 8: constraints[0].axis: needs a direction, has length 0",
+        ),
+        (
+            "kind = \"gear\"\naxes = [[0, 0, 1], [0, 0, 1]]\nteeth = [3, 0]",
+            "line 10: constraints[0].bodies: names 1 bodies, must name 2",
+        ),
+    ];
+    for (joint, expected) in cases {
+        let text = format!("{BALL}\n[[constraints]]\n{joint}\nbodies = [\"ball\"]\n");
+        assert_eq!(message(&text), format!("bad.toml: {expected}"));
+    }
+    let gear = "kind = \"gear\"\nbodies = [\"ball\", \"other\"]\naxes = [[0, 0, 1], [0, 0, 1]]\n";
+    let other = BALL.replace("ball", "other");
+    assert_eq!(
+        message(&format!("{BALL}{other}\n[[constraints]]\n{gear}teeth = [3, 0]\n")),
+        "bad.toml: line 14: constraints[0].teeth: must be at least 1 each"
+    );
+}
+
+#[test]
 fn impossible_bodies_are_refused() {
     let plane = "[[bodies]]\nname = \"a\"\nshape = { plane = [0, 0, 1] }\n";
     let cases = [

@@ -1,0 +1,66 @@
+//! Joints made of joints: the rows of a pair, or of an array, are those of its members, in order.
+//!
+//! ```text
+//! c = (c of the first, c of the second, …);   J and J'u likewise
+//! ```
+//!
+//! So a hinge is written down as `(Coincidence, [Perpendicular; 2])` and needs no code of its own.
+//! All members join the same two bodies. K&M: constraints "snap" together (T27).
+
+use nalgebra::RealField;
+
+use super::{Bodies, Bounds, Constraint, Degenerate, Position, Row};
+use crate::body::{Pose, State};
+
+/// Adds the rows of another member; friction refers to a row of its own member.
+fn append(rows: &mut Vec<Row>, member: Vec<Row>) {
+    let before = rows.len();
+    rows.extend(member.into_iter().map(|row| match row.bounds {
+        Bounds::Friction { normal, mu } => {
+            Row { bounds: Bounds::Friction { normal: before + normal, mu }, ..row }
+        }
+        _ => row,
+    }));
+}
+
+impl<A: Constraint, B: Constraint> Constraint for (A, B) {
+    fn bodies(&self) -> Bodies {
+        debug_assert_eq!(self.0.bodies(), self.1.bodies());
+        self.0.bodies()
+    }
+
+    fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let mut rows = self.0.rows(states)?;
+        append(&mut rows, self.1.rows(states)?);
+        Ok(rows)
+    }
+}
+
+impl<A: Position, B: Position> Position for (A, B) {
+    fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
+        let mut c = self.0.c(poses);
+        c.extend(self.1.c(poses));
+        c
+    }
+}
+
+impl<A: Constraint, const N: usize> Constraint for [A; N] {
+    /// Those of the first member; an empty array joins nothing to nothing.
+    fn bodies(&self) -> Bodies {
+        self.first().map_or([None, None], Constraint::bodies)
+    }
+
+    fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let mut rows = Vec::new();
+        for member in self {
+            append(&mut rows, member.rows(states)?);
+        }
+        Ok(rows)
+    }
+}
+
+impl<A: Position, const N: usize> Position for [A; N] {
+    fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
+        self.iter().flat_map(|member| member.c(poses)).collect()
+    }
+}

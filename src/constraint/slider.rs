@@ -1,0 +1,28 @@
+//! The slider (prismatic joint): body 1 moves along an axis n of body 0 and does not turn.
+//!
+//! ```text
+//! c = (t1·d, t2·d, c of the orientation),   5 rows; J and J'u likewise
+//! ```
+//!
+//! t1 and t2 are two directions across the axis on body 0. K&M T27, `math §2`.
+
+use std::sync::Arc;
+
+use super::{AxisLock, Field, Joint, Orientation};
+
+/// No translation across the axis and no rotation: 5 rows.
+pub type Slider = ([AxisLock; 2], Orientation);
+
+/// A slider.
+pub(super) const SLIDER: Joint = Joint {
+    name: "slider",
+    title: "a slider: moves along an axis, does not turn",
+    bodies: (1, 2),
+    turns: true,
+    needs: &[Field::Axis],
+    takes: &[Field::Point],
+    build: |at| {
+        let orientation = Orientation { bodies: at.bodies, relative: at.relative() };
+        Ok(Arc::new((AxisLock::on_line(at)?, orientation)))
+    },
+};

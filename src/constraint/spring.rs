@@ -1,0 +1,77 @@
+//! Any constraint made to yield: its rows with a stiffness k and a damping d.
+//!
+//! ```text
+//! x = −(k c + d ċ);   c, J, J'u those of the constraint that it softens
+//! ```
+//!
+//! taken at the end of the step, as [`Spring`] says. A rod that yields is a spring with a damper
+//! beside it, a rotation that yields a torsion spring. The static deflection under a load f is f/k at
+//! any step; swinging at ω0 = √(k/m), a step h gives the frequency atan(h ω0)/h and damps by
+//! 1/√(1 + h²ω0²) a step, so it never gains. `math §4`; Catto, *Soft Constraints*, GDC 2011.
+
+use std::sync::Arc;
+
+use nalgebra::RealField;
+
+use super::{
+    Bodies, Constraint, Coordinate, Degenerate, Distance, Fault, Field, Joint, Placement, Position,
+    Row, Spring,
+};
+use crate::body::{Pose, State};
+
+/// A constraint that yields.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Elastic<C> {
+    /// What is at rest where its c is 0.
+    pub held: C,
+    /// How each of its rows yields.
+    pub spring: Spring,
+}
+
+/// A spring and damper between two points.
+pub(super) const SPRING: Joint = Joint {
+    name: "spring",
+    title: "a spring and a damper between two points",
+    bodies: (1, 2),
+    turns: false,
+    needs: &[Field::Stiffness],
+    takes: &[Field::Points, Field::Length, Field::Damping],
+    build: |at| Ok(Arc::new(Elastic { held: Distance::of(at)?, spring: spring(at)? })),
+};
+
+/// A torsion spring and damper.
+pub(super) const TORSION: Joint = Joint {
+    name: "spring_rotation",
+    title: "a torsion spring and a damper about an axis",
+    bodies: (1, 2),
+    turns: true,
+    needs: &[Field::Axis, Field::Stiffness],
+    takes: &[Field::Damping],
+    build: |at| Ok(Arc::new(Elastic { held: Coordinate::about(at)?, spring: spring(at)? })),
+};
+
+fn spring(at: &Placement) -> Result<Spring, Fault> {
+    let stiffness = Field::Stiffness.given(at.stiffness)?;
+    let damping = at.damping.unwrap_or(0.0);
+    if stiffness > 0.0 || damping > 0.0 {
+        return Ok(Spring { stiffness, damping });
+    }
+    Err(Field::Stiffness.fault("is 0 and so is the damping: nothing would hold"))
+}
+
+impl<C: Constraint> Constraint for Elastic<C> {
+    fn bodies(&self) -> Bodies {
+        self.held.bodies()
+    }
+
+    fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let soft = |row| Row { spring: Some(self.spring), ..row };
+        Ok(self.held.rows(states)?.into_iter().map(soft).collect())
+    }
+}
+
+impl<C: Position> Position for Elastic<C> {
+    fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
+        self.held.c(poses)
+    }
+}
