@@ -5,10 +5,17 @@ use lcplab::constraint::{
     AxisLock, Coincidence, Constraint, Contact, Distance, Motion, Normal, Orientation, Position,
     Weld,
 };
+use lcplab::scene::{Scene, contacts};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_dual::Dual2_64;
 use proptest::prelude::*;
 
+const SHAPES: [&str; 4] = [
+    "{ sphere = 0.5 }",
+    "{ box = [1, 1, 1] }",
+    "{ capsule = { length = 1, radius = 0.25 } }",
+    "{ hull = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]] }",
+];
 const BODIES: [Option<usize>; 2] = [Some(0), Some(1)];
 
 fn vector() -> impl Strategy<Value = Vector3<f64>> {
@@ -118,6 +125,22 @@ proptest! {
             let d = b.pose.point(&r1) - a.pose.point(&r0);
             prop_assume!(e0.cross(&e1).norm() > 0.1 && d.cross(&e0).norm() > 0.1);
             check(&contact, [&a, &b])?;
+        }
+    }
+
+    #[test]
+    fn contacts_found_between_shapes_match_dual_numbers(
+        a in state(), b in state(), shapes in [0..4usize, 0..4usize],
+    ) {
+        let body = |k: usize| {
+            let shape = SHAPES[shapes[k]];
+            format!("[[bodies]]\nname = \"{k}\"\nmass = 1\nshape = {shape}\n")
+        };
+        let scene = Scene::from_toml("two.toml", &(body(0) + &body(1))).expect("a valid scene");
+        for found in contacts(&scene, &[a, b], 1.0) {
+            prop_assume!(found.gap.abs() > 1e-3); // the normals are well defined
+            let swapped = found.contact.bodies == [Some(1), Some(0)];
+            check(&found.contact, if swapped { [&b, &a] } else { [&a, &b] })?;
         }
     }
 }
