@@ -84,17 +84,17 @@ fn vertices(a: &Solid, b: &Solid, face: usize, corners: &[usize], rim: f64) -> V
 
 /// The corners of the face of `a` over the face of `b`, but for those where a corner of `b` is.
 fn corners(a: &Solid, b: &Solid, [face, other]: [usize; 2], rim: f64) -> Vec<Touch> {
-    let (n, view) = (a.normals[face], -a.normals[face]);
+    let (n, m) = (a.normals[face], b.normals[other]);
     let beside = |k: usize, vertex: &Vector3<f64>| {
         let d = b.vertices[k] - vertex;
         (d - n * n.dot(&d)).norm() > 2.0 * rim
     };
     let over = |k: &usize| {
         let vertex = &a.vertices[*k];
-        b.covers(other, &view, vertex, rim) && b.corners(other).iter().all(|&k| beside(k, vertex))
+        b.covers(other, &m, vertex, rim) && b.corners(other).iter().all(|&k| beside(k, vertex))
     };
     let touch = |&k: &usize| {
-        let (vertex, m) = (a.vertices[k], b.normals[other]);
+        let vertex = a.vertices[k];
         let separation = b.height(other, &vertex);
         Touch {
             features: [Feature::Face(other), Feature::Vertex(k)],
@@ -125,7 +125,10 @@ fn cross(a: &Solid, b: &Solid, face: usize, [i, j]: [usize; 2], rim: f64) -> Opt
     let sharp = a.edge_faces(i, &normal) && b.edge_faces(j, &-normal);
     if sharp && normal.dot(&n) > ALIGNED {
         let axis = EdgeAxis { edges: [i, j], n: normal, separation: normal.dot(&d) };
-        return Some(crossing::touch(a, b, &axis).0);
+        let (touch, within) = crossing::touch(a, b, &axis);
+        if within {
+            return Some(touch);
+        }
     }
     let point = p1 + e1 * t;
     let separation = a.height(face, &point);

@@ -26,7 +26,8 @@ pub(super) fn touches(a: &Solid, b: &Solid, margin: f64) -> Vec<Touch> {
     }
     let equal = EQUAL * a.size().max(b.size());
     let least = best - PREFERENCE * a.size().min(b.size()) - equal;
-    if let Some(touches) = over_face(a, b, faces, least) {
+    if let Some(mut touches) = over_face(a, b, faces, least) {
+        touches.retain(|touch| touch.separation >= least); // none deeper than the way out
         if touches.iter().any(|touch| touch.separation <= best + equal) {
             return touches;
         }
