@@ -16,7 +16,7 @@ mod settings;
 pub use contacts::{ContactId, Feature, Found, contacts};
 pub use description::Description;
 pub use file::schema;
-pub use settings::{Contacts, Formulation, Manifold, Persistence, Solver, Step};
+pub use settings::{Contacts, Formulation, Manifold, Order, Persistence, Solver, Step};
 
 use std::path::Path;
 use std::sync::Arc;

@@ -3,4 +3,5 @@
 mod bad_files;
 mod catalogue;
 mod contacts;
+mod generate;
 mod hulls;
