@@ -28,7 +28,7 @@ impl Position for Bowl {
     }
 }
 
-pub fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut scene = Scene::load("pendulum")?; // its bob starts at (1, 0, 0)
     scene.constraints = vec![std::sync::Arc::new(Bowl(2.0))];
     scene.states[0].v.y = (9.81 * 2.0_f64).sqrt(); // a circle, at any height in 2π/√(g κ) = 1.42 s

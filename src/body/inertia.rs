@@ -1,14 +1,22 @@
-//! Volumes and principal moments of inertia of homogeneous shapes, in closed form.
+//! Volumes and principal moments of inertia of homogeneous shapes: closed forms, and for a hull
+//! sums over the tetrahedra between its faces and a point within.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion, Vector3};
 
-use super::Shape;
+use super::{Polytope, Pose, Shape};
+
+/// Products of inertia below this part of the moments are rounding.
+const DIAGONAL: f64 = 1e-12;
 
 /// The volume (m³); none for a point and a half space.
 pub fn volume(shape: &Shape) -> Option<f64> {
     match shape {
-        Shape::Sphere { radius } => Some(4.0 / 3.0 * std::f64::consts::PI * radius.powi(3)),
+        Shape::Sphere { radius } => Some(ball(*radius)),
         Shape::Box { half } => Some(8.0 * half.x * half.y * half.z),
+        Shape::Capsule { half_length, radius } => {
+            Some(cylinder(*half_length, *radius) + ball(*radius))
+        }
+        Shape::Hull(hull) => Some(Solid::of(hull).volume),
         Shape::Point | Shape::Plane { .. } => None,
     }
 }
@@ -30,6 +38,88 @@ pub fn moments(shape: &Shape, mass: f64) -> Option<Vector3<f64>> {
             let square = half.component_mul(half);
             Some(square.map(|a| mass * (square.sum() - a) / 3.0))
         }
+        Shape::Capsule { half_length, radius } => Some(capsule(*half_length, *radius, mass)),
+        Shape::Hull(hull) => {
+            let solid = Solid::of(hull);
+            Some(solid.inertia().diagonal() * (mass / solid.volume))
+        }
         Shape::Point | Shape::Plane { .. } => None,
+    }
+}
+
+/// The frame of a homogeneous polytope, in the polytope's own axes: its origin is the centre of
+/// mass and its axes are principal. Axes that are principal already stay.
+pub fn principal_frame(polytope: &Polytope) -> Pose {
+    let solid = Solid::of(polytope);
+    let inertia = solid.inertia();
+    let products = inertia - Matrix3::from_diagonal(&inertia.diagonal());
+    if products.amax() <= DIAGONAL * inertia.trace() {
+        return Pose { p: solid.centre, q: UnitQuaternion::identity() };
+    }
+    let axes = SymmetricEigen::new(inertia).eigenvectors;
+    let (x, y) = (axes.column(0).into_owned(), axes.column(1).into_owned());
+    let right_handed = Matrix3::from_columns(&[x, y, x.cross(&y)]);
+    let rotation = Rotation3::from_matrix_unchecked(right_handed);
+    Pose { p: solid.centre, q: UnitQuaternion::from_rotation_matrix(&rotation) }
+}
+
+fn ball(radius: f64) -> f64 {
+    4.0 / 3.0 * std::f64::consts::PI * radius.powi(3)
+}
+
+fn cylinder(half_length: f64, radius: f64) -> f64 {
+    2.0 * half_length * std::f64::consts::PI * radius * radius
+}
+
+/// A cylinder of mass m_c and two half balls of mass m_s together, l the half length:
+///
+/// ```text
+/// I_z = m_c r²/2 + ⅖ m_s r²,   I_x = m_c (l²/3 + r²/4) + m_s (⅖ r² + l² + ¾ l r)
+/// ```
+fn capsule(l: f64, r: f64, mass: f64) -> Vector3<f64> {
+    let density = mass / (cylinder(l, r) + ball(r));
+    let (middle, ends) = (density * cylinder(l, r), density * ball(r));
+    let along = middle * r * r / 2.0 + ends * 0.4 * r * r;
+    let across = middle * (l * l / 3.0 + r * r / 4.0) + ends * (0.4 * r * r + l * l + 0.75 * l * r);
+    Vector3::new(across, across, along)
+}
+
+/// The integrals of 1, x and x xᵀ over a polytope.
+struct Solid {
+    volume: f64,
+    centre: Vector3<f64>,
+    /// ∫ (x − centre)(x − centre)ᵀ dV.
+    second: Matrix3<f64>,
+}
+
+impl Solid {
+    /// Sums over the tetrahedra (0, a, b, c) between a point within and the triangles of the faces:
+    /// V = a·(b×c)/6, ∫x = V s/4, ∫x xᵀ = V (aaᵀ + bbᵀ + ccᵀ + ssᵀ)/20 with s = a + b + c.
+    fn of(polytope: &Polytope) -> Self {
+        let vertices = &polytope.vertices;
+        let within = vertices.iter().sum::<Vector3<f64>>() / vertices.len() as f64;
+        let (mut volume, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
+        for face in &polytope.faces {
+            let a = vertices[face.corners[0]] - within;
+            for pair in face.corners[1..].windows(2) {
+                let [b, c] = [pair[0], pair[1]].map(|k| vertices[k] - within);
+                let (part, s) = (a.dot(&b.cross(&c)) / 6.0, a + b + c);
+                volume += part;
+                first += s * (part / 4.0);
+                second += [a, b, c, s].map(|x| x * x.transpose()).iter().sum::<Matrix3<f64>>()
+                    * (part / 20.0);
+            }
+        }
+        let offset = first / volume;
+        Solid {
+            volume,
+            centre: within + offset,
+            second: second - offset * offset.transpose() * volume,
+        }
+    }
+
+    /// The tensor of inertia about the centre for density 1: tr(C) 1 − C.
+    fn inertia(&self) -> Matrix3<f64> {
+        Matrix3::identity() * self.second.trace() - self.second
     }
 }

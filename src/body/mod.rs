@@ -5,10 +5,14 @@
 
 mod gyroscopic;
 pub mod inertia;
+mod polytope;
 mod state;
 
 pub use gyroscopic::Gyroscopic;
+pub use polytope::{Edge, Face, Polytope};
 pub use state::{Pose, State};
+
+use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3, Vector6};
 
@@ -45,9 +49,9 @@ pub enum Mass {
 }
 
 /// The shape of a body, in its own frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// A point; touches planes only.
+    /// A point; touches everything but other points.
     Point,
     /// A ball.
     Sphere {
@@ -59,6 +63,15 @@ pub enum Shape {
         /// Half of each edge length (m).
         half: Vector3<f64>,
     },
+    /// All points within a radius of a segment along the body's z axis.
+    Capsule {
+        /// Half of the segment's length (m).
+        half_length: f64,
+        /// Radius (m).
+        radius: f64,
+    },
+    /// A convex polytope with its centre of mass at the origin and principal axes.
+    Hull(Arc<Polytope>),
     /// The half space behind a plane through the body's origin.
     Plane {
         /// The unit normal, pointing out of the matter.

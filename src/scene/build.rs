@@ -3,14 +3,15 @@
 
 use std::collections::HashMap;
 use std::path::Path;
+use std::sync::Arc;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::description::{self, Description, Rotation};
+use super::description::{self, Capsule, Description, Rotation};
 use super::joints::Site;
 use super::settings::{not_negative, positive};
 use super::{Scene, generate};
-use crate::body::{Body, Mass, Pose, Shape, State, inertia};
+use crate::body::{Body, Mass, Polytope, Pose, Shape, State, inertia};
 use crate::error::{Defects, Result};
 
 /// The mass of a body whose own cannot be used: one that causes no further defects.
@@ -44,8 +45,11 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
             let reason = format!("{:?} is the name of bodies[{first}] too", body.name);
             defects.add(format!("{place}.name"), reason);
         }
-        scene.bodies.push(build_body(&mut defects, &place, body, whole.contact.friction));
-        scene.states.push(build_state(&mut defects, &place, body));
+        let (shape, frame) = build_shape(&mut defects, &place, &body.shape);
+        let mass = build_mass(&mut defects, &place, body, &shape);
+        let friction = build_friction(&mut defects, &place, body, whole.contact.friction);
+        scene.bodies.push(Body { name: body.name.clone(), mass, shape, friction });
+        scene.states.push(build_state(&mut defects, &place, body, &frame));
     }
     for (k, constraint) in whole.constraints.iter().enumerate() {
         let site = Site { place: format!("constraints[{k}]"), written: constraint };
@@ -59,33 +63,51 @@ fn stem(name: &str) -> String {
     Path::new(name).file_stem().map_or_else(|| name.into(), |stem| stem.to_string_lossy().into())
 }
 
-fn build_body(defects: &mut Defects, place: &str, body: &description::Body, friction: f64) -> Body {
-    let shape = build_shape(defects, place, &body.shape);
-    let mass = build_mass(defects, place, body, &shape);
+fn build_friction(defects: &mut Defects, place: &str, body: &description::Body, usual: f64) -> f64 {
     if let Some(friction) = body.friction {
         not_negative(defects, format!("{place}.friction"), friction);
     }
-    Body { name: body.name.clone(), mass, shape, friction: body.friction.unwrap_or(friction) }
+    body.friction.unwrap_or(usual)
 }
 
-fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -> Shape {
+/// The shape in the body's frame, and that frame in the axes in which the shape is written: they
+/// differ for a hull only.
+fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -> (Shape, Pose) {
     let place = format!("{place}.shape");
-    match *shape {
+    let shape = match shape {
         description::Shape::Point => Shape::Point,
         description::Shape::Sphere(radius) => {
-            positive(defects, place, radius);
-            Shape::Sphere { radius }
+            positive(defects, place, *radius);
+            Shape::Sphere { radius: *radius }
         }
         description::Shape::Box(edges) => {
-            for edge in edges {
+            for &edge in edges {
                 positive(defects, place.as_str(), edge);
             }
-            Shape::Box { half: Vector3::from(edges) / 2.0 }
+            Shape::Box { half: Vector3::from(*edges) / 2.0 }
         }
+        description::Shape::Capsule(Capsule { length, radius }) => {
+            positive(defects, format!("{place}.capsule.length"), *length);
+            positive(defects, format!("{place}.capsule.radius"), *radius);
+            Shape::Capsule { half_length: length / 2.0, radius: *radius }
+        }
+        description::Shape::Hull(points) => return build_hull(defects, &place, points),
         description::Shape::Plane(normal) => {
-            Shape::Plane { normal: direction(defects, &place, &normal) }
+            Shape::Plane { normal: direction(defects, &place, normal) }
         }
-    }
+    };
+    (shape, State::WORLD.pose)
+}
+
+fn build_hull(defects: &mut Defects, place: &str, points: &[[f64; 3]]) -> (Shape, Pose) {
+    let points: Vec<_> = points.iter().copied().map(Vector3::from).collect();
+    let Some(hull) = Polytope::hull(&points) else {
+        let reason = format!("{} points that span no volume", points.len());
+        defects.add(format!("{place}.hull"), reason);
+        return (Shape::Sphere { radius: 1.0 }, State::WORLD.pose); // causes no further defects
+    };
+    let frame = inertia::principal_frame(&hull);
+    (Shape::Hull(Arc::new(hull.seen_from(&frame))), frame)
 }
 
 fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shape: &Shape) -> Mass {
@@ -98,6 +120,10 @@ fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shap
     }
     if matches!(shape, Shape::Plane { .. }) {
         defects.add(format!("{place}.shape"), "a plane must be fixed");
+        return STAND_IN;
+    }
+    if matches!(body.shape, description::Shape::Hull(_)) && body.inertia.is_some() {
+        defects.add(format!("{place}.inertia"), "that of a hull follows from its points");
         return STAND_IN;
     }
     let Some(mass) = weigh(defects, place, body, shape) else { return STAND_IN };
@@ -150,7 +176,12 @@ fn check_moments(defects: &mut Defects, place: &str, moments: &Vector3<f64>) {
     }
 }
 
-fn build_state(defects: &mut Defects, place: &str, body: &description::Body) -> State {
+fn build_state(
+    defects: &mut Defects,
+    place: &str,
+    body: &description::Body,
+    frame: &Pose,
+) -> State {
     finite(defects, &format!("{place}.position"), &body.position);
     let point = body.shape == description::Shape::Point;
     let motions = [("velocity", &body.velocity), ("angular_velocity", &body.angular_velocity)];
@@ -170,8 +201,9 @@ fn build_state(defects: &mut Defects, place: &str, body: &description::Body) -> 
     if q.is_none() {
         defects.add(format!("{place}.rotation"), "is not a rotation: it must be finite and not 0");
     }
+    let written = Pose { p: body.position.into(), q: q.unwrap_or_default() };
     State {
-        pose: Pose { p: body.position.into(), q: q.unwrap_or_default() },
+        pose: Pose { p: written.point(&frame.p), q: written.q * frame.q },
         v: body.velocity.into(),
         omega: body.angular_velocity.into(),
     }

@@ -28,6 +28,7 @@ pub const SHIPPED: &[Shipped] = shipped![
     "sphere_plane",
     "incline",
     "stack",
+    "persistence",
     "pendulum",
     "double_pendulum",
     "chain",

@@ -85,10 +85,11 @@ pub struct Body {
     /// Principal moments of inertia (kg m²), in place of those of a homogeneous body.
     #[serde(default)]
     pub inertia: Option<[f64; 3]>,
-    /// The centre of mass (m); of a plane, any point of it.
+    /// The centre of mass (m); of a plane, any point of it; of a hull, the origin of its points.
     #[serde(default)]
     pub position: [f64; 3],
-    /// The orientation; by default the body's axes are the world's.
+    /// The orientation; by default the body's axes are the world's. Of a hull, the orientation of
+    /// the axes in which its points are given.
     #[serde(default)]
     pub rotation: Option<Rotation>,
     /// Velocity (m/s).
@@ -103,18 +104,32 @@ pub struct Body {
 }
 
 /// The shape of a body, as `"point"` or `{ sphere = 0.5 }`.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Shape {
-    /// A point mass: it has a place but no orientation, and touches planes only.
+    /// A point mass: it has a place but no orientation, and touches all but other points.
     #[default]
     Point,
     /// A ball of this radius (m).
     Sphere(f64),
     /// A box with these edge lengths (m).
     Box([f64; 3]),
+    /// A cylinder along z with half balls at its ends.
+    Capsule(Capsule),
+    /// The convex hull of these points (m), which must span a volume.
+    Hull(Vec<[f64; 3]>),
     /// The half space below a plane with this normal (any length); must be fixed.
     Plane([f64; 3]),
+}
+
+/// All points within a radius of a segment along the body's z axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Capsule {
+    /// The length of the segment (m); the whole capsule is longer by two radii.
+    pub length: f64,
+    /// Radius (m).
+    pub radius: f64,
 }
 
 /// An orientation, body to world.

@@ -4,7 +4,6 @@
 //! field) or built from a description made by a program; [`contacts()`] finds where its bodies
 //! touch.
 
-mod boxes;
 mod build;
 pub mod catalogue;
 mod contacts;
@@ -14,10 +13,10 @@ pub mod generate;
 mod joints;
 mod settings;
 
-pub use contacts::{ContactId, Found, contacts};
+pub use contacts::{ContactId, Feature, Found, contacts};
 pub use description::Description;
 pub use file::schema;
-pub use settings::{Contacts, Formulation, Order, Solver, Step};
+pub use settings::{Contacts, Formulation, Manifold, Order, Persistence, Solver, Step};
 
 use std::path::Path;
 use std::sync::Arc;

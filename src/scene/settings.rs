@@ -61,6 +61,29 @@ impl Default for Step {
     }
 }
 
+/// How many points of a pair of bodies become contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Manifold {
+    /// All that touch.
+    #[default]
+    Full,
+    /// At most four: the deepest, the one farthest from it, and two that span the largest area.
+    Four,
+}
+
+/// What of the contacts of a step is known in the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Persistence {
+    /// Points where the same features touch are the same contact: a solve starts from its last
+    /// impulses.
+    #[default]
+    Features,
+    /// Nothing: the impulses of every contact start from 0 in every step.
+    None,
+}
+
 /// When contacts count, and what they do.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -79,6 +102,10 @@ pub struct Contacts {
     pub resting_gap: f64,
     /// Acceleration level: a touching contact that parts at up to this speed (m/s) rests.
     pub resting_speed: f64,
+    /// How many points of a pair of bodies become contacts.
+    pub manifold: Manifold,
+    /// What of the contacts of a step is known in the next.
+    pub persistence: Persistence,
 }
 
 impl Default for Contacts {
@@ -91,6 +118,8 @@ impl Default for Contacts {
             slop: 0.0,
             resting_gap: 1e-9,
             resting_speed: 1e-9,
+            manifold: Manifold::default(),
+            persistence: Persistence::default(),
         }
     }
 }

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::{Cause, Solve};
-use crate::assembly::{Assembly, Entering, RowId};
+use crate::assembly::{Assembly, Entering, RowId, Source};
 use crate::body::State;
 use crate::formulation::{Problem, Stage};
-use crate::scene::{Found, Scene};
+use crate::scene::{Found, Persistence, Scene};
 use crate::solver::{Observer, Solver, Start};
 
 /// The x of each row at the end of a step, by what it decided.
@@ -36,7 +36,11 @@ impl Solving<'_> {
 
     /// Solves a problem from the x that rows of the same name had at the same stage, and keeps it.
     pub fn solve(&mut self, problem: Problem) -> &Solve {
-        let before = |id: RowId| self.previous.get(&(problem.stage, id)).copied().unwrap_or(0.0);
+        let forgets = self.scene.contact.persistence == Persistence::None;
+        let before = |id: RowId| match id.source {
+            Source::Contact(_) if forgets => 0.0,
+            _ => self.previous.get(&(problem.stage, id)).copied().unwrap_or(0.0),
+        };
         let x: Vec<f64> = problem.assembly.rows.iter().map(|row| before(row.id)).collect();
         let solution = self.solver.solve(&problem.lcp, &Start { x: Some(&x) }, self.observer);
         self.solves.push(Solve { problem, solution });

@@ -28,10 +28,10 @@ impl Structure for Stack {
     }
 
     fn add_to(&self, scene: &mut Description) {
-        let cube = Shape::Box([self.size; 3]);
+        let cube = || Shape::Box([self.size; 3]);
         scene.bodies.extend((1..=self.count).map(|k| {
             let position = [0.0, 0.0, (k as f64 - 0.5) * self.size];
-            solid(format!("box{k}"), cube, self.mass, position)
+            solid(format!("box{k}"), cube(), self.mass, position)
         }));
     }
 }

@@ -5,11 +5,18 @@ use lcplab::constraint::{
     ALL, Bodies, Contact, Coordinate, Joint, Motion, Normal, Orientation, Placement, Verifiable,
     verify,
 };
+use lcplab::scene::{Scene, contacts};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
 use crate::common::cases;
 
+const SHAPES: [&str; 4] = [
+    "{ sphere = 0.5 }",
+    "{ box = [1, 1, 1] }",
+    "{ capsule = { length = 1, radius = 0.25 } }",
+    "{ hull = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]] }",
+];
 const BODIES: Bodies = [Some(0), Some(1)];
 
 fn vector() -> impl Strategy<Value = Vector3<f64>> {
@@ -177,5 +184,21 @@ proptest! {
         let turned = q0 * UnitQuaternion::from_scaled_axis(n * phi);
         let value: f64 = angle.value([&pose(q0), &pose(turned)]);
         prop_assert!((value - phi).abs() < 1e-13);
+    }
+
+    #[test]
+    fn contacts_found_between_shapes_match_dual_numbers(
+        a in state(), b in state(), shapes in [0..4usize, 0..4usize],
+    ) {
+        let body = |k: usize| {
+            let shape = SHAPES[shapes[k]];
+            format!("[[bodies]]\nname = \"{k}\"\nmass = 1\nshape = {shape}\n")
+        };
+        let scene = Scene::from_toml("two.toml", &(body(0) + &body(1))).expect("a valid scene");
+        for found in contacts(&scene, &[a, b], 1.0) {
+            prop_assume!(found.gap.abs() > 1e-3); // the normals are well defined
+            let swapped = found.contact.bodies == [Some(1), Some(0)];
+            check(&found.contact, if swapped { [&b, &a] } else { [&a, &b] }, "contact")?;
+        }
     }
 }

@@ -1,6 +1,7 @@
-//! Scene files, good and broken, and where bodies touch.
+//! Scene files, good and broken, what shapes weigh, and where bodies touch.
 
 mod bad_files;
 mod catalogue;
 mod contacts;
 mod generate;
+mod hulls;

@@ -1,0 +1,68 @@
+//! Polytopes that are apart with an edge or a vertex nearest: the vertices of each and the feature
+//! of the other that is nearest to them.
+//!
+//! A vertex over the face, edge or vertex that is nearest to it must not get past it; so each of
+//! these contacts holds by itself, however many are taken.
+
+use nalgebra::Vector3;
+
+use super::solid::Solid;
+use super::{Feature, Touch};
+use crate::constraint::Normal;
+
+/// A vertex counts if none of its edges leads towards the other body more steeply than this (as a
+/// sine): both ends of a capsule do that lies along another one.
+const LEVEL: f64 = 0.1;
+
+/// The vertices of `a` and of `b` that come within `reach` (m) of the other.
+pub(super) fn touches(a: &Solid, b: &Solid, reach: f64) -> Vec<Touch> {
+    let mut touches = vertices_of_second(a, b, reach);
+    for touch in vertices_of_second(b, a, reach) {
+        let touch = touch.swap();
+        if touches.iter().all(|known| known.names() != touch.names()) {
+            touches.push(touch);
+        }
+    }
+    touches
+}
+
+fn vertices_of_second(a: &Solid, b: &Solid, reach: f64) -> Vec<Touch> {
+    let vertices = b.vertices.iter().enumerate();
+    let touch = |(k, vertex): (usize, &Vector3<f64>)| {
+        let touch = nearest_feature(a, k, vertex);
+        let towards = (touch.anchors[0] - vertex).try_normalize(0.0)?;
+        let counts = touch.separation <= reach && b.vertex_faces(k, &towards, LEVEL);
+        counts.then_some(touch)
+    };
+    vertices.filter_map(touch).collect()
+}
+
+/// The feature of `a` nearest to vertex k of the other body, which lies outside.
+fn nearest_feature(a: &Solid, k: usize, vertex: &Vector3<f64>) -> Touch {
+    let touch = |feature: Feature, foot: Vector3<f64>, normal: Normal| Touch {
+        features: [feature, Feature::Vertex(k)],
+        anchors: [foot, *vertex],
+        normal,
+        separation: (vertex - foot).norm(),
+        swapped: false,
+    };
+    let faces = (0..a.normals.len()).filter_map(|face| {
+        let height = a.height(face, vertex);
+        let over = height >= 0.0 && a.covers(face, &a.normals[face], vertex, 0.0);
+        let foot = vertex - a.normals[face] * height;
+        over.then(|| touch(Feature::Face(face), foot, Normal::Face(a.local_normal(face))))
+    });
+    let edges = (0..a.directions.len()).filter_map(|edge| {
+        let ([from, _], e) = (a.ends(edge), a.directions[edge]);
+        let along = e.dot(&(vertex - from));
+        let beside = along > 0.0 && along < a.length(edge);
+        beside.then(|| touch(Feature::Edge(edge), from + e * along, Normal::Edge(a.local(&e))))
+    });
+    let first = touch(Feature::Vertex(0), a.vertices[0], Normal::Centres);
+    let corners = a.vertices.iter().enumerate().skip(1);
+    let corners = corners.map(|(i, v)| touch(Feature::Vertex(i), *v, Normal::Centres));
+    let nearer = |best: Touch, touch: Touch| {
+        if touch.separation < best.separation { touch } else { best }
+    };
+    faces.chain(edges).chain(corners).fold(first, nearer)
+}

@@ -1,0 +1,23 @@
+//! A half space, body 0, and the vertices of anything.
+
+use nalgebra::Vector3;
+
+use super::solid::Solid;
+use super::{Feature, Touch};
+use crate::body::Pose;
+use crate::constraint::Normal;
+
+/// Every vertex of a solid over the plane through the origin of a body with this pose; `normal` in
+/// the body's axes.
+pub(super) fn touches(normal: &Vector3<f64>, pose: &Pose, solid: &Solid) -> Vec<Touch> {
+    let n = pose.direction(normal);
+    let vertices = solid.vertices.iter().enumerate();
+    let touch = |(k, vertex): (usize, &Vector3<f64>)| Touch {
+        features: [Feature::Face(0), Feature::Vertex(k)],
+        anchors: [pose.p, *vertex],
+        normal: Normal::Face(*normal),
+        separation: n.dot(&(vertex - pose.p)),
+        swapped: false,
+    };
+    vertices.map(touch).collect()
+}

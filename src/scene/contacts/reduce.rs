@@ -1,0 +1,48 @@
+//! At most four contacts for a pair of bodies: four points carry what many do, as long as they span
+//! the area that the many span.
+//!
+//! The deepest, the one farthest from it, the one that spans the largest triangle with these two,
+//! and the one that adds most to it on another side. Ties go to the first, with some room for
+//! rounding, so that the same four are taken from step to step.
+
+use nalgebra::Vector3;
+
+use super::Found;
+
+/// Measures that differ by this part of the points' extent are equal.
+const EQUAL: f64 = 1e-6;
+
+/// The four of these contacts that are kept, in their order.
+pub(super) fn to_four(found: Vec<Found>) -> Vec<Found> {
+    if found.len() <= 4 {
+        return found;
+    }
+    let point = |k: usize| found[k].point;
+    let n = found[0].normal; // either sign serves: only sides relative to each other count
+    let extent = found.iter().map(|f| (f.point - point(0)).norm()).fold(0.0, f64::max);
+    let most = |measure: &dyn Fn(usize) -> f64, unit: f64| {
+        let equal = EQUAL * unit;
+        (0..found.len())
+            .fold(0, |best, k| if measure(k) > measure(best) + equal { k } else { best })
+    };
+    let area = |i: usize, j: usize, k: usize| triangle(&n, [i, j, k].map(point));
+    let first = most(&|k| -found[k].gap, extent);
+    let second = most(&|k| (point(k) - point(first)).norm(), extent);
+    let third = most(&|k| area(first, second, k).abs(), extent * extent);
+    let turn = area(first, second, third).signum();
+    let corners = [first, second, third];
+    let outside = |k: usize| {
+        let sides = (0..3).map(|c| -turn * area(corners[c], corners[(c + 1) % 3], k));
+        sides.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let fourth = most(&outside, extent * extent);
+    let mut kept = [first, second, third, fourth];
+    kept.sort_unstable();
+    let mut found: Vec<Option<Found>> = found.into_iter().map(Some).collect();
+    kept.iter().filter_map(|&k| found[k].take()).collect()
+}
+
+/// Twice the area of a triangle as seen along n, positive if counterclockwise.
+fn triangle(n: &Vector3<f64>, [a, b, c]: [Vector3<f64>; 3]) -> f64 {
+    n.dot(&(b - a).cross(&(c - a)))
+}

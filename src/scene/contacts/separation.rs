@@ -1,0 +1,63 @@
+//! How far two polytopes are apart along the axes that can separate them: the normals of the faces
+//! of either, and the common normals of an edge of each.
+//!
+//! The separation along n is min over b of n·x − max over a of n·x. Overlapping polytopes are
+//! nearest to parting along the axis where it is largest, and none is above 0; polytopes that are
+//! apart have it equal to their distance, unless a vertex is nearest to an edge or a vertex.
+
+use nalgebra::Vector3;
+
+use super::solid::Solid;
+
+/// Edges at a smaller angle than this (as a sine) count as parallel: they have no common normal.
+pub(super) const PARALLEL: f64 = 1e-3;
+
+/// A face of body 0 as an axis.
+#[derive(Clone, Copy)]
+pub(super) struct FaceAxis {
+    pub face: usize,
+    /// (m)
+    pub separation: f64,
+}
+
+/// The common normal of an edge of each body as an axis.
+#[derive(Clone, Copy)]
+pub(super) struct EdgeAxis {
+    pub edges: [usize; 2],
+    /// The unit normal, from body 0 to body 1.
+    pub n: Vector3<f64>,
+    /// (m)
+    pub separation: f64,
+}
+
+/// The face of `a` over which `b` lies highest.
+pub(super) fn by_faces(a: &Solid, b: &Solid) -> Option<FaceAxis> {
+    let axis = |face: usize| {
+        let heights = b.vertices.iter().map(|vertex| a.height(face, vertex));
+        FaceAxis { face, separation: heights.fold(f64::INFINITY, f64::min) }
+    };
+    (0..a.normals.len())
+        .map(axis)
+        .reduce(|best, axis| if axis.separation > best.separation { axis } else { best })
+}
+
+/// The edges that part `a` and `b` best, each of which reaches farthest along the normal.
+pub(super) fn by_edges(a: &Solid, b: &Solid) -> Option<EdgeAxis> {
+    let mut best: Option<EdgeAxis> = None;
+    for (i, e0) in a.directions.iter().enumerate() {
+        for (j, e1) in b.directions.iter().enumerate() {
+            let across = e0.cross(e1);
+            for m in [across, -across] {
+                if !a.edge_faces(i, &m) || !b.edge_faces(j, &-m) {
+                    continue;
+                }
+                let Some(n) = m.try_normalize(PARALLEL) else { continue };
+                let separation = n.dot(&(b.ends(j)[0] - a.ends(i)[0]));
+                if best.is_none_or(|axis| separation > axis.separation) {
+                    best = Some(EdgeAxis { edges: [i, j], n, separation });
+                }
+            }
+        }
+    }
+    best
+}

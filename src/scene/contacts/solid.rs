@@ -1,0 +1,127 @@
+//! A body's shape in its place: a convex polytope with a radius around it, in world axes.
+
+use std::borrow::Cow;
+
+use nalgebra::Vector3;
+
+use crate::body::{Body, Polytope, Pose, Shape, State};
+
+/// A direction counts as along a surface when it leaves it by no more than this (as a sine).
+const ALONG: f64 = 1e-9;
+
+/// A body's polytope in world axes.
+pub(super) struct Solid<'a> {
+    polytope: Cow<'a, Polytope>,
+    pose: Pose,
+    /// The distance (m) up to which points around the polytope belong to the body.
+    pub radius: f64,
+    /// The polytope's vertices (m).
+    pub vertices: Vec<Vector3<f64>>,
+    /// The unit normals of its faces.
+    pub normals: Vec<Vector3<f64>>,
+    /// The unit directions of its edges, from end 0 to end 1.
+    pub directions: Vec<Vector3<f64>>,
+    /// For each edge between faces, the directions across it into each face.
+    inwards: Vec<Option<[Vector3<f64>; 2]>>,
+}
+
+impl<'a> Solid<'a> {
+    /// The solid of a body; none for a half space.
+    pub fn new(body: &'a Body, state: &State) -> Option<Self> {
+        let polytope = match &body.shape {
+            Shape::Point | Shape::Sphere { .. } => Cow::Owned(Polytope::point()),
+            Shape::Capsule { half_length, .. } => Cow::Owned(Polytope::segment(*half_length)),
+            Shape::Box { half } => Cow::Owned(Polytope::cuboid(half)),
+            Shape::Hull(hull) => Cow::Borrowed(hull.as_ref()),
+            Shape::Plane { .. } => return None,
+        };
+        let pose = state.pose;
+        let vertices: Vec<_> = polytope.vertices.iter().map(|v| pose.point(v)).collect();
+        let normals: Vec<_> = polytope.faces.iter().map(|f| pose.direction(&f.normal)).collect();
+        let directions: Vec<_> = polytope
+            .edges
+            .iter()
+            .map(|edge| (vertices[edge.ends[1]] - vertices[edge.ends[0]]).normalize())
+            .collect();
+        let inward = |(edge, e): (&crate::body::Edge, &Vector3<f64>)| {
+            edge.faces.map(|[left, right]| [normals[left].cross(e), -normals[right].cross(e)])
+        };
+        let inwards = polytope.edges.iter().zip(&directions).map(inward).collect();
+        let radius = radius(&body.shape);
+        Some(Solid { polytope, pose, radius, vertices, normals, directions, inwards })
+    }
+
+    /// The ends of an edge (m).
+    pub fn ends(&self, edge: usize) -> [Vector3<f64>; 2] {
+        self.polytope.edges[edge].ends.map(|k| self.vertices[k])
+    }
+
+    /// The length of an edge (m).
+    pub fn length(&self, edge: usize) -> f64 {
+        let [from, to] = self.ends(edge);
+        (to - from).norm()
+    }
+
+    /// The vertices around a face.
+    pub fn corners(&self, face: usize) -> &[usize] {
+        &self.polytope.faces[face].corners
+    }
+
+    /// The edges around a face.
+    pub fn rim(&self, face: usize) -> &[usize] {
+        &self.polytope.faces[face].edges
+    }
+
+    /// How far (m) a point lies above a face.
+    pub fn height(&self, face: usize, point: &Vector3<f64>) -> f64 {
+        self.normals[face].dot(&(point - self.vertices[self.corners(face)[0]]))
+    }
+
+    /// Whether a point lies over a face as seen along `view`, or beside it by up to `rim` (m).
+    pub fn covers(&self, face: usize, view: &Vector3<f64>, point: &Vector3<f64>, rim: f64) -> bool {
+        let corners = self.corners(face);
+        (0..corners.len()).all(|k| {
+            let [from, to] = [k, (k + 1) % corners.len()].map(|k| self.vertices[corners[k]]);
+            let inward = view.cross(&(to - from));
+            inward.dot(&(point - from)) >= -rim * inward.norm()
+        })
+    }
+
+    /// Whether an edge is what reaches farthest along n (any length) among it and its faces.
+    pub fn edge_faces(&self, edge: usize, n: &Vector3<f64>) -> bool {
+        let slack = ALONG * n.norm();
+        self.inwards[edge].is_none_or(|faces| faces.iter().all(|inward| inward.dot(n) <= slack))
+    }
+
+    /// Whether no edge leaves a vertex along the unit vector n by more than `slack` (as a sine).
+    pub fn vertex_faces(&self, vertex: usize, n: &Vector3<f64>, slack: f64) -> bool {
+        self.polytope.edges.iter().zip(&self.directions).all(|(edge, e)| match edge.ends {
+            [from, _] if from == vertex => e.dot(n) <= slack,
+            [_, to] if to == vertex => -e.dot(n) <= slack,
+            _ => true,
+        })
+    }
+
+    /// The extent of the polytope (m): the greatest distance of a vertex from the body's origin.
+    pub fn size(&self) -> f64 {
+        self.polytope.vertices.iter().map(|v| v.norm()).fold(0.0, f64::max)
+    }
+
+    /// A direction in the body's own axes.
+    pub fn local(&self, direction: &Vector3<f64>) -> Vector3<f64> {
+        self.pose.q.inverse() * direction
+    }
+
+    /// The normal of a face in the body's own axes.
+    pub fn local_normal(&self, face: usize) -> Vector3<f64> {
+        self.polytope.faces[face].normal
+    }
+}
+
+/// The radius (m) around the polytope of a shape.
+pub(super) fn radius(shape: &Shape) -> f64 {
+    match shape {
+        Shape::Sphere { radius } | Shape::Capsule { radius, .. } => *radius,
+        Shape::Point | Shape::Box { .. } | Shape::Hull(_) | Shape::Plane { .. } => 0.0,
+    }
+}
