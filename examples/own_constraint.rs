@@ -35,5 +35,6 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     verify(&Bowl(2.0), [&State::WORLD, &scene.states[0]])?; // J and J'u by dual numbers
     let mut bead = Simulation::new(scene, solver::by_name("dantzig", &Default::default())?);
     bead.run(142, |_| std::ops::ControlFlow::Continue(()));
-    Ok(println!("after a turn at {:.2?}", bead.states()[0].pose.p.as_slice()))
+    println!("after a turn at {:.2?}", bead.states()[0].pose.p.as_slice());
+    Ok(())
 }
