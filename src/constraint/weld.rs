@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::RealField;
+use nalgebra::{RealField, Vector3};
 
 use super::{
     Bodies, Coincidence, Constraint, Degenerate, Field, Joint, Orientation, Position, Row,
@@ -45,6 +45,10 @@ impl Constraint for Weld {
         let mut rows = self.point.rows(states)?;
         rows.extend(self.orientation.rows(states)?);
         Ok(rows)
+    }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        self.point.anchors()
     }
 }
 
