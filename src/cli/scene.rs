@@ -114,8 +114,9 @@ impl SceneArgs {
 Example:
   lcplab simulate pendulum --steps 500 --out swing --frames 8 --forces
 
-Writes trajectory.csv (poses and velocities), ledger.csv (energy, momentum, errors), results.json and
-frames.svg (a picture of some instants) to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
+Writes trajectory.csv (poses and velocities), ledger.csv (energy and where it went, momentum, errors),
+forces.csv (x and w of every row), results.json and frames.svg (a picture of some instants) to the
+folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
 recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
     #[command(flatten)]

@@ -9,7 +9,10 @@ pub mod drift;
 pub mod families;
 pub mod friction;
 pub mod merits;
+pub mod rates;
+pub mod sliding;
 pub mod sparsity;
+pub mod worst_cases;
 
 use crate::error::Result;
 use crate::formulation::Problem;

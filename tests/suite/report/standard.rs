@@ -1,5 +1,6 @@
 use indicatif::ProgressBar;
 use lcplab::report::experiment::Experiment;
+use lcplab::report::page::Table;
 use lcplab::report::results::Results;
 use lcplab::report::{run, study, view, write};
 use lcplab::solver::ALL;
@@ -12,6 +13,9 @@ solvers = ["pgs", "dantzig"]
 comparison = [{ scene = "fig7", steps = 2 }, { scene = "incline", steps = 3 }]
 cross_check = [{ scene = "fig7", step = 1 }]
 convergence = [{ scene = "chain", step = 20, omegas = [1.0, 1.5] }]
+rates = { bodies = [5], ratios = [10.0] }
+worst_cases = { sizes = [2, 4] }
+friction = { mu = 0.5, push = 3.0 }
 merits = [{ scene = "stack", step = 1 }]
 sparsity = [{ scene = "stack", step = 1 }]
 drift = [{ scene = "pendulum", duration = 0.1 }]
@@ -24,10 +28,16 @@ fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
     Experiment::load(path.to_str().unwrap())
 }
 
-fn results(threads: usize) -> Results {
+pub fn results(threads: usize) -> Results {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let experiment = experiment(SMALL).unwrap();
     pool.install(|| run::run(&experiment, &ProgressBar::hidden())).unwrap()
+}
+
+/// The table of these results whose file has this name.
+pub fn table(results: &Results, name: &str) -> Table {
+    let tables = view::document(results).tables;
+    tables.into_iter().find(|(id, _)| id == name).expect("a table of that name").1
 }
 
 #[test]
@@ -65,8 +75,8 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
         assert!(folder.path().join("data").join(link).is_file(), "{link}");
         count += 1;
     }
-    // A CSV for each of 8 tables, an SVG and a CSV for each of 5 figures.
-    assert_eq!(count, 8 + 2 * 5);
+    // A CSV for each of 13 tables, an SVG and a CSV for each of 9 figures.
+    assert_eq!(count, 13 + 2 * 9);
     assert!(folder.path().join("results.json").is_file());
     let left_over = std::fs::read_dir(folder.path()).unwrap();
     assert!(left_over.flatten().all(|file| file.path().extension().is_none_or(|e| e != "part")));

@@ -4,6 +4,7 @@ mod failures;
 mod free;
 mod friction;
 mod impact;
+mod ledger;
 mod pendulum;
 mod resting;
 mod shipped;
