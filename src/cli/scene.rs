@@ -10,11 +10,12 @@ use lcplab::plot::Figure;
 use lcplab::plot::scene::{Frame, Strip, instants};
 use lcplab::report::study::{comparison, scene_solver};
 use lcplab::report::{recording, text, view, write};
-use lcplab::scene::{Formulation, Scene, catalogue};
+use lcplab::scene::{self, Formulation, Scene, catalogue};
 use lcplab::simulation::{Simulation, Step};
-use lcplab::solver::{ALL, entry};
+use lcplab::solver::{ALL, Entry, Solver, entry};
 use serde_json::json;
 
+use super::options::{Choices, RowOrder};
 use super::{Outcome, bar, print};
 
 /// List the shipped scenes, or print one
@@ -76,9 +77,8 @@ struct SceneArgs {
     /// Most sweeps or pivots in a solve
     #[arg(long)]
     max_iterations: Option<usize>,
-    /// Relaxation factor of sor, above 0 and below 2
-    #[arg(long)]
-    omega: Option<f64>,
+    #[command(flatten)]
+    choices: Choices,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -102,9 +102,44 @@ impl SceneArgs {
         solver.name = self.solver.clone().unwrap_or_else(|| solver.name.clone());
         solver.tolerance = self.tolerance.unwrap_or(solver.tolerance);
         solver.max_iterations = self.max_iterations.unwrap_or(solver.max_iterations);
-        solver.omega = self.omega.unwrap_or(solver.omega);
+        solver.omega = self.choices.omega.unwrap_or(solver.omega);
+        solver.order = self.choices.order.map_or(solver.order, scene::Order::from);
+        solver.seed = self.choices.seed.unwrap_or(solver.seed);
+        solver.damping = self.choices.damping.or(solver.damping);
         scene.validate()?;
         Ok(scene)
+    }
+
+    /// The scene's solver; options that it does not look at are refused.
+    fn solver(&self, scene: &Scene) -> Result<Box<dyn Solver>> {
+        let solver = scene_solver(scene)?;
+        self.check(&[*entry(&scene.solver.name)?], scene)?;
+        Ok(solver)
+    }
+
+    fn check(&self, solvers: &[Entry], scene: &Scene) -> Result<()> {
+        let users: Vec<_> = solvers.iter().map(|entry| (entry.name, entry.uses)).collect();
+        self.choices.check(&users, Some(scene.solver.order.into()))
+    }
+}
+
+impl From<RowOrder> for scene::Order {
+    fn from(order: RowOrder) -> Self {
+        match order {
+            RowOrder::Natural => scene::Order::Natural,
+            RowOrder::Reverse => scene::Order::Reverse,
+            RowOrder::Shuffled => scene::Order::Shuffled,
+        }
+    }
+}
+
+impl From<scene::Order> for RowOrder {
+    fn from(order: scene::Order) -> Self {
+        match order {
+            scene::Order::Natural => RowOrder::Natural,
+            scene::Order::Reverse => RowOrder::Reverse,
+            scene::Order::Shuffled => RowOrder::Shuffled,
+        }
     }
 }
 
@@ -141,7 +176,7 @@ pub struct Simulate {
 impl Simulate {
     pub fn run(&self) -> Result<Outcome> {
         let scene = self.scene.load()?;
-        let solver = scene_solver(&scene)?;
+        let solver = self.scene.solver(&scene)?;
         let steps = self.steps.unwrap_or(scene.step.count);
         let progress = bar(steps as u64, &scene.name);
         let mut simulation = Simulation::new(scene.clone(), solver);
@@ -213,6 +248,7 @@ impl Compare {
             Some(name) => vec![*entry(name)?],
             None => ALL.to_vec(),
         };
+        self.scene.check(&solvers, &scene)?;
         let progress = bar(comparison::runs(solvers.len()) as u64, &scene.name);
         let (comparison, timings) = comparison::compare(&scene, &solvers, steps, &progress);
         progress.finish_and_clear();
@@ -252,7 +288,7 @@ pub struct Export {
 impl Export {
     pub fn run(&self) -> Result<Outcome> {
         let scene = self.scene.load()?;
-        let mut simulation = Simulation::new(scene.clone(), scene_solver(&scene)?);
+        let mut simulation = Simulation::new(scene.clone(), self.scene.solver(&scene)?);
         let mut last = None;
         for _ in 0..self.step {
             match simulation.step() {

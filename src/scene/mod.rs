@@ -17,7 +17,7 @@ mod settings;
 pub use contacts::{ContactId, Found, contacts};
 pub use description::Description;
 pub use file::schema;
-pub use settings::{Contacts, Formulation, Solver, Step};
+pub use settings::{Contacts, Formulation, Order, Solver, Step};
 
 use std::path::Path;
 use std::sync::Arc;

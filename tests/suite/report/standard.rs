@@ -1,9 +1,10 @@
 use indicatif::ProgressBar;
+use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::page::Table;
 use lcplab::report::results::Results;
-use lcplab::report::{run, study, view, write};
-use lcplab::solver::ALL;
+use lcplab::report::{methods, run, study, view, write};
+use lcplab::solver::{ALL, Method};
 
 /// Every study once, on scenes that take milliseconds.
 const SMALL: &str = r#"
@@ -111,11 +112,34 @@ fn a_bad_report_file_is_refused_with_its_line() {
 }
 
 #[test]
-fn the_readme_lists_the_registered_solvers() {
+fn the_readme_lists_every_method_and_the_models_it_takes() {
     let readme = include_str!("../../../README.md");
-    for entry in ALL {
-        let row =
-            format!("| `{}` | {} | {} | {} |", entry.name, entry.method, entry.class, entry.source);
+    for method in methods::all() {
+        let (line, class, source) = match method {
+            Method::Boxed(entry) => (entry.method, entry.class, entry.source),
+            Method::Cone(entry) => (entry.method, entry.class, entry.source),
+        };
+        let row = format!("| `{}` | {line} | {class} | {source} |", method.name());
         assert!(readme.contains(&row), "the README lacks the row\n{row}");
+    }
+    let names = |model: Model| {
+        let taking = methods::all().into_iter().filter(|method| method.takes(Some(model)));
+        taking.map(|method| format!("`{}`", method.name())).collect::<Vec<_>>()
+    };
+    let boxed: Vec<String> =
+        ALL.iter().map(|entry| entry.name).chain(["clarabel"]).map(|n| format!("`{n}`")).collect();
+    for model in Model::ALL {
+        let mut row = readme.lines().filter(|line| line.starts_with("| `"));
+        let name = match model {
+            Model::Polyhedral { .. } => "polygon-4".to_string(),
+            model => model.to_string(),
+        };
+        let row = row.find(|line| line.starts_with(&format!("| `{name}`"))).expect("a row");
+        let solvers = match names(model) {
+            names if names == boxed => "all solvers above".to_string(),
+            names if names == boxed[..ALL.len()] => "all solvers above but `clarabel`".to_string(),
+            names => names.join(", "),
+        };
+        assert!(row.ends_with(&format!("| {solvers} |")), "{model}: {solvers}\n{row}");
     }
 }

@@ -32,7 +32,7 @@ fn cards_touch_and_do_not_enter_each_other() {
         found.iter().any(|found| found.id.bodies == [pair[0].min(pair[1]), pair[0].max(pair[1])])
     };
     assert!(touches("ground", "left 0 0") && touches("left 0 0", "right 0 0"));
-    assert!(touches("left 0 0", "level 0 1") && touches("level 0 1", "left 1 0"));
+    assert!(touches("right 0 0", "level 0 1") && touches("level 0 1", "left 1 0"));
 }
 
 #[test]
