@@ -7,6 +7,8 @@ use clap::{Args, ValueEnum};
 use lcplab::constraint;
 use lcplab::error::{Error, Result};
 use lcplab::lcp::file::{Problem, number};
+use lcplab::plot::Figure;
+use lcplab::plot::scene::{Frame, Strip, instants};
 use lcplab::report::study::{comparison, scene_solver};
 use lcplab::report::{recording, text, view, write};
 use lcplab::scene::{self, Formulation, Scene, catalogue};
@@ -154,10 +156,11 @@ impl From<scene::Order> for RowOrder {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab simulate pendulum --steps 500 --out swing
+  lcplab simulate pendulum --steps 500 --out swing --frames 8 --forces
 
 Writes trajectory.csv (poses and velocities), ledger.csv (energy and where it went, momentum, errors),
-forces.csv (x and w of every row) and results.json to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
+forces.csv (x and w of every row), results.json and frames.svg (a picture of some instants) to the
+folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
 recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
     #[command(flatten)]
@@ -168,6 +171,12 @@ pub struct Simulate {
     /// Folder for the recorded motion
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Number of instants in frames.svg
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u64).range(2..=60))]
+    frames: u64,
+    /// Draw contacts, contact forces and constraint forces in frames.svg
+    #[arg(long)]
+    forces: bool,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -181,15 +190,25 @@ impl Simulate {
         let progress = bar(steps as u64, &scene.name);
         let mut simulation = Simulation::new(scene.clone(), solver);
         let mut record = recording::Record::start(&scene, &simulation);
+        let (instants, mut frames) = (self.instants(steps), vec![Frame::start(&scene)]);
         let recording = simulation.run(steps, |step: &Step| {
             record.add(step);
+            if instants.contains(&step.number) {
+                frames.push(Frame::after(&scene, step));
+            }
             progress.inc(1);
             ControlFlow::Continue(())
         });
         progress.finish_and_clear();
         record.end(recording.failure.as_ref());
+        if recording.failure.is_some() {
+            frames.push(Frame::now(&simulation));
+        }
         if let Some(folder) = &self.out {
             record.write(folder)?;
+            let strip = Strip::new(&scene, frames);
+            let strip = if self.forces { strip.with_forces() } else { strip };
+            write::file(&folder.join("frames.svg"), &strip.svg())?;
         }
         if self.json {
             print(&format!("{}\n", record.summary()))?;
@@ -197,6 +216,14 @@ impl Simulate {
             print(&record.text())?;
         }
         Ok(if record.is_good() { Outcome::Good } else { Outcome::Refuted })
+    }
+
+    /// The steps after which to look; none if no picture is wanted.
+    fn instants(&self, steps: usize) -> Vec<usize> {
+        match self.out {
+            Some(_) => instants(steps, self.frames as usize),
+            None => Vec::new(),
+        }
     }
 }
 

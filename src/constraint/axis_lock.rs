@@ -104,6 +104,13 @@ impl Constraint for AxisLock {
         };
         Ok(vec![row])
     }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        match self.motion {
+            Motion::Translation { anchors, .. } => Some(anchors),
+            Motion::Rotation { .. } => None,
+        }
+    }
 }
 
 impl Position for AxisLock {

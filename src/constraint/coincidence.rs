@@ -57,6 +57,10 @@ impl Constraint for Coincidence {
         };
         Ok((0..3).map(row).collect())
     }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        Some(self.anchors)
+    }
 }
 
 impl Position for Coincidence {

@@ -104,6 +104,10 @@ impl Constraint for Contact {
         }
         Ok(rows)
     }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        Some(self.anchors)
+    }
 }
 
 /// n is fixed to body 0.

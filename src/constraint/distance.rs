@@ -67,6 +67,10 @@ impl Constraint for Distance {
         let c = arms.d.norm() - self.length;
         Ok(vec![Row::equation(Kind::Distance, c, arms.row(&n), arms.product_of_distance(&n))])
     }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        Some(self.anchors)
+    }
 }
 
 /// The distance of coincident points has no derivative.

@@ -72,7 +72,7 @@ pub use weld::Weld;
 
 use std::fmt;
 
-use nalgebra::{RealField, Vector6};
+use nalgebra::{RealField, Vector3, Vector6};
 
 use crate::body::{Pose, State};
 
@@ -89,6 +89,12 @@ pub trait Constraint: fmt::Debug + Send + Sync {
     /// # Errors
     /// [`Degenerate`] where c has no derivative.
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate>;
+
+    /// Where its force acts on each body, in the body's frame (m), so that it can be drawn; none for
+    /// one that has only torques.
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        None
+    }
 }
 
 /// c(s) of a constraint over any real scalar; one entry a row, as in [`Constraint::rows`]. Friction

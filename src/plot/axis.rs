@@ -86,11 +86,16 @@ impl Scale {
     }
 }
 
-fn round_numbers(lo: f64, hi: f64, wanted: usize) -> Vec<Tick> {
-    let rough = (hi - lo) / wanted.max(1) as f64;
+/// The least of 1, 2 and 5 times a power of ten that is not less than a positive number.
+pub(super) fn round_step(rough: f64) -> f64 {
     let power = 10f64.powf(rough.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|step| *step >= rough);
-    let step = step.unwrap_or(10.0 * power);
+    step.unwrap_or(10.0 * power)
+}
+
+fn round_numbers(lo: f64, hi: f64, wanted: usize) -> Vec<Tick> {
+    let rough = (hi - lo) / wanted.max(1) as f64;
+    let step = round_step(rough);
     let (first, last) = ((lo / step).ceil(), (hi / step).floor());
     if !(step > 0.0 && last - first <= 100.0) {
         return Vec::new();

@@ -99,7 +99,7 @@ impl Canvas {
             Anchor::Middle => "middle",
             Anchor::End => "end",
         };
-        let weight = if size >= style::TITLE { " font-weight=\"600\"" } else { "" };
+        let weight = if size > style::TEXT { " font-weight=\"600\"" } else { "" };
         let _ = writeln!(
             self.body,
             "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" font-size=\"{size}\"{weight} \

@@ -12,6 +12,7 @@ mod legend;
 mod line;
 mod marker;
 pub mod number;
+pub mod scene;
 mod spy;
 pub mod style;
 

@@ -28,6 +28,28 @@ pub(super) const FAINT_INK: RGBColor = RGBColor(92, 98, 108);
 pub(super) const GRID: RGBColor = RGBColor(228, 230, 234);
 pub(super) const THEORY: RGBColor = RGBColor(112, 112, 112);
 
+/// The ground in pictures of scenes.
+pub(super) const GROUND: Rgb = (238, 240, 243);
+/// Bodies in pictures of scenes: those that are fixed, point masses, and the others in turn.
+pub(super) const FIXED: Rgb = (206, 209, 214);
+pub(super) const POINT: Rgb = BLUE;
+const BODIES: [Rgb; 6] = [
+    (124, 181, 222),
+    (238, 180, 92),
+    (110, 190, 160),
+    (212, 154, 188),
+    (226, 214, 124),
+    (228, 146, 104),
+];
+
+/// The colour of the body with this index.
+pub(super) fn body_color(index: usize) -> Rgb {
+    BODIES[index % BODIES.len()]
+}
+
+/// Forces in pictures of scenes: normal, friction, of other constraints.
+pub(super) const FORCES: [Rgb; 3] = [(0, 76, 140), (190, 50, 0), (130, 40, 110)];
+
 /// Fonts that are on the reader's machine.
 pub(super) const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
                                 'Noto Sans', 'Liberation Sans', Arial, sans-serif";

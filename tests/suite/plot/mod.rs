@@ -1,6 +1,7 @@
 //! Figures: nothing is lost in the data, nothing panics, the same bytes each time.
 
 mod line;
+mod scene;
 mod spy;
 mod style;
 

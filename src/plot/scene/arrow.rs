@@ -1,0 +1,103 @@
+//! Forces as arrows: one length for a newton in the whole strip.
+
+use std::fmt::Write;
+
+use super::clip::Place;
+use super::frame::{Force, Frame, Origin};
+use super::ink::tenth;
+use super::layout::Lens;
+use crate::plot::canvas::hex;
+use crate::plot::style::FORCES;
+
+/// The head of an arrow in px: length and half of its width.
+const HEAD: (f64, f64) = (6.0, 2.4);
+/// A shorter arrow is not drawn.
+pub(super) const SHORTEST: f64 = 2.0;
+/// Length of the longest arrow in px, and as a share of the frame's smaller side.
+const LONGEST: (f64, f64) = (52.0, 0.35);
+
+impl Origin {
+    /// All of them, in the order of legends.
+    pub const ALL: [Origin; 3] = [Origin::Normal, Origin::Friction, Origin::Constraint];
+
+    /// One word for legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Origin::Normal => "normal",
+            Origin::Friction => "friction",
+            Origin::Constraint => "constraint",
+        }
+    }
+
+    fn color(self) -> String {
+        hex(FORCES[self as usize])
+    }
+}
+
+/// The largest force of all frames (N), 0 if there is none.
+pub(super) fn largest(frames: &[Frame]) -> f64 {
+    let forces = frames.iter().flat_map(|frame| &frame.forces);
+    forces.map(|force| force.force.norm()).filter(|f| f.is_finite()).fold(0.0, f64::max)
+}
+
+/// The length in px of a newton, where this is the largest force.
+pub(super) fn scale(largest: f64, lens: &Lens) -> f64 {
+    LONGEST.0.min(LONGEST.1 * lens.width.min(lens.height)) / largest
+}
+
+/// The arrows of a frame in tenths of a px, with a rim of paper, and a dot at every contact.
+pub(super) fn markup(forces: &[Force], lens: &Lens, scale: f64) -> String {
+    let mut out = String::new();
+    for origin in Origin::ALL {
+        let (mut shafts, mut heads) = (String::new(), String::new());
+        for force in forces.iter().filter(|force| force.origin == origin) {
+            let tail = lens.place(&force.point);
+            let tip = lens.place(&(force.point + force.force * (scale / lens.scale)));
+            if lens.holds(tail) && tip.0.is_finite() && tip.1.is_finite() {
+                add(&mut shafts, &mut heads, tail, tip, origin == Origin::Normal);
+            }
+        }
+        out += &drawn(origin, &shafts, &heads);
+    }
+    out
+}
+
+/// An arrow to the right in tenths of a px, for a legend.
+pub(super) fn sample(origin: Origin, start: Place, length: f64) -> String {
+    let (mut shafts, mut heads) = (String::new(), String::new());
+    add(&mut shafts, &mut heads, start, (start.0 + length, start.1), false);
+    drawn(origin, &shafts, &heads)
+}
+
+fn drawn(origin: Origin, shafts: &str, heads: &str) -> String {
+    if heads.is_empty() {
+        return String::new();
+    }
+    let color = origin.color();
+    format!(
+        "<g stroke-linejoin=\"round\"><path fill=\"#ffffff\" stroke=\"#ffffff\" stroke-width=\"31\" \
+         d=\"{shafts}{heads}\"/>\n<path fill=\"none\" stroke=\"{color}\" stroke-width=\"15\" \
+         d=\"{shafts}\"/>\n<path stroke=\"none\" fill=\"{color}\" d=\"{heads}\"/></g>\n"
+    )
+}
+
+/// The shaft ends where the head begins; a short arrow has a small head.
+fn add(shafts: &mut String, heads: &mut String, tail: Place, tip: Place, dot: bool) {
+    let (dx, dy) = (tip.0 - tail.0, tip.1 - tail.1);
+    let length = dx.hypot(dy);
+    if dot {
+        let (x, y) = (tenth(tail.0 - 2.0), tenth(tail.1));
+        let _ = write!(heads, "M{x} {y}a20 20 0 1 0 40 0a20 20 0 1 0 -40 0z");
+    }
+    if length < SHORTEST {
+        return;
+    }
+    let (ux, uy) = (dx / length, dy / length);
+    let head = HEAD.0.min(0.7 * length);
+    let half = HEAD.1 * head / HEAD.0;
+    let (nx, ny) = (tip.0 - head * ux, tip.1 - head * uy);
+    let point = |(x, y): Place| format!("{} {}", tenth(x), tenth(y));
+    let (left, right) = ((nx - half * uy, ny + half * ux), (nx + half * uy, ny - half * ux));
+    let _ = write!(shafts, "M{}L{}", point(tail), point((nx, ny)));
+    let _ = write!(heads, "M{}L{}L{}z", point(tip), point(left), point(right));
+}

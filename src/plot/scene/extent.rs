@@ -1,0 +1,105 @@
+//! What must be in the picture: all that moves, and what is fixed near it.
+
+use nalgebra::Vector3;
+
+use super::Frame;
+use super::joint::pins;
+use super::solid::Solid;
+use crate::body::{Mass, State};
+use crate::scene::Scene;
+
+/// A motion this many times larger than the scene at its start has left the picture.
+const FARTHEST: f64 = 100.0;
+/// How much of a fixed body is shown around the motion, as a share of the motion's size.
+const AROUND: f64 = 0.1;
+
+/// A ball (m, world) that must be in the picture; most have no radius.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Landmark {
+    pub point: Vector3<f64>,
+    pub radius: f64,
+}
+
+/// A box along the world's axes (m).
+#[derive(Debug, Clone, Copy)]
+struct Extent {
+    lo: Vector3<f64>,
+    hi: Vector3<f64>,
+}
+
+/// The landmarks of a motion: corners of what moves, in every frame, the world's ends of joints,
+/// and of fixed bodies the part that is near.
+pub(super) fn landmarks(scene: &Scene, frames: &[Frame]) -> Vec<Landmark> {
+    let start = marks(&solids(scene, &scene.states, true));
+    let limit = Extent::of(&start).grown(FARTHEST);
+    let mut all = start;
+    for frame in frames {
+        let inside = |mark: &Landmark| limit.contains(&mark.point);
+        all.extend(marks(&solids(scene, &frame.states, true)).into_iter().filter(inside));
+    }
+    all.extend(pins(scene).map(|point| Landmark { point, radius: 0.0 }));
+    let fixed = solids(scene, &scene.states, false);
+    if all.is_empty() {
+        return marks(&fixed);
+    }
+    let near = Extent::of(&all).grown(AROUND);
+    for solid in fixed {
+        all.extend(Extent::of(&marks(&[solid])).within(&near).into_iter().flatten());
+    }
+    all
+}
+
+/// The diagonal of the box around the landmarks (m); 1 m where they are one point.
+pub(super) fn size(landmarks: &[Landmark]) -> f64 {
+    Extent::of(landmarks).diagonal()
+}
+
+fn solids(scene: &Scene, states: &[State], moving: bool) -> Vec<Solid> {
+    let bodies = scene.bodies.iter().zip(states).enumerate();
+    let wanted = bodies.filter(|(_, (body, _))| (body.mass != Mass::Fixed) == moving);
+    wanted.filter_map(|(k, (body, state))| Solid::of(k, body, &state.pose, 0.0)).collect()
+}
+
+fn marks(solids: &[Solid]) -> Vec<Landmark> {
+    let marks = |solid: &Solid| {
+        let radius = solid.radius;
+        solid.corners.clone().into_iter().map(move |point| Landmark { point, radius })
+    };
+    solids.iter().flat_map(marks).collect()
+}
+
+impl Extent {
+    fn of(marks: &[Landmark]) -> Self {
+        let empty =
+            Extent { lo: Vector3::repeat(f64::INFINITY), hi: Vector3::repeat(f64::NEG_INFINITY) };
+        marks.iter().fold(empty, |extent, mark| Extent {
+            lo: extent.lo.inf(&mark.point.add_scalar(-mark.radius)),
+            hi: extent.hi.sup(&mark.point.add_scalar(mark.radius)),
+        })
+    }
+
+    fn diagonal(&self) -> f64 {
+        let diagonal = (self.hi - self.lo).norm();
+        if diagonal > 0.0 && diagonal.is_finite() { diagonal } else { 1.0 }
+    }
+
+    /// Larger on all sides by a share of its diagonal.
+    fn grown(&self, share: f64) -> Self {
+        let more = share * self.diagonal();
+        Extent { lo: self.lo.add_scalar(-more), hi: self.hi.add_scalar(more) }
+    }
+
+    fn contains(&self, point: &Vector3<f64>) -> bool {
+        (0..3).all(|i| self.lo[i] <= point[i] && point[i] <= self.hi[i])
+    }
+
+    /// The corners of its part within another box, if there is one.
+    fn within(&self, other: &Extent) -> Option<impl Iterator<Item = Landmark> + use<>> {
+        let (lo, hi) = (self.lo.sup(&other.lo), self.hi.inf(&other.hi));
+        let corner = move |k: usize| {
+            let side = |i: usize| if k >> i & 1 == 1 { hi[i] } else { lo[i] };
+            Landmark { point: Vector3::new(side(0), side(1), side(2)), radius: 0.0 }
+        };
+        (0..3).all(|i| lo[i] <= hi[i]).then(|| (0..8).map(corner))
+    }
+}

@@ -1,0 +1,133 @@
+//! One instant of a motion, and the forces that act in it.
+
+use std::collections::BTreeMap;
+
+use nalgebra::Vector3;
+
+use crate::assembly::{Row, Source};
+use crate::body::State;
+use crate::constraint::{Constraint, Kind};
+use crate::scene::Scene;
+use crate::simulation::{Simulation, Solve, Step};
+
+/// One instant of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frame {
+    /// The time (s).
+    pub time: f64,
+    /// The state of each body of the scene.
+    pub states: Vec<State>,
+    /// The forces of contacts and constraints; may be empty.
+    pub forces: Vec<Force>,
+}
+
+/// A force of a contact or constraint on a moving body: on body 1 of the two where that moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Force {
+    /// Where it acts (m, world).
+    pub point: Vector3<f64>,
+    /// The force (N, world).
+    pub force: Vector3<f64>,
+    /// What exerts it.
+    pub origin: Origin,
+}
+
+/// What exerts a force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// The normal row of a contact.
+    Normal,
+    /// The tangential rows of a contact.
+    Friction,
+    /// Any other constraint.
+    Constraint,
+}
+
+impl Frame {
+    /// The scene at its start.
+    pub fn start(scene: &Scene) -> Self {
+        Frame { time: 0.0, states: scene.states.clone(), forces: Vec::new() }
+    }
+
+    /// A simulation as it stands, without forces: where it could not go on, say.
+    pub fn now(simulation: &Simulation) -> Self {
+        Frame { time: simulation.time(), states: simulation.states().to_vec(), forces: Vec::new() }
+    }
+
+    /// The end of a step, with the forces that led there: of the step's last solve, an impulse
+    /// being taken as the force that gives it over the step.
+    pub fn after(scene: &Scene, step: &Step) -> Self {
+        let time = step.motion.time;
+        Frame { time, states: step.states.clone(), forces: forces(scene, step) }
+    }
+
+    /// Whether all of it has a place.
+    pub(super) fn is_finite(&self) -> bool {
+        self.states.iter().all(State::is_finite)
+    }
+}
+
+/// The numbers of the steps after which to look so as to have so many instants at equal distances,
+/// 0 being the start and the last step among them; fewer where there are fewer steps.
+///
+/// ```
+/// use lcplab::plot::scene::instants;
+///
+/// assert_eq!(instants(100, 6), [0, 20, 40, 60, 80, 100]);
+/// assert_eq!(instants(2, 6), [0, 1, 2]);
+/// ```
+pub fn instants(steps: usize, frames: usize) -> Vec<usize> {
+    let gaps = frames.saturating_sub(1).clamp(1, steps.max(1));
+    let mut instants: Vec<usize> = (0..=gaps).map(|k| (k * steps + gaps / 2) / gaps).collect();
+    instants.dedup();
+    instants
+}
+
+fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
+    let per_unit = |solve: &Solve| match solve.problem.stage.unit(false) {
+        "N" => Some(1.0),
+        "N s" => Some(1.0 / scene.step.dt),
+        _ => None,
+    };
+    let last = step.solves.iter().rev().find_map(|solve| Some((solve, per_unit(solve)?)));
+    let Some((solve, scale)) = last else { return Vec::new() };
+    let assembly = &solve.problem.assembly;
+    let mut sums: BTreeMap<(Source, Origin), (usize, Vector3<f64>)> = BTreeMap::new();
+    for (row, x) in assembly.rows.iter().zip(&solve.solution.x) {
+        let Some(part) = row.parts().last() else { continue };
+        let force = part.jacobian.fixed_rows::<3>(0) * (x * scale);
+        let key = (row.id.source, origin(row));
+        let body = assembly.blocks[part.block].body;
+        sums.entry(key).or_insert((body, Vector3::zeros())).1 += force;
+    }
+    let placed = sums.into_iter().filter_map(|((source, origin), (body, force))| {
+        let point = place(scene, step, source, body)?;
+        (force.norm() > 0.0).then_some(Force { point, force, origin })
+    });
+    placed.collect()
+}
+
+fn origin(row: &Row) -> Origin {
+    match (row.id.source, row.kind) {
+        (Source::Constraint(_), _) => Origin::Constraint,
+        (Source::Contact(_), Kind::Friction) => Origin::Friction,
+        (Source::Contact(_), _) => Origin::Normal,
+    }
+}
+
+/// Where the force of a constraint acts on one of its bodies at the end of a step.
+fn place(scene: &Scene, step: &Step, source: Source, body: usize) -> Option<Vector3<f64>> {
+    let end = |constraint: &dyn Constraint| {
+        let side = usize::from(constraint.bodies()[1] == Some(body));
+        Some((step.states[body].pose.point(&constraint.anchors()?[side]), side))
+    };
+    match source {
+        Source::Constraint(k) => end(scene.constraints[k].as_ref()).map(|(point, _)| point),
+        Source::Contact(id) => {
+            let found = step.contacts.iter().find(|found| found.id == id)?;
+            let (anchor, side) = end(&found.contact)?;
+            let outward = if side == 1 { -found.normal } else { found.normal };
+            Some(anchor + outward * found.contact.radii[side])
+        }
+    }
+}

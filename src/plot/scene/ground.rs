@@ -1,0 +1,66 @@
+//! The part of a half space that is drawn: a patch of its plane under the motion, with a grid.
+
+use nalgebra::Vector3;
+
+use super::extent::Landmark;
+use crate::body::Pose;
+use crate::constraint::tangents;
+use crate::plot::axis::round_step;
+
+/// How far a patch reaches beyond what is above it, as a share of the motion's size.
+const MARGIN: f64 = 0.1;
+/// The distance of two grid lines, about, as a share of the motion's size.
+const MESH: f64 = 0.12;
+
+/// A rectangle of a plane.
+#[derive(Debug, Clone)]
+pub(super) struct Patch {
+    /// Its corners (m, world), counter-clockwise as seen from outside the matter.
+    pub corners: [Vector3<f64>; 4],
+    /// The unit normal, out of the matter.
+    pub normal: Vector3<f64>,
+    /// Lines at round distances (m, world).
+    pub lines: Vec<[Vector3<f64>; 2]>,
+}
+
+impl Patch {
+    /// The patch of a plane under these landmarks; none if the nearest of them is farther away than
+    /// the motion is large.
+    pub fn new(
+        pose: &Pose,
+        normal: &Vector3<f64>,
+        landmarks: &[Landmark],
+        size: f64,
+    ) -> Option<Self> {
+        let n = pose.direction(normal);
+        let [t1, t2] = tangents(&n);
+        let height = |mark: &Landmark| n.dot(&(mark.point - pose.p)) - mark.radius;
+        let nearest = landmarks.iter().map(height).fold(f64::INFINITY, f64::min);
+        if !(nearest < size) {
+            return None;
+        }
+        let (x, y) = (range(landmarks, pose, &t1, size), range(landmarks, pose, &t2, size));
+        let at = |x: f64, y: f64| pose.p + t1 * x + t2 * y;
+        let step = round_step(MESH * size);
+        let mut lines: Vec<_> = multiples(x, step).map(|x| [at(x, y.0), at(x, y.1)]).collect();
+        lines.extend(multiples(y, step).map(|y| [at(x.0, y), at(x.1, y)]));
+        let corners = [at(x.0, y.0), at(x.1, y.0), at(x.1, y.1), at(x.0, y.1)];
+        Some(Patch { corners, normal: n, lines })
+    }
+}
+
+/// What the landmarks cover along a direction, with a margin (m).
+fn range(landmarks: &[Landmark], pose: &Pose, t: &Vector3<f64>, size: f64) -> (f64, f64) {
+    let places = landmarks.iter().map(|mark| (t.dot(&(mark.point - pose.p)), mark.radius));
+    let (lo, hi) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), (x, r)| {
+        (lo.min(x - r), hi.max(x + r))
+    });
+    (lo - MARGIN * size, hi + MARGIN * size)
+}
+
+/// The multiples of a step strictly inside a range.
+fn multiples((lo, hi): (f64, f64), step: f64) -> impl Iterator<Item = f64> {
+    let first = (lo / step).floor() + 1.0;
+    let count = ((hi / step).ceil() - first).max(0.0) as usize;
+    (0..count).map(move |k| (first + k as f64) * step)
+}

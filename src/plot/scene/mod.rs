@@ -1,0 +1,31 @@
+//! Pictures of a scene in motion: some instants side by side, seen by one camera.
+//!
+//! ```text
+//! bodies ─→ solids, rods ─→ depth order ─→ what is seen ─→ ink
+//!           in metres        in metres      in px           SVG
+//! ```
+//!
+//! A [`Frame`] is one instant; a [`Strip`] lays several out and is a [`Figure`] like any other. All
+//! bodies are convex, so a plane separates any two that do not overlap: the order of painting is
+//! that of the sides of those planes, and what is hidden is not written. A new shape is one function
+//! in `solid.rs`.
+
+mod arrow;
+mod camera;
+mod clip;
+mod coverage;
+mod depth;
+mod extent;
+mod frame;
+mod ground;
+mod ink;
+mod joint;
+mod layout;
+mod solid;
+mod strip;
+
+#[cfg(doc)]
+use super::Figure;
+pub use camera::{Camera, View};
+pub use frame::{Force, Frame, Origin, instants};
+pub use strip::{Arrows, Strip};

@@ -1,0 +1,108 @@
+//! Bodies and rods as what is drawn of them: one function a shape.
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use crate::body::{Body, Pose, Shape};
+
+/// A convex solid in world coordinates (m): the hull of its corners, swollen by a radius. A ball is
+/// one corner and a radius, a polyhedron has the radius 0, a capsule would be two corners and a
+/// radius.
+#[derive(Debug, Clone)]
+pub(super) struct Solid {
+    /// What it belongs to.
+    pub part: Part,
+    /// Its corners (m).
+    pub corners: Vec<Vector3<f64>>,
+    /// What is around them (m).
+    pub radius: f64,
+    /// The faces of a polyhedron: indices of corners, counter-clockwise from outside.
+    pub faces: Vec<Vec<usize>>,
+    /// The directions of its edges, each once: with the faces they decide what is in front.
+    pub edges: Vec<Vector3<f64>>,
+    /// How it is turned.
+    pub turn: UnitQuaternion<f64>,
+}
+
+/// What a solid belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// The body with this index.
+    Body(usize),
+    /// The rod between these bodies; `None` is the world.
+    Rod([Option<usize>; 2]),
+}
+
+impl Solid {
+    /// The solid of a body; a point gets the radius `dot` (m), and a half space has none.
+    pub fn of(index: usize, body: &Body, pose: &Pose, dot: f64) -> Option<Self> {
+        let part = Part::Body(index);
+        match &body.shape {
+            Shape::Point => Some(ball(part, pose, dot)),
+            Shape::Sphere { radius } => Some(ball(part, pose, *radius)),
+            Shape::Box { half } => Some(cuboid(part, pose, half)),
+            Shape::Plane { .. } => None,
+        }
+    }
+
+    /// A thin rod.
+    pub fn rod(bodies: [Option<usize>; 2], ends: [Vector3<f64>; 2], radius: f64) -> Self {
+        let along = (ends[1] - ends[0]).try_normalize(0.0);
+        Solid {
+            part: Part::Rod(bodies),
+            corners: ends.into(),
+            radius,
+            faces: Vec::new(),
+            edges: along.into_iter().collect(),
+            turn: UnitQuaternion::identity(),
+        }
+    }
+
+    /// The corners of a face.
+    pub fn face<'a>(&'a self, face: &'a [usize]) -> impl Iterator<Item = &'a Vector3<f64>> {
+        face.iter().map(|&k| &self.corners[k])
+    }
+
+    /// The outward unit normal of a face, which has at least three corners.
+    pub fn normal(&self, face: &[usize]) -> Option<Vector3<f64>> {
+        let [a, b, c] = [0, 1, 2].map(|k| face.get(k).map(|&k| self.corners[k]));
+        (b? - a?).cross(&(c? - b?)).try_normalize(0.0)
+    }
+
+    /// The least and the greatest of n · x over its points x.
+    pub fn interval(&self, n: &Vector3<f64>) -> (f64, f64) {
+        let along = self.corners.iter().map(|corner| n.dot(corner));
+        let (lo, hi) = along.fold(EMPTY, |(lo, hi), x| (lo.min(x), hi.max(x)));
+        (lo - self.radius, hi + self.radius)
+    }
+
+    /// The middle of its corners (m).
+    pub fn centre(&self) -> Vector3<f64> {
+        self.corners.iter().sum::<Vector3<f64>>() / self.corners.len() as f64
+    }
+}
+
+/// The interval of no numbers.
+const EMPTY: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+
+fn ball(part: Part, pose: &Pose, radius: f64) -> Solid {
+    let (corners, faces, edges) = (vec![pose.p], Vec::new(), Vec::new());
+    Solid { part, corners, radius, faces, edges, turn: pose.q }
+}
+
+/// Corner k lies on the positive side of axis i where bit i of k is set.
+fn cuboid(part: Part, pose: &Pose, half: &Vector3<f64>) -> Solid {
+    let side = |k: usize, i: usize| if k >> i & 1 == 1 { half[i] } else { -half[i] };
+    let corner = |k| pose.point(&Vector3::new(side(k, 0), side(k, 1), side(k, 2)));
+    Solid {
+        part,
+        corners: (0..8).map(corner).collect(),
+        radius: 0.0,
+        faces: CUBOID.map(Vec::from).into(),
+        edges: (0..3).map(|i| pose.direction(&Vector3::ith(i, 1.0))).collect(),
+        turn: pose.q,
+    }
+}
+
+/// The faces −x, x, −y, y, −z, z.
+const CUBOID: [[usize; 4]; 6] =
+    [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];

@@ -1,0 +1,237 @@
+//! The strip: some instants of a motion on one sheet.
+
+use super::extent::{self, Landmark};
+use super::ground::Patch;
+use super::ink::{Ink, tenth};
+use super::layout::{LABEL, Layout, Lens, Window};
+use super::solid::Solid;
+use super::{Camera, Force, Frame, Origin, View, arrow, depth, joint};
+use crate::body::Shape;
+use crate::plot::axis::round_step;
+use crate::plot::canvas::{Anchor, Canvas, hex};
+use crate::plot::number::readable;
+use crate::plot::style::{self, EDGE, FAINT_INK, GRID, INK, TEXT, WIDTH};
+use crate::plot::{Figure, csv};
+use crate::scene::Scene;
+
+/// Above the frames in px: the title and the scales.
+const TOP: f64 = 62.0;
+/// Bold text is this much wider.
+const BOLD: f64 = 1.1;
+/// The middle of the line of scales in px.
+const SCALES: f64 = 48.0;
+/// The length of the scale bar as a share of a frame's width, at least.
+const BAR: f64 = 0.3;
+/// Half of a rod's width in px.
+const ROD: f64 = 0.8;
+/// The least and the greatest radius of a point mass in px.
+const DOT: (f64, f64) = (1.5, 5.0);
+
+/// Whether forces are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Arrows {
+    /// No forces.
+    Hidden,
+    /// Those of the frames, and the contact points.
+    Shown,
+}
+
+/// Instants of a motion side by side, all seen by one camera at one scale.
+///
+/// ```
+/// use lcplab::plot::{Figure, scene::{Frame, Strip}};
+/// use lcplab::scene::Scene;
+///
+/// let scene = Scene::load("stack")?;
+/// let strip = Strip::new(&scene, vec![Frame::start(&scene)]);
+/// assert!(strip.svg().starts_with("<svg "));
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Strip {
+    /// The figure's short name.
+    pub id: String,
+    /// The figure's title.
+    pub title: String,
+    /// The figure's caption.
+    pub caption: String,
+    /// What moves.
+    pub scene: Scene,
+    /// Its instants; those with states that are not finite are not drawn.
+    pub frames: Vec<Frame>,
+    /// From where it is seen.
+    pub view: View,
+    /// Whether forces are drawn.
+    pub arrows: Arrows,
+}
+
+impl Strip {
+    /// A strip of a scene's title, seen from where it is seen best, without forces.
+    pub fn new(scene: &Scene, frames: Vec<Frame>) -> Self {
+        Strip {
+            id: "frames".into(),
+            title: scene.title.clone(),
+            caption: String::new(),
+            view: View::of(scene, &frames),
+            scene: scene.clone(),
+            frames,
+            arrows: Arrows::Hidden,
+        }
+    }
+
+    /// The same with the forces drawn.
+    pub fn with_forces(self) -> Self {
+        Strip { arrows: Arrows::Shown, ..self }
+    }
+
+    fn description(&self, frames: &[Frame]) -> String {
+        let (Some(first), Some(last)) = (frames.first(), frames.last()) else {
+            return "no instants".into();
+        };
+        format!(
+            "{} instants from {} s to {} s, seen {}",
+            frames.len(),
+            readable(first.time, 3),
+            readable(last.time, 3),
+            self.view.name()
+        )
+    }
+
+    /// The patches of the half spaces near the motion.
+    fn patches(&self, landmarks: &[Landmark]) -> Vec<Patch> {
+        let size = extent::size(landmarks);
+        let bodies = self.scene.bodies.iter().zip(&self.scene.states);
+        let patch = |(body, state): (&crate::body::Body, &crate::body::State)| match &body.shape {
+            Shape::Plane { normal } => Patch::new(&state.pose, normal, landmarks, size),
+            _ => None,
+        };
+        bodies.filter_map(patch).collect()
+    }
+
+    /// One frame in tenths of a px.
+    fn frame(&self, frame: &Frame, patches: &[Patch], lens: &Lens, newton: Option<f64>) -> String {
+        let mut ink = Ink::new(lens);
+        for patch in patches {
+            ink.ground(patch);
+        }
+        let bodies = self.scene.bodies.iter().zip(&frame.states).enumerate();
+        let dot = self.dot(lens) / lens.scale;
+        let mut solids: Vec<_> =
+            bodies.filter_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
+        solids.extend(joint::rods(&self.scene, frame, ROD / lens.scale));
+        let order = depth::order(&lens.camera, &solids);
+        let painted: Vec<_> = order.into_iter().map(|k| &solids[k]).collect();
+        ink.solids(&self.scene.bodies, &painted);
+        ink.marks(&joint::marks(&self.scene, frame));
+        if let Some(newton) = newton {
+            ink.raw(&arrow::markup(&frame.forces, lens, newton));
+        }
+        ink.finish()
+    }
+
+    /// The radius of a point mass in px: a share of the shortest rod, within limits.
+    fn dot(&self, lens: &Lens) -> f64 {
+        let shortest = joint::shortest(&self.scene).unwrap_or(f64::INFINITY);
+        (0.25 * shortest * lens.scale).clamp(DOT.0, DOT.1)
+    }
+
+    /// The scale bar, and an arrow of a round force for each origin that occurs.
+    fn scales(&self, canvas: &mut Canvas, frames: &[Frame], lens: &Lens, newton: Option<f64>) {
+        let metres = round_step(BAR * lens.width / lens.scale);
+        let length = metres * lens.scale;
+        canvas.raw(&format!(
+            "<path class=\"scale\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\" \
+             d=\"M{EDGE} {y}v8m0 -4h{length:.2}m0 -4v8\"/>\n",
+            hex((INK.0, INK.1, INK.2)),
+            y = SCALES - 4.0
+        ));
+        let mut x = EDGE + length + 8.0;
+        let label = |canvas: &mut Canvas, x: &mut f64, text: &str| {
+            canvas.text((*x, SCALES + 5.0), Anchor::Start, TEXT, FAINT_INK, text);
+            *x += style::width(text, TEXT) + 22.0;
+        };
+        label(canvas, &mut x, &format!("{} m", readable(metres, 2)));
+        let Some(newton) = newton else { return };
+        let force = round_step(0.4 * arrow::largest(frames));
+        for origin in Origin::ALL {
+            let mut forces = frames.iter().flat_map(|frame| &frame.forces);
+            let drawn = |force: &Force| force.force.norm() * newton >= arrow::SHORTEST;
+            if !forces.any(|force| force.origin == origin && drawn(force)) {
+                continue;
+            }
+            let arrow = arrow::sample(origin, (x, SCALES), force * newton);
+            canvas.raw(&format!("<g transform=\"scale(0.1)\">{arrow}</g>\n"));
+            x += force * newton + 8.0;
+            label(canvas, &mut x, &format!("{} {} N", origin.name(), readable(force, 2)));
+        }
+    }
+}
+
+impl Figure for Strip {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    fn svg(&self) -> String {
+        let finite = self.frames.iter().filter(|frame| frame.is_finite());
+        let frames: Vec<Frame> = finite.cloned().collect();
+        let camera = Camera::new(self.view);
+        let mut landmarks = extent::landmarks(&self.scene, &frames);
+        let patches = self.patches(&landmarks);
+        let corners = patches.iter().flat_map(|patch| patch.corners);
+        landmarks.extend(corners.map(|point| Landmark { point, radius: 0.0 }));
+        let window = Window::around(&camera, &landmarks);
+        let layout = Layout::new(&window, frames.len());
+        let lens = layout.lens(camera, &window);
+        let largest = arrow::largest(&frames);
+        let shown = self.arrows == Arrows::Shown && largest > 0.0;
+        let newton = shown.then(|| arrow::scale(largest, &lens));
+
+        let mut canvas = Canvas::new(TOP + layout.total() + EDGE);
+        let fit = (WIDTH - 2.0 * EDGE) / (BOLD * style::width(&self.title, style::TITLE));
+        let size = style::TITLE * fit.min(1.0);
+        canvas.text((EDGE, 26.0), Anchor::Start, size, INK, &self.title);
+        self.scales(&mut canvas, &frames, &lens, newton);
+        for (k, frame) in frames.iter().enumerate() {
+            let (x, y) = layout.corner(k, TOP);
+            let time = format!("{} s", readable(frame.time, 3));
+            canvas.text((x + 2.0, y - LABEL + 14.0), Anchor::Start, TEXT, FAINT_INK, &time);
+            canvas.raw(&format!(
+                "<g class=\"instant\" transform=\"translate({x:.1} {y:.1}) scale(0.1)\" \
+                 stroke=\"{}\" stroke-width=\"6\" stroke-linejoin=\"round\">\n\
+                 <path fill=\"none\" stroke=\"{}\" d=\"M0 0h{w}v{h}h-{w}z\"/>\n{}</g>\n",
+                hex((INK.0, INK.1, INK.2)),
+                hex((GRID.0, GRID.1, GRID.2)),
+                self.frame(frame, &patches, &lens, newton),
+                w = tenth(lens.width),
+                h = tenth(lens.height),
+            ));
+        }
+        canvas.finish(&self.id, &self.title, &self.description(&frames))
+    }
+
+    /// One record a frame and body: its pose.
+    fn csv(&self) -> String {
+        let mut out = String::new();
+        csv::record(&mut out, COLUMNS);
+        for frame in &self.frames {
+            for (body, state) in self.scene.bodies.iter().zip(&frame.states) {
+                let (p, q) = (state.pose.p, state.pose.q);
+                let numbers = [p.x, p.y, p.z, q.w, q.i, q.j, q.k].map(csv::number);
+                let names = [csv::number(frame.time), body.name.clone()];
+                csv::record(&mut out, names.into_iter().chain(numbers));
+            }
+        }
+        out
+    }
+}
+
+const COLUMNS: [&str; 9] = ["time (s)", "body", "x (m)", "y (m)", "z (m)", "qw", "qx", "qy", "qz"];
