@@ -9,6 +9,7 @@ mod build;
 pub mod catalogue;
 mod contacts;
 pub mod description;
+mod families;
 mod file;
 pub mod generate;
 mod joints;
@@ -16,8 +17,9 @@ mod settings;
 
 pub use contacts::{ContactId, Found, contacts};
 pub use description::Description;
+pub use families::{Feedback, Formulation, Integrator, Penalty, Soft};
 pub use file::schema;
-pub use settings::{Contacts, Formulation, Solver, Step};
+pub use settings::{Contacts, Sliding, Solver, Step};
 
 use std::path::Path;
 use std::sync::Arc;

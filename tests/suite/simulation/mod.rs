@@ -1,9 +1,12 @@
 //! Motions against closed forms.
 
 mod failures;
+mod families;
 mod free;
 mod friction;
 mod impact;
+mod integrators;
+mod painleve;
 mod pendulum;
 mod resting;
 mod shipped;
