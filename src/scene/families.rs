@@ -136,6 +136,22 @@ impl Default for Soft {
     }
 }
 
+/// XPBD: positions corrected row by row in small steps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Xpbd {
+    /// How far every row without a spring of its own yields (m/N, for angles rad/(N m)); 0 is rigid.
+    pub compliance: f64,
+    /// Sweeps over the rows in a substep.
+    pub sweeps: usize,
+}
+
+impl Default for Xpbd {
+    fn default() -> Self {
+        Xpbd { compliance: 0.0, sweeps: 20 }
+    }
+}
+
 /// The penalty method: what stands in for rigidity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -161,6 +177,12 @@ impl Soft {
         not_negative(defects, "step.soft.joint_damping", self.joint_damping);
         not_negative(defects, "step.soft.contact_damping", self.contact_damping);
         not_negative(defects, "step.soft.push_speed", self.push_speed);
+    }
+}
+
+impl Xpbd {
+    pub(super) fn check(&self, defects: &mut Defects) {
+        not_negative(defects, "step.xpbd.compliance", self.compliance);
     }
 }
 

@@ -17,7 +17,7 @@ mod settings;
 
 pub use contacts::{ContactId, Found, contacts};
 pub use description::Description;
-pub use families::{Feedback, Formulation, Integrator, Penalty, Soft};
+pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;
 pub use settings::{Contacts, Sliding, Solver, Step};
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::families::{Feedback, Formulation, Integrator, Penalty, Soft};
+use super::families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 use crate::body::Gyroscopic;
 use crate::error::Defects;
 
@@ -32,8 +32,8 @@ pub struct Step {
     pub substeps: usize,
     /// Sequential impulses: sweeps over the rows in a solve. NGS: sweeps that correct positions.
     pub sweeps: usize,
-    /// XPBD: how far every row without a spring of its own yields (m/N, for angles rad/(N m)).
-    pub compliance: f64,
+    /// Settings of XPBD.
+    pub xpbd: Xpbd,
     /// Settings of the soft step.
     pub soft: Soft,
     /// Settings of the penalty method.
@@ -53,7 +53,7 @@ impl Default for Step {
             integrator: Integrator::default(),
             substeps: 8,
             sweeps: 20,
-            compliance: 0.0,
+            xpbd: Xpbd::default(),
             soft: Soft::default(),
             penalty: Penalty::default(),
         }
@@ -137,10 +137,10 @@ impl Step {
         positive(defects, "step.dt", self.dt);
         within_one(defects, "step.baumgarte", self.baumgarte);
         not_negative(defects, "step.alpha", self.alpha);
-        not_negative(defects, "step.compliance", self.compliance);
         if self.substeps == 0 {
             defects.add("step.substeps", "must be at least 1, is 0");
         }
+        self.xpbd.check(defects);
         self.soft.check(defects);
         self.penalty.check(defects);
     }

@@ -10,7 +10,9 @@
 //!
 //! The published multiplier is h x. A row of compliance α has β = 1 and γ = α/h²: rigid for α = 0. A
 //! spring k, d has the β and γ of the implicit spring, friction and motors have β = 0: they hold the
-//! slip of the substep. Contacts and limits keep x ≥ 0. One sweep a substep.
+//! slip of the substep. Contacts and limits keep x ≥ 0. Sweeps that end early leave errors that become
+//! velocities: five boxes, at rest, gain 1.9 J in 1.5 s with one sweep in each of 8 substeps, 0.4 J with
+//! 4, 0.02 J with 20.
 //!
 //! A correction is a velocity: a joint that starts torn apart snaps together, with the speed c/h. At
 //! contacts the velocity is set afterwards, to −e J u⁻ if that bounces, else to 0, so that bodies that
@@ -41,15 +43,22 @@ pub(super) fn step(
 fn substep(scene: &Scene, before: &[State], found: &[Found]) -> Result<Vec<State>, Cause> {
     let h = scene.step.dt;
     let mut states = free(scene, before)?;
-    let mut pushes = Vec::new();
-    for (source, constraint) in sources(scene, found) {
-        let x = corrected(scene, source, constraint, &mut states)?;
-        pushes.push((source, constraint, x));
+    let sources = sources(scene, found);
+    let mut x: Vec<Vec<f64>> = Vec::with_capacity(sources.len());
+    for &(source, constraint) in &sources {
+        x.push(vec![0.0; rows(source, constraint, before)?.len()]);
+    }
+    for _ in 0..scene.step.xpbd.sweeps {
+        for (&(source, constraint), x) in sources.iter().zip(&mut x) {
+            correct(scene, source, constraint, x, &mut states)?;
+        }
     }
     let mut states: Vec<State> =
         before.iter().zip(&states).map(|(old, new)| with_rate(old, new, h)).collect();
-    for (source, constraint, x) in pushes {
-        settle(scene, source, constraint, &x, before, &mut states)?;
+    for _ in 0..scene.step.xpbd.sweeps {
+        for (&(source, constraint), x) in sources.iter().zip(&mut x) {
+            settle(scene, source, constraint, x, before, &mut states)?;
+        }
     }
     Ok(states)
 }
@@ -64,29 +73,29 @@ fn free(scene: &Scene, states: &[State]) -> Result<Vec<State>, Cause> {
     Ok(kicked.iter().map(|state| state.advanced(h)).collect())
 }
 
-/// Corrects the rows of a constraint, one after the other; their impulses x (N s).
-fn corrected(
+/// Corrects the rows of a constraint, one after the other; x are their impulses so far (N s).
+fn correct(
     scene: &Scene,
     source: Source,
     constraint: &dyn Constraint,
+    x: &mut [f64],
     states: &mut [State],
-) -> Result<Vec<f64>, Cause> {
+) -> Result<(), Cause> {
     let h = scene.step.dt;
-    let mut x = vec![0.0; rows(source, constraint, states)?.len()];
     for k in 0..x.len() {
         let row = rows(source, constraint, states)?[k];
         let (beta_per_h, gamma) = softness(&row, scene);
         let lever = Lever::new(scene, constraint, &row, states);
-        let a = lever.mobility + gamma;
         if lever.mobility > 0.0 {
             let slip = (1.0 - h * beta_per_h) * (lever.velocity - row.speed);
-            let next = project(&row, x[k] - (slip + beta_per_h * error(&row, scene)) / a, &x, h);
+            let w = slip + beta_per_h * error(&row, scene) + gamma * x[k];
+            let next = project(&row, x[k] - w / (lever.mobility + gamma), x, h);
             lever.shift(h * (next - x[k]), states);
             lever.push(next - x[k], states);
             x[k] = next;
         }
     }
-    Ok(x)
+    Ok(())
 }
 
 /// β/h (1/s) and γ of a row.
@@ -95,7 +104,7 @@ fn softness(row: &Row, scene: &Scene) -> (f64, f64) {
     match (row.spring, row.bounds) {
         (Some(spring), _) => (spring.feedback(h), spring.compliance(h)),
         (None, Bounds::Friction { .. } | Bounds::Effort(_)) => (0.0, 0.0),
-        (None, _) => (1.0 / h, scene.step.compliance / (h * h)),
+        (None, _) => (1.0 / h, scene.step.xpbd.compliance / (h * h)),
     }
 }
 
@@ -128,7 +137,7 @@ fn settle(
     scene: &Scene,
     source: Source,
     constraint: &dyn Constraint,
-    x: &[f64],
+    x: &mut [f64],
     before: &[State],
     states: &mut [State],
 ) -> Result<(), Cause> {
@@ -139,8 +148,9 @@ fn settle(
             let bounces = approach < -scene.contact.bounce_speed;
             let aim = if bounces { -scene.contact.restitution * approach } else { 0.0 };
             let lever = Lever::new(scene, constraint, &row, states);
-            let push = (aim - lever.velocity) / lever.mobility;
-            lever.push(push.max(-x[k]), states);
+            let push = ((aim - lever.velocity) / lever.mobility).max(-x[k]);
+            lever.push(push, states);
+            x[k] += push;
         }
     }
     Ok(())

@@ -251,7 +251,7 @@ fn compliance_of_xpbd_is_that_of_a_spring_and_zero_is_rigid() {
     let sag = |alpha: f64| {
         let mut bob = scene("pendulum", Formulation::Xpbd);
         bob.states[0].pose.p = Vector3::new(0.0, 0.0, -1.0);
-        bob.step.compliance = alpha;
+        bob.step.xpbd.compliance = alpha;
         let mut bob = simulation(bob);
         for _ in 0..2000 {
             bob.step().unwrap();
@@ -338,11 +338,11 @@ fn every_family_takes_steps_on_every_shipped_scene() {
 #[test]
 fn settings_of_families_are_checked_by_name() {
     let mut scene = scene("pendulum", Formulation::Soft);
-    (scene.step.substeps, scene.step.compliance) = (0, -1.0);
+    (scene.step.substeps, scene.step.xpbd.compliance) = (0, -1.0);
     scene.step.soft.joint_hertz = 0.0;
     scene.step.penalty.stiffness = f64::NAN;
     let message = scene.validate().unwrap_err().to_string();
-    for field in ["substeps", "compliance", "soft.joint_hertz", "penalty.stiffness"] {
+    for field in ["substeps", "xpbd.compliance", "soft.joint_hertz", "penalty.stiffness"] {
         assert!(message.contains(&format!("step.{field}: must be")), "{message}");
     }
 }
