@@ -25,11 +25,13 @@ mod cone;
 pub mod cross_check;
 pub mod error_bound;
 pub mod exact;
+mod friction;
 mod modular;
 pub mod ray;
 pub mod uniqueness;
 
 pub use cone::{ConeCertificate, judge_cone};
+pub use friction::{FrictionCertificate, judge_friction};
 
 use accurate::Sum;
 use dashu_ratio::RBig;

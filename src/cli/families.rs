@@ -1,21 +1,26 @@
 //! `compare-solvers`: the problem library × the solvers.
 
 use clap::Args;
-use lcplab::error::Result;
+use lcplab::error::{Error, Result};
+use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
 use lcplab::report::study::families;
-use lcplab::report::{text, view};
-use lcplab::solver::{ALL, Entry, entry};
+use lcplab::report::{methods, text, view};
+use lcplab::solver::Method;
 
-use super::{Outcome, SolverArgs, print};
+use super::options::SolverArgs;
+use super::{Outcome, print};
 
 /// Solve the problem library with every solver, and judge every answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   lcplab compare-solvers murty fathi stack --solver dantzig --solver lemke
+  lcplab compare-solvers pushed-rod --model coulomb-cone --model polygon-16
 
-Without names all families and all solvers run. Exit code 1 if a claim is refuted, made of a problem
+Without names all families and all solvers run, clarabel among them as the reference. Families with
+friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and -16, associated-cone
+and coulomb-cone, each by the solvers that it fits. Exit code 1 if a claim is refuted, made of a problem
 that has no solution, or a failure that must happen does not.")]
 pub struct CompareSolvers {
     /// Families that `problems` lists; all without one
@@ -23,6 +28,9 @@ pub struct CompareSolvers {
     /// A solver; may be given more than once
     #[arg(long)]
     solver: Vec<String>,
+    /// A model of friction; may be given more than once, and leaves out families without friction
+    #[arg(long)]
+    model: Vec<Model>,
     /// Problems of each family that has a seed: the seeds 1 to this
     #[arg(long, default_value_t = 3)]
     seeds: u32,
@@ -39,13 +47,25 @@ impl CompareSolvers {
             [] => library::all().collect(),
             names => names.iter().map(|name| library::by_name(name)).collect::<Result<_>>()?,
         };
-        let solvers: Vec<Entry> = match self.solver.as_slice() {
-            [] => ALL.to_vec(),
-            names => names.iter().map(|name| entry(name).copied()).collect::<Result<_>>()?,
+        let families: Vec<&dyn Family> = match self.model.as_slice() {
+            [] => families,
+            _ => families.into_iter().filter(|family| has_friction(*family)).collect(),
         };
-        let options = self.settings.options();
-        options.validate()?;
-        let rows = families::run(&families, &solvers, &options, self.seeds);
+        if families.is_empty() {
+            return Err(Error::invalid(
+                "options",
+                "--model",
+                "none of these families has friction",
+            ));
+        }
+        let models = if self.model.is_empty() { &Model::ALL } else { self.model.as_slice() };
+        let methods = self.methods()?;
+        let options = self.settings.options(&methods)?;
+        let rows = families::run(&families, models, &methods, &options, self.seeds);
+        if rows.is_empty() {
+            let reason = "no solver that is named takes any of these families, so modelled";
+            return Err(Error::invalid("options", "--solver", reason));
+        }
         if self.json {
             print(&format!("{}\n", serde_json::json!({ "rows": rows })))?;
         } else {
@@ -54,4 +74,20 @@ impl CompareSolvers {
         let wrong = rows.iter().any(families::Row::is_wrong);
         Ok(if wrong { Outcome::Refuted } else { Outcome::Good })
     }
+
+    /// The methods of these names, of boxes and of cones; all methods without names.
+    fn methods(&self) -> Result<Vec<Method>> {
+        if self.solver.is_empty() {
+            return Ok(methods::all());
+        }
+        let mut found = Vec::new();
+        for name in &self.solver {
+            found.extend(methods::named(name)?);
+        }
+        Ok(found)
+    }
+}
+
+fn has_friction(family: &dyn Family) -> bool {
+    family.generate(&[]).is_ok_and(|problem| problem.friction().is_some())
 }

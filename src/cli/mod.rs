@@ -1,18 +1,18 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
 mod families;
+mod friction;
 mod library;
+mod options;
 mod problem;
 mod report;
 mod scene;
 
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
-use lcplab::certificate::Demand;
 use lcplab::error::{Error, Result};
-use lcplab::solver::{Options, Settings};
 
 /// Solve, judge and compare contact problems of rigid bodies.
 #[derive(Debug, Parser)]
@@ -64,35 +64,6 @@ pub fn run() -> ExitCode {
             eprintln!("error: {error}");
             ExitCode::from(2)
         }
-    }
-}
-
-/// The settings of a solver.
-#[derive(Debug, Args)]
-struct SolverArgs {
-    /// Largest scaled residual that counts as solved
-    #[arg(long, default_value_t = Settings::default().tolerance)]
-    tolerance: f64,
-    /// Most sweeps or pivots
-    #[arg(long, default_value_t = Settings::default().max_iterations)]
-    max_iterations: usize,
-    /// Relaxation factor of sor, above 0 and below 2
-    #[arg(long, default_value_t = Options::default().omega)]
-    omega: f64,
-}
-
-impl SolverArgs {
-    fn options(&self) -> Options {
-        let settings = Settings {
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
-            ..Settings::default()
-        };
-        Options { settings, omega: self.omega, ..Options::default() }
-    }
-
-    fn demand(&self) -> Demand {
-        Demand { tolerance: self.tolerance, ..Demand::default() }
     }
 }
 

@@ -7,10 +7,14 @@ use lcplab::certificate::{Certificate, Demand, judge};
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::{Problem, number, read_answer};
+use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{Answer, bound, certificate_json, certificate_text};
-use lcplab::solver::{by_name, default_for};
+use lcplab::report::methods;
+use lcplab::solver::{Method, default_for};
 
-use super::{Outcome, SolverArgs, print};
+use super::friction::{Friction, model};
+use super::options::SolverArgs;
+use super::{Outcome, print};
 
 /// Rows up to which `judge` and `solve --exact` prove.
 const PROVED_ROWS: usize = 150;
@@ -22,14 +26,22 @@ const PRINTED_ROWS: usize = 40;
 #[command(after_help = "\
 Example:
   echo '{\"A\": {\"dense\": [[2, -1], [-1, 2]]}, \"b\": [-1, 2]}' | lcplab solve - --solver dantzig
+  lcplab generate pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
+  lcplab generate stack | lcplab solve - --solver pgs --order shuffled --seed 7
 
-Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
+A problem with friction rows is solved as it stands, as a coupled box, unless --model, the key
+\"model\" of the file or a solver for cones says otherwise. Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Solve {
     /// The problem as JSON; - reads standard input
     problem: PathBuf,
-    /// The name of a solver; without it dantzig for symmetric A, lemke for any other
+    /// The name of a solver; without it dantzig for symmetric A, lemke for any other, and for a model
+    /// of friction the one that fits
     #[arg(long)]
     solver: Option<String>,
+    /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
+    /// coulomb-cone; the file's own without it
+    #[arg(long)]
+    model: Option<Model>,
     /// Prove problems of up to 150 rows exactly, not only of up to 50
     #[arg(long)]
     exact: bool,
@@ -42,18 +54,21 @@ pub struct Solve {
 
 impl Solve {
     pub fn run(&self) -> Result<Outcome> {
-        let options = self.settings.options();
-        let named = self.solver.as_ref().map(|name| by_name(name, &options)).transpose()?;
         let problem = read_problem(&self.problem)?;
-        let solver = match named {
-            Some(solver) => solver,
-            None => by_name(default_for(&problem.lcp), &options)?,
-        };
         let mut demand = self.settings.demand();
         if self.exact {
             demand.prove_up_to = PROVED_ROWS;
         }
-        let answer = Answer::obtain(&problem.lcp, &*solver, &demand);
+        let solver = self.solver.as_deref();
+        if let Some(model) = model(self.model, solver, &problem) {
+            let method = methods::by_name(solver.unwrap_or(methods::default_for(model)), model)?;
+            let options = self.settings.options(&[method])?;
+            let friction = Friction::of(&problem, model, &self.problem)?;
+            return friction.solve(&title(&problem), &method, &options, &demand, self.json);
+        }
+        let entry = methods::entry(solver.unwrap_or_else(|| default_for(&problem.lcp)))?;
+        let options = self.settings.options(&[Method::Boxed(entry)])?;
+        let answer = Answer::obtain(&problem.lcp, &*(entry.build)(&options), &demand);
         if self.json {
             print(&format!("{}\n", answer.to_json()))?;
         } else {
@@ -79,13 +94,17 @@ impl Solve {
 #[command(after_help = "\
 Example:
   lcplab solve problem.json --json > answer.json; lcplab judge problem.json answer.json
+  lcplab judge friction.json answer.json --model coulomb-cone
 
 Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Judge {
     /// The problem as JSON; - reads standard input
     problem: PathBuf,
-    /// Any JSON object with a key \"x\"
+    /// Any JSON object with a key "x"
     answer: PathBuf,
+    /// Model of friction to judge by; the file's own without it
+    #[arg(long)]
+    model: Option<Model>,
     /// Largest scaled residual that counts as solved
     #[arg(long, default_value_t = Demand::default().tolerance)]
     tolerance: f64,
@@ -99,6 +118,10 @@ impl Judge {
         let problem = read_problem(&self.problem)?;
         let x = read_answer(&self.answer, problem.lcp.len())?;
         let demand = Demand { tolerance: self.tolerance, prove_up_to: PROVED_ROWS };
+        if let Some(model) = model(self.model, None, &problem) {
+            let friction = Friction::of(&problem, model, &self.problem)?;
+            return friction.judge(&title(&problem), &x, &demand, self.json);
+        }
         let certificate = judge(&problem.lcp, &x, &demand);
         let bound = bound(&problem.lcp, &x, &certificate);
         if self.json {

@@ -9,11 +9,12 @@ use lcplab::error::{Error, Result};
 use lcplab::lcp::file::{Problem, number};
 use lcplab::report::study::{comparison, scene_solver};
 use lcplab::report::{recording, text, view, write};
-use lcplab::scene::{Formulation, Scene, catalogue};
+use lcplab::scene::{self, Formulation, Scene, catalogue};
 use lcplab::simulation::{Simulation, Step};
-use lcplab::solver::{ALL, entry};
+use lcplab::solver::{ALL, Entry, Solver, entry};
 use serde_json::json;
 
+use super::options::{Choices, RowOrder};
 use super::{Outcome, bar, print};
 
 /// List the shipped scenes, or print one
@@ -75,9 +76,8 @@ struct SceneArgs {
     /// Most sweeps or pivots in a solve
     #[arg(long)]
     max_iterations: Option<usize>,
-    /// Relaxation factor of sor, above 0 and below 2
-    #[arg(long)]
-    omega: Option<f64>,
+    #[command(flatten)]
+    choices: Choices,
 }
 
 /// The names of the families, each of which is one.
@@ -95,9 +95,44 @@ impl SceneArgs {
         solver.name = self.solver.clone().unwrap_or_else(|| solver.name.clone());
         solver.tolerance = self.tolerance.unwrap_or(solver.tolerance);
         solver.max_iterations = self.max_iterations.unwrap_or(solver.max_iterations);
-        solver.omega = self.omega.unwrap_or(solver.omega);
+        solver.omega = self.choices.omega.unwrap_or(solver.omega);
+        solver.order = self.choices.order.map_or(solver.order, scene::Order::from);
+        solver.seed = self.choices.seed.unwrap_or(solver.seed);
+        solver.damping = self.choices.damping.or(solver.damping);
         scene.validate()?;
         Ok(scene)
+    }
+
+    /// The scene's solver; options that it does not look at are refused.
+    fn solver(&self, scene: &Scene) -> Result<Box<dyn Solver>> {
+        let solver = scene_solver(scene)?;
+        self.check(&[*entry(&scene.solver.name)?], scene)?;
+        Ok(solver)
+    }
+
+    fn check(&self, solvers: &[Entry], scene: &Scene) -> Result<()> {
+        let users: Vec<_> = solvers.iter().map(|entry| (entry.name, entry.uses)).collect();
+        self.choices.check(&users, Some(scene.solver.order.into()))
+    }
+}
+
+impl From<RowOrder> for scene::Order {
+    fn from(order: RowOrder) -> Self {
+        match order {
+            RowOrder::Natural => scene::Order::Natural,
+            RowOrder::Reverse => scene::Order::Reverse,
+            RowOrder::Shuffled => scene::Order::Shuffled,
+        }
+    }
+}
+
+impl From<scene::Order> for RowOrder {
+    fn from(order: scene::Order) -> Self {
+        match order {
+            scene::Order::Natural => RowOrder::Natural,
+            scene::Order::Reverse => RowOrder::Reverse,
+            scene::Order::Shuffled => RowOrder::Shuffled,
+        }
     }
 }
 
@@ -107,8 +142,8 @@ impl SceneArgs {
 Example:
   lcplab simulate pendulum --steps 500 --out swing
 
-Writes trajectory.csv (poses and velocities), ledger.csv (energy, momentum, errors) and results.json
-to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
+Writes trajectory.csv (poses and velocities), ledger.csv (energy and where it went, momentum, errors),
+forces.csv (x and w of every row) and results.json to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
 recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
     #[command(flatten)]
@@ -127,7 +162,7 @@ pub struct Simulate {
 impl Simulate {
     pub fn run(&self) -> Result<Outcome> {
         let scene = self.scene.load()?;
-        let solver = scene_solver(&scene)?;
+        let solver = self.scene.solver(&scene)?;
         let steps = self.steps.unwrap_or(scene.step.count);
         let progress = bar(steps as u64, &scene.name);
         let mut simulation = Simulation::new(scene.clone(), solver);
@@ -183,6 +218,7 @@ impl Compare {
             Some(name) => vec![*entry(name)?],
             None => ALL.to_vec(),
         };
+        self.scene.check(&solvers, &scene)?;
         let families = match self.scene.formulation {
             Some(family) => vec![family],
             None => Formulation::LEVELS.to_vec(),
@@ -227,7 +263,7 @@ pub struct Export {
 impl Export {
     pub fn run(&self) -> Result<Outcome> {
         let scene = self.scene.load()?;
-        let mut simulation = Simulation::new(scene.clone(), scene_solver(&scene)?);
+        let mut simulation = Simulation::new(scene.clone(), self.scene.solver(&scene)?);
         let mut last = None;
         for _ in 0..self.step {
             match simulation.step() {

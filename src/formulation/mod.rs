@@ -72,6 +72,8 @@ impl Stage {
 pub struct Problem {
     /// What it decides.
     pub stage: Stage,
+    /// The length of the step it decides (s): 0 for a blow.
+    pub dt: f64,
     /// The problem in numbers.
     pub lcp: Lcp,
     /// The scene at this instant; its rows are the LCP's.
@@ -186,7 +188,7 @@ impl Problem {
         let b = offsets(&assembly, &target, &bias);
         let lcp = Lcp::new(delassus::matrix(&assembly, &compliance, &slides), b, lo, hi)?;
         let lcp = lcp.with_coupling(Coupling::new(index, mu)?)?;
-        Ok(Problem { stage, lcp, assembly, target, bias, compliance, slides })
+        Ok(Problem { stage, dt, lcp, assembly, target, bias, compliance, slides })
     }
 
     /// The forces or impulses of an answer: x, and the friction that follows from it.

@@ -12,7 +12,18 @@
 //! | `b` | n numbers |
 //! | `lo`, `hi` | n numbers or `"inf"`, `"-inf"`; 0 and ∞ where the key is absent |
 //! | `friction_index`, `mu` | row i is bounded by ±mu\[i\]·max(x\[k\], 0) with k = friction_index\[i\]; −1 for none. Its lo and hi are absent or infinite |
+//! | `model` | under which model of friction x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` where the key is absent |
+//! | `frozen_at` | n numbers, of which the box of model 1, `"frozen-box"`, takes the normal impulses x\[k\] |
 //! | `name`, `source`, `dt`, `rows`, `expected` | optional, kept as they are |
+//!
+//! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact have the
+//! same μ and are bounded by the same row n. The exported steps of scenes are such files. A unit mass
+//! on the floor, pressed with 2 N s and pushed with 3 N s, under Coulomb's law:
+//!
+//! ```json
+//! {"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
+//!  "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}
+//! ```
 //!
 //! Other keys are ignored with a warning. Memory is bounded by the size of the file: n is checked
 //! against the length of b before anything of that size is made.
@@ -22,6 +33,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
+use super::friction::{FrictionProblem, Model};
 use super::{Coupling, Lcp, Matrix};
 use crate::error::{Defects, Error, Result};
 
@@ -32,6 +44,10 @@ pub struct Problem {
     pub name: String,
     /// The numbers.
     pub lcp: Lcp,
+    /// Under which model of friction it is to be solved, if the file says so.
+    pub model: Option<Model>,
+    /// The x at which model 1 freezes its boxes, n entries.
+    pub frozen_at: Option<Vec<f64>>,
     /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `expected`.
     pub extra: Map<String, Value>,
     /// What was ignored while reading.
@@ -39,12 +55,23 @@ pub struct Problem {
 }
 
 const KEPT: [&str; 4] = ["source", "dt", "rows", "expected"];
-const READ: [&str; 7] = ["name", "A", "b", "lo", "hi", "friction_index", "mu"];
+const READ: [&str; 9] =
+    ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at"];
 
 impl Problem {
     /// A problem with a name and nothing else.
     pub fn new(name: impl Into<String>, lcp: Lcp) -> Self {
-        Problem { name: name.into(), lcp, extra: Map::new(), warnings: Vec::new() }
+        let (extra, warnings) = (Map::new(), Vec::new());
+        Problem { name: name.into(), lcp, model: None, frozen_at: None, extra, warnings }
+    }
+
+    /// The contacts with friction, if there are any friction rows.
+    ///
+    /// # Errors
+    /// If the friction rows are not the two tangents of contacts each.
+    pub fn friction(&self) -> Option<Result<FrictionProblem>> {
+        let coupling = self.lcp.coupling()?;
+        (!coupling.is_empty()).then(|| FrictionProblem::of(&self.lcp))
     }
 
     /// Reads a file, or standard input for the path `-`.
@@ -76,6 +103,8 @@ impl Problem {
         }
         defects.result(input)?; // without both there are no sizes to check by
         let parts = Parts::read(&object, &mut defects);
+        let model = model(&object, &mut defects);
+        let frozen_at = frozen_at(&object, parts.b.len(), &mut defects);
         defects.into_result(input)?;
         let lcp = parts.into_lcp().map_err(|error| error.within(input))?;
         let (mut extra, mut warnings) = (Map::new(), Vec::new());
@@ -87,7 +116,7 @@ impl Problem {
             }
         }
         let name = object.get("name").and_then(Value::as_str).unwrap_or_default().to_string();
-        Ok(Problem { name, lcp, extra, warnings })
+        Ok(Problem { name, lcp, model, frozen_at, extra, warnings })
     }
 
     /// The problem as JSON, sparse if its matrix is stored sparsely. Reading it back gives the same
@@ -118,6 +147,12 @@ impl Problem {
             let index = |i| coupling.index(i).map_or(json!(-1), |k| json!(k));
             object.insert("friction_index".into(), (0..n).map(index).collect());
             object.insert("mu".into(), (0..n).map(|i| json!(coupling.mu(i))).collect());
+        }
+        if let Some(model) = self.model {
+            object.insert("model".into(), json!(model.to_string()));
+        }
+        if let Some(x) = &self.frozen_at {
+            object.insert("frozen_at".into(), json!(x));
         }
         object.extend(self.extra.clone());
         Value::Object(object)
@@ -264,6 +299,30 @@ fn numbers(object: &Map<String, Value>, key: &str, defects: &mut Defects) -> Opt
         })
     };
     Some(values.iter().enumerate().map(number).collect())
+}
+
+/// The model of friction under the key `model`.
+fn model(object: &Map<String, Value>, defects: &mut Defects) -> Option<Model> {
+    let value = object.get("model")?;
+    let model = value.as_str().map(str::parse::<Model>);
+    match model {
+        Some(Ok(model)) if object.contains_key("friction_index") => return Some(model),
+        Some(Ok(_)) => defects.add("model", "is given, but there is no friction_index"),
+        Some(Err(error)) => defects.add("model", error.to_string()),
+        None => defects.add("model", format!("must be a name, is {}", brief(value))),
+    }
+    None
+}
+
+fn frozen_at(object: &Map<String, Value>, n: usize, defects: &mut Defects) -> Option<Vec<f64>> {
+    let x = numbers(object, "frozen_at", defects)?;
+    if x.len() != n {
+        defects.add("frozen_at", format!("has {} entries, b has {n}", x.len()));
+    }
+    for (i, x) in x.iter().enumerate().filter(|(_, x)| !x.is_finite()) {
+        defects.add(format!("frozen_at[{i}]"), format!("must be finite, is {x}"));
+    }
+    Some(x)
 }
 
 fn dense(value: &Value, n: usize, defects: &mut Defects) -> Vec<f64> {

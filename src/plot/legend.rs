@@ -15,6 +15,7 @@ const EXACTLY_ZERO: &str = "exactly 0";
 /// How a curve of this name is drawn in this figure.
 pub(super) struct Drawn {
     pub color: RGBColor,
+    /// 0 for markers alone.
     pub width: f64,
     pub dash: &'static [u32],
     marker: Option<Marker>,
@@ -47,15 +48,19 @@ impl<'a> Legend<'a> {
                 kinds.push((&series.name, series.look));
             }
         }
-        kinds.sort_by_key(|(_, look)| *look != Look::Measured);
+        kinds.sort_by_key(|(_, look)| !look.is_measured());
         let named = |wanted| kinds.iter().filter(move |(_, look)| *look == wanted);
-        let names: Vec<&str> = named(Look::Measured).map(|(name, _)| *name).collect();
+        let measured: Vec<_> = kinds.iter().filter(|(_, look)| look.is_measured()).collect();
+        let names: Vec<&str> = measured.iter().map(|(name, _)| *name).collect();
         let mut looks: BTreeMap<&str, Drawn> = BTreeMap::new();
-        looks.extend(names.iter().zip(style::styles(&names)).map(|(name, style)| {
-            let Style { color: (r, g, b), dash, marker } = style;
-            let color = RGBColor(r, g, b);
-            (*name, Drawn { color, width: style::LINE, dash, marker: Some(marker) })
-        }));
+        looks.extend(measured.into_iter().zip(style::styles(&names)).map(
+            |((name, look), style)| {
+                let Style { color: (r, g, b), dash, marker } = style;
+                let color = RGBColor(r, g, b);
+                let width = if *look == Look::Points { 0.0 } else { style::LINE };
+                (*name, Drawn { color, width, dash, marker: Some(marker) })
+            },
+        ));
         looks.extend(named(Look::Theory).zip(style::THEORY_DASHES.iter().cycle()).map(
             |((name, _), dash)| {
                 (*name, Drawn { color: THEORY, width: style::THIN, dash, marker: None })
@@ -88,9 +93,11 @@ impl<'a> Legend<'a> {
                 continue;
             };
             let ends = [(*x, *y), (x + Self::SAMPLE, *y)].map(|(x, y)| (fine(x), fine(y)));
-            canvas.layer(&dashes(drawn.dash), |layer| {
-                layer.draw(&PathElement::new(ends, stroke(drawn.color, drawn.width)))
-            });
+            if drawn.width > 0.0 {
+                canvas.layer(&dashes(drawn.dash), |layer| {
+                    layer.draw(&PathElement::new(ends, stroke(drawn.color, drawn.width)))
+                });
+            }
             drawn.mark(canvas, &[(x + Self::SAMPLE / 2.0, *y)]);
         }
     }

@@ -56,6 +56,8 @@ pub struct Series {
 pub enum Look {
     /// Something that happened: coloured, with markers. Measured curves decide the axes' ranges.
     Measured,
+    /// The same where the points do not form a line: a marker each. They decide the ranges too.
+    Points,
     /// What a formula predicts: dashed, in grey, cut off at the frame.
     Theory,
     /// A known value or limit: a thin dark line, cut off at the frame.
@@ -66,6 +68,11 @@ impl Series {
     /// A measured curve.
     pub fn measured(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Series { name: name.into(), points, look: Look::Measured }
+    }
+
+    /// Measured points that are not joined.
+    pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Series { name: name.into(), points, look: Look::Points }
     }
 
     /// A predicted curve.
@@ -152,9 +159,14 @@ impl Figure for Lines {
 }
 
 impl Look {
+    /// Whether it happened.
+    pub(super) fn is_measured(self) -> bool {
+        matches!(self, Look::Measured | Look::Points)
+    }
+
     fn word(self) -> &'static str {
         match self {
-            Look::Measured => "measured",
+            Look::Measured | Look::Points => "measured",
             Look::Theory => "theory",
             Look::Reference => "reference",
         }
@@ -180,8 +192,8 @@ impl Lines {
         panel: &Panel,
         looks: &BTreeMap<&str, Drawn>,
     ) {
-        let measured = panel.series.iter().filter(|series| series.look == Look::Measured);
-        let others = panel.series.iter().filter(|series| series.look != Look::Measured);
+        let (measured, others): (Vec<&Series>, Vec<&Series>) =
+            panel.series.iter().partition(|series| series.look.is_measured());
         // A nested svg cuts predictions off at the frame.
         canvas.raw(&format!(
             "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n",
@@ -194,14 +206,17 @@ impl Lines {
             self.draw_line(canvas, frame, panel, series, &looks[series.name.as_str()]);
         }
         canvas.raw("</svg>\n");
-        for (k, series) in measured.enumerate() {
+        for (k, series) in measured.into_iter().enumerate() {
             let drawn = &looks[series.name.as_str()];
             canvas.raw(&format!(
                 "<g class=\"series\" data-series=\"{0}\"><title>{0}</title>\n",
                 escape(&series.name)
             ));
             let shown = self.draw_line(canvas, frame, panel, series, drawn);
-            drawn.mark(canvas, &marker_places(&shown, frame.left, k));
+            match series.look {
+                Look::Points => drawn.mark(canvas, &shown),
+                _ => drawn.mark(canvas, &marker_places(&shown, frame.left, k)),
+            }
             let mut zeros: Vec<_> = self
                 .zeros(panel, series)
                 .map(|x| (frame.place((x, frame.y.0)).0, frame.bottom - 6.0))
@@ -224,6 +239,9 @@ impl Lines {
         let place =
             |(x, y): &(f64, f64)| Some((self.x.scale.position(*x)?, panel.y.scale.position(*y)?));
         let places: Vec<_> = series.points.iter().map(place).collect();
+        if series.look == Look::Points {
+            return places.into_iter().flatten().map(|point| frame.place(point)).collect();
+        }
         let runs: Vec<Vec<(f64, f64)>> = places
             .split(Option::is_none)
             .map(|run| thin(run.iter().flatten().copied(), |point| frame.place(point)))
@@ -246,7 +264,7 @@ impl Lines {
 
     pub(super) fn has_zeros(&self) -> bool {
         self.panels.iter().any(|panel| {
-            let measured = panel.series.iter().filter(|series| series.look == Look::Measured);
+            let measured = panel.series.iter().filter(|series| series.look.is_measured());
             measured.into_iter().any(|series| self.zeros(panel, series).next().is_some())
         })
     }
@@ -263,7 +281,7 @@ fn range<'a>(
         let points = chosen.flat_map(|series| series.points.iter().copied());
         scale.range(points.filter_map(|point| scale.position(coordinate(point))))
     };
-    positions(|look| look == Look::Measured).or_else(|| positions(|_| true)).unwrap_or((0.0, 1.0))
+    positions(Look::is_measured).or_else(|| positions(|_| true)).unwrap_or((0.0, 1.0))
 }
 
 fn describe(series: &Series) -> String {

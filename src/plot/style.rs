@@ -99,6 +99,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("fischer_newton", OCHRE, 3, 4),
     ("interior_point", BLACK, 1, 5),
     ("clarabel", BLACK, 3, 5),
+    ("enumeration", BLACK, 2, 5),
     ("velocity", BLUE, 0, 0),
     ("acceleration", VERMILION, 0, 1),
     ("position", GREEN, 0, 2),
@@ -111,6 +112,15 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("siconos", PURPLE, 3, 3),
     ("dart", OCHRE, 4, 4),
     ("k&m_(4)", BLACK, 0, 5),
+    ("box", VERMILION, 0, 1),
+    ("polygon_of_4", OCHRE, 1, 3),
+    ("polygon_of_8", PURPLE, 2, 4),
+    ("disc", BLUE, 0, 0),
+    ("r_=_1", SKY, 0, 0),
+    ("r_=_10", GREEN, 1, 1),
+    ("r_=_100", OCHRE, 2, 2),
+    ("r_=_1000", VERMILION, 3, 3),
+    ("r_=_10000", PURPLE, 4, 4),
 ];
 
 /// SOR by its ω: colours at some ω, blended between them, and a dash and a marker from each on.

@@ -7,12 +7,18 @@
 //! For symmetric positive semidefinite A its minimisers are the LCP's solutions: the multipliers of
 //! the bounds are the parts of w. `math §3`.
 
-use super::{Reference, program::Program};
+use super::Reference;
+use super::program::{MAX_ITERATIONS, Program};
 use crate::lcp::Lcp;
 
 /// Solves the problem as a box QP; `None` where that is not the same problem: A is not symmetric, or
 /// a row is coupled (freeze the bounds first with [`Lcp::frozen_at`]).
 pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
+    box_qp_within(lcp, MAX_ITERATIONS)
+}
+
+/// [`box_qp`] with a limit on clarabel's iterations.
+pub fn box_qp_within(lcp: &Lcp, max_iterations: usize) -> Option<Reference> {
     if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
         return None;
     }
@@ -20,5 +26,5 @@ pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
     for i in 0..lcp.len() {
         program.bound(i, lcp.lo()[i], lcp.hi()[i]);
     }
-    Some(program.solve())
+    Some(program.solve_within(max_iterations))
 }

@@ -6,7 +6,8 @@
 //!
 //! `math §5`, model 4. The multipliers of the cones are the w in their dual cones.
 
-use super::{Reference, program::Program};
+use super::Reference;
+use super::program::{MAX_ITERATIONS, Program};
 use crate::lcp::Complementarity;
 use crate::lcp::friction::ConeProblem;
 
@@ -14,6 +15,11 @@ use crate::lcp::friction::ConeProblem;
 /// is Coulomb's (freeze the shift first with [`ConeProblem`]'s
 /// [`frozen_at`](crate::lcp::Complementarity::frozen_at)).
 pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
+    cone_qp_within(problem, MAX_ITERATIONS)
+}
+
+/// [`cone_qp`] with a limit on clarabel's iterations.
+pub fn cone_qp_within(problem: &ConeProblem, max_iterations: usize) -> Option<Reference> {
     let (lcp, friction) = (problem.lcp(), problem.friction());
     if !problem.is_frozen() || !lcp.matrix().is_symmetric() {
         return None;
@@ -32,5 +38,5 @@ pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
             program.bound(t2, 0.0, 0.0);
         }
     }
-    Some(program.solve())
+    Some(program.solve_within(max_iterations))
 }

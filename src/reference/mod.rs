@@ -9,8 +9,8 @@ mod cone_qp;
 mod gauss;
 mod program;
 
-pub use box_qp::box_qp;
-pub use cone_qp::cone_qp;
+pub use box_qp::{box_qp, box_qp_within};
+pub use cone_qp::{cone_qp, cone_qp_within};
 pub use gauss::gauss;
 
 /// A reference answer.

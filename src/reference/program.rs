@@ -14,6 +14,8 @@ use crate::lcp::Lcp;
 
 /// Tolerance on gap and feasibility: tight, because the answer is a reference.
 const TOLERANCE: f64 = 1e-10;
+/// Clarabel's own limit on iterations.
+pub(super) const MAX_ITERATIONS: usize = 200;
 
 /// The program so far.
 #[derive(Debug, Default)]
@@ -78,6 +80,10 @@ impl Program {
     }
 
     pub(super) fn solve(self) -> Reference {
+        self.solve_within(MAX_ITERATIONS)
+    }
+
+    pub(super) fn solve_within(self, max_iterations: usize) -> Reference {
         let n = self.linear.len();
         let p = csc(n, n, self.quadratic.into_iter());
         let mut cones = vec![
@@ -93,6 +99,7 @@ impl Program {
         let g = csc(rows.len(), n, entries);
         let settings = DefaultSettingsBuilder::default()
             .verbose(false)
+            .max_iter(u32::try_from(max_iterations).unwrap_or(u32::MAX))
             .tol_gap_abs(TOLERANCE)
             .tol_gap_rel(TOLERANCE)
             .tol_feas(TOLERANCE)

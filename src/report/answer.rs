@@ -46,20 +46,7 @@ impl Answer {
 
     /// The solver's claim in one of four words. `infeasible` is said only with a proof.
     pub fn status_word(&self) -> &'static str {
-        match self.solution.status {
-            Status::Solved => "solved",
-            Status::Inaccurate | Status::IterationLimit | Status::Stalled | Status::Stopped => {
-                "iteration_limit"
-            }
-            Status::Ray { .. } if self.farkas.is_some() => "infeasible",
-            Status::NoSolution => "infeasible",
-            Status::Ray { .. }
-            | Status::Diverged
-            | Status::NotFinite
-            | Status::ZeroDiagonal { .. }
-            | Status::Singular { .. }
-            | Status::OutsideClass { .. } => "failed",
-        }
+        if self.farkas.is_some() { "infeasible" } else { status_word(&self.solution.status) }
     }
 
     /// The status in words.
@@ -94,6 +81,23 @@ impl Answer {
     }
 }
 
+/// A status in one of four words; a ray is a failure until it is checked.
+pub fn status_word(status: &Status) -> &'static str {
+    match status {
+        Status::Solved => "solved",
+        Status::Inaccurate | Status::IterationLimit | Status::Stalled | Status::Stopped => {
+            "iteration_limit"
+        }
+        Status::NoSolution => "infeasible",
+        Status::Ray { .. }
+        | Status::Diverged
+        | Status::NotFinite
+        | Status::ZeroDiagonal { .. }
+        | Status::Singular { .. }
+        | Status::OutsideClass { .. } => "failed",
+    }
+}
+
 /// The bound that certifies x to ε, where the verdict is within tolerance and no more.
 pub fn bound(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> Option<f64> {
     match certificate.verdict {
@@ -116,8 +120,18 @@ pub fn certificate_json(certificate: &Certificate) -> serde_json::Map<String, Va
     ] {
         object.insert(key.into(), number(value));
     }
-    object.insert("verdict".into(), json!(certificate.verdict.word()));
-    match certificate.verdict {
+    object.extend(verdict_json(&certificate.verdict));
+    if let Some(direction) = &certificate.null_direction {
+        object.insert("certificate".into(), json!({ "not_unique": fractions(direction) }));
+    }
+    object
+}
+
+/// The verdict with its numbers.
+pub fn verdict_json(verdict: &Verdict) -> serde_json::Map<String, Value> {
+    let mut object = serde_json::Map::new();
+    object.insert("verdict".into(), json!(verdict.word()));
+    match *verdict {
         Verdict::Proved { distance } => {
             object.insert("distance".into(), number(distance));
         }
@@ -126,9 +140,6 @@ pub fn certificate_json(certificate: &Certificate) -> serde_json::Map<String, Va
             object.insert("amount".into(), number(amount));
         }
         Verdict::WithinTolerance => {}
-    }
-    if let Some(direction) = &certificate.null_direction {
-        object.insert("certificate".into(), json!({ "not_unique": fractions(direction) }));
     }
     object
 }

@@ -37,6 +37,15 @@ pub struct Experiment {
     /// LCPs solved by sweeps.
     #[serde(default)]
     pub convergence: Vec<Sweeps>,
+    /// Columns whose rates have a closed form.
+    #[serde(default)]
+    pub rates: Option<Rates>,
+    /// One LCP that costs each method something else.
+    #[serde(default)]
+    pub worst_cases: Option<WorstCases>,
+    /// A block pushed from all sides under each model of friction.
+    #[serde(default)]
+    pub friction: Option<Friction>,
     /// LCPs on which the merit functions are compared.
     #[serde(default)]
     pub merits: Vec<AtStep>,
@@ -78,6 +87,34 @@ pub struct Sweeps {
     pub step: usize,
     /// The relaxation factors ω; the optimal one is added where theory knows it.
     pub omegas: Vec<f64>,
+}
+
+/// Columns of bodies on the ground.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rates {
+    /// Columns of so many equal bodies.
+    pub bodies: Vec<usize>,
+    /// Two bodies, the upper one so many times as heavy.
+    pub ratios: Vec<f64>,
+}
+
+/// Murty's and Fathi's matrices.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WorstCases {
+    /// The numbers of rows.
+    pub sizes: Vec<u32>,
+}
+
+/// A block on the floor.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Friction {
+    /// The coefficient of friction, above 0.
+    pub mu: f64,
+    /// How hard it is pushed, in units of what friction can hold; every model slides above √2.
+    pub push: f64,
 }
 
 /// A scene and how long it runs.

@@ -2,7 +2,10 @@
 //! out, [`results`] holds it, [`view`] shows it and [`write`](mod@write) puts it on disk.
 
 pub mod answer;
+pub mod clarabel;
 pub mod experiment;
+pub mod friction;
+pub mod methods;
 pub mod page;
 pub mod recording;
 pub mod results;

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use super::experiment::Experiment;
 use super::study::comparison::{Comparison, Timing};
-use super::study::{closed_form, convergence, cross_check, drift, merits, sparsity};
+use super::study::{
+    closed_form, convergence, cross_check, drift, merits, rates, sliding, sparsity, worst_cases,
+};
 
 /// The results of a report.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,6 +27,12 @@ pub struct Results {
     pub cross_checks: Vec<cross_check::CrossCheck>,
     /// Residuals by sweep.
     pub convergence: Vec<convergence::Study>,
+    /// Rates in closed form, as eigenvalues and measured.
+    pub rates: Vec<rates::System>,
+    /// What one LCP costs each method.
+    pub worst_cases: Option<worst_cases::Study>,
+    /// Friction models on a sliding block.
+    pub friction: Option<sliding::Study>,
     /// Merit functions by sweep.
     pub merits: Vec<merits::Study>,
     /// Patterns of J and A.

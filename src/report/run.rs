@@ -7,7 +7,10 @@ use rayon::prelude::*;
 
 use super::experiment::Experiment;
 use super::results::{Machine, Results, libraries};
-use super::study::{closed_form, comparison, convergence, cross_check, drift, merits, sparsity};
+use super::study::{
+    closed_form, comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity,
+    worst_cases,
+};
 use crate::error::Result;
 use crate::scene::{Formulation, Scene};
 use crate::solver::{Entry, entry};
@@ -15,7 +18,8 @@ use crate::solver::{Entry, entry};
 /// Runs everything in the experiment. The results do not depend on the number of threads.
 ///
 /// # Errors
-/// If a scene cannot be loaded; all are loaded before anything runs.
+/// If a scene cannot be loaded; all are loaded before anything runs. If a study that needs no scene
+/// is given numbers that make no problem.
 pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     let start = Instant::now();
     let scenes = Scenes::load(experiment)?;
@@ -44,6 +48,12 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
         each.run("convergence", &scenes.convergence, &experiment.convergence, |scene, task| {
             convergence::run(scene, task.step, &task.omegas)
         });
+    let rates =
+        each.once("rates", &experiment.rates, |task| rates::run(&task.bodies, &task.ratios))?;
+    let worst_cases =
+        each.once("worst cases", &experiment.worst_cases, |task| worst_cases::run(&task.sizes))?;
+    let friction =
+        each.once("friction", &experiment.friction, |task| sliding::run(task.mu, task.push))?;
     let merits = each.run("merits", &scenes.merits, &experiment.merits, |scene, task| {
         merits::run(scene, task.step)
     });
@@ -58,6 +68,9 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
         comparisons,
         cross_checks: checks.into_iter().flatten().collect(),
         convergence: convergence.into_iter().flatten().collect(),
+        rates: rates.unwrap_or_default(),
+        worst_cases,
+        friction,
         merits: merits.into_iter().flatten().collect(),
         sparsity: sparsity.into_iter().flatten().collect(),
         drift,
@@ -70,7 +83,7 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     })
 }
 
-/// Runs a study on each of its scenes, in parallel, results in order.
+/// Runs studies; one on each of its scenes in parallel, results in order.
 struct Each<'a> {
     progress: &'a ProgressBar,
 }
@@ -90,6 +103,20 @@ impl Each<'_> {
             result
         };
         scenes.par_iter().zip(tasks).map(one).collect()
+    }
+
+    /// Runs a study that needs no scene, if it is asked for.
+    fn once<T, R>(
+        &self,
+        name: &'static str,
+        task: &Option<T>,
+        study: impl Fn(&T) -> Result<R>,
+    ) -> Result<Option<R>> {
+        let Some(task) = task else { return Ok(None) };
+        self.progress.set_message(name);
+        let result = study(task)?;
+        self.progress.inc(1);
+        Ok(Some(result))
     }
 }
 
@@ -121,6 +148,9 @@ impl Scenes {
             + usize::from(experiment.closed_forms)
             + self.cross_check.len()
             + self.convergence.len()
+            + usize::from(experiment.rates.is_some())
+            + usize::from(experiment.worst_cases.is_some())
+            + usize::from(experiment.friction.is_some())
             + self.merits.len()
             + self.sparsity.len()
             + self.drift.len()

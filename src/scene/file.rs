@@ -34,6 +34,7 @@ pub(super) fn parse(path: &str, text: &str) -> Result<Scene> {
 fn read(table: Spanned<DeTable<'_>>, source: &Source<'_>, defects: &mut Defects) -> Description {
     let mut whole = table;
     let mut section = |key: &str| whole.get_mut().remove(key);
+    let generate = section("generate").map(|part| list(part, source, defects));
     let bodies = section("bodies").map(|part| list(part, source, defects));
     let constraints = section("constraints").map(|part| list(part, source, defects));
     let step = section("step").map(|part| one(part, source, defects));
@@ -41,6 +42,7 @@ fn read(table: Spanned<DeTable<'_>>, source: &Source<'_>, defects: &mut Defects)
     let solver = section("solver").map(|part| one(part, source, defects));
     let rest = source.checked(Description::deserialize_from(whole), defects);
     Description {
+        generate: generate.unwrap_or_default(),
         bodies: bodies.unwrap_or_default(),
         constraints: constraints.unwrap_or_default(),
         step: step.flatten().unwrap_or_default(),
@@ -61,9 +63,11 @@ fn one<T: DeserializeOwned>(
     source: &Source<'_>,
     defects: &mut Defects,
 ) -> Option<T> {
-    source.checked(T::deserialize(ValueDeserializer::from(value)), defects)
+    let start = value.span().start;
+    source.checked_at(start, T::deserialize(ValueDeserializer::from(value)), defects)
 }
 
+/// The items of an array, or the one that stands in its place.
 fn list<T: DeserializeOwned>(
     value: Spanned<DeValue<'_>>,
     source: &Source<'_>,
@@ -73,7 +77,7 @@ fn list<T: DeserializeOwned>(
         DeValue::Array(items) => {
             items.iter().filter_map(|item| one(item.clone(), source, defects)).collect()
         }
-        _ => one(value, source, defects).unwrap_or_default(),
+        _ => one(value, source, defects).into_iter().collect(),
     }
 }
 
@@ -90,11 +94,21 @@ impl Source<'_> {
         outcome: std::result::Result<T, toml::de::Error>,
         defects: &mut Defects,
     ) -> Option<T> {
+        self.checked_at(0, outcome, defects)
+    }
+
+    /// The value, or nothing and a defect where the error says it is, or at this byte.
+    fn checked_at<T>(
+        &self,
+        start: usize,
+        outcome: std::result::Result<T, toml::de::Error>,
+        defects: &mut Defects,
+    ) -> Option<T> {
         let error = match outcome {
             Ok(value) => return Some(value),
             Err(error) => error,
         };
-        let at = error.span().map_or(0, |span| span.start);
+        let at = error.span().map_or(start, |span| span.start);
         let line = line_at(self.text, at);
         let place = match field_at(self.root, at) {
             Some(field) => format!("line {line}: {field}"),

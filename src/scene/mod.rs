@@ -19,7 +19,7 @@ pub use contacts::{ContactId, Found, contacts};
 pub use description::Description;
 pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;
-pub use settings::{Contacts, Sliding, Solver, Step};
+pub use settings::{Contacts, Order, Sliding, Solver, Step};
 
 use std::path::Path;
 use std::sync::Arc;

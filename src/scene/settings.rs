@@ -112,6 +112,19 @@ impl Default for Contacts {
     }
 }
 
+/// In which order a sweep takes the rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Order {
+    /// As they are numbered.
+    #[default]
+    Natural,
+    /// The last one first.
+    Reverse,
+    /// A random permutation, the same in every sweep.
+    Shuffled,
+}
+
 /// Which solver to use, by name; whether it exists is known where solvers are.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -120,6 +133,12 @@ pub struct Solver {
     pub name: String,
     /// The relaxation factor ω of methods that have one.
     pub omega: f64,
+    /// The order in which sweeps take the rows, for methods that leave it open.
+    pub order: Order,
+    /// The seed of the order "shuffled".
+    pub seed: u64,
+    /// The damping factor θ of Jacobi's method, above 0 and below 2; safe damping without one.
+    pub damping: Option<f64>,
     /// The scaled residual at which a solver stops.
     pub tolerance: f64,
     /// The most sweeps or pivots a step may take.
@@ -128,7 +147,15 @@ pub struct Solver {
 
 impl Default for Solver {
     fn default() -> Self {
-        Solver { name: "dantzig".into(), omega: 1.3, tolerance: 1e-8, max_iterations: 10_000 }
+        Solver {
+            name: "dantzig".into(),
+            omega: 1.3,
+            order: Order::default(),
+            seed: 1,
+            damping: None,
+            tolerance: 1e-8,
+            max_iterations: 10_000,
+        }
     }
 }
 
@@ -161,8 +188,11 @@ impl Contacts {
 
 impl Solver {
     pub(super) fn check(&self, defects: &mut Defects) {
-        if !(self.omega > 0.0 && self.omega < 2.0) {
-            defects.add("solver.omega", format!("must lie between 0 and 2, is {}", self.omega));
+        let damping = self.damping.unwrap_or(1.0);
+        for (place, value) in [("solver.omega", self.omega), ("solver.damping", damping)] {
+            if !(value > 0.0 && value < 2.0) {
+                defects.add(place, format!("must lie between 0 and 2, is {value}"));
+            }
         }
         not_negative(defects, "solver.tolerance", self.tolerance);
     }

@@ -6,11 +6,15 @@
 mod correction;
 mod family;
 mod integrator;
+mod laws;
+mod ledger;
 mod motion;
 mod record;
 mod solving;
 mod sweep;
 
+pub use laws::Laws;
+pub use ledger::Ledger;
 pub use motion::Motion;
 pub use record::{Cause, Failure, Recording, Solve, Step};
 
@@ -99,11 +103,13 @@ impl Simulation {
         if let Some(cause) = self.divergence(&states, &solves) {
             return Err(failure(cause));
         }
+        let ledger = Ledger::of(&self.scene, &self.states, &solves, &states);
+        let laws = Laws::of(&self.states, &solves, &ledger);
         self.previous = answers;
         self.states.clone_from(&states);
         self.steps += 1;
         let motion = self.motion();
-        Ok(Step { number: self.steps, solves, contacts: found, states, motion })
+        Ok(Step { number: self.steps, solves, contacts: found, states, motion, ledger, laws })
     }
 
     /// Takes up to `steps` steps, showing each to `watch`, which may end the run.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Motion;
+use super::{Laws, Ledger, Motion};
 use crate::assembly::Undefined;
 use crate::body::State;
 use crate::certificate::ray::Farkas;
@@ -24,6 +24,10 @@ pub struct Step {
     pub states: Vec<State>,
     /// Energy, momentum and errors at its end.
     pub motion: Motion,
+    /// Where its energy went.
+    pub ledger: Ledger,
+    /// How well it kept the laws of contact and momentum.
+    pub laws: Laws,
 }
 
 /// An LCP and a solver's answer to it.

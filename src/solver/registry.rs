@@ -5,7 +5,7 @@ use super::{
     InteriorPoint, Jacobi, Lemke, MatrixClass, Mprgp, Murty, Newton, Nncg, Order, Pgs, Settings,
     Solver, Spectral,
 };
-use crate::error::{Error, Result};
+use crate::error::{Defects, Error, Result};
 use crate::lcp::Lcp;
 
 /// A solver in the registry.
@@ -19,8 +19,32 @@ pub struct Entry {
     pub class: Class,
     /// Where it comes from.
     pub source: &'static str,
+    /// Which of the options it looks at, beside the common settings.
+    pub uses: &'static [Choice],
     /// Makes one.
     pub build: fn(&Options) -> Box<dyn Solver>,
+}
+
+/// An option that means something to some solvers only.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Choice {
+    /// [`Options::omega`].
+    Omega,
+    /// [`Options::order`].
+    Order,
+    /// [`Options::damping`].
+    Damping,
+}
+
+impl Choice {
+    /// The option's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Choice::Omega => "omega",
+            Choice::Order => "order",
+            Choice::Damping => "damping",
+        }
+    }
 }
 
 /// What a user can choose about a solver.
@@ -32,11 +56,18 @@ pub struct Options {
     pub omega: f64,
     /// The order of the rows in a sweep of PGS and SOR.
     pub order: Order,
+    /// How long the steps of Jacobi are.
+    pub damping: Damping,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { settings: Settings::default(), omega: 1.3, order: Order::default() }
+        Options {
+            settings: Settings::default(),
+            omega: 1.3,
+            order: Order::default(),
+            damping: Damping::default(),
+        }
     }
 }
 
@@ -47,11 +78,17 @@ impl Options {
     /// Names the option that cannot.
     pub fn validate(&self) -> Result<()> {
         self.settings.validate()?;
-        if !(self.omega > 0.0 && self.omega < 2.0) {
-            let reason = format!("must lie between 0 and 2, is {}", self.omega);
-            return Err(Error::invalid("settings", "omega", reason));
+        let mut defects = Defects::default();
+        let damping = match self.damping {
+            Damping::Safe => 1.0,
+            Damping::Factor(theta) => theta, // 2/λ and above diverges, and λ ≥ 1
+        };
+        for (choice, value) in [(Choice::Omega, self.omega), (Choice::Damping, damping)] {
+            if !(value > 0.0 && value < 2.0) {
+                defects.add(choice.name(), format!("must lie between 0 and 2, is {value}"));
+            }
         }
-        Ok(())
+        defects.into_result("settings")
     }
 }
 
@@ -65,6 +102,7 @@ pub const ALL: &[Entry] = &[
         method: "projected Gauss-Seidel, iterative",
         class: SWEEPS,
         source: "K&M (2), (3); Cryer 1971",
+        uses: &[Choice::Order],
         build: |options| relaxation(1.0, options.order, options),
     },
     Entry {
@@ -72,6 +110,7 @@ pub const ALL: &[Entry] = &[
         method: "projected successive over-relaxation, 0 < ω < 2, iterative",
         class: SWEEPS,
         source: "Cryer 1971; Luo & Tseng 1991",
+        uses: &[Choice::Omega, Choice::Order],
         build: |options| relaxation(options.omega, options.order, options),
     },
     Entry {
@@ -79,6 +118,7 @@ pub const ALL: &[Entry] = &[
         method: "projected symmetric SOR, a sweep there and back, 0 < ω < 2, iterative",
         class: SWEEPS,
         source: "Sheldon 1955; Mangasarian 1977",
+        uses: &[Choice::Omega],
         build: |options| relaxation(options.omega, Order::Symmetric, options),
     },
     Entry {
@@ -86,15 +126,17 @@ pub const ALL: &[Entry] = &[
         method: "projected Gauss-Seidel, colour by colour, iterative",
         class: SWEEPS,
         source: "Young 1950",
+        uses: &[],
         build: |options| relaxation(1.0, Order::Coloured, options),
     },
     Entry {
         name: "jacobi",
-        method: "projected Jacobi with safe damping, iterative",
+        method: "projected Jacobi, damped safely unless told otherwise, iterative",
         class: SWEEPS,
         source: "Goldstein 1964; Mangasarian 1977",
+        uses: &[Choice::Damping],
         build: |options| {
-            Box::new(Jacobi { damping: Damping::Safe, settings: options.settings.clone() })
+            Box::new(Jacobi { damping: options.damping, settings: options.settings.clone() })
         },
     },
     Entry {
@@ -102,6 +144,7 @@ pub const ALL: &[Entry] = &[
         method: "projected Gauss-Seidel by contacts and joints, iterative",
         class: Class::of(MatrixClass::Semidefinite),
         source: "Luo & Tseng 1992",
+        uses: &[],
         build: |options| {
             Box::new(BlockPgs { settings: options.settings.clone(), ..BlockPgs::default() })
         },
@@ -111,6 +154,7 @@ pub const ALL: &[Entry] = &[
         method: "nonsmooth nonlinear conjugate gradients around PGS, iterative",
         class: SWEEPS,
         source: "Silcowitz, Niebe & Erleben 2010",
+        uses: &[],
         build: |options| Box::new(Nncg { settings: options.settings.clone() }),
     },
     Entry {
@@ -118,6 +162,7 @@ pub const ALL: &[Entry] = &[
         method: "Newton on the minimum map with line search, iterative",
         class: SWEEPS,
         source: "Pang 1990; Qi & Sun 1993",
+        uses: &[],
         build: |options| newton(Equations::MinimumMap, options),
     },
     Entry {
@@ -125,6 +170,7 @@ pub const ALL: &[Entry] = &[
         method: "Newton on Fischer-Burmeister's equations with line search, iterative",
         class: Class::of(MatrixClass::P0).with_positive_diagonal(),
         source: "Fischer 1992; De Luca, Facchinei & Kanzow 1996",
+        uses: &[],
         build: |options| newton(Equations::FischerBurmeister, options),
     },
     Entry {
@@ -132,6 +178,7 @@ pub const ALL: &[Entry] = &[
         method: "projected conjugate gradients with proportioning, iterative",
         class: SWEEPS,
         source: "Dostál & Schöberl 2005",
+        uses: &[],
         build: |options| Box::new(Mprgp { settings: options.settings.clone() }),
     },
     Entry {
@@ -139,6 +186,7 @@ pub const ALL: &[Entry] = &[
         method: "accelerated projected gradients with restart, iterative",
         class: SWEEPS,
         source: "Nesterov 1983; Mazhar, Heyn, Negrut & Tasora 2015",
+        uses: &[],
         build: |options| Box::new(Apgd { settings: options.settings.clone() }),
     },
     Entry {
@@ -146,6 +194,7 @@ pub const ALL: &[Entry] = &[
         method: "projected gradients with Barzilai-Borwein steps, iterative",
         class: SWEEPS,
         source: "Barzilai & Borwein 1988; Birgin, Martínez & Raydan 2000",
+        uses: &[],
         build: |options| Box::new(Spectral { settings: options.settings.clone() }),
     },
     Entry {
@@ -153,6 +202,7 @@ pub const ALL: &[Entry] = &[
         method: "alternating direction method of multipliers, iterative",
         class: SWEEPS,
         source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
+        uses: &[],
         build: |options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
     },
     Entry {
@@ -160,6 +210,7 @@ pub const ALL: &[Entry] = &[
         method: "primal-dual interior point, predictor-corrector, iterative",
         class: SWEEPS,
         source: "Mehrotra 1992",
+        uses: &[],
         build: |options| Box::new(InteriorPoint { settings: options.settings.clone() }),
     },
     Entry {
@@ -167,6 +218,7 @@ pub const ALL: &[Entry] = &[
         method: "Dantzig pivoting with updated LDLᵀ, finite",
         class: Class::of(MatrixClass::Semidefinite),
         source: "Cottle & Dantzig 1968; Baraff 1994",
+        uses: &[],
         build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
     },
     Entry {
@@ -174,6 +226,7 @@ pub const ALL: &[Entry] = &[
         method: "Lemke's complementary pivoting, lexicographic ties, finite",
         class: Class::of(MatrixClass::CopositivePlus),
         source: "Lemke 1965; Cottle, Pang & Stone 1992",
+        uses: &[],
         build: |options| Box::new(Lemke { settings: options.settings.clone() }),
     },
     Entry {
@@ -181,6 +234,7 @@ pub const ALL: &[Entry] = &[
         method: "least-index principal pivoting, finite",
         class: Class::of(MatrixClass::P),
         source: "Murty 1974",
+        uses: &[],
         build: |options| Box::new(Murty { settings: options.settings.clone() }),
     },
     Entry {
@@ -188,6 +242,7 @@ pub const ALL: &[Entry] = &[
         method: "block principal pivoting with Murty's rule as safeguard, finite",
         class: Class::of(MatrixClass::P),
         source: "Kostreva 1978; Júdice & Pires 1994",
+        uses: &[],
         build: |options| {
             let settings = options.settings.clone();
             Box::new(BlockPivoting { settings, ..BlockPivoting::default() })
@@ -198,6 +253,7 @@ pub const ALL: &[Entry] = &[
         method: "up to 65536 active sets in exact arithmetic, finite",
         class: Class::of(MatrixClass::General),
         source: "the definition of a solution",
+        uses: &[],
         build: |options| Box::new(Enumeration { settings: options.settings.clone() }),
     },
 ];
@@ -208,6 +264,7 @@ pub const SPECIMENS: &[Entry] = &[Entry {
     method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",
     class: Class { bounds: false, coupling: false, ..SWEEPS },
     source: "K&M Code 6, E06",
+    uses: &[],
     build: |options| Box::new(Code6 { settings: options.settings.clone() }),
 }];
 

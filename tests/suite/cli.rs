@@ -75,6 +75,207 @@ fn solve_tells_people_the_verdict() {
     assert!(out(&output).contains("verdict    proved: an exact solution lies within 0.0e0 of x"));
 }
 
+/// A unit mass slides along t1: pressed with 2 N s, pushed with 3, μ = ½. Coulomb: x = (2, 1, 0).
+fn pushed() -> String {
+    out(&run(&["generate", "pushed-mass", "--set", "degrees=0"]))
+}
+
+#[test]
+fn friction_problems_are_generated_solved_under_each_model_and_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_string()
+    };
+    let problem = write("pushed.json", &pushed());
+    for (model, solver, x) in [
+        ("frozen-box", "pgs", [2.0, 1.0, 0.0]),
+        ("coupled-box", "dantzig", [2.0, 1.0, 0.0]),
+        ("polygon-8", "lemke", [2.0, 1.0, 0.0]),
+        ("coulomb-cone", "cone-pgs", [2.0, 1.0, 0.0]),
+        ("associated-cone", "clarabel", [2.8, 1.4, 0.0]),
+    ] {
+        let solved = run(&["solve", &problem, "--model", model, "--solver", solver, "--json"]);
+        let answer: Value = serde_json::from_str(&out(&solved)).unwrap();
+        assert_eq!((solved.status.code(), &answer["status"]), (Some(0), &"solved".into()));
+        assert_eq!((&answer["model"], &answer["solver"]), (&model.into(), &solver.into()));
+        for (k, x) in x.iter().enumerate() {
+            assert!((answer["x"][k].as_f64().unwrap() - x).abs() < 1e-6, "{model}: {answer}");
+        }
+        let judged = write("answer.json", &out(&solved));
+        assert_eq!(run(&["judge", &problem, &judged, "--model", model]).status.code(), Some(0));
+        let other = if model == "associated-cone" { "coulomb-cone" } else { "associated-cone" };
+        let refused = run(&["judge", &problem, &judged, "--model", other, "--json"]);
+        let verdict: Value = serde_json::from_str(&out(&refused)).unwrap();
+        assert_eq!(
+            (refused.status.code(), &verdict["verdict"]),
+            (Some(1), &"not_a_solution".into())
+        );
+    }
+}
+
+#[test]
+fn a_solver_for_cones_or_the_file_chooses_the_model() {
+    let chosen = |text: &str, arguments: &[&str]| {
+        let output = run_with(text, &[&["solve", "-", "--json"], arguments].concat());
+        let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+        answer["model"].as_str().map(str::to_string)
+    };
+    let stated = pushed().replacen('{', "{\"model\": \"polygon-12\", ", 1);
+    assert_eq!(chosen(&pushed(), &[]), None); // the boxed LCP as it stands
+    assert_eq!(chosen(&pushed(), &["--solver", "cone-pgs"]).as_deref(), Some("coulomb-cone"));
+    assert_eq!(chosen(&stated, &[]).as_deref(), Some("polygon-12"));
+    assert_eq!(chosen(&stated, &["--model", "frozen-box"]).as_deref(), Some("frozen-box"));
+}
+
+#[test]
+fn a_scene_with_friction_is_solved_under_coulombs_law() {
+    let exported = out(&run(&["export", "incline"]));
+    let output = run_with(&exported, &["solve", "-", "--model", "coulomb-cone", "--json"]);
+    let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!((output.status.code(), &answer["status"]), (Some(0), &"solved".into()));
+    for contact in answer["contacts"].as_array().unwrap() {
+        // The box slides: full friction, straight against the slip.
+        assert!((contact["strength"].as_f64().unwrap() - 1.0).abs() < 1e-6, "{contact}");
+        assert!(contact["misalignment"].as_f64().unwrap() < 1e-3, "{contact}");
+    }
+}
+
+#[test]
+fn models_that_do_not_fit_are_bad_usage_with_one_message() {
+    for (text, arguments, message) in [
+        (
+            GOOD,
+            ["--model", "coulomb-cone"],
+            "error: -: friction_index: is missing: coulomb-cone is",
+        ),
+        (GOOD, ["--solver", "cone-pgs"], "error: -: friction_index: is missing: coulomb-cone is"),
+        (
+            &pushed(),
+            ["--model", "sphere"],
+            "error: invalid value 'sphere' for '--model <MODEL>': there",
+        ),
+        (
+            &pushed(),
+            ["--model", "polygon-6"],
+            "error: invalid value 'polygon-6' for '--model <MODEL>':",
+        ),
+    ] {
+        let output = run_with(text, &[&["solve", "-"][..], &arguments].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(err(&output).starts_with(message), "{}", err(&output));
+    }
+    let arguments = ["solve", "-", "--model", "coulomb-cone", "--solver", "pgs"];
+    assert_eq!(
+        err(&run_with(&pushed(), &arguments)),
+        "error: there is no solver for this model of friction named \"pgs\"; there are cone-pgs, apgd\n"
+    );
+    let mut unfrozen: Value = serde_json::from_str(&pushed()).unwrap();
+    unfrozen.as_object_mut().unwrap().remove("frozen_at");
+    let output = run_with(&unfrozen.to_string(), &["solve", "-", "--model", "frozen-box"]);
+    assert!(err(&output).starts_with("error: -: frozen_at: is missing"), "{}", err(&output));
+}
+
+#[test]
+fn sweeps_in_another_order_end_at_the_same_x_by_another_path() {
+    let stack = out(&run(&["generate", "stack", "--n", "5"]));
+    let answer = |arguments: &[&str]| {
+        let all = [&["solve", "-", "--solver", "pgs", "--json"], arguments].concat();
+        let output = run_with(&stack, &all);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        serde_json::from_str::<Value>(&out(&output)).unwrap()
+    };
+    let natural = answer(&[]);
+    assert_eq!(answer(&["--order", "natural"]), natural);
+    let shuffled = answer(&["--order", "shuffled", "--seed", "3"]);
+    assert_eq!(answer(&["--order", "shuffled", "--seed", "3"]), shuffled);
+    assert_ne!(answer(&["--order", "shuffled", "--seed", "4"])["x"], shuffled["x"]);
+    for other in [answer(&["--order", "reverse"]), shuffled] {
+        assert_ne!(other["x"], natural["x"]);
+        for k in 0..5 {
+            // Contact k carries the 5 − k bodies above it.
+            assert!((other["x"][k].as_f64().unwrap() - (5 - k) as f64).abs() < 1e-4, "{other}");
+        }
+    }
+}
+
+#[test]
+fn an_option_that_no_solver_of_the_command_uses_is_bad_usage() {
+    for (arguments, message) in [
+        (
+            &["solve", "-", "--order", "reverse"][..],
+            "error: options: --order: dantzig does not use it; pgs and sor do\n",
+        ),
+        (
+            &["solve", "-", "--solver", "pgs", "--damping", "0.5"],
+            "error: options: --damping: pgs does not use it; jacobi does\n",
+        ),
+        (
+            &["solve", "-", "--solver", "pgs", "--seed", "5"],
+            "error: options: --seed: needs --order shuffled\n",
+        ),
+        (
+            &["compare-solvers", "stack", "--solver", "lemke", "--solver", "pgs", "--omega", "1.5"],
+            "error: options: --omega: none of these solvers uses it; sor and ssor do\n",
+        ),
+        (
+            &["simulate", "fig6", "--steps", "1", "--solver", "dantzig", "--omega", "1.5"],
+            "error: options: --omega: dantzig does not use it; sor and ssor do\n",
+        ),
+        (
+            &["solve", "-", "--solver", "jacobi", "--damping", "2"],
+            "error: settings: damping: must lie between 0 and 2, is 2\n",
+        ),
+    ] {
+        let output = run_with(GOOD, arguments);
+        assert_eq!((output.status.code(), err(&output)), (Some(2), message.to_string()));
+    }
+    let output = run(&[
+        "compare-solvers",
+        "stack",
+        "--solver",
+        "sor",
+        "--solver",
+        "lemke",
+        "--omega",
+        "1.5",
+    ]);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(err(&output), "note: --omega goes to sor alone\n");
+}
+
+#[test]
+fn a_scene_is_stepped_in_the_order_asked_for() {
+    let sweeps = |arguments: &[&str]| {
+        let all = ["simulate", "stack", "--steps", "2", "--solver", "pgs", "--json"];
+        let output = run(&[&all[..], arguments].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        out(&output)
+    };
+    assert_eq!(sweeps(&["--order", "natural"]), sweeps(&[]));
+    assert_ne!(sweeps(&["--order", "reverse"]), sweeps(&[]));
+}
+
+#[test]
+fn the_comparison_has_clarabel_beside_the_solvers_and_a_row_a_model() {
+    let output = run(&["compare-solvers", "pushed-mass", "stack", "--json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let result: Value = serde_json::from_str(&out(&output)).unwrap();
+    let rows = result["rows"].as_array().unwrap();
+    let of = |family: &str, solver: &str| -> Vec<&Value> {
+        let of_this = |row: &&Value| row["family"] == family && row["solver"] == solver;
+        rows.iter().filter(of_this).map(|row| &row["model"]).collect()
+    };
+    assert_eq!(of("stack", "clarabel"), [&Value::Null]);
+    assert_eq!(of("pushed-mass", "clarabel"), ["frozen-box", "associated-cone"]);
+    assert_eq!(of("pushed-mass", "cone-pgs"), ["associated-cone", "coulomb-cone"]);
+    assert_eq!(of("pushed-mass", "lemke").len(), 5);
+    let none = run(&["compare-solvers", "stack", "--model", "coulomb-cone"]);
+    assert_eq!(none.status.code(), Some(2));
+    assert_eq!(err(&none), "error: options: --model: none of these families has friction\n");
+}
+
 #[test]
 fn an_answer_the_judge_refuses_exits_with_1() {
     let output =

@@ -20,6 +20,8 @@
 //! | 4a [`ConeProblem`], [`Law::Associated`] | the disc | w_n = 0 while sliding | a convex cone program |
 //! | 4b [`ConeProblem`], [`Law::Coulomb`] | the disc | nothing | a cone problem, not convex |
 //!
+//! [`Model`] names them, and [`Model::pose`] states a problem under one.
+//!
 //! A push along an edge of the square and one along its diagonal meet resistances of μ x_n and
 //! √2 μ x_n: the box rubs 41 % too much. A polygon with four corners on the disc rubs 29 % too little
 //! across an edge, one with k corners 1 − cos(π/k). `math §5`.
@@ -40,9 +42,11 @@
 mod cone;
 mod coupled_box;
 mod frozen_box;
+mod model;
 mod polyhedral;
 
 pub use cone::{ConeProblem, Law, project};
+pub use model::{Model, Posed};
 pub use polyhedral::Polyhedral;
 
 use super::{Coupling, Lcp};

@@ -25,12 +25,16 @@
 //! centre than a corner by the factor cos(π/k), 29 % too little friction for k = 4, 8 % for 8, 2 % for
 //! 16. A contact that slides between two directions rubs along the nearer one, up to 180°/k off.
 //!
+//! x alone says whether it is a solution: [`Polyhedral::z`] finds the β and γ that belong to it, if any
+//! do.
+//!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997. `math §5`, model 3.
 
 use std::f64::consts::TAU;
 
-use super::FrictionProblem;
+use super::{Contact, FrictionProblem};
 use crate::error::{Error, Result};
+use crate::lcp::merit::RowTerms;
 use crate::lcp::{Lcp, Matrix};
 
 /// The polyhedral LCP of a friction problem, and the way back.
@@ -39,8 +43,10 @@ pub struct Polyhedral {
     lcp: Lcp,
     /// For each unknown that is an impulse the entries (row, value) of x that it adds to.
     impulses: Vec<Vec<(usize, f64)>>,
-    /// The number of rows of x.
-    rows: usize,
+    /// What it was made from.
+    friction: FrictionProblem,
+    /// k.
+    directions: usize,
 }
 
 impl Polyhedral {
@@ -75,7 +81,17 @@ impl Polyhedral {
         let mut hi: Vec<f64> = others.iter().map(|&i| problem.lcp().hi()[i]).collect();
         hi.resize(size, f64::INFINITY);
         let lcp = Lcp::new(Matrix::sparse(size, &entries), b, lo, hi)?;
-        Ok(Polyhedral { lcp, impulses, rows: problem.lcp().len() })
+        Ok(Polyhedral { lcp, impulses, friction: problem.clone(), directions: k })
+    }
+
+    /// The friction problem that it was made from.
+    pub fn friction(&self) -> &FrictionProblem {
+        &self.friction
+    }
+
+    /// k.
+    pub fn directions(&self) -> usize {
+        self.directions
     }
 
     /// The LCP, w = M z + q.
@@ -85,7 +101,7 @@ impl Polyhedral {
 
     /// The impulses x of the unknowns z: x_t = D β.
     pub fn x(&self, z: &[f64]) -> Vec<f64> {
-        let mut x = vec![0.0; self.rows];
+        let mut x = vec![0.0; self.friction.lcp().len()];
         for (impulse, z) in self.impulses.iter().zip(z) {
             for &(i, value) in impulse {
                 x[i] += value * z;
@@ -93,6 +109,59 @@ impl Polyhedral {
         }
         x
     }
+
+    /// The unknowns z that belong to impulses x: they solve the LCP if x is the friction of one of
+    /// its solutions, and only then.
+    ///
+    /// x_t lies between two neighbours among the d_j, and β are its components along them: no others
+    /// have a smaller sum. (z says nothing of the x_t of a contact with μ = 0.) γ is the speed of sliding, max_j −d_j·w_t, or 0 for a contact that has
+    /// more of μ x_n left than it has speed, each beside its own terms.
+    pub fn z(&self, x: &[f64]) -> Vec<f64> {
+        let (contacts, others) = (self.friction.contacts(), self.friction.others());
+        let normals = contacts.iter().map(|contact| contact.rows[0]);
+        let mut z: Vec<f64> = others.iter().copied().chain(normals).map(|i| x[i]).collect();
+        let rubbing = || contacts.iter().filter(|contact| contact.mu > 0.0);
+        z.extend(rubbing().flat_map(|contact| beta(contact.of(x), self.directions)));
+        z.extend(rubbing().map(|contact| self.gamma(contact, x)));
+        z
+    }
+
+    fn gamma(&self, contact: &Contact, x: &[f64]) -> f64 {
+        let [_, t1, t2] = contact.rows.map(|i| RowTerms::at(self.friction.lcp(), i, x));
+        let along = |[d1, d2]: [f64; 2]| -(d1 * t1.w() + d2 * t2.w());
+        let k = self.directions;
+        let speed = (0..k).map(|j| along(direction(j, k))).fold(0.0, f64::max);
+        let limit = contact.mu * x[contact.rows[0]];
+        let rubs: f64 = beta(contact.of(x), k).iter().sum();
+        let terms = libm::ldexp(t1.magnitude, t1.exponent) + libm::ldexp(t2.magnitude, t2.exponent);
+        let slides = speed * (limit.abs() + rubs) >= (limit - rubs) * terms;
+        if slides { speed } else { 0.0 }
+    }
+
+    /// The row of x that an unknown belongs to: its own, t1 for β, n for γ.
+    pub fn row(&self, unknown: usize) -> usize {
+        let rubbing = self.friction.contacts().iter().filter(|contact| contact.mu > 0.0);
+        let mut normals = rubbing.map(|contact| contact.rows[0]);
+        match self.impulses.get(unknown) {
+            Some(impulse) => impulse[0].0,
+            None => normals.nth(unknown - self.impulses.len()).unwrap_or_default(),
+        }
+    }
+}
+
+/// The β of a contact's x: all 0 but two neighbours.
+fn beta([_, x1, x2]: [f64; 3], k: usize) -> Vec<f64> {
+    let cross = |[p1, p2]: [f64; 2], [q1, q2]: [f64; 2]| p1 * q2 - p2 * q1;
+    let components = |j: usize| {
+        let (d, e) = (direction(j, k), direction((j + 1) % k, k));
+        [cross([x1, x2], e) / cross(d, e), cross(d, [x1, x2]) / cross(d, e)]
+    };
+    let inside = |j: usize| f64::min(components(j)[0], components(j)[1]);
+    let j = (0..k).max_by(|&i, &j| inside(i).total_cmp(&inside(j))).unwrap_or(0);
+    let mut beta = vec![0.0; k];
+    let [first, second] = components(j);
+    (beta[j], beta[(j + 1) % k]) = (first.max(0.0), second.max(0.0));
+    beta
 }
 
 /// What each unknown adds to x: unit vectors of the other rows and the normals, then the d_j.

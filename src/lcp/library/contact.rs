@@ -60,7 +60,7 @@ pub(super) const FAMILIES: &[Generated] = &[
 ];
 
 /// A = J M⁻¹ Jᵀ from the rows of J as (velocity component, entry) and the inverse masses.
-fn delassus(rows: &[Vec<(usize, f64)>], inverse_mass: impl Fn(usize) -> f64) -> Matrix {
+pub(super) fn delassus(rows: &[Vec<(usize, f64)>], inverse_mass: impl Fn(usize) -> f64) -> Matrix {
     let mut touching: Vec<Vec<(usize, f64)>> = Vec::new();
     for (i, row) in rows.iter().enumerate() {
         for &(k, entry) in row {

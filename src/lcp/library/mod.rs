@@ -9,7 +9,8 @@
 //!
 //! Each solution is a list of fractions and solves the problem *exactly*, as the numbers of the file
 //! stand. `complete` says that there is no other one, apart from segments between them and rays from
-//! them; an empty complete list says that no solution exists.
+//! them; an empty complete list says that no solution exists. Families with friction are stated as
+//! model 2, the coupled box, and what they expect holds under every model but the associated one.
 //!
 //! ```
 //! use lcplab::lcp::library;
@@ -21,6 +22,7 @@
 //! ```
 
 mod contact;
+mod friction;
 mod hard;
 mod manufactured;
 mod published;
@@ -172,7 +174,7 @@ impl Family for Generated {
 
 /// All families.
 pub fn all() -> impl Iterator<Item = &'static dyn Family> {
-    let generated = [manufactured::FAMILIES, hard::FAMILIES, contact::FAMILIES];
+    let generated = [manufactured::FAMILIES, hard::FAMILIES, contact::FAMILIES, friction::FAMILIES];
     let generated = generated.into_iter().flatten().map(|family| family as &dyn Family);
     generated.chain(published::ALL.iter().map(|problem| problem as &dyn Family))
 }

@@ -99,6 +99,7 @@ const NONE: Entry = Entry {
     method: "no LCP is solved",
     class: Class::of(MatrixClass::General),
     source: "",
+    uses: &[],
     build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
 };
 

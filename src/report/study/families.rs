@@ -1,14 +1,19 @@
 //! Problem families from the library × solvers, each answer judged.
+//!
+//! Families with friction are solved under each model of friction by the methods that it takes, and
+//! judged by the certificate of that model.
 
 use std::time::Instant;
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::certificate::{Demand, Verdict, judge};
+use crate::certificate::{Demand, FrictionCertificate, Verdict, judge_friction};
+use crate::lcp::Complementarity;
 use crate::lcp::file::Problem;
+use crate::lcp::friction::{Model, Posed};
 use crate::lcp::library::Family;
-use crate::solver::{Entry, Options, Start, Status};
+use crate::solver::{Method, Options, Solution, Status};
 use crate::trace::Provenance;
 
 /// A solver on the problems of one family.
@@ -16,6 +21,8 @@ use crate::trace::Provenance;
 pub struct Row {
     /// The family.
     pub family: String,
+    /// The model of friction; `None` for a family without friction.
+    pub model: Option<String>,
     /// The solver.
     pub solver: String,
     /// The problems it was given: one a seed, or one where the family has none.
@@ -66,18 +73,32 @@ impl Row {
     }
 }
 
-/// Runs each solver on each family with the seeds 1 … `seeds`.
-pub fn run(families: &[&dyn Family], solvers: &[Entry], options: &Options, seeds: u32) -> Vec<Row> {
+/// What a family is solved as: its problems under one model of friction, or without any.
+struct Posing<'a> {
+    family: &'a str,
+    model: Option<Model>,
+    problems: Vec<(&'a Problem, Posed)>,
+}
+
+/// Runs each method on each family that it takes, with the seeds 1 … `seeds`; on families with
+/// friction under each of the models.
+pub fn run(
+    families: &[&dyn Family],
+    models: &[Model],
+    methods: &[Method],
+    options: &Options,
+    seeds: u32,
+) -> Vec<Row> {
     let problems: Vec<(&str, Vec<Problem>)> =
         families.iter().map(|family| (family.name(), instances(*family, seeds))).collect();
-    let pairs: Vec<_> = problems
+    let posings: Vec<Posing> =
+        problems.iter().flat_map(|(family, problems)| posings(family, problems, models)).collect();
+    let pairs: Vec<(&Posing, &Method)> = posings
         .iter()
-        .flat_map(|family| solvers.iter().map(move |entry| (family, entry)))
+        .flat_map(|posing| methods.iter().map(move |method| (posing, method)))
+        .filter(|(posing, method)| method.takes(posing.model))
         .collect();
-    let row = |&((family, problems), entry): &(&(&str, Vec<Problem>), &Entry)| {
-        attempt(family, problems, entry, options)
-    };
-    pairs.par_iter().map(row).collect()
+    pairs.par_iter().map(|(posing, method)| attempt(posing, method, options)).collect()
 }
 
 fn instances(family: &dyn Family, seeds: u32) -> Vec<Problem> {
@@ -90,13 +111,34 @@ fn instances(family: &dyn Family, seeds: u32) -> Vec<Problem> {
     }
 }
 
-fn attempt(family: &str, problems: &[Problem], entry: &Entry, options: &Options) -> Row {
-    let known = KNOWN_FAILURES.iter().find(|(s, f, _)| *s == entry.name && *f == family);
-    let unsolvable = !problems.is_empty() && problems.iter().all(has_no_solution);
+fn posings<'a>(family: &'a str, problems: &'a [Problem], models: &[Model]) -> Vec<Posing<'a>> {
+    let posed = |model: Option<Model>| {
+        let problems = problems.iter().filter_map(|problem| Some((problem, pose(problem, model)?)));
+        Posing { family, model, problems: problems.collect() }
+    };
+    if problems.iter().any(|problem| problem.friction().is_some()) {
+        models.iter().map(|&model| posed(Some(model))).collect()
+    } else {
+        vec![posed(None)]
+    }
+}
+
+/// The problem under the model; `None` if it cannot be stated so.
+fn pose(problem: &Problem, model: Option<Model>) -> Option<Posed> {
+    let Some(model) = model else { return Some(Posed::Boxed(problem.lcp.clone())) };
+    let friction = problem.friction()?.ok()?;
+    model.pose(&friction, problem.frozen_at.as_deref()).ok()
+}
+
+fn attempt(posing: &Posing, method: &Method, options: &Options) -> Row {
+    let Posing { family, model, problems } = posing;
+    let known = KNOWN_FAILURES.iter().find(|(s, f, _)| *s == method.name() && f == family);
+    let unsolvable = !problems.is_empty() && problems.iter().all(|(p, _)| has_no_solution(p));
     let known = known.map(|(_, _, why)| *why).or(unsolvable.then_some("no solution exists"));
     let mut row = Row {
         family: family.to_string(),
-        solver: entry.name.to_string(),
+        model: model.map(|model| model.to_string()),
+        solver: method.name().to_string(),
         problems: problems.len(),
         outside: 0,
         claimed: 0,
@@ -111,42 +153,40 @@ fn attempt(family: &str, problems: &[Problem], entry: &Entry, options: &Options)
         known_failure: known.map(str::to_string),
         seconds: 0.0,
     };
-    let solver = (entry.build)(options);
-    for problem in problems {
-        let mut provenance = Provenance::of(&problem.lcp);
+    for (problem, posed) in problems {
+        let mut provenance = Provenance::of(match posed {
+            Posed::Boxed(lcp) => lcp,
+            Posed::Polyhedral(polyhedral) => polyhedral.lcp(),
+            Posed::Cone(cone) => cone.lcp(),
+        });
         let start = Instant::now();
-        let solution = solver.solve(&problem.lcp, &Start::default(), &mut provenance);
+        let solution = method.solve(posed, options, &mut provenance);
         row.seconds += start.elapsed().as_secs_f64();
         if row.fingerprint.is_empty() {
             row.fingerprint = format!("{:016x}", provenance.fingerprint);
         }
         let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
-        let certificate = judge(&problem.lcp, &solution.x, &demand);
-        row.add(problem, &solution.status, solution.iterations, &certificate);
+        let certificate = judge_friction(posed, &solution.x, &demand);
+        row.add(&solution, &certificate, has_no_solution(problem));
     }
     row
 }
 
 impl Row {
-    fn add(
-        &mut self,
-        problem: &Problem,
-        status: &Status,
-        iterations: usize,
-        certificate: &crate::certificate::Certificate,
-    ) {
-        let (claims, holds) = (*status == Status::Solved, certificate.verdict.is_solution());
-        self.outside += usize::from(matches!(status, Status::OutsideClass { .. }));
+    fn add(&mut self, solution: &Solution, certificate: &FrictionCertificate, unsolvable: bool) {
+        let (claims, holds) =
+            (solution.status == Status::Solved, certificate.verdict.is_solution());
+        self.outside += usize::from(matches!(solution.status, Status::OutsideClass { .. }));
         self.claimed += usize::from(claims);
         self.proved += usize::from(matches!(certificate.verdict, Verdict::Proved { .. }));
         self.accepted += usize::from(holds);
         self.refuted_claims += usize::from(claims && !holds);
-        self.false_claims += usize::from(claims && has_no_solution(problem));
-        self.iterations += iterations;
+        self.false_claims += usize::from(claims && unsolvable);
+        self.iterations += solution.iterations;
         if claims {
             self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
         } else {
-            self.trouble = Some(status.to_string());
+            self.trouble = Some(solution.status.to_string());
         }
     }
 }

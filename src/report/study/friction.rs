@@ -21,64 +21,19 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
 
-use crate::certificate::{Demand, Verdict, judge, judge_cone};
+use crate::certificate::Demand;
 use crate::error::Result;
-use crate::lcp::Lcp;
-use crate::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Polyhedral};
-use crate::lcp::merit::RowTerms;
-use crate::solver::{Options, Settings, Solution, Start, by_name, cone_by_name};
+use crate::lcp::friction::FrictionProblem;
+use crate::report::friction::Judged;
+use crate::report::methods;
+use crate::solver::{Options, Settings};
 
-/// A contact slides if |w_t| is above this part of the terms it is the sum of.
-const SLIP: f64 = 1e-6;
+pub use crate::lcp::friction::Model;
+pub use crate::report::friction::ContactAnswer;
 
-/// A model of friction, see [`lcp::friction`](crate::lcp::friction).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Model {
-    /// 1: a box frozen at the normal impulses that there would be without friction.
-    FrozenBox,
-    /// 2: a box of half-width μ x_n.
-    CoupledBox,
-    /// 3: a polygon.
-    Polyhedral {
-        /// Its corners.
-        directions: usize,
-    },
-    /// 4a: the disc, as a convex problem.
-    AssociatedCone,
-    /// 4b: the disc, Coulomb's law.
-    CoulombCone,
-}
-
-impl Model {
-    /// All models, polygons with 4, 8 and 16 corners.
-    pub const ALL: [Model; 7] = [
-        Model::FrozenBox,
-        Model::CoupledBox,
-        Model::Polyhedral { directions: 4 },
-        Model::Polyhedral { directions: 8 },
-        Model::Polyhedral { directions: 16 },
-        Model::AssociatedCone,
-        Model::CoulombCone,
-    ];
-}
-
-impl fmt::Display for Model {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Model::FrozenBox => write!(f, "frozen box"),
-            Model::CoupledBox => write!(f, "coupled box"),
-            Model::Polyhedral { directions } => write!(f, "polygon of {directions}"),
-            Model::AssociatedCone => write!(f, "cone, associated"),
-            Model::CoulombCone => write!(f, "cone, Coulomb"),
-        }
-    }
-}
-
-/// What a model makes of a problem.
+/// What a solver makes of a problem under a model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
     /// The model.
@@ -101,21 +56,8 @@ pub struct Answer {
     pub coulomb_residual: f64,
 }
 
-/// One contact in an answer.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ContactAnswer {
-    /// x_n, x_t1, x_t2.
-    pub impulse: [f64; 3],
-    /// w_n, w_t1, w_t2: while it slides, (w_t1, w_t2) is the slip.
-    pub velocity: [f64; 3],
-    /// |x_t| / (μ x_n): at most 1 in the disc; `None` if μ x_n = 0.
-    pub strength: Option<f64>,
-    /// The angle (degrees) between friction and the direction opposite to the slip; `None` if the
-    /// contact does not slide, or has no friction.
-    pub misalignment: Option<f64>,
-}
-
-/// Solves a friction problem under each of these models.
+/// Solves a friction problem under each of these models. Model 1 freezes its boxes at the normal
+/// impulses that there would be without friction.
 ///
 /// # Errors
 /// If the settings cannot be used, or a model's number of directions.
@@ -124,78 +66,32 @@ pub fn compare(
     models: &[Model],
     settings: &Settings,
 ) -> Result<Vec<Answer>> {
-    models.iter().map(|&model| answer(problem, model, settings)).collect()
+    let options = Options { settings: settings.clone(), ..Options::default() };
+    options.validate()?;
+    models.iter().map(|&model| answer(problem, model, &options)).collect()
 }
 
-/// A model's solution for the unknowns of the friction problem.
-struct Judged {
-    solver: &'static str,
-    solution: Solution,
-    verdict: Verdict,
-    scaled_residual: f64,
-}
-
-fn answer(problem: &FrictionProblem, model: Model, settings: &Settings) -> Result<Answer> {
-    let judged = match model {
+fn answer(problem: &FrictionProblem, model: Model, options: &Options) -> Result<Answer> {
+    let method = methods::by_name(methods::default_for(model), model)?;
+    let frozen_at = match model {
         Model::FrozenBox => {
-            let unbraked = problem.frozen_box(&vec![0.0; problem.contacts().len()]);
-            let x = by_lcp(&unbraked, "dantzig", settings)?.solution.x;
-            let normal: Vec<f64> = problem.contacts().iter().map(|c| x[c.rows[0]]).collect();
-            by_lcp(&problem.frozen_box(&normal), "dantzig", settings)?
+            let unbraked = model.pose(problem, Some(&vec![0.0; problem.lcp().len()]))?;
+            Some(method.solve(&unbraked, options, &mut ()).x)
         }
-        Model::CoupledBox => by_lcp(&problem.coupled_box(), "dantzig", settings)?,
-        Model::Polyhedral { directions } => {
-            let polyhedral = Polyhedral::new(problem, directions)?;
-            let mut judged = by_lcp(polyhedral.lcp(), "lemke", settings)?;
-            judged.solution.x = polyhedral.x(&judged.solution.x);
-            judged
-        }
-        Model::AssociatedCone => by_cone(problem, Law::Associated, settings)?,
-        Model::CoulombCone => by_cone(problem, Law::Coulomb, settings)?,
+        _ => None,
     };
-    let Judged { solver, solution: Solution { x, status, iterations, .. }, .. } = judged;
-    let coulomb = ConeProblem::new(problem.clone(), Law::Coulomb);
+    let posed = model.pose(problem, frozen_at.as_deref())?;
+    let solution = method.solve(&posed, options, &mut ());
+    let judged = Judged::of(problem, &posed, &solution.x, &Demand::default());
     Ok(Answer {
         model,
-        solver: solver.to_string(),
-        status: status.to_string(),
-        iterations,
-        contacts: problem.contacts().iter().map(|c| contact(problem.lcp(), c, &x)).collect(),
-        verdict: judged.verdict.word().to_string(),
-        scaled_residual: judged.scaled_residual,
-        coulomb_residual: judge_cone(&coulomb, &x, &Demand::default()).scaled_residual,
-        x,
+        solver: method.name().to_string(),
+        status: solution.status.to_string(),
+        iterations: solution.iterations,
+        contacts: judged.contacts,
+        verdict: judged.certificate.verdict.word().to_string(),
+        scaled_residual: judged.certificate.scaled_residual,
+        coulomb_residual: judged.coulomb_residual,
+        x: solution.x,
     })
-}
-
-fn by_lcp(lcp: &Lcp, solver: &'static str, settings: &Settings) -> Result<Judged> {
-    let options = Options { settings: settings.clone(), ..Options::default() };
-    let solution = by_name(solver, &options)?.solve(lcp, &Start::default(), &mut ());
-    let certificate = judge(lcp, &solution.x, &Demand::default());
-    let (verdict, scaled_residual) = (certificate.verdict, certificate.scaled_residual);
-    Ok(Judged { solver, solution, verdict, scaled_residual })
-}
-
-fn by_cone(problem: &FrictionProblem, law: Law, settings: &Settings) -> Result<Judged> {
-    let (problem, solver) = (ConeProblem::new(problem.clone(), law), "apgd");
-    let solution = cone_by_name(solver, settings)?.solve(&problem, &Start::default(), &mut ());
-    let certificate = judge_cone(&problem, &solution.x, &Demand::default());
-    let (verdict, scaled_residual) = (certificate.verdict, certificate.scaled_residual);
-    Ok(Judged { solver, solution, verdict, scaled_residual })
-}
-
-fn contact(lcp: &Lcp, contact: &Contact, x: &[f64]) -> ContactAnswer {
-    let terms = contact.rows.map(|i| RowTerms::at(lcp, i, x));
-    let (impulse, velocity) = (contact.of(x), terms.map(|row| row.w));
-    let [x_n, x1, x2] = impulse;
-    let [_, w1, w2] = velocity;
-    let limit = contact.mu * x_n;
-    let slides = w1.hypot(w2) > SLIP * terms[1].magnitude.hypot(terms[2].magnitude);
-    let angle = f64::atan2(x1 * w2 - x2 * w1, -(x1 * w1 + x2 * w2)).abs().to_degrees();
-    ContactAnswer {
-        impulse,
-        velocity,
-        strength: (limit > 0.0).then(|| x1.hypot(x2) / limit),
-        misalignment: (slides && x1.hypot(x2) > 0.0).then_some(angle),
-    }
 }

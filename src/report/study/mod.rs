@@ -9,13 +9,16 @@ pub mod drift;
 pub mod families;
 pub mod friction;
 pub mod merits;
+pub mod rates;
+pub mod sliding;
 pub mod sparsity;
+pub mod worst_cases;
 
 use crate::error::Result;
 use crate::formulation::Problem;
-use crate::scene::{Formulation, Scene};
+use crate::scene::{self, Formulation, Scene};
 use crate::simulation::{Simulation, Step};
-use crate::solver::{Options, Settings, Solver, by_name};
+use crate::solver::{Damping, Options, Order, Settings, Solver, by_name};
 
 /// The solver that studies use where the solver is not what they study.
 const STEPPER: &str = "dantzig";
@@ -27,7 +30,13 @@ pub fn scene_options(scene: &Scene) -> Options {
         max_iterations: scene.solver.max_iterations,
         ..Settings::default()
     };
-    Options { settings, omega: scene.solver.omega, ..Options::default() }
+    let order = match scene.solver.order {
+        scene::Order::Natural => Order::Natural,
+        scene::Order::Reverse => Order::Reverse,
+        scene::Order::Shuffled => Order::Shuffled { seed: scene.solver.seed },
+    };
+    let damping = scene.solver.damping.map_or(Damping::Safe, Damping::Factor);
+    Options { settings, omega: scene.solver.omega, order, damping }
 }
 
 /// The solver that a scene states.

@@ -3,18 +3,19 @@
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::families::Row;
 
-/// One row a family and solver.
+/// One row a family, model of friction and solver.
 pub fn table(rows: &[Row]) -> Table {
     Table {
         title: "Problem families and solvers".into(),
         how_to_read:
-            "*outside*: the solver says the problem is not in its class. *claims* are its \
-                      own, *proved* and *accepted* the judge's; *refuted* and *false* claims must \
-                      be 0. *must fail*: a failure that mathematics explains, and that must stay \
-                      one."
+            "*friction*: the model that x is solved and judged under. *outside*: the solver says \
+                      the problem is not in its class. *claims* are its own, *proved* and \
+                      *accepted* the judge's; *refuted* and *false* claims must be 0. *must \
+                      fail*: a failure that mathematics explains, and that must stay one."
                 .into(),
         columns: vec![
             Column::words("family"),
+            Column::words("friction"),
             Column::words("solver"),
             Column::numbers("problems", ""),
             Column::numbers("outside", ""),
@@ -46,6 +47,7 @@ fn cells(row: &Row) -> Vec<Cell> {
     };
     vec![
         Cell::text(&row.family),
+        Cell::text(row.model.as_deref().unwrap_or_default()),
         Cell::text(&row.solver),
         Cell::count(row.problems),
         Cell::count(row.outside),

@@ -47,7 +47,7 @@ pub(super) fn limits(document: &mut Document) {
         "- Times of single runs on a shared machine say little: they are for orders of magnitude, \
          not for ranking.\n\
          - The scenes are small. How solvers scale to thousands of contacts is another report.\n\
-         - Friction here is the box model: each tangent is bounded on its own, so a diagonal slip \
+         - Friction in the scenes is the box model: each tangent is bounded on its own, so a diagonal slip \
          is resisted by up to $\\sqrt{2}$ times too much.\n\
          - Energy plots mix the errors of the integrator, of the formulation and of the constraint \
          stabilisation. Each curve says which step and level it belongs to, not which part of the \

@@ -6,10 +6,13 @@ mod convergence;
 mod cross_check;
 mod drift;
 mod families;
+mod friction;
 mod introduction;
 mod merits;
+mod rates;
 mod sparsity;
 mod timing;
+mod worst_cases;
 
 pub use comparison::{document as comparison_document, table as comparison_table};
 
@@ -48,6 +51,13 @@ pub fn document(results: &Results) -> Document {
     comparison::section(&mut document, &results.comparisons);
     cross_check::section(&mut document, &results.cross_checks);
     convergence::section(&mut document, &results.convergence);
+    rates::section(&mut document, &results.rates);
+    if let Some(study) = &results.worst_cases {
+        worst_cases::section(&mut document, study);
+    }
+    if let Some(study) = &results.friction {
+        friction::section(&mut document, study);
+    }
     merits::section(&mut document, &results.merits);
     sparsity::section(&mut document, &results.sparsity);
     drift::section(&mut document, &results.drift);

@@ -4,16 +4,13 @@
 //! of the nearest point of an interval. Under [`Law::Associated`] both are descent methods for the same
 //! convex problem, under [`Law::Coulomb`] one freezes the De Saxcé shift and one carries it along.
 //!
-//! [`Law::Associated`]: crate::lcp::friction::Law::Associated
-//! [`Law::Coulomb`]: crate::lcp::friction::Law::Coulomb
-
 mod pgs;
 
 pub use pgs::ConePgs;
 
-use super::{Apgd, Observer, Settings, Solution, Start};
+use super::{Apgd, Class, MatrixClass, Observer, Settings, Solution, Start};
 use crate::error::{Error, Result};
-use crate::lcp::friction::ConeProblem;
+use crate::lcp::friction::{ConeProblem, Law};
 
 /// A method that solves friction problems with circular cones.
 pub trait ConeSolver: Send + Sync {
@@ -40,26 +37,33 @@ pub struct ConeEntry {
     /// The method in one line.
     pub method: &'static str,
     /// For which A it is made.
-    pub class: &'static str,
+    pub class: Class,
+    /// Under which laws.
+    pub laws: &'static [Law],
     /// Where it comes from.
     pub source: &'static str,
     /// Makes one.
     pub build: fn(&Settings) -> Box<dyn ConeSolver>,
 }
 
+/// Both laws.
+const BOTH: &[Law] = &[Law::Associated, Law::Coulomb];
+
 /// All cone solvers.
 pub const CONES: &[ConeEntry] = &[
     ConeEntry {
         name: "cone-pgs",
         method: "projected Gauss-Seidel by contacts, iterative",
-        class: "symmetric positive semidefinite",
+        class: Class::of(MatrixClass::Semidefinite),
+        laws: BOTH,
         source: "De Saxcé & Feng 1991; Tasora & Anitescu 2011",
         build: |settings| Box::new(ConePgs { settings: settings.clone() }),
     },
     ConeEntry {
         name: "apgd",
         method: "accelerated projected gradients with restart, shift frozen, iterative",
-        class: "symmetric positive semidefinite, positive diagonal",
+        class: Class::of(MatrixClass::Semidefinite).with_positive_diagonal(),
+        laws: BOTH,
         source: "Mazhar, Heyn, Negrut & Tasora 2015; Acary, Cadoux, Lemaréchal & Malick 2011",
         build: |settings| Box::new(Apgd { settings: settings.clone() }),
     },

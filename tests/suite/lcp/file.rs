@@ -1,4 +1,5 @@
 use lcplab::lcp::file::Problem;
+use lcplab::lcp::friction::{Contact, Model};
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use proptest::prelude::*;
 
@@ -82,6 +83,40 @@ fn each_defect_has_its_message() {
     for (text, expected) in cases {
         assert_eq!(message(text), expected);
     }
+}
+
+const PUSHED: &str = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
+    "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "polygon-8", "frozen_at": [2, 0, 0]}"#;
+
+#[test]
+fn a_friction_problem_keeps_its_contacts_its_model_and_its_frozen_impulses() {
+    let problem = Problem::parse(PUSHED, "p.json").unwrap();
+    assert_eq!(problem.model, Some(Model::Polyhedral { directions: 8 }));
+    assert_eq!(problem.frozen_at.as_deref(), Some(&[2.0, 0.0, 0.0][..]));
+    let contacts = problem.friction().unwrap().unwrap().contacts().to_vec();
+    assert_eq!(contacts, [Contact { rows: [0, 1, 2], mu: 0.5 }]);
+    let again = Problem::parse(&problem.to_json().to_string(), "p.json").unwrap();
+    assert_eq!((again.model, &again.frozen_at), (problem.model, &problem.frozen_at));
+    assert_eq!(again.warnings, [""; 0]);
+    assert!(same(&again.lcp, &problem.lcp));
+}
+
+#[test]
+fn each_defect_of_a_friction_problem_has_its_message() {
+    let with = |from: &str, to: &str| message(&PUSHED.replace(from, to));
+    assert!(with("polygon-8", "sphere").starts_with(
+        "p.json: model: there is no model of friction named \"sphere\"; there are frozen-box"
+    ));
+    assert_eq!(with("\"polygon-8\"", "8"), "p.json: model: must be a name, is 8");
+    assert_eq!(with("[2, 0, 0]", "[2]"), "p.json: frozen_at: has 1 entries, b has 3");
+    assert_eq!(
+        with("[2, 0, 0]", "[\"inf\", 0, 0]"),
+        "p.json: frozen_at[0]: must be finite, is inf"
+    );
+    assert_eq!(
+        message(r#"{"A": {"dense": [[1]]}, "b": [0], "model": "coulomb-cone"}"#),
+        "p.json: model: is given, but there is no friction_index"
+    );
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! The four models as problems: sizes, entries, bad input.
 
-use lcplab::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Polyhedral, project};
+use lcplab::lcp::friction::{
+    ConeProblem, Contact, FrictionProblem, Law, Model, Polyhedral, project,
+};
 use lcplab::lcp::{Complementarity, Coupling, Lcp, merit};
 use proptest::prelude::*;
 
@@ -85,6 +87,30 @@ fn friction_rows_that_are_no_pair_are_listed() {
     );
 }
 
+#[test]
+fn the_unknowns_of_a_polygon_follow_from_x() {
+    // Pushed at 30°, the diamond rubs along t1 alone: w_t = (1 − 3 cos 30°, −1.5), γ = −w_t1.
+    let diamond = Polyhedral::new(&pushed_mass(2.0, 3.0, 30.0), 4).unwrap();
+    let slides = diamond.z(&[2.0, 1.0, 0.0]);
+    assert_eq!(slides[..5], [2.0, 1.0, 0.0, 0.0, 0.0]);
+    assert!((slides[5] - (3.0 * 0.75f64.sqrt() - 1.0)).abs() < 1e-15);
+    // It sticks: no speed, and x_t between d_1 and d_2.
+    let sticks = Polyhedral::new(&pushed_mass(4.0, 1.25, 0.0), 4).unwrap();
+    assert_eq!(sticks.z(&[4.0, 1.25, 0.0]), [4.0, 1.25, 0.0, 0.0, 0.0, 0.0]);
+    assert_eq!(sticks.z(&[4.0, -0.5, 0.25])[..5], [4.0, 0.0, 0.25, 0.5, 0.0]);
+    assert_eq!([0, 1, 4, 5].map(|unknown| sticks.row(unknown)), [0, 1, 1, 0]);
+}
+
+#[test]
+fn models_have_names_that_lead_back_to_them() {
+    for model in Model::ALL {
+        assert_eq!(model.to_string().parse(), Ok(model));
+    }
+    for wrong in ["polygon-6", "polygon-0", "polygon-1000000000", "polygon-", "cone", ""] {
+        assert!(wrong.parse::<Model>().is_err(), "{wrong}");
+    }
+}
+
 /// A point in space.
 fn point() -> impl Strategy<Value = [f64; 3]> {
     [-2.0..2.0, -2.0..2.0, -2.0..2.0]
@@ -123,6 +149,25 @@ proptest! {
         let square = |lcp: &Lcp, x: &[f64]| 2.0 * merit::objective(&lcp.homogeneous(), x);
         let energy = square(problem.lcp(), &polyhedral.x(z));
         prop_assert!((square(polyhedral.lcp(), z) - energy - power).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_polygons_unknowns_give_x_back(
+        problem in rubbing(2, 6, 0.0), x in proptest::collection::vec(-1.0..1.0, 7),
+        quarters in 1usize..5,
+    ) {
+        // β are coordinates of x_t; a contact without friction has none.
+        let polyhedral = Polyhedral::new(&problem, 4 * quarters).unwrap();
+        let z = polyhedral.z(&x);
+        prop_assert_eq!(z.len(), polyhedral.lcp().len());
+        prop_assert!(z[3..].iter().all(|z| *z >= 0.0));
+        let back = polyhedral.x(&z);
+        let smooth = problem.contacts().iter().filter(|contact| contact.mu == 0.0);
+        let bare: Vec<usize> = smooth.flat_map(|contact| contact.rows[1..].to_vec()).collect();
+        for i in 0..x.len() {
+            let expected = if bare.contains(&i) { 0.0 } else { x[i] };
+            prop_assert!((back[i] - expected).abs() < 1e-14, "row {}", i);
+        }
     }
 
     #[test]

@@ -1,6 +1,8 @@
 use dashu_ratio::RBig;
+use lcplab::certificate::{Demand, judge_friction};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::Problem;
+use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
 use lcplab::solver::all_solutions;
 use serde_json::Value;
@@ -18,6 +20,18 @@ fn rational(x: f64) -> RBig {
     RBig::try_from(x).unwrap()
 }
 
+/// The bounds of row i, ±μ max(x_k, 0) for a friction row; `None` for an infinite one.
+fn bounds(lcp: &Lcp, i: usize, x: &[RBig]) -> [Option<RBig>; 2] {
+    let coupled = lcp.coupling().and_then(|coupling| Some((coupling.index(i)?, coupling.mu(i))));
+    match coupled {
+        Some((k, mu)) => {
+            let limit = rational(mu) * x[k].clone().max(RBig::ZERO);
+            [Some(-limit.clone()), Some(limit)]
+        }
+        None => [lcp.lo()[i], lcp.hi()[i]].map(|b| b.is_finite().then(|| rational(b))),
+    }
+}
+
 /// The definition of a solution, word for word, in exact arithmetic.
 #[track_caller]
 fn assert_solves(lcp: &Lcp, x: &[RBig], name: &str) {
@@ -25,10 +39,10 @@ fn assert_solves(lcp: &Lcp, x: &[RBig], name: &str) {
     for i in 0..x.len() {
         let row = lcp.matrix().row(i).iter();
         let w = row.fold(rational(lcp.b()[i]), |w, (j, a)| w + rational(a) * &x[j]);
-        let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
-        let is_at = |bound: f64| bound.is_finite() && x[i] == rational(bound);
-        assert!(lo.is_infinite() || x[i] >= rational(lo), "{name}, row {i}");
-        assert!(hi.is_infinite() || x[i] <= rational(hi), "{name}, row {i}");
+        let [lo, hi] = bounds(lcp, i, x);
+        assert!(lo.as_ref().is_none_or(|lo| x[i] >= *lo), "{name}, row {i}");
+        assert!(hi.as_ref().is_none_or(|hi| x[i] <= *hi), "{name}, row {i}");
+        let is_at = |bound: Option<RBig>| bound.is_some_and(|bound| x[i] == bound);
         assert!(w <= RBig::ZERO || is_at(lo), "{name}, row {i}: w = {w}, x = {}", x[i]);
         assert!(w >= RBig::ZERO || is_at(hi), "{name}, row {i}: w = {w}, x = {}", x[i]);
     }
@@ -142,4 +156,20 @@ fn a_manufactured_problem_has_the_active_set_asked_for() {
     assert_eq!((0..40).filter(|i| at_bound(i) && w[*i] == 0.0).count(), 10);
     assert_eq!(lcp.hi().iter().filter(|hi| hi.is_finite()).count(), 20);
     assert!(w.iter().any(|&w| w < 0.0), "some row is pushed to its upper bound");
+}
+
+#[test]
+fn what_friction_families_expect_holds_under_every_model_but_the_associated_one() {
+    for family in ["friction-table", "friction-pile"] {
+        let problem = library::by_name(family).unwrap().generate(&[]).unwrap();
+        let (solutions, _) = expected(&problem).unwrap();
+        let x: Vec<f64> = solutions[0].iter().map(|x| x.to_f64().value()).collect();
+        let friction = problem.friction().unwrap().unwrap();
+        for model in Model::ALL {
+            // Model 1 holds for boxes frozen at the x_n of this x.
+            let posed = model.pose(&friction, Some(&x)).unwrap();
+            let verdict = judge_friction(&posed, &x, &Demand::default()).verdict;
+            assert_eq!(verdict.is_solution(), model != Model::AssociatedCone, "{family}, {model}");
+        }
+    }
 }

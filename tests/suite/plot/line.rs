@@ -26,6 +26,21 @@ fn the_drawing_is_thinned_and_the_csv_is_not() {
 }
 
 #[test]
+fn points_are_all_marked_none_joined_and_decide_the_range() {
+    let points: Vec<_> = (0..40).map(|k| (f64::from(k), f64::from(k % 7))).collect();
+    let theory = Series::theory("theory", vec![(-1e3, -1e3), (1e3, 1e3)]);
+    let alone = |series| figure(Scale::Linear, Scale::Linear, series).svg();
+    let svg = alone(vec![Series::points("pgs", points.clone())]);
+    // A marker each and one in the legend, no curve.
+    let series = svg.split("class=\"series\"").nth(1).unwrap();
+    assert_eq!(series.matches("<polygon").count(), points.len());
+    assert_eq!(series.matches("<polyline").count(), 0);
+    let both = alone(vec![Series::points("pgs", points), theory]);
+    let ticks = |svg: &str| svg.matches(">20</text>").count();
+    assert_eq!((ticks(&svg), ticks(&both)), (1, 1));
+}
+
+#[test]
 fn a_lone_peak_survives_thinning() {
     let heights = |k: i32| if k == 54_321 { 1.0 } else { 0.0 };
     let points = |wide| (0..100_000).map(|k| (k.into(), wide * heights(k))).collect();

@@ -1,4 +1,7 @@
 mod families;
 mod friction;
 mod page;
+mod rates;
+mod sliding;
 mod standard;
+mod worst_cases;

@@ -1,8 +1,10 @@
 use indicatif::ProgressBar;
+use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::Experiment;
+use lcplab::report::page::Table;
 use lcplab::report::results::Results;
-use lcplab::report::{run, study, view, write};
-use lcplab::solver::ALL;
+use lcplab::report::{methods, run, study, view, write};
+use lcplab::solver::{ALL, Method};
 
 /// Every study once, on scenes that take milliseconds.
 const SMALL: &str = r#"
@@ -12,6 +14,9 @@ solvers = ["pgs", "dantzig"]
 comparison = [{ scene = "fig7", steps = 2 }, { scene = "incline", steps = 3 }]
 cross_check = [{ scene = "fig7", step = 1 }]
 convergence = [{ scene = "chain", step = 20, omegas = [1.0, 1.5] }]
+rates = { bodies = [5], ratios = [10.0] }
+worst_cases = { sizes = [2, 4] }
+friction = { mu = 0.5, push = 3.0 }
 merits = [{ scene = "stack", step = 1 }]
 sparsity = [{ scene = "stack", step = 1 }]
 drift = [{ scene = "pendulum", duration = 0.1 }]
@@ -24,10 +29,16 @@ fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
     Experiment::load(path.to_str().unwrap())
 }
 
-fn results(threads: usize) -> Results {
+pub fn results(threads: usize) -> Results {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let experiment = experiment(SMALL).unwrap();
     pool.install(|| run::run(&experiment, &ProgressBar::hidden())).unwrap()
+}
+
+/// The table of these results whose file has this name.
+pub fn table(results: &Results, name: &str) -> Table {
+    let tables = view::document(results).tables;
+    tables.into_iter().find(|(id, _)| id == name).expect("a table of that name").1
 }
 
 #[test]
@@ -65,8 +76,8 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
         assert!(folder.path().join("data").join(link).is_file(), "{link}");
         count += 1;
     }
-    // A CSV for each of 8 tables, an SVG and a CSV for each of 5 figures.
-    assert_eq!(count, 8 + 2 * 5);
+    // A CSV for each of 13 tables, an SVG and a CSV for each of 9 figures.
+    assert_eq!(count, 13 + 2 * 9);
     assert!(folder.path().join("results.json").is_file());
     let left_over = std::fs::read_dir(folder.path()).unwrap();
     assert!(left_over.flatten().all(|file| file.path().extension().is_none_or(|e| e != "part")));
@@ -101,11 +112,34 @@ fn a_bad_report_file_is_refused_with_its_line() {
 }
 
 #[test]
-fn the_readme_lists_the_registered_solvers() {
+fn the_readme_lists_every_method_and_the_models_it_takes() {
     let readme = include_str!("../../../README.md");
-    for entry in ALL {
-        let row =
-            format!("| `{}` | {} | {} | {} |", entry.name, entry.method, entry.class, entry.source);
+    for method in methods::all() {
+        let (line, class, source) = match method {
+            Method::Boxed(entry) => (entry.method, entry.class, entry.source),
+            Method::Cone(entry) => (entry.method, entry.class, entry.source),
+        };
+        let row = format!("| `{}` | {line} | {class} | {source} |", method.name());
         assert!(readme.contains(&row), "the README lacks the row\n{row}");
+    }
+    let names = |model: Model| {
+        let taking = methods::all().into_iter().filter(|method| method.takes(Some(model)));
+        taking.map(|method| format!("`{}`", method.name())).collect::<Vec<_>>()
+    };
+    let boxed: Vec<String> =
+        ALL.iter().map(|entry| entry.name).chain(["clarabel"]).map(|n| format!("`{n}`")).collect();
+    for model in Model::ALL {
+        let mut row = readme.lines().filter(|line| line.starts_with("| `"));
+        let name = match model {
+            Model::Polyhedral { .. } => "polygon-4".to_string(),
+            model => model.to_string(),
+        };
+        let row = row.find(|line| line.starts_with(&format!("| `{name}`"))).expect("a row");
+        let solvers = match names(model) {
+            names if names == boxed => "all solvers above".to_string(),
+            names if names == boxed[..ALL.len()] => "all solvers above but `clarabel`".to_string(),
+            names => names.join(", "),
+        };
+        assert!(row.ends_with(&format!("| {solvers} |")), "{model}: {solvers}\n{row}");
     }
 }

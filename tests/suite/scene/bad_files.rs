@@ -111,8 +111,8 @@ fn impossible_bodies_are_refused() {
             "line 1: bodies[0].mass: is missing: give mass or density, or fixed = true",
         ),
         (
-            "generate = [{ net = { rows = 100000, columns = 100000, spacing = 1, hang = 1, mass = 1 } }]".into(),
-            "line 1: generate[0].net: makes 10000000000 bodies, at most 10000 are allowed",
+            "generate = { kind = \"net\", rows = 100000, columns = 100000, spacing = 1, hang = 1, mass = 1 }".into(),
+            "line 1: generate[0]: makes 10000000000 bodies, at most 10000 are allowed",
         ),
     ];
     for (text, expected) in cases {

@@ -3,3 +3,4 @@
 mod bad_files;
 mod catalogue;
 mod contacts;
+mod generate;

@@ -6,6 +6,7 @@ mod free;
 mod friction;
 mod impact;
 mod integrators;
+mod ledger;
 mod painleve;
 mod pendulum;
 mod resting;

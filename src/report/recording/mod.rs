@@ -1,25 +1,26 @@
 //! One simulation, recorded step by step: what `simulate` prints and writes.
 
+mod tables;
+
 use std::path::Path;
 
 use serde_json::{Value, json};
 
+use tables::Tables;
+
 use super::write;
-use crate::body::State;
 use crate::certificate::{Demand, judge};
 use crate::error::Result;
 use crate::lcp::file::number;
-use crate::plot::csv;
 use crate::scene::Scene;
-use crate::simulation::{Failure, Motion, Simulation, Step};
+use crate::simulation::{Failure, Laws, Ledger, Motion, Simulation, Step};
 use crate::solver::Status;
 
 /// The record of a simulation so far.
 #[derive(Debug, Clone)]
 pub struct Record {
     scene: Scene,
-    trajectory: String,
-    ledger: String,
+    tables: Tables,
     first: Motion,
     last: Motion,
     steps: usize,
@@ -29,6 +30,9 @@ pub struct Record {
     worst_residual: f64,
     worst_drift: f64,
     worst_penetration: f64,
+    worst_remainder: f64,
+    laws: Laws,
+    work: Ledger,
     failure: Option<String>,
 }
 
@@ -38,8 +42,7 @@ impl Record {
         let motion = simulation.motion();
         let mut record = Record {
             scene: scene.clone(),
-            trajectory: String::new(),
-            ledger: String::new(),
+            tables: Tables::new(),
             first: motion.clone(),
             last: motion.clone(),
             steps: 0,
@@ -49,11 +52,13 @@ impl Record {
             worst_residual: 0.0,
             worst_drift: 0.0,
             worst_penetration: 0.0,
+            worst_remainder: 0.0,
+            laws: Laws::default(),
+            work: Ledger::default(),
             failure: None,
         };
-        csv::record(&mut record.trajectory, TRAJECTORY);
-        csv::record(&mut record.ledger, LEDGER);
-        record.note(&motion, simulation.states());
+        record.tables.start(scene, &motion, simulation.states());
+        record.note(&motion);
         record
     }
 
@@ -69,7 +74,11 @@ impl Record {
             self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
         }
         self.steps = step.number;
-        self.note(&step.motion, &step.states);
+        self.tables.add(&self.scene, step);
+        self.worst_remainder = self.worst_remainder.max(step.ledger.remainder().abs());
+        self.laws = self.laws.worse(step.laws);
+        self.work = self.work + step.ledger;
+        self.note(&step.motion);
     }
 
     /// Notes why the simulation ended early, if it did.
@@ -82,13 +91,14 @@ impl Record {
         self.failure.is_none() && self.accepted == self.problems
     }
 
-    /// Writes trajectory.csv, ledger.csv and results.json.
+    /// Writes trajectory.csv, ledger.csv, forces.csv and results.json.
     ///
     /// # Errors
     /// If a file cannot be written.
     pub fn write(&self, folder: &Path) -> Result<()> {
-        write::file(&folder.join("trajectory.csv"), &self.trajectory)?;
-        write::file(&folder.join("ledger.csv"), &self.ledger)?;
+        write::file(&folder.join("trajectory.csv"), &self.tables.trajectory)?;
+        write::file(&folder.join("ledger.csv"), &self.tables.ledger)?;
+        write::file(&folder.join("forces.csv"), &self.tables.forces)?;
         write::file(&folder.join("results.json"), &format!("{:#}\n", self.summary()))
     }
 
@@ -109,8 +119,23 @@ impl Record {
             "energy_end": number(self.last.energy()),
             "drift": number(self.worst_drift),
             "penetration": number(self.worst_penetration),
+            "work": self.work_by_account(),
+            "remainder": number(self.worst_remainder),
+            "laws": {
+                "attraction": number(self.laws.attraction),
+                "cone_excess": number(self.laws.cone_excess),
+                "friction_gain": number(self.laws.friction_gain),
+                "internal_impulse": number(self.laws.internal_impulse),
+                "internal_torque": number(self.laws.internal_torque),
+            },
             "failure": self.failure,
         })
+    }
+
+    /// The work of each account over all steps (J).
+    fn work_by_account(&self) -> Value {
+        let accounts = self.work.accounts();
+        accounts.iter().map(|(name, work)| (name.to_string(), number(*work))).collect()
     }
 
     /// The totals for people.
@@ -126,7 +151,9 @@ impl Record {
              residual     {:.1e} at worst\n\
              energy       {start:.6} J at the start, {end:.6} J at the end\n\
              drift        {:.2e} m at worst\n\
-             penetration  {:.2e} m at worst\n",
+             penetration  {:.2e} m at worst\n\
+             laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {:.1e} J\n\
+             ledger       closes to {:.1e} J a step:",
             self.scene.solver.name,
             self.scene.step.dt,
             self.steps,
@@ -136,92 +163,26 @@ impl Record {
             self.worst_residual,
             self.worst_drift,
             self.worst_penetration,
+            self.laws.attraction,
+            100.0 * self.laws.cone_excess,
+            self.laws.friction_gain,
+            self.worst_remainder,
         );
+        let accounts = self.work.accounts();
+        let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));
+        for (name, work) in accounts.iter().filter(|(_, work)| work.abs() > 1e-12 * largest) {
+            text += &format!("\n             {name:<12} {work:>13.6e} J");
+        }
+        text.push('\n');
         if let Some(failure) = &self.failure {
             text += &format!("failed       {failure}\n");
         }
         text
     }
 
-    fn note(&mut self, motion: &Motion, states: &[State]) {
+    fn note(&mut self, motion: &Motion) {
         self.worst_drift = self.worst_drift.max(motion.drift);
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
-        let [p, l] = [&motion.linear_momentum, &motion.angular_momentum];
-        let numbers = [
-            motion.time,
-            motion.kinetic,
-            motion.potential,
-            motion.energy(),
-            p.x,
-            p.y,
-            p.z,
-            l.x,
-            l.y,
-            l.z,
-            motion.drift,
-            motion.angular_drift,
-            motion.penetration,
-        ];
-        let step = [motion.step.to_string()].into_iter();
-        csv::record(&mut self.ledger, step.chain(numbers.map(csv::number)));
-        for (body, state) in self.scene.bodies.iter().zip(states) {
-            let (pose, v, omega) = (&state.pose, &state.v, &state.omega);
-            let q = pose.q.quaternion();
-            let numbers = [
-                motion.time,
-                pose.p.x,
-                pose.p.y,
-                pose.p.z,
-                q.w,
-                q.i,
-                q.j,
-                q.k,
-                v.x,
-                v.y,
-                v.z,
-                omega.x,
-                omega.y,
-                omega.z,
-            ];
-            let names = [motion.step.to_string(), body.name.clone()].into_iter();
-            csv::record(&mut self.trajectory, names.chain(numbers.map(csv::number)));
-        }
         self.last = motion.clone();
     }
 }
-
-const TRAJECTORY: [&str; 16] = [
-    "step",
-    "body",
-    "time (s)",
-    "x (m)",
-    "y (m)",
-    "z (m)",
-    "qw",
-    "qx",
-    "qy",
-    "qz",
-    "vx (m/s)",
-    "vy (m/s)",
-    "vz (m/s)",
-    "wx (rad/s)",
-    "wy (rad/s)",
-    "wz (rad/s)",
-];
-
-const LEDGER: [&str; 14] = [
-    "step",
-    "time (s)",
-    "kinetic (J)",
-    "potential (J)",
-    "energy (J)",
-    "px (kg m/s)",
-    "py (kg m/s)",
-    "pz (kg m/s)",
-    "Lx (kg m²/s)",
-    "Ly (kg m²/s)",
-    "Lz (kg m²/s)",
-    "drift (m)",
-    "angular drift (rad)",
-    "penetration (m)",
-];

@@ -1,0 +1,100 @@
+//! Is this x a solution of a friction problem under one of the models?
+//!
+//! Each model has the certificate of what it becomes. Boxes: that of boxed LCPs, *proved* where
+//! possible. Polygons: the same, for the unknowns z that x leads to ([`Polyhedral::z`]), so x is
+//! judged and not what a solver says of z. Cones: [`judge_cone`], never *proved*.
+//!
+//! ```
+//! use lcplab::certificate::{Demand, judge_friction};
+//! use lcplab::lcp::file::Problem;
+//! use lcplab::lcp::friction::Model;
+//!
+//! let text = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
+//!                "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
+//! let friction = Problem::parse(text, "push.json")?.friction().expect("friction rows")?;
+//! let accepts = |model: Model, x: [f64; 3]| {
+//!     let certificate = judge_friction(&model.pose(&friction, None)?, &x, &Demand::default());
+//!     lcplab::error::Result::Ok(certificate.verdict.is_solution())
+//! };
+//! assert!(accepts(Model::CoulombCone, [2.0, 1.0, 0.0])?);
+//! assert!(accepts(Model::Polyhedral { directions: 8 }, [2.0, 1.0, 0.0])?);
+//! assert!(!accepts(Model::AssociatedCone, [2.0, 1.0, 0.0])?); // that one lifts off: (2.8, 1.4, 0)
+//! # Ok::<(), lcplab::error::Error>(())
+//! ```
+
+use super::{Demand, Verdict, accurate_terms, judge, judge_cone};
+use crate::lcp::friction::{Polyhedral, Posed};
+use crate::lcp::merit::RowTerms;
+
+/// What the judge found out about x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrictionCertificate {
+    /// w = A x + b of the friction problem.
+    pub w: Vec<f64>,
+    /// The largest scaled residual of the model's own problem.
+    pub scaled_residual: f64,
+    /// The decision; its row is one of x, t1 for a β and n for a γ of a polygon.
+    pub verdict: Verdict,
+}
+
+/// Judges x under a model.
+///
+/// # Panics
+/// If x has not an entry a row.
+pub fn judge_friction(problem: &Posed, x: &[f64], demand: &Demand) -> FrictionCertificate {
+    match problem {
+        Posed::Boxed(lcp) => {
+            let certificate = judge(lcp, x, demand);
+            FrictionCertificate {
+                w: certificate.w,
+                scaled_residual: certificate.scaled_residual,
+                verdict: certificate.verdict,
+            }
+        }
+        Posed::Polyhedral(polyhedral) => judge_polyhedral(polyhedral, x, demand),
+        Posed::Cone(cone) => {
+            let certificate = judge_cone(cone, x, demand);
+            FrictionCertificate {
+                w: certificate.w,
+                scaled_residual: certificate.scaled_residual,
+                verdict: certificate.verdict,
+            }
+        }
+    }
+}
+
+/// The verdict on z, and what z does not show of x: the tangents of contacts without friction, where
+/// x_t must be 0, and how far an exact solution is from x itself.
+fn judge_polyhedral(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> FrictionCertificate {
+    let lcp = polyhedral.friction().lcp();
+    let terms: Vec<_> = (0..x.len()).map(|i| accurate_terms(lcp, i, x)).collect();
+    let w = terms.iter().map(RowTerms::w).collect();
+    let z = polyhedral.z(x);
+    let certificate = judge(polyhedral.lcp(), &z, demand);
+    let smooth = polyhedral.friction().contacts().iter().filter(|contact| contact.mu == 0.0);
+    let stray = smooth.flat_map(|contact| [contact.rows[1], contact.rows[2]]);
+    let stray = stray.map(|i| (i, terms[i].scaled_residual(x[i], 0.0, 0.0)));
+    let (row, stray) = stray.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0));
+    let verdict = match certificate.verdict {
+        _ if !(stray <= demand.tolerance) => Verdict::NotASolution { row, amount: stray },
+        Verdict::NotASolution { row, amount } => {
+            Verdict::NotASolution { row: polyhedral.row(row), amount }
+        }
+        Verdict::Proved { .. } if stray > 0.0 => Verdict::WithinTolerance,
+        Verdict::Proved { distance } => {
+            Verdict::Proved { distance: distance_from(polyhedral, x, &z, distance) }
+        }
+        Verdict::WithinTolerance => Verdict::WithinTolerance,
+    };
+    FrictionCertificate { w, scaled_residual: certificate.scaled_residual.max(stray), verdict }
+}
+
+/// How far the impulses of an exact z* are from x at most, |z − z*| being at most `distance`: each
+/// of k unit vectors adds as much, and x is not quite D β.
+fn distance_from(polyhedral: &Polyhedral, x: &[f64], z: &[f64], distance: f64) -> f64 {
+    let size = x.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    let back = polyhedral.x(z);
+    let gap = x.iter().zip(&back).map(|(x, back)| (x - back).abs()).fold(0.0, f64::max);
+    let directions = polyhedral.directions() as f64;
+    distance * directions + gap + 4.0 * f64::EPSILON * size
+}

@@ -1,0 +1,125 @@
+//! The options of solvers, and who takes which.
+//!
+//! `--tolerance` and `--max-iterations` mean something to every solver. The [`Choices`] do not: one
+//! that is given is bad usage if no solver of the command looks at it, because a setting without
+//! effect misleads. Where several solvers run, it goes to those that look at it, and a note says to
+//! which if that is not all of them.
+
+use clap::{Args, ValueEnum};
+use lcplab::certificate::Demand;
+use lcplab::error::{Defects, Error, Result};
+use lcplab::solver::{ALL, Choice, Damping, Entry, Method, Options, Order, Settings};
+
+/// The settings of a solver.
+#[derive(Debug, Args)]
+pub struct SolverArgs {
+    /// Largest scaled residual that counts as solved
+    #[arg(long, default_value_t = Settings::default().tolerance)]
+    tolerance: f64,
+    /// Most sweeps or pivots
+    #[arg(long, default_value_t = Settings::default().max_iterations)]
+    max_iterations: usize,
+    #[command(flatten)]
+    choices: Choices,
+}
+
+/// Options that only some solvers look at; one that no solver of the command does is refused.
+#[derive(Debug, Args)]
+pub struct Choices {
+    /// Relaxation factor of sor and ssor, above 0 and below 2; 1.3 or the scene's own without it
+    #[arg(long)]
+    pub omega: Option<f64>,
+    /// Order of the rows in a sweep of pgs and sor; natural or the scene's own without it
+    #[arg(long, value_enum)]
+    pub order: Option<RowOrder>,
+    /// Seed of --order shuffled; 1 or the scene's own without it
+    #[arg(long)]
+    pub seed: Option<u64>,
+    /// Length of jacobi's steps, above 0 and below 2; safe for every semidefinite A without it
+    #[arg(long)]
+    pub damping: Option<f64>,
+}
+
+/// The orders that can be chosen; symmetric and coloured sweeps are solvers of their own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum RowOrder {
+    /// First row first
+    Natural,
+    /// Last row first
+    Reverse,
+    /// A random permutation by --seed, the same in every sweep
+    Shuffled,
+}
+
+impl SolverArgs {
+    /// The options for these solvers.
+    pub fn options(&self, solvers: &[Method]) -> Result<Options> {
+        let settings = Settings {
+            tolerance: self.tolerance,
+            max_iterations: self.max_iterations,
+            ..Settings::default()
+        };
+        let default = Options::default();
+        let Choices { omega, order, seed, damping } = self.choices;
+        let options = Options {
+            settings,
+            omega: omega.unwrap_or(default.omega),
+            order: match order {
+                None | Some(RowOrder::Natural) => Order::Natural,
+                Some(RowOrder::Reverse) => Order::Reverse,
+                Some(RowOrder::Shuffled) => Order::Shuffled { seed: seed.unwrap_or(1) },
+            },
+            damping: damping.map_or(default.damping, Damping::Factor),
+        };
+        options.validate()?;
+        let users: Vec<_> = solvers.iter().map(|method| (method.name(), method.uses())).collect();
+        self.choices.check(&users, order)?;
+        Ok(options)
+    }
+
+    pub fn demand(&self) -> Demand {
+        Demand { tolerance: self.tolerance, ..Demand::default() }
+    }
+}
+
+impl Choices {
+    /// Whether each option that is given has a solver to go to; `order` is the one in force.
+    pub fn check(
+        &self,
+        solvers: &[(&str, &'static [Choice])],
+        order: Option<RowOrder>,
+    ) -> Result<()> {
+        if self.seed.is_some() && order != Some(RowOrder::Shuffled) {
+            return Err(Error::invalid("options", "--seed", "needs --order shuffled"));
+        }
+        let mut defects = Defects::default();
+        for (choice, given) in [
+            (Choice::Omega, self.omega.is_some()),
+            (Choice::Order, self.order.is_some()),
+            (Choice::Damping, self.damping.is_some()),
+        ] {
+            if !given {
+                continue;
+            }
+            let looks = |(_, uses): &&(&str, &[Choice])| uses.contains(&choice);
+            let names: Vec<&str> = solvers.iter().filter(looks).map(|(name, _)| *name).collect();
+            if names.is_empty() {
+                let reason = match solvers {
+                    [(name, _)] => format!("{name} does not use it; {}", having(choice)),
+                    _ => format!("none of these solvers uses it; {}", having(choice)),
+                };
+                defects.add(format!("--{}", choice.name()), reason);
+            } else if names.len() < solvers.len() {
+                eprintln!("note: --{} goes to {} alone", choice.name(), names.join(", "));
+            }
+        }
+        defects.into_result("options")
+    }
+}
+
+/// Which solvers look at an option, in words.
+fn having(choice: Choice) -> String {
+    let looks = |entry: &&Entry| entry.uses.contains(&choice);
+    let names: Vec<&str> = ALL.iter().filter(looks).map(|entry| entry.name).collect();
+    format!("{} {}", names.join(" and "), if names.len() == 1 { "does" } else { "do" })
+}

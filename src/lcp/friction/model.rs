@@ -1,0 +1,119 @@
+//! The models by name, and a friction problem as each of them states it.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use super::{ConeProblem, FrictionProblem, Law, Polyhedral};
+use crate::error::{Error, Result};
+use crate::lcp::Lcp;
+
+/// The most corners of a polygon that a name can ask for.
+const MOST_DIRECTIONS: usize = 256;
+
+/// A model of friction, see [`lcp::friction`](crate::lcp::friction).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Model {
+    /// 1: a box frozen at normal impulses that are known beforehand.
+    FrozenBox,
+    /// 2: a box of half-width μ x_n.
+    CoupledBox,
+    /// 3: a polygon.
+    Polyhedral {
+        /// Its corners.
+        directions: usize,
+    },
+    /// 4a: the disc, as a convex problem.
+    AssociatedCone,
+    /// 4b: the disc, Coulomb's law.
+    CoulombCone,
+}
+
+impl Model {
+    /// All models, polygons with 4, 8 and 16 corners.
+    pub const ALL: [Model; 7] = [
+        Model::FrozenBox,
+        Model::CoupledBox,
+        Model::Polyhedral { directions: 4 },
+        Model::Polyhedral { directions: 8 },
+        Model::Polyhedral { directions: 16 },
+        Model::AssociatedCone,
+        Model::CoulombCone,
+    ];
+
+    /// The problem that x solves under this model; model 1 freezes its boxes at the x_n of
+    /// `frozen_at`, a vector with an entry a row.
+    ///
+    /// # Errors
+    /// If a number of directions cannot be used, or model 1 has nothing to freeze its boxes at.
+    pub fn pose(self, problem: &FrictionProblem, frozen_at: Option<&[f64]>) -> Result<Posed> {
+        let cone = |law| Posed::Cone(ConeProblem::new(problem.clone(), law));
+        Ok(match self {
+            Model::FrozenBox => {
+                let x = frozen_at.ok_or_else(|| {
+                    let reason = "is missing: the frozen box needs the normal impulses x_n";
+                    Error::invalid("problem", "frozen_at", reason)
+                })?;
+                Posed::Boxed(problem.coupled_box().frozen_at(x))
+            }
+            Model::CoupledBox => Posed::Boxed(problem.coupled_box()),
+            Model::Polyhedral { directions } => {
+                Posed::Polyhedral(Polyhedral::new(problem, directions)?)
+            }
+            Model::AssociatedCone => cone(Law::Associated),
+            Model::CoulombCone => cone(Law::Coulomb),
+        })
+    }
+}
+
+/// A friction problem under a model, for the same x.
+#[derive(Debug, Clone)]
+pub enum Posed {
+    /// Models 1 and 2; also any LCP without friction.
+    Boxed(Lcp),
+    /// Model 3: x is found by way of the unknowns z.
+    Polyhedral(Polyhedral),
+    /// Model 4.
+    Cone(ConeProblem),
+}
+
+impl fmt::Display for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Model::FrozenBox => f.pad("frozen-box"),
+            Model::CoupledBox => f.pad("coupled-box"),
+            Model::Polyhedral { directions } => f.pad(&format!("polygon-{directions}")),
+            Model::AssociatedCone => f.pad("associated-cone"),
+            Model::CoulombCone => f.pad("coulomb-cone"),
+        }
+    }
+}
+
+/// ```
+/// use lcplab::lcp::friction::Model;
+///
+/// assert_eq!("polygon-12".parse(), Ok(Model::Polyhedral { directions: 12 }));
+/// assert!("polygon-6".parse::<Model>().unwrap_err().to_string().contains("multiple of 4"));
+/// ```
+impl FromStr for Model {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Self> {
+        if let Some(model) = Model::ALL.into_iter().find(|model| model.to_string() == name) {
+            return Ok(model);
+        }
+        if let Some(directions) = name.strip_prefix("polygon-").and_then(|k| k.parse().ok()) {
+            if (4..=MOST_DIRECTIONS).contains(&directions) && directions.is_multiple_of(4) {
+                return Ok(Model::Polyhedral { directions });
+            }
+            let reason = format!("must be a multiple of 4 from 4 to {MOST_DIRECTIONS}");
+            return Err(Error::invalid(name, "directions", reason));
+        }
+        Err(Error::Unknown {
+            kind: "model of friction",
+            name: name.to_string(),
+            known: Model::ALL.iter().map(Model::to_string).collect(),
+        })
+    }
+}

@@ -1,0 +1,114 @@
+//! The reference code clarabel as one more method in comparisons.
+//!
+//! Solvers must not know the reference that checks them, so it is not in their registry; here, where
+//! both are known, it gets an entry like theirs. What clarabel calls solved is `Solved` only if the
+//! scaled residual of its point says so too: it stops on another quantity, and a point in the
+//! interior is near its bounds, not on them. It takes no start, and its
+//! point is the one iterate that is observed.
+
+use crate::lcp::friction::{ConeProblem, Law};
+use crate::lcp::{Complementarity, Lcp};
+use crate::reference::{Reference, box_qp_within, cone_qp_within};
+use crate::solver::{
+    Class, ConeEntry, ConeSolver, Entry, Event, Iterate, MatrixClass, Observer, Settings, Solution,
+    Solver, Start, Status,
+};
+
+const NAME: &str = "clarabel";
+const SOURCE: &str = "Goulart & Chen 2024";
+
+/// Clarabel on ½ xᵀAx + bᵀx over a box.
+pub const BOX_QP: Entry = Entry {
+    name: NAME,
+    method: "the reference: clarabel's interior point for the box QP, iterative",
+    class: Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) },
+    source: SOURCE,
+    uses: &[],
+    build: |options| Box::new(Clarabel { settings: options.settings.clone() }),
+};
+
+/// Clarabel on the same over friction cones.
+pub const CONE_QP: ConeEntry = ConeEntry {
+    name: NAME,
+    method: "the reference: clarabel's interior point for the cone QP, iterative",
+    class: Class::of(MatrixClass::Semidefinite),
+    laws: &[Law::Associated],
+    source: SOURCE,
+    build: |settings| Box::new(Clarabel { settings: settings.clone() }),
+};
+
+/// Clarabel behind the traits of solvers.
+#[derive(Debug, Clone)]
+struct Clarabel {
+    /// The tolerance of the claim (clarabel's own is that of the reference), and its iterations.
+    settings: Settings,
+}
+
+impl Solver for Clarabel {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        self.solution(lcp, |most| box_qp_within(lcp, most), start, observer)
+    }
+}
+
+impl ConeSolver for Clarabel {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn solve(
+        &self,
+        problem: &ConeProblem,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        self.solution(problem, |most| cone_qp_within(problem, most), start, observer)
+    }
+}
+
+impl Clarabel {
+    /// What the reference's answer is worth as a solution.
+    fn solution(
+        &self,
+        problem: &impl Complementarity,
+        ask: impl Fn(usize) -> Option<Reference>,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        let lcp = problem.lcp();
+        let nothing =
+            |status, iterations| Solution::new(lcp, start.point(problem), status, iterations);
+        let outside = |reason| nothing(Status::OutsideClass { reason }, 0);
+        if (0..lcp.len()).any(|i| lcp.matrix().diagonal(i) < 0.0) {
+            return outside("the matrix is not positive semidefinite");
+        }
+        if !problem.is_frozen() {
+            return outside("bounds or w depend on x: no quadratic program");
+        }
+        let Some(Reference { point: x, iterations, status, .. }) =
+            ask(self.settings.max_iterations)
+        else {
+            return outside("the matrix is not symmetric");
+        };
+        if x.iter().any(|x| !x.is_finite()) {
+            return nothing(Status::NotFinite, iterations);
+        }
+        let iterate = Iterate { iteration: iterations, x: &x, event: Event::Step };
+        if observer.observe(&iterate).is_break() {
+            return Solution::new(lcp, x, Status::Stopped, iterations);
+        }
+        let is_solved = problem.scaled_residual(&x) <= self.settings.tolerance
+            && problem.is_better_than_nothing(&x);
+        let status = match status.as_str() {
+            "Solved" | "AlmostSolved" if is_solved => Status::Solved,
+            "Solved" | "AlmostSolved" => Status::Inaccurate,
+            "MaxIterations" => Status::IterationLimit,
+            "PrimalInfeasible" | "DualInfeasible" => Status::Diverged, // its ray is not told
+            _ => Status::Stalled,
+        };
+        Solution::new(lcp, x, status, iterations)
+    }
+}

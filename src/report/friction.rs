@@ -1,0 +1,121 @@
+//! What an x is worth as an answer to a friction problem under one model, as JSON and as text.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
+
+use super::answer::verdict_json;
+use crate::certificate::{Demand, FrictionCertificate, judge_cone, judge_friction};
+use crate::lcp::Lcp;
+use crate::lcp::file::number;
+use crate::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Posed};
+use crate::lcp::merit::RowTerms;
+
+/// A contact slides if |w_t| is above this part of the terms it is the sum of.
+const SLIP: f64 = 1e-6;
+/// Contacts that are printed at most.
+const PRINTED: usize = 20;
+
+/// One contact in an answer.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ContactAnswer {
+    /// x_n, x_t1, x_t2.
+    pub impulse: [f64; 3],
+    /// w_n, w_t1, w_t2: while it slides, (w_t1, w_t2) is the slip.
+    pub velocity: [f64; 3],
+    /// |x_t| / (μ x_n): at most 1 in the disc; `None` if μ x_n = 0.
+    pub strength: Option<f64>,
+    /// The angle (degrees) between friction and the direction opposite to the slip; `None` if the
+    /// contact does not slide, or has no friction.
+    pub misalignment: Option<f64>,
+}
+
+/// What is found out about an x, whoever found it.
+#[derive(Debug, Clone)]
+pub struct Judged {
+    /// The judge's word on x as a solution of the model's own problem.
+    pub certificate: FrictionCertificate,
+    /// The contacts one by one.
+    pub contacts: Vec<ContactAnswer>,
+    /// The scaled residual of x in Coulomb's law.
+    pub coulomb_residual: f64,
+}
+
+impl Judged {
+    /// Judges x under the model that the problem is posed under.
+    pub fn of(problem: &FrictionProblem, posed: &Posed, x: &[f64], demand: &Demand) -> Self {
+        let coulomb = ConeProblem::new(problem.clone(), Law::Coulomb);
+        Judged {
+            certificate: judge_friction(posed, x, demand),
+            contacts: problem.contacts().iter().map(|c| contact(problem.lcp(), c, x)).collect(),
+            coulomb_residual: judge_cone(&coulomb, x, demand).scaled_residual,
+        }
+    }
+
+    /// The judge's part of the JSON.
+    pub fn json(&self) -> Map<String, Value> {
+        let optional = |value: Option<f64>| value.map_or(Value::Null, number);
+        let triple = |values: [f64; 3]| values.map(number);
+        let contact = |c: &ContactAnswer| {
+            json!({
+                "impulse": triple(c.impulse),
+                "velocity": triple(c.velocity),
+                "strength": optional(c.strength),
+                "misalignment": optional(c.misalignment),
+            })
+        };
+        let mut object = Map::new();
+        object.insert("w".into(), self.certificate.w.iter().map(|&w| number(w)).collect());
+        object.insert("scaled_residual".into(), number(self.certificate.scaled_residual));
+        object.insert("coulomb_residual".into(), number(self.coulomb_residual));
+        object.extend(verdict_json(&self.certificate.verdict));
+        object.insert("contacts".into(), self.contacts.iter().map(contact).collect());
+        object
+    }
+
+    /// The verdict, the residuals and the contacts as lines of text.
+    pub fn text(&self) -> String {
+        let FrictionCertificate { scaled_residual, verdict, .. } = &self.certificate;
+        let mut text = format!(
+            "verdict    {verdict}\n  scaled residual   {scaled_residual:>9.2e}  under this model\n  \
+             coulomb residual  {:>9.2e}  under Coulomb's law: what the model gives up\n",
+            self.coulomb_residual
+        );
+        text += &format!(
+            "{:>7} {:>13} {:>13} {:>13} {:>13} {:>10} {:>9}\n",
+            "contact", "x_n", "|x_t|", "w_n", "|w_t|", "|x_t|/μx_n", "askew (°)"
+        );
+        for (k, contact) in self.contacts.iter().enumerate().take(PRINTED) {
+            let ([x_n, x1, x2], [w_n, w1, w2]) = (contact.impulse, contact.velocity);
+            let optional =
+                |value: Option<f64>| value.map_or("-".to_string(), |value| format!("{value:.3}"));
+            text += &format!(
+                "{k:>7} {x_n:>13.6e} {:>13.6e} {w_n:>13.6e} {:>13.6e} {:>10} {:>9}\n",
+                x1.hypot(x2),
+                w1.hypot(w2),
+                optional(contact.strength),
+                optional(contact.misalignment)
+            );
+        }
+        if self.contacts.len() > PRINTED {
+            let more = self.contacts.len() - PRINTED;
+            text += &format!("        and {more} more contacts; --json prints all\n");
+        }
+        text
+    }
+}
+
+fn contact(lcp: &Lcp, contact: &Contact, x: &[f64]) -> ContactAnswer {
+    let terms = contact.rows.map(|i| RowTerms::at(lcp, i, x));
+    let (impulse, velocity) = (contact.of(x), terms.map(|row| row.w));
+    let [x_n, x1, x2] = impulse;
+    let [_, w1, w2] = velocity;
+    let limit = contact.mu * x_n;
+    let slides = w1.hypot(w2) > SLIP * terms[1].magnitude.hypot(terms[2].magnitude);
+    let angle = f64::atan2(x1 * w2 - x2 * w1, -(x1 * w1 + x2 * w2)).abs().to_degrees();
+    ContactAnswer {
+        impulse,
+        velocity,
+        strength: (limit > 0.0).then(|| x1.hypot(x2) / limit),
+        misalignment: (slides && x1.hypot(x2) > 0.0).then_some(angle),
+    }
+}

@@ -1,0 +1,65 @@
+//! All methods that can be named and compared: the registered solvers and the reference.
+
+use super::clarabel;
+use crate::error::{Error, Result};
+use crate::lcp::friction::Model;
+use crate::solver::{ALL, Entry, Method, SPECIMENS, methods};
+
+/// The registered methods, then clarabel for boxes and for cones.
+pub fn all() -> Vec<Method> {
+    let reference = [Method::Boxed(clarabel::BOX_QP), Method::Cone(clarabel::CONE_QP)];
+    methods().into_iter().chain(reference).collect()
+}
+
+/// The solver of this name for LCPs as they stand; the specimens count too.
+///
+/// # Errors
+/// If there is none.
+pub fn entry(name: &str) -> Result<Entry> {
+    let entries = || ALL.iter().chain([&clarabel::BOX_QP]).chain(SPECIMENS);
+    let found = entries().find(|entry| entry.name == name).copied();
+    found.ok_or_else(|| unknown("solver", name, entries().map(|entry| entry.name)))
+}
+
+/// The method of this name for a model of friction.
+///
+/// # Errors
+/// If there is none.
+pub fn by_name(name: &str, model: Model) -> Result<Method> {
+    let taking = || all().into_iter().filter(|method| method.takes(Some(model)));
+    let found = taking().find(|method| method.name() == name);
+    let kind = "solver for this model of friction";
+    found.ok_or_else(|| unknown(kind, name, taking().map(|method| method.name())))
+}
+
+/// The method to take where none is named.
+pub fn default_for(model: Model) -> &'static str {
+    match model {
+        Model::FrozenBox | Model::CoupledBox => "dantzig",
+        Model::Polyhedral { .. } => "lemke",
+        Model::AssociatedCone | Model::CoulombCone => "apgd",
+    }
+}
+
+/// The methods of this name, for boxes and for cones.
+///
+/// # Errors
+/// If there is none.
+pub fn named(name: &str) -> Result<Vec<Method>> {
+    let known = || all().into_iter().chain(SPECIMENS.iter().copied().map(Method::Boxed));
+    let found: Vec<Method> = known().filter(|method| method.name() == name).collect();
+    if found.is_empty() {
+        return Err(unknown("solver", name, known().map(|method| method.name())));
+    }
+    Ok(found)
+}
+
+fn unknown(kind: &'static str, name: &str, known: impl Iterator<Item = &'static str>) -> Error {
+    let mut names: Vec<String> = Vec::new();
+    for known in known.map(str::to_string) {
+        if !names.contains(&known) {
+            names.push(known);
+        }
+    }
+    Error::Unknown { kind, name: name.to_string(), known: names }
+}

@@ -1,0 +1,133 @@
+//! The tables of a simulation as CSV: trajectory, ledger and forces.
+
+use crate::body::State;
+use crate::plot::csv::{number, record};
+use crate::scene::Scene;
+use crate::simulation::{Laws, Ledger, Motion, Solve, Step};
+
+/// Three tables, a line at a time; names and units in their first lines.
+#[derive(Debug, Clone)]
+pub(super) struct Tables {
+    /// A line a body and step: pose and velocity at its end.
+    pub trajectory: String,
+    /// A line a step: energy and momentum, where the energy went, and how well laws were kept.
+    pub ledger: String,
+    /// A line a row and solve: the force or impulse of every constraint.
+    pub forces: String,
+}
+
+impl Tables {
+    pub fn new() -> Self {
+        let (mut trajectory, mut ledger, mut forces) =
+            (String::new(), String::new(), String::new());
+        record(&mut trajectory, TRAJECTORY);
+        let accounts = Ledger::default().accounts().map(|(name, _)| format!("{name} (J)"));
+        let names = MOTION.map(String::from).into_iter().chain(accounts);
+        record(&mut ledger, names.chain(LAWS.map(String::from)));
+        record(&mut forces, FORCES);
+        Tables { trajectory, ledger, forces }
+    }
+
+    /// The state of things at the start, before any step.
+    pub fn start(&mut self, scene: &Scene, motion: &Motion, states: &[State]) {
+        self.add_motion(motion, &Ledger::default(), &Laws::default());
+        self.add_states(scene, motion, states);
+    }
+
+    /// What a step did.
+    pub fn add(&mut self, scene: &Scene, step: &Step) {
+        self.add_motion(&step.motion, &step.ledger, &step.laws);
+        self.add_states(scene, &step.motion, &step.states);
+        for solve in &step.solves {
+            self.add_forces(scene, step.number, solve);
+        }
+    }
+
+    fn add_motion(&mut self, motion: &Motion, ledger: &Ledger, laws: &Laws) {
+        let [p, l] = [&motion.linear_momentum, &motion.angular_momentum];
+        let state = [motion.time, motion.kinetic, motion.potential, motion.energy()];
+        let momenta = [p.x, p.y, p.z, l.x, l.y, l.z];
+        let errors = [motion.drift, motion.angular_drift, motion.penetration];
+        let accounts = ledger.accounts().map(|(_, work)| work);
+        let kept = [
+            ledger.remainder(),
+            laws.attraction,
+            laws.cone_excess,
+            laws.friction_gain,
+            laws.internal_impulse,
+            laws.internal_torque,
+        ];
+        let numbers = [&state[..], &momenta, &errors, &accounts, &kept].concat();
+        let step = [motion.step.to_string()].into_iter();
+        record(&mut self.ledger, step.chain(numbers.into_iter().map(number)));
+    }
+
+    fn add_states(&mut self, scene: &Scene, motion: &Motion, states: &[State]) {
+        for (body, State { pose, v, omega }) in scene.bodies.iter().zip(states) {
+            let q = pose.q.quaternion();
+            let place = [motion.time, pose.p.x, pose.p.y, pose.p.z, q.w, q.i, q.j, q.k];
+            let velocity = [v.x, v.y, v.z, omega.x, omega.y, omega.z];
+            let numbers = place.into_iter().chain(velocity).map(number);
+            let names = [motion.step.to_string(), body.name.clone()].into_iter();
+            record(&mut self.trajectory, names.chain(numbers));
+        }
+    }
+
+    fn add_forces(&mut self, scene: &Scene, step: usize, solve: &Solve) {
+        let Solve { problem, solution } = solve;
+        for (i, row) in problem.assembly.rows.iter().enumerate() {
+            let [x, w] = [solution.x[i], solution.w[i]].map(number);
+            let unit = problem.stage.unit(row.kind.is_angular());
+            let stage = problem.stage.name();
+            let (step, label) = (step.to_string(), row.label(scene));
+            record(&mut self.forces, [&step, stage, &label, &x, unit, &w]);
+        }
+    }
+}
+
+const TRAJECTORY: [&str; 16] = [
+    "step",
+    "body",
+    "time (s)",
+    "x (m)",
+    "y (m)",
+    "z (m)",
+    "qw",
+    "qx",
+    "qy",
+    "qz",
+    "vx (m/s)",
+    "vy (m/s)",
+    "vz (m/s)",
+    "wx (rad/s)",
+    "wy (rad/s)",
+    "wz (rad/s)",
+];
+
+const MOTION: [&str; 14] = [
+    "step",
+    "time (s)",
+    "kinetic (J)",
+    "potential (J)",
+    "energy (J)",
+    "px (kg m/s)",
+    "py (kg m/s)",
+    "pz (kg m/s)",
+    "Lx (kg m²/s)",
+    "Ly (kg m²/s)",
+    "Lz (kg m²/s)",
+    "drift (m)",
+    "angular drift (rad)",
+    "penetration (m)",
+];
+
+const LAWS: [&str; 6] = [
+    "remainder (J)",
+    "attraction (x)",
+    "cone excess",
+    "friction gain (J)",
+    "internal impulse (N s)",
+    "internal torque (N m s)",
+];
+
+const FORCES: [&str; 6] = ["step", "stage", "row", "x", "unit of x", "w"];

@@ -1,0 +1,263 @@
+//! The models of friction on a block that is pushed from all sides, and on a rod.
+
+use super::Document;
+use crate::plot::number::readable;
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::friction::{Answer, Model};
+use crate::report::study::sliding::{Figure, SHOWN, Slide, Study};
+
+/// Measured and expected numbers may differ by this much (parts, degrees, N s, m/s).
+const AGREES: f64 = 1e-3;
+/// The direction of the push in the table (degrees).
+const TABLE: f64 = 30.0;
+
+pub(super) fn section(document: &mut Document, study: &Study) {
+    document.open("friction", "Four models of friction, pushed from all sides");
+    document.text(
+        "Coulomb's law says: a contact that sticks holds with any force up to $\\mu x_n$; one that \
+         slides rubs with exactly $\\mu x_n$, straight against the slip $w_t$.",
+    );
+    document.equation(
+        "|x_t| \\le \\mu x_n, \\qquad w_t \\ne 0 \\Rightarrow x_t = -\\mu x_n \\frac{w_t}{|w_t|}",
+        "Coulomb",
+    );
+    document.text(
+        "That is a disc in the plane of the two tangents $t_1$, $t_2$, and a disc is not linear. \
+         Solvers replace it:\n\n\
+         - **Frozen box**: each tangent has bounds of its own, $\\pm\\mu$ times the normal impulse \
+         that there would be *without* friction. A square of fixed size.\n\
+         - **Coupled box**: the same square, with the present $x_n$. The scenes of this report do \
+         this, and so does Open Dynamics Engine.\n\
+         - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one unknown \
+         more for each corner, solved by Lemke's method.\n\
+         - **Cone**: the disc itself. *Associated*, as a convex problem, which pays for convexity by \
+         lifting what slides; or *Coulomb*, with nothing given up.\n\n\
+         A block of 1 kg lies on the floor and is pushed along it. It is pressed so that \
+         $\\mu x_n = 1$ N s. Its rows do not feel each other ($A$ is the identity), and so friction is \
+         the point of the model's figure (square, polygon or disc) that is nearest to the push. \
+         Everything below can be drawn with ruler and compasses; lines are that drawing, markers are \
+         what the solvers found.",
+    );
+    document.figure(direction_figure(study));
+    document.text(
+        "Friction that should point straight against the slip snaps to a corner of the box or of \
+         the polygon instead. A crate that is dragged at 30° to the tangents veers off to one side; \
+         dragged along a tangent it does not. And a floor has no tangents: the program chose them.",
+    );
+    document.figure(grip_figure(study));
+    document.text(
+        "The reach of the figure is how hard one may push before the block moves: too hard across \
+         the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too softly across the edges of a \
+         polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, 8, 16.",
+    );
+    document.table("friction_block", block_table(study));
+    document.text(
+        "On the block the two boxes do the same, as do the two cones but for the lifting. A rod on \
+         two feet tells them apart: its middle is above the ground, so friction at the feet tips it, \
+         and one foot is pressed harder than without friction, the other more lightly. The frozen \
+         box knows nothing of that: it rubs too weakly at the one and too strongly at the other, \
+         there perhaps by more than the $\\sqrt{2}$ of a square of the right size. With more corners \
+         the polygons come near Coulomb's law; the boxes do not.",
+    );
+    document.table("friction_rod", rod_table(study));
+}
+
+/// How the curves of a model are called.
+fn short(model: Model) -> String {
+    match model {
+        Model::FrozenBox | Model::CoupledBox => "box".into(),
+        Model::CoulombCone => "disc".into(),
+        other => other.to_string(),
+    }
+}
+
+fn against(v: [f64; 3]) -> f64 {
+    f64::atan2(0.0 - v[2], 0.0 - v[1]).to_degrees()
+}
+
+fn direction_figure(study: &Study) -> Lines {
+    let measured = |model: &Model| {
+        let slides = study.slides.iter().filter(|slide| slide.answer.model == *model);
+        let contacts = slides.flat_map(|slide| slide.answer.contacts.first());
+        let sliding = contacts.filter(|contact| contact.misalignment.is_some());
+        let point = |impulse: [f64; 3], velocity| {
+            (against(velocity), impulse[2].atan2(impulse[1]).to_degrees())
+        };
+        let points = sliding.map(|contact| point(contact.impulse, contact.velocity));
+        Series::points(short(*model), points.collect())
+    };
+    let theory =
+        |model: &Model| Series::theory(format!("theory, {}", short(*model)), stairs(*model));
+    Lines {
+        id: "friction_direction".into(),
+        title: "Where friction points, and where it should".into(),
+        caption: format!(
+            "The block is pushed {} times as hard as friction can hold, from 0 to 90° to t₁ in steps \
+             of 5°. Coulomb's law is the diagonal. For the box all slip but that along a tangent \
+             meets the same friction, at 45°.",
+            readable(study.push, 3)
+        ),
+        x: Axis::linear("direction opposite to the slip", "degrees from t₁"),
+        panels: vec![Panel {
+            y: Axis::linear("direction of friction", "degrees from t₁"),
+            series: SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),
+        }],
+    }
+}
+
+/// The direction of friction over the direction against the slip: the corner that lies farthest
+/// along it, cut off at the tangents.
+fn stairs(model: Model) -> Vec<(f64, f64)> {
+    let Figure::Polygon { corners, first, .. } = Figure::of(model) else {
+        return vec![(0.0, 0.0), (90.0, 90.0)];
+    };
+    let (step, first) = (360.0 / corners as f64, first.to_degrees());
+    let around = (-1..corners as i32).map(|k| first + step * f64::from(k));
+    let steps = around.flat_map(|c| [(c - step / 2.0, c), (c + step / 2.0, c)]);
+    let mut points: Vec<_> = steps.map(|(x, y)| (x.clamp(0.0, 90.0), y.clamp(0.0, 90.0))).collect();
+    points.dedup();
+    points
+}
+
+fn grip_figure(study: &Study) -> Lines {
+    let measured = |model: &Model| {
+        let grips = study.grips.iter().filter(|grip| grip.model == *model);
+        Series::points(short(*model), grips.map(|grip| (grip.degrees, grip.measured)).collect())
+    };
+    let theory = |model: &Model| {
+        let reach = |degrees: f64| Figure::of(*model).reach(degrees.to_radians());
+        let points = (0..=180).map(|k| f64::from(k) / 2.0).map(|d| (d, reach(d)));
+        Series::theory(format!("theory, {}", short(*model)), points.collect())
+    };
+    Lines {
+        id: "friction_grip".into(),
+        title: "The hardest push that does not move the block".into(),
+        caption: "Coulomb: 1 N s from every side. Markers: found by halving an interval 14 times, \
+                  so to 10⁻⁴ N s."
+            .into(),
+        x: Axis::linear("direction of the push", "degrees from t₁"),
+        panels: vec![Panel {
+            y: Axis::linear("push", "N s"),
+            series: SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),
+        }],
+    }
+}
+
+fn block_table(study: &Study) -> Table {
+    let slides = study.slides.iter().filter(|slide| slide.degrees == TABLE);
+    Table {
+        title: format!("The block, pushed with {} N s at 30°", readable(study.push, 3)),
+        how_to_read: format!(
+            "*strength* is $|x_t| / (\\mu x_n)$, *off* the angle between friction and the direction \
+             opposite to the slip, *rise* the speed $w_n$ at which the block leaves the floor; the \
+             expected numbers come from the figure alone, and a row agrees if they differ by at most \
+             {}. *verdict* judges the model's own problem; the *Coulomb residual* is the scaled \
+             residual of the same answer in Coulomb's law.",
+            readable(AGREES, 1)
+        ),
+        columns: vec![
+            Column::words("model"),
+            Column::words("verdict"),
+            Column::numbers("strength", ""),
+            Column::numbers("expected", ""),
+            Column::numbers("off", "°"),
+            Column::numbers("expected", "°"),
+            Column::numbers("rise", "m/s"),
+            Column::numbers("expected", "m/s"),
+            Column::words("agreement"),
+            Column::numbers("Coulomb residual", ""),
+        ],
+        rows: slides.map(block_cells).collect(),
+        files: Vec::new(),
+    }
+}
+
+fn block_cells(slide: &Slide) -> Vec<Cell> {
+    let (answer, expected) = (&slide.answer, slide.expected);
+    let contact = answer.contacts.first();
+    let strength = contact.and_then(|c| c.strength).unwrap_or(f64::NAN);
+    let misalignment = contact.and_then(|c| c.misalignment).unwrap_or(f64::NAN);
+    let rise = contact.map_or(f64::NAN, |c| c.velocity[0]);
+    let pairs = [
+        (strength, expected.strength),
+        (misalignment, expected.misalignment),
+        (rise, expected.rise),
+    ];
+    let agrees = pairs.iter().all(|(found, expected)| (found - expected).abs() <= AGREES);
+    let mut cells = vec![Cell::text(answer.model.to_string()), verdict(answer)];
+    cells.extend(pairs.iter().flat_map(|(found, expected)| [tidy(*found), tidy(*expected)]));
+    cells.push(match agrees {
+        true => Cell::text("agrees").marked(Mark::Good),
+        false => Cell::text("differs").marked(Mark::Bad),
+    });
+    cells.push(residual(answer));
+    cells
+}
+
+fn rod_table(study: &Study) -> Table {
+    let exact = study.rod.iter().find(|answer| answer.model == Model::CoulombCone);
+    Table {
+        title: "The rod on two feet".into(),
+        how_to_read: "Strength and angle as above, foot by foot; a dash is a foot that sticks. \
+                      Along the rod the feet share a row of $A$, so single impulses may be one \
+                      choice of several; velocities are not. \
+                      *velocity error* is the largest difference of $w$ to that of Coulomb's cone."
+            .into(),
+        columns: vec![
+            Column::words("model"),
+            Column::words("solver"),
+            Column::words("verdict"),
+            Column::numbers("x_n, foot 1", "N s"),
+            Column::numbers("strength", ""),
+            Column::numbers("off", "°"),
+            Column::numbers("x_n, foot 2", "N s"),
+            Column::numbers("strength", ""),
+            Column::numbers("off", "°"),
+            Column::numbers("velocity error", "m/s"),
+            Column::numbers("Coulomb residual", ""),
+        ],
+        rows: study.rod.iter().map(|answer| rod_cells(answer, exact)).collect(),
+        files: Vec::new(),
+    }
+}
+
+fn rod_cells(answer: &Answer, exact: Option<&Answer>) -> Vec<Cell> {
+    let mut cells = vec![Cell::text(answer.model.to_string()), Cell::text(&answer.solver)];
+    cells.push(verdict(answer));
+    let or_dash = |value: Option<f64>| value.map_or(Cell::text("–"), tidy);
+    for contact in &answer.contacts {
+        cells.extend([
+            tidy(contact.impulse[0]),
+            or_dash(contact.strength),
+            or_dash(contact.misalignment),
+        ]);
+    }
+    let w = |answer: &Answer| -> Vec<f64> {
+        answer.contacts.iter().flat_map(|contact| contact.velocity).collect()
+    };
+    let error = exact.map(|exact| {
+        let pairs = w(answer).into_iter().zip(w(exact));
+        pairs.map(|(w, exact)| (w - exact).abs()).fold(0.0, f64::max)
+    });
+    cells.push(or_dash(error));
+    cells.push(residual(answer));
+    cells
+}
+
+/// Four digits; what is below the solvers' tolerance is 0.
+fn tidy(value: f64) -> Cell {
+    let shown = if value.abs() < 1e-6 { 0.0 } else { value };
+    Cell { value: Some(value), ..Cell::number(shown, 4) }
+}
+
+fn verdict(answer: &Answer) -> Cell {
+    let good = answer.verdict != "not_a_solution";
+    let words = answer.verdict.replace('_', " ");
+    Cell::text(words).marked(if good { Mark::Plain } else { Mark::Bad })
+}
+
+fn residual(answer: &Answer) -> Cell {
+    let follows = answer.coulomb_residual <= 1e-8;
+    Cell::number(answer.coulomb_residual, 2).marked(if follows { Mark::Good } else { Mark::Plain })
+}

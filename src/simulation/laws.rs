@@ -1,0 +1,91 @@
+//! What must hold in every step, measured and never assumed.
+//!
+//! ```text
+//! no attraction    x_n ≥ 0                      the cone   |x_t| ≤ μ x_n  (a box allows √2 μ x_n)
+//! dissipation      work of friction ≤ 0         momentum   rows between bodies change neither
+//!                                                          Σ m v nor Σ p × m v + I ω
+//! ```
+//!
+//! Penetration and drift stand in [`Motion`](super::Motion).
+
+use nalgebra::Vector3;
+
+use super::{Ledger, Solve};
+use crate::assembly::{Assembly, Row};
+use crate::body::{State, angular, linear};
+use crate::constraint::Bounds;
+
+/// How far a step is from the laws of contact and of momentum; 0 is perfect.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Laws {
+    /// The strongest pull of a contact or limit (N s, or N at acceleration level).
+    pub attraction: f64,
+    /// How far friction reaches out of the cone: the largest |x_t| − μ x_n, in parts of the largest
+    /// μ x_n of the solve. Up to √2 − 1 in the corners of a box.
+    pub cone_excess: f64,
+    /// The work that friction put in (J), 0 if it took some out.
+    pub friction_gain: f64,
+    /// The momentum (N s) that rows between two moving bodies made.
+    pub internal_impulse: f64,
+    /// The angular momentum (N m s) that rows between two moving bodies made.
+    pub internal_torque: f64,
+}
+
+impl Laws {
+    /// The laws in a step that started from these states.
+    pub(super) fn of(states: &[State], solves: &[Solve], ledger: &Ledger) -> Self {
+        let mut laws = Laws { friction_gain: ledger.friction.max(0.0), ..Laws::default() };
+        for Solve { problem, solution } in solves {
+            let (rows, x) = (&problem.assembly.rows, problem.efforts(&solution.x));
+            laws.cone_excess = laws.cone_excess.max(cone_excess(rows, &x));
+            for (i, row) in rows.iter().enumerate() {
+                if row.bounds == Bounds::Unilateral {
+                    laws.attraction = laws.attraction.max(-x[i]);
+                }
+                let (force, torque) = internal(&problem.assembly, row, states);
+                laws.internal_impulse = laws.internal_impulse.max((x[i] * force).norm());
+                laws.internal_torque = laws.internal_torque.max((x[i] * torque).norm());
+            }
+        }
+        laws
+    }
+
+    /// The worse of two steps, law by law.
+    pub fn worse(self, other: Laws) -> Laws {
+        Laws {
+            attraction: self.attraction.max(other.attraction),
+            cone_excess: self.cone_excess.max(other.cone_excess),
+            friction_gain: self.friction_gain.max(other.friction_gain),
+            internal_impulse: self.internal_impulse.max(other.internal_impulse),
+            internal_torque: self.internal_torque.max(other.internal_torque),
+        }
+    }
+}
+
+/// The largest |x_t| − μ x_n over the largest μ x_n, at least 0.
+fn cone_excess(rows: &[Row], x: &[f64]) -> f64 {
+    let (mut excess, mut scale) = (0.0f64, 0.0f64);
+    for (i, row) in rows.iter().enumerate() {
+        let Bounds::Friction { normal, mu } = row.bounds else { continue };
+        let second = rows.get(i + 1).is_some_and(|next| next.bounds == row.bounds);
+        let size = if second { x[i].hypot(x[i + 1]) } else { x[i].abs() };
+        excess = excess.max(size - mu * x[normal].max(0.0));
+        scale = scale.max(mu * x[normal]);
+    }
+    if excess == 0.0 { 0.0 } else { excess / scale }
+}
+
+/// The force and the torque about the world's origin that a unit x of a row leaves over, if both
+/// of its bodies move.
+fn internal(assembly: &Assembly, row: &Row, states: &[State]) -> (Vector3<f64>, Vector3<f64>) {
+    let mut sum = (Vector3::zeros(), Vector3::zeros());
+    if row.parts().count() == 2 {
+        for part in row.parts() {
+            let (force, torque) = (linear(&part.jacobian), angular(&part.jacobian));
+            let arm = states[assembly.blocks[part.block].body].pose.p;
+            sum.0 += force;
+            sum.1 += arm.cross(&force) + torque;
+        }
+    }
+    sum
+}

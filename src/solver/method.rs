@@ -1,0 +1,120 @@
+//! Boxed and cone solvers side by side: what can be asked to solve a friction problem.
+//!
+//! Models 1 and 2 of friction are boxed LCPs, and every solver of [`ALL`] may try. Model 3 is an LCP
+//! whose matrix is not symmetric and has zeros on the diagonal: solvers that are made for such
+//! matrices. Model 4 is for those of [`CONES`]. So a new entry in either list is at once a method for
+//! the models that it fits.
+
+use super::{
+    ALL, CONES, Choice, Class, ConeEntry, Entry, MatrixClass, Observer, Options, Solution, Start,
+    Status,
+};
+use crate::lcp::Complementarity;
+use crate::lcp::friction::{Law, Model, Polyhedral, Posed};
+
+/// A solver of either kind.
+#[derive(Debug, Clone, Copy)]
+pub enum Method {
+    /// For boxed LCPs.
+    Boxed(Entry),
+    /// For circular cones.
+    Cone(ConeEntry),
+}
+
+/// All methods that are registered.
+pub fn methods() -> Vec<Method> {
+    let boxed = ALL.iter().copied().map(Method::Boxed);
+    boxed.chain(CONES.iter().copied().map(Method::Cone)).collect()
+}
+
+impl Method {
+    /// Its name, unique among the methods that take a model.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Method::Boxed(Entry { name, .. }) | Method::Cone(ConeEntry { name, .. }) => name,
+        }
+    }
+
+    /// Which options it looks at, beside the common settings.
+    pub fn uses(&self) -> &'static [Choice] {
+        match self {
+            Method::Boxed(entry) => entry.uses,
+            Method::Cone(_) => &[],
+        }
+    }
+
+    /// Whether it is made for a model of friction, or for LCPs without any.
+    pub fn takes(&self, model: Option<Model>) -> bool {
+        match (self, model) {
+            (Method::Boxed(_), None | Some(Model::FrozenBox)) => true,
+            (Method::Boxed(entry), Some(Model::CoupledBox)) => entry.class.coupling,
+            (Method::Boxed(entry), Some(Model::Polyhedral { .. })) => {
+                let Class { matrix, divides_by_diagonal, .. } = entry.class;
+                !divides_by_diagonal
+                    && matches!(matrix, MatrixClass::CopositivePlus | MatrixClass::General)
+            }
+            (Method::Cone(entry), Some(Model::AssociatedCone)) => {
+                entry.laws.contains(&Law::Associated)
+            }
+            (Method::Cone(entry), Some(Model::CoulombCone)) => entry.laws.contains(&Law::Coulomb),
+            (Method::Boxed(_), Some(Model::AssociatedCone | Model::CoulombCone))
+            | (Method::Cone(_), _) => false,
+        }
+    }
+
+    /// Solves a problem from 0 for its x. A problem of the other kind is outside the class.
+    pub fn solve(
+        &self,
+        problem: &Posed,
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        let start = Start::default();
+        match (self, problem) {
+            (Method::Boxed(entry), Posed::Boxed(lcp)) => {
+                (entry.build)(options).solve(lcp, &start, observer)
+            }
+            (Method::Boxed(entry), Posed::Polyhedral(polyhedral)) => {
+                let solution = (entry.build)(options).solve(polyhedral.lcp(), &start, observer);
+                impulses(polyhedral, solution, options.settings.tolerance)
+            }
+            (Method::Cone(entry), Posed::Cone(problem)) => {
+                (entry.build)(&options.settings).solve(problem, &start, observer)
+            }
+            (Method::Boxed(_), Posed::Cone(problem)) => {
+                let reason = "the problem has cones, not bounds";
+                let x = start.point(problem);
+                Solution::new(problem.lcp(), x, Status::OutsideClass { reason }, 0)
+            }
+            (Method::Cone(_), Posed::Boxed(_) | Posed::Polyhedral(_)) => {
+                let lcp = match problem {
+                    Posed::Polyhedral(polyhedral) => polyhedral.friction().lcp(),
+                    Posed::Boxed(lcp) => lcp,
+                    Posed::Cone(problem) => problem.lcp(),
+                };
+                let reason = "the problem has bounds, not cones";
+                let x = start.point(lcp);
+                Solution::new(lcp, x, Status::OutsideClass { reason }, 0)
+            }
+        }
+    }
+}
+
+/// The impulses x of a solution z, and the rows of x that its status means. `Solved` is claimed for
+/// the z that x leads back to, which is all that a judge of x can see.
+fn impulses(polyhedral: &Polyhedral, solution: Solution, tolerance: f64) -> Solution {
+    let Solution { x: z, status, iterations, .. } = solution;
+    let x = polyhedral.x(&z);
+    let status = match status {
+        Status::Solved if polyhedral.lcp().scaled_residual(&polyhedral.z(&x)) > tolerance => {
+            Status::Inaccurate
+        }
+        Status::ZeroDiagonal { row } => Status::ZeroDiagonal { row: polyhedral.row(row) },
+        Status::Singular { row } => Status::Singular { row: polyhedral.row(row) },
+        Status::Ray { row, direction } => {
+            Status::Ray { row: polyhedral.row(row), direction: polyhedral.x(&direction) }
+        }
+        status => status,
+    };
+    Solution::new(polyhedral.friction().lcp(), x, status, iterations)
+}
