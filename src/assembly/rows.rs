@@ -11,7 +11,7 @@ use crate::scene::{ContactId, Found, Scene};
 
 /// Which inequalities enter, contacts and limits alike; equations always do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Entering {
+pub enum Entering<'a> {
     /// Contacts within the margin and all limits: the velocity level, where gaps may close within
     /// the step.
     Near,
@@ -19,6 +19,8 @@ pub enum Entering {
     Touching,
     /// Those that touch and do not part faster than `resting_speed`: the acceleration level.
     Resting,
+    /// Those with these names and no others, wherever they are: within a step whose rows were chosen.
+    Only(&'a [RowId]),
 }
 
 /// Where a row comes from.
@@ -123,7 +125,9 @@ pub(super) fn rows(
         let mut places = vec![None; own.len()];
         for (component, row) in own.iter().enumerate() {
             let wanted = match row.bounds {
-                Bounds::Unilateral => enters(row, pair, source, scene, entering),
+                Bounds::Unilateral => {
+                    enters(row, pair, RowId { source, component }, scene, entering)
+                }
                 Bounds::Friction { normal, .. } => places[normal].is_some(),
                 Bounds::Bilateral | Bounds::Effort(_) => true,
             };
@@ -148,15 +152,18 @@ pub(super) fn rows(
 fn enters(
     row: &constraint::Row,
     states: [&State; 2],
-    source: Source,
+    id: RowId,
     scene: &Scene,
     entering: Entering,
 ) -> bool {
     let touches = row.c <= scene.contact.resting_gap;
     match entering {
-        Entering::Near => matches!(source, Source::Constraint(_)) || row.c <= scene.contact.margin,
+        Entering::Near => {
+            matches!(id.source, Source::Constraint(_)) || row.c <= scene.contact.margin
+        }
         Entering::Touching => touches,
         Entering::Resting => touches && rate(row, states) <= scene.contact.resting_speed,
+        Entering::Only(chosen) => chosen.contains(&id),
     }
 }
 

@@ -83,6 +83,11 @@ impl State {
         State { pose: Pose { p: self.pose.p + p_rate * dt, q }, ..*self }
     }
 
+    /// The pose moved by S(s) d for a small displacement d = [Δp; Δθ]; the velocity stays.
+    pub fn displaced(&self, d: &Vector6<f64>) -> State {
+        State { pose: self.with_velocity(d).advanced(1.0).pose, ..*self }
+    }
+
     /// Whether all numbers are finite.
     pub fn is_finite(&self) -> bool {
         let numbers = [self.pose.p, self.v, self.omega];

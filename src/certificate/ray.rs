@@ -13,7 +13,7 @@
 use dashu_ratio::RBig;
 
 use super::exact::{Candidate, Dyadic, dyadic, independent};
-use crate::lcp::Lcp;
+use crate::lcp::{Lcp, Matrix};
 
 /// A vector d that proves that no solution exists.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,30 +22,42 @@ pub struct Farkas {
     pub vector: Vec<RBig>,
 }
 
-/// Tries to prove from a solver's ray that a problem with symmetric A and no coupling has no
+/// Tries to prove from a solver's ray, or any other guess of d, that a problem without coupling has no
 /// solution.
 ///
 /// `row` is the driven row. Rounding in the other entries is repaired first: as many as the equations
-/// (A d)_j = 0 determine are solved anew, exactly.
+/// (Aᵀd)_j = 0 determine are solved anew, exactly. The ray of a method for symmetric A is a d; with
+/// any other A it need not be.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     let usable = direction.len() == lcp.len() && direction.iter().all(|d| d.is_finite());
-    if !usable || lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
+    if !usable || lcp.coupling().is_some() {
         return None;
     }
+    let dual = transposed(lcp)?;
     let support: Vec<usize> = (0..lcp.len()).filter(|&j| j != row && direction[j] != 0.0).collect();
-    let (rows, unknowns) = independent(lcp, &support);
-    let d = Candidate::solve(&lcp.homogeneous(), &rows, unknowns, direction.to_vec())?;
-    proves(lcp, &d).then(|| Farkas { vector: d.entries() })
+    let (rows, unknowns) = independent(&dual, &support);
+    let d = Candidate::solve(&dual, &rows, unknowns, direction.to_vec())?;
+    proves(lcp, &dual, &d).then(|| Farkas { vector: d.entries() })
+}
+
+/// The problem with Aᵀ and b = 0.
+fn transposed(lcp: &Lcp) -> Option<Lcp> {
+    if lcp.matrix().is_symmetric() {
+        return Some(lcp.homogeneous());
+    }
+    let row = |i: usize| lcp.matrix().row(i).iter().map(move |(j, a)| (j, i, a));
+    let entries: Vec<_> = (0..lcp.len()).flat_map(row).collect();
+    let matrix = Matrix::sparse(lcp.len(), &entries);
+    Lcp::new(matrix, vec![0.0; lcp.len()], lcp.lo().to_vec(), lcp.hi().to_vec()).ok()
 }
 
 /// Whether max (Aᵀd)ᵀx + bᵀd < 0, with every d_i on an allowed side. All terms carry d's positive
 /// denominator.
-fn proves(lcp: &Lcp, d: &Candidate) -> bool {
-    let homogeneous = lcp.homogeneous();
+fn proves(lcp: &Lcp, dual: &Lcp, d: &Candidate) -> bool {
     let mut bound = Dyadic::ZERO;
     for i in 0..lcp.len() {
         let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
-        let (d_i, product) = (d.scaled_x(i), d.scaled_w(&homogeneous, i));
+        let (d_i, product) = (d.scaled_x(i), d.scaled_w(dual, i));
         let forbidden =
             (d_i > Dyadic::ZERO && hi.is_finite()) || (d_i < Dyadic::ZERO && lo.is_finite());
         let at = if product > Dyadic::ZERO { hi } else { lo };

@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lcplab::constraint;
 use lcplab::error::{Error, Result};
 use lcplab::lcp::file::{Problem, number};
@@ -71,9 +72,9 @@ impl Scenes {
 struct SceneArgs {
     /// A scene file, or the name of a shipped scene
     scene: String,
-    /// Level of the equations; the scene's own without it
-    #[arg(long, value_enum)]
-    formulation: Option<Level>,
+    /// Family of methods that takes the steps; the scene's own without it
+    #[arg(long, value_parser = families())]
+    formulation: Option<Formulation>,
     /// Solver; the scene's own without it
     #[arg(long)]
     solver: Option<String>,
@@ -90,22 +91,16 @@ struct SceneArgs {
     choices: Choices,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum Level {
-    /// Impulses; velocities after the step
-    Velocity,
-    /// Forces; accelerations
-    Acceleration,
+/// The names of the families, each of which is one.
+fn families() -> impl TypedValueParser<Value = Formulation> {
+    let names = Formulation::FAMILIES.map(Formulation::name);
+    PossibleValuesParser::new(names).map(|name| Formulation::by_name(&name).unwrap_or_default())
 }
 
 impl SceneArgs {
     fn load(&self) -> Result<Scene> {
         let mut scene = Scene::load(&self.scene)?;
-        match self.formulation {
-            Some(Level::Velocity) => scene.step.formulation = Formulation::Velocity,
-            Some(Level::Acceleration) => scene.step.formulation = Formulation::Acceleration,
-            None => {}
-        }
+        scene.step.formulation = self.formulation.unwrap_or(scene.step.formulation);
         scene.step.dt = self.dt.unwrap_or(scene.step.dt);
         let solver = &mut scene.solver;
         solver.name = self.solver.clone().unwrap_or_else(|| solver.name.clone());
@@ -227,12 +222,14 @@ impl Simulate {
     }
 }
 
-/// Step a scene with every solver at both levels, and judge every answer
+/// Step a scene with every solver, and judge every answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   lcplab compare stack --steps 20 --out stack-report
 
+Without --formulation at both levels that are one LCP, velocity and acceleration; with it by that
+family alone. Families that solve no LCP have one row.
 With --out the folder gets a page with the table and the plots. Exit code 1 if the judge refutes a
 solver's claim, 2 for bad input; a solver that admits failure is a row of the table.")]
 pub struct Compare {
@@ -258,8 +255,13 @@ impl Compare {
             None => ALL.to_vec(),
         };
         self.scene.check(&solvers, &scene)?;
-        let progress = bar(comparison::runs(solvers.len()) as u64, &scene.name);
-        let (comparison, timings) = comparison::compare(&scene, &solvers, steps, &progress);
+        let families = match self.scene.formulation {
+            Some(family) => vec![family],
+            None => Formulation::LEVELS.to_vec(),
+        };
+        let progress = bar(comparison::runs(&families, solvers.len()) as u64, &scene.name);
+        let (comparison, timings) =
+            comparison::compare_families(&scene, &families, &solvers, steps, &progress);
         progress.finish_and_clear();
         if self.json {
             print(&format!("{}\n", json!({ "comparison": comparison, "timings": timings })))?;

@@ -7,7 +7,7 @@
 //! So a hinge is written down as `(Coincidence, [Perpendicular; 2])` and needs no code of its own.
 //! All members join the same two bodies. K&M: constraints "snap" together (T27).
 
-use nalgebra::RealField;
+use nalgebra::{RealField, Vector3};
 
 use super::{Bodies, Bounds, Constraint, Degenerate, Position, Row};
 use crate::body::{Pose, State};
@@ -34,6 +34,10 @@ impl<A: Constraint, B: Constraint> Constraint for (A, B) {
         append(&mut rows, self.1.rows(states)?);
         Ok(rows)
     }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        self.0.anchors().or_else(|| self.1.anchors())
+    }
 }
 
 impl<A: Position, B: Position> Position for (A, B) {
@@ -56,6 +60,10 @@ impl<A: Constraint, const N: usize> Constraint for [A; N] {
             append(&mut rows, member.rows(states)?);
         }
         Ok(rows)
+    }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        self.iter().find_map(Constraint::anchors)
     }
 }
 

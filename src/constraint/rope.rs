@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::RealField;
+use nalgebra::{RealField, Vector3};
 
 use super::{Bodies, Bounds, Constraint, Degenerate, Distance, Field, Joint, Position, Row};
 use crate::body::{Pose, State};
@@ -36,6 +36,10 @@ impl Constraint for Rope {
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
         let taut = |row: Row| Row { bounds: Bounds::Unilateral, ..row.negated() };
         Ok(self.0.rows(states)?.into_iter().map(taut).collect())
+    }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        self.0.anchors()
     }
 }
 

@@ -11,7 +11,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::RealField;
+use nalgebra::{RealField, Vector3};
 
 use super::{
     Bodies, Constraint, Coordinate, Degenerate, Distance, Fault, Field, Joint, Placement, Position,
@@ -67,6 +67,10 @@ impl<C: Constraint> Constraint for Elastic<C> {
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
         let soft = |row| Row { spring: Some(self.spring), ..row };
         Ok(self.held.rows(states)?.into_iter().map(soft).collect())
+    }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        self.held.anchors()
     }
 }
 

@@ -63,6 +63,10 @@ impl Constraint for SquaredDistance {
         let product = n.dot(&arms.cent) + arms.rel.norm_squared() / l;
         Ok(vec![Row::equation(Kind::Distance, c, arms.row(&n), product)])
     }
+
+    fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
+        Some(self.anchors)
+    }
 }
 
 impl Position for SquaredDistance {

@@ -4,10 +4,12 @@
 //! A_ij = Σ over shared bodies k of   (M_k⁻¹ J_ikᵀ) · J_jk
 //! ```
 //!
-//! Only the upper triangle is computed and then mirrored, so A is symmetric to the last bit.
+//! Only the upper triangle is computed and then mirrored, so A is symmetric to the last bit. Where
+//! contacts slide ([`Slide`]), column n gets its part of the columns t, and A is not symmetric.
 
 use nalgebra::Vector6;
 
+use super::Slide;
 use crate::assembly::{Assembly, Part};
 use crate::lcp::Matrix;
 
@@ -16,20 +18,37 @@ const SMALL: usize = 32;
 /// Beyond SMALL, A is dense where at least this part of its entries is stored.
 const FULL: f64 = 0.25;
 
-pub(super) fn matrix(assembly: &Assembly, compliance: &[f64]) -> Matrix {
+pub(super) fn matrix(assembly: &Assembly, compliance: &[f64], slides: &[Slide]) -> Matrix {
     let n = assembly.rows.len();
     let mut entries = entries(assembly);
     for (i, j, a) in &mut entries {
         *a += if i == j { compliance[*i] } else { 0.0 };
     }
+    drag(&mut entries, n, slides);
     if n > SMALL && (entries.len() as f64) < FULL * (n * n) as f64 {
         return Matrix::sparse(n, &entries);
     }
     let mut dense = vec![0.0; n * n];
     for (i, j, a) in entries {
-        dense[i * n + j] = a;
+        dense[i * n + j] += a;
     }
     Matrix::dense(n, &dense)
+}
+
+/// A_in += Σ_t (x_t/x_n) A_it for sliding contacts.
+fn drag(entries: &mut Vec<(usize, usize, f64)>, n: usize, slides: &[Slide]) {
+    let mut follows = vec![None; n];
+    for slide in slides {
+        for &(t, part) in &slide.drag {
+            follows[t] = Some((slide.normal, part));
+        }
+    }
+    let dragged = |&(i, t, a): &(usize, usize, f64)| {
+        let (normal, part) = follows[t]?;
+        Some((i, normal, part * a))
+    };
+    let more: Vec<_> = entries.iter().filter_map(dragged).collect();
+    entries.extend(more);
 }
 
 /// The entries of A, each once.

@@ -7,15 +7,18 @@
 //! A = J M⁻¹ Jᵀ + diag(γ),   b = J target + bias,   and the answer x moves them with   target + M⁻¹ Jᵀ x
 //! ```
 //!
-//! and only the target and the bias tell the stages apart: velocity.rs and acceleration.rs have one
-//! formula each. γ > 0 where a row is a spring; forces that have a bound of their own act for a
+//! and only the target and the bias tell the stages apart: velocity.rs, acceleration.rs and position.rs
+//! have one formula each. γ > 0 where a row is a spring; forces that have a bound of their own act for a
 //! duration, dt for an impulse, and not at all in a blow. x ≥ 0 pushes apart. `math §3`, `math §4`.
 
 mod acceleration;
 mod delassus;
+mod position;
+mod sliding;
 mod velocity;
 
 pub use crate::scene::Formulation;
+pub use sliding::Slide;
 
 use crate::assembly::{Assembly, Row};
 use crate::body::State;
@@ -35,6 +38,8 @@ pub enum Stage {
     Restitution,
     /// The forces (N) of a step at acceleration level.
     Acceleration,
+    /// The corrections (kg m) of positions after a step.
+    Position,
 }
 
 impl Stage {
@@ -45,6 +50,7 @@ impl Stage {
             Stage::Impact => "impact",
             Stage::Restitution => "restitution",
             Stage::Acceleration => "acceleration",
+            Stage::Position => "position",
         }
     }
 
@@ -53,6 +59,8 @@ impl Stage {
         match (self, angular) {
             (Stage::Acceleration, false) => "N",
             (Stage::Acceleration, true) => "N m",
+            (Stage::Position, false) => "kg m",
+            (Stage::Position, true) => "kg m²",
             (_, false) => "N s",
             (_, true) => "N m s",
         }
@@ -71,12 +79,14 @@ pub struct Problem {
     /// The scene at this instant; its rows are the LCP's.
     pub assembly: Assembly,
     /// The motion without constraints, one entry a column: velocities (m/s, rad/s), at the
-    /// acceleration stage accelerations.
+    /// acceleration stage accelerations, at the position stage 0.
     pub target: Vec<f64>,
     /// What is added to J target, one entry a row.
     pub bias: Vec<f64>,
     /// γ, what springs add to the diagonal of A, one entry a row.
     pub compliance: Vec<f64>,
+    /// The contacts whose friction follows their normal force; in x their tangential rows are 0.
+    pub slides: Vec<Slide>,
 }
 
 impl Problem {
@@ -85,9 +95,22 @@ impl Problem {
     /// # Errors
     /// If a number is not finite.
     pub fn velocity(scene: &Scene, assembly: Assembly) -> Result<Self> {
+        let bias = velocity::bias(&assembly, scene, scene.step.baumgarte);
+        Problem::stepping(scene, assembly, bias)
+    }
+
+    /// The same without feedback of errors: what is wrong with positions is left to others.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn unbiased(scene: &Scene, assembly: Assembly) -> Result<Self> {
+        let bias = velocity::bias(&assembly, scene, 0.0);
+        Problem::stepping(scene, assembly, bias)
+    }
+
+    fn stepping(scene: &Scene, assembly: Assembly, bias: Vec<f64>) -> Result<Self> {
         let target = velocity::target(&assembly, scene.step.dt);
-        let bias = velocity::bias(&assembly, scene);
-        Problem::new(Stage::Velocity, assembly, target, bias, scene.step.dt)
+        Problem::new(Stage::Velocity, assembly, target, bias, scene.step.dt, Vec::new())
     }
 
     /// The impulse LCP of bodies that hit: no force, no bias, only J u⁺ ≥ 0.
@@ -96,7 +119,7 @@ impl Problem {
     /// If a number is not finite.
     pub fn impact(assembly: Assembly) -> Result<Self> {
         let (target, bias) = (assembly.u.clone(), vec![0.0; assembly.rows.len()]);
-        Problem::new(Stage::Impact, assembly, target, bias, 0.0)
+        Problem::new(Stage::Impact, assembly, target, bias, 0.0, Vec::new())
     }
 
     /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that the first answer x pushes
@@ -119,9 +142,27 @@ impl Problem {
     /// # Errors
     /// If a number is not finite.
     pub fn acceleration(scene: &Scene, assembly: Assembly) -> Result<Self> {
+        Problem::sliding(scene, assembly, Vec::new())
+    }
+
+    /// The same with the friction of sliding contacts put in.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn sliding(scene: &Scene, assembly: Assembly, slides: Vec<Slide>) -> Result<Self> {
         let target = assembly.accelerate(&assembly.force);
         let bias = acceleration::bias(&assembly, scene);
-        Problem::new(Stage::Acceleration, assembly, target, bias, scene.step.dt)
+        Problem::new(Stage::Acceleration, assembly, target, bias, scene.step.dt, slides)
+    }
+
+    /// The LCP that corrects positions.
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn position(scene: &Scene, assembly: Assembly) -> Result<Self> {
+        let target = vec![0.0; assembly.columns()];
+        let bias = position::bias(&assembly, scene);
+        Problem::new(Stage::Position, assembly, target, bias, 0.0, Vec::new())
     }
 
     fn new(
@@ -130,28 +171,45 @@ impl Problem {
         target: Vec<f64>,
         bias: Vec<f64>,
         dt: f64,
+        slides: Vec<Slide>,
     ) -> Result<Self> {
         let rows = &assembly.rows;
         let compliance: Vec<f64> = rows.iter().map(|row| compliance(row, stage, dt)).collect();
-        let (lo, hi) = rows.iter().map(|row| limits(row, stage, dt)).unzip();
+        let (mut lo, mut hi): (Vec<f64>, Vec<f64>) =
+            rows.iter().map(|row| limits(row, stage, dt)).unzip();
         let friction = rows.iter().map(|row| match row.bounds {
             Bounds::Friction { normal, mu } => (Some(normal), mu),
             _ => (None, 0.0),
         });
-        let (index, mu) = friction.unzip();
+        let (mut index, mu): (Vec<Option<usize>>, Vec<f64>) = friction.unzip();
+        for &(t, _) in slides.iter().flat_map(|slide| &slide.drag) {
+            (lo[t], hi[t], index[t]) = (0.0, 0.0, None);
+        }
         let b = offsets(&assembly, &target, &bias);
-        let lcp = Lcp::new(delassus::matrix(&assembly, &compliance), b, lo, hi)?;
+        let lcp = Lcp::new(delassus::matrix(&assembly, &compliance, &slides), b, lo, hi)?;
         let lcp = lcp.with_coupling(Coupling::new(index, mu)?)?;
-        Ok(Problem { stage, dt, lcp, assembly, target, bias, compliance })
+        Ok(Problem { stage, dt, lcp, assembly, target, bias, compliance, slides })
+    }
+
+    /// The forces or impulses of an answer: x, and the friction that follows from it.
+    pub fn efforts(&self, x: &[f64]) -> Vec<f64> {
+        let mut efforts = x.to_vec();
+        for slide in &self.slides {
+            for &(t, part) in &slide.drag {
+                efforts[t] = part * x[slide.normal];
+            }
+        }
+        efforts
     }
 
     /// The motion with the constraints' x: target + M⁻¹ Jᵀ x.
     pub fn motion(&self, x: &[f64]) -> Vec<f64> {
-        let change = self.assembly.accelerate(&self.assembly.pull_back(x));
+        let change = self.assembly.accelerate(&self.assembly.pull_back(&self.efforts(x)));
         self.target.iter().zip(change).map(|(target, change)| target + change).collect()
     }
 
-    /// The velocities u⁺ that x leads to: the motion, or u + dt times it at acceleration level.
+    /// The velocities u⁺ that x leads to: the motion, u + dt times it at acceleration level, u
+    /// itself at position level.
     pub fn next_velocity(&self, x: &[f64], dt: f64) -> Vec<f64> {
         let motion = self.motion(x);
         match self.stage {
@@ -159,11 +217,18 @@ impl Problem {
             Stage::Acceleration => {
                 self.assembly.u.iter().zip(motion).map(|(u, rate)| u + dt * rate).collect()
             }
+            Stage::Position => self.assembly.u.clone(),
         }
     }
 
-    /// The states after the step: s + dt S u⁺, for the states of this instant.
+    /// The states after the step: s + dt S u⁺, for the states of this instant; at position level
+    /// s + S M⁻¹Jᵀx with the velocities they had.
     pub fn next_states(&self, states: &[State], x: &[f64], dt: f64) -> Vec<State> {
+        if self.stage == Stage::Position {
+            let moves = self.assembly.with_velocities(states, &self.motion(x));
+            let shifted = |(state, shift): (&State, &State)| state.displaced(&shift.velocity());
+            return states.iter().zip(&moves).map(shifted).collect();
+        }
         let moved = self.assembly.with_velocities(states, &self.next_velocity(x, dt));
         moved.iter().map(|state| state.advanced(dt)).collect()
     }
@@ -191,10 +256,10 @@ fn offsets(assembly: &Assembly, target: &[f64], bias: &[f64]) -> Vec<f64> {
 }
 
 /// lo and hi of a row: forces, or impulses of forces that act for dt; a blow is too short for
-/// forces that are limited.
+/// forces that are limited, and a correction of positions is no force at all.
 fn limits(row: &Row, stage: Stage, dt: f64) -> (f64, f64) {
     match (stage, row.bounds) {
-        (Stage::Impact, _) if row.is_gentle() => (0.0, 0.0),
+        (Stage::Impact | Stage::Position, _) if row.is_gentle() => (0.0, 0.0),
         (Stage::Velocity, Bounds::Effort(effort)) => (-effort * dt, effort * dt),
         (_, bounds) => bounds.interval(),
     }
@@ -203,7 +268,7 @@ fn limits(row: &Row, stage: Stage, dt: f64) -> (f64, f64) {
 /// γ of a row.
 fn compliance(row: &Row, stage: Stage, dt: f64) -> f64 {
     match row.spring {
-        Some(spring) if stage != Stage::Impact => spring.compliance(dt),
+        Some(spring) if !matches!(stage, Stage::Impact | Stage::Position) => spring.compliance(dt),
         _ => 0.0,
     }
 }

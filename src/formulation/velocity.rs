@@ -9,13 +9,14 @@
 //!        β/dt c, γ on the diagonal  a spring, with its own β
 //! ```
 //!
-//! A row that bounces has the bias e J u⁻ instead, never beside: a bias added to the bounce would
-//! turn a position error into energy. K&M Code 7 has −x (see the errata), `math §4`.
+//! β/dt is the corrected feedback; the chapter prints others, see [`Feedback`]. A row that bounces
+//! has the bias e J u⁻ instead, never beside: a bias added to the bounce would turn a position error
+//! into energy. K&M Code 7 has −x (see the errata), `math §4`.
 
 use super::{Problem, Stage};
 use crate::assembly::{Assembly, Row};
 use crate::constraint::{Bounds, Kind};
-use crate::scene::Scene;
+use crate::scene::{Feedback, Scene};
 
 /// u* = u + dt M⁻¹ F.
 pub(super) fn target(assembly: &Assembly, dt: f64) -> Vec<f64> {
@@ -23,15 +24,21 @@ pub(super) fn target(assembly: &Assembly, dt: f64) -> Vec<f64> {
     assembly.u.iter().zip(rate).map(|(u, rate)| u + dt * rate).collect()
 }
 
-pub(super) fn bias(assembly: &Assembly, scene: &Scene) -> Vec<f64> {
-    let (dt, beta) = (scene.step.dt, scene.step.baumgarte);
+/// The bias of each row, with the part `beta` of the errors fed back.
+pub(super) fn bias(assembly: &Assembly, scene: &Scene, beta: f64) -> Vec<f64> {
+    let dt = scene.step.dt;
+    let feedback = match scene.step.feedback {
+        Feedback::Corrected => beta / dt,
+        Feedback::Unscaled => beta,
+        Feedback::Printed => -beta,
+    };
     let slop = |row: &Row| if row.kind == Kind::Normal { scene.contact.slop } else { 0.0 };
     let bias = |row: &Row| match (row.spring, row.bounds) {
         (Some(spring), _) => spring.feedback(dt) * row.c,
         (None, Bounds::Friction { .. } | Bounds::Effort(_)) => 0.0 - row.speed,
         (None, Bounds::Unilateral) if row.c > 0.0 => row.c / dt,
-        (None, Bounds::Unilateral) => beta / dt * (row.c + slop(row)).min(0.0),
-        (None, Bounds::Bilateral) => beta / dt * row.c,
+        (None, Bounds::Unilateral) => feedback * (row.c + slop(row)).min(0.0),
+        (None, Bounds::Bilateral) => feedback * row.c,
     };
     assembly.rows.iter().map(bias).collect()
 }

@@ -12,7 +12,7 @@ use super::study::{
     worst_cases,
 };
 use crate::error::Result;
-use crate::scene::Scene;
+use crate::scene::{Formulation, Scene};
 use crate::solver::{Entry, entry};
 
 /// Runs everything in the experiment. The results do not depend on the number of threads.
@@ -144,7 +144,7 @@ impl Scenes {
     }
 
     fn tasks(&self, experiment: &Experiment) -> usize {
-        self.comparison.len() * comparison::runs(experiment.solvers.len())
+        self.comparison.len() * comparison::runs(&Formulation::LEVELS, experiment.solvers.len())
             + usize::from(experiment.closed_forms)
             + self.cross_check.len()
             + self.convergence.len()

@@ -8,6 +8,7 @@ mod build;
 pub mod catalogue;
 mod contacts;
 pub mod description;
+mod families;
 mod file;
 pub mod generate;
 mod joints;
@@ -15,8 +16,9 @@ mod settings;
 
 pub use contacts::{ContactId, Feature, Found, contacts};
 pub use description::Description;
+pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;
-pub use settings::{Contacts, Formulation, Manifold, Order, Persistence, Solver, Step};
+pub use settings::{Contacts, Manifold, Order, Persistence, Sliding, Solver, Step};
 
 use std::path::Path;
 use std::sync::Arc;

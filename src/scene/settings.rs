@@ -3,32 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 use crate::body::Gyroscopic;
 use crate::error::Defects;
-
-/// Which LCP a step means. `math §4`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Formulation {
-    /// The unknowns are impulses (N s), w is the velocity of a row after the step.
-    #[default]
-    Velocity,
-    /// The unknowns are forces (N), w is the acceleration of a row; impacts are impulses before.
-    Acceleration,
-}
-
-impl Formulation {
-    /// Both, in the order of tables.
-    pub const ALL: [Formulation; 2] = [Formulation::Velocity, Formulation::Acceleration];
-
-    /// The word in scene files and tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Formulation::Velocity => "velocity",
-            Formulation::Acceleration => "acceleration",
-        }
-    }
-}
 
 /// How a step is taken.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -38,14 +15,29 @@ pub struct Step {
     pub dt: f64,
     /// How many steps a simulation takes unless told otherwise.
     pub count: usize,
-    /// Which LCP a step means.
+    /// The family of methods that takes it.
     pub formulation: Formulation,
     /// What becomes of the torque −ω × I ω.
     pub gyroscopic: Gyroscopic,
-    /// Velocity level: the part β of the position error that is corrected in a step, 0 to 1.
+    /// Velocity level and sequential impulses: the part β of the position error that is corrected in
+    /// a step, 0 to 1.
     pub baumgarte: f64,
+    /// What β multiplies.
+    pub feedback: Feedback,
     /// Acceleration level: the rate α (1/s) at which position errors decay.
     pub alpha: f64,
+    /// Acceleration level: how accelerations become motion.
+    pub integrator: Integrator,
+    /// XPBD, soft step and penalty method: into how many substeps a step is divided.
+    pub substeps: usize,
+    /// Sequential impulses: sweeps over the rows in a solve. NGS: sweeps that correct positions.
+    pub sweeps: usize,
+    /// Settings of XPBD.
+    pub xpbd: Xpbd,
+    /// Settings of the soft step.
+    pub soft: Soft,
+    /// Settings of the penalty method.
+    pub penalty: Penalty,
 }
 
 impl Default for Step {
@@ -56,7 +48,14 @@ impl Default for Step {
             formulation: Formulation::default(),
             gyroscopic: Gyroscopic::default(),
             baumgarte: 0.0,
+            feedback: Feedback::default(),
             alpha: 0.0,
+            integrator: Integrator::default(),
+            substeps: 8,
+            sweeps: 20,
+            xpbd: Xpbd::default(),
+            soft: Soft::default(),
+            penalty: Penalty::default(),
         }
     }
 }
@@ -84,6 +83,18 @@ pub enum Persistence {
     None,
 }
 
+/// The friction force of a contact that slides, at acceleration level.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Sliding {
+    /// An unknown in a box, |x_t| ≤ μ x_n along two tangents: A stays symmetric.
+    #[default]
+    Box,
+    /// x_t = −μ x_n v_t/|v_t| exactly, put in for the unknown: A is not symmetric, and there may be
+    /// no solution (Painlevé).
+    Substituted,
+}
+
 /// When contacts count, and what they do.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -106,6 +117,10 @@ pub struct Contacts {
     pub manifold: Manifold,
     /// What of the contacts of a step is known in the next.
     pub persistence: Persistence,
+    /// Acceleration level: what friction does to a contact that slides.
+    pub sliding: Sliding,
+    /// Acceleration level: a contact that slips at up to this speed (m/s) sticks.
+    pub sticking_speed: f64,
 }
 
 impl Default for Contacts {
@@ -120,6 +135,8 @@ impl Default for Contacts {
             resting_speed: 1e-9,
             manifold: Manifold::default(),
             persistence: Persistence::default(),
+            sliding: Sliding::default(),
+            sticking_speed: 1e-9,
         }
     }
 }
@@ -176,6 +193,12 @@ impl Step {
         positive(defects, "step.dt", self.dt);
         within_one(defects, "step.baumgarte", self.baumgarte);
         not_negative(defects, "step.alpha", self.alpha);
+        if self.substeps == 0 {
+            defects.add("step.substeps", "must be at least 1, is 0");
+        }
+        self.xpbd.check(defects);
+        self.soft.check(defects);
+        self.penalty.check(defects);
     }
 }
 
@@ -188,6 +211,7 @@ impl Contacts {
         not_negative(defects, "contact.slop", self.slop);
         not_negative(defects, "contact.resting_gap", self.resting_gap);
         not_negative(defects, "contact.resting_speed", self.resting_speed);
+        not_negative(defects, "contact.sticking_speed", self.sticking_speed);
     }
 }
 

@@ -36,8 +36,8 @@ impl Laws {
     pub(super) fn of(states: &[State], solves: &[Solve], ledger: &Ledger) -> Self {
         let mut laws = Laws { friction_gain: ledger.friction.max(0.0), ..Laws::default() };
         for Solve { problem, solution } in solves {
-            let (rows, x) = (&problem.assembly.rows, &solution.x);
-            laws.cone_excess = laws.cone_excess.max(cone_excess(rows, x));
+            let (rows, x) = (&problem.assembly.rows, problem.efforts(&solution.x));
+            laws.cone_excess = laws.cone_excess.max(cone_excess(rows, &x));
             for (i, row) in rows.iter().enumerate() {
                 if row.bounds == Bounds::Unilateral {
                     laws.attraction = laws.attraction.max(-x[i]);

@@ -19,7 +19,7 @@ use crate::assembly::{Assembly, Row};
 use crate::body::{State, angular, linear};
 use crate::constraint::{Bounds, Kind};
 use crate::formulation::{Problem, Stage};
-use crate::scene::Scene;
+use crate::scene::{Formulation, Integrator, Scene};
 
 /// The change of kinetic plus potential energy in a step (J), by cause. Gains are positive.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -44,7 +44,8 @@ pub struct Ledger {
     pub gyroscopic: f64,
     /// Gravity along the path of the step against gravity along the mean velocity.
     pub integrator: f64,
-    /// Positions and velocities that were changed otherwise than by impulses.
+    /// Positions and velocities that were changed otherwise than by impulses: the corrections of split
+    /// impulse and NGS; the whole change in families without LCPs and by integrators with stages.
     pub correction: f64,
 }
 
@@ -77,11 +78,13 @@ impl Ledger {
             correction: potential(scene, after) - potential(scene, before),
             ..Ledger::default()
         };
+        if !is_impulsive(scene) {
+            return Ledger { correction: ledger.change, ..ledger };
+        }
         let mut deciding = deciding(solves).peekable();
         while let Some(Solve { problem, solution }) = deciding.next() {
-            let x = &solution.x;
-            let u_next = problem.next_velocity(x, problem.dt);
-            ledger.add_rows(scene, problem, x, &u_next);
+            let u_next = problem.next_velocity(&solution.x, problem.dt);
+            ledger.add_rows(scene, problem, &problem.efforts(&solution.x), &u_next);
             ledger.add_forces(scene, problem, &u_next);
             let (assembly, own) = (&problem.assembly, kinetic(&problem.assembly, &u_next));
             let then = match deciding.peek() {
@@ -156,17 +159,31 @@ impl std::ops::Add for Ledger {
     }
 }
 
-/// The solves whose answers counted: a bounce replaces the solve before it.
+/// Whether the solves of a step are all that changes velocities, each one an impulse: not so in
+/// families without LCPs, and where an integrator has stages.
+fn is_impulsive(scene: &Scene) -> bool {
+    match scene.step.formulation {
+        Formulation::Acceleration => scene.step.integrator == Integrator::SemiImplicitEuler,
+        Formulation::SequentialImpulses => true,
+        family => family.solves_lcps(),
+    }
+}
+
+/// The solves whose answers counted: a bounce replaces the solve before it, and corrections of
+/// positions are no impulses.
 fn deciding(solves: &[Solve]) -> impl Iterator<Item = &Solve> {
     let replaced =
         |k: usize| solves.get(k + 1).is_some_and(|next| next.problem.stage == Stage::Restitution);
-    solves.iter().enumerate().filter(move |&(k, _)| !replaced(k)).map(|(_, solve)| solve)
+    let counts =
+        move |&(k, solve): &(usize, &Solve)| !replaced(k) && solve.problem.stage != Stage::Position;
+    solves.iter().enumerate().filter(counts).map(|(_, solve)| solve)
 }
 
 /// X (N s) of an x.
 fn impulse(problem: &Problem, x: f64) -> f64 {
     match problem.stage {
         Stage::Acceleration => problem.dt * x,
+        Stage::Position => 0.0,
         Stage::Velocity | Stage::Impact | Stage::Restitution => x,
     }
 }
@@ -177,6 +194,7 @@ fn feedback(problem: &Problem, i: usize) -> f64 {
         Stage::Acceleration => {
             problem.dt * (problem.bias[i] - problem.assembly.rows[i].velocity_product)
         }
+        Stage::Position => 0.0,
         Stage::Velocity | Stage::Impact | Stage::Restitution => problem.bias[i],
     }
 }

@@ -3,12 +3,15 @@
 //! A step finds the contacts, assembles, solves and moves, each family of methods in its own way
 //! (`family/`). Each solve starts from the x that rows of the same name had before.
 
+mod correction;
 mod family;
+mod integrator;
 mod laws;
 mod ledger;
 mod motion;
 mod record;
 mod solving;
+mod sweep;
 
 pub use laws::Laws;
 pub use ledger::Ledger;
@@ -74,7 +77,8 @@ impl Simulation {
     /// Takes one step; after a failure the states are those before it.
     ///
     /// # Errors
-    /// A constraint without direction, or a state that is not finite.
+    /// [`Cause`] lists them: a constraint without direction, a problem that provably has no
+    /// solution, a state that is not finite.
     pub fn step(&mut self) -> Result<Step, Failure> {
         self.observed_step(&mut ())
     }
@@ -92,15 +96,16 @@ impl Simulation {
             previous: &self.previous,
             observer,
             solves: Vec::new(),
+            answers: Memory::new(),
         };
         let states = family::step(&mut solving, &self.states, &found).map_err(failure)?;
-        let solves = solving.solves;
+        let Solving { solves, answers, .. } = solving;
         if let Some(cause) = self.divergence(&states, &solves) {
             return Err(failure(cause));
         }
         let ledger = Ledger::of(&self.scene, &self.states, &solves, &states);
         let laws = Laws::of(&self.states, &solves, &ledger);
-        self.remember(&solves);
+        self.previous = answers;
         self.states.clone_from(&states);
         self.steps += 1;
         let motion = self.motion();
@@ -128,19 +133,13 @@ impl Simulation {
         Recording { motion, failure: None }
     }
 
-    fn remember(&mut self, solves: &[Solve]) {
-        self.previous.clear();
-        for Solve { problem, solution } in solves {
-            let rows = problem.assembly.rows.iter().zip(&solution.x);
-            self.previous.extend(rows.map(|(row, &x)| ((problem.stage, row.id), x)));
-        }
-    }
-
     fn divergence(&self, states: &[State], solves: &[Solve]) -> Option<Cause> {
         let sane = |state: &State| state.is_finite() && state.velocity().norm() < DIVERGED;
         let body = states.iter().position(|state| !sane(state))?;
-        let last = solves.last()?;
-        let rows = last.problem.assembly.rows.iter().zip(&last.solution.x);
+        let rows = solves
+            .last()
+            .into_iter()
+            .flat_map(|last| last.problem.assembly.rows.iter().zip(&last.solution.x));
         let acting = rows.filter(|(row, _)| row.bodies.contains(&Some(body)));
         let largest = acting.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
         let row = largest.map(|(row, _)| row.label(&self.scene));

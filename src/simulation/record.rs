@@ -5,6 +5,7 @@ use std::fmt;
 use super::{Laws, Ledger, Motion};
 use crate::assembly::Undefined;
 use crate::body::State;
+use crate::certificate::ray::Farkas;
 use crate::error::Error;
 use crate::formulation::Problem;
 use crate::scene::Found;
@@ -65,6 +66,19 @@ pub enum Cause {
     Undefined(Undefined),
     /// The LCP has numbers that are not finite.
     Problem(Error),
+    /// It is proved that the problem of the step has no solution.
+    NoSolution {
+        /// A sliding contact's row that no forces can satisfy.
+        row: String,
+        /// The vector that proves it, checked in exact arithmetic; without one, all active sets were
+        /// tried in exact arithmetic.
+        proof: Option<Farkas>,
+    },
+    /// The equation of the implicit midpoint did not settle: the step is too long for it.
+    Unsettled {
+        /// How much the rates still changed, beside their size.
+        change: f64,
+    },
     /// A body's state is not finite, or it moves faster than anything should.
     Diverged {
         /// The body's name.
@@ -93,11 +107,17 @@ impl fmt::Display for Cause {
         match self {
             Cause::Undefined(undefined) => write!(f, "{undefined}"),
             Cause::Problem(error) => write!(f, "{error}"),
+            Cause::NoSolution { row, .. } => {
+                write!(f, "no forces satisfy the sliding contact {row:?}: no solution exists")
+            }
+            Cause::Unsettled { change } => {
+                write!(f, "the implicit midpoint does not settle, its rates change by {change:.1e}")
+            }
             Cause::Diverged { body, row: Some(row) } => {
                 write!(f, "{body:?} diverged; the strongest row on it is {row:?}")
             }
             Cause::Diverged { body, row: None } => {
-                write!(f, "{body:?} diverged; no row acts on it")
+                write!(f, "{body:?} diverged; no row is known to act on it")
             }
         }
     }

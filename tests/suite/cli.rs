@@ -426,6 +426,26 @@ fn compare_takes_a_scene_that_is_not_shipped() {
 }
 
 #[test]
+fn a_family_is_chosen_on_the_command_line() {
+    let families = |args: &[&str]| -> Vec<(String, String)> {
+        let result: Value = serde_json::from_str(&out(&run(args))).unwrap();
+        let runs = result["comparison"]["runs"].as_array().unwrap();
+        let word = |run: &Value, key: &str| run[key].as_str().unwrap().to_string();
+        runs.iter().map(|run| (word(run, "formulation"), word(run, "solver"))).collect()
+    };
+    let levels = families(&["compare", "fig7", "--steps", "1", "--json", "--solver", "pgs"]);
+    assert_eq!(
+        levels.iter().map(|run| run.0.as_str()).collect::<Vec<_>>(),
+        ["velocity", "acceleration"]
+    );
+    let soft = ["compare", "fig7", "--steps", "1", "--json", "--formulation", "soft"];
+    assert_eq!(families(&soft), [("soft".into(), "none".into())]);
+    let output = run(&["simulate", "painleve", "--formulation", "acceleration"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(out(&output).contains("no solution exists"), "{}", out(&output));
+}
+
+#[test]
 fn a_scene_whose_solver_does_not_exist_is_refused() {
     let output = run(&["simulate", "fig6", "--solver", "magic"]);
     assert_eq!(output.status.code(), Some(2));

@@ -114,4 +114,5 @@ fn stages_have_names_and_units() {
         (Stage::Acceleration.name(), Stage::Acceleration.unit(true)),
         ("acceleration", "N m")
     );
+    assert_eq!((Stage::Position.name(), Stage::Position.unit(true)), ("position", "kg m²"));
 }

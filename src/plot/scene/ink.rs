@@ -133,12 +133,10 @@ impl<'a> Ink<'a> {
     fn round(&mut self, solid: &Solid, base: Rgb, ends: &[Place]) {
         let radius = solid.radius * self.lens.scale;
         if let [start, end] = *ends {
-            let width = tenth(2.0 * radius);
-            let (style, fill) = (hex(base), "fill=\"none\" stroke-linecap=\"round\"");
-            return self.line(
-                &format!("{fill} stroke=\"{style}\" stroke-width=\"{width}\""),
-                [start, end],
-            );
+            return match solid.part {
+                Part::Rod(_) => self.stroke(base, radius, [start, end]),
+                Part::Body(_) => self.capsule(base, radius, [start, end]),
+            };
         }
         let centre = ends[0];
         if base == POINT || radius < PLAIN {
@@ -154,6 +152,23 @@ impl<'a> Ink<'a> {
             self.great_circle(solid, &axis, base, centre, radius);
         }
         self.outline(centre, radius);
+    }
+
+    /// A line as wide as a round solid, with round ends.
+    fn stroke(&mut self, colour: Rgb, radius: f64, ends: [Place; 2]) {
+        let (colour, width) = (hex(colour), tenth(2.0 * radius));
+        let style = "fill=\"none\" stroke-linecap=\"round\"";
+        self.line(&format!("{style} stroke=\"{colour}\" stroke-width=\"{width}\""), ends);
+    }
+
+    /// Strokes on top of each other: a dark rim, then the brightness of a ball's discs.
+    fn capsule(&mut self, base: Rgb, radius: f64, ends: [Place; 2]) {
+        self.stroke(shade(base, 0.35), radius, ends);
+        for (light, aside, size) in LIT {
+            let (x, y) = (aside * radius * LIGHT.x, aside * radius * LIGHT.y);
+            let lit = ends.map(|(px, py)| (px + x, py - y));
+            self.stroke(shade(base, light), size * (radius - 0.7).max(0.5 * radius), lit);
+        }
     }
 
     /// The half that faces the viewer of the great circle across an axis of the body.

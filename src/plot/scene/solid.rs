@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use crate::body::{Body, Pose, Shape};
+use crate::body::{Body, Polytope, Pose, Shape};
 
 /// A convex solid in world coordinates (m): the hull of its corners, swollen by a radius. A ball is
 /// one corner and a radius, a polyhedron has the radius 0, a capsule would be two corners and a
@@ -39,7 +39,11 @@ impl Solid {
         match &body.shape {
             Shape::Point => Some(ball(part, pose, dot)),
             Shape::Sphere { radius } => Some(ball(part, pose, *radius)),
-            Shape::Box { half } => Some(cuboid(part, pose, half)),
+            Shape::Box { half } => Some(polyhedron(part, pose, &Polytope::cuboid(half))),
+            Shape::Capsule { half_length, radius } => {
+                Some(capsule(part, pose, *half_length, *radius))
+            }
+            Shape::Hull(hull) => Some(polyhedron(part, pose, hull)),
             Shape::Plane { .. } => None,
         }
     }
@@ -89,20 +93,27 @@ fn ball(part: Part, pose: &Pose, radius: f64) -> Solid {
     Solid { part, corners, radius, faces, edges, turn: pose.q }
 }
 
-/// Corner k lies on the positive side of axis i where bit i of k is set.
-fn cuboid(part: Part, pose: &Pose, half: &Vector3<f64>) -> Solid {
-    let side = |k: usize, i: usize| if k >> i & 1 == 1 { half[i] } else { -half[i] };
-    let corner = |k| pose.point(&Vector3::new(side(k, 0), side(k, 1), side(k, 2)));
+fn capsule(part: Part, pose: &Pose, half_length: f64, radius: f64) -> Solid {
+    let along = pose.direction(&Vector3::z());
+    let end = along * half_length;
+    let corners = vec![pose.p - end, pose.p + end];
+    Solid { part, corners, radius, faces: Vec::new(), edges: vec![along], turn: pose.q }
+}
+
+fn polyhedron(part: Part, pose: &Pose, shape: &Polytope) -> Solid {
+    let edge = |ends: [usize; 2]| shape.vertices[ends[1]] - shape.vertices[ends[0]];
+    let mut edges: Vec<Vector3<f64>> = Vec::new();
+    for along in shape.edges.iter().filter_map(|e| edge(e.ends).try_normalize(0.0)) {
+        if edges.iter().all(|known| known.cross(&along).norm() > 1e-9) {
+            edges.push(along);
+        }
+    }
     Solid {
         part,
-        corners: (0..8).map(corner).collect(),
+        corners: shape.vertices.iter().map(|vertex| pose.point(vertex)).collect(),
         radius: 0.0,
-        faces: CUBOID.map(Vec::from).into(),
-        edges: (0..3).map(|i| pose.direction(&Vector3::ith(i, 1.0))).collect(),
+        faces: shape.faces.iter().map(|face| face.corners.clone()).collect(),
+        edges: edges.iter().map(|along| pose.direction(along)).collect(),
         turn: pose.q,
     }
 }
-
-/// The faces −x, x, −y, y, −z, z.
-const CUBOID: [[usize; 4]; 6] =
-    [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];

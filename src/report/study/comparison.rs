@@ -1,4 +1,4 @@
-//! One scene, stepped at both levels by every solver, each answer judged.
+//! One scene, stepped by every solver, at both levels or by any family, each answer judged.
 
 use std::time::Instant;
 
@@ -10,7 +10,7 @@ use super::{at_level, scene_options};
 use crate::certificate::{Demand, judge};
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
-use crate::solver::{Entry, Solver, Status};
+use crate::solver::{Class, Dantzig, Entry, MatrixClass, Solver, Status};
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -93,6 +93,16 @@ pub struct Timing {
     pub seconds: f64,
 }
 
+/// What stands for the solver where a family solves no LCP: it is never asked.
+const NONE: Entry = Entry {
+    name: "none",
+    method: "no LCP is solved",
+    class: Class::of(MatrixClass::General),
+    source: "",
+    uses: &[],
+    build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
+};
+
 /// Steps a scene with each of these solvers at both levels; an entry need not be a registered one.
 ///
 /// Runs are spread over the threads of rayon's pool; none depends on another.
@@ -102,9 +112,21 @@ pub fn compare(
     steps: usize,
     progress: &ProgressBar,
 ) -> (Comparison, Vec<Timing>) {
-    let pairs: Vec<(Formulation, &Entry)> = Formulation::ALL
-        .into_iter()
-        .flat_map(|level| solvers.iter().map(move |solver| (level, solver)))
+    compare_families(scene, &Formulation::LEVELS, solvers, steps, progress)
+}
+
+/// The same by these families; those that solve no LCP have one run each.
+pub fn compare_families(
+    scene: &Scene,
+    families: &[Formulation],
+    solvers: &[Entry],
+    steps: usize,
+    progress: &ProgressBar,
+) -> (Comparison, Vec<Timing>) {
+    let of = |family: Formulation| if family.solves_lcps() { solvers } else { &[NONE] };
+    let pairs: Vec<(Formulation, &Entry)> = families
+        .iter()
+        .flat_map(|&family| of(family).iter().map(move |solver| (family, solver)))
         .collect();
     let run = |&(formulation, solver): &(Formulation, &Entry)| {
         let result = run(&at_level(scene, formulation), solver, steps);
@@ -124,9 +146,9 @@ pub fn compare(
     (comparison, timings)
 }
 
-/// The number of runs in a comparison of so many solvers, for progress bars.
-pub fn runs(solvers: usize) -> usize {
-    Formulation::ALL.len() * solvers
+/// The number of runs in a comparison of so many solvers by these families, for progress bars.
+pub fn runs(families: &[Formulation], solvers: usize) -> usize {
+    families.iter().map(|family| if family.solves_lcps() { solvers } else { 1 }).sum()
 }
 
 fn run(scene: &Scene, solver: &Entry, steps: usize) -> (Run, Timing) {

@@ -44,7 +44,7 @@ pub struct Curve {
 pub fn run(scene: &Scene, duration: f64) -> Study {
     let mut scale = 0.0;
     let mut curves = Vec::new();
-    for level in Formulation::ALL {
+    for level in Formulation::LEVELS {
         for division in [1, 2, 4] {
             let mut scene = at_level(scene, level);
             scene.step.dt /= division as f64;

@@ -1,19 +1,28 @@
-//! The acceleration level: impacts first, as impulses, then one LCP in forces.
+//! The acceleration level: impacts first, as impulses, then LCPs in forces.
 //!
 //! ```text
-//! u' = M⁻¹(F + Jᵀλ),   u⁺ = u + dt u',   s⁺ = s + dt S u⁺
+//! u' = M⁻¹(F + Jᵀλ),   and an integrator;   semi-implicit: u⁺ = u + dt u',   s⁺ = s + dt S u⁺
 //! ```
 //!
-//! Baraff 1994; K&M (U2), `math §4`.
+//! Which contacts rest is decided once a step, at its beginning; each stage of an integrator solves
+//! for their forces anew. The gyroscopic torque is always part of F. Errors are fed back by α.
+//! Springs, friction and motors look one dt ahead in every stage, so with them an integrator of
+//! higher order is of first order again.
+//!
+//! Where friction of sliding contacts is substituted, a contact whose slip would turn round within
+//! the step sticks. Restitution is part of the impacts. Baraff 1994; K&M (U2), `math §4`.
 
 use super::moved;
-use crate::assembly::{Entering, Row};
+use crate::assembly::{Assembly, Entering, Row, RowId};
 use crate::body::State;
+use crate::certificate::ray::refute;
 use crate::constraint::Bounds;
-use crate::formulation::Problem;
-use crate::scene::Found;
-use crate::simulation::Cause;
+use crate::formulation::{Problem, Slide};
+use crate::scene::{Found, Integrator, Scene, Sliding};
+use crate::simulation::integrator::{self, Rate};
 use crate::simulation::solving::Solving;
+use crate::simulation::{Cause, Solve};
+use crate::solver::Status;
 
 pub(super) fn step(
     solving: &mut Solving,
@@ -22,9 +31,92 @@ pub(super) fn step(
 ) -> Result<Vec<State>, Cause> {
     let states = impacts(solving, states, found)?;
     let assembly = solving.assemble(&states, found, Entering::Resting)?;
-    let problem = Problem::acceleration(solving.scene, assembly)?;
     let dt = solving.scene.step.dt;
-    Ok(moved(solving.solve(problem), &states, dt))
+    let method = match solving.scene.step.integrator {
+        Integrator::SemiImplicitEuler => {
+            return Ok(moved(forces(solving, assembly)?, &states, dt));
+        }
+        Integrator::ExplicitEuler => integrator::explicit_euler,
+        Integrator::Rk4 => integrator::rk4,
+        Integrator::ImplicitMidpoint => integrator::implicit_midpoint,
+    };
+    let resting: Vec<RowId> = assembly.rows.iter().map(|row| row.id).collect();
+    method(dt, &states, &mut |stage| rates(solving, stage, found, &resting))
+}
+
+/// y' at a stage, with the rows that were chosen at the beginning.
+fn rates(
+    solving: &mut Solving,
+    stage: &[State],
+    found: &[Found],
+    resting: &[RowId],
+) -> Result<Vec<Rate>, Cause> {
+    let unit = integrator::normalised(stage);
+    let assembly = solving.assemble(&unit, found, Entering::Only(resting))?;
+    let solve = forces(solving, assembly)?;
+    let accelerations = solve.problem.motion(&solve.solution.x);
+    let still = vec![State::WORLD; stage.len()];
+    let accelerations = solve.problem.assembly.with_velocities(&still, &accelerations);
+    let rate = |(state, a): (&State, &State)| Rate::of(state, &a.velocity());
+    Ok(stage.iter().zip(&accelerations).map(rate).collect())
+}
+
+/// The force LCP at an instant. Contacts that slide and would turn round are made to stick, one
+/// round after the other.
+fn forces<'s>(solving: &'s mut Solving, assembly: Assembly) -> Result<&'s Solve, Cause> {
+    let scene = solving.scene;
+    let mut slides = match scene.contact.sliding {
+        Sliding::Box => Vec::new(),
+        Sliding::Substituted => Slide::all(&assembly, scene.contact.sticking_speed),
+    };
+    loop {
+        let problem = Problem::sliding(scene, assembly.clone(), slides.clone())?;
+        let solve = solving.solve(problem);
+        if let Some(cause) = impossible(solve, scene) {
+            return Err(cause);
+        }
+        let u = solve.problem.next_velocity(&solve.solution.x, scene.step.dt);
+        let [before, after] = [&assembly.u, &u].map(|u| assembly.push_forward(u));
+        let count = slides.len();
+        slides.retain(|slide| !slide.reverses(&before, &after));
+        if slides.len() == count {
+            return Ok(solving.last());
+        }
+        solving.solves.pop(); // an answer to a question that was the wrong one
+    }
+}
+
+/// The proof that the problem has no solution, if it was not solved and there is one: a sliding
+/// contact alone, the sliding contacts of two bodies together, the solver's ray; or that all active
+/// sets were tried.
+fn impossible(solve: &Solve, scene: &Scene) -> Option<Cause> {
+    let Solve { problem, solution } = solve;
+    if solution.status == Status::Solved || problem.slides.is_empty() {
+        return None;
+    }
+    let rows = &problem.assembly.rows;
+    let normals = || problem.slides.iter().map(|slide| slide.normal);
+    let alone = normals().map(|row| (row, vec![row]));
+    let pairs = normals().map(|row| {
+        let same = |&other: &usize| rows[other].bodies == rows[row].bodies;
+        (row, normals().filter(same).collect())
+    });
+    let indicator = |(row, ones): (usize, Vec<usize>)| {
+        let d = (0..rows.len()).map(|j| if ones.contains(&j) { 1.0 } else { 0.0 });
+        (row, d.collect::<Vec<f64>>())
+    };
+    let ray = match &solution.status {
+        Status::Ray { row, direction } => Some((*row, direction.clone())),
+        _ => None,
+    };
+    let guesses = alone.chain(pairs).map(indicator).chain(ray);
+    let proofs = guesses.filter_map(|(row, d)| Some((row, refute(&problem.lcp, row, &d)?)));
+    let (row, proof) = match proofs.map(|(row, proof)| (row, Some(proof))).next() {
+        Some(found) => found,
+        None if solution.status == Status::NoSolution => (normals().next()?, None),
+        None => return None,
+    };
+    Some(Cause::NoSolution { row: rows[row].label(scene), proof })
 }
 
 /// The states after the impacts, where bodies touch or limits are met, and approach.

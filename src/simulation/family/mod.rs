@@ -1,13 +1,19 @@
 //! The families of methods, one a file: how a step is taken from the states at its beginning.
 
 mod acceleration;
+mod gauss_seidel;
+mod penalty;
+mod sequential;
+mod soft;
+mod split_impulse;
 mod velocity;
+mod xpbd;
 
 use super::solving::Solving;
 use super::{Cause, Solve};
 use crate::body::State;
 use crate::formulation::Formulation;
-use crate::scene::Found;
+use crate::scene::{Found, Scene, Step};
 
 /// The states after a step; `found` are the contacts at its beginning.
 pub(super) fn step(
@@ -18,18 +24,30 @@ pub(super) fn step(
     match solving.scene.step.formulation {
         Formulation::Velocity => velocity::step(solving, states, found),
         Formulation::Acceleration => acceleration::step(solving, states, found),
+        Formulation::SplitImpulse => split_impulse::step(solving, states, found),
+        Formulation::GaussSeidel => gauss_seidel::step(solving, states, found),
+        Formulation::Xpbd => xpbd::step(solving, states, found),
+        Formulation::Soft => soft::step(solving, states, found),
+        Formulation::Penalty => penalty::step(solving, states, found),
+        Formulation::SequentialImpulses => sequential::step(solving, states, found),
     }
 }
 
 /// How near (m) contacts must be to matter to a step.
-pub(super) fn reach(scene: &crate::scene::Scene) -> f64 {
+pub(super) fn reach(scene: &Scene) -> f64 {
     match scene.step.formulation {
-        Formulation::Velocity => scene.contact.margin,
         Formulation::Acceleration => scene.contact.resting_gap,
+        _ => scene.contact.margin,
     }
 }
 
 /// The states that an answer leads to.
 fn moved(solve: &Solve, states: &[State], dt: f64) -> Vec<State> {
     solve.problem.next_states(states, &solve.solution.x, dt)
+}
+
+/// The scene with the length of a substep.
+fn substepped(scene: &Scene) -> Scene {
+    let dt = scene.step.dt / scene.step.substeps as f64;
+    Scene { step: Step { dt, ..scene.step.clone() }, ..scene.clone() }
 }

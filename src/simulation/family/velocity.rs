@@ -24,3 +24,15 @@ pub(super) fn step(
     let dt = solving.scene.step.dt;
     Ok(moved(solving.solve_bouncing(problem)?, states, dt))
 }
+
+/// The same without feedback of position errors, for families that correct them afterwards.
+pub(super) fn unbiased(
+    solving: &mut Solving,
+    states: &[State],
+    found: &[Found],
+) -> Result<Vec<State>, Cause> {
+    let assembly = solving.assemble(states, found, Entering::Near)?;
+    let problem = Problem::unbiased(solving.scene, assembly)?;
+    let dt = solving.scene.step.dt;
+    Ok(moved(solving.solve_bouncing(problem)?, states, dt))
+}

@@ -20,6 +20,15 @@ fn a_ray_against_a_finite_bound_proves_nothing() {
 }
 
 #[test]
+fn for_an_unsymmetric_matrix_the_columns_count() {
+    // d = (1, 0): w1 = −x1 − 2 x2 − 1 is never ≥ 0. With the transposed matrix x = (1/5, 2/5) solves.
+    let lcp = contacts(&[&[-1.0, -2.0], &[3.0, 1.0]], &[-1.0, 0.0]);
+    assert!(refute(&lcp, 0, &[1.0, 0.0]).is_some());
+    let transposed = contacts(&[&[-1.0, 3.0], &[-2.0, 1.0]], &[-1.0, 0.0]);
+    assert!(refute(&transposed, 0, &[1.0, 0.0]).is_none());
+}
+
+#[test]
 fn a_direction_that_is_not_finite_or_too_short_proves_nothing() {
     let lcp = contacts(&[&[0.0]], &[-1.0]);
     for direction in [&[f64::INFINITY][..], &[f64::NAN], &[]] {

@@ -38,8 +38,8 @@ fn start(scene: Scene) -> Simulation {
 fn forces(step: &Step, simulation: &Simulation, constraint: usize) -> Vec<f64> {
     let scene = simulation.scene();
     let unit = match scene.step.formulation {
-        Formulation::Velocity => scene.step.dt,
         Formulation::Acceleration => 1.0,
+        _ => scene.step.dt,
     };
     let solve = step.solves.last().unwrap();
     let rows = solve.problem.assembly.rows.iter().zip(&solve.solution.x);

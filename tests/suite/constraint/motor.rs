@@ -34,7 +34,7 @@ fn follows(scene: Scene, inertia: f64, from: f64, speed: impl Fn(&lcplab::body::
 
 #[test]
 fn a_motor_speeds_up_with_its_effort_and_then_keeps_its_speed() {
-    for level in Formulation::ALL {
+    for level in Formulation::LEVELS {
         follows(driven("hinge", "motor_rotation", "", level), 0.2, 0.0, |s| s.omega.z);
         follows(driven("slider", "motor_translation", "", level), 2.0, 0.0, |s| s.v.z);
     }
@@ -42,7 +42,7 @@ fn a_motor_speeds_up_with_its_effort_and_then_keeps_its_speed() {
 
 #[test]
 fn a_motor_brakes_what_is_too_fast() {
-    for level in Formulation::ALL {
+    for level in Formulation::LEVELS {
         let fast = "angular_velocity = [0, 0, 20]";
         follows(driven("hinge", "motor_rotation", fast, level), 0.2, 20.0, |s| s.omega.z);
         let back = "velocity = [0, 0, -1]";

@@ -53,7 +53,7 @@ fn wrenches(scene: Scene) -> [Vector6<f64>; 3] {
 #[test]
 fn every_joint_reports_the_weight_that_hangs_on_it() {
     for case in cases() {
-        for level in Formulation::ALL {
+        for level in Formulation::LEVELS {
             let mut scene = scene(&case);
             scene.step.formulation = level;
             let [joint, angular, all] = wrenches(scene);

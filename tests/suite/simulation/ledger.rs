@@ -28,7 +28,7 @@ fn ball(height: f64, speed: f64, gravity: f64, restitution: f64, level: Formulat
 #[test]
 fn free_fall_loses_what_the_step_overshoots() {
     // v⁺ = v − g dt and p⁺ = p + dt v⁺ fall ½ g dt² too far in each step: −½ m g² dt².
-    for level in Formulation::ALL {
+    for level in Formulation::LEVELS {
         for step in steps(ball(10.0, 1.0, 9.81, 0.0, level), 5) {
             let Ledger { change, integrator, .. } = step.ledger;
             assert_near(integrator, -0.5 * 2.0 * (9.81f64 * 0.01).powi(2), 1e-14);
@@ -40,7 +40,8 @@ fn free_fall_loses_what_the_step_overshoots() {
 #[test]
 fn a_blow_takes_the_energy_and_a_bounce_gives_e_squared_of_it_back() {
     // X = m (1 + e) v: the blow takes ½ X v, the bounce gives ½ X e v.
-    for (level, e) in Formulation::ALL.into_iter().flat_map(|level| [(level, 0.0), (level, 0.5)]) {
+    for (level, e) in Formulation::LEVELS.into_iter().flat_map(|level| [(level, 0.0), (level, 0.5)])
+    {
         let step = &steps(ball(0.0, 3.0, 0.0, e, level), 1)[0];
         let impulse = 2.0 * (1.0 + e) * 3.0;
         assert_near(step.ledger.contact, -0.5 * impulse * 3.0, 1e-12);
@@ -52,7 +53,7 @@ fn a_blow_takes_the_energy_and_a_bounce_gives_e_squared_of_it_back() {
 #[test]
 fn friction_takes_its_force_times_the_way() {
     // The box of 2 kg slides down 20 degrees with μ = 0.3: each step −μ m g cos θ · ½ dt (v + v⁺).
-    for level in Formulation::ALL {
+    for level in Formulation::LEVELS {
         let scene = scene("incline", level);
         let force = 0.3 * 2.0 * 9.81 * 20f64.to_radians().cos();
         let mut speed = 0.0;
@@ -67,7 +68,10 @@ fn friction_takes_its_force_times_the_way() {
 #[test]
 fn the_accounts_of_every_shipped_scene_close_to_rounding() {
     for shipped in catalogue::SHIPPED {
-        for level in Formulation::ALL {
+        for level in Formulation::LEVELS {
+            if (shipped.name, level) == ("painleve", Formulation::Acceleration) {
+                continue; // provably has no solution: see painleve.rs
+            }
             let mut scene = shipped.scene().unwrap();
             scene.step.formulation = level;
             for step in steps(scene, 8) {
@@ -85,18 +89,44 @@ fn the_accounts_of_every_shipped_scene_close_to_rounding() {
 #[test]
 fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
     for shipped in catalogue::SHIPPED {
-        for level in Formulation::ALL {
+        for level in Formulation::LEVELS {
+            if (shipped.name, level) == ("painleve", Formulation::Acceleration) {
+                continue; // provably has no solution: see painleve.rs
+            }
             let mut scene = shipped.scene().unwrap();
             scene.step.formulation = level;
             for step in steps(scene, 8) {
                 let laws = step.laws;
                 assert!(laws.attraction == 0.0, "{} {level:?}: {laws:?}", shipped.name);
                 assert!(laws.cone_excess <= 2f64.sqrt() - 1.0 + 1e-6, "{laws:?}");
-                assert!(laws.friction_gain < 1e-9, "{} {level:?}: {laws:?}", shipped.name);
+                // Painlevé's rod pivots on a sticking corner: J turns, and the corner has a slip of
+                // ω² l dt again before each step.
+                let gain = if shipped.name == "painleve" { 1e-7 } else { 1e-9 };
+                assert!(laws.friction_gain < gain, "{} {level:?}: {laws:?}", shipped.name);
                 assert!(laws.internal_impulse < 1e-12, "{} {level:?}: {laws:?}", shipped.name);
                 // A joint that drifts pulls at two points that are apart: a torque of drift × force.
                 let allowed = 1e-10 + 1e3 * step.motion.drift;
                 assert!(laws.internal_torque < allowed, "{} {level:?}: {laws:?}", shipped.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_accounts_close_in_every_family() {
+    for family in Formulation::FAMILIES {
+        for name in ["stack", "pendulum"] {
+            for step in steps(scene(name, family), 8) {
+                assert!(step.ledger.remainder().abs() < 1e-10, "{name} {family:?}");
+                let corrects = matches!(
+                    family,
+                    Formulation::SplitImpulse
+                        | Formulation::GaussSeidel
+                        | Formulation::Xpbd
+                        | Formulation::Soft
+                        | Formulation::Penalty
+                );
+                assert!(corrects || step.ledger.correction.abs() < 1e-10, "{name} {family:?}");
             }
         }
     }

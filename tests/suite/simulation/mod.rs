@@ -1,10 +1,13 @@
 //! Motions against closed forms.
 
 mod failures;
+mod families;
 mod free;
 mod friction;
 mod impact;
+mod integrators;
 mod ledger;
+mod painleve;
 mod pendulum;
 mod resting;
 mod shipped;

@@ -8,7 +8,10 @@ use super::{scene, simulation};
 #[test]
 fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
     for shipped in catalogue::SHIPPED {
-        for level in Formulation::ALL {
+        for level in Formulation::LEVELS {
+            if (shipped.name, level) == ("painleve", Formulation::Acceleration) {
+                continue; // provably has no solution: see painleve.rs
+            }
             let scene = scene(shipped.name, level);
             // One per cent of a metre-sized scene, and of the energy that gravity has given.
             let steps = if scene.bodies.len() > 100 { 3 } else { 30 };

@@ -1,4 +1,7 @@
-//! The scenes that lcplab ships, embedded in the program: the files of the folder `scenes/`.
+//! The scenes that lcplab ships, embedded in the program: the files of the folder `scenes/`; and exact
+//! solutions of some.
+
+pub mod pendulum;
 
 use super::Scene;
 use crate::error::Result;
@@ -34,6 +37,7 @@ pub const SHIPPED: &[Shipped] = shipped![
     "chain",
     "ball_chain",
     "net",
+    "painleve",
 ];
 
 impl Shipped {

@@ -1,0 +1,126 @@
+//! Pendulums in reduced coordinates: angles in place of positions and rods, so that no constraint can
+//! drift. An oracle for the scenes `pendulum` and `double_pendulum` that shares nothing with them.
+//!
+//! ```text
+//! one mass      φ'' = −(g/l) sin φ,   period 2π √(l/g)/agm(1, cos(φ0/2)) from rest at φ0
+//! two masses    with Δ = φ1 − φ2 and the Lagrangian's mass matrix, ω = φ':
+//!               | (m1+m2) l1        m2 l2 cos Δ | |φ1''|   | −m2 l2 ω2² sin Δ − (m1+m2) g sin φ1 |
+//!               | l1 cos Δ          l2          | |φ2''| = | l1 ω1² sin Δ − g sin φ2             |
+//! ```
+//!
+//! Angles are from the vertical, positive towards +x. The motion is followed by the classical
+//! Runge-Kutta method in steps of at most 10⁻⁴ s: its error is below 10⁻¹² s⁴ a second.
+
+use std::f64::consts::TAU;
+
+/// The longest step (s).
+const STEP: f64 = 1e-4;
+
+/// A point mass on a massless rod.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pendulum {
+    /// l (m).
+    pub length: f64,
+    /// g (m/s²).
+    pub gravity: f64,
+}
+
+/// A point mass on a rod that hangs on another one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DoublePendulum {
+    /// m1, m2 (kg), the upper one first.
+    pub masses: [f64; 2],
+    /// l1, l2 (m).
+    pub lengths: [f64; 2],
+    /// g (m/s²).
+    pub gravity: f64,
+}
+
+/// Angles (rad) and their rates (rad/s).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swing<const N: usize> {
+    /// φ, from the vertical.
+    pub angles: [f64; N],
+    /// φ'.
+    pub rates: [f64; N],
+}
+
+impl Pendulum {
+    /// The swing a time (s) later.
+    ///
+    /// ```
+    /// use lcplab::scene::catalogue::pendulum::{Pendulum, Swing};
+    ///
+    /// let pendulum = Pendulum { length: 1.0, gravity: 9.81 };
+    /// let start = Swing { angles: [1.0], rates: [0.0] };
+    /// let later = pendulum.after(pendulum.period(1.0), start);
+    /// assert!((later.angles[0] - 1.0).abs() < 1e-10);
+    /// ```
+    pub fn after(&self, time: f64, start: Swing<1>) -> Swing<1> {
+        follow(time, start, |swing| [-self.gravity / self.length * swing.angles[0].sin()])
+    }
+
+    /// The period (s) of swings that rest at this angle, below π.
+    pub fn period(&self, amplitude: f64) -> f64 {
+        let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
+        while (a - b).abs() > 1e-15 * a {
+            (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        }
+        TAU * (self.length / self.gravity).sqrt() / a
+    }
+}
+
+impl DoublePendulum {
+    /// The swing a time (s) later.
+    pub fn after(&self, time: f64, start: Swing<2>) -> Swing<2> {
+        follow(time, start, |swing| self.accelerations(swing))
+    }
+
+    /// Kinetic and potential energy (J), the latter 0 at the height of the pivot.
+    pub fn energy(&self, swing: &Swing<2>) -> f64 {
+        let ([m1, m2], [l1, l2], g) = (self.masses, self.lengths, self.gravity);
+        let ([a1, a2], [w1, w2]) = (swing.angles, swing.rates);
+        let (v1, v2) = (l1 * w1, l2 * w2);
+        let cross = 2.0 * v1 * v2 * (a1 - a2).cos();
+        let kinetic = 0.5 * m1 * v1 * v1 + 0.5 * m2 * (v1 * v1 + v2 * v2 + cross);
+        kinetic - (m1 + m2) * g * l1 * a1.cos() - m2 * g * l2 * a2.cos()
+    }
+
+    fn accelerations(&self, swing: &Swing<2>) -> [f64; 2] {
+        let ([m1, m2], [l1, l2], g) = (self.masses, self.lengths, self.gravity);
+        let ([a1, a2], [w1, w2]) = (swing.angles, swing.rates);
+        let (sin, cos) = (a1 - a2).sin_cos();
+        let (a, b) = ((m1 + m2) * l1, m2 * l2 * cos);
+        let (c, d) = (l1 * cos, l2);
+        let f1 = -m2 * l2 * w2 * w2 * sin - (m1 + m2) * g * a1.sin();
+        let f2 = l1 * w1 * w1 * sin - g * a2.sin();
+        let determinant = a * d - b * c;
+        [(d * f1 - b * f2) / determinant, (a * f2 - c * f1) / determinant]
+    }
+}
+
+/// The swing a time later, for φ'' = f(φ, φ').
+fn follow<const N: usize>(
+    time: f64,
+    start: Swing<N>,
+    f: impl Fn(&Swing<N>) -> [f64; N],
+) -> Swing<N> {
+    let steps = (time / STEP).ceil().max(1.0);
+    let h = time / steps;
+    let plus = |a: [f64; N], h: f64, b: [f64; N]| std::array::from_fn(|i| a[i] + h * b[i]);
+    let moved = |y: &Swing<N>, h: f64, k: &Swing<N>| Swing {
+        angles: plus(y.angles, h, k.angles),
+        rates: plus(y.rates, h, k.rates),
+    };
+    let rate = |y: &Swing<N>| Swing { angles: y.rates, rates: f(y) };
+    let mut y = start;
+    for _ in 0..steps as usize {
+        let k1 = rate(&y);
+        let k2 = rate(&moved(&y, h / 2.0, &k1));
+        let k3 = rate(&moved(&y, h / 2.0, &k2));
+        let k4 = rate(&moved(&y, h, &k3));
+        let sum = moved(&moved(&moved(&k1, 2.0, &k2), 2.0, &k3), 1.0, &k4);
+        y = moved(&y, h / 6.0, &sum);
+    }
+    y
+}

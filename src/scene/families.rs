@@ -1,0 +1,194 @@
+//! The families of methods that a step can be taken by, and what can be chosen about each.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::settings::{not_negative, positive};
+use crate::error::Defects;
+
+/// How a step is taken. `math §4`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Formulation {
+    /// An LCP: the unknowns are impulses (N s), w is the velocity of a row after the step.
+    #[default]
+    Velocity,
+    /// An LCP: the unknowns are forces (N), w is the acceleration of a row; impacts are impulses
+    /// before.
+    Acceleration,
+    /// The velocity level without feedback of errors, then a second LCP that moves the bodies out
+    /// of their errors and leaves their velocities alone.
+    SplitImpulse,
+    /// The velocity level without feedback, then positions corrected row by row (NGS).
+    GaussSeidel,
+    /// Positions corrected row by row in small steps, velocities from positions.
+    Xpbd,
+    /// Every row a spring of a given frequency, one sweep a small step, and a sweep that relaxes.
+    Soft,
+    /// Springs and dampers in place of constraints, taken explicitly in small steps.
+    Penalty,
+    /// The velocity level by impulses on the bodies, row by row, without a matrix.
+    SequentialImpulses,
+}
+
+impl Formulation {
+    /// The two levels whose step is one LCP: what solvers are compared on.
+    pub const LEVELS: [Formulation; 2] = [Formulation::Velocity, Formulation::Acceleration];
+
+    /// All of them, in the order of tables.
+    pub const FAMILIES: [Formulation; 8] = [
+        Formulation::Velocity,
+        Formulation::Acceleration,
+        Formulation::SplitImpulse,
+        Formulation::GaussSeidel,
+        Formulation::Xpbd,
+        Formulation::Soft,
+        Formulation::Penalty,
+        Formulation::SequentialImpulses,
+    ];
+
+    /// The word in scene files and tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Formulation::Velocity => "velocity",
+            Formulation::Acceleration => "acceleration",
+            Formulation::SplitImpulse => "split-impulse",
+            Formulation::GaussSeidel => "gauss-seidel",
+            Formulation::Xpbd => "xpbd",
+            Formulation::Soft => "soft",
+            Formulation::Penalty => "penalty",
+            Formulation::SequentialImpulses => "sequential-impulses",
+        }
+    }
+
+    /// The family of this name.
+    pub fn by_name(name: &str) -> Option<Formulation> {
+        Formulation::FAMILIES.into_iter().find(|family| family.name() == name)
+    }
+
+    /// Whether it solves LCPs, so that the choice of a solver matters.
+    pub fn solves_lcps(self) -> bool {
+        use Formulation::{Acceleration, GaussSeidel, SplitImpulse, Velocity};
+        matches!(self, Velocity | Acceleration | SplitImpulse | GaussSeidel)
+    }
+}
+
+/// How accelerations become motion; acceleration level only.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Integrator {
+    /// s⁺ = s + dt S u, u⁺ = u + dt u': first order, gains energy.
+    ExplicitEuler,
+    /// u⁺ = u + dt u', s⁺ = s + dt S u⁺: first order, keeps energy near what it is.
+    #[default]
+    SemiImplicitEuler,
+    /// The classical Runge-Kutta method: fourth order.
+    Rk4,
+    /// y⁺ = y + dt f((y + y⁺)/2): second order, the same forwards and backwards.
+    ImplicitMidpoint,
+}
+
+/// How the position error c enters the velocity of a row (Baumgarte; K&M (25)).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Feedback {
+    /// J u = −(β/dt) c: c shrinks by 1 − β a step.
+    #[default]
+    Corrected,
+    /// J u = −β c, with β read as a rate (1/s): c shrinks by 1 − β dt only (erratum E34).
+    Unscaled,
+    /// J u = +β c, the chapter's Code 7 with its (34): c grows by 1 + β dt (errata E34, E35).
+    Printed,
+}
+
+/// The soft step: each row a spring of this frequency on the mass that it feels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Soft {
+    /// The frequency of joints (Hz).
+    pub joint_hertz: f64,
+    /// The damping ratio ζ of joints; 1 is critical.
+    pub joint_damping: f64,
+    /// The frequency of contacts and limits (Hz).
+    pub contact_hertz: f64,
+    /// The damping ratio ζ of contacts and limits.
+    pub contact_damping: f64,
+    /// No frequency is above this part of the rate of substeps: beyond it a single sweep cannot keep
+    /// up.
+    pub rate_limit: f64,
+    /// The greatest speed (m/s) at which bodies that overlap are pushed apart.
+    pub push_speed: f64,
+    /// Sweeps without feedback after each substep; 0 for none.
+    pub relax: usize,
+}
+
+impl Default for Soft {
+    fn default() -> Self {
+        Soft {
+            joint_hertz: 60.0,
+            joint_damping: 2.0,
+            contact_hertz: 30.0,
+            contact_damping: 10.0,
+            rate_limit: 0.125,
+            push_speed: 4.0,
+            relax: 1,
+        }
+    }
+}
+
+/// XPBD: positions corrected row by row in small steps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Xpbd {
+    /// How far every row without a spring of its own yields (m/N, for angles rad/(N m)); 0 is rigid.
+    pub compliance: f64,
+    /// Sweeps over the rows in a substep.
+    pub sweeps: usize,
+}
+
+impl Default for Xpbd {
+    fn default() -> Self {
+        Xpbd { compliance: 0.0, sweeps: 20 }
+    }
+}
+
+/// The penalty method: what stands in for rigidity.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Penalty {
+    /// k (N/m, for angles N m/rad) of every row without a spring of its own.
+    pub stiffness: f64,
+    /// d (N s/m, for angles N m s/rad) of the same; also how friction and motors resist a wrong
+    /// speed, up to their bound.
+    pub damping: f64,
+}
+
+impl Default for Penalty {
+    fn default() -> Self {
+        Penalty { stiffness: 1e4, damping: 10.0 }
+    }
+}
+
+impl Soft {
+    pub(super) fn check(&self, defects: &mut Defects) {
+        positive(defects, "step.soft.joint_hertz", self.joint_hertz);
+        positive(defects, "step.soft.contact_hertz", self.contact_hertz);
+        positive(defects, "step.soft.rate_limit", self.rate_limit);
+        not_negative(defects, "step.soft.joint_damping", self.joint_damping);
+        not_negative(defects, "step.soft.contact_damping", self.contact_damping);
+        not_negative(defects, "step.soft.push_speed", self.push_speed);
+    }
+}
+
+impl Xpbd {
+    pub(super) fn check(&self, defects: &mut Defects) {
+        not_negative(defects, "step.xpbd.compliance", self.compliance);
+    }
+}
+
+impl Penalty {
+    pub(super) fn check(&self, defects: &mut Defects) {
+        not_negative(defects, "step.penalty.stiffness", self.stiffness);
+        not_negative(defects, "step.penalty.damping", self.damping);
+    }
+}

@@ -1,0 +1,173 @@
+//! The soft step: every row a spring on the mass that it feels, small steps, one sweep each.
+//!
+//! ```text
+//! m = 1/(J M⁻¹Jᵀ),   ω = 2π f,   k = m ω²,   d = 2 m ζ ω         a spring, taken implicitly over h:
+//! w = J u + (β/h) c + γ x,   γ = 1/(h (d + h k)),   β = h k/(d + h k)
+//! each substep:   u ← u + h M⁻¹F + M⁻¹Jᵀx;   sweep(β, γ);   s ← s + h S u;   relax: sweep(0, 0)
+//! ```
+//!
+//! The spring pulls errors in at its own pace, however heavy what it holds, and the relaxing sweep
+//! takes the speed of that out of u again. An impulse x is kept from sweep to sweep. A gap may close
+//! within a substep (bias c/h). One sweep a substep makes a spring on a light body under a heavy one
+//! unstable above some f: two particles with inverse masses 0.167 and 0.000995 at h = 1/60 s, ζ = 0,
+//! above 13.57 Hz, with one relaxing sweep above 20.94 Hz; hence `rate_limit`.
+//!
+//! Restitution: contacts that pushed in a substep get the rest of e J u⁻ at the end of the step.
+//! Springs of the scene keep their own k and d. Catto, *Solver2D*, 2024 ("TGS soft").
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use super::substepped;
+use crate::assembly::{Assembly, Entering, Row, RowId};
+use crate::body::State;
+use crate::constraint::{Bounds, Kind, Spring};
+use crate::formulation::Stage;
+use crate::scene::{Found, Scene};
+use crate::simulation::Cause;
+use crate::simulation::solving::{Solving, assembled};
+use crate::simulation::sweep::{Aim, Sweeper};
+
+/// The impulse of each row so far, by name.
+type Impulses = BTreeMap<RowId, f64>;
+
+pub(super) fn step(
+    solving: &mut Solving,
+    states: &[State],
+    found: &[Found],
+) -> Result<Vec<State>, Cause> {
+    let scene = substepped(solving.scene);
+    let first = assembled(&scene, states, found, Entering::Near)?;
+    let approach: Impulses = first.rows.iter().map(|row| (row.id, row.velocity)).collect();
+    let mut impulses = named(&first, &solving.start(Stage::Velocity, &first));
+    let mut pushed = Impulses::new();
+    let mut states = states.to_vec();
+    for _ in 0..scene.step.substeps {
+        states = substep(&scene, &states, found, &mut impulses)?;
+        for (&id, &x) in &impulses {
+            let most = pushed.entry(id).or_insert(x);
+            *most = most.max(x);
+        }
+        for _ in 0..scene.step.soft.relax {
+            states = swept(&scene, &states, found, &mut impulses, relaxed_aim)?;
+        }
+    }
+    let last = assembled(&scene, &states, found, Entering::Near)?;
+    let x = placed(&last, &impulses);
+    solving.remember(Stage::Velocity, &last, &x);
+    Ok(bounced(&scene, &last, &states, x, &approach, &pushed))
+}
+
+/// Forces, the impulses so far, a soft sweep, and the move.
+fn substep(
+    scene: &Scene,
+    states: &[State],
+    found: &[Found],
+    impulses: &mut Impulses,
+) -> Result<Vec<State>, Cause> {
+    let h = scene.step.dt;
+    let assembly = assembled(scene, states, found, Entering::Near)?;
+    let rates = assembly.accelerate(&assembly.force);
+    let push = assembly.accelerate(&assembly.pull_back(&placed(&assembly, impulses)));
+    let kicked =
+        assembly.u.iter().zip(rates).zip(push).map(|((u, rate), push)| u + h * rate + push);
+    let kicked = assembly.with_velocities(states, &kicked.collect::<Vec<_>>());
+    let swept = swept(scene, &kicked, found, impulses, soft_aim)?;
+    Ok(swept.iter().map(|state| state.advanced(h)).collect())
+}
+
+/// The states after one sweep; the impulses go along.
+fn swept(
+    scene: &Scene,
+    states: &[State],
+    found: &[Found],
+    impulses: &mut Impulses,
+    aim: impl Fn(&Row, f64, &Scene) -> Aim,
+) -> Result<Vec<State>, Cause> {
+    let assembly = assembled(scene, states, found, Entering::Near)?;
+    let sweeper = Sweeper::new(&assembly, scene.step.dt);
+    let rows = assembly.rows.iter().enumerate();
+    let aims: Vec<Aim> = rows.map(|(i, row)| aim(row, sweeper.diagonal(i), scene)).collect();
+    let (mut x, mut u) = (placed(&assembly, impulses), assembly.u.clone());
+    sweeper.sweep(&aims, &mut x, &mut u);
+    *impulses = named(&assembly, &x);
+    Ok(assembly.with_velocities(states, &u))
+}
+
+/// A row as a spring; `a` is J M⁻¹ Jᵀ.
+fn soft_aim(row: &Row, a: f64, scene: &Scene) -> Aim {
+    let (h, soft, contact) = (scene.step.dt, &scene.step.soft, row.kind == Kind::Normal);
+    let (hertz, ratio) = match row.bounds {
+        Bounds::Unilateral => (soft.contact_hertz, soft.contact_damping),
+        _ => (soft.joint_hertz, soft.joint_damping),
+    };
+    let slop = if contact { scene.contact.slop } else { 0.0 };
+    let error = match row.bounds {
+        Bounds::Unilateral => (row.c + slop).min(0.0),
+        _ => row.c,
+    };
+    let omega = TAU * hertz.min(soft.rate_limit / h);
+    let spring = Spring { stiffness: omega * omega / a, damping: 2.0 * ratio * omega / a };
+    let push = if contact { soft.push_speed } else { f64::INFINITY };
+    match firm_aim(row, h) {
+        Some(aim) => aim,
+        None => {
+            Aim { bias: (spring.feedback(h) * error).max(-push), compliance: spring.compliance(h) }
+        }
+    }
+}
+
+/// The same row without feedback.
+fn relaxed_aim(row: &Row, _: f64, scene: &Scene) -> Aim {
+    firm_aim(row, scene.step.dt).unwrap_or(Aim { bias: 0.0, compliance: 0.0 })
+}
+
+/// What springs, gaps, friction and motors aim at in every sweep; `None` for the others.
+fn firm_aim(row: &Row, h: f64) -> Option<Aim> {
+    let firm = |bias| Some(Aim { bias, compliance: 0.0 });
+    match (row.spring, row.bounds) {
+        (Some(spring), _) => {
+            let (bias, compliance) = (spring.feedback(h) * row.c, spring.compliance(h));
+            Some(Aim { bias, compliance })
+        }
+        (None, Bounds::Friction { .. } | Bounds::Effort(_)) => firm(-row.speed),
+        (None, Bounds::Unilateral) if row.c > 0.0 => firm(row.c / h),
+        _ => None,
+    }
+}
+
+/// The states with the bounce of contacts that were hit: J u⁺ = −e J u⁻ where that is faster.
+fn bounced(
+    scene: &Scene,
+    assembly: &Assembly,
+    states: &[State],
+    mut x: Vec<f64>,
+    approach: &Impulses,
+    pushed: &Impulses,
+) -> Vec<State> {
+    let e = scene.contact.restitution;
+    let sweeper = Sweeper::new(assembly, scene.step.dt);
+    let mut u = assembly.u.clone();
+    for (i, row) in assembly.rows.iter().enumerate() {
+        let before = approach.get(&row.id).copied().unwrap_or(0.0);
+        let hit = row.kind == Kind::Normal && pushed.get(&row.id).is_some_and(|&x| x > 0.0);
+        if hit && e > 0.0 && before < -scene.contact.bounce_speed && sweeper.diagonal(i) > 0.0 {
+            let wanted = x[i] - (sweeper.velocity(i, &u) + e * before) / sweeper.diagonal(i);
+            let next = wanted.max(0.0);
+            sweeper.push(i, next - x[i], &mut u);
+            x[i] = next;
+        }
+    }
+    assembly.with_velocities(states, &u)
+}
+
+/// x by name.
+fn named(assembly: &Assembly, x: &[f64]) -> Impulses {
+    assembly.rows.iter().zip(x).map(|(row, &x)| (row.id, x)).collect()
+}
+
+/// x by row, 0 for new rows.
+fn placed(assembly: &Assembly, impulses: &Impulses) -> Vec<f64> {
+    let x = |row: &Row| impulses.get(&row.id).copied().unwrap_or(0.0);
+    assembly.rows.iter().map(x).collect()
+}

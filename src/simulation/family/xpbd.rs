@@ -1,0 +1,157 @@
+//! Extended position-based dynamics (XPBD): bodies fall freely for a small step, then positions are
+//! corrected row by row, and velocities are what the positions did.
+//!
+//! ```text
+//! u = u⁻ + h M⁻¹F,   s = s⁻ + h S u
+//! each row:   Δx = −((1 − β) J u + (β/h) c + γ x)/(J M⁻¹Jᵀ + γ),   x ← Π(x + Δx)
+//!             s ← s + h S M⁻¹Jᵀ Δx,   u ← u + M⁻¹Jᵀ Δx                  J, c at the newest s and u
+//! u = (s − s⁻)/h,   ω = 2 vec(q (q⁻)⁻¹)/h
+//! ```
+//!
+//! The published multiplier is h x. A row of compliance α has β = 1 and γ = α/h²: rigid for α = 0. A
+//! spring k, d has the β and γ of the implicit spring, friction and motors have β = 0: they hold the
+//! slip of the substep. Contacts and limits keep x ≥ 0. Sweeps that end early leave errors that become
+//! velocities: five boxes, at rest, gain 1.9 J in 1.5 s with one sweep in each of 8 substeps, 0.4 J with
+//! 4, 0.02 J with 20.
+//!
+//! A correction is a velocity: a joint that starts torn apart snaps together, with the speed c/h. At
+//! contacts the velocity is set afterwards, to −e J u⁻ if that bounces, else to 0, so that bodies that
+//! overlap are moved and not thrown. Macklin, Müller & Chentanez 2016; Müller et al. 2020.
+
+use super::substepped;
+use crate::assembly::{Entering, Source};
+use crate::body::State;
+use crate::constraint::{Bounds, Constraint, Kind, Row};
+use crate::scene::{Found, Scene};
+use crate::simulation::Cause;
+use crate::simulation::correction::{Lever, rows, sources};
+use crate::simulation::solving::{Solving, assembled};
+
+pub(super) fn step(
+    solving: &mut Solving,
+    states: &[State],
+    found: &[Found],
+) -> Result<Vec<State>, Cause> {
+    let scene = substepped(solving.scene);
+    let mut states = states.to_vec();
+    for _ in 0..scene.step.substeps {
+        states = substep(&scene, &states, found)?;
+    }
+    Ok(states)
+}
+
+fn substep(scene: &Scene, before: &[State], found: &[Found]) -> Result<Vec<State>, Cause> {
+    let h = scene.step.dt;
+    let mut states = free(scene, before)?;
+    let sources = sources(scene, found);
+    let mut x: Vec<Vec<f64>> = Vec::with_capacity(sources.len());
+    for &(source, constraint) in &sources {
+        x.push(vec![0.0; rows(source, constraint, before)?.len()]);
+    }
+    for _ in 0..scene.step.xpbd.sweeps {
+        for (&(source, constraint), x) in sources.iter().zip(&mut x) {
+            correct(scene, source, constraint, x, &mut states)?;
+        }
+    }
+    let mut states: Vec<State> =
+        before.iter().zip(&states).map(|(old, new)| with_rate(old, new, h)).collect();
+    for _ in 0..scene.step.xpbd.sweeps {
+        for (&(source, constraint), x) in sources.iter().zip(&mut x) {
+            settle(scene, source, constraint, x, before, &mut states)?;
+        }
+    }
+    Ok(states)
+}
+
+/// The states after h without constraints.
+fn free(scene: &Scene, states: &[State]) -> Result<Vec<State>, Cause> {
+    let h = scene.step.dt;
+    let assembly = assembled(scene, states, &[], Entering::Near)?;
+    let rates = assembly.accelerate(&assembly.force);
+    let u: Vec<f64> = assembly.u.iter().zip(rates).map(|(u, rate)| u + h * rate).collect();
+    let kicked = assembly.with_velocities(states, &u);
+    Ok(kicked.iter().map(|state| state.advanced(h)).collect())
+}
+
+/// Corrects the rows of a constraint, one after the other; x are their impulses so far (N s).
+fn correct(
+    scene: &Scene,
+    source: Source,
+    constraint: &dyn Constraint,
+    x: &mut [f64],
+    states: &mut [State],
+) -> Result<(), Cause> {
+    let h = scene.step.dt;
+    for k in 0..x.len() {
+        let row = rows(source, constraint, states)?[k];
+        let (beta_per_h, gamma) = softness(&row, scene);
+        let lever = Lever::new(scene, constraint, &row, states);
+        if lever.mobility > 0.0 {
+            let slip = (1.0 - h * beta_per_h) * (lever.velocity - row.speed);
+            let w = slip + beta_per_h * error(&row, scene) + gamma * x[k];
+            let next = project(&row, x[k] - w / (lever.mobility + gamma), x, h);
+            lever.shift(h * (next - x[k]), states);
+            lever.push(next - x[k], states);
+            x[k] = next;
+        }
+    }
+    Ok(())
+}
+
+/// β/h (1/s) and γ of a row.
+fn softness(row: &Row, scene: &Scene) -> (f64, f64) {
+    let h = scene.step.dt;
+    match (row.spring, row.bounds) {
+        (Some(spring), _) => (spring.feedback(h), spring.compliance(h)),
+        (None, Bounds::Friction { .. } | Bounds::Effort(_)) => (0.0, 0.0),
+        (None, _) => (1.0 / h, scene.step.xpbd.compliance / (h * h)),
+    }
+}
+
+/// What of c is to go (m or rad); overlap up to the slop may stay.
+fn error(row: &Row, scene: &Scene) -> f64 {
+    let slop = if row.kind == Kind::Normal && row.c < 0.0 { scene.contact.slop } else { 0.0 };
+    if row.c < 0.0 { (row.c + slop).min(0.0) } else { row.c }
+}
+
+/// Π of a row, after the x of the rows before it.
+fn project(row: &Row, value: f64, before: &[f64], h: f64) -> f64 {
+    let (lo, hi) = match row.bounds {
+        Bounds::Friction { normal, mu } => (-mu * before[normal], mu * before[normal]),
+        Bounds::Effort(effort) => (-effort * h, effort * h),
+        bounds => bounds.interval(),
+    };
+    value.max(lo).min(hi)
+}
+
+/// The new pose with the velocity that led to it; of a body that did not move, 0.
+fn with_rate(old: &State, new: &State, h: f64) -> State {
+    let turn = new.pose.q.into_inner() * old.pose.q.inverse().into_inner();
+    let way = if turn.w < 0.0 { -2.0 / h } else { 2.0 / h };
+    State { v: (new.pose.p - old.pose.p) / h, omega: turn.imag() * way, ..*new }
+}
+
+/// A contact that pushed neither throws nor holds: J u = −e J u⁻ where that bounces, else 0, as far
+/// as x stays a push.
+fn settle(
+    scene: &Scene,
+    source: Source,
+    constraint: &dyn Constraint,
+    x: &mut [f64],
+    before: &[State],
+    states: &mut [State],
+) -> Result<(), Cause> {
+    let old = rows(source, constraint, before)?;
+    for (k, row) in rows(source, constraint, states)?.into_iter().enumerate() {
+        if row.kind == Kind::Normal && x[k] > 0.0 {
+            let approach = Lever::new(scene, constraint, &old[k], before).velocity;
+            let bounces = approach < -scene.contact.bounce_speed;
+            let aim = if bounces { -scene.contact.restitution * approach } else { 0.0 };
+            let lever = Lever::new(scene, constraint, &row, states);
+            let push = ((aim - lever.velocity) / lever.mobility).max(-x[k]);
+            lever.push(push, states);
+            x[k] += push;
+        }
+    }
+    Ok(())
+}
