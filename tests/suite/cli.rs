@@ -451,3 +451,19 @@ fn a_scene_whose_solver_does_not_exist_is_refused() {
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).starts_with("error: there is no solver named \"magic\""));
 }
+
+#[test]
+fn verify_prints_a_row_a_closed_form_and_says_how_many_pass() {
+    let table = run(&["verify", "--only", "free-fall", "--fast"]);
+    assert_eq!(table.status.code(), Some(0), "{}", err(&table));
+    assert!(out(&table).ends_with("8 of 8 rows pass\n"), "{}", out(&table));
+    let json = run(&["verify", "--only", "free-fall", "--fast", "--json"]);
+    let page: Value = serde_json::from_str(&out(&json)).unwrap();
+    // Semi-implicit Euler's height is of first order: the derived order, and the observed one.
+    let row = &page["rows"][1];
+    assert_eq!(row["row"]["criterion"]["order"], 1.0);
+    assert!((row["observed_order"].as_f64().unwrap() - 1.0).abs() < 0.1, "{row}");
+    let unknown = run(&["verify", "--only", "free-fly"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(err(&unknown).contains("there is no closed form named \"free-fly\""));
+}

@@ -11,6 +11,7 @@ mod painleve;
 mod pendulum;
 mod resting;
 mod shipped;
+mod symmetry;
 
 use lcplab::scene::{Formulation, Scene};
 use lcplab::simulation::{Simulation, Step};

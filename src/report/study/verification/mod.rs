@@ -159,6 +159,7 @@ const CASES: &[(&str, Study)] = &[
     ("cradle", impact::cradle),
     ("catenary", rope::catenary),
     ("atwood", rope::atwood),
+    ("feedback", joint::feedback),
     ("spring", joint::spring),
     ("motor", joint::motor),
     ("bricard", bricard::bricard),

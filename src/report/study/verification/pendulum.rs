@@ -43,7 +43,7 @@ pub(super) fn swing(size: Size) -> Result<Vec<Row>> {
     let period = pendulum.period(FRAC_PI_2);
     let mut rows = Vec::new();
     for (method, order, _) in METHODS {
-        case.scene.step.dt = if method == Method::Rk4 { 0.04 } else { 0.01 };
+        case.scene.step.dt = if method == Method::Rk4 { 0.04 } else { 0.005 };
         let known = vec![Known::order(order, "period at 90°", AGM, "s", period)];
         rows.extend(case.rows(method, known, |scene| {
             let times = passages(scene, (2, 1.5 * period), angle)?;
@@ -138,7 +138,6 @@ pub(super) fn conical(size: Size) -> Result<Vec<Row>> {
 /// Two masses against the Lagrangian's equations for two angles.
 pub(super) fn double(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("double-pendulum", "double_pendulum", size)?;
-    case.scene.step.dt = 0.0025;
     let gravity = -case.scene.gravity.z;
     let double = DoublePendulum { masses: [1.0; 2], lengths: [1.0; 2], gravity };
     let time = 0.5;
@@ -148,6 +147,7 @@ pub(super) fn double(size: Size) -> Result<Vec<Row>> {
         ["Lagrange's equations in two angles", "l_1 \\sin\\varphi_1 + l_2 \\sin\\varphi_2"];
     let mut rows = Vec::new();
     for (method, _, order) in METHODS {
+        case.scene.step.dt = if method == Method::Rk4 { 0.02 } else { 0.0025 };
         let known =
             vec![Known::order(order, "x of the lower mass at 0.5 s", formula, "m", exact.x)];
         rows.extend(

@@ -29,7 +29,7 @@ pub(super) fn flip(size: Size) -> Result<Vec<Row>> {
     ];
     let mut rows = Vec::new();
     for (method, order) in [(Method::Velocity, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)] {
-        case.scene.step.dt = if method == Method::Rk4 { 0.04 } else { 0.01 };
+        case.scene.step.dt = if method == Method::Rk4 { 0.016 } else { 0.01 };
         let mut known = vec![Known::order(order, "time until ω2 = 0", formula, "s", quarter)];
         if method != Method::Velocity {
             let kept = [
