@@ -31,7 +31,7 @@ pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
     for (method, order) in
         [(Method::Acceleration, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)]
     {
-        case.scene.step.dt = if method == Method::Acceleration { 0.0025 } else { 0.01 };
+        case.scene.step.dt = if method == Method::Rk4 { 0.005 } else { 0.0025 };
         let known = Known::order(order, "error of the rod after 0.2 s", formula, "m", decayed);
         rows.extend(
             case.rows(method, vec![known], |scene| Some(vec![left(&after(scene, time)?[0])])),
