@@ -13,7 +13,7 @@ use crate::certificate::{Demand, judge};
 use crate::error::Result;
 use crate::lcp::file::number;
 use crate::scene::Scene;
-use crate::simulation::{Failure, Laws, Ledger, Motion, Simulation, Step};
+use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Step};
 use crate::solver::Status;
 
 /// The record of a simulation so far.
@@ -34,6 +34,8 @@ pub struct Record {
     laws: Laws,
     work: Ledger,
     failure: Option<String>,
+    /// The proof that the failed step had no solution.
+    proof: Option<Value>,
 }
 
 impl Record {
@@ -56,6 +58,7 @@ impl Record {
             laws: Laws::default(),
             work: Ledger::default(),
             failure: None,
+            proof: None,
         };
         record.tables.start(scene, &motion, simulation.states());
         record.note(&motion);
@@ -84,6 +87,7 @@ impl Record {
     /// Notes why the simulation ended early, if it did.
     pub fn end(&mut self, failure: Option<&Failure>) {
         self.failure = failure.map(|failure| format!("{}: {failure}", self.scene.name));
+        self.proof = failure.and_then(|failure| proof(&failure.cause));
     }
 
     /// Whether all steps were taken and the judge accepts every answer.
@@ -129,6 +133,7 @@ impl Record {
                 "internal_torque": number(self.laws.internal_torque),
             },
             "failure": self.failure,
+            "certificate": self.proof,
         })
     }
 
@@ -185,4 +190,14 @@ impl Record {
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
         self.last = motion.clone();
     }
+}
+
+/// The certificate of a step without solution: the row, and the exact vector d whose dᵀw cannot be
+/// what the bounds ask of it; none where all active sets were tried instead.
+fn proof(cause: &Cause) -> Option<Value> {
+    let Cause::NoSolution { row, proof } = cause else { return None };
+    let vector = proof
+        .as_ref()
+        .map(|farkas| farkas.vector.iter().map(ToString::to_string).collect::<Vec<_>>());
+    Some(json!({ "kind": "no_solution", "row": row, "farkas": vector }))
 }
