@@ -30,6 +30,7 @@ pub const SHIPPED: &[Shipped] = shipped![
     "fig7",
     "sphere_plane",
     "incline",
+    "sliding",
     "stack",
     "persistence",
     "pendulum",
