@@ -1,7 +1,12 @@
 //! The scenes that lcplab ships, embedded in the program: the files of the folder `scenes/`; and exact
 //! solutions of some.
 
+pub mod bounce;
+pub mod fall;
+pub mod ladder;
 pub mod pendulum;
+pub mod rolling;
+pub mod spin;
 
 use super::Scene;
 use crate::error::Result;
@@ -28,13 +33,30 @@ macro_rules! shipped {
 pub const SHIPPED: &[Shipped] = shipped![
     "fig6",
     "fig7",
+    "free_fall",
+    "bouncing_ball",
+    "cradle",
+    "cradle_touching",
     "sphere_plane",
+    "rolling_sphere",
     "incline",
     "sliding",
+    "ladder",
     "stack",
     "persistence",
     "pendulum",
+    "iftomm_pendulum",
+    "conical_pendulum",
     "double_pendulum",
+    "spring",
+    "spring_damped",
+    "motor",
+    "atwood",
+    "catenary",
+    "top",
+    "dzhanibekov",
+    "bricard",
+    "rolling_balls",
     "chain",
     "ball_chain",
     "net",
