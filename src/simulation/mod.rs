@@ -3,6 +3,7 @@
 //! A step finds the contacts, assembles, solves and moves, each family of methods in its own way
 //! (`family/`). Each solve starts from the x that rows of the same name had before.
 
+mod conflict;
 mod correction;
 mod family;
 mod integrator;

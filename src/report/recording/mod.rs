@@ -33,6 +33,7 @@ pub struct Record {
     worst_remainder: f64,
     laws: Laws,
     work: Ledger,
+    conflict: Vec<String>,
     failure: Option<String>,
 }
 
@@ -55,6 +56,7 @@ impl Record {
             worst_remainder: 0.0,
             laws: Laws::default(),
             work: Ledger::default(),
+            conflict: Vec::new(),
             failure: None,
         };
         record.tables.start(scene, &motion, simulation.states());
@@ -72,6 +74,9 @@ impl Record {
             self.accepted += usize::from(holds);
             self.refuted_claims += usize::from(solve.solution.status == Status::Solved && !holds);
             self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
+            if !holds && self.conflict.is_empty() {
+                self.conflict = solve.conflict(&self.scene);
+            }
         }
         self.steps = step.number;
         self.tables.add(&self.scene, step);
@@ -128,6 +133,7 @@ impl Record {
                 "internal_impulse": number(self.laws.internal_impulse),
                 "internal_torque": number(self.laws.internal_torque),
             },
+            "conflict": self.conflict,
             "failure": self.failure,
         })
     }
@@ -174,6 +180,9 @@ impl Record {
             text += &format!("\n             {name:<12} {work:>13.6e} J");
         }
         text.push('\n');
+        if !self.conflict.is_empty() {
+            text += &format!("conflict     no forces satisfy together: {}\n", self.conflict.join(", "));
+        }
         if let Some(failure) = &self.failure {
             text += &format!("failed       {failure}\n");
         }
