@@ -36,6 +36,7 @@ pub struct Record {
     worst_remainder: f64,
     laws: Laws,
     work: Ledger,
+    conflict: Vec<String>,
     failure: Option<String>,
     /// The proof that the failed step had no solution.
     proof: Option<Value>,
@@ -61,6 +62,7 @@ impl Record {
             worst_remainder: 0.0,
             laws: Laws::default(),
             work: Ledger::default(),
+            conflict: Vec::new(),
             failure: None,
             proof: None,
         };
@@ -81,6 +83,9 @@ impl Record {
             self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
             if !self.solvers.contains(&solve.solver) {
                 self.solvers.push(solve.solver);
+            }
+            if !holds && self.conflict.is_empty() {
+                self.conflict = solve.conflict(&self.scene);
             }
         }
         self.steps = step.number;
@@ -140,6 +145,7 @@ impl Record {
                 "internal_impulse": number(self.laws.internal_impulse),
                 "internal_torque": number(self.laws.internal_torque),
             },
+            "conflict": self.conflict,
             "failure": self.failure,
             "certificate": self.proof,
         })
@@ -197,6 +203,10 @@ impl Record {
             text += &format!("\n             {name:<12} {work:>13.6e} J");
         }
         text.push('\n');
+        if !self.conflict.is_empty() {
+            text +=
+                &format!("conflict     no forces satisfy together: {}\n", self.conflict.join(", "));
+        }
         if let Some(failure) = &self.failure {
             text += &format!("failed       {failure}\n");
         }
