@@ -3,11 +3,13 @@
 //! World axes are right-handed, z is up by custom. A body's frame has its origin in the centre of
 //! mass and its axes along the principal axes of inertia. SI units throughout. `math §1`.
 
+mod alignment;
 mod gyroscopic;
 pub mod inertia;
 mod polytope;
 mod state;
 
+pub use alignment::alignment;
 pub use gyroscopic::Gyroscopic;
 pub use polytope::{Edge, Face, Polytope};
 pub use state::{Pose, State};

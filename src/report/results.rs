@@ -44,16 +44,43 @@ pub struct Results {
 }
 
 impl Results {
-    /// Whether every known number came out and no claim of a solver was refuted.
+    /// Whether every known number came out, every cost and sweep count is the one of theory, and no
+    /// claim of a solver was refuted.
     pub fn is_good(&self) -> bool {
-        self.verification.iter().all(verification::Row::passes) && self.refuted_claims() == 0
+        let (costs, sweeps) = (self.costs(), self.sweep_counts());
+        self.verification.iter().all(verification::Row::passes)
+            && costs.0 == costs.1
+            && sweeps.0 == sweeps.1
+            && self.refuted_claims() == 0
     }
 
-    /// The outcome in two lines.
+    /// How many methods cost what theory says on one LCP, and how many there are.
+    fn costs(&self) -> (usize, usize) {
+        let cases = || self.worst_cases.iter().flat_map(|study| &study.cases);
+        let sizes =
+            self.worst_cases.iter().flat_map(|study| study.sizes.clone()).collect::<Vec<_>>();
+        (cases().filter(|case| case.agrees(&sizes)).count(), cases().count())
+    }
+
+    /// How many columns take as many sweeps as predicted, and how many there are.
+    fn sweep_counts(&self) -> (usize, usize) {
+        (self.rates.iter().filter(|system| system.sweeps.agree()).count(), self.rates.len())
+    }
+
+    /// The outcome in a few lines.
     pub fn summary(&self) -> String {
         let runs = || self.comparisons.iter().flat_map(|comparison| &comparison.runs);
         let passed = self.verification.iter().filter(|row| row.passes()).count();
-        format!(
+        let mut text = String::new();
+        for (name, (agree, all), what) in [
+            ("rates", self.sweep_counts(), "columns take as many sweeps as predicted"),
+            ("five costs", self.costs(), "methods cost what theory says"),
+        ] {
+            if all > 0 {
+                text += &format!("{name:<14} {agree} of {all} {what}\n");
+            }
+        }
+        text + &format!(
             "closed forms   {passed} of {} as theory says\n\
              comparison     {} problems, {} claimed solved, {} accepted by the judge, {} claims refuted",
             self.verification.len(),

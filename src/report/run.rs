@@ -144,7 +144,7 @@ impl Scenes {
     }
 
     fn tasks(&self, experiment: &Experiment) -> usize {
-        self.comparison.len() * comparison::runs(&Formulation::LEVELS, experiment.solvers.len())
+        self.comparison.len() * Formulation::LEVELS.len() * experiment.solvers.len()
             + usize::from(experiment.verification.is_some())
             + self.cross_check.len()
             + self.convergence.len()

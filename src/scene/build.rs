@@ -10,7 +10,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use super::description::{self, Capsule, Description, Rotation};
 use super::joints::Site;
 use super::settings::{not_negative, positive};
-use super::{Scene, generate};
+use super::{Scene, friction, generate};
 use crate::body::{Body, Mass, Polytope, Pose, Shape, State, inertia};
 use crate::error::{Defects, Result};
 
@@ -22,6 +22,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     let whole = generate::expand(description, &mut defects);
     whole.step.check(&mut defects);
     whole.contact.check(&mut defects);
+    friction::check(&mut defects, &whole.step, &whole.contact);
     whole.solver.check(&mut defects);
     finite(&mut defects, "gravity", &whole.gravity);
     let mut scene = Scene {

@@ -85,7 +85,7 @@ impl Ledger {
             return Ledger { correction: ledger.change, ..ledger };
         }
         let mut deciding = deciding(solves).peekable();
-        while let Some(Solve { problem, solution }) = deciding.next() {
+        while let Some(Solve { problem, solution, .. }) = deciding.next() {
             let u_next = problem.next_velocity(&solution.x, problem.dt);
             ledger.add_rows(scene, problem, &problem.efforts(&solution.x), &u_next);
             ledger.add_forces(scene, problem, &u_next);

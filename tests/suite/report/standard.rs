@@ -22,7 +22,7 @@ sparsity = [{ scene = "stack", step = 1 }]
 drift = [{ scene = "pendulum", duration = 0.1 }]
 "#;
 
-fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
+pub fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("small.toml");
     std::fs::write(&path, text).unwrap();

@@ -1,6 +1,10 @@
 //! Every closed form at the fast size, and that the page can fail.
 
+use indicatif::ProgressBar;
 use lcplab::report::study::verification::{Criterion, Row, Sample, Size, names, run};
+use lcplab::report::{self, view};
+
+use super::standard::experiment;
 
 #[test]
 fn every_closed_form_comes_out_at_its_order() {
@@ -64,4 +68,19 @@ fn a_case_that_does_not_exist_is_refused_with_those_that_do() {
     let message = run(Size::Fast, Some("pendulm")).unwrap_err().to_string();
     assert!(message.starts_with("there is no closed form named \"pendulm\""), "{message}");
     assert!(message.contains("conical-pendulum"), "{message}");
+}
+
+#[test]
+fn the_page_sets_every_formula_and_shows_every_row() {
+    let text = "title = \"t\"\nlead = \"l\"\nverification = \"fast\"\nsolvers = []\n";
+    let experiment = experiment(text).unwrap();
+    let results = report::run::run(&experiment, &ProgressBar::hidden()).unwrap();
+    assert!(results.is_good(), "{}", results.summary());
+    let document = view::document(&results);
+    let (_, table) = document.tables.iter().find(|(id, _)| id == "closed_forms").unwrap();
+    assert_eq!(table.rows.len(), results.verification.len());
+    let html = document.page.render().unwrap(); // LaTeX that cannot be set is an error
+    for row in &results.verification {
+        assert!(html.contains(&format!("<em>{}</em>, ", row.case)), "{}", row.case);
+    }
 }

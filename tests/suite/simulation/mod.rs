@@ -4,6 +4,7 @@ mod failures;
 mod families;
 mod free;
 mod friction;
+mod friction_models;
 mod impact;
 mod integrators;
 mod ledger;
