@@ -70,13 +70,19 @@ fn friction(model: Model, degrees: f64) -> (f64, f64) {
     (lost.xy().norm(), lost.y.atan2(lost.x).to_degrees())
 }
 
+/// What floats at dt μ v sinks as it slows down, and that takes load off: in step n
+/// x_n (1 + μ²) = m g dt + μ² times the x_n of the step before, which is 1 − (μ²/(1 + μ²))ⁿ of m g dt.
+fn sinking() -> f64 {
+    1.0 - (MU * MU / (1.0 + MU * MU)).powi(3)
+}
+
 #[test]
 fn friction_on_an_oblique_slider_is_what_each_models_figure_allows() {
     let eighth = (PI / 8.0).cos();
     for (model, degrees, size, direction) in [
         (Model::CoulombCone, 30.0, 1.0, 30.0),
         (Model::CoulombCone, 45.0, 1.0, 45.0),
-        (Model::AssociatedCone, 30.0, 1.0, 30.0),
+        (Model::AssociatedCone, 30.0, sinking(), 30.0),
         (Model::CoupledBox, 45.0, SQRT_2, 45.0),
         (Model::CoupledBox, 30.0, SQRT_2, 45.0),
         (Model::FrozenBox, 30.0, SQRT_2, 45.0),
@@ -95,7 +101,8 @@ fn friction_on_an_oblique_slider_is_what_each_models_figure_allows() {
 fn all_models_agree_on_a_slider_along_a_tangent() {
     for model in Model::ALL {
         let (size, direction) = friction(model, 0.0);
-        assert!((size - 1.0).abs() < 1e-6 && direction.abs() < 1e-3, "{model}: {size}");
+        let exact = if model == Model::AssociatedCone { sinking() } else { 1.0 };
+        assert!((size - exact).abs() < 1e-6 && direction.abs() < 1e-3, "{model}: {size}");
     }
 }
 
@@ -330,12 +337,12 @@ fn answers_are_judged_by_the_problem_that_was_posed() {
             for solve in &step.solves {
                 assert_eq!(solve.solution.status, Status::Solved, "{model} by {}", solve.solver);
                 assert!(solve.judged(&demand).verdict.is_solution(), "{model}");
-                assert_eq!(solve.posing.is_none(), model == Model::CoupledBox);
-                if step.number == 20 {
-                    // While it slides askew, no other model's answer solves the coupled box.
+                let rubs = solve.problem.lcp.coupling().is_some_and(|c| !c.is_empty());
+                assert_eq!(solve.posing.is_some(), rubs && model != Model::CoupledBox);
+                if step.number == 1 && model != Model::CoupledBox {
+                    // It slides askew: no other model's answer solves the coupled box.
                     let boxed = judge(&solve.problem.lcp, &solve.solution.x, &demand);
-                    let alike = matches!(model, Model::CoupledBox | Model::FrozenBox);
-                    assert!(alike || !boxed.verdict.is_solution(), "{model}");
+                    assert!(!boxed.verdict.is_solution(), "{model}");
                 }
             }
         }
