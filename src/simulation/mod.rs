@@ -4,6 +4,7 @@
 //! (`family/`). Each solve starts from the x that rows of the same name had before.
 
 mod answering;
+mod conflict;
 mod correction;
 mod family;
 mod integrator;

@@ -14,7 +14,7 @@ use crate::error::Result;
 use crate::formulation::friction_model;
 use crate::lcp::file::number;
 use crate::scene::Scene;
-use crate::simulation::{Failure, Laws, Ledger, Motion, Simulation, Step};
+use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Step};
 use crate::solver::Status;
 
 /// The record of a simulation so far.
@@ -36,7 +36,10 @@ pub struct Record {
     worst_remainder: f64,
     laws: Laws,
     work: Ledger,
+    conflict: Vec<String>,
     failure: Option<String>,
+    /// The proof that the failed step had no solution.
+    proof: Option<Value>,
 }
 
 impl Record {
@@ -59,7 +62,9 @@ impl Record {
             worst_remainder: 0.0,
             laws: Laws::default(),
             work: Ledger::default(),
+            conflict: Vec::new(),
             failure: None,
+            proof: None,
         };
         record.tables.start(scene, &motion, simulation.states());
         record.note(&motion);
@@ -79,6 +84,9 @@ impl Record {
             if !self.solvers.contains(&solve.solver) {
                 self.solvers.push(solve.solver);
             }
+            if !holds && self.conflict.is_empty() {
+                self.conflict = solve.conflict(&self.scene);
+            }
         }
         self.steps = step.number;
         self.tables.add(&self.scene, step);
@@ -91,6 +99,7 @@ impl Record {
     /// Notes why the simulation ended early, if it did.
     pub fn end(&mut self, failure: Option<&Failure>) {
         self.failure = failure.map(|failure| format!("{}: {failure}", self.scene.name));
+        self.proof = failure.and_then(|failure| proof(&failure.cause));
     }
 
     /// Whether all steps were taken and the judge accepts every answer.
@@ -136,7 +145,9 @@ impl Record {
                 "internal_impulse": number(self.laws.internal_impulse),
                 "internal_torque": number(self.laws.internal_torque),
             },
+            "conflict": self.conflict,
             "failure": self.failure,
+            "certificate": self.proof,
         })
     }
 
@@ -192,6 +203,10 @@ impl Record {
             text += &format!("\n             {name:<12} {work:>13.6e} J");
         }
         text.push('\n');
+        if !self.conflict.is_empty() {
+            text +=
+                &format!("conflict     no forces satisfy together: {}\n", self.conflict.join(", "));
+        }
         if let Some(failure) = &self.failure {
             text += &format!("failed       {failure}\n");
         }
@@ -203,4 +218,14 @@ impl Record {
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
         self.last = motion.clone();
     }
+}
+
+/// The certificate of a step without solution: the row, and the exact vector d whose dᵀw cannot be
+/// what the bounds ask of it; none where all active sets were tried instead.
+fn proof(cause: &Cause) -> Option<Value> {
+    let Cause::NoSolution { row, proof } = cause else { return None };
+    let vector = proof
+        .as_ref()
+        .map(|farkas| farkas.vector.iter().map(ToString::to_string).collect::<Vec<_>>());
+    Some(json!({ "kind": "no_solution", "row": row, "farkas": vector }))
 }

@@ -1,7 +1,6 @@
 //! What a report measures, one study a file: each runs simulations or solvers and returns plain
 //! results that can be stored, compared and drawn later without solving anything again.
 
-pub mod closed_form;
 pub mod comparison;
 pub mod convergence;
 pub mod cross_check;
@@ -13,6 +12,7 @@ pub mod rates;
 pub mod slider;
 pub mod sliding;
 pub mod sparsity;
+pub mod verification;
 pub mod worst_cases;
 
 use crate::error::Result;

@@ -3,7 +3,7 @@ use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::page::Table;
 use lcplab::report::results::Results;
-use lcplab::report::{methods, run, study, view, write};
+use lcplab::report::{methods, run, view, write};
 use lcplab::solver::{ALL, Method};
 
 /// Every study once, on scenes that take milliseconds.
@@ -84,10 +84,7 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
 }
 
 #[test]
-fn known_numbers_come_out_and_no_claim_is_refuted() {
-    for row in study::closed_form::run().unwrap() {
-        assert!(row.passes(), "{}, {}: {row:?}", row.scene, row.quantity);
-    }
+fn no_claim_is_refuted() {
     let results = results(2);
     assert!(results.is_good(), "{}", results.summary());
 }
