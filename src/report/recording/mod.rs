@@ -181,7 +181,8 @@ impl Record {
         }
         text.push('\n');
         if !self.conflict.is_empty() {
-            text += &format!("conflict     no forces satisfy together: {}\n", self.conflict.join(", "));
+            text +=
+                &format!("conflict     no forces satisfy together: {}\n", self.conflict.join(", "));
         }
         if let Some(failure) = &self.failure {
             text += &format!("failed       {failure}\n");

