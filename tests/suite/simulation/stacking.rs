@@ -15,8 +15,10 @@ fn layers(step: &Step, count: usize) -> Vec<f64> {
     let mut carried = vec![0.0; count];
     let rows = &step.solves.last().unwrap().problem.assembly.rows;
     for (row, x) in rows.iter().zip(x(step)).filter(|(row, _)| row.kind == Kind::Normal) {
-        let heights = row.bodies.into_iter().flatten().map(|body| step.states[body].pose.p.z);
-        carried[(heights.fold(f64::INFINITY, f64::min) + 0.5) as usize] += x;
+        let [a, b] = row.bodies.map(|body| step.states[body.unwrap()].pose.p.z);
+        if (a - b).abs() > 0.4 {
+            carried[(a.min(b) + 0.75) as usize] += x; // the ground is at 0, the first box at 0.5
+        }
     }
     carried
 }
@@ -130,7 +132,7 @@ fn all_dominoes_fall() {
     for _ in 0..400 {
         row.step().unwrap();
     }
-    for state in &row.states()[..4] {
+    for state in &row.states()[1..] {
         let up = state.pose.q * Vector3::z();
         assert!(up.z < 0.5, "{up}"); // at least 60 degrees from upright
     }
@@ -155,10 +157,10 @@ fn boxes_that_overlap_part_without_speed() {
 
 #[test]
 fn a_tower_stands_on_few_sweeps() {
-    let (count, ring) = (36, 12);
+    let (count, ring) = (60, 20);
     let small = changed(
         "tower",
-        &[("count = 700", "count = 36"), ("ring = 35", &format!("ring = {ring}"))],
+        &[("count = 700", "count = 60"), ("ring = 35", &format!("ring = {ring}"))],
     );
     let dt = small.step.dt;
     let solver = scene_solver(&small).unwrap();
