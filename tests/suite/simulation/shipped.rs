@@ -15,9 +15,20 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
             if shipped.name == "bricard" {
                 continue; // movable as long as it is exact: its page of verification looks at rest
             }
+            // Starts with errors, has no solution, is too large to be solved to the end, or is for a soft step: see
+            // demonstrations.rs and stacking.rs.
+            if ["stretched_chain", "overlap_recovery", "fig8", "tower", "joint_grid"]
+                .contains(&shipped.name)
+            {
+                continue;
+            }
             let scene = scene(shipped.name, level);
             // One per cent of a metre-sized scene, and of the energy that gravity has given.
-            let steps = if scene.bodies.len() > 100 { 3 } else { 30 };
+            let steps = match scene.bodies.len() {
+                ..=21 => 30,
+                22..50 => 5,
+                _ => 3,
+            };
             let mut moving = simulation(scene);
             let start = moving.motion();
             let mut driven = 0.0; // what motors and pushes put in
