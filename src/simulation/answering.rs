@@ -6,15 +6,16 @@
 //! | boxed, A symmetric | the simulation's | |
 //! | boxed, A not symmetric | the simulation's, if its class has such A | Lemke's method, then the enumeration of all active sets |
 //! | polygons | the simulation's, if it takes them | Lemke's method |
+//! | the same, not solved | the same, on rows that yield a little | the answer it gave |
 //! | cones | the simulation's cone solver | |
 
 use crate::formulation::{Posing, Problem};
-use crate::lcp::Lcp;
-use crate::lcp::friction::{Model, Posed};
+use crate::lcp::friction::{Model, Polyhedral, Posed};
+use crate::lcp::{Complementarity, Lcp};
 use crate::scene::Scene;
 use crate::solver::{
-    self, ConeSolver, Enumeration, Lemke, MatrixClass, Method, Observer, Settings, Solution,
-    Solver, Start, Status, solve_polyhedral,
+    self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Observer, Settings,
+    Solution, Solver, Start, Status, solve_polyhedral,
 };
 
 /// The solvers of a simulation.
@@ -46,8 +47,7 @@ impl Solvers<'_> {
                 let tolerance = settings.tolerance;
                 let lemke = Lemke { settings };
                 let solver = if takes(self.boxed, model) { self.boxed } else { &lemke };
-                let solution = solve_polyhedral(solver, polyhedral, &start, tolerance, observer);
-                (solver.name(), solution)
+                (solver.name(), by_polygons(solver, polyhedral, &start, tolerance, observer))
             }
             Some((_, Posed::Cone(cones))) => {
                 (self.cone.name(), self.cone.solve(cones, &start, observer))
@@ -76,6 +76,34 @@ impl Solvers<'_> {
             _ => (lemke.name(), first),
         }
     }
+}
+
+/// By how much rows yield where a polygon is not solved otherwise, in parts of A's diagonal.
+const SOFTENINGS: [f64; 3] = [1e-12, 1e-10, 1e-9];
+
+/// Redundant contacts make the polyhedral LCP so degenerate that rounding leads pivots astray. Rows
+/// that yield are not redundant; an answer of theirs counts if it solves the rigid problem too.
+fn by_polygons(
+    solver: &dyn Solver,
+    polyhedral: &Polyhedral,
+    start: &Start<'_>,
+    tolerance: f64,
+    observer: &mut dyn Observer,
+) -> Solution {
+    let first = solve_polyhedral(solver, polyhedral, start, tolerance, observer);
+    if matches!(first.status, Status::Solved | Status::Stopped) {
+        return first;
+    }
+    let again = SOFTENINGS.iter().find_map(|&part| {
+        let soft = polyhedral.softened(part).ok()?;
+        let Solution { x, iterations, .. } =
+            solve_polyhedral(solver, &soft, start, tolerance, observer);
+        let solves = polyhedral.lcp().scaled_residual(&polyhedral.z(&x)) <= tolerance;
+        let lcp = polyhedral.friction().lcp();
+        let solution = || Solution::new(lcp, x, Status::Solved, first.iterations + iterations);
+        solves.then(|| solution().with_fallback(Some(Fallback::Softened)))
+    });
+    again.unwrap_or(first)
 }
 
 /// Whether a solver is made for a model of friction; one that is not registered is thought to be.

@@ -9,6 +9,7 @@ pub mod families;
 pub mod friction;
 pub mod merits;
 pub mod rates;
+pub mod slider;
 pub mod sliding;
 pub mod sparsity;
 pub mod verification;

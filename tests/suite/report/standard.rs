@@ -76,8 +76,8 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
         assert!(folder.path().join("data").join(link).is_file(), "{link}");
         count += 1;
     }
-    // A CSV for each of 14 tables, an SVG and a CSV for each of 10 figures.
-    assert_eq!(count, 14 + 2 * 10);
+    // A CSV for each of 15 tables, an SVG and a CSV for each of 11 figures.
+    assert_eq!(count, 15 + 2 * 11);
     assert!(folder.path().join("results.json").is_file());
     let left_over = std::fs::read_dir(folder.path()).unwrap();
     assert!(left_over.flatten().all(|file| file.path().extension().is_none_or(|e| e != "part")));
