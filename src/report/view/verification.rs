@@ -55,7 +55,7 @@ pub fn table(rows: &[Row]) -> Table {
     let levels = rows.iter().map(|row| row.samples.len()).max().unwrap_or(0);
     let measured = (0..levels).map(|level| match level {
         0 => Column::numbers("at dt", ""),
-        level => Column::numbers(&format!("at dt/{}", 1 << level), ""),
+        level => Column::numbers(format!("at dt/{}", 1 << level), ""),
     });
     let head = vec![
         Column::words("case"),
