@@ -29,6 +29,8 @@ pub struct Body {
     pub shape: Shape,
     /// The coefficient of dry friction of its surface; that of a pair is the geometric mean.
     pub friction: f64,
+    /// A constant force on the centre of mass (N, world), beside gravity.
+    pub force: Vector3<f64>,
 }
 
 /// How a body answers to forces: the blocks of M and M⁻¹.

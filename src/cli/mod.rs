@@ -7,6 +7,7 @@ mod options;
 mod problem;
 mod report;
 mod scene;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -34,6 +35,7 @@ enum Command {
     Compare(scene::Compare),
     CompareSolvers(families::CompareSolvers),
     Export(scene::Export),
+    Verify(verify::Verify),
 }
 
 /// How a command ended, other than by bad input.
@@ -56,6 +58,7 @@ pub fn run() -> ExitCode {
         Command::Compare(command) => command.run(),
         Command::CompareSolvers(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Verify(command) => command.run(),
     };
     match result {
         Ok(Outcome::Good) => ExitCode::SUCCESS,

@@ -9,11 +9,12 @@ use serde_json::{Value, json};
 use tables::Tables;
 
 use super::write;
-use crate::certificate::{Demand, judge};
+use crate::certificate::Demand;
 use crate::error::Result;
+use crate::formulation::friction_model;
 use crate::lcp::file::number;
 use crate::scene::Scene;
-use crate::simulation::{Failure, Laws, Ledger, Motion, Simulation, Step};
+use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Step};
 use crate::solver::Status;
 
 /// The record of a simulation so far.
@@ -27,6 +28,8 @@ pub struct Record {
     problems: usize,
     accepted: usize,
     refuted_claims: usize,
+    /// Who gave the answers, in the order of their first.
+    solvers: Vec<&'static str>,
     worst_residual: f64,
     worst_drift: f64,
     worst_penetration: f64,
@@ -35,6 +38,8 @@ pub struct Record {
     work: Ledger,
     conflict: Vec<String>,
     failure: Option<String>,
+    /// The proof that the failed step had no solution.
+    proof: Option<Value>,
 }
 
 impl Record {
@@ -50,6 +55,7 @@ impl Record {
             problems: 0,
             accepted: 0,
             refuted_claims: 0,
+            solvers: Vec::new(),
             worst_residual: 0.0,
             worst_drift: 0.0,
             worst_penetration: 0.0,
@@ -58,6 +64,7 @@ impl Record {
             work: Ledger::default(),
             conflict: Vec::new(),
             failure: None,
+            proof: None,
         };
         record.tables.start(scene, &motion, simulation.states());
         record.note(&motion);
@@ -68,12 +75,15 @@ impl Record {
     pub fn add(&mut self, step: &Step) {
         let demand = Demand { tolerance: self.scene.solver.tolerance, prove_up_to: 0 };
         for solve in &step.solves {
-            let certificate = judge(&solve.problem.lcp, &solve.solution.x, &demand);
+            let certificate = solve.judged(&demand);
             let holds = certificate.verdict.is_solution();
             self.problems += 1;
             self.accepted += usize::from(holds);
             self.refuted_claims += usize::from(solve.solution.status == Status::Solved && !holds);
             self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
+            if !self.solvers.contains(&solve.solver) {
+                self.solvers.push(solve.solver);
+            }
             if !holds && self.conflict.is_empty() {
                 self.conflict = solve.conflict(&self.scene);
             }
@@ -89,6 +99,7 @@ impl Record {
     /// Notes why the simulation ended early, if it did.
     pub fn end(&mut self, failure: Option<&Failure>) {
         self.failure = failure.map(|failure| format!("{}: {failure}", self.scene.name));
+        self.proof = failure.and_then(|failure| proof(&failure.cause));
     }
 
     /// Whether all steps were taken and the judge accepts every answer.
@@ -112,7 +123,8 @@ impl Record {
         json!({
             "scene": self.scene.name,
             "formulation": self.scene.step.formulation.name(),
-            "solver": self.scene.solver.name,
+            "solver": self.solver(),
+            "model": friction_model(&self.scene.contact).to_string(),
             "dt": number(self.scene.step.dt),
             "steps": self.steps,
             "time": number(self.last.time),
@@ -135,7 +147,16 @@ impl Record {
             },
             "conflict": self.conflict,
             "failure": self.failure,
+            "certificate": self.proof,
         })
+    }
+
+    /// Who gave the answers; the scene's solver where nobody was asked.
+    fn solver(&self) -> String {
+        match self.solvers.as_slice() {
+            [] => self.scene.solver.name.clone(),
+            names => names.join(", "),
+        }
     }
 
     /// The work of each account over all steps (J).
@@ -152,6 +173,7 @@ impl Record {
         let mut text = format!(
             "{name}: {title}\n\
              level        {level}, solver {}, dt {} s\n\
+             friction     {}\n\
              steps        {} ({} s)\n\
              problems     {}, accepted by the judge {}\n\
              residual     {:.1e} at worst\n\
@@ -160,8 +182,9 @@ impl Record {
              penetration  {:.2e} m at worst\n\
              laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {:.1e} J\n\
              ledger       closes to {:.1e} J a step:",
-            self.scene.solver.name,
+            self.solver(),
             self.scene.step.dt,
+            friction_model(&self.scene.contact),
             self.steps,
             self.last.time,
             self.problems,
@@ -195,4 +218,14 @@ impl Record {
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
         self.last = motion.clone();
     }
+}
+
+/// The certificate of a step without solution: the row, and the exact vector d whose dᵀw cannot be
+/// what the bounds ask of it; none where all active sets were tried instead.
+fn proof(cause: &Cause) -> Option<Value> {
+    let Cause::NoSolution { row, proof } = cause else { return None };
+    let vector = proof
+        .as_ref()
+        .map(|farkas| farkas.vector.iter().map(ToString::to_string).collect::<Vec<_>>());
+    Some(json!({ "kind": "no_solution", "row": row, "farkas": vector }))
 }

@@ -88,6 +88,17 @@ pub struct Sweeps {
     pub measured: Option<usize>,
 }
 
+/// Predicted and counted sweeps agree up to this part.
+const SWEEPS_AGREE: f64 = 0.01;
+
+impl Sweeps {
+    /// Whether as many sweeps were needed as predicted.
+    pub fn agree(&self) -> bool {
+        self.measured
+            .is_some_and(|m| (self.predicted.ceil() / m as f64 - 1.0).abs() <= SWEEPS_AGREE)
+    }
+}
+
 /// Columns of equal bodies, then pairs of these mass ratios.
 ///
 /// # Errors

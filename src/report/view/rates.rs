@@ -154,8 +154,8 @@ fn sweep_cells(system: &System) -> Vec<Cell> {
         Some(off) if off <= RULE_AGREES => Mark::Plain,
         _ => Mark::Note,
     };
-    let agreement = match off(found.predicted) {
-        Some(off) if off <= MEASURED_AGREES => Cell::text("agrees").marked(Mark::Good),
+    let agreement = match found.measured {
+        Some(_) if found.agree() => Cell::text("agrees").marked(Mark::Good),
         Some(_) => Cell::text("differs").marked(Mark::Note),
         None => Cell::text("not reached").marked(Mark::Note),
     };

@@ -65,7 +65,10 @@ fn every_expected_solution_solves_its_problem_exactly() {
     for family in library::all() {
         for variant in variants {
             let of_this = |v: &&(&str, f64)| {
-                family.parameters().iter().any(|p| p.name == v.0 && p.least <= v.1)
+                family
+                    .parameters()
+                    .iter()
+                    .any(|p| p.name == v.0 && (p.least..=p.most).contains(&v.1))
             };
             let values: Vec<_> = variant.iter().filter(of_this).copied().collect();
             let problem = family.generate(&values).unwrap();

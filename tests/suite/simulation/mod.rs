@@ -5,6 +5,7 @@ mod failures;
 mod families;
 mod free;
 mod friction;
+mod friction_models;
 mod impact;
 mod integrators;
 mod ledger;
@@ -13,6 +14,7 @@ mod pendulum;
 mod resting;
 mod shipped;
 mod stacking;
+mod symmetry;
 
 use lcplab::scene::{Formulation, Scene, catalogue};
 use lcplab::simulation::{Simulation, Step};

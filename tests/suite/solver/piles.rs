@@ -171,9 +171,9 @@ fn sweeps_that_take_rounding_away_are_named() {
 
 #[test]
 fn a_second_path_of_lemke_is_named() {
-    let lcp = last(wall(3, 1.0, 0.0), Copies::Near);
-    let solution = honest("lemke", &lcp);
-    assert_eq!(solution.fallback, Some(Fallback::SecondPath), "{}", solution.status);
-    let first = honest("lemke", &last(wall(3, 1.0, 0.0), Copies::None));
-    assert_eq!((first.status, first.fallback), (Status::Solved, None));
+    // A million times the mass on top: rounding leads the first path astray.
+    let solution = |ratio| honest("lemke", &last(tower(4, ratio, 0.0), Copies::None));
+    let (even, uneven) = (solution(1.0), solution(1e6));
+    assert_eq!((even.status, even.fallback), (Status::Solved, None));
+    assert_eq!((uneven.status, uneven.fallback), (Status::Solved, Some(Fallback::SecondPath)));
 }

@@ -28,13 +28,22 @@
 //! Other keys are ignored with a warning. Memory is bounded by the size of the file: n is checked
 //! against the length of b before anything of that size is made.
 
+mod matrix;
+mod parts;
+mod value;
+
+pub use value::{as_number, number};
+
 use std::io::Read;
 use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
+use parts::{Parts, frozen_at, model};
+use value::numbers;
+
 use super::friction::{FrictionProblem, Model};
-use super::{Coupling, Lcp, Matrix};
+use super::{Lcp, Matrix};
 use crate::error::{Defects, Error, Result};
 
 /// A problem as it stands in a file.
@@ -177,17 +186,6 @@ pub fn read_answer(path: &Path, n: usize) -> Result<Vec<f64>> {
     Ok(x)
 }
 
-/// A number as JSON: infinities and NaN become the words "inf", "-inf" and "nan".
-pub fn number(value: f64) -> Value {
-    if value.is_finite() {
-        json!(value)
-    } else if value.is_nan() {
-        json!("nan")
-    } else {
-        json!(if value > 0.0 { "inf" } else { "-inf" })
-    }
-}
-
 fn read_text(path: &Path) -> Result<String> {
     let mut text = String::new();
     let read = if path == Path::new("-") {
@@ -208,211 +206,4 @@ fn parse_object(text: &str, input: &str) -> Result<Map<String, Value>> {
             Err(Error::invalid(input, place, format!("not valid JSON: {cause}")))
         }
     }
-}
-
-/// The keys of a problem file, each well-formed in itself.
-struct Parts {
-    entries: Entries,
-    b: Vec<f64>,
-    lo: Option<Vec<f64>>,
-    hi: Option<Vec<f64>>,
-    index: Option<Vec<Option<usize>>>,
-    mu: Option<Vec<f64>>,
-}
-
-enum Entries {
-    Dense(Vec<f64>),
-    Sparse(Vec<(usize, usize, f64)>),
-}
-
-impl Parts {
-    fn read(object: &Map<String, Value>, defects: &mut Defects) -> Self {
-        let b = numbers(object, "b", defects).unwrap_or_default();
-        let entries = match &object["A"] {
-            Value::Object(a) if a.contains_key("dense") => {
-                Entries::Dense(dense(&a["dense"], b.len(), defects))
-            }
-            Value::Object(a) if a.contains_key("triplets") => {
-                Entries::Sparse(triplets(a, b.len(), defects))
-            }
-            _ => {
-                defects.add("A", "must be an object with \"dense\" or \"triplets\"");
-                Entries::Dense(Vec::new())
-            }
-        };
-        Parts {
-            entries,
-            lo: numbers(object, "lo", defects),
-            hi: numbers(object, "hi", defects),
-            index: object.get("friction_index").map(|value| indices(value, defects)),
-            mu: numbers(object, "mu", defects),
-            b,
-        }
-    }
-
-    fn into_lcp(self) -> Result<Lcp> {
-        let n = self.b.len();
-        let matrix = match self.entries {
-            Entries::Dense(entries) => Matrix::dense(n, &entries),
-            Entries::Sparse(entries) => Matrix::sparse(n, &entries),
-        };
-        let coupled = |i: usize| {
-            self.index.as_ref().is_some_and(|index| matches!(index.get(i), Some(Some(_))))
-        };
-        let lo = self.lo.unwrap_or_else(|| {
-            (0..n).map(|i| if coupled(i) { f64::NEG_INFINITY } else { 0.0 }).collect()
-        });
-        let hi = self.hi.unwrap_or_else(|| vec![f64::INFINITY; n]);
-        let lcp = Lcp::new(matrix, self.b, lo, hi)?;
-        match (self.index, self.mu) {
-            (None, None) => Ok(lcp),
-            (Some(index), Some(mu)) => lcp.with_coupling(Coupling::new(index, mu)?),
-            (Some(_), None) => Err(Error::invalid("problem", "mu", "is missing")),
-            (None, Some(_)) => Err(Error::invalid("problem", "friction_index", "is missing")),
-        }
-    }
-}
-
-/// The number that a JSON value stands for: a number, or one of the words "inf", "-inf" and "nan".
-pub fn as_number(value: &Value) -> Option<f64> {
-    match value {
-        Value::Number(number) => number.as_f64(),
-        Value::String(word) => match word.as_str() {
-            "inf" | "+inf" => Some(f64::INFINITY),
-            "-inf" => Some(f64::NEG_INFINITY),
-            "nan" => Some(f64::NAN),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-fn numbers(object: &Map<String, Value>, key: &str, defects: &mut Defects) -> Option<Vec<f64>> {
-    let Value::Array(values) = object.get(key)? else {
-        defects.add(key, "must be a list of numbers");
-        return None;
-    };
-    let number = |(i, value): (usize, &Value)| {
-        as_number(value).unwrap_or_else(|| {
-            defects.add(format!("{key}[{i}]"), format!("must be a number, is {}", brief(value)));
-            0.0
-        })
-    };
-    Some(values.iter().enumerate().map(number).collect())
-}
-
-/// The model of friction under the key `model`.
-fn model(object: &Map<String, Value>, defects: &mut Defects) -> Option<Model> {
-    let value = object.get("model")?;
-    let model = value.as_str().map(str::parse::<Model>);
-    match model {
-        Some(Ok(model)) if object.contains_key("friction_index") => return Some(model),
-        Some(Ok(_)) => defects.add("model", "is given, but there is no friction_index"),
-        Some(Err(error)) => defects.add("model", error.to_string()),
-        None => defects.add("model", format!("must be a name, is {}", brief(value))),
-    }
-    None
-}
-
-fn frozen_at(object: &Map<String, Value>, n: usize, defects: &mut Defects) -> Option<Vec<f64>> {
-    let x = numbers(object, "frozen_at", defects)?;
-    if x.len() != n {
-        defects.add("frozen_at", format!("has {} entries, b has {n}", x.len()));
-    }
-    for (i, x) in x.iter().enumerate().filter(|(_, x)| !x.is_finite()) {
-        defects.add(format!("frozen_at[{i}]"), format!("must be finite, is {x}"));
-    }
-    Some(x)
-}
-
-fn dense(value: &Value, n: usize, defects: &mut Defects) -> Vec<f64> {
-    let Value::Array(rows) = value else {
-        defects.add("A.dense", "must be a list of rows");
-        return Vec::new();
-    };
-    if rows.len() != n {
-        defects.add("A.dense", format!("has {} rows, b has {n}", rows.len()));
-    }
-    let mut entries = Vec::new();
-    for (i, row) in rows.iter().enumerate() {
-        let Value::Array(row) = row else {
-            defects.add(format!("A.dense[{i}]"), "must be a list of numbers");
-            continue;
-        };
-        if row.len() != n {
-            defects.add(format!("A.dense[{i}]"), format!("has {} entries, b has {n}", row.len()));
-        }
-        for (j, value) in row.iter().enumerate() {
-            entries.push(as_number(value).unwrap_or_else(|| {
-                let reason = format!("must be a number, is {}", brief(value));
-                defects.add(format!("A.dense[{i}][{j}]"), reason);
-                0.0
-            }));
-        }
-    }
-    entries
-}
-
-fn triplets(a: &Map<String, Value>, n: usize, defects: &mut Defects) -> Vec<(usize, usize, f64)> {
-    for key in ["rows", "cols"] {
-        match a.get(key).map(|value| (value, value.as_u64())) {
-            None => defects.add(format!("A.{key}"), "is missing"),
-            Some((_, Some(count))) if count == n as u64 => {}
-            Some((value, _)) => {
-                defects.add(format!("A.{key}"), format!("is {}, b has {n} rows", brief(value)));
-            }
-        }
-    }
-    let Value::Array(list) = &a["triplets"] else {
-        defects.add("A.triplets", "must be a list of [row, column, value]");
-        return Vec::new();
-    };
-    let mut entries = Vec::new();
-    for (k, triplet) in list.iter().enumerate() {
-        let place = || format!("A.triplets[{k}]");
-        let parts = triplet.as_array().map(Vec::as_slice);
-        let Some([i, j, value]) = parts else {
-            defects.add(place(), "must be [row, column, value]");
-            continue;
-        };
-        let index = |value: &Value| value.as_u64().filter(|&i| i < n as u64).map(|i| i as usize);
-        match (index(i), index(j), as_number(value)) {
-            (Some(i), Some(j), Some(value)) => entries.push((i, j, value)),
-            (_, _, None) => {
-                defects.add(place(), format!("value must be a number, is {}", brief(value)));
-            }
-            _ => {
-                let reason =
-                    format!("row {} and column {} must be indices below {n}", brief(i), brief(j));
-                defects.add(place(), reason);
-            }
-        }
-    }
-    entries
-}
-
-fn indices(value: &Value, defects: &mut Defects) -> Vec<Option<usize>> {
-    let Value::Array(values) = value else {
-        defects.add("friction_index", "must be a list of row indices, -1 for none");
-        return Vec::new();
-    };
-    let index = |(i, value): (usize, &Value)| match value.as_i64() {
-        Some(-1) => None,
-        Some(k) if k >= 0 => Some(k as usize),
-        _ => {
-            let reason = format!("must be a row index or -1, is {}", brief(value));
-            defects.add(format!("friction_index[{i}]"), reason);
-            None
-        }
-    };
-    values.iter().enumerate().map(index).collect()
-}
-
-/// A value for an error message, cut short.
-fn brief(value: &Value) -> String {
-    let text = value.to_string();
-    if text.chars().count() <= 40 {
-        return text;
-    }
-    text.chars().take(37).chain("...".chars()).collect()
 }

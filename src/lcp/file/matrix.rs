@@ -1,0 +1,107 @@
+//! The two ways to write a matrix down: all of it, or its entries.
+
+use serde_json::{Map, Value};
+
+use super::value::{as_number, brief};
+use crate::error::Defects;
+use crate::lcp::Matrix;
+
+/// The entries of a matrix, as they are written.
+pub(super) enum Entries {
+    /// Row by row, n² of them.
+    Dense(Vec<f64>),
+    /// Row, column and value.
+    Sparse(Vec<(usize, usize, f64)>),
+}
+
+impl Entries {
+    /// The entries under the key `A` of an n × n matrix.
+    pub fn read(a: &Value, n: usize, defects: &mut Defects) -> Self {
+        match a {
+            Value::Object(a) if a.contains_key("dense") => {
+                Entries::Dense(dense(&a["dense"], n, defects))
+            }
+            Value::Object(a) if a.contains_key("triplets") => {
+                Entries::Sparse(triplets(a, n, defects))
+            }
+            _ => {
+                defects.add("A", "must be an object with \"dense\" or \"triplets\"");
+                Entries::Dense(Vec::new())
+            }
+        }
+    }
+
+    /// The n × n matrix.
+    pub fn matrix(&self, n: usize) -> Matrix {
+        match self {
+            Entries::Dense(entries) => Matrix::dense(n, entries),
+            Entries::Sparse(entries) => Matrix::sparse(n, entries),
+        }
+    }
+}
+
+fn dense(value: &Value, n: usize, defects: &mut Defects) -> Vec<f64> {
+    let Value::Array(rows) = value else {
+        defects.add("A.dense", "must be a list of rows");
+        return Vec::new();
+    };
+    if rows.len() != n {
+        defects.add("A.dense", format!("has {} rows, b has {n}", rows.len()));
+    }
+    let mut entries = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let Value::Array(row) = row else {
+            defects.add(format!("A.dense[{i}]"), "must be a list of numbers");
+            continue;
+        };
+        if row.len() != n {
+            defects.add(format!("A.dense[{i}]"), format!("has {} entries, b has {n}", row.len()));
+        }
+        for (j, value) in row.iter().enumerate() {
+            entries.push(as_number(value).unwrap_or_else(|| {
+                let reason = format!("must be a number, is {}", brief(value));
+                defects.add(format!("A.dense[{i}][{j}]"), reason);
+                0.0
+            }));
+        }
+    }
+    entries
+}
+
+fn triplets(a: &Map<String, Value>, n: usize, defects: &mut Defects) -> Vec<(usize, usize, f64)> {
+    for key in ["rows", "cols"] {
+        match a.get(key).map(|value| (value, value.as_u64())) {
+            None => defects.add(format!("A.{key}"), "is missing"),
+            Some((_, Some(count))) if count == n as u64 => {}
+            Some((value, _)) => {
+                defects.add(format!("A.{key}"), format!("is {}, b has {n} rows", brief(value)));
+            }
+        }
+    }
+    let Value::Array(list) = &a["triplets"] else {
+        defects.add("A.triplets", "must be a list of [row, column, value]");
+        return Vec::new();
+    };
+    let mut entries = Vec::new();
+    for (k, triplet) in list.iter().enumerate() {
+        let place = || format!("A.triplets[{k}]");
+        let parts = triplet.as_array().map(Vec::as_slice);
+        let Some([i, j, value]) = parts else {
+            defects.add(place(), "must be [row, column, value]");
+            continue;
+        };
+        let index = |value: &Value| value.as_u64().filter(|&i| i < n as u64).map(|i| i as usize);
+        match (index(i), index(j), as_number(value)) {
+            (Some(i), Some(j), Some(value)) => entries.push((i, j, value)),
+            (_, _, None) => {
+                defects.add(place(), format!("value must be a number, is {}", brief(value)));
+            }
+            _ => {
+                let reason =
+                    format!("row {} and column {} must be indices below {n}", brief(i), brief(j));
+                defects.add(place(), reason);
+            }
+        }
+    }
+    entries
+}

@@ -1,0 +1,104 @@
+//! The keys of a problem file one by one, and what they make together.
+
+use serde_json::{Map, Value};
+
+use super::matrix::Entries;
+use super::value::{brief, numbers};
+use crate::error::{Defects, Error, Result};
+use crate::lcp::friction::Model;
+use crate::lcp::{Coupling, Lcp};
+
+/// The keys of a problem file, each well-formed in itself.
+pub(super) struct Parts {
+    entries: Entries,
+    pub b: Vec<f64>,
+    lo: Option<Vec<f64>>,
+    hi: Option<Vec<f64>>,
+    index: Option<Vec<Option<usize>>>,
+    mu: Option<Vec<f64>>,
+}
+
+impl Parts {
+    /// The keys, as far as they are well-formed; both A and b are there.
+    pub fn read(object: &Map<String, Value>, defects: &mut Defects) -> Self {
+        let b = numbers(object, "b", defects).unwrap_or_default();
+        let entries = Entries::read(&object["A"], b.len(), defects);
+        Parts {
+            entries,
+            lo: numbers(object, "lo", defects),
+            hi: numbers(object, "hi", defects),
+            index: object.get("friction_index").map(|value| indices(value, defects)),
+            mu: numbers(object, "mu", defects),
+            b,
+        }
+    }
+
+    /// The problem they make.
+    ///
+    /// # Errors
+    /// If they do not fit together.
+    pub fn into_lcp(self) -> Result<Lcp> {
+        let n = self.b.len();
+        let matrix = self.entries.matrix(n);
+        let coupled = |i: usize| {
+            self.index.as_ref().is_some_and(|index| matches!(index.get(i), Some(Some(_))))
+        };
+        let lo = self.lo.unwrap_or_else(|| {
+            (0..n).map(|i| if coupled(i) { f64::NEG_INFINITY } else { 0.0 }).collect()
+        });
+        let hi = self.hi.unwrap_or_else(|| vec![f64::INFINITY; n]);
+        let lcp = Lcp::new(matrix, self.b, lo, hi)?;
+        match (self.index, self.mu) {
+            (None, None) => Ok(lcp),
+            (Some(index), Some(mu)) => lcp.with_coupling(Coupling::new(index, mu)?),
+            (Some(_), None) => Err(Error::invalid("problem", "mu", "is missing")),
+            (None, Some(_)) => Err(Error::invalid("problem", "friction_index", "is missing")),
+        }
+    }
+}
+
+/// The model of friction under the key `model`.
+pub(super) fn model(object: &Map<String, Value>, defects: &mut Defects) -> Option<Model> {
+    let value = object.get("model")?;
+    let model = value.as_str().map(str::parse::<Model>);
+    match model {
+        Some(Ok(model)) if object.contains_key("friction_index") => return Some(model),
+        Some(Ok(_)) => defects.add("model", "is given, but there is no friction_index"),
+        Some(Err(error)) => defects.add("model", error.to_string()),
+        None => defects.add("model", format!("must be a name, is {}", brief(value))),
+    }
+    None
+}
+
+/// The x under the key `frozen_at`, n finite numbers.
+pub(super) fn frozen_at(
+    object: &Map<String, Value>,
+    n: usize,
+    defects: &mut Defects,
+) -> Option<Vec<f64>> {
+    let x = numbers(object, "frozen_at", defects)?;
+    if x.len() != n {
+        defects.add("frozen_at", format!("has {} entries, b has {n}", x.len()));
+    }
+    for (i, x) in x.iter().enumerate().filter(|(_, x)| !x.is_finite()) {
+        defects.add(format!("frozen_at[{i}]"), format!("must be finite, is {x}"));
+    }
+    Some(x)
+}
+
+fn indices(value: &Value, defects: &mut Defects) -> Vec<Option<usize>> {
+    let Value::Array(values) = value else {
+        defects.add("friction_index", "must be a list of row indices, -1 for none");
+        return Vec::new();
+    };
+    let index = |(i, value): (usize, &Value)| match value.as_i64() {
+        Some(-1) => None,
+        Some(k) if k >= 0 => Some(k as usize),
+        _ => {
+            let reason = format!("must be a row index or -1, is {}", brief(value));
+            defects.add(format!("friction_index[{i}]"), reason);
+            None
+        }
+    };
+    values.iter().enumerate().map(index).collect()
+}

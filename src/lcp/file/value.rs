@@ -1,0 +1,58 @@
+//! JSON values that problem files are made of: numbers with words for what is not finite.
+
+use serde_json::{Map, Value, json};
+
+use crate::error::Defects;
+
+/// A number as JSON: infinities and NaN become the words "inf", "-inf" and "nan".
+pub fn number(value: f64) -> Value {
+    if value.is_finite() {
+        json!(value)
+    } else if value.is_nan() {
+        json!("nan")
+    } else {
+        json!(if value > 0.0 { "inf" } else { "-inf" })
+    }
+}
+
+/// The number that a JSON value stands for: a number, or one of the words "inf", "-inf" and "nan".
+pub fn as_number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Number(number) => number.as_f64(),
+        Value::String(word) => match word.as_str() {
+            "inf" | "+inf" => Some(f64::INFINITY),
+            "-inf" => Some(f64::NEG_INFINITY),
+            "nan" => Some(f64::NAN),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The list of numbers under a key, if it is there.
+pub(super) fn numbers(
+    object: &Map<String, Value>,
+    key: &str,
+    defects: &mut Defects,
+) -> Option<Vec<f64>> {
+    let Value::Array(values) = object.get(key)? else {
+        defects.add(key, "must be a list of numbers");
+        return None;
+    };
+    let number = |(i, value): (usize, &Value)| {
+        as_number(value).unwrap_or_else(|| {
+            defects.add(format!("{key}[{i}]"), format!("must be a number, is {}", brief(value)));
+            0.0
+        })
+    };
+    Some(values.iter().enumerate().map(number).collect())
+}
+
+/// A value for an error message, cut short.
+pub(super) fn brief(value: &Value) -> String {
+    let text = value.to_string();
+    if text.chars().count() <= 40 {
+        return text;
+    }
+    text.chars().take(37).chain("...".chars()).collect()
+}
