@@ -29,6 +29,7 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
                 22..50 => 5,
                 _ => 3,
             };
+            let dt = scene.step.dt;
             let mut moving = simulation(scene);
             let start = moving.motion();
             let mut driven = 0.0; // what motors, springs and pushes put in
@@ -39,7 +40,10 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
                 }
                 driven += step.ledger.motor + step.ledger.external + step.ledger.spring;
                 assert!(step.motion.drift < 0.01, "{} {level:?}", shipped.name);
-                assert!(step.motion.penetration < 1e-6, "{} {level:?}", shipped.name);
+                // Accelerations see a contact only when it touches, so a blow comes a step late.
+                let fastest = step.states.iter().map(|state| state.v.norm()).fold(0.0, f64::max);
+                let late = if level == Formulation::Acceleration { dt * fastest } else { 0.0 };
+                assert!(step.motion.penetration < 1e-6 + late, "{} {level:?}", shipped.name);
             }
             let gained = moving.motion().energy() - start.energy() - driven;
             let scale = moving.motion().kinetic.max(1.0);
