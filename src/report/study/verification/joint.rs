@@ -11,7 +11,7 @@ const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
 /// α it dies down like a critically damped spring.
 pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
     let mut case = Case::load("feedback", "pendulum", size)?;
-    let (beta, alpha, error, steps, time) = (0.2f64, 20.0, 0.01, 10, 0.2);
+    let (beta, alpha, error, steps, time) = (0.2f64, 20.0, 0.01, 10, 0.15);
     case.scene.gravity *= 0.0;
     (case.scene.step.baumgarte, case.scene.step.alpha) = (beta, alpha);
     case.scene.states[0].pose.p.x += error;
@@ -32,7 +32,7 @@ pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
         [(Method::Acceleration, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)]
     {
         case.scene.step.dt = if method == Method::Rk4 { 0.005 } else { 0.0025 };
-        let known = Known::order(order, "error of the rod after 0.2 s", formula, "m", decayed);
+        let known = Known::order(order, "error of the rod after 0.15 s", formula, "m", decayed);
         rows.extend(
             case.rows(method, vec![known], |scene| Some(vec![left(&after(scene, time)?[0])])),
         );
