@@ -63,7 +63,7 @@ pub(super) fn blocks(scene: &Scene, states: &[State]) -> Vec<Block> {
     blocks
 }
 
-/// Gravity and the gyroscopic torque on each block's body, [f; τ] (N, N m).
+/// Gravity, the force of its own and the gyroscopic torque on each block's body, [f; τ] (N, N m).
 pub(super) fn forces(scene: &Scene, states: &[State], blocks: &[Block]) -> Vec<Vector6<f64>> {
     let gyroscopic = match (scene.step.formulation, scene.step.gyroscopic) {
         // An acceleration is that of one instant: there is no step to be implicit in.
@@ -72,7 +72,7 @@ pub(super) fn forces(scene: &Scene, states: &[State], blocks: &[Block]) -> Vec<V
     };
     let force = |block: &Block| {
         let torque = gyroscopic.torque(&block.kind, &states[block.body], scene.step.dt);
-        stack(scene.gravity * block.mass, torque)
+        stack(scene.gravity * block.mass + scene.bodies[block.body].force, torque)
     };
     blocks.iter().map(force).collect()
 }

@@ -3,11 +3,13 @@
 //! World axes are right-handed, z is up by custom. A body's frame has its origin in the centre of
 //! mass and its axes along the principal axes of inertia. SI units throughout. `math §1`.
 
+mod alignment;
 mod gyroscopic;
 pub mod inertia;
 mod polytope;
 mod state;
 
+pub use alignment::alignment;
 pub use gyroscopic::Gyroscopic;
 pub use polytope::{Edge, Face, Polytope};
 pub use state::{Pose, State};
@@ -27,6 +29,8 @@ pub struct Body {
     pub shape: Shape,
     /// The coefficient of dry friction of its surface; that of a pair is the geometric mean.
     pub friction: f64,
+    /// A constant force on the centre of mass (N, world), beside gravity.
+    pub force: Vector3<f64>,
 }
 
 /// How a body answers to forces: the blocks of M and M⁻¹.

@@ -22,7 +22,7 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
-use super::{Demand, Verdict, accurate_terms, judge, judge_cone};
+use super::{Certificate, Demand, Verdict, accurate_terms, judge, judge_cone};
 use crate::lcp::friction::{Polyhedral, Posed};
 use crate::lcp::merit::RowTerms;
 
@@ -37,20 +37,20 @@ pub struct FrictionCertificate {
     pub verdict: Verdict,
 }
 
+impl From<Certificate> for FrictionCertificate {
+    fn from(certificate: Certificate) -> Self {
+        let Certificate { w, scaled_residual, verdict, .. } = certificate;
+        FrictionCertificate { w, scaled_residual, verdict }
+    }
+}
+
 /// Judges x under a model.
 ///
 /// # Panics
 /// If x has not an entry a row.
 pub fn judge_friction(problem: &Posed, x: &[f64], demand: &Demand) -> FrictionCertificate {
     match problem {
-        Posed::Boxed(lcp) => {
-            let certificate = judge(lcp, x, demand);
-            FrictionCertificate {
-                w: certificate.w,
-                scaled_residual: certificate.scaled_residual,
-                verdict: certificate.verdict,
-            }
-        }
+        Posed::Boxed(lcp) => judge(lcp, x, demand).into(),
         Posed::Polyhedral(polyhedral) => judge_polyhedral(polyhedral, x, demand),
         Posed::Cone(cone) => {
             let certificate = judge_cone(cone, x, demand);

@@ -8,6 +8,7 @@ mod options;
 mod problem;
 mod report;
 mod scene;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -36,6 +37,7 @@ enum Command {
     CompareSolvers(families::CompareSolvers),
     Export(scene::Export),
     Explain(explain::Explain),
+    Verify(verify::Verify),
 }
 
 /// How a command ended, other than by bad input.
@@ -59,6 +61,7 @@ pub fn run() -> ExitCode {
         Command::CompareSolvers(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Explain(command) => command.run(),
+        Command::Verify(command) => command.run(),
     };
     match result {
         Ok(Outcome::Good) => ExitCode::SUCCESS,

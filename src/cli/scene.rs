@@ -7,14 +7,16 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lcplab::constraint;
 use lcplab::error::{Error, Result};
+use lcplab::formulation::{friction_model, with_friction_model};
 use lcplab::lcp::file::{Problem, number};
+use lcplab::lcp::friction::Model;
 use lcplab::plot::Figure;
 use lcplab::plot::scene::{Frame, Strip, instants};
-use lcplab::report::study::{comparison, scene_solver};
-use lcplab::report::{recording, text, view, write};
+use lcplab::report::study::{comparison, scene_simulation};
+use lcplab::report::{methods, recording, text, view, write};
 use lcplab::scene::{self, Formulation, Scene, catalogue};
 use lcplab::simulation::{Simulation, Step};
-use lcplab::solver::{ALL, Entry, Solver, entry};
+use lcplab::solver::{self, Method, entry};
 use serde_json::json;
 
 use super::options::{Choices, RowOrder};
@@ -78,6 +80,10 @@ struct SceneArgs {
     /// Solver; the scene's own without it
     #[arg(long)]
     solver: Option<String>,
+    /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
+    /// coulomb-cone; the scene's own without it
+    #[arg(long)]
+    model: Option<Model>,
     /// Length of a step in seconds; the scene's own without it
     #[arg(long)]
     dt: Option<f64>,
@@ -102,6 +108,9 @@ impl SceneArgs {
         let mut scene = Scene::load(&self.scene)?;
         scene.step.formulation = self.formulation.unwrap_or(scene.step.formulation);
         scene.step.dt = self.dt.unwrap_or(scene.step.dt);
+        if let Some(model) = self.model {
+            scene.contact = with_friction_model(&scene.contact, model);
+        }
         let solver = &mut scene.solver;
         solver.name = self.solver.clone().unwrap_or_else(|| solver.name.clone());
         solver.tolerance = self.tolerance.unwrap_or(solver.tolerance);
@@ -114,15 +123,26 @@ impl SceneArgs {
         Ok(scene)
     }
 
-    /// The scene's solver; options that it does not look at are refused.
-    fn solver(&self, scene: &Scene) -> Result<Box<dyn Solver>> {
-        let solver = scene_solver(scene)?;
-        self.check(&[*entry(&scene.solver.name)?], scene)?;
-        Ok(solver)
+    /// The scene at its start, with its solver; options that it does not look at are refused.
+    fn simulation(&self, scene: &Scene) -> Result<Simulation> {
+        let simulation = scene_simulation(scene)?;
+        self.check(&[self.method(&scene.solver.name, scene)?], scene)?;
+        Ok(simulation)
     }
 
-    fn check(&self, solvers: &[Entry], scene: &Scene) -> Result<()> {
-        let users: Vec<_> = solvers.iter().map(|entry| (entry.name, entry.uses)).collect();
+    /// The solver of this name. One that is asked for must be made for the model of friction; the
+    /// scene's own gives way to one that is.
+    fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
+        match friction_model(&scene.contact) {
+            Model::CoupledBox | Model::FrozenBox => Ok(Method::Boxed(*entry(name)?)),
+            model if self.solver.is_some() => methods::by_name(name, model),
+            model => methods::by_name(name, model)
+                .or_else(|_| methods::by_name(methods::default_for(model), model)),
+        }
+    }
+
+    fn check(&self, solvers: &[Method], scene: &Scene) -> Result<()> {
+        let users: Vec<_> = solvers.iter().map(|solver| (solver.name(), solver.uses())).collect();
         self.choices.check(&users, Some(scene.solver.order.into()))
     }
 }
@@ -180,10 +200,9 @@ pub struct Simulate {
 impl Simulate {
     pub fn run(&self) -> Result<Outcome> {
         let scene = self.scene.load()?;
-        let solver = self.scene.solver(&scene)?;
+        let mut simulation = self.scene.simulation(&scene)?;
         let steps = self.steps.unwrap_or(scene.step.count);
         let progress = bar(steps as u64, &scene.name);
-        let mut simulation = Simulation::new(scene.clone(), solver);
         let mut record = recording::Record::start(&scene, &simulation);
         let (instants, mut frames) = (self.instants(steps), vec![Frame::start(&scene)]);
         let recording = simulation.run(steps, |step: &Step| {
@@ -229,7 +248,8 @@ Example:
   lcplab compare stack --steps 20 --out stack-report
 
 Without --formulation at both levels that are one LCP, velocity and acceleration; with it by that
-family alone. Families that solve no LCP have one row.
+family alone. Families that solve no LCP have one row. Only solvers that are made for the model of
+friction run, and only levels that know it.
 With --out the folder gets a page with the table and the plots. Exit code 1 if the judge refutes a
 solver's claim, 2 for bad input; a solver that admits failure is a row of the table.")]
 pub struct Compare {
@@ -251,15 +271,17 @@ impl Compare {
         let scene = self.scene.load()?;
         let steps = self.steps.unwrap_or(scene.step.count);
         let solvers = match &self.scene.solver {
-            Some(name) => vec![*entry(name)?],
-            None => ALL.to_vec(),
+            Some(name) => vec![self.scene.method(name, &scene)?],
+            None => solver::methods(),
         };
-        self.scene.check(&solvers, &scene)?;
         let families = match self.scene.formulation {
             Some(family) => vec![family],
             None => Formulation::LEVELS.to_vec(),
         };
-        let progress = bar(comparison::runs(&families, solvers.len()) as u64, &scene.name);
+        let contenders = comparison::contenders(&scene, &families, &solvers);
+        let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
+        self.scene.check(&running, &scene)?;
+        let progress = bar(contenders.len() as u64, &scene.name);
         let (comparison, timings) =
             comparison::compare_families(&scene, &families, &solvers, steps, &progress);
         progress.finish_and_clear();
@@ -299,7 +321,7 @@ pub struct Export {
 impl Export {
     pub fn run(&self) -> Result<Outcome> {
         let scene = self.scene.load()?;
-        let mut simulation = Simulation::new(scene.clone(), self.scene.solver(&scene)?);
+        let mut simulation = self.scene.simulation(&scene)?;
         let mut last = None;
         for _ in 0..self.step {
             match simulation.step() {
@@ -314,6 +336,9 @@ impl Export {
         let assembled = &solve.problem;
         let mut problem =
             Problem::new(format!("{}, step {}", scene.name, self.step), assembled.lcp.clone());
+        if let Some(posing) = solve.posing {
+            (problem.model, problem.frozen_at) = (Some(posing.model), posing.frozen_at);
+        }
         let rows = assembled.assembly.rows.iter().map(|row| {
             let unit = assembled.stage.unit(row.kind.is_angular());
             json!({ "label": row.label(&scene), "kind": row.kind.name(), "unit": unit })

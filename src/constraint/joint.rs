@@ -9,7 +9,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{
     Bodies, Verifiable, axis_lock, coincidence, cone_limit, cylindrical, distance, gear, hinge,
-    limit, motor, orientation, rope, slider, spring, squared_distance, universal, weld,
+    limit, motor, orientation, pulley, rope, slider, spring, squared_distance, universal, weld,
 };
 use crate::body::Pose;
 
@@ -28,6 +28,7 @@ pub const ALL: &[&Joint] = &[
     &distance::DISTANCE,
     &squared_distance::SQUARED_DISTANCE,
     &rope::ROPE,
+    &pulley::PULLEY,
     &spring::SPRING,
     &spring::TORSION,
     &motor::TRANSLATION,

@@ -13,11 +13,13 @@
 
 mod acceleration;
 mod delassus;
+mod friction;
 mod position;
 mod sliding;
 mod velocity;
 
 pub use crate::scene::Formulation;
+pub use friction::{Posing, friction_model, with_friction_model};
 pub use sliding::Slide;
 
 use crate::assembly::{Assembly, Row};

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use super::study::verification::Size;
 use crate::error::{Error, Result};
 use crate::solver::ALL;
 
@@ -22,9 +23,9 @@ pub struct Experiment {
     pub title: String,
     /// What the report is about, in a few sentences of page markup.
     pub lead: String,
-    /// Whether the known numbers are measured.
+    /// Whether the known numbers are measured, `fast` or `full`.
     #[serde(default)]
-    pub closed_forms: bool,
+    pub verification: Option<Size>,
     /// The solvers to compare, by name; all without it.
     #[serde(default = "all_solvers")]
     pub solvers: Vec<String>,

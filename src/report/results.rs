@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::experiment::Experiment;
 use super::study::comparison::{Comparison, Timing};
 use super::study::{
-    closed_form, convergence, cross_check, drift, merits, rates, sliding, sparsity, worst_cases,
+    convergence, cross_check, drift, merits, rates, sliding, sparsity, verification, worst_cases,
 };
 
 /// The results of a report.
@@ -20,7 +20,7 @@ pub struct Results {
     /// What was run.
     pub experiment: Experiment,
     /// Known numbers beside measured ones.
-    pub closed_forms: Vec<closed_form::ClosedForm>,
+    pub verification: Vec<verification::Row>,
     /// Scenes with all solvers at all levels.
     pub comparisons: Vec<Comparison>,
     /// LCPs solved in three ways.
@@ -48,7 +48,7 @@ impl Results {
     /// claim of a solver was refuted.
     pub fn is_good(&self) -> bool {
         let (costs, sweeps) = (self.costs(), self.sweep_counts());
-        self.closed_forms.iter().all(closed_form::ClosedForm::passes)
+        self.verification.iter().all(verification::Row::passes)
             && costs.0 == costs.1
             && sweeps.0 == sweeps.1
             && self.refuted_claims() == 0
@@ -70,7 +70,7 @@ impl Results {
     /// The outcome in a few lines.
     pub fn summary(&self) -> String {
         let runs = || self.comparisons.iter().flat_map(|comparison| &comparison.runs);
-        let passed = self.closed_forms.iter().filter(|row| row.passes()).count();
+        let passed = self.verification.iter().filter(|row| row.passes()).count();
         let mut text = String::new();
         for (name, (agree, all), what) in [
             ("rates", self.sweep_counts(), "columns take as many sweeps as predicted"),
@@ -81,9 +81,9 @@ impl Results {
             }
         }
         text + &format!(
-            "closed forms   {passed} of {} within tolerance\n\
+            "closed forms   {passed} of {} as theory says\n\
              comparison     {} problems, {} claimed solved, {} accepted by the judge, {} claims refuted",
-            self.closed_forms.len(),
+            self.verification.len(),
             runs().map(|run| run.solves).sum::<usize>(),
             runs().map(|run| run.claimed).sum::<usize>(),
             runs().map(|run| run.accepted).sum::<usize>(),

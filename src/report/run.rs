@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::experiment::Experiment;
 use super::results::{Machine, Results, libraries};
 use super::study::{
-    closed_form, comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity,
+    comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity, verification,
     worst_cases,
 };
 use crate::error::Result;
@@ -34,9 +34,9 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
         comparisons.push(comparison);
         timings.extend(times);
     }
-    progress.set_message("closed forms");
-    let closed_forms = if experiment.closed_forms { closed_form::run()? } else { Vec::new() };
     let each = Each { progress };
+    let verification =
+        each.once("closed forms", &experiment.verification, |size| verification::run(*size, None))?;
     let drift = each.run("energy drift", &scenes.drift, &experiment.drift, |scene, task| {
         drift::run(scene, task.duration)
     });
@@ -64,7 +64,7 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
         version: env!("CARGO_PKG_VERSION").to_string(),
         libraries: libraries(),
         experiment: experiment.clone(),
-        closed_forms,
+        verification: verification.unwrap_or_default(),
         comparisons,
         cross_checks: checks.into_iter().flatten().collect(),
         convergence: convergence.into_iter().flatten().collect(),
@@ -144,8 +144,8 @@ impl Scenes {
     }
 
     fn tasks(&self, experiment: &Experiment) -> usize {
-        self.comparison.len() * comparison::runs(&Formulation::LEVELS, experiment.solvers.len())
-            + usize::from(experiment.closed_forms)
+        self.comparison.len() * Formulation::LEVELS.len() * experiment.solvers.len()
+            + usize::from(experiment.verification.is_some())
             + self.cross_check.len()
             + self.convergence.len()
             + usize::from(experiment.rates.is_some())

@@ -10,7 +10,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use super::description::{self, Capsule, Description, Rotation};
 use super::joints::Site;
 use super::settings::{not_negative, positive};
-use super::{Scene, generate};
+use super::{Scene, friction, generate};
 use crate::body::{Body, Mass, Polytope, Pose, Shape, State, inertia};
 use crate::error::{Defects, Result};
 
@@ -22,6 +22,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     let whole = generate::expand(description, &mut defects);
     whole.step.check(&mut defects);
     whole.contact.check(&mut defects);
+    friction::check(&mut defects, &whole.step, &whole.contact);
     whole.solver.check(&mut defects);
     finite(&mut defects, "gravity", &whole.gravity);
     let mut scene = Scene {
@@ -48,7 +49,8 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         let (shape, frame) = build_shape(&mut defects, &place, &body.shape);
         let mass = build_mass(&mut defects, &place, body, &shape);
         let friction = build_friction(&mut defects, &place, body, whole.contact.friction);
-        scene.bodies.push(Body { name: body.name.clone(), mass, shape, friction });
+        let force = build_force(&mut defects, &place, body);
+        scene.bodies.push(Body { name: body.name.clone(), mass, shape, friction, force });
         scene.states.push(build_state(&mut defects, &place, body, &frame));
     }
     for (k, constraint) in whole.constraints.iter().enumerate() {
@@ -68,6 +70,15 @@ fn build_friction(defects: &mut Defects, place: &str, body: &description::Body, 
         not_negative(defects, format!("{place}.friction"), friction);
     }
     body.friction.unwrap_or(usual)
+}
+
+fn build_force(defects: &mut Defects, place: &str, body: &description::Body) -> Vector3<f64> {
+    let place = format!("{place}.force");
+    finite(defects, &place, &body.force);
+    if body.fixed && body.force != [0.0; 3] {
+        defects.add(place, "a fixed body has none");
+    }
+    body.force.into()
 }
 
 /// The shape in the body's frame, and that frame in the axes in which the shape is written: they

@@ -101,6 +101,9 @@ pub struct Body {
     /// Coefficient of friction; by default that of `[contact]`. A pair has the geometric mean.
     #[serde(default)]
     pub friction: Option<f64>,
+    /// A constant force on the centre of mass (N, world), beside gravity.
+    #[serde(default)]
+    pub force: [f64; 3],
 }
 
 /// The shape of a body, as `"point"` or `{ sphere = 0.5 }`.

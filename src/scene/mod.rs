@@ -10,6 +10,7 @@ mod contacts;
 pub mod description;
 mod families;
 mod file;
+mod friction;
 pub mod generate;
 mod joints;
 mod settings;
@@ -18,6 +19,7 @@ pub use contacts::{ContactId, Feature, Found, contacts};
 pub use description::Description;
 pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;
+pub use friction::FrictionModel;
 pub use settings::{Contacts, Manifold, Order, Persistence, Sliding, Solver, Step};
 
 use std::path::Path;
@@ -115,6 +117,7 @@ impl Scene {
         let mut defects = Defects::default();
         self.step.check(&mut defects);
         self.contact.check(&mut defects);
+        friction::check(&mut defects, &self.step, &self.contact);
         self.solver.check(&mut defects);
         defects.into_result(self.name.as_str())
     }

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
+use super::friction::FrictionModel;
 use crate::body::Gyroscopic;
 use crate::error::Defects;
 
@@ -117,6 +118,10 @@ pub struct Contacts {
     pub manifold: Manifold,
     /// What of the contacts of a step is known in the next.
     pub persistence: Persistence,
+    /// The model of friction; families that solve no LCP know the coupled box only.
+    pub model: FrictionModel,
+    /// Polygons: how many corners, a multiple of 4.
+    pub directions: usize,
     /// Acceleration level: what friction does to a contact that slides.
     pub sliding: Sliding,
     /// Acceleration level: a contact that slips at up to this speed (m/s) sticks.
@@ -135,6 +140,8 @@ impl Default for Contacts {
             resting_speed: 1e-9,
             manifold: Manifold::default(),
             persistence: Persistence::default(),
+            model: FrictionModel::default(),
+            directions: 8,
             sliding: Sliding::default(),
             sticking_speed: 1e-9,
         }

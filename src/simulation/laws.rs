@@ -35,7 +35,7 @@ impl Laws {
     /// The laws in a step that started from these states.
     pub(super) fn of(states: &[State], solves: &[Solve], ledger: &Ledger) -> Self {
         let mut laws = Laws { friction_gain: ledger.friction.max(0.0), ..Laws::default() };
-        for Solve { problem, solution } in solves {
+        for Solve { problem, solution, .. } in solves {
             let (rows, x) = (&problem.assembly.rows, problem.efforts(&solution.x));
             laws.cone_excess = laws.cone_excess.max(cone_excess(rows, &x));
             for (i, row) in rows.iter().enumerate() {

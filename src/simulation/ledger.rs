@@ -38,6 +38,8 @@ pub struct Ledger {
     pub friction: f64,
     /// Motors.
     pub motor: f64,
+    /// The constant forces on bodies, gravity apart.
+    pub external: f64,
     /// Springs; what they store is not part of the energy.
     pub spring: f64,
     /// The gyroscopic torque, and the inertia turning with the body: together 0 in the limit.
@@ -51,7 +53,7 @@ pub struct Ledger {
 
 impl Ledger {
     /// The accounts with their names, in the order of tables.
-    pub fn accounts(&self) -> [(&'static str, f64); 10] {
+    pub fn accounts(&self) -> [(&'static str, f64); 11] {
         [
             ("constraint", self.constraint),
             ("contact", self.contact),
@@ -59,6 +61,7 @@ impl Ledger {
             ("bias", self.bias),
             ("friction", self.friction),
             ("motor", self.motor),
+            ("external", self.external),
             ("spring", self.spring),
             ("gyroscopic", self.gyroscopic),
             ("integrator", self.integrator),
@@ -82,7 +85,7 @@ impl Ledger {
             return Ledger { correction: ledger.change, ..ledger };
         }
         let mut deciding = deciding(solves).peekable();
-        while let Some(Solve { problem, solution }) = deciding.next() {
+        while let Some(Solve { problem, solution, .. }) = deciding.next() {
             let u_next = problem.next_velocity(&solution.x, problem.dt);
             ledger.add_rows(scene, problem, &problem.efforts(&solution.x), &u_next);
             ledger.add_forces(scene, problem, &u_next);
@@ -123,7 +126,7 @@ impl Ledger {
         }
     }
 
-    /// Gravity and the gyroscopic torque over the step; at the start `correction` holds the whole
+    /// Gravity, external forces and the gyroscopic torque over the step; at the start `correction` holds the whole
     /// change of potential energy, from which what the velocities u⁺ explain is taken.
     fn add_forces(&mut self, scene: &Scene, problem: &Problem, u_next: &[f64]) {
         let Problem { assembly, dt, .. } = problem;
@@ -132,6 +135,7 @@ impl Ledger {
             let weight = block.mass * scene.gravity;
             let torque = angular(&block.gather(&assembly.force));
             let mean = 0.5 * (u + next);
+            self.external += dt * scene.bodies[block.body].force.dot(&linear(&mean));
             self.gyroscopic += dt * torque.dot(&angular(&mean));
             self.integrator -= dt * weight.dot(&(linear(&next) - linear(&mean)));
             self.correction += dt * weight.dot(&linear(&next));
@@ -151,6 +155,7 @@ impl std::ops::Add for Ledger {
             bias: self.bias + other.bias,
             friction: self.friction + other.friction,
             motor: self.motor + other.motor,
+            external: self.external + other.external,
             spring: self.spring + other.spring,
             gyroscopic: self.gyroscopic + other.gyroscopic,
             integrator: self.integrator + other.integrator,

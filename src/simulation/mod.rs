@@ -3,6 +3,8 @@
 //! A step finds the contacts, assembles, solves and moves, each family of methods in its own way
 //! (`family/`). Each solve starts from the x that rows of the same name had before.
 
+mod answering;
+mod conflict;
 mod correction;
 mod family;
 mod integrator;
@@ -22,7 +24,8 @@ use std::ops::ControlFlow;
 
 use crate::body::State;
 use crate::scene::{Scene, contacts};
-use crate::solver::{Observer, Solver};
+use crate::solver::{Apgd, ConeSolver, Observer, Solver};
+use answering::Solvers;
 use solving::{Memory, Solving};
 
 /// A speed (m/s or rad/s) beyond which a motion counts as diverged.
@@ -42,16 +45,24 @@ const DIVERGED: f64 = 1e8;
 pub struct Simulation {
     scene: Scene,
     solver: Box<dyn Solver>,
+    cone_solver: Box<dyn ConeSolver>,
     states: Vec<State>,
     steps: usize,
     previous: Memory,
 }
 
 impl Simulation {
-    /// The scene at its start.
+    /// The scene at its start. What a solver is not made for others solve: see
+    /// [`Solve::solver`](Solve); cones are for accelerated projected gradients.
     pub fn new(scene: Scene, solver: Box<dyn Solver>) -> Self {
         let states = scene.states.clone();
-        Simulation { scene, solver, states, steps: 0, previous: Memory::new() }
+        let cone_solver = Box::new(Apgd { settings: answering::settings(&scene) });
+        Simulation { scene, solver, cone_solver, states, steps: 0, previous: Memory::new() }
+    }
+
+    /// The same with another solver for friction in cones.
+    pub fn with_cone_solver(self, cone_solver: Box<dyn ConeSolver>) -> Self {
+        Simulation { cone_solver, ..self }
     }
 
     /// The scene; its states are those at the start.
@@ -92,7 +103,11 @@ impl Simulation {
         let found = contacts(&self.scene, &self.states, family::reach(&self.scene));
         let mut solving = Solving {
             scene: &self.scene,
-            solver: self.solver.as_ref(),
+            solvers: Solvers {
+                boxed: self.solver.as_ref(),
+                cone: self.cone_solver.as_ref(),
+                scene: &self.scene,
+            },
             previous: &self.previous,
             observer,
             solves: Vec::new(),

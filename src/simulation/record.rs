@@ -6,8 +6,9 @@ use super::{Laws, Ledger, Motion};
 use crate::assembly::Undefined;
 use crate::body::State;
 use crate::certificate::ray::Farkas;
+use crate::certificate::{Demand, FrictionCertificate, judge, judge_friction};
 use crate::error::Error;
-use crate::formulation::Problem;
+use crate::formulation::{Posing, Problem};
 use crate::scene::Found;
 use crate::solver::Solution;
 
@@ -35,8 +36,24 @@ pub struct Step {
 pub struct Solve {
     /// The problem; its assembly names the rows.
     pub problem: Problem,
+    /// The same under the scene's model of friction, if that is not the coupled box that the
+    /// problem's own LCP states.
+    pub posing: Option<Posing>,
+    /// The name of the solver that gave the answer: another than the simulation's where that one is
+    /// not made for the problem; "none" where no solver was asked.
+    pub solver: &'static str,
     /// The answer.
     pub solution: Solution,
+}
+
+impl Solve {
+    /// The judge's word on the answer, by the problem that was posed.
+    pub fn judged(&self, demand: &Demand) -> FrictionCertificate {
+        match &self.posing {
+            Some(posing) => judge_friction(&posing.posed, &self.solution.x, demand),
+            None => judge(&self.problem.lcp, &self.solution.x, demand).into(),
+        }
+    }
 }
 
 /// The motion over many steps, as far as it got.

@@ -2,26 +2,24 @@
 
 use std::collections::BTreeMap;
 
+use super::answering::Solvers;
 use super::{Cause, Solve};
 use crate::assembly::{Assembly, Entering, RowId, Source};
 use crate::body::State;
-use crate::formulation::{Problem, Stage};
-use crate::lcp::Lcp;
+use crate::formulation::{Problem, Stage, friction_model};
 use crate::scene::{Found, Persistence, Scene};
-use crate::solver::{
-    self, Enumeration, Lemke, MatrixClass, Observer, Settings, Solution, Solver, Start, Status,
-};
+use crate::solver::{Observer, Solution};
 
 /// The x of each row at the end of a step, by what it decided.
 pub(super) type Memory = BTreeMap<(Stage, RowId), f64>;
 
-/// How a problem gets its answer: from the problem, a start, and someone who watches.
+/// How a family answers a problem itself: from the problem, a start, and someone who watches.
 type Method<'m> = &'m dyn Fn(&Problem, &[f64], &mut dyn Observer) -> Solution;
 
 /// A step under way.
 pub(super) struct Solving<'a> {
     pub scene: &'a Scene,
-    pub solver: &'a dyn Solver,
+    pub solvers: Solvers<'a>,
     /// The answers of the step before, which start the solves of this one.
     pub previous: &'a Memory,
     pub observer: &'a mut dyn Observer,
@@ -58,33 +56,38 @@ impl Solving<'_> {
         self.answers.extend(rows.map(|(row, &x)| ((stage, row.id), x)));
     }
 
-    /// Solves a problem from the x that rows of the same name had at the same stage, and keeps it.
-    pub fn solve(&mut self, problem: Problem) -> &Solve {
-        let (chosen, settings) = (self.solver, settings(self.scene));
-        self.solve_by(problem, &|problem, x, observer| {
-            let (lcp, start) = (&problem.lcp, Start { x: Some(x) });
-            if suits(chosen, problem) {
-                chosen.solve(lcp, &start, observer)
-            } else {
-                unsymmetric(lcp, &start, settings.clone(), observer)
-            }
-        })
+    /// Poses a problem under the scene's model of friction, solves it from the x that rows of the
+    /// same name had at the same stage, and keeps it.
+    pub fn solve(&mut self, problem: Problem) -> Result<&Solve, Cause> {
+        let x = self.start(problem.stage, &problem.assembly);
+        let model = friction_model(&self.scene.contact);
+        let posing = match (problem.stage, self.solves.last()) {
+            (Stage::Restitution, Some(first)) => problem.pose(model, &first.solution.x)?,
+            _ => problem.pose(model, &x)?,
+        };
+        let (solver, solution) = self.solvers.solve(&problem, posing.as_ref(), &x, self.observer);
+        Ok(self.keep(Solve { problem, posing, solver, solution }))
     }
 
-    /// The same by another method than the solver.
+    /// Solves a problem as it stands by a method of the family's own.
     pub fn solve_by(&mut self, problem: Problem, method: Method) -> &Solve {
         let x = self.start(problem.stage, &problem.assembly);
         let solution = method(&problem, &x, self.observer);
-        self.remember(problem.stage, &problem.assembly, &solution.x);
-        self.solves.push(Solve { problem, solution });
+        self.keep(Solve { problem, posing: None, solver: "none", solution })
+    }
+
+    fn keep(&mut self, solve: Solve) -> &Solve {
+        self.remember(solve.problem.stage, &solve.problem.assembly, &solve.solution.x);
+        self.solves.push(solve);
         self.last()
     }
 
-    /// Solves, and again with restitution if something bounces; the last answer counts.
+    /// Solves, and again with restitution if something bounces; the last answer counts. In a bounce
+    /// a frozen box is frozen at the impulses of the first answer.
     pub fn solve_bouncing(&mut self, problem: Problem) -> Result<&Solve, Cause> {
-        self.solve(problem);
+        self.solve(problem)?;
         if let Some(second) = self.bounce()? {
-            self.solve(second);
+            self.solve(second)?;
         }
         Ok(self.last())
     }
@@ -109,40 +112,4 @@ pub(super) fn assembled(
     entering: Entering,
 ) -> Result<Assembly, Cause> {
     Assembly::new(scene, states, found, entering).map_err(Cause::Undefined)
-}
-
-/// Whether a solver is made for A, or A is symmetric, which all are.
-fn suits(solver: &dyn Solver, problem: &Problem) -> bool {
-    use MatrixClass::{CopositivePlus, General, P, P0};
-    let class = solver::entry(solver.name()).ok().map(|entry| entry.class.matrix);
-    problem.lcp.matrix().is_symmetric()
-        || matches!(class, None | Some(General | CopositivePlus | P | P0))
-}
-
-/// Lemke's method, and where it ends without a solution the enumeration of all active sets, unless
-/// there are too many.
-fn unsymmetric(
-    lcp: &Lcp,
-    start: &Start<'_>,
-    settings: Settings,
-    observer: &mut dyn Observer,
-) -> Solution {
-    let first = Lemke { settings: settings.clone() }.solve(lcp, start, observer);
-    if first.status == Status::Solved {
-        return first;
-    }
-    let second = Enumeration { settings }.solve(lcp, start, observer);
-    match second.status {
-        Status::Solved | Status::NoSolution => second,
-        _ => first,
-    }
-}
-
-/// The scene's settings of solvers.
-fn settings(scene: &Scene) -> Settings {
-    Settings {
-        tolerance: scene.solver.tolerance,
-        max_iterations: scene.solver.max_iterations,
-        ..Settings::default()
-    }
 }

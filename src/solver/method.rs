@@ -6,8 +6,8 @@
 //! the models that it fits.
 
 use super::{
-    ALL, CONES, Choice, Class, ConeEntry, Entry, MatrixClass, Observer, Options, Solution, Start,
-    Status,
+    ALL, CONES, Choice, Class, ConeEntry, Entry, MatrixClass, Observer, Options, Solution, Solver,
+    Start, Status,
 };
 use crate::lcp::Complementarity;
 use crate::lcp::friction::{Law, Model, Polyhedral, Posed};
@@ -75,8 +75,8 @@ impl Method {
                 (entry.build)(options).solve(lcp, &start, observer)
             }
             (Method::Boxed(entry), Posed::Polyhedral(polyhedral)) => {
-                let solution = (entry.build)(options).solve(polyhedral.lcp(), &start, observer);
-                impulses(polyhedral, solution, options.settings.tolerance)
+                let solver = (entry.build)(options);
+                solve_polyhedral(&*solver, polyhedral, &start, options.settings.tolerance, observer)
             }
             (Method::Cone(entry), Posed::Cone(problem)) => {
                 (entry.build)(&options.settings).solve(problem, &start, observer)
@@ -98,6 +98,20 @@ impl Method {
             }
         }
     }
+}
+
+/// Solves a polyhedral problem by a solver for LCPs, from an x, for x.
+pub fn solve_polyhedral(
+    solver: &dyn Solver,
+    polyhedral: &Polyhedral,
+    start: &Start<'_>,
+    tolerance: f64,
+    observer: &mut dyn Observer,
+) -> Solution {
+    let z = start.x.map(|x| polyhedral.z(x));
+    let start = Start { x: z.as_deref() };
+    let solution = solver.solve(polyhedral.lcp(), &start, observer);
+    impulses(polyhedral, solution, tolerance)
 }
 
 /// The impulses x of a solution z, and the rows of x that its status means. `Solved` is claimed for

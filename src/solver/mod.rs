@@ -79,7 +79,7 @@ pub use enumeration::{Enumeration, all_solutions};
 pub use interior_point::InteriorPoint;
 pub use jacobi::{Damping, Jacobi};
 pub use lemke::Lemke;
-pub use method::{Method, methods};
+pub use method::{Method, methods, solve_polyhedral};
 pub use mprgp::Mprgp;
 pub use murty::Murty;
 pub use newton::{Equations, Newton};

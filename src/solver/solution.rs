@@ -41,6 +41,9 @@ pub enum Fallback {
     SecondPath,
     /// Sweeps of projected Gauss-Seidel took away what rounding Dantzig's method had left.
     Sweeps,
+    /// In a simulation, polygons at redundant contacts: the answer is that of rows that yield by
+    /// 1e-9 of A's diagonal at most, and solves the rigid problem within the tolerance too.
+    Softened,
 }
 
 impl fmt::Display for Fallback {
@@ -49,6 +52,7 @@ impl fmt::Display for Fallback {
             Fallback::LeastIndex => "least-index rule",
             Fallback::SecondPath => "second path",
             Fallback::Sweeps => "Gauss-Seidel sweeps",
+            Fallback::Softened => "softened rows",
         })
     }
 }

@@ -476,3 +476,67 @@ fn explain_writes_each_form_and_refuses_what_it_does_not_know() {
         assert!(err(&refused).contains(message), "{arguments:?}: {}", err(&refused));
     }
 }
+
+#[test]
+fn verify_prints_a_row_a_closed_form_and_says_how_many_pass() {
+    let table = run(&["verify", "--only", "free-fall", "--fast"]);
+    assert_eq!(table.status.code(), Some(0), "{}", err(&table));
+    assert!(out(&table).ends_with("8 of 8 rows pass\n"), "{}", out(&table));
+    let json = run(&["verify", "--only", "free-fall", "--fast", "--json"]);
+    let page: Value = serde_json::from_str(&out(&json)).unwrap();
+    // Semi-implicit Euler's height is of first order: the derived order, and the observed one.
+    let row = &page["rows"][1];
+    assert_eq!(row["row"]["criterion"]["order"], 1.0);
+    assert!((row["observed_order"].as_f64().unwrap() - 1.0).abs() < 0.1, "{row}");
+    let unknown = run(&["verify", "--only", "free-fly"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(err(&unknown).contains("there is no closed form named \"free-fly\""));
+}
+
+#[test]
+fn a_scene_is_stepped_and_exported_under_the_model_that_is_asked_for() {
+    let summary = |arguments: &[&str]| -> Value {
+        let all = [&["simulate", "sliding", "--steps", "5", "--json"], arguments].concat();
+        let output = run(&all);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        serde_json::from_str(&out(&output)).unwrap()
+    };
+    let cone = summary(&["--model", "coulomb-cone"]);
+    assert_eq!((&cone["model"], &cone["solver"]), (&"coulomb-cone".into(), &"apgd".into()));
+    assert_eq!((&cone["problems"], &cone["accepted"]), (&5.into(), &5.into()));
+    let sweeps = summary(&["--model", "coulomb-cone", "--solver", "cone-pgs"]);
+    assert_eq!(sweeps["solver"], "cone-pgs");
+    let plain = summary(&[]);
+    assert_eq!((&plain["model"], &plain["solver"]), (&"coupled-box".into(), &"dantzig".into()));
+    for model in ["frozen-box", "polygon-8", "coulomb-cone"] {
+        let exported = run(&["export", "sliding", "--step", "3", "--model", model]);
+        let problem: Value = serde_json::from_str(&out(&exported)).unwrap();
+        assert_eq!(problem["model"], model);
+        let solved = run_with(&out(&exported), &["solve", "-"]);
+        assert_eq!(solved.status.code(), Some(0), "{model}: {}", out(&solved));
+    }
+}
+
+#[test]
+fn a_model_goes_with_solvers_and_families_that_take_it() {
+    for (arguments, message) in [
+        (
+            vec!["simulate", "sliding", "--model", "coulomb-cone", "--solver", "pgs"],
+            "error: there is no solver for this model of friction named \"pgs\"; there are cone-pgs, apgd",
+        ),
+        (
+            vec!["simulate", "sliding", "--model", "polygon-8", "--formulation", "soft"],
+            "error: sliding: contact.model: the family soft rubs row by row and knows \"coupled-box\" only",
+        ),
+    ] {
+        let output = run(&arguments);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(err(&output).starts_with(message), "{}", err(&output));
+    }
+    let all = ["compare", "sliding", "--steps", "2", "--model", "associated-cone", "--json"];
+    let result: Value = serde_json::from_str(&out(&run(&all))).unwrap();
+    let runs = result["comparison"]["runs"].as_array().unwrap();
+    let of = |key: &str| runs.iter().map(|run| run[key].as_str().unwrap()).collect::<Vec<_>>();
+    assert_eq!(of("solver"), ["cone-pgs", "apgd"]);
+    assert_eq!(of("formulation"), ["velocity", "velocity"]); // the other level does not know it
+}

@@ -2,6 +2,7 @@
 
 mod architecture;
 mod assembly;
+mod body;
 mod certificate;
 mod cli;
 mod common;

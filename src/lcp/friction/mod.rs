@@ -50,7 +50,7 @@ pub use cone::{ConeProblem, Law, project};
 pub use model::{Model, Posed};
 pub use polyhedral::Polyhedral;
 
-use super::{Coupling, Lcp};
+use super::{Coupling, Lcp, Matrix};
 use crate::error::{Defects, Result};
 
 /// A contact with friction.
@@ -149,6 +149,24 @@ impl FrictionProblem {
     /// A, b and the bounds that are left without friction: 0 ≤ x_n, x_t free.
     pub fn lcp(&self) -> &Lcp {
         &self.lcp
+    }
+
+    /// The problem with this part of each diagonal entry of A added to it: every row yields a
+    /// little, and no load can be shared in two ways any more.
+    ///
+    /// # Errors
+    /// If an entry is not finite then.
+    pub fn softened(&self, part: f64) -> Result<Self> {
+        let Lcp { b, lo, hi, .. } = &self.lcp;
+        let n = self.lcp.len();
+        let row = |i: usize| {
+            let soft = move |j: usize, a: f64| if i == j { a * (1.0 + part) } else { a };
+            self.lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, soft(j, a)))
+        };
+        let entries: Vec<_> = (0..n).flat_map(row).collect();
+        let a = Matrix::sparse(n, &entries);
+        let lcp = Lcp::new(a, b.clone(), lo.clone(), hi.clone())?;
+        Ok(FrictionProblem { lcp, ..self.clone() })
     }
 
     /// The contacts.

@@ -99,6 +99,14 @@ impl Polyhedral {
         &self.lcp
     }
 
+    /// The same of a problem whose rows yield a little, see [`FrictionProblem::softened`].
+    ///
+    /// # Errors
+    /// If an entry is not finite then.
+    pub fn softened(&self, part: f64) -> Result<Self> {
+        Polyhedral::new(&self.friction.softened(part)?, self.directions)
+    }
+
     /// The impulses x of the unknowns z: x_t = D β.
     pub fn x(&self, z: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; self.friction.lcp().len()];

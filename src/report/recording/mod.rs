@@ -9,8 +9,9 @@ use serde_json::{Value, json};
 use tables::Tables;
 
 use super::write;
-use crate::certificate::{Demand, judge};
+use crate::certificate::Demand;
 use crate::error::Result;
+use crate::formulation::friction_model;
 use crate::lcp::file::number;
 use crate::scene::Scene;
 use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Step};
@@ -27,12 +28,15 @@ pub struct Record {
     problems: usize,
     accepted: usize,
     refuted_claims: usize,
+    /// Who gave the answers, in the order of their first.
+    solvers: Vec<&'static str>,
     worst_residual: f64,
     worst_drift: f64,
     worst_penetration: f64,
     worst_remainder: f64,
     laws: Laws,
     work: Ledger,
+    conflict: Vec<String>,
     failure: Option<String>,
     /// The proof that the failed step had no solution.
     proof: Option<Value>,
@@ -51,12 +55,14 @@ impl Record {
             problems: 0,
             accepted: 0,
             refuted_claims: 0,
+            solvers: Vec::new(),
             worst_residual: 0.0,
             worst_drift: 0.0,
             worst_penetration: 0.0,
             worst_remainder: 0.0,
             laws: Laws::default(),
             work: Ledger::default(),
+            conflict: Vec::new(),
             failure: None,
             proof: None,
         };
@@ -69,12 +75,18 @@ impl Record {
     pub fn add(&mut self, step: &Step) {
         let demand = Demand { tolerance: self.scene.solver.tolerance, prove_up_to: 0 };
         for solve in &step.solves {
-            let certificate = judge(&solve.problem.lcp, &solve.solution.x, &demand);
+            let certificate = solve.judged(&demand);
             let holds = certificate.verdict.is_solution();
             self.problems += 1;
             self.accepted += usize::from(holds);
             self.refuted_claims += usize::from(solve.solution.status == Status::Solved && !holds);
             self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
+            if !self.solvers.contains(&solve.solver) {
+                self.solvers.push(solve.solver);
+            }
+            if !holds && self.conflict.is_empty() {
+                self.conflict = solve.conflict(&self.scene);
+            }
         }
         self.steps = step.number;
         self.tables.add(&self.scene, step);
@@ -111,7 +123,8 @@ impl Record {
         json!({
             "scene": self.scene.name,
             "formulation": self.scene.step.formulation.name(),
-            "solver": self.scene.solver.name,
+            "solver": self.solver(),
+            "model": friction_model(&self.scene.contact).to_string(),
             "dt": number(self.scene.step.dt),
             "steps": self.steps,
             "time": number(self.last.time),
@@ -132,9 +145,18 @@ impl Record {
                 "internal_impulse": number(self.laws.internal_impulse),
                 "internal_torque": number(self.laws.internal_torque),
             },
+            "conflict": self.conflict,
             "failure": self.failure,
             "certificate": self.proof,
         })
+    }
+
+    /// Who gave the answers; the scene's solver where nobody was asked.
+    fn solver(&self) -> String {
+        match self.solvers.as_slice() {
+            [] => self.scene.solver.name.clone(),
+            names => names.join(", "),
+        }
     }
 
     /// The work of each account over all steps (J).
@@ -151,6 +173,7 @@ impl Record {
         let mut text = format!(
             "{name}: {title}\n\
              level        {level}, solver {}, dt {} s\n\
+             friction     {}\n\
              steps        {} ({} s)\n\
              problems     {}, accepted by the judge {}\n\
              residual     {:.1e} at worst\n\
@@ -159,8 +182,9 @@ impl Record {
              penetration  {:.2e} m at worst\n\
              laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {:.1e} J\n\
              ledger       closes to {:.1e} J a step:",
-            self.scene.solver.name,
+            self.solver(),
             self.scene.step.dt,
+            friction_model(&self.scene.contact),
             self.steps,
             self.last.time,
             self.problems,
@@ -179,6 +203,10 @@ impl Record {
             text += &format!("\n             {name:<12} {work:>13.6e} J");
         }
         text.push('\n');
+        if !self.conflict.is_empty() {
+            text +=
+                &format!("conflict     no forces satisfy together: {}\n", self.conflict.join(", "));
+        }
         if let Some(failure) = &self.failure {
             text += &format!("failed       {failure}\n");
         }

@@ -74,7 +74,7 @@ impl Tables {
     }
 
     fn add_forces(&mut self, scene: &Scene, step: usize, solve: &Solve) {
-        let Solve { problem, solution } = solve;
+        let Solve { problem, solution, .. } = solve;
         for (i, row) in problem.assembly.rows.iter().enumerate() {
             let [x, w] = [solution.x[i], solution.w[i]].map(number);
             let unit = problem.stage.unit(row.kind.is_angular());

@@ -6,11 +6,13 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{at_level, scene_options};
-use crate::certificate::{Demand, judge};
+use super::{at_level, simulation_by};
+use crate::certificate::Demand;
+use crate::formulation::friction_model;
+use crate::lcp::friction::Model;
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
-use crate::solver::{Class, Dantzig, Entry, MatrixClass, Solver, Status};
+use crate::solver::{CONES, Class, Dantzig, Entry, MatrixClass, Method, Status};
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -112,24 +114,24 @@ pub fn compare(
     steps: usize,
     progress: &ProgressBar,
 ) -> (Comparison, Vec<Timing>) {
-    compare_families(scene, &Formulation::LEVELS, solvers, steps, progress)
+    let cones = CONES.iter().copied().map(Method::Cone);
+    let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
+    compare_families(scene, &Formulation::LEVELS, &methods, steps, progress)
 }
 
-/// The same by these families; those that solve no LCP have one run each.
+/// The same by these families and methods: those of the methods that take the scene's model of
+/// friction, and one run each for families that solve no LCP. A family that does not know the model
+/// is left out.
 pub fn compare_families(
     scene: &Scene,
     families: &[Formulation],
-    solvers: &[Entry],
+    methods: &[Method],
     steps: usize,
     progress: &ProgressBar,
 ) -> (Comparison, Vec<Timing>) {
-    let of = |family: Formulation| if family.solves_lcps() { solvers } else { &[NONE] };
-    let pairs: Vec<(Formulation, &Entry)> = families
-        .iter()
-        .flat_map(|&family| of(family).iter().map(move |solver| (family, solver)))
-        .collect();
-    let run = |&(formulation, solver): &(Formulation, &Entry)| {
-        let result = run(&at_level(scene, formulation), solver, steps);
+    let pairs = contenders(scene, families, methods);
+    let run = |&(formulation, solver): &(Formulation, Method)| {
+        let result = run(&at_level(scene, formulation), &solver, steps);
         progress.inc(1);
         result
     };
@@ -146,16 +148,32 @@ pub fn compare_families(
     (comparison, timings)
 }
 
-/// The number of runs in a comparison of so many solvers by these families, for progress bars.
-pub fn runs(families: &[Formulation], solvers: usize) -> usize {
-    families.iter().map(|family| if family.solves_lcps() { solvers } else { 1 }).sum()
+/// Who steps the scene by which family. The coupled box is what every boxed solver gets.
+pub fn contenders(
+    scene: &Scene,
+    families: &[Formulation],
+    methods: &[Method],
+) -> Vec<(Formulation, Method)> {
+    let model = friction_model(&scene.contact);
+    let takes = |method: &&Method| match method {
+        Method::Boxed(_) if model == Model::CoupledBox => true,
+        method => method.takes(Some(model)),
+    };
+    let of = |family: Formulation| -> Vec<Method> {
+        match family.solves_lcps() {
+            true => methods.iter().filter(takes).copied().collect(),
+            false => vec![Method::Boxed(NONE)],
+        }
+    };
+    let able = families.iter().filter(|&&family| at_level(scene, family).validate().is_ok());
+    able.flat_map(|&family| of(family).into_iter().map(move |method| (family, method))).collect()
 }
 
-fn run(scene: &Scene, solver: &Entry, steps: usize) -> (Run, Timing) {
+fn run(scene: &Scene, solver: &Method, steps: usize) -> (Run, Timing) {
     let formulation = scene.step.formulation.name().to_string();
     let mut run = Run {
         formulation: formulation.clone(),
-        solver: solver.name.to_string(),
+        solver: solver.name().to_string(),
         steps: 0,
         solves: 0,
         claimed: 0,
@@ -167,16 +185,16 @@ fn run(scene: &Scene, solver: &Entry, steps: usize) -> (Run, Timing) {
         trouble: None,
         motion: Vec::new(),
     };
-    let built = (solver.build)(&scene_options(scene));
-    let seconds = step_through(scene, built, steps, &mut run);
-    let (scene, solver) = (scene.name.clone(), solver.name.to_string());
+    let simulation = simulation_by(scene, solver);
+    let seconds = step_through(simulation, steps, &mut run);
+    let (scene, solver) = (scene.name.clone(), solver.name().to_string());
     let timing = Timing { scene, formulation, solver, seconds };
     (run, timing)
 }
 
 /// Takes the steps; returns the seconds spent on them.
-fn step_through(scene: &Scene, solver: Box<dyn Solver>, steps: usize, run: &mut Run) -> f64 {
-    let mut simulation = Simulation::new(scene.clone(), solver);
+fn step_through(mut simulation: Simulation, steps: usize, run: &mut Run) -> f64 {
+    let tolerance = simulation.scene().solver.tolerance;
     run.motion.push(Sample::from(&simulation.motion()));
     let mut seconds = 0.0;
     for _ in 0..steps {
@@ -184,7 +202,7 @@ fn step_through(scene: &Scene, solver: Box<dyn Solver>, steps: usize, run: &mut 
         let step = simulation.step();
         seconds += start.elapsed().as_secs_f64();
         match step {
-            Ok(step) => run.record(&step, scene.solver.tolerance),
+            Ok(step) => run.record(&step, tolerance),
             Err(failure) => {
                 run.trouble = Some(failure.to_string());
                 break;
@@ -198,9 +216,9 @@ impl Run {
     fn record(&mut self, step: &Step, tolerance: f64) {
         self.steps += 1;
         self.motion.push(Sample::from(&step.motion));
-        for Solve { problem, solution } in &step.solves {
-            let demand = Demand { tolerance, prove_up_to: 0 };
-            let certificate = judge(&problem.lcp, &solution.x, &demand);
+        for solve in &step.solves {
+            let certificate = solve.judged(&Demand { tolerance, prove_up_to: 0 });
+            let Solve { problem, solution, .. } = solve;
             let (claims, holds) =
                 (solution.status == Status::Solved, certificate.verdict.is_solution());
             self.solves += 1;

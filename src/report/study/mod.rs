@@ -1,7 +1,6 @@
 //! What a report measures, one study a file: each runs simulations or solvers and returns plain
 //! results that can be stored, compared and drawn later without solving anything again.
 
-pub mod closed_form;
 pub mod comparison;
 pub mod convergence;
 pub mod cross_check;
@@ -10,15 +9,18 @@ pub mod families;
 pub mod friction;
 pub mod merits;
 pub mod rates;
+pub mod slider;
 pub mod sliding;
 pub mod sparsity;
+pub mod verification;
 pub mod worst_cases;
 
 use crate::error::Result;
-use crate::formulation::Problem;
+use crate::formulation::{Problem, friction_model};
+use crate::report::methods;
 use crate::scene::{self, Formulation, Scene};
 use crate::simulation::{Simulation, Step};
-use crate::solver::{Damping, Options, Order, Settings, Solver, by_name};
+use crate::solver::{Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name};
 
 /// The solver that studies use where the solver is not what they study.
 const STEPPER: &str = "dantzig";
@@ -45,6 +47,33 @@ pub fn scene_options(scene: &Scene) -> Options {
 /// If there is none of that name.
 pub fn scene_solver(scene: &Scene) -> Result<Box<dyn Solver>> {
     by_name(&scene.solver.name, &scene_options(scene)).map_err(|error| error.within(&scene.name))
+}
+
+/// The scene at its start, to be stepped by the solver that it states: one for LCPs, or, if its
+/// friction is in cones, one for cones.
+///
+/// # Errors
+/// If there is none of that name.
+pub fn scene_simulation(scene: &Scene) -> Result<Simulation> {
+    let model = friction_model(&scene.contact);
+    match methods::by_name(&scene.solver.name, model) {
+        Ok(method @ Method::Cone(_)) => Ok(simulation_by(scene, &method)),
+        _ => Ok(Simulation::new(scene.clone(), scene_solver(scene)?)),
+    }
+}
+
+/// The scene at its start, to be stepped by a method; what a cone solver is not made for, problems
+/// without friction, are left to another one.
+fn simulation_by(scene: &Scene, method: &Method) -> Simulation {
+    let options = scene_options(scene);
+    match method {
+        Method::Boxed(entry) => Simulation::new(scene.clone(), (entry.build)(&options)),
+        Method::Cone(entry) => {
+            let boxed = Box::new(Dantzig { settings: options.settings.clone() });
+            let cone_solver = (entry.build)(&options.settings);
+            Simulation::new(scene.clone(), boxed).with_cone_solver(cone_solver)
+        }
+    }
 }
 
 /// The scene stepped at another level.

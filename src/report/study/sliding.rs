@@ -9,7 +9,8 @@
 //! cone      the circle
 //! ```
 //!
-//! The rod's rows do feel each other: friction at one foot changes the load of both.
+//! The rod's rows do feel each other: friction at one foot changes the load of both. The block of the
+//! scene "sliding" goes a way of its own under each model, see [`slider`](super::slider).
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2, TAU};
 
@@ -17,6 +18,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::friction::{Answer, Model, compare};
+use super::slider::{self, Path};
 use crate::error::Result;
 use crate::lcp::friction::{Contact, FrictionProblem};
 use crate::lcp::{Lcp, Matrix};
@@ -35,6 +37,8 @@ pub struct Study {
     pub grips: Vec<Grip>,
     /// The rod, by model.
     pub rod: Vec<Answer>,
+    /// The block of the scene "sliding", by model.
+    pub paths: Vec<Path>,
 }
 
 /// The block, pushed so hard that it slides.
@@ -168,6 +172,7 @@ pub fn run(mu: f64, push: f64) -> Result<Study> {
         slides: slides.collect::<Result<_>>()?,
         grips: grips.collect::<Result<_>>()?,
         rod: compare(&rod(mu)?, &Model::ALL, &settings)?,
+        paths: slider::run(mu)?,
     })
 }
 

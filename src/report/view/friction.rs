@@ -5,6 +5,7 @@ use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::friction::{Answer, Model};
+use crate::report::study::slider::Path;
 use crate::report::study::sliding::{Figure, SHOWN, Slide, Study};
 
 /// Measured and expected numbers may differ by this much (parts, degrees, N s, m/s).
@@ -61,6 +62,86 @@ pub(super) fn section(document: &mut Document, study: &Study) {
          the polygons come near Coulomb's law; the boxes do not.",
     );
     document.table("friction_rod", rod_table(study));
+    document.text(
+        "What a model does to one problem, it does in every step. A block of the scene *sliding* starts \
+         at 30° to $t_1$ with 3 m/s. Coulomb's law stops it on the straight line, after \
+         $v^2 / (2 \\mu g)$. Under a figure with corners, friction is the corner nearest to the slip; \
+         the slip turns away from it to the middle of an edge, and goes on from there: towards $t_1$ \
+         on the box, towards the diagonal on the polygon with four corners.",
+    );
+    document.figure(path_figure(study));
+    document.table("friction_paths", path_table(study));
+}
+
+fn path_figure(study: &Study) -> Lines {
+    let path = |model: &Model| {
+        let paths = study.paths.iter().filter(|path| path.model == *model);
+        let points = paths.flat_map(|path| path.points.iter().map(|&[x, y]| (x, y)));
+        Series::points(short(*model), points.collect())
+    };
+    let straight = study.paths.iter().find(|path| path.model == Model::CoulombCone);
+    let line = straight.map(|path| vec![(0.0, 0.0), (path.expected[0], path.expected[1])]);
+    let theory = Series::theory("theory, Coulomb".to_string(), line.unwrap_or_default());
+    Lines {
+        id: "friction_paths".into(),
+        title: "A block's way over the floor, from above".into(),
+        caption:
+            "A marker every 0.02 s; the last one is where it stops. The line is Coulomb's law, \
+                  which has no preferred direction."
+                .into(),
+        x: Axis::linear("place along t₁", "m"),
+        panels: vec![Panel {
+            y: Axis::linear("place along t₂", "m"),
+            series: SHOWN.iter().map(path).chain([theory]).collect(),
+        }],
+    }
+}
+
+fn path_table(study: &Study) -> Table {
+    Table {
+        title: "Where the block stops".into(),
+        how_to_read: "Places along $t_1$ and $t_2$; the expected ones come from the figure alone, for \
+                      infinitely short steps. A row agrees if the block stops within two steps' travel \
+                      of it (two, because the frozen box knows no load in the first step) and floats as \
+                      expected to 1 µm. *gap* is the height at which it slides after 0.1 s: \
+                      $\\Delta t\\, \\mu |v|$ under the associated cone, whose block starts at that \
+                      height; one that starts on the floor is thrown up by it."
+            .into(),
+        columns: vec![
+            Column::words("model"),
+            Column::words("solver"),
+            Column::numbers("problems", ""),
+            Column::numbers("accepted", ""),
+            Column::numbers("t₁", "m"),
+            Column::numbers("expected", "m"),
+            Column::numbers("t₂", "m"),
+            Column::numbers("expected", "m"),
+            Column::numbers("gap", "m"),
+            Column::numbers("expected", "m"),
+            Column::words("agreement"),
+        ],
+        rows: study.paths.iter().map(path_cells).collect(),
+        files: Vec::new(),
+    }
+}
+
+fn path_cells(path: &Path) -> Vec<Cell> {
+    let ([x, y], [ex, ey]) = (path.stop, path.expected);
+    let agrees = (x - ex).hypot(y - ey) <= 2.0 * path.travel
+        && (path.gap - path.expected_gap).abs() <= 1e-6
+        && path.accepted == path.problems;
+    let mut cells = vec![
+        Cell::text(path.model.to_string()),
+        Cell::text(&path.solver),
+        Cell::count(path.problems),
+        Cell::count(path.accepted),
+    ];
+    cells.extend([x, ex, y, ey, path.gap, path.expected_gap].map(tidy));
+    cells.push(match agrees {
+        true => Cell::text("agrees").marked(Mark::Good),
+        false => Cell::text("differs").marked(Mark::Bad),
+    });
+    cells
 }
 
 /// How the curves of a model are called.

@@ -1,6 +1,5 @@
 //! Results as pages: tables, figures and what to see in them. Nothing is solved here.
 
-mod closed_form;
 mod comparison;
 mod convergence;
 mod cross_check;
@@ -12,11 +11,13 @@ mod merits;
 mod rates;
 mod sparsity;
 mod timing;
+mod verification;
 mod worst_cases;
 
 pub use comparison::{document as comparison_document, table as comparison_table};
 
 pub use families::table as families_table;
+pub use verification::table as verification_table;
 
 use super::page::{Block, Page, Picture, Section, Table};
 use super::results::Results;
@@ -47,7 +48,7 @@ pub fn document(results: &Results) -> Document {
         tables: Vec::new(),
     };
     introduction::problem(&mut document, results);
-    closed_form::section(&mut document, &results.closed_forms);
+    verification::section(&mut document, &results.verification);
     comparison::section(&mut document, &results.comparisons);
     cross_check::section(&mut document, &results.cross_checks);
     convergence::section(&mut document, &results.convergence);

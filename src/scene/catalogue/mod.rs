@@ -1,7 +1,12 @@
 //! The scenes that lcplab ships, embedded in the program: the files of the folder `scenes/`; and exact
 //! solutions of some.
 
+pub mod bounce;
+pub mod fall;
+pub mod ladder;
 pub mod pendulum;
+pub mod rolling;
+pub mod spin;
 
 use super::Scene;
 use crate::error::Result;
@@ -28,15 +33,59 @@ macro_rules! shipped {
 pub const SHIPPED: &[Shipped] = shipped![
     "fig6",
     "fig7",
+    "free_fall",
+    "bouncing_ball",
+    "cradle",
+    "cradle_touching",
+    "fig8",
     "sphere_plane",
+    "rolling_sphere",
     "incline",
+    "sliding",
+    "ladder",
+    "friction_ramp",
     "stack",
     "persistence",
+    "stack15",
+    "stack50",
+    "mass_ratio1",
+    "mass_ratio2",
+    "mass_ratio3",
+    "overlap_recovery",
+    "far",
+    "pyramid",
+    "card_house",
+    "arch",
+    "dominoes",
+    "tower",
     "pendulum",
+    "iftomm_pendulum",
+    "conical_pendulum",
     "double_pendulum",
+    "spring",
+    "spring_damped",
+    "motor",
+    "atwood",
+    "catenary",
+    "top",
+    "dzhanibekov",
+    "bricard",
+    "rolling_balls",
+    "three_points",
+    "figure",
     "chain",
-    "ball_chain",
+    "stretched_chain",
+    "rope",
     "net",
+    "sphere_net",
+    "bridge",
+    "ball_chain",
+    "warm_start",
+    "ball_and_chain",
+    "joint_grid",
+    "rush",
+    "catapult",
+    "ragdoll",
     "painleve",
 ];
 

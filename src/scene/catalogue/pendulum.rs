@@ -36,6 +36,33 @@ pub struct DoublePendulum {
     pub gravity: f64,
 }
 
+/// A point mass that circles at constant height on a massless rod. The scene `conical_pendulum`.
+///
+/// ```text
+/// ω² = g/(l cos θ),   the rod pulls with m g/cos θ
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conical {
+    /// l (m).
+    pub length: f64,
+    /// θ from the vertical (rad).
+    pub angle: f64,
+    /// g (m/s²).
+    pub gravity: f64,
+}
+
+impl Conical {
+    /// The time of a circle (s).
+    pub fn period(&self) -> f64 {
+        TAU * (self.length * self.angle.cos() / self.gravity).sqrt()
+    }
+
+    /// The pull (N) on a mass (kg).
+    pub fn tension(&self, mass: f64) -> f64 {
+        mass * self.gravity / self.angle.cos()
+    }
+}
+
 /// Angles (rad) and their rates (rad/s).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swing<const N: usize> {

@@ -8,6 +8,7 @@
 //! mass = 1
 //! ```
 
+mod arch;
 mod ball_chain;
 mod bridge;
 mod card_house;
@@ -18,9 +19,11 @@ mod joint_grid;
 mod net;
 mod pyramid;
 mod rope;
+mod rush;
 mod stack;
 
-pub use ball_chain::BallChain;
+pub use arch::Arch;
+pub use ball_chain::{Along, BallChain};
 pub use bridge::Bridge;
 pub use card_house::CardHouse;
 pub use chain::Chain;
@@ -30,6 +33,7 @@ pub use joint_grid::JointGrid;
 pub use net::Net;
 pub use pyramid::Pyramid;
 pub use rope::Rope;
+pub use rush::Rush;
 pub use stack::Stack;
 
 use schemars::JsonSchema;
@@ -46,7 +50,9 @@ const MOST_BODIES: usize = 10_000;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Generator {
-    /// Equal boxes along x, joined end to end by balls and sockets; the first hangs from the world.
+    /// Wedges of stone in half a circle.
+    Arch(Arch),
+    /// Equal boxes in a line, joined end to end by balls and sockets; the first hangs from the world.
     BallChain(BallChain),
     /// Planks joined by hinges between two fixed ends.
     Bridge(Bridge),
@@ -66,6 +72,8 @@ pub enum Generator {
     Pyramid(Pyramid),
     /// Point masses on rods between two fixed points, hanging in their equilibrium.
     Rope(Rope),
+    /// Balls on rings, drawn to the origin by springs.
+    Rush(Rush),
     /// Equal cubes on top of each other, from z = 0 up.
     Stack(Stack),
 }
@@ -90,6 +98,7 @@ trait Structure {
 impl Generator {
     fn structure(&self) -> &dyn Structure {
         match self {
+            Generator::Arch(arch) => arch,
             Generator::BallChain(chain) => chain,
             Generator::Bridge(bridge) => bridge,
             Generator::CardHouse(house) => house,
@@ -100,6 +109,7 @@ impl Generator {
             Generator::Net(net) => net,
             Generator::Pyramid(pyramid) => pyramid,
             Generator::Rope(rope) => rope,
+            Generator::Rush(rush) => rush,
             Generator::Stack(stack) => stack,
         }
     }

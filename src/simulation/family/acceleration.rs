@@ -71,7 +71,7 @@ fn forces<'s>(solving: &'s mut Solving, assembly: Assembly) -> Result<&'s Solve,
     };
     loop {
         let problem = Problem::sliding(scene, assembly.clone(), slides.clone())?;
-        let solve = solving.solve(problem);
+        let solve = solving.solve(problem)?;
         if let Some(cause) = impossible(solve, scene) {
             return Err(cause);
         }
@@ -90,7 +90,7 @@ fn forces<'s>(solving: &'s mut Solving, assembly: Assembly) -> Result<&'s Solve,
 /// contact alone, the sliding contacts of two bodies together, the solver's ray; or that all active
 /// sets were tried.
 fn impossible(solve: &Solve, scene: &Scene) -> Option<Cause> {
-    let Solve { problem, solution } = solve;
+    let Solve { problem, solution, .. } = solve;
     if solution.status == Status::Solved || problem.slides.is_empty() {
         return None;
     }

@@ -26,5 +26,5 @@ pub(super) fn step(
     let states = velocity::unbiased(solving, states, found)?;
     let assembly = solving.assemble(&states, found, Entering::Near)?;
     let problem = Problem::position(solving.scene, assembly)?;
-    Ok(moved(solving.solve(problem), &states, 0.0))
+    Ok(moved(solving.solve(problem)?, &states, 0.0))
 }

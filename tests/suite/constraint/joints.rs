@@ -74,6 +74,7 @@ pub fn cases() -> Vec<Case> {
         carries("distance", 1, Under, rod),
         carries("squared_distance", 1, Under, rod),
         carries("rope", 1, Under, rod),
+        carries("pulley", 1, Under, "points = [[0.3, 0, 2], [0, 0, 1.5]]\n"),
         // It is 0.4 long and was 0.38: 0.02 = m g/k.
         carries(
             "spring",

@@ -4,4 +4,5 @@ mod page;
 mod rates;
 mod sliding;
 mod standard;
+mod verification;
 mod worst_cases;

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
 
 use lcplab::report::study::friction::Model;
+use lcplab::report::study::slider;
 use lcplab::report::study::sliding::{Figure, run};
 
 use super::standard;
@@ -96,4 +97,47 @@ fn the_table_has_a_row_a_model_and_all_agree() {
     let column = table.columns.iter().position(|column| column.title == "agreement").unwrap();
     assert_eq!(table.rows.len(), Model::ALL.len());
     assert!(table.rows.iter().all(|row| row[column].text == "agrees"));
+}
+
+#[test]
+fn the_way_to_the_stop_is_the_one_that_small_steps_of_the_law_take() {
+    // v' = −μ g × the corner of the figure that lies farthest along v, in steps of 10 µs.
+    let mu_g = 4.0;
+    for (corners, first, radius) in
+        [(4, FRAC_PI_4, SQRT_2), (4, 0.0, 1.0), (8, 0.0, 1.0), (16, 0.0, 1.0)]
+    {
+        for degrees in [10.0f64, 30.0, 41.0, 100.0, 250.0] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let (mut p, mut v, dt) = ([0.0; 2], [2.0 * cos, 2.0 * sin], 1e-5);
+            for _ in 0..200_000 {
+                let corner = |k: usize| {
+                    let (s, c) = (first + TAU * k as f64 / corners as f64).sin_cos();
+                    [radius * c, radius * s]
+                };
+                let along = |d: &[f64; 2]| d[0] * v[0] + d[1] * v[1];
+                let d = (0..corners).map(corner).max_by(|a, b| along(a).total_cmp(&along(b)));
+                let d = d.unwrap();
+                for i in 0..2 {
+                    v[i] -= mu_g * dt * d[i];
+                    p[i] += dt * v[i];
+                }
+                if v[0].hypot(v[1]) < 1e-3 {
+                    break;
+                }
+            }
+            let figure = Figure::Polygon { corners, radius, first };
+            let [x, y] = slider::stop(figure, 2.0, degrees.to_radians(), mu_g);
+            assert!((x - p[0]).hypot(y - p[1]) < 1e-3, "{corners} at {degrees}°: {x}, {y}, {p:?}");
+        }
+    }
+}
+
+#[test]
+fn the_block_of_the_scene_stops_there_under_every_model_and_all_answers_are_accepted() {
+    let table = standard::table(&standard::results(1), "friction_paths");
+    let column = table.columns.iter().position(|column| column.title == "agreement").unwrap();
+    assert_eq!(table.rows.len(), Model::ALL.len());
+    for row in &table.rows {
+        assert_eq!(row[column].text, "agrees", "{row:?}");
+    }
 }

@@ -3,7 +3,7 @@ use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::page::Table;
 use lcplab::report::results::Results;
-use lcplab::report::{methods, run, study, view, write};
+use lcplab::report::{methods, run, view, write};
 use lcplab::solver::{ALL, Method};
 
 /// Every study once, on scenes that take milliseconds.
@@ -22,7 +22,7 @@ sparsity = [{ scene = "stack", step = 1 }]
 drift = [{ scene = "pendulum", duration = 0.1 }]
 "#;
 
-fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
+pub fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("small.toml");
     std::fs::write(&path, text).unwrap();
@@ -76,18 +76,15 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
         assert!(folder.path().join("data").join(link).is_file(), "{link}");
         count += 1;
     }
-    // A CSV for each of 14 tables, an SVG and a CSV for each of 10 figures.
-    assert_eq!(count, 14 + 2 * 10);
+    // A CSV for each of 15 tables, an SVG and a CSV for each of 11 figures.
+    assert_eq!(count, 15 + 2 * 11);
     assert!(folder.path().join("results.json").is_file());
     let left_over = std::fs::read_dir(folder.path()).unwrap();
     assert!(left_over.flatten().all(|file| file.path().extension().is_none_or(|e| e != "part")));
 }
 
 #[test]
-fn known_numbers_come_out_and_no_claim_is_refuted() {
-    for row in study::closed_form::run().unwrap() {
-        assert!(row.passes(), "{}, {}: {row:?}", row.scene, row.quantity);
-    }
+fn no_claim_is_refuted() {
     let results = results(2);
     assert!(results.is_good(), "{}", results.summary());
 }

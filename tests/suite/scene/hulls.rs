@@ -121,10 +121,12 @@ proptest! {
         prop_assert_eq!(&hull, &Polytope::hull(&points).unwrap());
         let (v, e, f) = (hull.vertices.len(), hull.edges.len(), hull.faces.len());
         prop_assert_eq!(v + f, e + 2); // Euler
+        // Neighbouring faces whose normals differ by less than 1.8e-4 are one face, whose corners lie
+        // that much times their distance, at most √12, out of its plane.
         for face in &hull.faces {
             let corner = hull.vertices[face.corners[0]];
             for point in &points {
-                prop_assert!(face.normal.dot(&(point - corner)) < 1e-9);
+                prop_assert!(face.normal.dot(&(point - corner)) < 6.5e-4);
             }
         }
     }

@@ -1,9 +1,11 @@
 //! Motions against closed forms.
 
+mod demonstrations;
 mod failures;
 mod families;
 mod free;
 mod friction;
+mod friction_models;
 mod impact;
 mod integrators;
 mod ledger;
@@ -11,8 +13,10 @@ mod painleve;
 mod pendulum;
 mod resting;
 mod shipped;
+mod stacking;
+mod symmetry;
 
-use lcplab::scene::{Formulation, Scene};
+use lcplab::scene::{Formulation, Scene, catalogue};
 use lcplab::simulation::{Simulation, Step};
 use lcplab::solver;
 
@@ -21,6 +25,16 @@ fn scene(name: &str, formulation: Formulation) -> Scene {
     let mut scene = Scene::load(name).unwrap();
     scene.step.formulation = formulation;
     scene
+}
+
+/// The shipped scene of this name with words of its file exchanged.
+fn changed(name: &str, words: &[(&str, &str)]) -> Scene {
+    let mut text = catalogue::text(name).unwrap().to_string();
+    for (old, new) in words {
+        assert!(text.contains(old), "{name} has no {old:?}");
+        text = text.replace(old, new);
+    }
+    Scene::from_toml(&format!("{name}.toml"), &text).unwrap()
 }
 
 /// The scene on its way, with Dantzig's method.

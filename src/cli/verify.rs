@@ -1,0 +1,53 @@
+//! `verify`: the closed forms.
+
+use clap::Args;
+use lcplab::error::Result;
+use lcplab::report::study::verification::{self, Row, Size};
+use lcplab::report::{text, view};
+use serde_json::json;
+
+use super::{Outcome, print};
+
+/// Measure what is known without a computer, with shorter and shorter steps
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab verify
+  lcplab verify --only pendulum --json
+
+Each closed form is measured with dt, dt/2, dt/4 and dt/8. What the step length spoils must come right
+at the order that theory gives, within 0.1; what it does not must be right at every length. Exit code 1
+if a row fails, 2 for bad input.")]
+pub struct Verify {
+    /// One case, by the name in the first column
+    #[arg(long)]
+    only: Option<String>,
+    /// Leave out dt/8
+    #[arg(long)]
+    fast: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Verify {
+    pub fn run(&self) -> Result<Outcome> {
+        let size = if self.fast { Size::Fast } else { Size::Full };
+        let rows = verification::run(size, self.only.as_deref())?;
+        let passed = rows.iter().filter(|row| row.passes()).count();
+        if self.json {
+            let verdicts: Vec<_> = rows.iter().map(with_verdict).collect();
+            print(&format!("{}\n", json!({ "rows": verdicts, "passed": passed })))?;
+        } else {
+            print(&text::table(&view::verification_table(&rows)))?;
+            print(&format!("{passed} of {} rows pass\n", rows.len()))?;
+        }
+        Ok(if passed == rows.len() { Outcome::Good } else { Outcome::Refuted })
+    }
+}
+
+/// A row with what follows from it.
+fn with_verdict(row: &Row) -> serde_json::Value {
+    let observed = row.derived_order().map(|_| lcplab::lcp::file::number(row.observed_order()));
+    json!({ "row": row, "observed_order": observed, "passes": row.passes() })
+}

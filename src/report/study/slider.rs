@@ -1,0 +1,136 @@
+//! The shipped scene "sliding" under each model of friction: where the block goes, and where geometry
+//! says that it stops.
+//!
+//! Friction is the corner of the model's figure that lies nearest to the direction of the slip. So the
+//! slip turns away from that corner, until it has turned to the middle of an edge; from there on the
+//! two corners of the edge share, and the block goes straight:
+//!
+//! ```text
+//! a = r μ g,   β = half the angle of an edge,   ψ = from its middle to the slip at the start
+//! t = v sin ψ/(a sin β)                           how long the slip turns
+//! (v cos ψ) t − a cos β t²/2 + u²/(2 a cos β)     along the middle,   u = v cos ψ − a cos β t
+//! (v sin ψ) t − a sin β t²/2                      across it
+//! ```
+//!
+//! On the disc it is straight at once, for v²/(2 μ g). Where what slides floats, the block starts at the
+//! height dt μ v at which it does: from the floor it would be thrown up.
+
+use std::f64::consts::TAU;
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::scene_simulation;
+use super::sliding::Figure;
+use crate::certificate::Demand;
+use crate::error::Result;
+use crate::formulation::with_friction_model;
+use crate::lcp::friction::Model;
+use crate::scene::Scene;
+
+/// The length of a step (s).
+const DT: f64 = 0.005;
+/// The step after which the gap is measured: the block still slides.
+const FLOATING: usize = 20;
+/// Every so many steps a place is kept.
+const KEPT: usize = 4;
+
+/// A block's way over the floor.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Path {
+    /// The model.
+    pub model: Model,
+    /// Who solved the problems of the steps.
+    pub solver: String,
+    /// How many problems.
+    pub problems: usize,
+    /// Of how many the judge accepts the answer.
+    pub accepted: usize,
+    /// The places x, y (m) after every few steps, from the start on.
+    pub points: Vec<[f64; 2]>,
+    /// Where it stops (m).
+    pub stop: [f64; 2],
+    /// Where it should (m), but for the error of the steps.
+    pub expected: [f64; 2],
+    /// How far it travels in the first step (m): the size of that error.
+    pub travel: f64,
+    /// The gap under it while it slides (m).
+    pub gap: f64,
+    /// dt μ |v| if its model floats what slides, else 0 (m).
+    pub expected_gap: f64,
+}
+
+/// The block under each model with this coefficient of friction.
+///
+/// # Errors
+/// If the scene cannot be stepped with it.
+pub fn run(mu: f64) -> Result<Vec<Path>> {
+    Model::ALL.par_iter().map(|&model| path(model, mu)).collect()
+}
+
+fn path(model: Model, mu: f64) -> Result<Path> {
+    let mut scene = Scene::load("sliding")?;
+    scene.contact = with_friction_model(&scene.contact, model);
+    scene.step.dt = DT;
+    for body in &mut scene.bodies {
+        body.friction = mu;
+    }
+    let (start, v) = (scene.states[1].pose.p, scene.states[1].v);
+    let (speed, angle) = (v.norm(), v.y.atan2(v.x));
+    let floats = if model == Model::AssociatedCone { DT * mu } else { 0.0 };
+    scene.states[1].pose.p.z += floats * speed;
+    scene.validate()?;
+    let mu_g = mu * scene.gravity.norm();
+    let steps = (1.5 * speed / (mu_g * DT)).ceil() as usize; // a polygon rubs with μ g/√2 at least
+    let demand = Demand { prove_up_to: 0, ..Demand::default() };
+    let mut simulation = scene_simulation(&scene)?;
+    let mut path = Path {
+        model,
+        solver: String::new(),
+        problems: 0,
+        accepted: 0,
+        points: vec![[start.x, start.y]],
+        stop: [start.x, start.y],
+        expected: stop(Figure::of(model), speed, angle, mu_g),
+        travel: speed * DT,
+        gap: 0.0,
+        expected_gap: 0.0,
+    };
+    for number in 1..=steps {
+        let Ok(step) = simulation.step() else { break }; // fewer problems tell
+        for solve in &step.solves {
+            path.problems += 1;
+            path.accepted += usize::from(solve.judged(&demand).verdict.is_solution());
+            path.solver = solve.solver.to_string();
+        }
+        let state = &step.states[1];
+        path.stop = [state.pose.p.x, state.pose.p.y];
+        if number % KEPT == 0 {
+            path.points.push(path.stop);
+        }
+        if number == FLOATING {
+            path.gap = state.pose.p.z - start.z;
+            path.expected_gap = floats * state.v.xy().norm();
+        }
+    }
+    Ok(path)
+}
+
+/// Where a block stops that starts at the origin, friction being at most μ g times the figure.
+pub fn stop(figure: Figure, speed: f64, angle: f64, mu_g: f64) -> [f64; 2] {
+    let Figure::Polygon { corners, radius, first } = figure else {
+        let reach = speed * speed / (2.0 * mu_g);
+        return [reach * angle.cos(), reach * angle.sin()];
+    };
+    let (a, beta) = (radius * mu_g, TAU / (2 * corners) as f64);
+    let edge = ((angle - first) / (2.0 * beta)).floor();
+    let middle = first + (2.0 * edge + 1.0) * beta;
+    let (sin, cos) = (angle - middle).sin_cos();
+    let side = sin.signum();
+    let turning = speed * sin.abs() / (a * beta.sin());
+    let rest = speed * cos - a * beta.cos() * turning;
+    let along = turning * (speed * cos + rest) / 2.0 + rest * rest / (2.0 * a * beta.cos());
+    let across = side * turning * speed * sin.abs() / 2.0;
+    let (sin, cos) = middle.sin_cos();
+    [along * cos - across * sin, along * sin + across * cos]
+}

@@ -1,0 +1,95 @@
+//! Feedback of errors, springs and motors.
+
+use super::measure::{Case, Known, Method, ROUNDING, after, last, passages};
+use super::{Row, Size};
+use crate::body::State;
+use crate::error::Result;
+
+const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
+
+/// A rod that is too long, without gravity: with β its error falls to 1 − β of itself in each step; with
+/// α it dies down like a critically damped spring.
+pub(super) fn feedback(size: Size) -> Result<Vec<Row>> {
+    let mut case = Case::load("feedback", "pendulum", size)?;
+    let (beta, alpha, error, steps, time) = (0.2f64, 20.0, 0.01, 10, 0.2);
+    case.scene.gravity *= 0.0;
+    (case.scene.step.baumgarte, case.scene.step.alpha) = (beta, alpha);
+    case.scene.states[0].pose.p.x += error;
+    let left = |state: &State| state.pose.p.x - 1.0;
+    let known = Known::exact(
+        ROUNDING,
+        "error of the rod after 10 steps",
+        ["(1 - beta)^10 c0", "(1 - \\beta)^{10} c_0"],
+        "m",
+        error * (1.0 - beta).powi(steps),
+    );
+    let mut rows = case.rows(Method::Velocity, vec![known], |scene| {
+        Some(vec![left(&after(scene, f64::from(steps) * scene.step.dt)?[0])])
+    });
+    let decayed = error * (1.0 + alpha * time) * (-alpha * time).exp();
+    let formula = ["(1 + a t) e^(-a t) c0", "(1 + \\alpha t)\\,e^{-\\alpha t} c_0"];
+    for (method, order) in
+        [(Method::Acceleration, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)]
+    {
+        case.scene.step.dt = if method == Method::Rk4 { 0.005 } else { 0.0025 };
+        let known = Known::order(order, "error of the rod after 0.2 s", formula, "m", decayed);
+        rows.extend(
+            case.rows(method, vec![known], |scene| Some(vec![left(&after(scene, time)?[0])])),
+        );
+    }
+    Ok(rows)
+}
+
+/// A weight on a spring: the period, and where it comes to rest with damping. The implicit step turns the
+/// motion by atan(ω dt) = ω dt − (ω dt)³/3 …: the frequency is of second order.
+pub(super) fn spring(size: Size) -> Result<Vec<Row>> {
+    let mut rows = Vec::new();
+    for level in LEVELS {
+        let case = Case::load("spring", "spring", size)?;
+        let (mass, stiffness) = (case.scene.bodies[0].mass.mass(), 50.0);
+        let sag = mass * -case.scene.gravity.z / stiffness;
+        let rest = -1.0 - sag;
+        let formula = ["2 pi sqrt(m/k)", "2\\pi\\sqrt{m/k}"];
+        let period = std::f64::consts::TAU * f64::sqrt(mass / stiffness);
+        let known = vec![Known::order(2.0, "period", formula, "s", period)];
+        rows.extend(case.rows(level, known, |scene| {
+            let height = |states: &[State]| (states[0].pose.p.z - rest, 0.0);
+            let times = passages(scene, (2, 3.0 * period), height)?;
+            Some(vec![times[1] - times[0]])
+        }));
+        let settled = (1e-9, "what is left of the swing after 8 s with ζ = 1/2: e^(−ζ ω t)");
+        let damped = Case::load("spring", "spring_damped", size)?;
+        let formula = ["m g / k", "m\\,g/k"];
+        let known = vec![Known::exact(settled, "deflection at rest", formula, "m", sag)];
+        rows.extend(
+            damped.rows(level, known, |scene| {
+                Some(vec![-1.0 - last(scene, 8.0)?.states[0].pose.p.z])
+            }),
+        );
+    }
+    Ok(rows)
+}
+
+/// A wheel driven by a motor with bounded torque: ω = τ t/I until it has its speed.
+pub(super) fn motor(size: Size) -> Result<Vec<Row>> {
+    let case = Case::load("motor", "motor", size)?;
+    let (effort, inertia, speed) = (2.0, 0.5, 3.0);
+    let mut rows = Vec::new();
+    for level in LEVELS {
+        let known = vec![
+            Known::exact(
+                ROUNDING,
+                "rate after 0.5 s",
+                ["T t / I", "\\tau\\,t/I"],
+                "rad/s",
+                effort * 0.5 / inertia,
+            ),
+            Known::exact(ROUNDING, "rate after 1 s", ["w_max", "\\omega_{max}"], "rad/s", speed),
+        ];
+        rows.extend(case.rows(level, known, |scene| {
+            let rate = |time| Some(last(scene, time)?.states[0].omega.z);
+            Some(vec![rate(0.5)?, rate(1.0)?])
+        }));
+    }
+    Ok(rows)
+}

@@ -1,0 +1,209 @@
+//! What all cases share: a scene, how it is stepped, and step lengths that are halved.
+
+use super::{Criterion, Row, Sample, Size};
+use crate::body::State;
+use crate::error::Result;
+use crate::report::study::{STEPPER, scene_options};
+use crate::scene::{Formulation, Integrator, Scene};
+use crate::simulation::{Simulation, Step};
+use crate::solver::by_name;
+
+/// A family of methods, and the integrator that the acceleration level uses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Method {
+    Velocity,
+    Acceleration,
+    Rk4,
+    Midpoint,
+}
+
+impl Method {
+    fn name(self) -> &'static str {
+        match self {
+            Method::Velocity => "velocity",
+            Method::Acceleration => "acceleration",
+            Method::Rk4 => "acceleration, RK4",
+            Method::Midpoint => "acceleration, midpoint",
+        }
+    }
+
+    fn apply(self, scene: &mut Scene) {
+        scene.step.formulation = match self {
+            Method::Velocity => Formulation::Velocity,
+            _ => Formulation::Acceleration,
+        };
+        scene.step.integrator = match self {
+            Method::Rk4 => Integrator::Rk4,
+            Method::Midpoint => Integrator::ImplicitMidpoint,
+            _ => Integrator::SemiImplicitEuler,
+        };
+    }
+}
+
+/// What is known of a quantity.
+pub(super) struct Known {
+    pub quantity: String,
+    /// As text and as LaTeX.
+    pub formula: [&'static str; 2],
+    pub unit: &'static str,
+    pub expected: f64,
+    pub criterion: Criterion,
+}
+
+impl Known {
+    /// A quantity whose error shrinks like dt to this power.
+    pub fn order(
+        order: f64,
+        quantity: impl Into<String>,
+        formula: [&'static str; 2],
+        unit: &'static str,
+        expected: f64,
+    ) -> Self {
+        let criterion = Criterion::Order(order);
+        Known { quantity: quantity.into(), formula, unit, expected, criterion }
+    }
+
+    /// A quantity that no step length spoils.
+    pub fn exact(
+        (tolerance, because): (f64, &str),
+        quantity: impl Into<String>,
+        formula: [&'static str; 2],
+        unit: &'static str,
+        expected: f64,
+    ) -> Self {
+        let criterion = Criterion::Exact { tolerance, because: because.into() };
+        Known { quantity: quantity.into(), formula, unit, expected, criterion }
+    }
+}
+
+/// The tolerance of what only rounding spoils.
+pub(super) const ROUNDING: (f64, &str) = (1e-10, "rounding, over all steps");
+
+/// A case with its scene at the longest step.
+pub(super) struct Case {
+    pub name: &'static str,
+    pub scene: Scene,
+    pub size: Size,
+}
+
+impl Case {
+    /// A case of a shipped scene, without feedback of errors.
+    pub fn load(name: &'static str, scene: &str, size: Size) -> Result<Self> {
+        let mut scene = Scene::load(scene)?;
+        (scene.step.alpha, scene.step.baumgarte) = (0.0, 0.0);
+        scene.solver.tolerance = 1e-12;
+        Ok(Case { name, scene, size })
+    }
+
+    /// The rows of quantities that one run of the scene measures, in the order of `known`; the scene
+    /// that `measure` gets has the method and the step length of the run.
+    pub fn rows(
+        &self,
+        method: Method,
+        known: Vec<Known>,
+        measure: impl Fn(&Scene) -> Option<Vec<f64>>,
+    ) -> Vec<Row> {
+        let mut scene = self.scene.clone();
+        method.apply(&mut scene);
+        let runs: Vec<(f64, Option<Vec<f64>>)> = (0..self.size.levels())
+            .map(|level| {
+                let mut scene = scene.clone();
+                scene.step.dt /= f64::from(1u32 << level);
+                (scene.step.dt, measure(&scene))
+            })
+            .collect();
+        let sample = |k: usize| {
+            let measured =
+                |found: &Option<Vec<f64>>| found.as_ref().and_then(|f| f.get(k).copied());
+            let samples = runs.iter().map(|(dt, found)| Sample {
+                dt: *dt,
+                measured: measured(found).unwrap_or(f64::NAN),
+            });
+            samples.collect()
+        };
+        let row = |(k, known): (usize, Known)| Row {
+            case: self.name.into(),
+            scene: self.scene.name.clone(),
+            method: method.name().into(),
+            quantity: known.quantity,
+            formula: known.formula[0].into(),
+            latex: known.formula[1].into(),
+            unit: known.unit.into(),
+            expected: known.expected,
+            samples: sample(k),
+            criterion: known.criterion,
+        };
+        known.into_iter().enumerate().map(row).collect()
+    }
+}
+
+/// The scene on its way.
+pub(super) fn start(scene: &Scene) -> Option<Simulation> {
+    let solver = by_name(STEPPER, &scene_options(scene)).ok()?;
+    Some(Simulation::new(scene.clone(), solver))
+}
+
+/// The scene's first step.
+pub(super) fn first(scene: &Scene) -> Option<Step> {
+    start(scene)?.step().ok()
+}
+
+/// The step that ends nearest to this time.
+pub(super) fn last(scene: &Scene, time: f64) -> Option<Step> {
+    let mut simulation = start(scene)?;
+    let mut last = None;
+    for _ in 0..(time / scene.step.dt).round() as usize {
+        last = Some(simulation.step().ok()?);
+    }
+    last
+}
+
+/// The states after a time.
+pub(super) fn after(scene: &Scene, time: f64) -> Option<Vec<State>> {
+    last(scene, time).map(|step| step.states)
+}
+
+/// The times at which a value passes 0 downwards, the first `count` of them before a limit; `value`
+/// gives it and its rate. Between two steps it is a line; under RK4 the cubic with the rates, whose
+/// error is of fifth order where the fourth derivative vanishes too.
+pub(super) fn passages(
+    scene: &Scene,
+    (count, limit): (usize, f64),
+    value: impl Fn(&[State]) -> (f64, f64),
+) -> Option<Vec<f64>> {
+    let dt = scene.step.dt;
+    let mut simulation = start(scene)?;
+    let mut before = value(simulation.states());
+    let mut times = Vec::new();
+    while times.len() < count {
+        let now = value(&simulation.step().ok()?.states);
+        // A jump of an angle from π to −π is no passage.
+        if before.0 > 0.0 && now.0 <= 0.0 && before.0 - now.0 < 1.0 {
+            let part = match scene.step.integrator {
+                Integrator::Rk4 => cubic_root(before, now, dt),
+                _ => before.0 / (before.0 - now.0),
+            };
+            times.push(simulation.time() - dt + part * dt);
+        }
+        before = now;
+        if simulation.time() > limit {
+            return None;
+        }
+    }
+    Some(times)
+}
+
+/// Where in [0, 1] the cubic with these values and rates at the ends of a step h vanishes, by
+/// halving.
+fn cubic_root((y0, r0): (f64, f64), (y1, r1): (f64, f64), h: f64) -> f64 {
+    let cubic = |s: f64| {
+        let t = 1.0 - s;
+        t * t * (1.0 + 2.0 * s) * y0 + s * s * (1.0 + 2.0 * t) * y1 + s * t * h * (t * r0 - s * r1)
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if cubic(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}

@@ -1,0 +1,187 @@
+//! Numbers that are known without a computer, measured with shorter and shorter steps.
+//!
+//! A row names a scene, how it is stepped, a quantity and its closed form. It is measured with dt,
+//! dt/2, dt/4 and dt/8. What the step length spoils must come right at the order that theory gives
+//! for this quantity and this method,
+//!
+//! ```text
+//! observed order = log2(|error(2h)| / |error(h)|),   within 0.1 of the derived one
+//! ```
+//!
+//! which no wrong constant can pass: an error that stays has the order 0. What it does not spoil must be
+//! right at every step length, within a tolerance that has a reason. Cases are one file a group.
+
+mod bricard;
+mod contact;
+mod free;
+mod impact;
+mod joint;
+mod measure;
+mod painleve;
+mod pendulum;
+mod rolling;
+mod rope;
+mod rotation;
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, Result};
+
+/// How far an observed order may lie from the derived one.
+pub const ORDER_SLACK: f64 = 0.1;
+
+/// How much is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Size {
+    /// With dt, dt/2, dt/4 and dt/8.
+    Full,
+    /// Without dt/8.
+    Fast,
+}
+
+impl Size {
+    /// How many step lengths, each half of the one before.
+    pub fn levels(self) -> usize {
+        match self {
+            Size::Full => 4,
+            Size::Fast => 3,
+        }
+    }
+}
+
+/// A closed form and what is measured of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// The case that it belongs to.
+    pub case: String,
+    /// The scene.
+    pub scene: String,
+    /// The family of methods and, where there is a choice, the integrator.
+    pub method: String,
+    /// What is measured.
+    pub quantity: String,
+    /// The formula as text.
+    pub formula: String,
+    /// The formula as LaTeX.
+    pub latex: String,
+    /// The unit; empty for a pure number.
+    pub unit: String,
+    /// The value of the formula.
+    pub expected: f64,
+    /// What was measured, with the longest step first.
+    pub samples: Vec<Sample>,
+    /// What the numbers must do.
+    pub criterion: Criterion,
+}
+
+/// A number measured with one step length.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Sample {
+    /// The step (s).
+    pub dt: f64,
+    /// The number; NaN if the simulation failed.
+    #[serde(with = "crate::report::results::number")]
+    pub measured: f64,
+}
+
+/// What the measured numbers must do.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Criterion {
+    /// Their errors shrink like dt to this power.
+    Order(f64),
+    /// They are right whatever the step.
+    Exact {
+        /// The largest error of any of them, relative unless 0 is expected.
+        tolerance: f64,
+        /// Why it is not smaller.
+        because: String,
+    },
+}
+
+impl Row {
+    /// |measured − expected|, relative unless 0 is expected, for each step length.
+    pub fn errors(&self) -> Vec<f64> {
+        let scale = if self.expected == 0.0 { 1.0 } else { self.expected.abs() };
+        let error = |sample: &Sample| (sample.measured - self.expected).abs() / scale;
+        self.samples.iter().map(error).collect()
+    }
+
+    /// The order that the two shortest steps show; NaN if there are no two.
+    pub fn observed_order(&self) -> f64 {
+        match self.errors()[..] {
+            [.., coarse, fine] => (coarse / fine).log2(),
+            _ => f64::NAN,
+        }
+    }
+
+    /// The order that theory gives, if the step matters at all.
+    pub fn derived_order(&self) -> Option<f64> {
+        match self.criterion {
+            Criterion::Order(order) => Some(order),
+            Criterion::Exact { .. } => None,
+        }
+    }
+
+    /// Whether the numbers do what they must.
+    pub fn passes(&self) -> bool {
+        match self.criterion {
+            Criterion::Order(order) => (self.observed_order() - order).abs() <= ORDER_SLACK,
+            Criterion::Exact { tolerance, .. } => {
+                !self.samples.is_empty() && self.errors().iter().all(|error| *error <= tolerance)
+            }
+        }
+    }
+}
+
+/// The rows of a case.
+type Study = fn(Size) -> Result<Vec<Row>>;
+
+/// The cases by name, in the order of the page.
+const CASES: &[(&str, Study)] = &[
+    ("free-fall", free::fall),
+    ("pendulum", pendulum::swing),
+    ("pendulum-tension", pendulum::tension),
+    ("iftomm-pendulum", pendulum::iftomm),
+    ("conical-pendulum", pendulum::conical),
+    ("double-pendulum", pendulum::double),
+    ("flip", rotation::flip),
+    ("top", rotation::top),
+    ("landing", contact::landing),
+    ("stack", contact::stack),
+    ("incline", contact::incline),
+    ("ladder", contact::ladder),
+    ("rolling-sphere", rolling::sphere),
+    ("rolling-balls", rolling::balls),
+    ("bouncing-ball", impact::bouncing),
+    ("cradle", impact::cradle),
+    ("catenary", rope::catenary),
+    ("atwood", rope::atwood),
+    ("feedback", joint::feedback),
+    ("spring", joint::spring),
+    ("motor", joint::motor),
+    ("bricard", bricard::bricard),
+    ("painleve", painleve::rod),
+];
+
+/// The names of the cases.
+pub fn names() -> Vec<&'static str> {
+    CASES.iter().map(|(name, _)| *name).collect()
+}
+
+/// The rows of all cases, or of one. They do not depend on the number of threads.
+///
+/// # Errors
+/// If there is no case of that name.
+pub fn run(size: Size, only: Option<&str>) -> Result<Vec<Row>> {
+    let chosen: Vec<_> =
+        CASES.iter().filter(|(name, _)| only.is_none_or(|only| only == *name)).collect();
+    if let (Some(only), true) = (only, chosen.is_empty()) {
+        let known = names().into_iter().map(String::from).collect();
+        return Err(Error::Unknown { kind: "closed form", name: only.into(), known });
+    }
+    let rows: Result<Vec<Vec<Row>>> = chosen.par_iter().map(|(_, study)| study(size)).collect();
+    Ok(rows?.concat())
+}

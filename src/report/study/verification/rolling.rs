@@ -1,0 +1,106 @@
+//! Balls that roll.
+
+use super::measure::{Case, Known, Method, last};
+use super::{Row, Size};
+use crate::error::Result;
+use crate::scene::catalogue::rolling::{PushedBox, SlidingBall};
+
+const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
+const SUMMED: (f64, &str) = (1e-7, "the solver's tolerance, summed over the steps");
+
+/// A ball that is thrown without spin slides until it rolls, at 5/7 of its speed.
+pub(super) fn sphere(size: Size) -> Result<Vec<Row>> {
+    let case = Case::load("rolling-sphere", "rolling_sphere", size)?;
+    let (g, time) = (-case.scene.gravity.z, 0.5);
+    let ball = SlidingBall {
+        speed: case.scene.states[1].v.x,
+        friction: case.scene.contact.friction,
+        gravity: g,
+    };
+    let mut rows = Vec::new();
+    for level in LEVELS {
+        let known = vec![
+            Known::exact(
+                SUMMED,
+                "speed when it rolls",
+                ["5 v0/7", "\\tfrac57 v_0"],
+                "m/s",
+                ball.rolling_speed(),
+            ),
+            Known::exact(
+                SUMMED,
+                "time until it rolls",
+                ["2 v0 / (7 mu g)", "\\frac{2 v_0}{7\\mu g}"],
+                "s",
+                ball.sliding_time(),
+            ),
+            Known::order(
+                1.0,
+                "way in 0.5 s",
+                [
+                    "v0 T - mu g T^2/2 + 5 v0 (t - T)/7",
+                    "v_0 T - \\tfrac12\\mu g T^2 + \\tfrac57 v_0 (t - T)",
+                ],
+                "m",
+                ball.way_after(time),
+            ),
+        ];
+        rows.extend(case.rows(level, known, |scene| {
+            let mut simulation = super::measure::start(scene)?;
+            // Slip v − ω R falls by 7/2 μ g dt a step, in the last one by what is left.
+            let slip = |state: &crate::body::State| state.v.x - 0.5 * state.omega.y;
+            let (mut before, mut slid) = (slip(&simulation.states()[1]), 0.0);
+            for _ in 0..(time / scene.step.dt).round() as usize {
+                let now = slip(&simulation.step().ok()?.states[1]);
+                slid += (before - now) / (3.5 * ball.friction * ball.gravity);
+                before = now;
+            }
+            let state = simulation.states()[1];
+            Some(vec![state.v.x, slid, state.pose.p.x])
+        }));
+    }
+    Ok(rows)
+}
+
+/// Twenty-five balls on a box that is pushed: they roll backwards as seen from the box.
+pub(super) fn balls(size: Size) -> Result<Vec<Row>> {
+    let mut case = Case::load("rolling-balls", "rolling_balls", size)?;
+    case.scene.step.dt = 0.02;
+    let known_as = PushedBox {
+        push: 150.0,
+        mass: 10.0,
+        balls: 25.0,
+        ball_mass: 1.0,
+        friction: 0.4,
+        gravity: -case.scene.gravity.z,
+    };
+    let time = 0.08;
+    let formulas = [
+        ["(F - mu (M + n m) g) / (M + 2 n m/7)", "\\frac{F - \\mu (M + n m) g}{M + \\tfrac27 n m}"],
+        ["2 a/7", "\\tfrac27 a"],
+    ];
+    let mut rows = Vec::new();
+    for level in LEVELS {
+        let known = vec![
+            Known::exact(
+                SUMMED,
+                "acceleration of the box",
+                formulas[0],
+                "m/s²",
+                known_as.acceleration(),
+            ),
+            Known::exact(
+                SUMMED,
+                "acceleration of a ball",
+                formulas[1],
+                "m/s²",
+                known_as.acceleration_of_ball(),
+            ),
+        ];
+        rows.extend(case.rows(level, known, |scene| {
+            let states = last(scene, time)?.states;
+            Some(vec![states[1].v.x / time, states[2].v.x / time])
+        }));
+    }
+    Ok(rows)
+}

@@ -1,0 +1,64 @@
+//! Ropes: the discrete catenary, and two weights on a pulley.
+
+use super::measure::{Case, Known, Method, ROUNDING, first, last};
+use super::{Row, Size};
+use crate::error::Result;
+use crate::scene::generate::Rope;
+
+const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
+const HANGS: (f64, &str) = (1e-9, "rounding, through a chain of rods");
+
+/// Each rod of a hanging chain pulls with H/cos of its slope.
+pub(super) fn catenary(size: Size) -> Result<Vec<Row>> {
+    let case = Case::load("catenary", "catenary", size)?;
+    let rope = Rope { links: 12, length: 3.0, span: 2.0, mass: 0.25 };
+    let (slopes, ratio) = rope.catenary();
+    let level = rope.mass * -case.scene.gravity.z / ratio; // H
+    let mut rows = Vec::new();
+    for method in LEVELS {
+        let formula = ["H sqrt(1 + s_k^2)", "H\\sqrt{1 + s_k^2}"];
+        let known = [0, 3, 5].map(|k: usize| {
+            let what = format!("pull of rod {}", k + 1);
+            Known::exact(HANGS, what, formula, "N", level * slopes[k].hypot(1.0))
+        });
+        rows.extend(case.rows(method, known.into(), |scene| {
+            let step = first(scene)?;
+            let x = &step.solves[0].solution.x;
+            let unit = if method == Method::Velocity { scene.step.dt } else { 1.0 };
+            Some([0, 3, 5].map(|k: usize| -x[k] / unit).into())
+        }));
+    }
+    Ok(rows)
+}
+
+/// Atwood's machine: the difference of the weights moves the sum of the masses.
+pub(super) fn atwood(size: Size) -> Result<Vec<Row>> {
+    let case = Case::load("atwood", "atwood", size)?;
+    let (g, time) = (-case.scene.gravity.z, 0.5);
+    let [m1, m2] = [0, 1].map(|k: usize| case.scene.bodies[k].mass.mass());
+    let mut rows = Vec::new();
+    for method in LEVELS {
+        let known = vec![
+            Known::exact(
+                ROUNDING,
+                "acceleration of the heavier weight",
+                ["(m1 - m2) g / (m1 + m2)", "\\frac{m_1 - m_2}{m_1 + m_2}\\,g"],
+                "m/s²",
+                (m1 - m2) / (m1 + m2) * g,
+            ),
+            Known::exact(
+                ROUNDING,
+                "tension",
+                ["2 m1 m2 g / (m1 + m2)", "\\frac{2 m_1 m_2}{m_1 + m_2}\\,g"],
+                "N",
+                2.0 * m1 * m2 / (m1 + m2) * g,
+            ),
+        ];
+        rows.extend(case.rows(method, known, |scene| {
+            let step = last(scene, time)?;
+            let unit = if method == Method::Velocity { scene.step.dt } else { 1.0 };
+            Some(vec![-step.states[0].v.z / time, step.solves[0].solution.x[0].abs() / unit])
+        }));
+    }
+    Ok(rows)
+}

@@ -1,0 +1,125 @@
+//! Closed forms beside measured numbers.
+
+use super::Document;
+use crate::plot::number::significant;
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::verification::{Criterion, ORDER_SLACK, Row};
+
+pub(super) fn section(document: &mut Document, rows: &[Row]) {
+    if rows.is_empty() {
+        return;
+    }
+    let failed = rows.iter().filter(|row| !row.passes()).count();
+    document.open("closed-forms", "Numbers that are known without a computer");
+    document.text(format!(
+        "Before any solver is compared: does the simulation get right what can be worked out by \
+         hand? {} of {} numbers do what they must. A number that the step length spoils must come \
+         right at the order that theory gives: each time the step is halved its error shrinks to \
+         $2^{{-p}}$ of what it was, and the observed order may be off by {ORDER_SLACK} at most. All \
+         other numbers must be right at every step length.",
+        rows.len() - failed,
+        rows.len()
+    ));
+    document.text(formulas(rows));
+    document.table("closed_forms", table(rows));
+    document.text(tolerances(rows));
+}
+
+/// Each formula once.
+fn formulas(rows: &[Row]) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for row in rows {
+        let line = format!("- *{}*, {}: ${}$", row.case, row.quantity, row.latex);
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    format!("The closed forms:\n\n{}", lines.join("\n"))
+}
+
+/// Each tolerance once, with its reason.
+fn tolerances(rows: &[Row]) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for row in rows {
+        let Criterion::Exact { tolerance, because } = &row.criterion else { continue };
+        let line = format!("- {}: {because}", significant(*tolerance, 2));
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    format!("Why the errors of exact numbers may be as large as allowed:\n\n{}", lines.join("\n"))
+}
+
+/// One row a closed form and method.
+pub fn table(rows: &[Row]) -> Table {
+    let levels = rows.iter().map(|row| row.samples.len()).max().unwrap_or(0);
+    let measured = (0..levels).map(|level| match level {
+        0 => Column::numbers("at dt", ""),
+        level => Column::numbers(format!("at dt/{}", 1 << level), ""),
+    });
+    let head = vec![
+        Column::words("case"),
+        Column::words("method"),
+        Column::words("quantity"),
+        Column::words("unit"),
+        Column::numbers("expected", ""),
+    ];
+    let tail = vec![
+        Column::numbers("error", ""),
+        Column::numbers("allowed", ""),
+        Column::numbers("observed order", ""),
+        Column::numbers("derived", ""),
+        Column::words("verdict"),
+        Column::words("formula"),
+    ];
+    Table {
+        title: "Closed forms and measured values".into(),
+        how_to_read: "*error*: of the shortest step, relative unless 0 is expected. A row with a \
+                      *derived* order passes if the *observed* one, of the two shortest steps, is \
+                      within 0.1 of it; any other row passes if no step has an error above \
+                      *allowed*."
+            .into(),
+        columns: head.into_iter().chain(measured).chain(tail).collect(),
+        rows: rows.iter().map(|row| cells(row, levels)).collect(),
+        files: Vec::new(),
+    }
+}
+
+fn cells(row: &Row, levels: usize) -> Vec<Cell> {
+    let seven =
+        |value: f64| Cell { text: significant(value, 7), value: Some(value), ..Cell::default() };
+    let measured = (0..levels).map(|level| match row.samples.get(level) {
+        Some(sample) => seven(sample.measured),
+        None => Cell::text("–"),
+    });
+    let error = row.errors().last().copied().unwrap_or(f64::NAN);
+    let order = row.derived_order();
+    let observed = match order {
+        Some(_) => Cell::number(row.observed_order(), 4),
+        None => Cell::text("–"),
+    };
+    let allowed = match row.criterion {
+        Criterion::Exact { tolerance, .. } => Cell::number(tolerance, 2),
+        Criterion::Order(_) => Cell::text("–"),
+    };
+    let verdict = match row.passes() {
+        true => Cell::text("pass").marked(Mark::Good),
+        false => Cell::text("FAIL").marked(Mark::Bad),
+    };
+    let head = vec![
+        Cell::text(&row.case),
+        Cell::text(&row.method),
+        Cell::text(&row.quantity),
+        Cell::text(&row.unit),
+        seven(row.expected),
+    ];
+    let tail = vec![
+        Cell::number(error, 2),
+        allowed,
+        observed,
+        order.map_or(Cell::text("exact"), |order| Cell::number(order, 2)),
+        verdict,
+        Cell::text(&row.formula),
+    ];
+    head.into_iter().chain(measured).chain(tail).collect()
+}

@@ -1,0 +1,47 @@
+//! A ladder on a rough floor against a smooth wall. The scene `ladder`.
+//!
+//! A capsule of length L between the centres of its ends, radius r, at θ from the floor. Moments about
+//! the foot's centre: W L sin θ + μ N r = m g (L/2) cos θ at rest, where W = friction:
+//!
+//! ```text
+//! W = m g L cos θ / (2 (L sin θ + r)),   it holds while μ ≥ W/(m g)
+//! ```
+//!
+//! Sliding with friction μ N it turns, both ends in touch, with x = (L/2) cos θ, z = (L/2) sin θ:
+//!
+//! ```text
+//! N = m (g + (L/2) cos θ θ''),   W = μ N − m (L/2) sin θ θ'',
+//! I θ'' = (L/2) sin θ W + μ N ((L/2) sin θ + r) − (L/2) cos θ N
+//! ```
+
+/// The ladder.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ladder {
+    /// m (kg).
+    pub mass: f64,
+    /// L (m), without the round ends.
+    pub length: f64,
+    /// r (m).
+    pub radius: f64,
+    /// θ from the floor (rad).
+    pub angle: f64,
+}
+
+impl Ladder {
+    /// W (N) at rest, for g (m/s²).
+    pub fn push_of_wall(&self, gravity: f64) -> f64 {
+        let (sin, cos) = self.angle.sin_cos();
+        self.mass * gravity * self.length * cos / (2.0 * (self.length * sin + self.radius))
+    }
+
+    /// θ'' (rad/s²) of a ladder at rest whose foot slides with friction μ, with the moment of
+    /// inertia I (kg m²) about its centre; below 0 as it sinks.
+    pub fn angular_acceleration(&self, gravity: f64, mu: f64, inertia: f64) -> f64 {
+        let (sin, cos) = self.angle.sin_cos();
+        let half = 0.5 * self.length;
+        let lever = mu * (self.length * sin + self.radius) - half * cos; // (moment of N)/N
+        let resistance =
+            inertia + self.mass * half * half * sin * sin - self.mass * half * cos * lever;
+        self.mass * gravity * lever / resistance
+    }
+}

@@ -1,0 +1,68 @@
+//! Balls that roll. The scenes `rolling_sphere` and `rolling_balls`.
+//!
+//! ```text
+//! a ball, I = 2/5 m R², thrown without spin:  v = v0 − μ g t, ω R = 5/2 μ g t, so that it rolls from
+//!     T = 2 v0/(7 μ g) on, at 5/7 v0
+//! on a box with acceleration a, without slip:  m a_b = f, I α = f R, a_b + α R = a, so a_b = 2/7 a
+//! ```
+
+/// A homogeneous ball on the ground, thrown without spin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlidingBall {
+    /// v0 (m/s).
+    pub speed: f64,
+    /// μ.
+    pub friction: f64,
+    /// g (m/s²).
+    pub gravity: f64,
+}
+
+impl SlidingBall {
+    /// T (s), how long it slides.
+    pub fn sliding_time(&self) -> f64 {
+        2.0 * self.speed / (7.0 * self.friction * self.gravity)
+    }
+
+    /// The speed (m/s) at which it rolls.
+    pub fn rolling_speed(&self) -> f64 {
+        5.0 / 7.0 * self.speed
+    }
+
+    /// How far (m) it came after a time (s).
+    pub fn way_after(&self, time: f64) -> f64 {
+        let slides = time.min(self.sliding_time());
+        let braked = 0.5 * self.friction * self.gravity * slides * slides;
+        self.speed * slides - braked + self.rolling_speed() * (time - slides)
+    }
+}
+
+/// Balls on a box that is pushed over the ground by a force through its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PushedBox {
+    /// F (N).
+    pub push: f64,
+    /// M (kg).
+    pub mass: f64,
+    /// n, how many balls.
+    pub balls: f64,
+    /// m (kg) of each.
+    pub ball_mass: f64,
+    /// μ between box and ground; the balls do not slip.
+    pub friction: f64,
+    /// g (m/s²).
+    pub gravity: f64,
+}
+
+impl PushedBox {
+    /// a (m/s²) of the box while it slides.
+    pub fn acceleration(&self) -> f64 {
+        let load = self.balls * self.ball_mass;
+        let brake = self.friction * (self.mass + load) * self.gravity;
+        (self.push - brake) / (self.mass + 2.0 / 7.0 * load)
+    }
+
+    /// That of each ball.
+    pub fn acceleration_of_ball(&self) -> f64 {
+        2.0 / 7.0 * self.acceleration()
+    }
+}
