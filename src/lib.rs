@@ -31,7 +31,8 @@
 //!
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
 //! Numbers: [`lcp`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
-//! [`formulation`]; [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them.
+//! [`formulation`]; [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
+//! and [`explain`] derives a step line by line.
 
 pub mod error;
 
@@ -60,6 +61,8 @@ pub mod trace;
 pub mod plot;
 
 pub mod report;
+
+pub mod explain;
 
 /// The examples of the README run as tests.
 #[cfg(doctest)]

@@ -1,5 +1,6 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
+mod explain;
 mod families;
 mod friction;
 mod library;
@@ -35,6 +36,7 @@ enum Command {
     Compare(scene::Compare),
     CompareSolvers(families::CompareSolvers),
     Export(scene::Export),
+    Explain(explain::Explain),
     Verify(verify::Verify),
 }
 
@@ -58,6 +60,7 @@ pub fn run() -> ExitCode {
         Command::Compare(command) => command.run(),
         Command::CompareSolvers(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Explain(command) => command.run(),
         Command::Verify(command) => command.run(),
     };
     match result {

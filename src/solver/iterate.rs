@@ -23,11 +23,23 @@ const SHORT: f64 = 1e-7;
 /// an x whose residual is no smaller than that of doing nothing has `Diverged`.
 pub(super) fn iterate(
     problem: &impl Complementarity,
-    mut x: Vec<f64>,
+    x: Vec<f64>,
     first: usize,
     settings: &Settings,
     observer: &mut dyn Observer,
     mut step: impl FnMut(&mut [f64]) -> ControlFlow<Status, Event>,
+) -> Solution {
+    iterate_in_parts(problem, x, first, settings, observer, |x, _| step(x))
+}
+
+/// The same for a step that tells the observer of its parts.
+pub(super) fn iterate_in_parts(
+    problem: &impl Complementarity,
+    mut x: Vec<f64>,
+    first: usize,
+    settings: &Settings,
+    observer: &mut dyn Observer,
+    mut step: impl FnMut(&mut [f64], &mut dyn Observer) -> ControlFlow<Status, Event>,
 ) -> Solution {
     let Settings { tolerance, max_iterations, check_every } = *settings;
     let lcp = problem.lcp();
@@ -38,7 +50,7 @@ pub(super) fn iterate(
     for iteration in first..=max_iterations {
         if iteration > first {
             before.copy_from_slice(&x);
-            match step(&mut x) {
+            match step(&mut x, observer) {
                 ControlFlow::Continue(done) => event = done,
                 ControlFlow::Break(status) => {
                     let status = if is_solved(&x) { Status::Solved } else { status };

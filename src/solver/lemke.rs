@@ -36,7 +36,8 @@ use super::active_set::{ROUNDING, claim};
 use super::dictionary::Dictionary;
 use super::standard_form::{StandardForm, Variable};
 use super::{
-    Event, Fallback, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen, pivoting,
+    Event, Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, Tableau,
+    frozen, pivoting,
 };
 use crate::lcp::{Lcp, merit};
 
@@ -133,12 +134,14 @@ impl<'a> Path<'a> {
         loop {
             let column = self.form.dictionary.column_of(entering);
             let Some(c) = column else { return ControlFlow::Break(Status::Stalled) };
+            self.tell(Some(c), leaving, observer);
             let Some(r) = leaving else { return ControlFlow::Break(self.ray(c)) };
             if self.pivots >= limit {
                 return ControlFlow::Break(Status::IterationLimit);
             }
             let left = self.pivot(r, c, observer)?;
             if left == Variable::Cover {
+                self.tell(None, None, observer);
                 return ControlFlow::Continue(());
             }
             if self.renews && (self.pivots - start).is_multiple_of(PIVOTS_TO_RENEWAL) {
@@ -147,6 +150,22 @@ impl<'a> Path<'a> {
             entering = left.partner();
             let column = self.form.dictionary.column_of(entering);
             leaving = column.and_then(|c| self.blocking(c));
+        }
+    }
+
+    /// Tells an observer that asks of the tableau, and of what will enter and leave.
+    fn tell(&self, entering: Option<usize>, leaving: Option<usize>, observer: &mut dyn Observer) {
+        if observer.asks_for_parts() {
+            let d = &self.form.dictionary;
+            observer.part(&Part::Tableau(Tableau {
+                basic: &d.basic,
+                nonbasic: &d.nonbasic,
+                constant: &d.constant,
+                rows: &d.rows,
+                pairs: self.form.pairs,
+                entering,
+                leaving,
+            }));
         }
     }
 

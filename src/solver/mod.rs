@@ -74,7 +74,7 @@ pub use block_pivoting::BlockPivoting;
 pub use class::{Class, MatrixClass};
 pub use code6::Code6;
 pub use cone::{CONES, ConeEntry, ConePgs, ConeSolver, cone_by_name};
-pub use dantzig::Dantzig;
+pub use dantzig::{Dantzig, Side};
 pub use enumeration::{Enumeration, all_solutions};
 pub use interior_point::InteriorPoint;
 pub use jacobi::{Damping, Jacobi};
@@ -84,13 +84,14 @@ pub use mprgp::Mprgp;
 pub use murty::Murty;
 pub use newton::{Equations, Newton};
 pub use nncg::Nncg;
-pub use observer::{Event, Iterate, Observer};
+pub use observer::{Event, Iterate, Move, Observer, Part, RowUpdate, Tableau};
 pub use order::Order;
 pub use pgs::Pgs;
 pub use registry::{ALL, Choice, Entry, Options, SPECIMENS, by_name, default_for, entry};
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};
 pub use spectral::Spectral;
+pub use standard_form::Variable;
 
 use crate::lcp::{Complementarity, Lcp};
 

@@ -21,9 +21,9 @@
 
 use std::ops::ControlFlow;
 
-use super::iterate::iterate;
+use super::iterate::iterate_in_parts;
 use super::metric::Metric;
-use super::{Event, Observer, Order, Settings, Solution, Solver, Start};
+use super::{Event, Observer, Order, Part, RowUpdate, Settings, Solution, Solver, Start};
 use crate::lcp::Lcp;
 
 /// Projected Gauss-Seidel with relaxation.
@@ -60,10 +60,17 @@ impl Solver for Pgs {
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
         let (order, omega) = (self.order.rows(lcp), self.omega);
-        iterate(lcp, x, 0, &self.settings, observer, |x| {
+        iterate_in_parts(lcp, x, 0, &self.settings, observer, |x, observer| {
+            let tells = observer.asks_for_parts();
             for &i in &order {
-                let step = omega * lcp.row_w(i, x) / metric.diagonal[i];
-                x[i] = lcp.project(i, x[i] - step, x); // x_i ← Π_i(x_i − ω w_i / a_ii)
+                let (w, diagonal, before) = (lcp.row_w(i, x), metric.diagonal[i], x[i]);
+                let unclamped = before - omega * w / diagonal;
+                x[i] = lcp.project(i, unclamped, x); // x_i ← Π_i(x_i − ω w_i / a_ii)
+                if tells {
+                    let after = x[i];
+                    let row = RowUpdate { row: i, w, diagonal, omega, before, unclamped, after };
+                    observer.part(&Part::Row(row));
+                }
             }
             ControlFlow::Continue(Event::Sweep)
         })

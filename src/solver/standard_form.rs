@@ -22,9 +22,9 @@ pub(super) const FORGIVEN: f64 = 1e-11;
 /// Units of w that differ by more than this factor are far apart.
 const FAR_APART: f64 = 1024.0;
 
-/// A variable of the standard form; the number is the row of the boxed problem.
+/// A variable of Lemke's standard form; the number is the row of the boxed problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Variable {
+pub enum Variable {
     /// y, the distance of x from its bound.
     Y(usize),
     /// The partner of y: w, −w or w + v.
@@ -49,8 +49,8 @@ impl Variable {
         }
     }
 
-    /// The row of the boxed problem.
-    pub(super) fn row(self) -> Option<usize> {
+    /// The row of the boxed problem; none for the covering variable.
+    pub fn row(self) -> Option<usize> {
         match self {
             Variable::Y(i) | Variable::W(i) | Variable::V(i) | Variable::T(i) => Some(i),
             Variable::Cover => None,

@@ -453,6 +453,31 @@ fn a_scene_whose_solver_does_not_exist_is_refused() {
 }
 
 #[test]
+fn explain_writes_each_form_and_refuses_what_it_does_not_know() {
+    let text = out(&run(&["explain", "fig6", "--solver", "pgs"]));
+    assert!(text.contains("x₀ = 2 N s") && !text.contains('\u{1b}'), "{text}");
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("fig6.html");
+    let page = page.to_str().unwrap();
+    assert_eq!(run(&["explain", "fig6", "--format", "html", "--out", page]).status.code(), Some(0));
+    assert!(std::fs::read_to_string(page).unwrap().starts_with("<!DOCTYPE html>"));
+    let problem = run_with(GOOD, &["explain", "-", "--format", "markdown"]);
+    assert!(out(&problem).starts_with("# pair, by dantzig\n"));
+    for (arguments, message) in [
+        (&["fig6", "--solver", "simplex"][..], "there are pgs, sor, dantzig, lemke"),
+        (&["fig6", "--format", "pdf"], "possible values: text, markdown, html"),
+        (&["fig6", "--solver", "pgs", "--omega", "1.2"], "pgs does not use it; sor does"),
+        (&["fig6", "--solver", "sor", "--omega", "2.5"], "must lie between 0 and 2, is 2.5"),
+        (&["-", "--steps", "2"], "--steps: is for scenes, this is a problem"),
+        (&["nothing"], "there is no scene file or shipped scene named \"nothing\""),
+    ] {
+        let refused = run(&[&["explain"], arguments].concat());
+        assert_eq!(refused.status.code(), Some(2), "{arguments:?}");
+        assert!(err(&refused).contains(message), "{arguments:?}: {}", err(&refused));
+    }
+}
+
+#[test]
 fn verify_prints_a_row_a_closed_form_and_says_how_many_pass() {
     let table = run(&["verify", "--only", "free-fall", "--fast"]);
     assert_eq!(table.status.code(), Some(0), "{}", err(&table));

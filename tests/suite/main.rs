@@ -7,6 +7,7 @@ mod certificate;
 mod cli;
 mod common;
 mod constraint;
+mod explain;
 mod formulation;
 mod lcp;
 mod plot;

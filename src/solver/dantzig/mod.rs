@@ -35,10 +35,12 @@ mod polish;
 
 use std::ops::ControlFlow;
 
+use self::blocking::Block;
 use self::direction::Direction;
 use super::ldlt::Ldlt;
 use super::{
-    Event, Fallback, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen,
+    Event, Fallback, Iterate, Move, Observer, Part, Settings, Solution, Solver, Start, Status,
+    frozen,
 };
 use crate::lcp::{Lcp, merit};
 
@@ -83,9 +85,9 @@ impl Solver for Dantzig {
     }
 }
 
-/// Where a row stands.
+/// Where a row of Dantzig's method stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Side {
+pub enum Side {
     /// Not looked at yet: nothing is asked of its w.
     Waiting,
     /// In C: w = 0 is kept by moving x.
@@ -165,8 +167,12 @@ impl<'a> Run<'a> {
     /// Moves x_i until row i is satisfied.
     fn drive(&mut self, i: usize) -> ControlFlow<Status> {
         self.w[i] = self.lcp.row_w(i, &self.x);
+        let pivots = self.pivots;
         loop {
             if let Some(side) = self.satisfied(i) {
+                if self.pivots == pivots && self.observer.asks_for_parts() {
+                    self.observer.part(&Part::Satisfied { row: i, w: self.w[i], side });
+                }
                 self.put(i, side);
                 return ControlFlow::Continue(());
             }
@@ -187,6 +193,7 @@ impl<'a> Run<'a> {
             let Some(block) = self.blocking(i, sign, &direction, &mut delta_w)? else {
                 return ControlFlow::Break(self.ray(i, sign, &direction));
             };
+            self.tell(i, sign, &direction, &delta_w, block);
             self.advance(i, sign * block.length, &direction, &delta_w);
             self.exchange(i, block, direction)?;
             self.pivots += 1;
@@ -195,6 +202,27 @@ impl<'a> Run<'a> {
             if self.observer.observe(&iterate).is_break() {
                 return ControlFlow::Break(Status::Stopped);
             }
+        }
+    }
+
+    /// Tells an observer that asks of the move that is about to be done.
+    fn tell(&mut self, i: usize, sign: f64, d: &Direction, delta_w: &[f64], block: Block) {
+        if self.observer.asks_for_parts() {
+            self.observer.part(&Part::Move(Move {
+                lcp: self.lcp,
+                driven: i,
+                sign,
+                x: &self.x,
+                w: &self.w,
+                side: &self.side,
+                free: &self.free,
+                direction: &d.free,
+                schur: d.schur,
+                delta_w,
+                length: block.length,
+                blocking: block.row,
+                to: block.side,
+            }));
         }
     }
 

@@ -12,6 +12,7 @@ mod jacobi;
 mod lemke;
 mod newton;
 mod order;
+mod parts;
 mod pgs;
 mod piles;
 mod principal;

@@ -1,0 +1,147 @@
+//! `explain`: a time step or a problem, derived line by line.
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use lcplab::error::{Error, Result};
+use lcplab::explain::{Document, Format, Method, problem, step};
+use lcplab::lcp::file::Problem;
+use lcplab::report::study::scene_options;
+use lcplab::report::write;
+use lcplab::scene::{Formulation, Scene};
+use lcplab::solver::{Options, default_for};
+
+use super::{Outcome, print};
+
+/// Derive a time step of a scene, or the solution of a problem file, line by line
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab explain fig7 --solver pgs
+  lcplab explain fig7 --solver lemke --formulation acceleration --format html --out fig7.html
+  lcplab export stack | lcplab explain - --solver dantzig --format markdown
+
+Written are states, masses, forces, each row's c, J and J'u, the way from Newton's law to A and b, and
+every row, move or tableau of the solver, with units; at most 12 rows of each. A name that ends in
+.json, or -, is a problem and starts at A and b. Exit code 1 if the judge refutes an answer or a step
+cannot be taken, 2 for bad input.")]
+pub struct Explain {
+    /// A scene file, the name of a shipped scene, a problem as JSON (.json), or - for one from
+    /// standard input
+    input: String,
+    /// pgs, sor, dantzig or lemke; the scene's own, or dantzig, without it, lemke for an A that is not
+    /// symmetric
+    #[arg(long)]
+    solver: Option<String>,
+    /// The level of a scene's LCP; the scene's own without it
+    #[arg(long, value_enum)]
+    formulation: Option<Level>,
+    /// How many steps of a scene are explained, from the first one; 1 without it
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    steps: Option<u64>,
+    /// How it is written
+    #[arg(long, value_enum, default_value_t = Form::Text)]
+    format: Form,
+    /// Largest scaled residual that counts as solved
+    #[arg(long)]
+    tolerance: Option<f64>,
+    /// Relaxation factor of sor, above 0 and below 2
+    #[arg(long)]
+    omega: Option<f64>,
+    /// The file to write; standard output without it
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+/// The levels that are explained.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Level {
+    /// Impulses over the step
+    Velocity,
+    /// Forces at an instant
+    Acceleration,
+}
+
+/// The forms of a document.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// For a terminal
+    Text,
+    /// Markdown with LaTeX
+    Markdown,
+    /// A page that needs nothing else
+    Html,
+}
+
+impl Explain {
+    pub fn run(&self) -> Result<Outcome> {
+        let is_problem = self.input == "-" || self.input.ends_with(".json");
+        let document = if is_problem { self.of_problem()? } else { self.of_scene()? };
+        let text = document.written(self.format())?;
+        match &self.out {
+            Some(path) => write::file(path, &text)?,
+            None => print(&text)?,
+        }
+        Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
+    }
+
+    fn of_problem(&self) -> Result<Document> {
+        for (option, given) in
+            [("--formulation", self.formulation.is_some()), ("--steps", self.steps.is_some())]
+        {
+            if given {
+                return Err(Error::invalid(
+                    &self.input,
+                    option,
+                    "is for scenes, this is a problem",
+                ));
+            }
+        }
+        let read = Problem::read(Path::new(&self.input))?;
+        let name = self.solver.as_deref().unwrap_or_else(|| default_for(&read.lcp));
+        problem(&read, &self.method(name, Options::default())?)
+    }
+
+    fn of_scene(&self) -> Result<Document> {
+        let mut scene = Scene::load(&self.input)?;
+        scene.step.formulation = match self.formulation {
+            Some(Level::Velocity) => Formulation::Velocity,
+            Some(Level::Acceleration) => Formulation::Acceleration,
+            None => scene.step.formulation,
+        };
+        let own = Method::NAMES.contains(&scene.solver.name.as_str());
+        let name = match &self.solver {
+            Some(name) => name.as_str(),
+            None if own => scene.solver.name.as_str(),
+            None => "dantzig",
+        };
+        let method = self.method(name, scene_options(&scene))?;
+        step(&scene, &method, self.steps.unwrap_or(1) as usize)
+    }
+
+    fn method(&self, name: &str, mut options: Options) -> Result<Method> {
+        options.omega = self.omega.unwrap_or(options.omega);
+        options.settings.tolerance = self.tolerance.unwrap_or(options.settings.tolerance);
+        let method = Method::with(name, options)?;
+        if self.omega.is_some() && name != "sor" {
+            return Err(Error::invalid(
+                "options",
+                "--omega",
+                format!("{name} does not use it; sor does"),
+            ));
+        }
+        Ok(method)
+    }
+
+    fn format(&self) -> Format {
+        let is_seen = self.out.is_none() && std::io::stdout().is_terminal();
+        let wants_colour = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+        match self.format {
+            Form::Text if is_seen && wants_colour => Format::ColouredText,
+            Form::Text => Format::Text,
+            Form::Markdown => Format::Markdown,
+            Form::Html => Format::Html,
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! The answer: x, w, what they say, and the judge's word.
+
+use super::document::Section;
+use super::notation::{indexed, interval, plain};
+use super::units::{Units, with_unit};
+use crate::certificate::{Demand, judge};
+use crate::lcp::Lcp;
+use crate::solver::Solution;
+
+/// A problem with what its rows mean.
+pub(super) struct Reading<'a> {
+    pub lcp: &'a Lcp,
+    pub labels: Vec<String>,
+    pub units: Units,
+}
+
+/// The section, and whether the judge accepts x.
+pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -> (Section, bool) {
+    let (lcp, x) = (reading.lcp, &solution.x);
+    let certificate = judge(lcp, x, demand);
+    let mut section = Section::new("the answer");
+    let line = |i: usize| {
+        let (lo, hi) = lcp.bounds(i, x);
+        let value = with_unit(&plain(x[i]), &reading.units.x[i]);
+        let w = with_unit(&plain(certificate.w[i]), &reading.units.w[i]);
+        vec![
+            with_unit(&i.to_string(), &reading.labels[i]),
+            format!("{} = {value}", indexed("x", i)),
+            interval(lo, hi),
+            format!("{} = {w}", indexed("w", i)),
+            meaning(x[i], lo, hi).to_string(),
+        ]
+    };
+    let columns = ["row", "x", "bounds", "w = A x + b", "what x asks of w"];
+    section.table("x and w, row by row", &columns, (0..lcp.len()).map(line).collect());
+    section.say(format!(
+        "The judge, who sees A, b, the bounds and x but not the solver: {}. The scaled residual is {}.",
+        certificate.verdict,
+        plain(certificate.scaled_residual)
+    ));
+    (section, certificate.verdict.is_solution())
+}
+
+/// What the place of x in its bounds asks of w.
+fn meaning(x: f64, lo: f64, hi: f64) -> &'static str {
+    match x {
+        _ if lo == hi => "any w: x is pinned",
+        x if x == lo => "w ≥ 0: x is at its lower bound",
+        x if x == hi => "w ≤ 0: x is at its upper bound",
+        _ => "w = 0: x is between its bounds",
+    }
+}

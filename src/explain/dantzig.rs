@@ -1,0 +1,159 @@
+//! Dantzig's method: which row is driven, along which direction, how far, and what stops it.
+
+use std::ops::ControlFlow;
+
+use super::SHOWN;
+use super::document::{Formula, Section};
+use super::notation::{bracketed, indexed, interval, plain, set, vector};
+use super::solve::Scribe;
+use crate::lcp::Lcp;
+use crate::solver::{Event, Iterate, Move, Observer, Part, Side, Solution};
+
+pub(super) struct Moves<'a> {
+    lcp: &'a Lcp,
+    section: Section,
+    moves: usize,
+    /// Whether the move under way is written.
+    writes: bool,
+}
+
+impl<'a> Moves<'a> {
+    pub fn of(lcp: &'a Lcp) -> Self {
+        let mut section = Section::new("Dantzig's method, move by move");
+        section.say(
+            "Rows are satisfied one after another. To bring wᵢ to 0, xᵢ moves, and the free rows C move \
+             along so that their w stays 0. The move ends when wᵢ is 0, when some x meets a bound, or \
+             when the w of a row at a bound gets to 0; the row that ends it changes sides.",
+        );
+        section.formula(Formula::default().symbols(
+            "d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d",
+            "d_i = 1, \\qquad d_C = -A_{CC}^{-1} A_{Ci}, \\qquad \\Delta w = A d",
+        ));
+        Moves { lcp, section, moves: 0, writes: true }
+    }
+
+    fn write(&mut self, own: &Move<'_>) {
+        let (i, n) = (own.driven, own.x.len());
+        let (x, w) = (indexed("x", i), indexed("w", i));
+        let verb = if own.sign > 0.0 { "rises" } else { "falls" };
+        self.section.say(format!(
+            "Move {}: row {i} is driven. At x = {} it has {w} = {}, so {x} {verb}. The free rows are C = {}.",
+            self.moves,
+            vector(own.x),
+            plain(own.w[i]),
+            set(own.free),
+        ));
+        let mut direction = vec![0.0; n];
+        direction[i] = own.sign;
+        for (&j, d) in own.free.iter().zip(own.direction) {
+            direction[j] = own.sign * d;
+        }
+        let mut change: Vec<f64> = own.delta_w.iter().map(|delta| own.sign * delta).collect();
+        change[i] = own.sign * own.schur;
+        self.section.formula(
+            Formula::default()
+                .symbols("d =", "d =")
+                .vector(&direction)
+                .symbols(",   Δw =", ", \\quad \\Delta w =")
+                .vector(&change),
+        );
+        let title = format!("move {}, what may end it", self.moves);
+        let mut ends = ends(own, &direction, &change);
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let lines = ends.into_iter().map(|(_, what, length)| vec![what, length]).collect();
+        self.section.table(&title, &["what", "after t"], lines);
+    }
+
+    fn outcome(&self, own: &Move<'_>) -> String {
+        let row = own.blocking;
+        let exchange = match (own.side[row], own.to) {
+            (_, Side::Free) => "enters C",
+            (Side::Free, Side::Lower) => "leaves C for its lower bound",
+            (Side::Free, _) => "leaves C for its upper bound",
+            (_, Side::Upper) => "goes to its upper bound",
+            _ => "goes to its lower bound",
+        };
+        format!("It ends after t = {}: row {row} {exchange}.", plain(own.length))
+    }
+}
+
+/// The sign-aware list of what may end a move: length, words, and the length as it is computed.
+fn ends(own: &Move<'_>, direction: &[f64], change: &[f64]) -> Vec<(f64, String, String)> {
+    let mut ends = Vec::new();
+    let mut add = |what: String, distance: f64, rate: f64| {
+        let length = distance / rate;
+        if length.is_finite() {
+            let words =
+                format!("{}/{} = {}", plain(distance), bracketed(rate), plain(length.max(0.0)));
+            ends.push((length.max(0.0), what, words));
+        }
+    };
+    let (lo, hi) = (own.lcp.lo(), own.lcp.hi());
+    for j in 0..direction.len() {
+        let (x, w) = (indexed("x", j), indexed("w", j));
+        let moves = j == own.driven || own.side[j] == Side::Free;
+        if moves && direction[j] > 0.0 {
+            add(format!("{x} meets its upper bound"), hi[j] - own.x[j], direction[j]);
+        }
+        if moves && direction[j] < 0.0 {
+            add(format!("{x} meets its lower bound"), lo[j] - own.x[j], direction[j]);
+        }
+        let nears = match own.side[j] {
+            _ if j == own.driven => true,
+            Side::Lower => change[j] < 0.0 && lo[j] < hi[j],
+            Side::Upper => change[j] > 0.0 && lo[j] < hi[j],
+            _ => false,
+        };
+        if nears && change[j] != 0.0 {
+            add(format!("{w} gets to 0"), -own.w[j], change[j]);
+        }
+    }
+    ends
+}
+
+impl Observer for Moves<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        if iterate.event == Event::Start {
+            self.section.say(format!("The start is x = {}, C is empty.", vector(iterate.x)));
+        } else if self.writes {
+            self.section.say(format!("Now x = {}.", vector(iterate.x)));
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn asks_for_parts(&self) -> bool {
+        true
+    }
+
+    fn part(&mut self, part: &Part<'_>) {
+        match part {
+            Part::Satisfied { row, w, side: Side::Lower | Side::Upper } if self.writes => {
+                let (lo, hi) = (self.lcp.lo()[*row], self.lcp.hi()[*row]);
+                let w = format!("{} = {}", indexed("w", *row), plain(*w));
+                let bounds = interval(lo, hi);
+                self.section.say(format!(
+                    "Row {row} has {w} at an end of {bounds}: satisfied as it stands."
+                ));
+            }
+            Part::Move(own) => {
+                self.moves += 1;
+                self.writes = self.moves <= SHOWN;
+                if self.writes {
+                    self.write(own);
+                    let outcome = self.outcome(own);
+                    self.section.say(outcome);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Scribe for Moves<'_> {
+    fn section(mut self: Box<Self>, _: &Solution) -> Section {
+        if self.moves > SHOWN {
+            self.section.say(format!("And {} more moves.", self.moves - SHOWN));
+        }
+        self.section
+    }
+}

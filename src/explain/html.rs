@@ -1,0 +1,49 @@
+//! A document as a page of the report: MathML, nothing fetched.
+
+use super::document::{self, Document};
+use super::markdown::formula;
+use crate::error::Result;
+use crate::report::page::markup::literal;
+use crate::report::page::{Block, Cell, Column, Page, Section, Table};
+
+pub(super) fn written(document: &Document) -> Result<String> {
+    let section = |(k, section): (usize, &document::Section)| Section {
+        id: format!("part-{}", k + 1),
+        title: section.title.clone(),
+        blocks: section.blocks.iter().map(block).collect(),
+    };
+    let page = Page {
+        title: document.title.clone(),
+        lead: literal(&document.lead),
+        sections: document.sections.iter().enumerate().map(section).collect(),
+        facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
+    };
+    page.render()
+}
+
+fn block(block: &document::Block) -> Block {
+    match block {
+        document::Block::Text(words) => Block::Text(literal(words)),
+        document::Block::Formula(own) => Block::Equation { latex: formula(own), label: None },
+        document::Block::Table(own) => Block::Table(table(own)),
+    }
+}
+
+fn table(table: &document::Table) -> Table {
+    let column = |(c, title): (usize, &String)| match table.is_numeric(c) {
+        true => Column::numbers(literal(title), ""),
+        false => Column::words(literal(title)),
+    };
+    let row = |row: &Vec<String>| row.iter().map(|cell| Cell::text(cell.as_str())).collect();
+    let left_out = match table.left_out {
+        0 => String::new(),
+        more => format!("And {more} more lines."),
+    };
+    Table {
+        title: table.title.clone(),
+        how_to_read: left_out,
+        columns: table.columns.iter().enumerate().map(column).collect(),
+        rows: table.rows.iter().map(row).collect(),
+        files: Vec::new(),
+    }
+}

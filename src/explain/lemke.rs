@@ -1,0 +1,154 @@
+//! Lemke's method: the tableaux, which variable enters, which leaves, and the ratios that decide it.
+
+use std::ops::ControlFlow;
+
+use super::SHOWN;
+use super::document::{Block, Formula, Section, Table};
+use super::notation::{bracketed, indexed, plain};
+use super::solve::Scribe;
+use crate::lcp::Lcp;
+use crate::solver::{Iterate, Observer, Part, Solution, Tableau, Variable};
+
+pub(super) struct Tableaux<'a> {
+    lcp: &'a Lcp,
+    section: Section,
+    tableaux: usize,
+}
+
+impl<'a> Tableaux<'a> {
+    pub fn of(lcp: &'a Lcp) -> Self {
+        let mut section = Section::new("Lemke's method, tableau by tableau");
+        section.say(
+            "A covering variable z makes every w big enough. A tableau gives the basic variables by \
+             the nonbasic ones, which are 0, so its first column has their values. z enters first and \
+             rises until no w is negative: to the largest ratio. From then on the partner of the variable \
+             that has just left enters and rises until the first basic one gets to 0: to the least ratio. \
+             When z itself leaves, x is a solution. Ties are broken lexicographically.",
+        );
+        section.formula(Formula::default().symbols(
+            "w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0",
+            "w = A x + b + z e, \\qquad x, w, z \\ge 0, \\qquad x_i w_i = 0",
+        ));
+        let is_standard = |i: usize| lcp.lo()[i] == 0.0 && lcp.hi()[i] == f64::INFINITY;
+        if !(0..lcp.len()).all(is_standard) {
+            section.say(
+                "Rows with other bounds than 0 and ∞ are brought into this form: y is the distance of x \
+                 from its bound, v the force of the other bound and t the distance from that; rows \
+                 without bounds are solved for beforehand.",
+            );
+        }
+        Tableaux { lcp, section, tableaux: 0 }
+    }
+
+    fn name(&self, variable: Variable) -> String {
+        let is_distance = |i: usize| self.lcp.lo()[i].is_finite() && self.lcp.lo()[i] != 0.0;
+        match variable {
+            Variable::Y(i) if is_distance(i) || self.lcp.hi()[i].is_finite() => indexed("y", i),
+            Variable::Y(i) => indexed("x", i),
+            Variable::W(i) => indexed("w", i),
+            Variable::V(i) => indexed("v", i),
+            Variable::T(i) => indexed("t", i),
+            Variable::Cover => "z".into(),
+        }
+    }
+
+    fn write(&mut self, own: &Tableau<'_>) {
+        let rows = chosen(own.pairs, own.leaving);
+        let columns = chosen(own.nonbasic.len(), own.entering);
+        let heading = |&c: &usize| self.name(own.nonbasic[c]);
+        let headings = ["basic".to_string(), "value".to_string()].into_iter();
+        let line = |&r: &usize| {
+            let own_cells = [self.name(own.basic[r]), plain(own.constant[r])];
+            let entries = columns.iter().map(|&c| plain(own.rows[r][c]));
+            own_cells.into_iter().chain(entries).chain([ratio(own, r)]).collect()
+        };
+        let table = Table {
+            title: format!("tableau {}: {}", self.tableaux, self.step(own)),
+            columns: headings
+                .chain(columns.iter().map(heading))
+                .chain(["ratio".to_string()])
+                .collect(),
+            rows: rows.iter().map(line).collect(),
+            left_out: own.pairs - rows.len(),
+        };
+        let remark = match own.nonbasic.len() - columns.len() {
+            0 => None,
+            more => Some(match more {
+                1 => "One column is left out.".into(),
+                more => format!("{more} columns are left out."),
+            }),
+        };
+        self.section.blocks.push(Block::Table(table));
+        if let Some(remark) = remark {
+            self.section.say(remark);
+        }
+    }
+
+    /// What is done in a tableau.
+    fn step(&self, own: &Tableau<'_>) -> String {
+        match (own.entering.map(|c| own.nonbasic[c]), own.leaving.map(|r| own.basic[r])) {
+            (Some(entering), Some(leaving)) => {
+                format!("{} enters, {} leaves", self.name(entering), self.name(leaving))
+            }
+            (Some(entering), None) => {
+                format!("{} enters and nothing gets to 0, a ray", self.name(entering))
+            }
+            _ => "z is 0, the end".into(),
+        }
+    }
+}
+
+/// The first of so many rows or columns, with one that must be among them.
+fn chosen(count: usize, wanted: Option<usize>) -> Vec<usize> {
+    let mut chosen: Vec<usize> = (0..count.min(SHOWN)).collect();
+    if let (Some(last), Some(wanted)) = (chosen.last_mut(), wanted) {
+        *last = (*last).max(wanted);
+    }
+    chosen
+}
+
+/// How far the entering variable can go before the variable of row r gets to 0; the covering one
+/// must go as far for it to be no longer negative.
+fn ratio(own: &Tableau<'_>, r: usize) -> String {
+    let Some(c) = own.entering else { return String::new() };
+    let (value, rate) = (own.constant[r], own.rows[r][c]);
+    let covers = own.nonbasic[c] == Variable::Cover;
+    let divisor = if covers { rate } else { -rate };
+    if divisor <= 0.0 {
+        return String::new();
+    }
+    let value = if covers { -value } else { value };
+    let mark = if own.leaving == Some(r) { " ←" } else { "" };
+    format!("{}/{} = {}{mark}", plain(value), bracketed(divisor), plain(value / divisor))
+}
+
+impl Observer for Tableaux<'_> {
+    fn observe(&mut self, _: &Iterate<'_>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    fn asks_for_parts(&self) -> bool {
+        true
+    }
+
+    fn part(&mut self, part: &Part<'_>) {
+        if let Part::Tableau(own) = part {
+            self.tableaux += 1;
+            if self.tableaux <= SHOWN {
+                self.write(own);
+            }
+        }
+    }
+}
+
+impl Scribe for Tableaux<'_> {
+    fn section(mut self: Box<Self>, _: &Solution) -> Section {
+        if self.tableaux == 0 {
+            self.section.say("Every w is big enough at x = 0: there is nothing to do.");
+        }
+        if self.tableaux > SHOWN {
+            self.section.say(format!("And {} more tableaux.", self.tableaux - SHOWN));
+        }
+        self.section
+    }
+}

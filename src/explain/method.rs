@@ -1,0 +1,59 @@
+//! The methods whose every line can be written down.
+
+use crate::error::{Error, Result};
+use crate::solver::{Options, Solver, by_name};
+
+/// A method that tells its parts, with its options.
+#[derive(Debug, Clone)]
+pub struct Method {
+    name: &'static str,
+    options: Options,
+}
+
+impl Method {
+    /// The names of those that there are.
+    pub const NAMES: [&'static str; 4] = ["pgs", "sor", "dantzig", "lemke"];
+
+    /// The method of this name.
+    ///
+    /// # Errors
+    /// If it is none of [`Method::NAMES`].
+    pub fn named(name: &str) -> Result<Self> {
+        Self::with(name, Options::default())
+    }
+
+    /// The same with options.
+    ///
+    /// # Errors
+    /// If there is none of this name, or an option cannot be used.
+    pub fn with(name: &str, options: Options) -> Result<Self> {
+        options.validate()?;
+        let known = Self::NAMES.into_iter().find(|known| *known == name);
+        let name = known.ok_or_else(|| Error::Unknown {
+            kind: "solver that is explained",
+            name: name.into(),
+            known: Self::NAMES.map(String::from).to_vec(),
+        })?;
+        Ok(Method { name, options })
+    }
+
+    /// Its name in the registry.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// The largest scaled residual that counts as solved.
+    pub(super) fn tolerance(&self) -> f64 {
+        self.options.settings.tolerance
+    }
+
+    /// The solver.
+    pub(super) fn solver(&self) -> Result<Box<dyn Solver>> {
+        by_name(self.name, &self.options)
+    }
+
+    /// Lemke's method in place of one that is made for symmetric A.
+    pub(super) fn for_any_matrix(&self) -> Self {
+        Method { name: "lemke", options: self.options.clone() }
+    }
+}

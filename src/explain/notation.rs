@@ -1,0 +1,90 @@
+//! How numbers, indices and vectors are written.
+
+use super::SHOWN;
+use crate::plot::number::readable;
+
+/// Significant digits.
+const DIGITS: usize = 6;
+/// More terms of a sum than these are left out.
+const TERMS: usize = 6;
+
+/// A number for reading: `−0.25`, `1.5×10⁻⁹`, `∞`.
+pub fn plain(value: f64) -> String {
+    readable(value, DIGITS)
+}
+
+/// The same in LaTeX.
+pub fn latex(value: f64) -> String {
+    let text = plain(value).replace('−', "-").replace('∞', "\\infty");
+    let Some(at) = text.rfind("10").filter(|&at| text[at + 2..].chars().any(is_raised)) else {
+        return text;
+    };
+    let (mantissa, power) = text.split_at(at);
+    let exponent: String = power[2..].chars().map(lowered).collect();
+    format!("{}10^{{{exponent}}}", mantissa.replace('×', "\\times "))
+}
+
+fn is_raised(c: char) -> bool {
+    "⁰¹²³⁴⁵⁶⁷⁸⁹⁻".contains(c)
+}
+
+fn lowered(c: char) -> char {
+    let digits = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c);
+    digits.and_then(|k| char::from_digit(k as u32, 10)).unwrap_or('-')
+}
+
+/// A name with an index: `x₁₂`.
+pub fn indexed(name: &str, index: usize) -> String {
+    let lower = |c: char| char::from_u32('₀' as u32 + c as u32 - '0' as u32).unwrap_or(c);
+    name.to_string() + &index.to_string().chars().map(lower).collect::<String>()
+}
+
+/// A vector on one line: `(4, 3, 1)`; what is long is cut.
+pub fn vector(values: &[f64]) -> String {
+    let shown: Vec<String> = values.iter().take(SHOWN).map(|&value| plain(value)).collect();
+    let more = if values.len() > SHOWN { ", …" } else { "" };
+    format!("({}{more})", shown.join(", "))
+}
+
+/// A set of rows: `{0, 2}`.
+pub fn set(rows: &[usize]) -> String {
+    let mut rows = rows.to_vec();
+    rows.sort_unstable();
+    let shown: Vec<String> = rows.iter().take(SHOWN).map(usize::to_string).collect();
+    let more = if rows.len() > SHOWN { ", …" } else { "" };
+    format!("{{{}{more}}}", shown.join(", "))
+}
+
+/// A sum of products and a last term with their value: `2·4 − 1·3 − 1 = 4`. Terms whose first factor
+/// is 0 are not written.
+pub fn sum(products: &[(f64, f64)], last: f64, value: f64) -> String {
+    let terms: Vec<String> = products
+        .iter()
+        .filter(|(a, _)| *a != 0.0)
+        .map(|&(a, x)| format!("{}·{}", plain(a), bracketed(x)))
+        .collect();
+    let left_out = terms.len().saturating_sub(TERMS);
+    let mut text = String::new();
+    let more = (left_out > 0).then(|| format!("({left_out} more)"));
+    for term in terms.into_iter().take(TERMS).chain(more).chain([plain(last)]) {
+        match (text.is_empty(), term.strip_prefix('−')) {
+            (true, _) => text += &term,
+            (false, Some(size)) => text += &format!(" − {size}"),
+            (false, None) => text += &format!(" + {term}"),
+        }
+    }
+    format!("{text} = {}", plain(value))
+}
+
+/// A number as a factor or divisor: brackets around a negative one.
+pub fn bracketed(value: f64) -> String {
+    let text = plain(value);
+    if text.starts_with('−') { format!("({text})") } else { text }
+}
+
+/// An interval: `[0, ∞)`.
+pub fn interval(lo: f64, hi: f64) -> String {
+    let (open, close) =
+        (if lo.is_finite() { "[" } else { "(" }, if hi.is_finite() { "]" } else { ")" });
+    format!("{open}{}, {}{close}", plain(lo), plain(hi))
+}

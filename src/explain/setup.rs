@@ -1,0 +1,156 @@
+//! What a step starts from, states, masses, forces, rows; and what it leads to.
+
+use nalgebra::Vector3;
+
+use super::SHOWN;
+use super::document::Section;
+use super::notation::{bracketed, interval, plain, vector};
+use super::units::of_motion;
+use crate::body::{Mass, State, angular, linear};
+use crate::formulation::{Problem, Stage};
+use crate::scene::Scene;
+use crate::simulation::Step;
+
+/// s and u of all bodies, over this time.
+pub(super) fn states(when: &str, scene: &Scene, states: &[State]) -> Section {
+    let mut section = Section::new(when);
+    section.say("The step starts from these states s and velocities u.");
+    state_table(&mut section, "the bodies before", scene, states);
+    section
+}
+
+/// s and u after the step.
+pub(super) fn after(scene: &Scene, step: &Step) -> Section {
+    let mut section = Section::new("the states after it");
+    if step.solves.iter().all(|solve| solve.problem.lcp.is_empty()) {
+        section.say("No row enters: every body moves freely.");
+    }
+    section.say("The bodies move with their new velocities, s⁺ = s + dt S u⁺.");
+    state_table(&mut section, "the bodies after", scene, &step.states);
+    section
+}
+
+fn state_table(section: &mut Section, title: &str, scene: &Scene, states: &[State]) {
+    let line = |(body, state): (&crate::body::Body, &State)| {
+        let q = state.pose.q;
+        let turns = body.mass.dof() == 6;
+        let only = |shown: bool, text: String| if shown { text } else { "—".into() };
+        vec![
+            body.name.clone(),
+            triple(&state.pose.p),
+            only(turns, vector(&[q.w, q.i, q.j, q.k])),
+            only(body.mass.dof() > 0, triple(&state.v)),
+            only(turns, triple(&state.omega)),
+        ]
+    };
+    let columns = ["body", "p (m)", "q", "v (m/s)", "ω (rad/s)"];
+    section.table(title, &columns, scene.bodies.iter().zip(states).map(line).collect());
+    let is_fixed = |body: &&crate::body::Body| body.mass == Mass::Fixed;
+    let fixed: Vec<&str> =
+        scene.bodies.iter().filter(is_fixed).take(SHOWN).map(|body| body.name.as_str()).collect();
+    if !fixed.is_empty() {
+        section.say(format!("Fixed, with M⁻¹ = 0 and so without columns: {}.", fixed.join(", ")));
+    }
+}
+
+fn triple(v: &Vector3<f64>) -> String {
+    vector(v.as_slice())
+}
+
+/// M⁻¹ and F of the moving bodies.
+pub(super) fn masses(scene: &Scene, problem: &Problem) -> Section {
+    let assembly = &problem.assembly;
+    let mut section = Section::new("masses and forces");
+    let line = |block: &crate::assembly::Block| {
+        let (force, u) = (block.gather(&assembly.force), block.gather(&assembly.u));
+        let turns = block.dof == 6;
+        let only = |text: String| if turns { text } else { "—".into() };
+        let inertia = block.inertia;
+        let diagonal = Vector3::new(inertia[(0, 0)], inertia[(1, 1)], inertia[(2, 2)]);
+        let off = Vector3::new(inertia[(0, 1)], inertia[(0, 2)], inertia[(1, 2)]);
+        vec![
+            scene.bodies[block.body].name.clone(),
+            plain(block.mass),
+            format!("1/{} = {}", bracketed(block.mass), plain(1.0 / block.mass)),
+            only(triple(&diagonal)),
+            only(triple(&off)),
+            triple(&linear(&force)),
+            only(triple(&angular(&force))),
+            triple(&linear(&u)),
+        ]
+    };
+    let columns = [
+        "body",
+        "m (kg)",
+        "1/m (1/kg)",
+        "I xx, yy, zz (kg m²)",
+        "I xy, xz, yz (kg m²)",
+        "force (N)",
+        "torque (N m)",
+        "v (m/s)",
+    ];
+    section.table(
+        "M, F and u of the moving bodies",
+        &columns,
+        assembly.blocks.iter().map(line).collect(),
+    );
+    section
+}
+
+/// c, J u, J'u and the bounds of every row.
+pub(super) fn rows(scene: &Scene, problem: &Problem) -> Section {
+    let mut section = Section::new("constraints");
+    let rows = &problem.assembly.rows;
+    let lcp = &problem.lcp;
+    let line = |(i, row): (usize, &crate::assembly::Row)| {
+        let bounds = match lcp.coupling().and_then(|coupling| Some((coupling.index(i)?, coupling)))
+        {
+            Some((normal, coupling)) => format!("±{} x of row {normal}", plain(coupling.mu(i))),
+            None => interval(lcp.lo()[i], lcp.hi()[i]),
+        };
+        vec![
+            i.to_string(),
+            row.label(scene),
+            plain(row.c),
+            plain(row.velocity),
+            plain(row.velocity_product),
+            plain(problem.bias[i]),
+            bounds,
+        ]
+    };
+    let is_angular = rows.iter().any(|row| row.kind.is_angular());
+    let length = if is_angular { "m or rad" } else { "m" };
+    let speed = of_motion(Stage::Velocity, is_angular);
+    let rate = of_motion(Stage::Acceleration, is_angular);
+    let columns = [
+        "row",
+        "what it keeps",
+        &format!("c ({length})"),
+        &format!("J u ({speed})"),
+        &format!("J'u ({rate})"),
+        &format!("bias ({})", of_motion(problem.stage, is_angular)),
+        &format!("bounds of x ({})", problem.stage.unit(false)),
+    ];
+    section.table("the rows", &columns, rows.iter().enumerate().map(line).collect());
+    section.say(bias(problem.stage));
+    section
+}
+
+/// How the bias comes about.
+fn bias(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Velocity => {
+            "The bias feeds errors back: β/dt c for an error of position, c/dt for a gap, which may close \
+             within the step and not more; 0 for friction, less the speed of a motor."
+        }
+        Stage::Impact => "A blow takes no time: no force, no bias, only J u⁺ ≥ 0.",
+        Stage::Restitution => {
+            "Rows that were pushed and hit fast enough have the bias e J u before."
+        }
+        Stage::Acceleration => {
+            "The bias is J'u, and with it 2α J u + α² c, by which errors decay; friction and motors have \
+             their speed over dt instead."
+        }
+        Stage::Position => "The bias is the error of position.",
+    }
+}

@@ -1,0 +1,131 @@
+//! Sweeps of PGS and SOR: the sum, the division, the relaxation and the clamp of every row.
+
+use std::ops::ControlFlow;
+
+use super::SHOWN;
+use super::document::{Formula, Section};
+use super::notation::{bracketed, interval, plain, sum, vector};
+use super::solve::Scribe;
+use crate::lcp::{Lcp, merit};
+use crate::solver::{Event, Iterate, Observer, Part, RowUpdate, Solution};
+
+/// Sweeps that are written row by row; of the others x alone.
+const IN_FULL: usize = 3;
+/// Sweeps whose x is written, beside the last one's.
+const LISTED: usize = SHOWN - 2;
+
+pub(super) struct Sweeps<'a> {
+    lcp: &'a Lcp,
+    section: Section,
+    /// x in the middle of a sweep.
+    x: Vec<f64>,
+    /// The lines of the sweep under way.
+    lines: Vec<Vec<String>>,
+    sweeps: usize,
+    /// Number, x and natural residual of the listed iterates, then of the last one.
+    listed: Vec<(usize, Vec<f64>, f64)>,
+    last: Option<(usize, Vec<f64>, f64)>,
+}
+
+impl<'a> Sweeps<'a> {
+    pub fn of(lcp: &'a Lcp, name: &str) -> Self {
+        let title = if name == "pgs" { "projected Gauss-Seidel" } else { "projected SOR" };
+        let mut section = Section::new(format!("{title}, row by row"));
+        section.say(
+            "A sweep takes the rows one after another, each with the newest x. The row's w is summed, \
+             divided by its diagonal entry, and x moves against it; then x is clamped to its bounds, \
+             before the next row is looked at.",
+        );
+        section.formula(Formula::default().symbols(
+            "xᵢ ← Πᵢ( xᵢ − ω wᵢ / aᵢᵢ ),   wᵢ = Σⱼ aᵢⱼ xⱼ + bᵢ",
+            "x_i \\leftarrow \\Pi_i\\left( x_i - \\omega \\frac{w_i}{a_{ii}} \\right), \\qquad \
+             w_i = \\sum_j a_{ij} x_j + b_i",
+        ));
+        let (x, lines, listed) = (Vec::new(), Vec::new(), Vec::new());
+        Sweeps { lcp, section, x, lines, sweeps: 0, listed, last: None }
+    }
+
+    /// A row of a sweep as a line of the table.
+    fn line(&self, own: &RowUpdate) -> Vec<String> {
+        let RowUpdate { row, w, diagonal, omega, before, unclamped, after } = *own;
+        let products: Vec<(f64, f64)> =
+            self.lcp.matrix().row(row).iter().map(|(j, a)| (a, self.x[j])).collect();
+        let quotient = w / diagonal;
+        let factor = if omega == 1.0 { String::new() } else { format!("{}·", plain(omega)) };
+        let (lo, hi) = self.lcp.bounds(row, &self.x);
+        vec![
+            row.to_string(),
+            sum(&products, self.lcp.b()[row], w),
+            format!("{}/{} = {}", plain(w), bracketed(diagonal), plain(quotient)),
+            format!("{} − {factor}{} = {}", plain(before), bracketed(quotient), plain(unclamped)),
+            format!("to {}: {}", interval(lo, hi), plain(after)),
+        ]
+    }
+
+    fn finish_sweep(&mut self) {
+        let title = format!("sweep {}", self.sweeps);
+        let columns = ["row", "the sum w", "divided by a", "x moved", "clamped"];
+        let lines = std::mem::take(&mut self.lines);
+        self.section.table(&title, &columns, lines);
+        self.section.say(format!("After sweep {}: x = {}.", self.sweeps, vector(&self.x)));
+    }
+
+    /// x and its residual sweep by sweep.
+    fn list(&mut self) {
+        let mut before: Option<(usize, f64)> = None;
+        let mut lines = Vec::new();
+        for (sweep, x, residual) in self.listed.iter().chain(&self.last) {
+            let factor = match before {
+                Some((previous, old)) if previous + 1 == *sweep && old > 0.0 => {
+                    plain(residual / old)
+                }
+                _ => String::new(),
+            };
+            before = Some((*sweep, *residual));
+            lines.push(vec![sweep.to_string(), vector(x), plain(*residual), factor]);
+        }
+        let columns = ["sweep", "x", "max |x − Π(x − w)|", "factor"];
+        self.section.table("x and its residual, the first sweeps and the last", &columns, lines);
+    }
+}
+
+impl Observer for Sweeps<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        self.x = iterate.x.to_vec();
+        self.sweeps = iterate.iteration;
+        if iterate.event == Event::Start {
+            self.section.say(format!("The start is x = {}.", vector(iterate.x)));
+        } else if iterate.iteration <= IN_FULL {
+            self.finish_sweep();
+        }
+        let residual = merit::natural_residual(self.lcp, iterate.x);
+        let record = (iterate.iteration, self.x.clone(), residual);
+        if iterate.iteration <= LISTED {
+            self.listed.push(record);
+        } else {
+            self.last = Some(record);
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn asks_for_parts(&self) -> bool {
+        self.sweeps < IN_FULL
+    }
+
+    fn part(&mut self, part: &Part<'_>) {
+        if let Part::Row(own) = part {
+            let line = self.line(own);
+            self.lines.push(line);
+            self.x[own.row] = own.after;
+        }
+    }
+}
+
+impl Scribe for Sweeps<'_> {
+    fn section(mut self: Box<Self>, _: &Solution) -> Section {
+        if !self.listed.is_empty() {
+            self.list();
+        }
+        self.section
+    }
+}

@@ -1,0 +1,94 @@
+//! The units of x, w and A, row by row.
+
+use serde_json::Value;
+
+use crate::formulation::{Problem, Stage};
+use crate::lcp::file;
+
+/// The units of x and w, one entry a row; empty where none is known.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Units {
+    pub x: Vec<String>,
+    pub w: Vec<String>,
+}
+
+/// Units of x with those of w that belong to them, and the quotient.
+const KNOWN: [[&str; 3]; 6] = [
+    ["N s", "m/s", "1/kg"],
+    ["N m s", "rad/s", "1/(kg m²)"],
+    ["N", "m/s²", "1/kg"],
+    ["N m", "rad/s²", "1/(kg m²)"],
+    ["kg m", "m", "1/kg"],
+    ["kg m²", "rad", "1/(kg m²)"],
+];
+
+impl Units {
+    /// Those of a step's problem.
+    pub fn of(problem: &Problem) -> Self {
+        let rows = &problem.assembly.rows;
+        let x = rows.iter().map(|row| problem.stage.unit(row.kind.is_angular()).to_string());
+        Units::from_x(x.collect())
+    }
+
+    /// Those that a problem file states, if it does.
+    pub fn stated(problem: &file::Problem) -> Self {
+        let unit = |i: usize| {
+            let row = problem.extra.get("rows").and_then(|rows| rows.get(i));
+            let unit = row.and_then(|row| row.get("unit")).and_then(Value::as_str);
+            unit.unwrap_or_default().to_string()
+        };
+        Units::from_x((0..problem.lcp.len()).map(unit).collect())
+    }
+
+    fn from_x(x: Vec<String>) -> Self {
+        let w = x.iter().map(|x| known(x)[1].to_string()).collect();
+        Units { x, w }
+    }
+
+    /// The unit of all x, or a word that they differ.
+    pub fn of_x(&self) -> String {
+        common(&self.x)
+    }
+
+    /// The unit of all w, or a word that they differ.
+    pub fn of_w(&self) -> String {
+        common(&self.w)
+    }
+
+    /// The unit of A's entries, or a word that they differ.
+    pub fn of_matrix(&self) -> String {
+        match self.x.first() {
+            Some(first) if self.x.iter().all(|x| x == first) => known(first)[2].into(),
+            _ => common(&self.x),
+        }
+    }
+}
+
+fn known(x: &str) -> [&'static str; 3] {
+    KNOWN.into_iter().find(|[unit, ..]| *unit == x).unwrap_or_default()
+}
+
+fn common(units: &[String]) -> String {
+    match units.first() {
+        Some(first) if units.iter().all(|unit| unit == first) => first.clone(),
+        Some(_) => "units row by row".into(),
+        None => String::new(),
+    }
+}
+
+/// The unit of motion of a stage's columns, some of which may be angular.
+pub(super) fn of_motion(stage: Stage, has_angular: bool) -> &'static str {
+    match (stage, has_angular) {
+        (Stage::Acceleration, false) => "m/s²",
+        (Stage::Acceleration, true) => "m/s² or rad/s²",
+        (Stage::Position, false) => "m",
+        (Stage::Position, true) => "m or rad",
+        (_, false) => "m/s",
+        (_, true) => "m/s or rad/s",
+    }
+}
+
+/// A number with its unit.
+pub(super) fn with_unit(number: &str, unit: &str) -> String {
+    format!("{number} {unit}").trim_end().to_string()
+}
