@@ -2,6 +2,7 @@
 //! solutions of some.
 
 pub mod bounce;
+pub mod capstan;
 pub mod fall;
 pub mod ladder;
 pub mod pendulum;
@@ -66,6 +67,7 @@ pub const SHIPPED: &[Shipped] = shipped![
     "spring_damped",
     "motor",
     "atwood",
+    "capstan",
     "catenary",
     "top",
     "dzhanibekov",

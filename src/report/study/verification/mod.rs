@@ -159,6 +159,7 @@ const CASES: &[(&str, Study)] = &[
     ("cradle", impact::cradle),
     ("catenary", rope::catenary),
     ("atwood", rope::atwood),
+    ("capstan", rope::capstan),
     ("feedback", joint::feedback),
     ("spring", joint::spring),
     ("motor", joint::motor),

@@ -1,8 +1,11 @@
-//! Ropes: the discrete catenary, and two weights on a pulley.
+//! Ropes: the discrete catenary, two weights on a pulley, and the capstan.
+
+use std::f64::consts::PI;
 
 use super::measure::{Case, Known, Method, ROUNDING, first, last};
 use super::{Row, Size};
 use crate::error::Result;
+use crate::scene::catalogue::capstan::Capstan;
 use crate::scene::generate::Rope;
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
@@ -58,6 +61,41 @@ pub(super) fn atwood(size: Size) -> Result<Vec<Row>> {
             let step = last(scene, time)?;
             let unit = if method == Method::Velocity { scene.step.dt } else { 1.0 };
             Some(vec![-step.states[0].v.z / time, step.solves[0].solution.x[0].abs() / unit])
+        }));
+    }
+    Ok(rows)
+}
+
+/// The capstan: 1 % below the ratio that friction allows nothing moves, 1 % above the rope slides.
+pub(super) fn capstan(size: Size) -> Result<Vec<Row>> {
+    let case = Case::load("capstan", "capstan", size)?;
+    let post = Capstan { links: 12, angle: PI, friction: 0.3, mass: 0.1 };
+    let weak = case.scene.bodies[1].force.norm();
+    let [holds, slides] = [0.99, 1.01].map(|part: f64| part * post.ratio() * weak);
+    let ratio = [
+        "((1 + mu tan(d/2)) / (1 - mu tan(d/2)))^n",
+        "\\left(\\frac{1 + \\mu\\tan\\frac{\\delta}{2}}{1 - \\mu\\tan\\frac{\\delta}{2}}\\right)^n",
+    ];
+    let mut rows = Vec::new();
+    for method in LEVELS {
+        let known = vec![
+            Known::exact(HANGS, "speed, pulled 1 % below the ratio", ratio, "m/s", 0.0),
+            Known::exact(
+                HANGS,
+                "acceleration, pulled 1 % above it",
+                ["(T2 - r^n T1) / m K", "\\frac{T_2 - r^n T_1}{m K}"],
+                "m/s²",
+                post.acceleration(weak, slides),
+            ),
+        ];
+        rows.extend(case.rows(method, known, |scene| {
+            let pulled = |strong: f64| {
+                let mut scene = scene.clone();
+                scene.bodies.last_mut()?.force.z = -strong;
+                let step = first(&scene)?;
+                Some(step.states.last()?.v.norm())
+            };
+            Some(vec![pulled(holds)?, pulled(slides)? / scene.step.dt])
         }));
     }
     Ok(rows)

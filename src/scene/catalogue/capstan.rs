@@ -1,0 +1,50 @@
+//! A rope around a post, pulled at both ends. The scene `capstan`.
+//!
+//! Points on the post's circle, each link turning by δ; c = cos(δ/2), s = sin(δ/2). A link's pull T is c
+//! along the post and s into it, so a point between two links, with friction μ N against its motion and
+//! the acceleration a along the post, has
+//!
+//! ```text
+//! N = (T + T⁺) s,   T⁺ c − T c − μ N = m a   ⇒   T⁺ = (T (c + μ s) + m a)/(c − μ s)
+//! ```
+//!
+//! and the ends, which are pulled along the post itself, one factor of it each. At rest on the point of
+//! sliding (a = 0) the pulls differ by ((1 + μ tan δ/2)/(1 − μ tan δ/2))^n, Euler's e^(μ n δ) for
+//! short links.
+
+/// The rope.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Capstan {
+    /// The number of links n.
+    pub links: u32,
+    /// The angle n δ (rad) that it is wound around.
+    pub angle: f64,
+    /// μ.
+    pub friction: f64,
+    /// The mass (kg) of each of its n + 1 points.
+    pub mass: f64,
+}
+
+impl Capstan {
+    /// The largest ratio of the two pulls at which nothing slides.
+    pub fn ratio(&self) -> f64 {
+        self.pull(1.0, 0.0)
+    }
+
+    /// The acceleration (m/s²) along the post, from rest, if the pulls (N) are `weak` and `strong`, and
+    /// the strong one wins.
+    pub fn acceleration(&self, weak: f64, strong: f64) -> f64 {
+        let [at_rest, slope] = [self.pull(weak, 0.0), self.pull(0.0, 1.0)];
+        (strong - at_rest) / slope
+    }
+
+    /// The strong pull (N) that goes with a weak one and an acceleration (m/s²).
+    fn pull(&self, weak: f64, acceleration: f64) -> f64 {
+        let (sin, cos) = (0.5 * self.angle / f64::from(self.links)).sin_cos();
+        let (gains, loses) = (cos + self.friction * sin, cos - self.friction * sin);
+        let inertia = self.mass * acceleration;
+        let first = (weak + inertia) / loses;
+        let last = (1..self.links).fold(first, |pull, _| (pull * gains + inertia) / loses);
+        last * gains + inertia
+    }
+}
