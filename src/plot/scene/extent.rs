@@ -13,6 +13,9 @@ const FARTHEST: f64 = 100.0;
 /// How much of a fixed body is shown around the motion, as a share of the motion's size.
 const AROUND: f64 = 0.1;
 
+/// A fixed body up to so many times the motion's size is shown whole.
+const WHOLE: f64 = 1.5;
+
 /// A ball (m, world) that must be in the picture; most have no radius.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Landmark {
@@ -44,7 +47,12 @@ pub(super) fn landmarks(scene: &Scene, frames: &[Frame]) -> Vec<Landmark> {
     }
     let near = Extent::of(&all).grown(AROUND);
     for solid in fixed {
-        all.extend(Extent::of(&marks(&[solid])).within(&near).into_iter().flatten());
+        let own = marks(&[solid]);
+        let whole = Extent::of(&own);
+        match whole.within(&near) {
+            Some(_) if whole.diagonal() <= WHOLE * near.diagonal() => all.extend(own),
+            part => all.extend(part.into_iter().flatten()),
+        }
     }
     all
 }
