@@ -10,7 +10,7 @@
 //! ```
 //!
 //! The rod's rows do feel each other: friction at one foot changes the load of both. The block of the
-//! scene "sliding" goes a way of its own under each model, see [`slider`](super::slider).
+//! scene "sliding" goes a way of its own under each model, see [`slider`].
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2, TAU};
 
