@@ -32,7 +32,7 @@
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
 //! Numbers: [`lcp`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
 //! [`formulation`]; [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
-//! and [`explain`] derives a step line by line.
+//! [`explain`] derives a step line by line, and [`chapter`] shows what K&M print beside what holds.
 
 pub mod error;
 
@@ -62,7 +62,11 @@ pub mod plot;
 
 pub mod report;
 
+pub mod document;
+
 pub mod explain;
+
+pub mod chapter;
 
 /// The examples of the README run as tests.
 #[cfg(doctest)]

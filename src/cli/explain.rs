@@ -4,8 +4,9 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use lcplab::document::{Document, Format};
 use lcplab::error::{Error, Result};
-use lcplab::explain::{Document, Format, Method, problem, step};
+use lcplab::explain::{Method, problem, step};
 use lcplab::lcp::file::Problem;
 use lcplab::report::study::scene_options;
 use lcplab::report::write;

@@ -1,9 +1,9 @@
 //! The answer: x, w, what they say, and the judge's word.
 
-use super::document::Section;
-use super::notation::{indexed, interval, plain};
 use super::units::{Units, with_unit};
 use crate::certificate::{Demand, judge};
+use crate::document::Section;
+use crate::document::notation::{indexed, interval, plain};
 use crate::lcp::Lcp;
 use crate::solver::Solution;
 

@@ -2,10 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use super::SHOWN;
-use super::document::{Formula, Section};
-use super::notation::{bracketed, indexed, interval, plain, set, vector};
 use super::solve::Scribe;
+use crate::document::notation::{bracketed, indexed, interval, plain, set, vector};
+use crate::document::{Formula, SHOWN, Section};
 use crate::lcp::Lcp;
 use crate::solver::{Event, Iterate, Move, Observer, Part, Side, Solution};
 

@@ -3,9 +3,8 @@
 //! Figure 4 prints F = J λ, a b of the other sign, and ≥ 0 without complementarity (E22); here
 //! F = Jᵀx, x ≥ 0 pushes apart, and w = A x + b holds with the conditions of `math §3`.
 
-use super::SHOWN;
-use super::document::{Formula, Section};
 use super::units::{Units, of_motion};
+use crate::document::{Formula, SHOWN, Section};
 use crate::formulation::{Problem, Stage};
 use crate::lcp::Lcp;
 use crate::scene::Scene;

@@ -2,10 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use super::SHOWN;
-use super::document::{Block, Formula, Section, Table};
-use super::notation::{bracketed, indexed, plain};
 use super::solve::Scribe;
+use crate::document::notation::{bracketed, indexed, plain};
+use crate::document::{Block, Formula, SHOWN, Section, Table};
 use crate::lcp::Lcp;
 use crate::solver::{Iterate, Observer, Part, Solution, Tableau, Variable};
 

@@ -1,10 +1,10 @@
 //! A problem file, from A and b on.
 
 use super::answer::{self, Reading};
-use super::document::Document;
 use super::units::Units;
 use super::{Method, derivation, solve};
 use crate::certificate::Demand;
+use crate::document::Document;
 use crate::error::Result;
 use crate::lcp::file::Problem;
 

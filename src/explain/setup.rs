@@ -2,11 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::SHOWN;
-use super::document::Section;
-use super::notation::{bracketed, interval, plain, vector};
 use super::units::of_motion;
 use crate::body::{Mass, State, angular, linear};
+use crate::document::notation::{bracketed, interval, plain, vector};
+use crate::document::{SHOWN, Section};
 use crate::formulation::{Problem, Stage};
 use crate::scene::Scene;
 use crate::simulation::Step;

@@ -1,8 +1,8 @@
 //! The solver at work, as it tells it.
 
-use super::document::Section;
-use super::notation::vector;
 use super::{Method, dantzig, lemke, sweeps};
+use crate::document::Section;
+use crate::document::notation::vector;
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::solver::{Observer, Solution, Start};

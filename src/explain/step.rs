@@ -3,11 +3,11 @@
 use std::ops::ControlFlow;
 
 use super::answer::{self, Reading};
-use super::document::{Document, Section};
-use super::notation::plain;
 use super::units::Units;
 use super::{Method, derivation, setup, solve};
 use crate::certificate::Demand;
+use crate::document::notation::plain;
+use crate::document::{Document, Section};
 use crate::error::{Error, Result};
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Simulation, Solve, Step};

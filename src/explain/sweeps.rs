@@ -2,10 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use super::SHOWN;
-use super::document::{Formula, Section};
-use super::notation::{bracketed, interval, plain, sum, vector};
 use super::solve::Scribe;
+use crate::document::notation::{bracketed, interval, plain, sum, vector};
+use crate::document::{Formula, SHOWN, Section};
 use crate::lcp::{Lcp, merit};
 use crate::solver::{Event, Iterate, Observer, Part, RowUpdate, Solution};
 

@@ -8,8 +8,16 @@ use std::path::{Path, PathBuf};
 /// Modules by row; physics left, numbers right, both from row 5 on.
 const PHYSICS: [&[&str]; 5] = [&["error"], &["body"], &["constraint"], &["scene"], &["assembly"]];
 const NUMBERS: [&[&str]; 4] = [&["error"], &["lcp"], &["solver", "reference"], &["certificate"]];
-const BOTH: [&[&str]; 6] =
-    [&["formulation"], &["simulation"], &["trace"], &["plot"], &["report"], &["explain"]];
+const BOTH: [&[&str]; 8] = [
+    &["formulation"],
+    &["simulation"],
+    &["trace"],
+    &["plot"],
+    &["report"],
+    &["document"],
+    &["explain", "chapter"],
+    &["lesson"],
+];
 /// The judge must not see a solver, a solver no reference.
 const FORBIDDEN: [(&str, &str); 2] = [("certificate", "solver"), ("solver", "reference")];
 

@@ -1,6 +1,7 @@
 //! Explanations: the two examples in one dimension can be followed by hand, and were.
 
-use lcplab::explain::{Document, Format, Formula, Method, SHOWN, Section, problem, step};
+use lcplab::document::{Document, Format, Formula, SHOWN, Section};
+use lcplab::explain::{Method, problem, step};
 use lcplab::lcp::file::Problem;
 use lcplab::scene::{Formulation, Scene};
 

@@ -4,6 +4,7 @@ mod architecture;
 mod assembly;
 mod body;
 mod certificate;
+mod chapter;
 mod cli;
 mod common;
 mod constraint;

@@ -72,7 +72,7 @@ pub enum Block {
 }
 
 /// A numbered picture with its caption.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Picture {
     /// An SVG document, put on the page as it is.
     pub svg: String,

@@ -1,7 +1,7 @@
 //! A document for a terminal: aligned, with matrices drawn in brackets.
 
-use super::document::{Block, Document, Formula, Grid, Piece, Table};
 use super::notation::plain;
+use super::{Block, Document, Formula, Grid, Piece, Table};
 
 /// Whether escapes are used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +39,7 @@ pub(super) fn written(document: &Document, ink: Ink) -> String {
                 Block::Text(words) => wrapped(words),
                 Block::Formula(own) => formula(own, ink),
                 Block::Table(own) => table(own, ink),
+                Block::Figure(own) => wrapped(&format!("[picture: {}]", own.caption)),
             };
         }
     }

@@ -1,9 +1,32 @@
-//! What an explanation is made of, without a word on how it is set.
+//! Explanations and exhibits as plain data, and the forms in which they can be written: aligned text
+//! for a terminal, Markdown with LaTeX, and a page that needs nothing else.
 
-use super::SHOWN;
-use super::notation::{latex, plain};
+mod html;
+mod markdown;
+pub mod notation;
+mod text;
 
-/// An explanation.
+use crate::error::Result;
+use crate::report::page::Picture;
+use notation::{latex, plain};
+
+/// At most so many rows and columns of a matrix, and lines of a table, are written.
+pub const SHOWN: usize = 12;
+
+/// The forms in which a document can be written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Aligned lines for a terminal.
+    Text,
+    /// The same with bold headings and faint marks, by ANSI escapes.
+    ColouredText,
+    /// Markdown with formulas in LaTeX between dollar signs.
+    Markdown,
+    /// A page that needs nothing else, with formulas as MathML.
+    Html,
+}
+
+/// Words, formulas, tables and pictures, in sections.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
     /// The heading.
@@ -12,7 +35,7 @@ pub struct Document {
     pub lead: String,
     /// The parts, in the order of the derivation.
     pub sections: Vec<Section>,
-    /// Whether every problem was solved, by the judge's word.
+    /// Whether every answer in it was accepted, by the judge's word.
     pub is_accepted: bool,
 }
 
@@ -34,6 +57,8 @@ pub enum Block {
     Formula(Formula),
     /// A table.
     Table(Table),
+    /// A picture; a terminal and Markdown show its caption.
+    Figure(Picture),
 }
 
 /// A formula: its pieces from left to right, and its unit.
@@ -99,6 +124,11 @@ impl Section {
         self.blocks.push(Block::Formula(formula));
     }
 
+    /// Adds a picture.
+    pub fn figure(&mut self, picture: Picture) {
+        self.blocks.push(Block::Figure(picture));
+    }
+
     /// Adds a table, of which at most [`SHOWN`] lines are kept.
     pub fn table(&mut self, title: &str, columns: &[&str], mut rows: Vec<Vec<String>>) {
         let left_out = rows.len().saturating_sub(SHOWN);
@@ -109,6 +139,19 @@ impl Section {
 }
 
 impl Document {
+    /// The document in one of its forms.
+    ///
+    /// # Errors
+    /// If a formula cannot be set as MathML.
+    pub fn written(&self, format: Format) -> Result<String> {
+        match format {
+            Format::Text => Ok(text::written(self, text::Ink::Plain)),
+            Format::ColouredText => Ok(text::written(self, text::Ink::Coloured)),
+            Format::Markdown => Ok(markdown::written(self)),
+            Format::Html => html::written(self),
+        }
+    }
+
     /// Adds a part; its title and those of its tables get this before them, so that no two agree.
     pub fn add(&mut self, place: &str, mut section: Section) {
         let titled = |title: &str| match place {

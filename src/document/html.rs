@@ -1,13 +1,13 @@
 //! A document as a page of the report: MathML, nothing fetched.
 
-use super::document::{self, Document};
+use super::Document;
 use super::markdown::formula;
 use crate::error::Result;
 use crate::report::page::markup::literal;
 use crate::report::page::{Block, Cell, Column, Page, Section, Table};
 
 pub(super) fn written(document: &Document) -> Result<String> {
-    let section = |(k, section): (usize, &document::Section)| Section {
+    let section = |(k, section): (usize, &super::Section)| Section {
         id: format!("part-{}", k + 1),
         title: section.title.clone(),
         blocks: section.blocks.iter().map(block).collect(),
@@ -21,15 +21,16 @@ pub(super) fn written(document: &Document) -> Result<String> {
     page.render()
 }
 
-fn block(block: &document::Block) -> Block {
+fn block(block: &super::Block) -> Block {
     match block {
-        document::Block::Text(words) => Block::Text(literal(words)),
-        document::Block::Formula(own) => Block::Equation { latex: formula(own), label: None },
-        document::Block::Table(own) => Block::Table(table(own)),
+        super::Block::Text(words) => Block::Text(literal(words)),
+        super::Block::Formula(own) => Block::Equation { latex: formula(own), label: None },
+        super::Block::Table(own) => Block::Table(table(own)),
+        super::Block::Figure(own) => Block::Figure(own.clone()),
     }
 }
 
-fn table(table: &document::Table) -> Table {
+fn table(table: &super::Table) -> Table {
     let column = |(c, title): (usize, &String)| match table.is_numeric(c) {
         true => Column::numbers(literal(title), ""),
         false => Column::words(literal(title)),

@@ -1,7 +1,7 @@
 //! A document as Markdown with LaTeX between dollar signs.
 
-use super::document::{Block, Document, Formula, Piece, Table};
 use super::notation::latex;
+use super::{Block, Document, Formula, Piece, Table};
 
 pub(super) fn written(document: &Document) -> String {
     let mut out = format!("# {}\n\n{}\n", escaped(&document.title), escaped(&document.lead));
@@ -12,6 +12,7 @@ pub(super) fn written(document: &Document) -> String {
                 Block::Text(words) => format!("\n{}\n", escaped(words)),
                 Block::Formula(own) => format!("\n$$\n{}\n$$\n", formula(own)),
                 Block::Table(own) => table(own),
+                Block::Figure(own) => format!("\n*Figure: {}*\n", own.caption),
             };
         }
     }

@@ -1,0 +1,52 @@
+//! E06: bounds applied after the sweep, K&M Code 6.
+
+use super::{Evidence, Exhibit, Finding, Severity};
+use crate::error::Result;
+use crate::lcp::{Lcp, Matrix};
+use crate::solver::{Options, Start, by_name};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E06",
+    title: "bounds applied after the sweep",
+    place: "K&M Code 6",
+    severity: Severity::Wrong,
+    may_be_scan: false,
+    printed: "Sweep over all rows without bounds, then clamp the whole vector.",
+    holds: "Clamp each unknown as it is updated, so that the rows after it see the clamped value.",
+    why: "Later rows of the sweep use unknowns that are not yet clamped. The fixed point is then a solution \
+          only when no clamped row comes before a row it is coupled to; else the limit is wrong, and it may \
+          not exist even where A is positive definite. Without an active bound the listing is plain \
+          Gauss-Seidel, and right.",
+    evidence: Evidence::Example(example),
+};
+
+/// A wrong limit in two rows, another between three balls, divergence in three.
+fn example() -> Result<Finding> {
+    let problems: [(&str, &[f64], &[f64]); 3] = [
+        ("A = [1 ½; ½ 1], b = (1, −1)", &[1.0, 0.5, 0.5, 1.0], &[1.0, -1.0]),
+        ("three balls, A = [2 −1; −1 2], b = (1, −1)", &[2.0, -1.0, -1.0, 2.0], &[1.0, -1.0]),
+        (
+            "A = [3 1 2; 1 4 3; 2 3 3], b = (0, 0, −1)",
+            &[3.0, 1.0, 2.0, 1.0, 4.0, 3.0, 2.0, 3.0, 3.0],
+            &[0.0, 0.0, -1.0],
+        ),
+    ];
+    let mut finding = Finding::new(
+        "Three problems w = A x + b ≥ 0, x ≥ 0, b in this library's sign. In the first, Code 6 ends at a \
+         vector that is no solution; in the second, the middle one of three equal balls runs into the \
+         third, and the pair goes on closing; in the third its first sweep hits the solution (0, 0, ⅓), but \
+         from anywhere else it diverges. All start at (0, …, 0, ½).",
+    );
+    for (name, a, b) in problems {
+        let n = b.len();
+        let lcp = Lcp::new(Matrix::dense(n, a), b.to_vec(), vec![0.0; n], vec![f64::INFINITY; n])?;
+        let mut start = vec![0.0; n];
+        start[n - 1] = 0.5;
+        let answer = |solver: &str| -> Result<Vec<f64>> {
+            let solver = by_name(solver, &Options::default())?;
+            Ok(solver.solve(&lcp, &Start { x: Some(&start) }, &mut ()).x)
+        };
+        finding = finding.judged(name, &lcp, &answer("code6")?, &answer("pgs")?);
+    }
+    Ok(finding)
+}

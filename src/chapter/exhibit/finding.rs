@@ -1,0 +1,165 @@
+//! What an example finds: numbers of the printed and of the corrected form, held against the truth.
+
+use crate::certificate::{Demand, Verdict, judge};
+use crate::lcp::Lcp;
+use crate::report::page::Picture;
+
+/// What an example finds.
+#[derive(Debug, Clone, Default)]
+pub struct Finding {
+    /// The example in words, with all its numbers; plain text, paragraphs parted by an empty line.
+    pub example: String,
+    /// What was measured. All of it must tell the two forms apart, unless `agrees` says otherwise.
+    pub measures: Vec<Measure>,
+    /// Answers of both forms to one LCP, by the judge's word: `(problem in words, printed, corrected)`.
+    pub judged: Vec<(String, Verdict, Verdict)>,
+    /// A picture, where a person would rather look.
+    pub picture: Option<Picture>,
+}
+
+/// A quantity in the printed and the corrected form, and its truth.
+#[derive(Debug, Clone)]
+pub struct Measure {
+    /// What was measured: `velocity after the step`.
+    pub quantity: String,
+    /// Its unit; empty for a pure number.
+    pub unit: &'static str,
+    /// What the printed form gives.
+    pub printed: Outcome,
+    /// What the corrected form gives.
+    pub corrected: Outcome,
+    /// What is right, where it is a number that can be had in another way.
+    pub truth: Vec<f64>,
+    /// Where the truth comes from: `closed form`, `dual numbers`, `exact rational arithmetic`.
+    pub source: &'static str,
+    /// Largest difference from the truth, in the unit, that counts as right.
+    pub tolerance: f64,
+    /// Whether the printed form gives the right answer here too: a case in which the fault is hidden.
+    pub agrees: bool,
+}
+
+/// What a form gives.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// Numbers; one for a scalar.
+    Numbers(Vec<f64>),
+    /// It cannot be computed: the reason.
+    Impossible(String),
+}
+
+impl Finding {
+    /// A finding of this example without measures yet.
+    pub fn new(example: impl Into<String>) -> Self {
+        Finding { example: example.into(), ..Finding::default() }
+    }
+
+    /// With one more measure.
+    pub fn measure(mut self, measure: Measure) -> Self {
+        self.measures.push(measure);
+        self
+    }
+
+    /// With the judge's word on both forms' answers x to one problem: the printed one must be refuted,
+    /// the corrected one accepted.
+    pub fn judged(
+        mut self,
+        problem: impl Into<String>,
+        lcp: &Lcp,
+        printed: &[f64],
+        corrected: &[f64],
+    ) -> Self {
+        let word = |x: &[f64]| judge(lcp, x, &Demand::default()).verdict;
+        self.judged.push((problem.into(), word(printed), word(corrected)));
+        self
+    }
+
+    /// With a picture.
+    pub fn picture(mut self, picture: Picture) -> Self {
+        self.picture = Some(picture);
+        self
+    }
+
+    /// Whether the erratum is shown: every corrected form is right, and every printed one is wrong
+    /// where it should be.
+    pub fn is_shown(&self) -> bool {
+        let is_told_apart = |(_, printed, corrected): &(String, Verdict, Verdict)| {
+            !printed.is_solution() && corrected.is_solution()
+        };
+        self.measures.iter().all(Measure::is_as_claimed)
+            && self.judged.iter().all(is_told_apart)
+            && (!self.judged.is_empty() || self.measures.iter().any(|measure| !measure.agrees))
+    }
+}
+
+impl Measure {
+    /// Numbers of both forms against the truth.
+    pub fn new(
+        quantity: impl Into<String>,
+        unit: &'static str,
+        printed: impl Into<Outcome>,
+        corrected: impl Into<Outcome>,
+    ) -> Self {
+        Measure {
+            quantity: quantity.into(),
+            unit,
+            printed: printed.into(),
+            corrected: corrected.into(),
+            truth: Vec::new(),
+            source: "",
+            tolerance: 0.0,
+            agrees: false,
+        }
+    }
+
+    /// With the truth, where it comes from, and how near is near enough.
+    pub fn truth(mut self, truth: &[f64], source: &'static str, tolerance: f64) -> Self {
+        (self.truth, self.source, self.tolerance) = (truth.to_vec(), source, tolerance);
+        self
+    }
+
+    /// A case in which the printed form happens to be right as well.
+    pub fn agreeing(mut self) -> Self {
+        self.agrees = true;
+        self
+    }
+
+    /// Whether the corrected form is right, and the printed one wrong (or right, if it `agrees`).
+    pub fn is_as_claimed(&self) -> bool {
+        self.is_right(&self.corrected) && self.is_right(&self.printed) == self.agrees
+    }
+
+    /// Whether an outcome is the truth within the tolerance.
+    pub fn is_right(&self, outcome: &Outcome) -> bool {
+        match outcome {
+            Outcome::Numbers(values) => {
+                values.len() == self.truth.len()
+                    && values.iter().zip(&self.truth).all(|(a, b)| (a - b).abs() <= self.tolerance)
+            }
+            Outcome::Impossible(_) => false,
+        }
+    }
+}
+
+impl From<f64> for Outcome {
+    fn from(value: f64) -> Self {
+        Outcome::Numbers(vec![value])
+    }
+}
+
+impl From<Vec<f64>> for Outcome {
+    fn from(values: Vec<f64>) -> Self {
+        Outcome::Numbers(values)
+    }
+}
+
+impl From<&[f64]> for Outcome {
+    fn from(values: &[f64]) -> Self {
+        Outcome::Numbers(values.to_vec())
+    }
+}
+
+impl<const N: usize> From<[f64; N]> for Outcome {
+    fn from(values: [f64; N]) -> Self {
+        Outcome::Numbers(values.to_vec())
+    }
+}

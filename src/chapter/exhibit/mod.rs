@@ -1,0 +1,107 @@
+//! The errata as exhibits: what is printed, what holds, and an example that tells them apart.
+//!
+//! An exhibit compares both with a truth found in a third way: a closed form, exact arithmetic, dual
+//! numbers, another method. Nothing about the outcome is stored: the example runs when the exhibit is
+//! looked at, and [`Finding::is_shown`] says whether the printed form failed and the corrected one
+//! held.
+//!
+//! ```
+//! use lcplab::chapter::exhibit;
+//!
+//! let finding = exhibit::named("E21")?.found()?;
+//! assert!(finding.is_shown());
+//! # Ok::<(), lcplab::error::Error>(())
+//! ```
+
+mod e06_clamping_after_the_sweep;
+mod e21_position_update;
+mod finding;
+mod show;
+
+pub use finding::{Finding, Measure, Outcome};
+
+use crate::error::{Error, Result};
+
+/// A statement of the chapter that needs correction.
+#[derive(Debug, Clone, Copy)]
+pub struct Exhibit {
+    /// Its number: `E07`.
+    pub id: &'static str,
+    /// What it is about, in a line.
+    pub title: &'static str,
+    /// Where it is printed: `K&M (16)`, `K&M Code 6`.
+    pub place: &'static str,
+    /// How far it leads astray.
+    pub severity: Severity,
+    /// Whether the fault may lie with the scan from which the text was read.
+    pub may_be_scan: bool,
+    /// What is printed, in our own words; plain text.
+    pub printed: &'static str,
+    /// What holds instead; plain text.
+    pub holds: &'static str,
+    /// Why, in a few sentences a student can follow; plain text.
+    pub why: &'static str,
+    /// How the difference is shown.
+    pub evidence: Evidence,
+}
+
+/// How far a statement leads astray.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Severity {
+    /// Following it gives a wrong result or a crash.
+    Wrong,
+    /// A reader draws a wrong conclusion, or parts that are each usable do not fit together.
+    Misleading,
+    /// A reader repairs it at sight.
+    Misprint,
+}
+
+/// How an exhibit shows what it claims.
+#[derive(Debug, Clone, Copy)]
+pub enum Evidence {
+    /// A smallest example, run on the spot.
+    Example(fn() -> Result<Finding>),
+    /// In words alone, with the reason why no safe program can show it.
+    Words(&'static str),
+}
+
+/// The errata in order.
+pub const ALL: &[&Exhibit] =
+    &[&e06_clamping_after_the_sweep::EXHIBIT, &e21_position_update::EXHIBIT];
+
+/// The exhibit of this number, in either case of letters.
+///
+/// # Errors
+/// If there is none.
+pub fn named(id: &str) -> Result<&'static Exhibit> {
+    let found = ALL.iter().find(|exhibit| exhibit.id.eq_ignore_ascii_case(id));
+    found.copied().ok_or_else(|| Error::Unknown {
+        kind: "erratum",
+        name: id.to_string(),
+        known: ALL.iter().map(|exhibit| exhibit.id.to_string()).collect(),
+    })
+}
+
+impl Exhibit {
+    /// Runs the example; a finding without measures if there is none.
+    ///
+    /// # Errors
+    /// If the example cannot be set up.
+    pub fn found(&self) -> Result<Finding> {
+        match self.evidence {
+            Evidence::Example(example) => example(),
+            Evidence::Words(_) => Ok(Finding::default()),
+        }
+    }
+}
+
+impl Severity {
+    /// The word of the lists.
+    pub fn word(self) -> &'static str {
+        match self {
+            Severity::Wrong => "wrong",
+            Severity::Misleading => "misleading",
+            Severity::Misprint => "misprint",
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! An exhibit as a document.
+
+use super::finding::{Finding, Measure, Outcome};
+use super::{Evidence, Exhibit};
+use crate::document::notation::{plain, vector};
+use crate::document::{Document, Section};
+use crate::error::Result;
+
+impl Exhibit {
+    /// The exhibit with its example run, for a terminal or a page.
+    ///
+    /// # Errors
+    /// If the example cannot be set up.
+    pub fn document(&self) -> Result<Document> {
+        let finding = self.found()?;
+        let mut document = Document {
+            title: format!("{}: {}", self.id, self.title),
+            lead: self.lead(),
+            ..Document::default()
+        };
+        for (title, words) in [("Printed", self.printed), ("Holds", self.holds), ("Why", self.why)]
+        {
+            let mut section = Section::new(title);
+            section.say(words);
+            document.add("", section);
+        }
+        document.add("", self.evidence(&finding));
+        document.is_accepted = matches!(self.evidence, Evidence::Words(_)) || finding.is_shown();
+        Ok(document)
+    }
+
+    fn lead(&self) -> String {
+        let scan =
+            if self.may_be_scan { ", perhaps by the scan the text was read from" } else { "" };
+        format!("{}, {}{scan}.", self.place, self.severity.word())
+    }
+
+    fn evidence(&self, finding: &Finding) -> Section {
+        let mut section = Section::new("Example");
+        if let Evidence::Words(reason) = self.evidence {
+            section.say(format!("In words alone: {reason}"));
+            return section;
+        }
+        for paragraph in finding.example.split("\n\n") {
+            section.say(paragraph);
+        }
+        if !finding.measures.is_empty() {
+            let columns =
+                ["quantity", "unit", "printed", "corrected", "truth", "truth from", "verdict"];
+            let rows = finding.measures.iter().map(row).collect();
+            section.table("Both forms against the truth", &columns, rows);
+        }
+        if !finding.judged.is_empty() {
+            let rows = finding.judged.iter().map(|(problem, printed, corrected)| {
+                vec![problem.clone(), printed.to_string(), corrected.to_string()]
+            });
+            let columns = ["problem", "printed", "corrected"];
+            section.table("The judge on both forms' answers", &columns, rows.collect());
+        }
+        if let Some(picture) = &finding.picture {
+            section.figure(picture.clone());
+        }
+        section.say(if finding.is_shown() {
+            "Shown: the printed form fails, the corrected one holds."
+        } else {
+            "Not shown: the example does not tell the two forms apart."
+        });
+        section
+    }
+}
+
+fn row(measure: &Measure) -> Vec<String> {
+    let written = |outcome: &Outcome| match outcome {
+        Outcome::Numbers(values) => numbers(values),
+        Outcome::Impossible(reason) => reason.clone(),
+    };
+    let verdict = match (measure.is_as_claimed(), measure.agrees) {
+        (true, false) => "printed fails, corrected holds",
+        (true, true) => "both hold here",
+        (false, _) => "not shown",
+    };
+    vec![
+        measure.quantity.clone(),
+        measure.unit.to_string(),
+        written(&measure.printed),
+        written(&measure.corrected),
+        numbers(&measure.truth),
+        measure.source.to_string(),
+        verdict.to_string(),
+    ]
+}
+
+fn numbers(values: &[f64]) -> String {
+    match values {
+        [one] => plain(*one),
+        many => vector(many),
+    }
+}

@@ -1,0 +1,3 @@
+//! The museum of the chapter.
+
+mod exhibit;
