@@ -35,12 +35,12 @@ fn example() -> Result<Finding> {
         "Three problems w = A x + b ≥ 0, x ≥ 0, b in this library's sign. In the first, Code 6 ends at a \
          vector that is no solution; in the second, the middle one of three equal balls runs into the \
          third, and the pair goes on closing; in the third its first sweep hits the solution (0, 0, ⅓), but \
-         from anywhere else it diverges. All start at (1, …, 1).",
+         from anywhere else it diverges. All start at (2, …, 2).",
     );
     for (name, a, b) in problems {
         let n = b.len();
         let lcp = Lcp::new(Matrix::dense(n, a), b.to_vec(), vec![0.0; n], vec![f64::INFINITY; n])?;
-        let start = vec![1.0; n];
+        let start = vec![2.0; n];
         let answer = |solver: &str| -> Result<Vec<f64>> {
             let solver = by_name(solver, &Options::default())?;
             Ok(solver.solve(&lcp, &Start { x: Some(&start) }, &mut ()).x)
