@@ -8,6 +8,9 @@
 mod list;
 
 pub mod lesson01;
+pub mod lesson08;
+pub mod lesson09;
+pub mod lesson11;
 
 pub use list::exercises;
 

@@ -1,10 +1,14 @@
 //! Wrong answers that students give, at least two an exercise, with what the check says.
 
 mod lesson01;
+mod lesson08;
+mod lesson09;
+mod lesson11;
 
 use lcplab::lesson::exercise::Verdict;
 
 /// The exercise of each mistake, and the check's word.
 pub fn all() -> Vec<(&'static str, Verdict)> {
-    [lesson01::mistakes()].concat()
+    [lesson01::mistakes(), lesson08::mistakes(), lesson09::mistakes(), lesson11::mistakes()]
+        .concat()
 }
