@@ -37,8 +37,8 @@ fn example() -> Result<Finding> {
          third at 1 m/s, and the pair goes on closing at ⅓; in the third its first sweep from 0 hits the \
          solution (0, 0, ⅓), but it does not stay there. All start at (2, …, 2).",
     );
-    for (quantity, (name, a, b)) in ["x₂, first problem", "x₂, three balls", "x₃, third problem"].iter().zip(problems)
-    {
+    let quantities = ["x₂, first problem", "x₂, three balls", "x₃, third problem"];
+    for (quantity, (name, a, b)) in quantities.into_iter().zip(problems) {
         let lcp = contacts(a, b)?;
         let start = vec![2.0; b.len()];
         let answer = |solver: &str| -> Result<Vec<f64>> {
@@ -47,7 +47,7 @@ fn example() -> Result<Finding> {
         };
         let (printed, corrected) = (answer("code6")?, answer("pgs")?);
         let end = b.len() - 1;
-        let x = Measure::new(*quantity, "", printed[end], corrected[end]);
+        let x = Measure::new(quantity, "", printed[end], corrected[end]);
         finding = finding
             .measure(x.truth(&last(enumerated(&lcp))[end..], "enumeration", 1e-7))
             .judged(name, &lcp, &printed, &corrected);
