@@ -88,7 +88,7 @@ fn e09_jacobi_overshoots_where_gauss_seidel_converges() {
     // λ² − (3a² − a³) λ + a³ = 0 has a complex pair for a = 0.9: |λ|² = a³.
     let gauss_seidel = spectral_radius(&sor_iteration_matrix(a.matrix(), 1.0));
     assert_near(gauss_seidel, 0.9f64.powf(1.5), 1e-9);
-    let [printed, _] = both("E09", "x₁: Jacobi, Gauss-Seidel");
+    let [printed, _] = both("E09", "x₁ after the sweeps");
     assert_near(printed / (1.0 - 1.8f64.powi(30)), 1.0, 1e-9); // the error (−1, −1, −1) times (−1.8)³⁰
 }
 
