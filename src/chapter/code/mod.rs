@@ -4,6 +4,15 @@
 //! dense matrices: these are specimens, small and slow. What is printed keeps the listing's own signs; what
 //! is corrected has those of the library: J = ∂c/∂s, w = A x + b, u⁺ = u* + M⁻¹ Jᵀ x, and x ≥ 0 pushes.
 
+pub mod code01_unconstrained_step;
+pub mod code02_constrained_step;
+pub mod code03_update;
+pub mod code04_drift_correction;
+pub mod code05_rigid_body;
+pub mod code06_solver;
+pub mod code07_whole_step;
+pub mod constraint_class;
+
 /// Which form of a listing, or of one of its lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
@@ -29,4 +38,13 @@ pub struct Listing {
 }
 
 /// The listings in order.
-pub const LISTINGS: &[Listing] = &[];
+pub const LISTINGS: &[Listing] = &[
+    code01_unconstrained_step::LISTING,
+    code02_constrained_step::LISTING,
+    code03_update::LISTING,
+    code04_drift_correction::LISTING,
+    code05_rigid_body::LISTING,
+    code06_solver::LISTING,
+    constraint_class::LISTING,
+    code07_whole_step::LISTING,
+];

@@ -15,7 +15,20 @@
 
 mod e06_clamping_after_the_sweep;
 mod e21_position_update;
+mod e28_impulse_or_force;
+mod e29_comment_against_code;
+mod e30_signs;
+mod e31_no_bounds;
+mod e32_early_return;
+mod e33_doubled_penalty;
+mod e34_beta_without_dt;
+mod e35_sign_of_feedback;
+mod e36_does_not_compile;
+mod e37_no_bounce;
+mod e38_strict_test;
+mod e39_feedback_is_no_spring;
 mod finding;
+mod setting;
 mod show;
 
 pub use finding::{Finding, Measure, Outcome};
@@ -66,8 +79,22 @@ pub enum Evidence {
 }
 
 /// The errata in order.
-pub const ALL: &[&Exhibit] =
-    &[&e06_clamping_after_the_sweep::EXHIBIT, &e21_position_update::EXHIBIT];
+pub const ALL: &[&Exhibit] = &[
+    &e06_clamping_after_the_sweep::EXHIBIT,
+    &e21_position_update::EXHIBIT,
+    &e28_impulse_or_force::EXHIBIT,
+    &e29_comment_against_code::EXHIBIT,
+    &e30_signs::EXHIBIT,
+    &e31_no_bounds::EXHIBIT,
+    &e32_early_return::EXHIBIT,
+    &e33_doubled_penalty::EXHIBIT,
+    &e34_beta_without_dt::EXHIBIT,
+    &e35_sign_of_feedback::EXHIBIT,
+    &e36_does_not_compile::EXHIBIT,
+    &e37_no_bounce::EXHIBIT,
+    &e38_strict_test::EXHIBIT,
+    &e39_feedback_is_no_spring::EXHIBIT,
+];
 
 /// The exhibit of this number, in either case of letters.
 ///

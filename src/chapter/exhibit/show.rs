@@ -2,8 +2,9 @@
 
 use super::finding::{Finding, Measure, Outcome};
 use super::{Evidence, Exhibit};
+use crate::certificate::Verdict;
 use crate::document::notation::{plain, vector};
-use crate::document::{Document, Section};
+use crate::document::{Block, Document, Section};
 use crate::error::Result;
 
 impl Exhibit {
@@ -52,11 +53,12 @@ impl Exhibit {
         }
         if !finding.judged.is_empty() {
             let rows = finding.judged.iter().map(|(problem, printed, corrected)| {
-                vec![problem.clone(), printed.to_string(), corrected.to_string()]
+                vec![problem.clone(), word(printed), word(corrected)]
             });
             let columns = ["problem", "printed", "corrected"];
             section.table("The judge on both forms' answers", &columns, rows.collect());
         }
+        section.blocks.extend(finding.tables.iter().cloned().map(Block::Table));
         if let Some(picture) = &finding.picture {
             section.figure(picture.clone());
         }
@@ -69,14 +71,23 @@ impl Exhibit {
     }
 }
 
+/// The judge's word, short enough for a table.
+fn word(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Proved { distance } => format!("proved, within {}", plain(*distance)),
+        Verdict::WithinTolerance => "within tolerance".into(),
+        Verdict::NotASolution { row, .. } => format!("not a solution, row {row}"),
+    }
+}
+
 fn row(measure: &Measure) -> Vec<String> {
     let written = |outcome: &Outcome| match outcome {
         Outcome::Numbers(values) => numbers(values),
         Outcome::Impossible(reason) => reason.clone(),
     };
     let verdict = match (measure.is_as_claimed(), measure.agrees) {
-        (true, false) => "printed fails, corrected holds",
-        (true, true) => "both hold here",
+        (true, false) => "printed fails",
+        (true, true) => "both hold",
         (false, _) => "not shown",
     };
     vec![

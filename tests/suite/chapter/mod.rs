@@ -1,3 +1,5 @@
 //! The museum of the chapter.
 
+mod code;
 mod exhibit;
+mod step;
