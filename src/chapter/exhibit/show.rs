@@ -6,6 +6,7 @@ use crate::certificate::Verdict;
 use crate::document::notation::{plain, vector};
 use crate::document::{Block, Document, Section};
 use crate::error::Result;
+use crate::plot::number::readable;
 
 impl Exhibit {
     /// The exhibit with its example run, for a terminal or a page.
@@ -71,22 +72,13 @@ impl Exhibit {
     }
 }
 
-/// The judge's word, short enough for a table.
-fn word(verdict: &Verdict) -> String {
-    match verdict {
-        Verdict::Proved { distance } => format!("proved, within {}", plain(*distance)),
-        Verdict::WithinTolerance => "within tolerance".into(),
-        Verdict::NotASolution { row, .. } => format!("not a solution, row {row}"),
-    }
-}
-
 fn row(measure: &Measure) -> Vec<String> {
     let written = |outcome: &Outcome| match outcome {
         Outcome::Numbers(values) => numbers(values),
         Outcome::Impossible(reason) => reason.clone(),
     };
     let verdict = match (measure.is_as_claimed(), measure.agrees) {
-        (true, false) => "printed fails",
+        (true, false) => "told apart",
         (true, true) => "both hold",
         (false, _) => "not shown",
     };
@@ -99,6 +91,17 @@ fn row(measure: &Measure) -> Vec<String> {
         measure.source.to_string(),
         verdict.to_string(),
     ]
+}
+
+/// The judge's word in a table's cell.
+fn word(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Proved { .. } => "proved".into(),
+        Verdict::WithinTolerance => verdict.to_string(),
+        Verdict::NotASolution { amount, .. } => {
+            format!("refuted: misses by {} of its terms", readable(*amount, 2))
+        }
+    }
 }
 
 fn numbers(values: &[f64]) -> String {
