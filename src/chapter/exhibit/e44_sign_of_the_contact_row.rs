@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
+use super::common::{answer, contacts};
 use super::rate::{body, rates};
-use super::small_problem::{answer, contacts};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::body::State;
 use crate::error::Result;

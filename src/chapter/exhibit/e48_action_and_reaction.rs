@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::small_problem::{answer, delassus, equations};
+use super::common::{answer, delassus, equations};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 

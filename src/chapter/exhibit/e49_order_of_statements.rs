@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::small_problem::contacts;
+use super::common::contacts;
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::chapter::code::code08_matrix_program::{corrected, printed};
 use crate::error::Result;

@@ -1,6 +1,6 @@
 //! E52: `empty()` asks, `clear()` does, Code 11.
 
-use super::small_problem::equations;
+use super::common::equations;
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::chapter::code::code11_map_matrix::{corrected, printed};
 use crate::error::Result;

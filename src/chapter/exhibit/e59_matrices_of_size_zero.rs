@@ -1,6 +1,6 @@
 //! E59: matrices of size 0, Codes 7 and 10.
 
-use super::small_problem::{answer, contacts};
+use super::common::{answer, contacts};
 use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
 use crate::chapter::code::code09_10_dense_matrix::{corrected, printed};
 use crate::error::Result;

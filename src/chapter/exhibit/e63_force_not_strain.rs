@@ -1,6 +1,6 @@
 //! E63: λ is a force, note on λ.
 
-use super::small_problem::{answer, contacts};
+use super::common::{answer, contacts};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 

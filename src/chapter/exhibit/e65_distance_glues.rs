@@ -1,6 +1,6 @@
 //! E65: keeping a distance glues, text on Figure 11.
 
-use super::small_problem::{answer, contacts, equations};
+use super::common::{answer, contacts, equations};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::Lcp;

@@ -3,7 +3,9 @@
 mod code08_to_11;
 mod constraints;
 mod exhibit;
+mod formulation;
 mod iterations;
+mod problem;
 mod storage;
 
 use lcplab::chapter::exhibit::{Measure, Outcome, named};
@@ -15,16 +17,20 @@ fn measure(id: &str, quantity: &str) -> Measure {
     found.unwrap_or_else(|| panic!("{id} measures no {quantity:?}"))
 }
 
-/// The numbers of a form.
-fn numbers(outcome: &Outcome) -> &[f64] {
-    match outcome {
-        Outcome::Numbers(values) => values,
-        Outcome::Impossible(reason) => panic!("no numbers: {reason}"),
-    }
+/// What the printed and the corrected form give for this quantity of an exhibit.
+fn outcomes(id: &str, quantity: &str) -> [Outcome; 2] {
+    let measure = measure(id, quantity);
+    [measure.printed, measure.corrected]
 }
 
-/// The printed and the corrected number of a measure with one number.
-fn both(id: &str, quantity: &str) -> [f64; 2] {
-    let measure = measure(id, quantity);
-    [numbers(&measure.printed)[0], numbers(&measure.corrected)[0]]
+/// The first number of both.
+fn numbers(id: &str, quantity: &str) -> [f64; 2] {
+    outcomes(id, quantity).map(|outcome| match outcome {
+        Outcome::Numbers(values) => values[0],
+        Outcome::Impossible(_) => f64::NAN,
+    })
+}
+
+fn assert_near(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance, "{found} is not {expected}");
 }
