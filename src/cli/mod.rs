@@ -1,7 +1,9 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
+mod diagnose;
 mod explain;
 mod families;
+mod form;
 mod friction;
 mod library;
 mod options;
@@ -37,6 +39,7 @@ enum Command {
     CompareSolvers(families::CompareSolvers),
     Export(scene::Export),
     Explain(explain::Explain),
+    Diagnose(diagnose::Diagnose),
     Verify(verify::Verify),
 }
 
@@ -61,6 +64,7 @@ pub fn run() -> ExitCode {
         Command::CompareSolvers(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Explain(command) => command.run(),
+        Command::Diagnose(command) => command.run(),
         Command::Verify(command) => command.run(),
     };
     match result {
