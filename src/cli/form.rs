@@ -43,11 +43,6 @@ impl Writing {
         Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
     }
 
-    /// Whether neither option was given: a plain list may be printed instead of a document.
-    pub fn is_default(&self) -> bool {
-        self.format == Form::Text && self.out.is_none()
-    }
-
     fn format(&self) -> Format {
         match self.format {
             Form::Text if self.out.is_none() && wants_colour() => Format::ColouredText,

@@ -1,5 +1,6 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
+mod chapter;
 mod diagnose;
 mod explain;
 mod families;
@@ -40,6 +41,7 @@ enum Command {
     Export(scene::Export),
     Explain(explain::Explain),
     Diagnose(diagnose::Diagnose),
+    Chapter(chapter::Chapter),
     Verify(verify::Verify),
 }
 
@@ -65,6 +67,7 @@ pub fn run() -> ExitCode {
         Command::Export(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Diagnose(command) => command.run(),
+        Command::Chapter(command) => command.run(),
         Command::Verify(command) => command.run(),
     };
     match result {

@@ -90,7 +90,10 @@ fn combination(d: &[f64]) -> String {
             (_, false) => " + ",
             (_, true) => " − ",
         };
-        let factor = if d[i].abs() == 1.0 { String::new() } else { plain(d[i].abs()) + " " };
+        let factor = match plain(d[i].abs()) {
+            one if one == "1" => String::new(),
+            other => other + " ",
+        };
         sum += &format!("{sign}{factor}{}", indexed("w", i));
     }
     if entries.len() > SHOWN {

@@ -1,3 +1,6 @@
 //! The museum of the chapter.
 
+mod claims;
+mod cli;
 mod exhibit;
+mod inventory;
