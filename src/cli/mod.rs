@@ -6,6 +6,7 @@ mod explain;
 mod families;
 mod form;
 mod friction;
+mod lesson;
 mod library;
 mod options;
 mod problem;
@@ -42,6 +43,8 @@ enum Command {
     Explain(explain::Explain),
     Diagnose(diagnose::Diagnose),
     Chapter(chapter::Chapter),
+    Lesson(lesson::Lesson),
+    Exercise(lesson::Answer),
     Verify(verify::Verify),
 }
 
@@ -68,6 +71,8 @@ pub fn run() -> ExitCode {
         Command::Explain(command) => command.run(),
         Command::Diagnose(command) => command.run(),
         Command::Chapter(command) => command.run(),
+        Command::Lesson(command) => command.run(),
+        Command::Exercise(command) => command.run(),
         Command::Verify(command) => command.run(),
     };
     match result {

@@ -12,6 +12,7 @@ mod diagnosis;
 mod explain;
 mod formulation;
 mod lcp;
+mod lesson;
 mod plot;
 mod reference;
 mod report;

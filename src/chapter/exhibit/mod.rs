@@ -13,8 +13,34 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
+mod common;
+mod e01_overlapping_conditions;
+mod e02_meanings_of_b;
+mod e03_missing_coefficient;
+mod e04_stop_test;
+mod e05_no_complementarity;
 mod e06_clamping_after_the_sweep;
+mod e07_finite_convergence;
+mod e08_pivoting;
+mod e09_equality_contacts;
+mod e10_semidefinite;
+mod e11_no_inverse;
+mod e12_warm_start;
+mod e13_step_without_dt;
+mod e14_velocity_level;
+mod e15_shape_of_the_jacobian;
+mod e16_blocks_of_the_jacobian;
+mod e17_inverted_ratio;
+mod e18_locked_axis;
+mod e19_rows_and_freedoms;
+mod e20_counting;
 mod e21_position_update;
+mod e22_figure_4;
+mod e23_effective_mass;
+mod e24_quaternion_rate;
+mod e25_torque;
+mod e26_gyroscopic_term;
+mod e27_velocity_matrix;
 mod finding;
 mod show;
 
@@ -66,8 +92,35 @@ pub enum Evidence {
 }
 
 /// The errata in order.
-pub const ALL: &[&Exhibit] =
-    &[&e06_clamping_after_the_sweep::EXHIBIT, &e21_position_update::EXHIBIT];
+pub const ALL: &[&Exhibit] = &[
+    &e01_overlapping_conditions::EXHIBIT,
+    &e02_meanings_of_b::EXHIBIT,
+    &e03_missing_coefficient::EXHIBIT,
+    &e04_stop_test::EXHIBIT,
+    &e05_no_complementarity::EXHIBIT,
+    &e06_clamping_after_the_sweep::EXHIBIT,
+    &e07_finite_convergence::EXHIBIT,
+    &e08_pivoting::EXHIBIT,
+    &e09_equality_contacts::EXHIBIT,
+    &e10_semidefinite::EXHIBIT,
+    &e11_no_inverse::EXHIBIT,
+    &e12_warm_start::EXHIBIT,
+    &e13_step_without_dt::EXHIBIT,
+    &e14_velocity_level::EXHIBIT,
+    &e15_shape_of_the_jacobian::EXHIBIT,
+    &e16_blocks_of_the_jacobian::EXHIBIT,
+    &e17_inverted_ratio::EXHIBIT,
+    &e18_locked_axis::EXHIBIT,
+    &e19_rows_and_freedoms::EXHIBIT,
+    &e20_counting::EXHIBIT,
+    &e21_position_update::EXHIBIT,
+    &e22_figure_4::EXHIBIT,
+    &e23_effective_mass::EXHIBIT,
+    &e24_quaternion_rate::EXHIBIT,
+    &e25_torque::EXHIBIT,
+    &e26_gyroscopic_term::EXHIBIT,
+    &e27_velocity_matrix::EXHIBIT,
+];
 
 /// The exhibit of this number, in either case of letters.
 ///
