@@ -32,8 +32,8 @@
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
 //! Numbers: [`lcp`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
 //! [`formulation`]; [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
-//! [`explain`] derives a step line by line, [`chapter`] shows what K&M print beside
-//! what holds, and [`lesson`] teaches it.
+//! [`explain`] derives a step line by line, [`diagnosis`] says why one cannot be taken, [`chapter`] shows
+//! what K&M print beside what holds, and [`lesson`] teaches it.
 
 pub mod error;
 
@@ -66,6 +66,8 @@ pub mod report;
 pub mod document;
 
 pub mod explain;
+
+pub mod diagnosis;
 
 pub mod chapter;
 

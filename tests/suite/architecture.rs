@@ -15,7 +15,7 @@ const BOTH: [&[&str]; 8] = [
     &["plot"],
     &["report"],
     &["document"],
-    &["explain", "chapter"],
+    &["explain", "diagnosis", "chapter"],
     &["lesson"],
 ];
 /// The judge must not see a solver, a solver no reference.

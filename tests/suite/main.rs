@@ -8,6 +8,7 @@ mod chapter;
 mod cli;
 mod common;
 mod constraint;
+mod diagnosis;
 mod explain;
 mod formulation;
 mod lcp;
