@@ -17,3 +17,4 @@ mod report;
 mod scene;
 mod simulation;
 mod solver;
+mod storage;
