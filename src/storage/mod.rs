@@ -27,7 +27,8 @@
 //! An entry that is zero is no entry: setting one to zero removes it (E54), and a row's entries are
 //! those that are not zero, columns ascending, in every storage. [`Factored`], the operator J M⁻¹ Jᵀ that
 //! is never assembled, can be read like the others but not set. [`triple_product`] assembles A through
-//! any of them, [`sweep`] runs projected Gauss-Seidel over any of them, [`Pool`] keeps their buffers.
+//! any of them, [`sweep`] runs projected Gauss-Seidel over any of them, [`Pool`] keeps their buffers, and [`Ordering`] says what
+//! a factor of A would take.
 
 mod balanced;
 mod blocks;
@@ -39,6 +40,7 @@ mod hash;
 mod list;
 mod map;
 mod nodes;
+mod ordering;
 mod pool;
 mod product;
 mod slots;
@@ -54,6 +56,7 @@ pub use factored::Factored;
 pub use hash::HashTable;
 pub use list::LinkedList;
 pub use map::MapOfMaps;
+pub use ordering::{Graph, Ordering};
 pub use pool::Pool;
 pub use product::{Workspace, triple_product};
 pub use sweep::sweep;

@@ -4,6 +4,7 @@ mod assembly;
 mod errors;
 mod laws;
 mod memory;
+mod ordering;
 mod pool;
 mod search;
 
