@@ -1,0 +1,258 @@
+//! What storages hold, ask for and look at.
+
+use super::super::Document;
+use crate::plot::number::readable;
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::storage::Study;
+use crate::report::study::storage::memory::Memory;
+use crate::report::study::storage::search::Search;
+use crate::report::study::storage::steps::{Count, Steps};
+use crate::report::study::storage::structure::Structure;
+
+pub(super) fn section(document: &mut Document, study: &Study) {
+    document.open("memory", "Memory by fill: Table 1 again");
+    let size = study.size;
+    document.text(format!(
+        "A matrix of {size} × {size} is filled at random places. The dense one always takes {size} · {size} · 8 \
+         bytes. All others grow in proportion to their entries: what an entry costs, beside the 8 bytes of a \
+         number in the dense matrix, decides the fill at which a storage stops paying."
+    ));
+    document.equation(
+        "\\text{break-even fill} = \\frac{\\text{bytes of a number}}{\\text{bytes of an entry}}: \
+         \\qquad \\frac{4}{28} = \\frac17 \\;\\text{(chapter)}, \\qquad \\frac{8}{24} = \\frac13 \
+         \\;\\text{(our list and tree)}",
+        "E57",
+    );
+    document.table("storage_memory", table(study));
+    document.figure(figure(study));
+}
+
+fn table(study: &Study) -> Table {
+    let shown = [0.1, 1.0, 10.0, 50.0, 100.0];
+    let mut columns = vec![Column::words("storage")];
+    columns.extend(shown.map(|fill| Column::numbers(format!("{} %", readable(fill, 3)), "bytes")));
+    columns.push(Column::numbers("an entry at 10 %", "bytes"));
+    columns.push(Column::numbers("pieces at 1 %", ""));
+    columns.push(Column::numbers("break-even", "% fill"));
+    let row = |memory: &Memory| {
+        let at = |fill: f64| memory.points.iter().find(|p| (p.fill - fill).abs() < 1e-9);
+        let mut cells = vec![Cell::text(&memory.storage)];
+        cells.extend(shown.map(|fill| at(fill).map_or(Cell::text("–"), |p| Cell::count(p.bytes))));
+        cells.push(Cell::number(memory.bytes_an_entry, 3));
+        cells.push(at(1.0).map_or(Cell::text("–"), |p| Cell::count(p.allocations)));
+        cells.push(match memory.break_even {
+            Some(fill) => Cell::number(fill, 3),
+            None => Cell::text(if memory.storage == "dense" { "–" } else { "never" }),
+        });
+        cells
+    };
+    Table {
+        title: format!("Bytes of a {0} × {0} matrix by fill", study.size),
+        how_to_read:
+            "*pieces*: how often heap memory was asked for to make and fill it. *break-even*: the \
+                      least fill at which it takes more than the dense matrix, found by halving."
+                .into(),
+        columns,
+        rows: study.memory.iter().map(row).collect(),
+        files: Vec::new(),
+    }
+}
+
+fn figure(study: &Study) -> Lines {
+    let series = |memory: &Memory| {
+        let points = memory.points.iter().map(|p| (p.fill, p.bytes as f64)).collect();
+        Series::measured(memory.storage.clone(), points)
+    };
+    Lines {
+        id: "storage_memory".into(),
+        title: format!("Memory of a {0} × {0} matrix", study.size),
+        caption: "Where a line crosses the dense one, its storage stops paying. List and tree lie on each \
+                  other: 24 bytes an entry. The table of a hash doubles; so does its memory. Block rows \
+                  suffer at random places, where a block of six has one entry."
+            .into(),
+        x: Axis::log("fill", "%"),
+        panels: vec![Panel {
+            y: Axis::log("memory", "bytes"),
+            series: study.memory.iter().map(series).collect(),
+        }],
+    }
+}
+
+pub(super) fn search(document: &mut Document, searches: &[Search]) {
+    if searches.is_empty() {
+        return;
+    }
+    document.open("search", "What a search looks at");
+    document.text(
+        "A search in a list begins at its head, so to find each of $k$ entries once takes $(k + 1)/2$ looks \
+         on average: linear, whatever the fill. A tree takes as many looks as it has levels on the way. \
+         Filled in a random order it has $2 \\ln k$ of them on average; filled in the order of the indices, as \
+         an assembly does, it has no left branches and is the list again. Filled middle first it is as \
+         shallow as can be; a B-tree, the standard library's sorted map, stays shallow by itself.",
+    );
+    let row = |search: &Search| {
+        vec![
+            Cell::count(search.entries),
+            Cell::number(search.list, 4),
+            Cell::count(search.sorted.depth),
+            Cell::number(search.sorted.visits, 4),
+            Cell::count(search.shuffled.depth),
+            Cell::number(search.shuffled.visits, 3),
+            Cell::count(search.balanced.depth),
+            Cell::number(search.balanced.visits, 3),
+        ]
+    };
+    let table = Table {
+        title: "Entries that a search looks at".into(),
+        how_to_read:
+            "*looks*: the mean over a search for every entry. *depth*: the longest way down.".into(),
+        columns: vec![
+            Column::numbers("entries", ""),
+            Column::numbers("list: looks", ""),
+            Column::numbers("in order: depth", ""),
+            Column::numbers("looks", ""),
+            Column::numbers("shuffled: depth", ""),
+            Column::numbers("looks", ""),
+            Column::numbers("balanced: depth", ""),
+            Column::numbers("looks", ""),
+        ],
+        rows: searches.iter().map(row).collect(),
+        files: Vec::new(),
+    };
+    document.table("storage_search", table);
+    document.figure(looks(searches));
+}
+
+fn looks(searches: &[Search]) -> Lines {
+    let points = |looks: fn(&Search) -> f64| {
+        searches.iter().map(|s| (s.entries as f64, looks(s))).collect::<Vec<_>>()
+    };
+    let theory = |looks: fn(f64) -> f64| {
+        let last = searches.last().map_or(10.0, |s| s.entries as f64);
+        let grid = (0..=60).map(|k| 10.0 * (last / 10.0).powf(f64::from(k) / 60.0));
+        grid.map(|k| (k, looks(k))).collect::<Vec<_>>()
+    };
+    Lines {
+        id: "storage_search".into(),
+        title: "Entries that a search looks at, on average".into(),
+        caption: "The list and the tree filled in order are one line: $(k + 1)/2$. The shuffled tree follows \
+                  $2 (1 + 1/k) H_k - 3$ with $H_k = 1 + 1/2 + … + 1/k$ (Knuth), about $2 \\ln k$."
+            .into(),
+        x: Axis::log("entries k", ""),
+        panels: vec![Panel {
+            y: Axis::log("looks", "entries"),
+            series: vec![
+                Series::measured("linked list", points(|s| s.list)),
+                Series::points("tree, in order", points(|s| s.sorted.visits)),
+                Series::measured("tree, shuffled", points(|s| s.shuffled.visits)),
+                Series::measured("tree, balanced", points(|s| s.balanced.visits)),
+                Series::theory("(k + 1)/2", theory(|k| f64::midpoint(k, 1.0))),
+                Series::theory("2 (1 + 1/k) H − 3", theory(|k| {
+                    let harmonic = k.ln() + 0.577_215_664_9 + 0.5 / k;
+                    2.0 * (1.0 + 1.0 / k) * harmonic - 3.0
+                })),
+            ],
+        }],
+    }
+}
+
+pub(super) fn structures(document: &mut Document, structures: &[Structure]) {
+    if structures.is_empty() {
+        return;
+    }
+    document.open("structures", "The matrices of scenes");
+    document.text(
+        "J has six columns a moving body and entries for one or two bodies a row, M⁻¹ a block of 6 × 6 \
+         a body, A an entry for each two rows that share a body. The *factored* operator keeps J and M⁻¹Jᵀ \
+         alone and never makes A: its memory is that of J, so it wins where many rows meet in a body. \
+         The block of block rows is 1 × 6, a row of J against the columns of a body: J fills such blocks, \
+         and one column number serves six values. A block of 6 × 6 would be full in M⁻¹ only.",
+    );
+    let mut rows = Vec::new();
+    for structure in structures {
+        let dense = structure.bytes.first().map_or(1, |(_, bytes)| bytes[2]).max(1);
+        let share = |bytes: usize| Cell::number(100.0 * bytes as f64 / dense as f64, 3);
+        let head = |storage: &str| {
+            vec![Cell::text(&structure.scene), Cell::count(structure.rows), Cell::text(storage)]
+        };
+        for (storage, bytes) in &structure.bytes {
+            let mut cells = head(storage);
+            cells.extend(bytes.map(|bytes| Cell::number(bytes as f64 / 1e3, 4)));
+            cells.push(share(bytes[2]));
+            rows.push(cells);
+        }
+        let mut cells = head("factored");
+        cells.extend([Cell::text("–"), Cell::text("–")]);
+        cells.push(Cell::number(structure.factored as f64 / 1e3, 4));
+        cells.push(share(structure.factored));
+        rows.push(cells);
+    }
+    let table = Table {
+        title: "Memory of J, M⁻¹ and A".into(),
+        how_to_read:
+            "*of dense*: A's memory in parts of the dense one's. The factored operator has its J \
+                      and M⁻¹ inside. Dense matrices were counted, not made."
+                .into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::numbers("rows", ""),
+            Column::words("storage"),
+            Column::numbers("J", "kB"),
+            Column::numbers("M⁻¹", "kB"),
+            Column::numbers("A", "kB"),
+            Column::numbers("A of dense", "%"),
+        ],
+        rows,
+        files: Vec::new(),
+    };
+    document.table("storage_structures", table);
+    let all = structures.iter().all(|structure| structure.agree);
+    document.text(if all {
+        "J, M⁻¹ and the product A = J M⁻¹ Jᵀ were kept and computed in each storage in turn, for scenes up \
+         to 10 000 entries of A: the same A to the last bit."
+    } else {
+        "**The storages do not agree on A.**"
+    });
+}
+
+pub(super) fn steps(document: &mut Document, steps: &Steps) {
+    document.open("pool", "Memory that is kept from step to step");
+    let (least, most) = (steps.rows.iter().min(), steps.rows.iter().max());
+    document.text(format!(
+        "The chapter's matrix manager keeps matrices of common sizes, so that a step need not ask for \
+         memory. Here a step of *{}* ({} steps of {} to {} rows) assembles $A = J M^{{-1}} J^T$: with matrices and buffers made \
+         anew, as the chapter's first version does; with all of them kept, in a first pass over the steps; \
+         and in a second pass, when everything is as large as it needs to be.",
+        crate::report::page::markup::literal(&steps.scene),
+        steps.rows.len(),
+        least.unwrap_or(&0),
+        most.unwrap_or(&0)
+    ));
+    let row = |count: &Count| {
+        let mark = if count.warm == 0.0 { Mark::Good } else { Mark::Note };
+        vec![
+            Cell::text(&count.storage),
+            Cell::number(count.anew, 4),
+            Cell::number(count.first, 4),
+            Cell::number(count.warm, 4).marked(mark),
+        ]
+    };
+    let table = Table {
+        title: "Requests for memory a step".into(),
+        how_to_read: "The mean over the steps, for J, M⁻¹, A and the buffers of the product, counted by the \
+                      storages and the pool; a test has the same counts from the allocator. Sorted maps \
+                      give every node back and ask for it again: no pool of matrices helps them, only one \
+                      of nodes, as list and tree have it here."
+            .into(),
+        columns: vec![
+            Column::words("storage"),
+            Column::numbers("made anew", ""),
+            Column::numbers("kept, first pass", ""),
+            Column::numbers("kept, warm", ""),
+        ],
+        rows: steps.counts.iter().map(row).collect(),
+        files: Vec::new(),
+    };
+    document.table("storage_steps", table);
+}
