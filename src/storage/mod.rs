@@ -202,7 +202,7 @@ pub const ALL: [Kind; 8] = [
     },
     Kind {
         name: "tree",
-        about: "entries in a binary search tree that nobody balances",
+        about: "entries in a binary search tree, as bushy as the order they came in",
         source: "K&M “Binary Tree (Search Speedup)”",
         new: |rows, columns| Box::new(Tree::new(rows, columns)),
     },

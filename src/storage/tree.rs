@@ -1,10 +1,11 @@
-//! Entries in a binary search tree by row and column, which nobody balances.
+//! Entries in a binary search tree by row and column, which nobody balances as they come.
 //!
 //! A search goes left or right at each node and ends after at most *depth* of them. That is a drastic
 //! speed-up over the list only while the tree is bushy: entries set in random order give a depth of
 //! about 2 to 3 log₂ k, entries set in the order of their indices, the order in which an assembly makes
 //! them, give a tree without left branches, a list again with depth k (E58). The remedy is a tree that
-//! keeps itself balanced: [`BalancedTree`](super::BalancedTree).
+//! keeps itself balanced, [`BalancedTree`](super::BalancedTree), or entries that come all at once, which
+//! [`load`](Storage::load) builds into a balanced one.
 //!
 //! A node takes 24 bytes: 4 each for row, column and two branches, 8 for the value.
 
@@ -81,6 +82,14 @@ impl Tree {
             };
         }
         Ok(visits)
+    }
+
+    /// A balanced tree of entries that the matrix has, and its root.
+    fn build(&mut self, entries: &[Entry]) -> u32 {
+        let Some(&(row, column, value)) = entries.get(entries.len() / 2) else { return NONE };
+        let (before, after) = entries.split_at(entries.len() / 2);
+        let (left, right) = (self.build(before), self.build(&after[1..]));
+        self.nodes.add(Node { place: (row as u32, column as u32), value, left, right })
     }
 
     /// The node at a place or [`NONE`], and the one above.
@@ -222,10 +231,19 @@ impl Storage for Tree {
         self.nodes.allocations()
     }
 
+    /// Entries that come sorted and at once are built into a balanced tree: the middle one on top, then
+    /// the middles of the halves.
     fn load(&mut self, entries: &[Entry]) -> Result<()> {
         check_order(entries)?;
+        for &(row, column, value) in entries {
+            check_entry(self, row, column, value)?;
+        }
         self.reset(self.rows, self.columns)?;
         self.nodes.reserve(entries.len());
+        if entries.iter().all(|(.., value)| *value != 0.0) {
+            self.root = self.build(entries);
+            return Ok(());
+        }
         entries.iter().try_for_each(|&(row, column, value)| self.set(row, column, value))
     }
 }

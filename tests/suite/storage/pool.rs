@@ -1,4 +1,4 @@
-use lcplab::storage::{Pool, Storage, Workspace, triple_product};
+use lcplab::storage::{Pool, Workspace, triple_product};
 
 #[test]
 fn a_pool_makes_a_buffer_only_where_none_fits() {

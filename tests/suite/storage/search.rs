@@ -31,6 +31,15 @@ fn a_tree_filled_in_order_is_a_list_and_a_shuffled_one_is_not() {
 }
 
 #[test]
+fn a_tree_that_is_loaded_is_as_shallow_as_can_be() {
+    for (n, depth) in [(0, 0), (1, 1), (2, 2), (3, 2), (4, 3), (1023, 10), (1024, 11), (3000, 12)] {
+        let mut tree = Tree::new(n, n);
+        tree.load(&(0..n).map(|i| (i, i, 1.0)).collect::<Vec<_>>()).unwrap();
+        assert_eq!(tree.depth(), depth); // ⌈log₂(n + 1)⌉
+    }
+}
+
+#[test]
 fn a_search_in_a_list_looks_at_every_entry_before() {
     // E57: the cost is linear in the entries, not exponential: the k-th takes k looks.
     let mut list = LinkedList::new(200, 200);

@@ -52,7 +52,9 @@ pub(super) fn run(
 ) -> Result<Vec<Claim>> {
     let mut claims = vec![dense(), empty()?];
     claims.extend(full_list());
-    claims.extend(search.last().zip(search.first()).map(|(last, first)| growth(first, last)));
+    claims.extend(
+        search.last().zip(search.iter().nth_back(1)).map(|(last, before)| growth(before, last)),
+    );
     claims.extend(search.last().map(tree));
     claims.push(names()?);
     claims.push(zeros()?);
@@ -112,10 +114,10 @@ fn full_list() -> [Claim; 3] {
     ]
 }
 
-fn growth(first: &Search, last: &Search) -> Claim {
-    let power = (last.list / first.list).ln() / (last.entries as f64 / first.entries as f64).ln();
+fn growth(before: &Search, last: &Search) -> Claim {
+    let power = (last.list / before.list).ln() / (last.entries as f64 / before.entries as f64).ln();
     let found = format!(
-        "a search looks at {} of {} entries on average: they grow as the power {} of the entries",
+        "a search looks at {} of {} entries on average, and that grows as their power {}: linearly",
         readable(last.list, 5),
         count(last.entries),
         readable(power, 3)

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{SEED, scattered, shuffled};
 use crate::error::{Error, Result};
-use crate::storage::{ALL, Kind, Storage};
+use crate::storage::{ALL, Kind};
 
 /// The memory of a storage.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,7 +51,7 @@ fn measured(kind: &Kind, size: usize, fills: &[f64], order: &[usize]) -> Result<
     let all = size * size;
     let point = |entries: usize| {
         let mut storage = (kind.new)(size, size);
-        load(kind, storage.as_mut(), &scattered(size, order, entries))?;
+        storage.load(&scattered(size, order, entries))?;
         let (bytes, allocations) = (storage.bytes(), storage.allocations());
         let fill = 100.0 * entries as f64 / all as f64;
         Ok::<_, Error>(Point { fill, entries, bytes, allocations })
@@ -83,21 +83,4 @@ fn first(all: usize, holds: impl Fn(usize) -> Result<bool>) -> Result<usize> {
         }
     }
     Ok(with)
-}
-
-/// Loads a storage; a tree gets its entries middle first, for what it takes does not depend on its
-/// shape and a degenerate one takes long.
-pub(super) fn load(
-    kind: &Kind,
-    storage: &mut dyn Storage,
-    entries: &[crate::storage::Entry],
-) -> Result<()> {
-    if kind.name != "tree" {
-        return Ok(storage.load(entries)?);
-    }
-    for k in super::search::middle_first(entries.len()) {
-        let (row, column, value) = entries[k];
-        storage.set(row, column, value)?;
-    }
-    Ok(())
 }

@@ -14,11 +14,11 @@ pub mod time;
 
 use serde::{Deserialize, Serialize};
 
-use super::problem_of;
+use super::{at_level, problem_of};
 use crate::error::Result;
 use crate::formulation::Problem;
 use crate::report::experiment::{AtStep, Storage as Task};
-use crate::scene::Scene;
+use crate::scene::{Formulation, Scene};
 use crate::simulation::Simulation;
 use crate::solver::{Options, Settings, by_name};
 use crate::storage::Entry;
@@ -79,7 +79,10 @@ fn each<R>(tasks: &[AtStep], study: impl Fn(&AtStep, &Problem) -> Result<R>) -> 
 /// The problem of a scene's step; `None` if the step has none. That of the first step needs no solution,
 /// so it is left after a sweep.
 fn problem(task: &AtStep) -> Result<Option<Problem>> {
-    let scene = Scene::load(&task.scene)?;
+    let mut scene = Scene::load(&task.scene)?;
+    if !scene.step.formulation.solves_lcps() {
+        scene = at_level(&scene, Formulation::Velocity);
+    }
     if task.step > 1 {
         return Ok(problem_of(&scene, task.step));
     }

@@ -17,7 +17,7 @@ pub struct Search {
     pub sorted: Shape,
     /// In a random order.
     pub shuffled: Shape,
-    /// The middle first, then the middles of the halves, and so on: the best that can be.
+    /// Built from sorted entries, the middle on top: the best that can be.
     pub balanced: Shape,
 }
 
@@ -48,33 +48,30 @@ fn search(n: usize) -> Result<Search> {
     Ok(Search {
         entries: n,
         list: looks as f64 / n.max(1) as f64,
-        sorted: shape(&(0..n).collect::<Vec<_>>())?,
-        shuffled: shape(&shuffled(n, SEED))?,
-        balanced: shape(&middle_first(n))?,
+        sorted: shape(&filled(&(0..n).collect::<Vec<_>>())?)?,
+        shuffled: shape(&filled(&shuffled(n, SEED))?)?,
+        balanced: shape(&balanced(n)?)?,
     })
 }
 
-fn shape(order: &[usize]) -> Result<Shape> {
-    let n = order.len();
-    let mut tree = Tree::new(n, n);
+/// A tree with entries on the diagonal, set in this order.
+fn filled(order: &[usize]) -> Result<Tree> {
+    let mut tree = Tree::new(order.len(), order.len());
     order.iter().try_for_each(|&i| tree.set(i, i, 1.0))?;
+    Ok(tree)
+}
+
+fn balanced(n: usize) -> Result<Tree> {
+    let mut tree = Tree::new(n, n);
+    tree.load(&(0..n).map(|i| (i, i, 1.0)).collect::<Vec<_>>())?;
+    Ok(tree)
+}
+
+fn shape(tree: &Tree) -> Result<Shape> {
+    let n = tree.rows();
     let mut looks = 0;
     for i in 0..n {
         looks += tree.visits(i, i)?;
     }
     Ok(Shape { depth: tree.depth(), visits: looks as f64 / n.max(1) as f64 })
-}
-
-/// The numbers 0..n, the middle of each part before the rest of it.
-pub(super) fn middle_first(n: usize) -> Vec<usize> {
-    let mut order = Vec::with_capacity(n);
-    let mut parts = std::collections::VecDeque::from([(0, n)]);
-    while let Some((from, to)) = parts.pop_front() {
-        if from < to {
-            let middle = usize::midpoint(from, to);
-            order.push(middle);
-            parts.extend([(from, middle), (middle + 1, to)]);
-        }
-    }
-    order
 }

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::memory::load;
 use crate::error::Result;
 use crate::formulation::{Factors, Problem};
 use crate::report::experiment::AtStep;
@@ -47,7 +46,7 @@ pub(super) fn run(task: &AtStep, problem: &Problem) -> Result<Structure> {
                 "dense" => sizes[k] * widths[k] * size_of::<f64>(), // not made: it may not fit
                 _ => {
                     let mut storage = (kind.new)(sizes[k], widths[k]);
-                    load(kind, storage.as_mut(), matrices[k])?;
+                    storage.load(matrices[k])?;
                     storage.bytes()
                 }
             };
@@ -90,9 +89,9 @@ fn agree(factors: &Factors, expected: &[Entry]) -> Result<bool> {
     let small = expected.len() <= MANY;
     for kind in ALL.iter().filter(|_| small) {
         let mut j = (kind.new)(factors.rows, factors.columns);
-        load(kind, j.as_mut(), &factors.jacobian)?;
+        j.load(&factors.jacobian)?;
         let mut m_inv = (kind.new)(factors.columns, factors.columns);
-        load(kind, m_inv.as_mut(), &factors.inverse_mass)?;
+        m_inv.load(&factors.inverse_mass)?;
         let mut a = (kind.new)(0, 0);
         triple_product(j.as_ref(), m_inv.as_ref(), a.as_mut(), &mut Workspace::default())?;
         if entries_of(a.as_ref())? != expected {

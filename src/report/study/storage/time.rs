@@ -12,7 +12,7 @@ use crate::formulation::{Factors, Problem};
 use crate::lcp::{Lcp, Matrix};
 use crate::report::experiment::Storage as Task;
 use crate::scene::Scene;
-use crate::storage::{ALL, Entry, Kind, Storage, Workspace, sweep, triple_product};
+use crate::storage::{ALL, Entry, Kind, Storage, Tree, Workspace, sweep, triple_product};
 
 /// All times.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -47,8 +47,6 @@ const SAMPLES: usize = 64;
 /// Measured for so long, and the best of so many.
 const SPAN: Duration = Duration::from_millis(2);
 const ROUNDS: usize = 3;
-/// A tree that is filled in order takes time with the square of its entries: above this, none is.
-const TREE: usize = 10_000;
 
 /// Measures, one after the other.
 ///
@@ -62,8 +60,21 @@ pub fn run(task: &Task) -> Result<Times> {
         let entries = with_diagonal(task.size, scattered(task.size, &order, count));
         let lcp = contacts(task.size, &entries)?;
         for kind in &ALL {
-            by_fill.push(of_kind(kind, &lcp, &entries, None)?);
+            let mut a = (kind.new)(task.size, task.size);
+            a.load(&entries)?;
+            by_fill.push(Time {
+                sweep: sweeping(&lcp, a.as_ref())?,
+                ..reads(a.as_ref(), entries.len())
+            });
         }
+        let mut tree = Tree::new(task.size, task.size);
+        entries.iter().try_for_each(|&(i, j, value)| tree.set(i, j, value))?;
+        let storage = "tree, in order".to_string();
+        by_fill.push(Time {
+            storage,
+            sweep: sweeping(&lcp, &tree)?,
+            ..reads(&tree, entries.len())
+        });
     }
     let mut by_size = Vec::new();
     for &bodies in &task.stacks {
@@ -71,8 +82,8 @@ pub fn run(task: &Task) -> Result<Times> {
         let factors = Factors::of(&problem.assembly);
         let entries = assembled(&factors)?;
         let lcp = contacts(factors.rows, &entries)?;
-        for kind in ALL.iter().filter(|kind| kind.name != "tree" || entries.len() <= TREE) {
-            by_size.push(of_kind(kind, &lcp, &entries, Some(&factors))?);
+        for kind in &ALL {
+            by_size.push(of_kind(kind, &lcp, &entries, &factors)?);
         }
         by_size.push(of_operator(&lcp, &factors, entries.len())?);
     }
@@ -102,14 +113,17 @@ fn contacts(n: usize, entries: &[Entry]) -> Result<Lcp> {
     Lcp::new(Matrix::sparse(n, entries), vec![-1.0; n], lo, hi)
 }
 
-fn of_kind(kind: &Kind, lcp: &Lcp, entries: &[Entry], factors: Option<&Factors>) -> Result<Time> {
+fn of_kind(kind: &Kind, lcp: &Lcp, entries: &[Entry], factors: &Factors) -> Result<Time> {
     let mut a = (kind.new)(lcp.len(), lcp.len());
     a.load(entries)?;
-    let assembly = factors.map(|factors| assembly(kind, factors)).transpose()?;
-    let mut x = vec![0.0; lcp.len()];
-    sweep(lcp, a.as_ref(), &mut x)?;
-    let sweep = seconds(|| sweep(lcp, a.as_ref(), black_box(&mut x)).is_ok());
+    let (assembly, sweep) = (Some(assembly(kind, factors)?), sweeping(lcp, a.as_ref())?);
     Ok(Time { assembly, sweep, ..reads(a.as_ref(), entries.len()) })
+}
+
+fn sweeping(lcp: &Lcp, a: &dyn Storage) -> Result<f64> {
+    let mut x = vec![0.0; lcp.len()];
+    sweep(lcp, a, &mut x)?;
+    Ok(seconds(|| sweep(lcp, a, black_box(&mut x)).is_ok()))
 }
 
 /// The operator is swept as sequential impulses; its assembly is that of its factors.

@@ -51,7 +51,7 @@ pub(super) fn section(document: &mut Document, factors: &[Factor]) {
     };
     let all = factors.iter().flat_map(|factor| factor.ordered.iter().map(move |own| (factor, own)));
     document.figure(Spies {
-        id: "storage_factors".into(),
+        id: "storage_factor_pictures".into(),
         title: "The factor L under three orderings".into(),
         caption: "Per cent are of the lower triangle. Darker cells are denser. The bands of reverse \
                   Cuthill-McKee fill in completely; minimum degree leaves most of the triangle empty and \

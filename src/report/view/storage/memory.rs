@@ -1,7 +1,7 @@
 //! What storages hold, ask for and look at.
 
 use super::super::Document;
-use crate::plot::number::readable;
+use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::storage::Study;
@@ -19,10 +19,12 @@ pub(super) fn section(document: &mut Document, study: &Study) {
          number in the dense matrix, decides the fill at which a storage stops paying."
     ));
     document.equation(
-        "\\text{break-even fill} = \\frac{\\text{bytes of a number}}{\\text{bytes of an entry}}: \
-         \\qquad \\frac{4}{28} = \\frac17 \\;\\text{(chapter)}, \\qquad \\frac{8}{24} = \\frac13 \
-         \\;\\text{(our list and tree)}",
+        "\\text{break-even fill} = \\frac{\\text{bytes of a number}}{\\text{bytes of an entry}}",
         "E57",
+    );
+    document.text(
+        "For the chapter's list that is $4/28 = 1/7$, or 14.3 %; for the list and the tree here, \
+         $8/24 = 1/3$; for compressed rows $8/12 = 2/3$.",
     );
     document.table("storage_memory", table(study));
     document.figure(figure(study));
@@ -65,7 +67,7 @@ fn figure(study: &Study) -> Lines {
         Series::measured(memory.storage.clone(), points)
     };
     Lines {
-        id: "storage_memory".into(),
+        id: "storage_memory_by_fill".into(),
         title: format!("Memory of a {0} × {0} matrix", study.size),
         caption: "Where a line crosses the dense one, its storage stops paying. List and tree lie on each \
                   other: 24 bytes an entry. The table of a hash doubles; so does its memory. Block rows \
@@ -88,8 +90,9 @@ pub(super) fn search(document: &mut Document, searches: &[Search]) {
         "A search in a list begins at its head, so to find each of $k$ entries once takes $(k + 1)/2$ looks \
          on average: linear, whatever the fill. A tree takes as many looks as it has levels on the way. \
          Filled in a random order it has $2 \\ln k$ of them on average; filled in the order of the indices, as \
-         an assembly does, it has no left branches and is the list again. Filled middle first it is as \
-         shallow as can be; a B-tree, the standard library's sorted map, stays shallow by itself.",
+         an assembly does, it has no left branches and is the list again. Built from \
+         sorted entries, the middle one on top, it is as shallow as can be; a B-tree, the standard library's \
+         sorted map, stays shallow by itself.",
     );
     let row = |search: &Search| {
         vec![
@@ -134,7 +137,7 @@ fn looks(searches: &[Search]) -> Lines {
         grid.map(|k| (k, looks(k))).collect::<Vec<_>>()
     };
     Lines {
-        id: "storage_search".into(),
+        id: "storage_looks".into(),
         title: "Entries that a search looks at, on average".into(),
         caption: "The list and the tree filled in order are one line: $(k + 1)/2$. The shuffled tree follows \
                   $2 (1 + 1/k) H_k - 3$ with $H_k = 1 + 1/2 + … + 1/k$ (Knuth), about $2 \\ln k$."
@@ -169,44 +172,12 @@ pub(super) fn structures(document: &mut Document, structures: &[Structure]) {
          The block of block rows is 1 × 6, a row of J against the columns of a body: J fills such blocks, \
          and one column number serves six values. A block of 6 × 6 would be full in M⁻¹ only.",
     );
-    let mut rows = Vec::new();
-    for structure in structures {
-        let dense = structure.bytes.first().map_or(1, |(_, bytes)| bytes[2]).max(1);
-        let share = |bytes: usize| Cell::number(100.0 * bytes as f64 / dense as f64, 3);
-        let head = |storage: &str| {
-            vec![Cell::text(&structure.scene), Cell::count(structure.rows), Cell::text(storage)]
-        };
-        for (storage, bytes) in &structure.bytes {
-            let mut cells = head(storage);
-            cells.extend(bytes.map(|bytes| Cell::number(bytes as f64 / 1e3, 4)));
-            cells.push(share(bytes[2]));
-            rows.push(cells);
-        }
-        let mut cells = head("factored");
-        cells.extend([Cell::text("–"), Cell::text("–")]);
-        cells.push(Cell::number(structure.factored as f64 / 1e3, 4));
-        cells.push(share(structure.factored));
-        rows.push(cells);
-    }
-    let table = Table {
-        title: "Memory of J, M⁻¹ and A".into(),
-        how_to_read:
-            "*of dense*: A's memory in parts of the dense one's. The factored operator has its J \
-                      and M⁻¹ inside. Dense matrices were counted, not made."
-                .into(),
-        columns: vec![
-            Column::words("scene"),
-            Column::numbers("rows", ""),
-            Column::words("storage"),
-            Column::numbers("J", "kB"),
-            Column::numbers("M⁻¹", "kB"),
-            Column::numbers("A", "kB"),
-            Column::numbers("A of dense", "%"),
-        ],
-        rows,
-        files: Vec::new(),
-    };
-    document.table("storage_structures", table);
+    document.table("storage_structures", sizes(structures, "A", |[_, _, a]| a, true));
+    let factors = "J and M⁻¹ together";
+    document.table(
+        "storage_factor_sizes",
+        sizes(structures, factors, |[j, m_inv, _]| j + m_inv, false),
+    );
     let all = structures.iter().all(|structure| structure.agree);
     document.text(if all {
         "J, M⁻¹ and the product A = J M⁻¹ Jᵀ were kept and computed in each storage in turn, for scenes up \
@@ -214,6 +185,53 @@ pub(super) fn structures(document: &mut Document, structures: &[Structure]) {
     } else {
         "**The storages do not agree on A.**"
     });
+}
+
+/// Kilobytes by storage and scene.
+fn sizes(
+    structures: &[Structure],
+    what: &str,
+    of: impl Fn([usize; 3]) -> usize,
+    factored: bool,
+) -> Table {
+    let mut columns = vec![Column::words("storage")];
+    columns.extend(structures.iter().map(|s| Column::numbers(&s.scene, "kB")));
+    let storages = structures.first().map_or(&[][..], |structure| &structure.bytes);
+    let row = |(k, (name, _)): (usize, &(String, [usize; 3]))| {
+        let cells = structures.iter().map(|s| kilo(of(s.bytes[k].1)));
+        std::iter::once(Cell::text(name)).chain(cells).collect::<Vec<_>>()
+    };
+    let mut rows: Vec<_> = storages.iter().enumerate().map(row).collect();
+    if factored {
+        let cells = structures.iter().map(|s| kilo(s.factored));
+        rows.push(std::iter::once(Cell::text("factored, J and M⁻¹Jᵀ")).chain(cells).collect());
+    }
+    let scene = |s: &Structure| {
+        let [_, entries] = s.entries;
+        let rows = count(s.rows);
+        format!(
+            "{}: {rows} rows, {} entries of A, {} %",
+            s.scene,
+            count(entries),
+            readable(s.fill, 2)
+        )
+    };
+    Table {
+        title: format!("Memory of {what} in scenes"),
+        how_to_read: format!(
+            "{}. Dense matrices were counted, not made.",
+            structures.iter().map(scene).collect::<Vec<_>>().join("; ")
+        ),
+        columns,
+        rows,
+        files: Vec::new(),
+    }
+}
+
+fn kilo(bytes: usize) -> Cell {
+    let value = bytes as f64 / 1e3;
+    let text = if bytes < 100_000 { readable(value, 3) } else { count(value.round() as usize) };
+    Cell { text, value: Some(value), mark: Mark::Plain }
 }
 
 pub(super) fn steps(document: &mut Document, steps: &Steps) {
@@ -229,13 +247,15 @@ pub(super) fn steps(document: &mut Document, steps: &Steps) {
         least.unwrap_or(&0),
         most.unwrap_or(&0)
     ));
+    let mean =
+        |value: f64| Cell { text: readable(value, 4), value: Some(value), mark: Mark::Plain };
     let row = |count: &Count| {
         let mark = if count.warm == 0.0 { Mark::Good } else { Mark::Note };
         vec![
             Cell::text(&count.storage),
-            Cell::number(count.anew, 4),
-            Cell::number(count.first, 4),
-            Cell::number(count.warm, 4).marked(mark),
+            mean(count.anew),
+            mean(count.first),
+            mean(count.warm).marked(mark),
         ]
     };
     let table = Table {

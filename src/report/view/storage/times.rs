@@ -17,7 +17,7 @@ pub(in super::super) fn section(document: &mut Document, times: &Times) {
     document.figure(Lines {
         id: "storage_time_fill".into(),
         title: "Time to find an entry, and to multiply a row, by fill".into(),
-        caption: "One size, entries at random places and on the diagonal; means over places and rows chosen at \
+        caption: "One size, entries at random places and on the diagonal. *tree, in order* was filled entry by entry; means over places and rows chosen at \
                   random."
             .into(),
         x: Axis::log("fill", "%"),
@@ -32,8 +32,7 @@ pub(in super::super) fn section(document: &mut Document, times: &Times) {
         title: "Time to assemble A = J M⁻¹ Jᵀ, and of a sweep, by size".into(),
         caption: "Stacks of cubes in their first step, 12 rows a cube. All three matrices are in the storage. \
                   *factored* is the operator that is never assembled: its assembly is that of its factors, \
-                  its sweep sequential impulses. A tree that is filled in order is left out above 10 000 \
-                  entries."
+                  its sweep sequential impulses."
             .into(),
         x: Axis::log("rows", ""),
         panels: vec![
