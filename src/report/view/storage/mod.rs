@@ -2,6 +2,7 @@
 
 mod factors;
 mod memory;
+mod structures;
 mod times;
 
 pub(super) use times::section as times;
@@ -22,9 +23,9 @@ pub(super) fn sections(document: &mut Document, study: &Study) {
     claims(document, &study.claims);
     memory::section(document, study);
     memory::search(document, &study.search);
-    memory::structures(document, &study.structures);
+    structures::structures(document, &study.structures);
     if let Some(steps) = &study.steps {
-        memory::steps(document, steps);
+        structures::steps(document, steps);
     }
     factors::section(document, &study.factors);
     pictures(document, &study.pictures);
@@ -85,7 +86,7 @@ fn pictures(document: &mut Document, pictures: &[Picture]) {
             id: format!("storage_pictures_{}", k + 1),
             title: format!("A of the shipped scenes, {} of {figures}", k + 1),
             caption: "Under each name: the number of rows and the share of entries that are not zero; the \
-                      step, if it is not the first. An empty frame has no rows in that step."
+                      step, if it is not the first. An empty frame has no rows in that step. Rows at right angles share a body and no entry."
                 .into(),
             across: ACROSS,
             panels: some.iter().map(small).collect(),
