@@ -11,7 +11,7 @@ fn jacobian(contacts: usize) -> Vec<Entry> {
     let row = |i: usize| {
         let below = i / 12; // four contacts a pair
         let value = move |k: usize| {
-            if (i + k) % 5 == 0 { 0.0 } else { 1.0 + ((i * 7 + k * 3) % 11) as f64 }
+            if (i + k).is_multiple_of(5) { 0.0 } else { 1.0 + ((i * 7 + k * 3) % 11) as f64 }
         };
         (0..12).map(move |k| (i, 6 * below + k, value(k)))
     };
