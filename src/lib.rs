@@ -32,7 +32,8 @@
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
 //! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
 //! [`formulation`]; [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
-//! [`explain`] derives a step line by line, and [`chapter`] shows what K&M print beside what holds.
+//! [`explain`] derives a step line by line, [`chapter`] shows what K&M print beside
+//! what holds, and [`lesson`] teaches it.
 
 pub mod error;
 
@@ -69,6 +70,8 @@ pub mod document;
 pub mod explain;
 
 pub mod chapter;
+
+pub mod lesson;
 
 /// The examples of the README run as tests.
 #[cfg(doctest)]

@@ -2,6 +2,23 @@
 
 mod cli;
 
+/// The lessons' cells, compiled.
+#[allow(non_snake_case)]
+mod lessons {
+    include!(concat!(env!("OUT_DIR"), "/lessons.rs"));
+}
+
+/// The handout's cells, compiled.
+#[allow(non_snake_case)]
+mod handout {
+    include!(concat!(env!("OUT_DIR"), "/handout.rs"));
+}
+
+/// The students' answers; a hole leaves its arguments unused.
+#[path = "../notebooks/exercises/mod.rs"]
+#[allow(non_snake_case, unused_variables, unused_mut)]
+mod exercises;
+
 fn main() -> std::process::ExitCode {
     cli::run()
 }

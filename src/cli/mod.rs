@@ -3,6 +3,7 @@
 mod explain;
 mod families;
 mod friction;
+mod lesson;
 mod library;
 mod options;
 mod problem;
@@ -37,6 +38,8 @@ enum Command {
     CompareSolvers(families::CompareSolvers),
     Export(scene::Export),
     Explain(explain::Explain),
+    Lesson(lesson::Lesson),
+    Exercise(lesson::Answer),
     Verify(verify::Verify),
 }
 
@@ -61,6 +64,8 @@ pub fn run() -> ExitCode {
         Command::CompareSolvers(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Explain(command) => command.run(),
+        Command::Lesson(command) => command.run(),
+        Command::Exercise(command) => command.run(),
         Command::Verify(command) => command.run(),
     };
     match result {

@@ -10,7 +10,7 @@ pub(super) fn written(document: &Document) -> Result<String> {
     let section = |(k, section): (usize, &super::Section)| Section {
         id: format!("part-{}", k + 1),
         title: section.title.clone(),
-        blocks: section.blocks.iter().map(block).collect(),
+        blocks: section.blocks.iter().map(super::Block::on_page).collect(),
     };
     let page = Page {
         title: document.title.clone(),
@@ -21,12 +21,15 @@ pub(super) fn written(document: &Document) -> Result<String> {
     page.render()
 }
 
-fn block(block: &super::Block) -> Block {
-    match block {
-        super::Block::Text(words) => Block::Text(literal(words)),
-        super::Block::Formula(own) => Block::Equation { latex: formula(own), label: None },
-        super::Block::Table(own) => Block::Table(table(own)),
-        super::Block::Figure(own) => Block::Figure(own.clone()),
+impl super::Block {
+    /// As a piece of a page.
+    pub fn on_page(&self) -> Block {
+        match self {
+            super::Block::Text(words) => Block::Text(literal(words)),
+            super::Block::Formula(own) => Block::Equation { latex: formula(own), label: None },
+            super::Block::Table(own) => Block::Table(table(own)),
+            super::Block::Figure(own) => Block::Figure(own.clone()),
+        }
     }
 }
 

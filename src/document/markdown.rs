@@ -8,15 +8,22 @@ pub(super) fn written(document: &Document) -> String {
     for (k, section) in document.sections.iter().enumerate() {
         out += &format!("\n## {} {}\n", k + 1, escaped(&section.title));
         for block in &section.blocks {
-            out += &match block {
-                Block::Text(words) => format!("\n{}\n", escaped(words)),
-                Block::Formula(own) => format!("\n$$\n{}\n$$\n", formula(own)),
-                Block::Table(own) => table(own),
-                Block::Figure(own) => format!("\n*Figure: {}*\n", own.caption),
-            };
+            out += &block.markdown();
         }
     }
     out
+}
+
+impl Block {
+    /// As Markdown, an empty line before it.
+    pub fn markdown(&self) -> String {
+        match self {
+            Block::Text(words) => format!("\n{}\n", escaped(words)),
+            Block::Formula(own) => format!("\n$$\n{}\n$$\n", formula(own)),
+            Block::Table(own) => table(own),
+            Block::Figure(own) => format!("\n*Figure: {}*\n", own.caption),
+        }
+    }
 }
 
 /// A formula in LaTeX, with its unit and what is left out of it as words.

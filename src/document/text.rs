@@ -35,15 +35,26 @@ pub(super) fn written(document: &Document, ink: Ink) -> String {
     for (k, section) in document.sections.iter().enumerate() {
         out += &format!("\n{}\n", ink.heading(&format!("{} {}", k + 1, section.title)));
         for block in &section.blocks {
-            out += &match block {
-                Block::Text(words) => wrapped(words),
-                Block::Formula(own) => formula(own, ink),
-                Block::Table(own) => table(own, ink),
-                Block::Figure(own) => wrapped(&format!("[picture: {}]", own.caption)),
-            };
+            out += &inked(block, ink);
         }
     }
     out
+}
+
+impl Block {
+    /// As lines for a terminal, without colours.
+    pub fn text(&self) -> String {
+        inked(self, Ink::Plain)
+    }
+}
+
+fn inked(block: &Block, ink: Ink) -> String {
+    match block {
+        Block::Text(words) => wrapped(words),
+        Block::Formula(own) => formula(own, ink),
+        Block::Table(own) => table(own, ink),
+        Block::Figure(own) => wrapped(&format!("[picture: {}]", own.caption)),
+    }
 }
 
 /// A paragraph in lines.

@@ -6,6 +6,7 @@ use plotters::prelude::*;
 
 use super::axis::{Axis, Scale, Tick};
 use super::canvas::{Anchor, Canvas, Frame, dashes, escape, stroke};
+use super::cut::cut;
 use super::legend::{Drawn, Legend};
 use super::marker::{draw_zeros, marker_places};
 use super::number::{count, readable};
@@ -194,18 +195,9 @@ impl Lines {
     ) {
         let (measured, others): (Vec<&Series>, Vec<&Series>) =
             panel.series.iter().partition(|series| series.look.is_measured());
-        // A nested svg cuts predictions off at the frame.
-        canvas.raw(&format!(
-            "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n",
-            frame.left,
-            frame.top,
-            frame.right - frame.left,
-            frame.bottom - frame.top
-        ));
         for series in others {
             self.draw_line(canvas, frame, panel, series, &looks[series.name.as_str()]);
         }
-        canvas.raw("</svg>\n");
         for (k, series) in measured.into_iter().enumerate() {
             let drawn = &looks[series.name.as_str()];
             canvas.raw(&format!(
@@ -246,9 +238,11 @@ impl Lines {
             .split(Option::is_none)
             .map(|run| thin(run.iter().flatten().copied(), |point| frame.place(point)))
             .collect();
+        // Predictions end at the frame, which measured curves have made wide enough for themselves.
+        let inside: Vec<_> = runs.iter().flat_map(|run| cut(run, frame.x, frame.y)).collect();
         canvas.layer(&dashes(drawn.dash), |layer| {
             let plane = frame.plane(layer);
-            runs.iter().filter(|run| run.len() > 1).try_for_each(|run| {
+            inside.iter().filter(|run| run.len() > 1).try_for_each(|run| {
                 plane.draw(&PathElement::new(run.clone(), stroke(drawn.color, drawn.width)))
             })
         });

@@ -8,6 +8,7 @@ mod axis;
 mod bars;
 mod canvas;
 pub mod csv;
+mod cut;
 mod legend;
 mod line;
 mod marker;

@@ -11,6 +11,7 @@ mod constraint;
 mod explain;
 mod formulation;
 mod lcp;
+mod lesson;
 mod plot;
 mod reference;
 mod report;

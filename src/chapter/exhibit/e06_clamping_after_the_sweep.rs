@@ -1,8 +1,8 @@
 //! E06: bounds applied after the sweep, K&M Code 6.
 
-use super::{Evidence, Exhibit, Finding, Severity};
+use super::common::{contacts, enumerated, last};
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
-use crate::lcp::{Lcp, Matrix};
 use crate::solver::{Options, Start, by_name};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
@@ -24,7 +24,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
 fn example() -> Result<Finding> {
     let problems: [(&str, &[f64], &[f64]); 3] = [
         ("A = [1 ½; ½ 1], b = (1, −1)", &[1.0, 0.5, 0.5, 1.0], &[1.0, -1.0]),
-        ("three balls, A = [2 −1; −1 2], b = (1, −1)", &[2.0, -1.0, -1.0, 2.0], &[1.0, -1.0]),
+        ("A = [2 −1; −1 2], b = (1, −1)", &[2.0, -1.0, -1.0, 2.0], &[1.0, -1.0]),
         (
             "A = [3 1 2; 1 4 3; 2 3 3], b = (0, 0, −1)",
             &[3.0, 1.0, 2.0, 1.0, 4.0, 3.0, 2.0, 3.0, 3.0],
@@ -34,18 +34,23 @@ fn example() -> Result<Finding> {
     let mut finding = Finding::new(
         "Three problems w = A x + b ≥ 0, x ≥ 0, b in this library's sign. In the first, Code 6 ends at a \
          vector that is no solution; in the second, the middle one of three equal balls runs into the \
-         third, and the pair goes on closing; in the third its first sweep hits the solution (0, 0, ⅓), but \
-         from anywhere else it diverges. All start at (2, …, 2).",
+         third at 1 m/s, and the pair goes on closing at ⅓; in the third its first sweep from 0 hits the \
+         solution (0, 0, ⅓), but it does not stay there. All start at (2, …, 2).",
     );
-    for (name, a, b) in problems {
-        let n = b.len();
-        let lcp = Lcp::new(Matrix::dense(n, a), b.to_vec(), vec![0.0; n], vec![f64::INFINITY; n])?;
-        let start = vec![2.0; n];
+    let quantities = ["x₂, first problem", "x₂, three balls", "x₃, third problem"];
+    for (quantity, (name, a, b)) in quantities.into_iter().zip(problems) {
+        let lcp = contacts(a, b)?;
+        let start = vec![2.0; b.len()];
         let answer = |solver: &str| -> Result<Vec<f64>> {
             let solver = by_name(solver, &Options::default())?;
             Ok(solver.solve(&lcp, &Start { x: Some(&start) }, &mut ()).x)
         };
-        finding = finding.judged(name, &lcp, &answer("code6")?, &answer("pgs")?);
+        let (printed, corrected) = (answer("code6")?, answer("pgs")?);
+        let end = b.len() - 1;
+        let x = Measure::new(quantity, "", printed[end], corrected[end]);
+        finding = finding
+            .measure(x.truth(&last(enumerated(&lcp))[end..], "enumeration", 1e-7))
+            .judged(name, &lcp, &printed, &corrected);
     }
     Ok(finding)
 }

@@ -9,8 +9,8 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     place: "K&M (16)",
     severity: Severity::Wrong,
     may_be_scan: false,
-    printed: "x_{n+1} = v_{n+1} + a dt",
-    holds: "x_{n+1} = x_n + v_{n+1} dt, as in (19)",
+    printed: "xₙ₊₁ = vₙ₊₁ + a dt",
+    holds: "xₙ₊₁ = xₙ + vₙ₊₁ dt, as in (19)",
     why: "The right side of the printed line is a velocity: it has the unit m/s and no trace of where the \
           body was. The listings integrate correctly, so only a reader who follows the equation is led astray.",
     evidence: Evidence::Example(example),

@@ -2,9 +2,11 @@
 
 use super::finding::{Finding, Measure, Outcome};
 use super::{Evidence, Exhibit};
+use crate::certificate::Verdict;
 use crate::document::notation::{plain, vector};
 use crate::document::{Document, Section};
 use crate::error::Result;
+use crate::plot::number::readable;
 
 impl Exhibit {
     /// The exhibit with its example run, for a terminal or a page.
@@ -52,7 +54,7 @@ impl Exhibit {
         }
         if !finding.judged.is_empty() {
             let rows = finding.judged.iter().map(|(problem, printed, corrected)| {
-                vec![problem.clone(), printed.to_string(), corrected.to_string()]
+                vec![problem.clone(), word(printed), word(corrected)]
             });
             let columns = ["problem", "printed", "corrected"];
             section.table("The judge on both forms' answers", &columns, rows.collect());
@@ -75,8 +77,8 @@ fn row(measure: &Measure) -> Vec<String> {
         Outcome::Impossible(reason) => reason.clone(),
     };
     let verdict = match (measure.is_as_claimed(), measure.agrees) {
-        (true, false) => "printed fails, corrected holds",
-        (true, true) => "both hold here",
+        (true, false) => "told apart",
+        (true, true) => "both hold",
         (false, _) => "not shown",
     };
     vec![
@@ -88,6 +90,17 @@ fn row(measure: &Measure) -> Vec<String> {
         measure.source.to_string(),
         verdict.to_string(),
     ]
+}
+
+/// The judge's word in a table's cell.
+fn word(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Proved { .. } => "proved".into(),
+        Verdict::WithinTolerance => verdict.to_string(),
+        Verdict::NotASolution { amount, .. } => {
+            format!("refuted: misses by {} of its terms", readable(*amount, 2))
+        }
+    }
 }
 
 fn numbers(values: &[f64]) -> String {

@@ -1,15 +1,13 @@
-//! The little markup of a page's text.
+//! The markup of a page's text: Markdown (CommonMark and tables) with LaTeX between dollar signs.
 //!
 //! ```text
-//! an empty line   starts a paragraph         *word*          emphasis
-//! - item          an item of a list          **word**        strong emphasis
-//! `word`          code                       [word](address) a link
-//! $x^2$           mathematics (LaTeX)        \*              the sign itself
+//! *word*, **word**, `word`, [word](address), lists, tables, $x^2$, $$x^2$$ on a line of its own
 //! ```
-
-use std::fmt::Write;
+//!
+//! HTML is shown, not obeyed.
 
 use math_core::{LatexToMathML, MathDisplay};
+use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, html::push_html};
 
 /// Text with every sign that means something in HTML replaced.
 pub fn html(text: &str) -> String {
@@ -31,7 +29,7 @@ pub fn html(text: &str) -> String {
 pub fn literal(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
-        if SIGNS.contains(c) {
+        if c.is_ascii_punctuation() {
             out.push('\\');
         }
         out.push(c);
@@ -39,7 +37,8 @@ pub fn literal(text: &str) -> String {
     out
 }
 
-const SIGNS: &str = "\\`$*[]-";
+/// Before a text it keeps the first signs from starting a list or a heading.
+const WORD_JOINER: &str = "\u{2060}";
 
 /// Turns markup into HTML and equations into MathML. An error is a sentence that quotes the
 /// offending piece.
@@ -49,36 +48,18 @@ pub(super) struct Renderer {
 }
 
 impl Renderer {
-    /// Paragraphs and lists.
+    /// Paragraphs, lists and tables.
     pub fn blocks(&self, text: &str) -> Result<String, String> {
         let mut out = String::new();
-        for block in text.split("\n\n").map(str::trim).filter(|block| !block.is_empty()) {
-            if let Some(list) = block.strip_prefix("- ") {
-                out.push_str("<ul>\n");
-                for item in list.split("\n- ") {
-                    let _ = writeln!(out, "<li>{}</li>", self.inline(item)?);
-                }
-                out.push_str("</ul>\n");
-            } else {
-                let _ = writeln!(out, "<p>{}</p>", self.inline(block)?);
-            }
-        }
+        push_html(&mut out, self.events(text)?.into_iter());
         Ok(out)
     }
 
     /// Text within a line.
     pub fn inline(&self, text: &str) -> Result<String, String> {
-        let mut out = String::new();
-        let mut rest = text;
-        while let Some(at) = rest.find(['\\', '`', '$', '*', '[']) {
-            out.push_str(&html(&rest[..at]));
-            rest = &rest[at..];
-            let (markup, after) = self.piece(rest)?;
-            out.push_str(&markup);
-            rest = after;
-        }
-        out.push_str(&html(rest));
-        Ok(out)
+        let line = format!("{WORD_JOINER}{}", text.replace('\n', " "));
+        let html = self.blocks(&line)?.replace(WORD_JOINER, "");
+        Ok(html.trim_end().trim_start_matches("<p>").trim_end_matches("</p>").to_string())
     }
 
     /// A displayed equation.
@@ -86,43 +67,27 @@ impl Renderer {
         self.mathml(latex, MathDisplay::Block)
     }
 
-    /// The piece of markup at the start of the text, as HTML, and what comes after it.
-    fn piece<'a>(&self, text: &'a str) -> Result<(String, &'a str), String> {
-        let (sign, body) = text.split_at(1);
-        let unclosed = || format!("a {sign} without its partner: {:?}", shortened(text));
-        match sign {
-            "\\" => {
-                let escaped = body.chars().next().filter(|c| SIGNS.contains(*c));
-                let sign = escaped.map_or("\\".into(), |c| html(&c.to_string()));
-                Ok((sign, &body[escaped.map_or(0, char::len_utf8)..]))
+    fn events<'a>(&self, text: &'a str) -> Result<Vec<Event<'a>>, String> {
+        let options = Options::ENABLE_MATH | Options::ENABLE_TABLES;
+        let parser = Parser::new_ext(text, options).into_offset_iter();
+        parser.map(|(event, range)| self.event(event, text, range.start)).collect()
+    }
+
+    /// The event with mathematics set, HTML disarmed, and addresses and dollar signs checked.
+    fn event<'a>(&self, event: Event<'a>, text: &str, at: usize) -> Result<Event<'a>, String> {
+        let html = |mathml: String| Event::InlineHtml(CowStr::from(mathml));
+        match event {
+            Event::InlineMath(latex) => self.mathml(&latex, MathDisplay::Inline).map(html),
+            Event::DisplayMath(latex) => self.mathml(&latex, MathDisplay::Block).map(html),
+            Event::Html(tag) | Event::InlineHtml(tag) => Ok(Event::Text(tag)),
+            Event::Start(Tag::Link { ref dest_url, .. } | Tag::Image { ref dest_url, .. }) => {
+                safe(dest_url)?;
+                Ok(event)
             }
-            "`" => {
-                let (code, after) = body.split_once('`').ok_or_else(unclosed)?;
-                Ok((format!("<code>{}</code>", html(code)), after))
+            Event::Text(ref words) if words.contains('$') && !text[..at].ends_with('\\') => {
+                Err(format!("a $ without its partner: {:?}", shortened(&text[at..])))
             }
-            "$" => {
-                let (latex, after) = body.split_once('$').ok_or_else(unclosed)?;
-                Ok((self.mathml(latex, MathDisplay::Inline)?, after))
-            }
-            "[" => match link(body) {
-                Some((words, address, after)) => {
-                    let words = self.inline(words)?;
-                    Ok((format!("<a href=\"{}\">{words}</a>", html(safe(address)?)), after))
-                }
-                None => Ok(("[".into(), body)),
-            },
-            _ => {
-                let (mark, tag) =
-                    if body.starts_with('*') { ("**", "strong") } else { ("*", "em") };
-                let body = &text[mark.len()..];
-                match body.split_once(mark) {
-                    // A star before a space, or without a partner, is a star: `x* - y`.
-                    Some((words, after)) if starts_word(words) => {
-                        Ok((format!("<{tag}>{}</{tag}>", self.inline(words)?), after))
-                    }
-                    _ => Ok((mark.into(), body)),
-                }
-            }
+            event => Ok(event),
         }
     }
 
@@ -136,12 +101,6 @@ impl Renderer {
     }
 }
 
-fn link(text: &str) -> Option<(&str, &str, &str)> {
-    let (words, rest) = text.split_once("](")?;
-    let (address, after) = rest.split_once(')')?;
-    (!words.contains(['[', '\n'])).then_some((words, address, after))
-}
-
 /// The address, unless it could run something or is none.
 fn safe(address: &str) -> Result<&str, String> {
     let scheme = address.split(['/', '#', '?']).next().and_then(|start| start.split_once(':'));
@@ -149,10 +108,6 @@ fn safe(address: &str) -> Result<&str, String> {
         None | Some(("https" | "http" | "mailto", _)) if !address.is_empty() => Ok(address),
         _ => Err(format!("the link {address:?} is neither a web address nor a relative one")),
     }
-}
-
-fn starts_word(text: &str) -> bool {
-    text.chars().next().is_some_and(|c| !c.is_whitespace())
 }
 
 fn shortened(text: &str) -> String {

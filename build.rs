@@ -1,0 +1,51 @@
+//! Turns the cells of the literate notebooks into programs, one function a notebook.
+
+#[path = "src/lesson/source.rs"]
+#[allow(dead_code)]
+mod source;
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+/// Other sources of the same kind.
+const HANDOUT: &str = "reports/chapter.md";
+
+fn main() -> io::Result<()> {
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR").expect("set by cargo"));
+    let out = PathBuf::from(env::var("OUT_DIR").expect("set by cargo"));
+    println!("cargo:rerun-if-changed=notebooks");
+    println!("cargo:rerun-if-changed=src/lesson/source.rs");
+    let mut sources: Vec<PathBuf> = fs::read_dir(root.join("notebooks"))?
+        .map(|entry| Ok(entry?.path()))
+        .collect::<io::Result<Vec<_>>>()?;
+    sources.retain(|path| path.extension().is_some_and(|kind| kind == "md"));
+    sources.sort();
+    write_programs(&sources, &out.join("lessons.rs"))?;
+    println!("cargo:rerun-if-changed={HANDOUT}");
+    write_programs(&[root.join(HANDOUT)], &out.join("handout.rs"))
+}
+
+/// A function for each notebook, and the list of them.
+fn write_programs(sources: &[PathBuf], to: &Path) -> io::Result<()> {
+    let (mut functions, mut list) = (String::new(), String::new());
+    for (k, path) in sources.iter().enumerate() {
+        let source = source::Source::read(&fs::read_to_string(path)?);
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let _ = writeln!(
+            list,
+            "    lcplab::lesson::Program {{ name: {name:?}, text: include_str!({path:?}), cells: program_{k} }},"
+        );
+        let _ = writeln!(functions, "\nfn program_{k}() -> lcplab::lesson::Ran {{");
+        for (c, code) in source.cells().enumerate() {
+            let _ = writeln!(functions, "    lcplab::lesson::cell({c});\n{code}");
+        }
+        functions += "    Ok(())\n}\n";
+    }
+    // Output goes to the page under the cell; in a Jupyter kernel the usual macro is in force.
+    let println = "#[allow(unused_macros)]\nmacro_rules! println {\n    \
+                   ($($words:tt)*) => { lcplab::lesson::say(&format!($($words)*)) };\n}\n";
+    let text =
+        format!("{println}\npub const ALL: &[lcplab::lesson::Program] = &[\n{list}];\n{functions}");
+    fs::write(to, text)
+}

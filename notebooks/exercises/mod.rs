@@ -1,0 +1,5 @@
+//! One file an exercise: fill the hole, then run `cargo run --release -- exercise 1.1`.
+
+pub mod e01_1_clamp;
+pub mod e01_2_one_row;
+pub mod e01_3_two_rows;

@@ -1,0 +1,139 @@
+//! What several exhibits share: small problems, sweep after sweep, checked products, pictures.
+
+use std::ops::ControlFlow;
+
+use nalgebra::DMatrix;
+
+use super::Outcome;
+use crate::body::State;
+use crate::constraint::Constraint;
+use crate::error::{Error, Result};
+use crate::lcp::{Lcp, Matrix};
+use crate::plot::{Axis, Figure, Lines, Panel, Series};
+use crate::report::page::Picture;
+use crate::solver::{Damping, Iterate, Observer, Options, Settings, Start, all_solutions, by_name};
+
+/// w = A x + b ≥ 0, x ≥ 0, with A by rows.
+pub(super) fn contacts(a: &[f64], b: &[f64]) -> Result<Lcp> {
+    bounded(Matrix::dense(b.len(), a), b, 0.0)
+}
+
+/// w = A x + b = 0 for any x, with A by rows.
+pub(super) fn equations(a: &[f64], b: &[f64]) -> Result<Lcp> {
+    bounded(Matrix::dense(b.len(), a), b, f64::NEG_INFINITY)
+}
+
+/// The problem with this lower bound in all rows, and no upper one.
+pub(super) fn bounded(a: Matrix, b: &[f64], lo: f64) -> Result<Lcp> {
+    Lcp::new(a, b.to_vec(), vec![lo; b.len()], vec![f64::INFINITY; b.len()])
+}
+
+/// tridiag(−1, 2, −1) with this first diagonal entry: a chain for 2, a column on the ground for 1.
+pub(super) fn tridiagonal(n: usize, first: f64) -> Matrix {
+    let diagonal = (0..n).map(|i| (i, i, if i == 0 { first } else { 2.0 }));
+    let beside = (1..n).flat_map(|i| [(i, i - 1, -1.0), (i - 1, i, -1.0)]);
+    Matrix::sparse(n, &diagonal.chain(beside).collect::<Vec<_>>())
+}
+
+/// All isolated solutions, found in exact arithmetic by trying every active set, then rounded.
+pub(super) fn enumerated(lcp: &Lcp) -> Vec<Vec<f64>> {
+    let solutions = all_solutions(lcp).unwrap_or_default();
+    solutions.iter().map(|x| x.iter().map(|x| x.to_f64().value()).collect()).collect()
+}
+
+/// The answer of a solver from 0.
+pub(super) fn answer(solver: &str, lcp: &Lcp) -> Result<Vec<f64>> {
+    Ok(by_name(solver, &Options::default())?.solve(lcp, &Start::default(), &mut ()).x)
+}
+
+/// The iterates of so many sweeps, the start first; no test ends them early. Jacobi is undamped.
+pub(super) fn sweeps(
+    solver: &str,
+    lcp: &Lcp,
+    start: &[f64],
+    count: usize,
+) -> Result<Vec<Vec<f64>>> {
+    let settings = Settings { tolerance: 0.0, max_iterations: count, check_every: count + 1 };
+    let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
+    let mut kept = Kept(Vec::new());
+    by_name(solver, &options)?.solve(lcp, &Start { x: Some(start) }, &mut kept);
+    Ok(kept.0)
+}
+
+struct Kept(Vec<Vec<f64>>);
+
+impl Observer for Kept {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        self.0.push(iterate.x.to_vec());
+        ControlFlow::Continue(())
+    }
+}
+
+/// The entry that is largest in size.
+pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().map(f64::abs).fold(0.0, f64::max)
+}
+
+/// The start, 0, and x after each sweep of projected Gauss-Seidel.
+pub(super) fn swept(lcp: &Lcp, count: usize) -> Result<Vec<Vec<f64>>> {
+    sweeps("pgs", lcp, &vec![0.0; lcp.len()], count)
+}
+
+/// The last of some iterates.
+pub(super) fn last(iterates: Vec<Vec<f64>>) -> Vec<f64> {
+    iterates.into_iter().next_back().unwrap_or_default()
+}
+
+/// A B by columns, unless the shapes forbid it.
+pub(super) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Outcome {
+    let ((m, k), (l, n)) = (a.shape(), b.shape());
+    if k != l {
+        return Outcome::Impossible(format!("no product: {m} × {k} by {l} × {n}"));
+    }
+    Outcome::from((a * b).as_slice())
+}
+
+/// J M⁻¹ Jᵀ by rows, for point masses that move along one line.
+pub(super) fn delassus(j: &DMatrix<f64>, inverse_mass: &[f64]) -> Vec<f64> {
+    let m_inv = DMatrix::from_fn(inverse_mass.len(), inverse_mass.len(), |r, c| {
+        if r == c { inverse_mass[r] } else { 0.0 }
+    });
+    (j * m_inv * j.transpose()).as_slice().to_vec() // symmetric: by columns is by rows
+}
+
+/// J of a constraint between the world and a body in this state: n × 6.
+pub(super) fn jacobian(constraint: &dyn Constraint, body: &State) -> Result<DMatrix<f64>> {
+    let rows = constraint
+        .rows([&State::WORLD, body])
+        .map_err(|cause| Error::invalid("exhibit", "constraint", cause.to_string()))?;
+    Ok(DMatrix::from_fn(rows.len(), 6, |i, k| rows[i].jacobian[1][k]))
+}
+
+/// The rank by singular values.
+pub(super) fn rank(j: &DMatrix<f64>) -> f64 {
+    j.rank(1e-9) as f64
+}
+
+/// A picture of one panel.
+pub(super) fn picture(
+    id: &str,
+    words: [&str; 2],
+    x: Axis,
+    y: Axis,
+    series: Vec<Series>,
+) -> Picture {
+    let [title, caption] = words.map(str::to_string);
+    let lines = Lines { id: id.into(), title, caption, x, panels: vec![Panel { y, series }] };
+    drawn(&lines)
+}
+
+/// Curves as a picture without files beside it.
+pub(super) fn drawn(lines: &Lines) -> Picture {
+    Picture { svg: lines.svg(), caption: lines.caption.clone(), files: Vec::new() }
+}
+
+/// Values against their place in the list, every so many.
+pub(super) fn by_index(values: &[f64], every: usize) -> Vec<(f64, f64)> {
+    let points = values.iter().enumerate().step_by(every);
+    points.map(|(k, &value)| (k as f64, value)).collect()
+}

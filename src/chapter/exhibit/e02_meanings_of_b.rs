@@ -1,0 +1,38 @@
+//! E02: one letter b for three things, K&M (1), (2), (4), (13) to (15).
+
+use super::common::{answer, contacts, enumerated, last};
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::error::Result;
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E02",
+    title: "one letter for three things",
+    place: "K&M (1), (2), (4), (13) to (15)",
+    severity: Severity::Misleading,
+    may_be_scan: false,
+    printed: "y = A x + b in (1); b = A x + q in (13); A x = b in (2), (4), (14) and (15).",
+    holds: "One letter a thing: w = A x + b throughout. Then the b of (14) is −b, the b of (13) is w, and \
+            its q is b.",
+    why: "The constant changes sides between (1) and (14), and with the side its sign; in (13) the same \
+          letter is the unknown slack. A reader who sets up b by (1) and hands it to the solver of A x = b \
+          solves another problem, and nothing looks wrong: the answer is a solution, of that one.",
+    evidence: Evidence::Example(example),
+};
+
+/// The b of (1) given to a solver of A x = b, as it stands and with its sign turned.
+fn example() -> Result<Finding> {
+    let (a, b) = ([2.0, -1.0, -1.0, 2.0], [-1.0, 2.0]);
+    let negated = b.map(|b| -b);
+    // The chapter's solver of A x = b finds the x with w = A x − b.
+    let solve_ax_equals = |b: [f64; 2]| answer("pgs", &contacts(&a, &b.map(|b| -b))?);
+    let (printed, corrected) = (solve_ax_equals(b)?, solve_ax_equals(negated)?);
+    let lcp = contacts(&a, &b)?;
+    let truth = last(enumerated(&lcp));
+    let x = Measure::new("x", "", printed.clone(), corrected.clone());
+    Ok(Finding::new(
+        "A = [2 −1; −1 2], w = A x + b ≥ 0, x ≥ 0 with b = (−1, 2), the sign of (1) and of this library. \
+         Printed: the solver of A x = b is given this b. Corrected: it is given −b.",
+    )
+    .measure(x.truth(&truth, "enumeration", 1e-12))
+    .judged("A = [2 −1; −1 2], b = (−1, 2)", &lcp, &printed, &corrected))
+}

@@ -1,0 +1,88 @@
+//! E04: a stop test that never fires at an active bound, K&M (4).
+
+use super::common::{by_index, contacts, picture, sweeps};
+use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use crate::error::Result;
+use crate::lcp::{Lcp, merit};
+use crate::plot::{Axis, Series};
+use crate::report::page::Picture;
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E04",
+    title: "a stop test that never stops",
+    place: "K&M (4)",
+    severity: Severity::Wrong,
+    may_be_scan: false,
+    printed: "Stop when |b − A x| / |b| is small.",
+    holds: "Stop when the natural residual |x − Π(x − w)| is small, Π clamping to the bounds and each row \
+            scaled by its own terms.",
+    why: "With bounds b − A x is −w, the slack. At a row that rests at its bound the slack belongs there: \
+          it is the speed at which a contact opens. The printed test asks it to vanish, so it can only fire \
+          where no bound is active; the solver then runs to its iteration limit with the answer in hand. \
+          And for b = 0, which x = 0 solves, it is 0/0.",
+    evidence: Evidence::Example(example),
+};
+
+const SWEEPS: usize = 10_000;
+const SMALL: f64 = 1e-3;
+
+/// A problem that the first sweep solves, and b = 0.
+fn example() -> Result<Finding> {
+    let lcp = contacts(&[2.0, -1.0, -1.0, 2.0], &[-1.0, 3.0])?;
+    let iterates = sweeps("pgs", &lcp, &[0.0; 2], SWEEPS)?;
+    let sweeps_to =
+        |merit: fn(&Lcp, &[f64]) -> f64| match iterates.iter().position(|x| merit(&lcp, x) < SMALL)
+        {
+            Some(k) => Outcome::from(k as f64),
+            None => Outcome::Impossible(format!("never in {SWEEPS}")),
+        };
+    let (printed, corrected) = (merit::km4, merit::natural_residual);
+    let (solution, zero) = ([0.5, 0.0], lcp.homogeneous());
+    let ratio = match printed(&zero, &[0.0; 2]) {
+        value if value.is_nan() => Outcome::Impossible("0/0".into()),
+        value => Outcome::from(value),
+    };
+    let at_solution = Measure::new(
+        "value at x = (½, 0)",
+        "",
+        printed(&lcp, &solution),
+        corrected(&lcp, &solution),
+    );
+    let at_zero = Measure::new("value at x = 0, b = 0", "", ratio, corrected(&zero, &[0.0; 2]));
+    let count =
+        Measure::new("first sweep below 10⁻³", "", sweeps_to(printed), sweeps_to(corrected));
+    Ok(Finding::new(
+        "A = [2 −1; −1 2], w = A x + b ≥ 0, x ≥ 0 with b = (−1, 3); K&M write A x = b with −b. The solution \
+         is x = (½, 0) with w = (0, 2.5): the second contact opens. Projected Gauss-Seidel is there after \
+         one sweep. At a solution a test must be 0.",
+    )
+    .measure(at_solution.truth(&[0.0], "by definition", 0.0))
+    .measure(count.truth(&[1.0], "by hand", 0.0))
+    .measure(at_zero.truth(&[0.0], "by definition", 0.0))
+    .picture(both_merits()?))
+}
+
+/// Both tests, sweep after sweep, where the solution x = (3, 2, 0) is approached by ½ a sweep.
+fn both_merits() -> Result<Picture> {
+    let a = [1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0];
+    let lcp = contacts(&a, &[-1.0, -1.0, 3.0])?;
+    let iterates = sweeps("pgs", &lcp, &[0.0; 3], 30)?;
+    let values = |merit: fn(&Lcp, &[f64]) -> f64| {
+        by_index(&iterates.iter().map(|x| merit(&lcp, x)).collect::<Vec<_>>(), 1)
+    };
+    let series = vec![
+        Series::measured("K&M (4)", values(merit::km4)),
+        Series::measured("natural residual", values(merit::natural_residual)),
+    ];
+    Ok(picture(
+        "two_stop_tests",
+        [
+            "Two stop tests on one problem",
+            "Three stacked bodies, the top one leaving. The natural residual halves with each sweep; the \
+             printed test stays at 1/√11, whatever is done.",
+        ],
+        Axis::linear("sweep", ""),
+        Axis::log("value of the test", ""),
+        series,
+    ))
+}

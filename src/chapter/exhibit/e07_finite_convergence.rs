@@ -1,0 +1,94 @@
+//! E07: "converge finitely", in hundreds of sweeps at most.
+
+use dashu_ratio::RBig;
+
+use super::common::{bounded, by_index, picture, sweeps, tridiagonal};
+use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use crate::error::Result;
+use crate::plot::{Axis, Series};
+use crate::report::page::Picture;
+use crate::solver::theory::sweeps_to;
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E07",
+    title: "convergence is not finite",
+    place: "K&M, section on the solver",
+    severity: Severity::Misleading,
+    may_be_scan: false,
+    printed: "Iterative methods converge on a solution finitely; it takes from two or three iterations to \
+              hundreds.",
+    holds: "They converge asymptotically: in the long run each sweep multiplies the error by a factor ρ \
+            below 1 that A alone decides, and for long chains and tall stacks that is thousands of sweeps.",
+    why: "A sweep passes news on from row to row, and back by one row only. For n rods in a chain \
+          ρ = cos²(π/(n+1)) ≈ 1 − (π/n)²: twice the length takes four times the sweeps. On a computer the \
+          error does end at 0, because rounding ends it; exact fractions show that it never would. \
+          Only where a bound is hit can a sweep land on the answer (E04, E06).",
+    evidence: Evidence::Example(example),
+};
+
+const RODS: usize = 50;
+/// When the slowest part of the error is all that is left of it.
+const SETTLED: usize = 1000;
+
+/// Two rows in fractions, a chain of fifty in sweeps.
+fn example() -> Result<Finding> {
+    let errors = chain_errors()?;
+    let end = errors.iter().skip(SETTLED).position(|e| *e <= 1e-6 * errors[SETTLED]);
+    let counted = end.map_or(Outcome::Impossible("not reached".into()), |k| (k as f64).into());
+    let predicted = sweeps_to(1e-6, rho()).ceil();
+    let error = Measure::new("error after 40 sweeps", "", 0.0, exact_error(40));
+    let count = Measure::new("sweeps to 10⁻⁶, n = 50", "", 999.0, counted);
+    Ok(Finding::new(
+        "w = A x + b = 0 (b = −1 in every row; the chapter's A x = b has b = 1). First A = [2 −1; −1 2], \
+         started at 0, in exact fractions: the error of x₂ is ¼, 1/16, 1/64, …. Printed is what the claim \
+         says: 0 from some sweep on. Then a chain, tridiag(−1, 2, −1) with 50 rows: the sweeps in which the \
+         error falls to a millionth, counted from sweep 1000 on. Printed is the most that can be called \
+         hundreds.",
+    )
+    .measure(error.truth(&[0.25_f64.powi(40)], "(¼)⁴⁰", 1e-40))
+    .measure(count.truth(&[predicted], "ln 10⁻⁶ / ln ρ", 1.0))
+    .picture(errors_by_sweep(&errors)))
+}
+
+/// ρ of Gauss-Seidel on the chain, in closed form.
+fn rho() -> f64 {
+    (std::f64::consts::PI / (RODS + 1) as f64).cos().powi(2)
+}
+
+/// 1 − x₂ after so many sweeps of x₁ ← (1 + x₂)/2, x₂ ← (1 + x₁)/2, without rounding.
+fn exact_error(sweeps: usize) -> f64 {
+    let mut x = RBig::ZERO;
+    for _ in 0..2 * sweeps {
+        x = (RBig::ONE + x) / RBig::from(2);
+    }
+    (RBig::ONE - x).to_f64().value()
+}
+
+/// The largest error of the chain after each sweep, its solution taken from A⁻¹ in closed form.
+fn chain_errors() -> Result<Vec<f64>> {
+    let lcp = bounded(tridiagonal(RODS, 2.0), &[-1.0; RODS], f64::NEG_INFINITY)?;
+    let solution: Vec<f64> = (1..=RODS).map(|i| (i * (RODS + 1 - i)) as f64 / 2.0).collect();
+    let error = |x: &Vec<f64>| {
+        x.iter().zip(&solution).map(|(x, exact)| (x - exact).abs()).fold(0.0, f64::max)
+    };
+    Ok(sweeps("pgs", &lcp, &[0.0; RODS], 4700)?.iter().map(error).collect())
+}
+
+fn errors_by_sweep(errors: &[f64]) -> Picture {
+    let from = (SETTLED as f64, errors[SETTLED]);
+    let line = [0.0, 4700.0].map(|k| (k, from.1 * rho().powf(k - from.0)));
+    picture(
+        "error_by_sweep",
+        [
+            "A chain of 50 rods, sweep after sweep",
+            "A straight line down on this scale: a constant factor a sweep, and no end. Dashed: \
+             the slope of ρ = cos²(π/51) = 0.99621.",
+        ],
+        Axis::linear("sweep", ""),
+        Axis::log("largest error of x", ""),
+        vec![
+            Series::points("pgs", by_index(errors, 200)),
+            Series::theory("theory ρᵏ", line.to_vec()),
+        ],
+    )
+}

@@ -1,0 +1,80 @@
+//! E12: a warm start that starts cold, K&M Codes 6 and 7.
+
+use super::common::{bounded, last, picture, sweeps, tridiagonal};
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::error::Result;
+use crate::lcp::Lcp;
+use crate::plot::{Axis, Series};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E12",
+    title: "a warm start that starts cold",
+    place: "K&M Codes 6 and 7, note on fewer iterations",
+    severity: Severity::Misleading,
+    may_be_scan: false,
+    printed: "Leave out the line of Code 6 that clears x, and the solver starts from the last frame's answer.",
+    holds: "x must outlive the call, and each of its entries must be found again for the contact it belongs \
+            to; then the line can go.",
+    why: "Code 7 makes a new x, filled with zeros, in every call. So there is nothing to start from, with \
+          the line or without it. Contacts come and go and change their order too: the impulses have to be \
+          stored under the names of their contacts.",
+    evidence: Evidence::Example(example),
+};
+
+const BODIES: usize = 10;
+const FRAMES: usize = 100;
+const SWEEPS: usize = 10;
+/// What gravity adds to the velocity in a frame (m/s), and the impulse (N s) that holds one body.
+const STEP: f64 = 9.81 / 60.0;
+
+/// The floor's part of the weight of ten bodies at rest, frame by frame.
+fn example() -> Result<Finding> {
+    let mut b = [0.0; BODIES];
+    b[0] = -STEP; // only the lowest contact closes when all fall alike
+    let lcp = bounded(tridiagonal(BODIES, 1.0), &b, 0.0)?;
+    let (printed, corrected) =
+        (frames(&lcp, |_| vec![0.0; BODIES])?, frames(&lcp, <[f64]>::to_vec)?);
+    let share =
+        Measure::new("weight carried at the floor", "", printed[FRAMES - 1], corrected[FRAMES - 1]);
+    let points = |shares: &[f64]| -> Vec<(f64, f64)> {
+        shares
+            .iter()
+            .take(40)
+            .enumerate()
+            .map(|(k, &share)| ((k + 1) as f64, 100.0 * share))
+            .collect()
+    };
+    let picture = picture(
+        "warm_start",
+        [
+            "What the floor carries, frame after frame",
+            "Ten sweeps a frame. With x kept the column settles within twenty frames; with x made anew every \
+             frame begins at nothing and the column sinks.",
+        ],
+        Axis::linear("frame", ""),
+        Axis::linear("carried at the floor", "% of the weight"),
+        vec![
+            Series::measured("x kept", points(&corrected)),
+            Series::measured("x made anew", points(&printed)),
+            Series::reference("the weight", vec![(1.0, 100.0), (40.0, 100.0)]),
+        ],
+    );
+    Ok(Finding::new(
+        "Ten bodies of 1 kg at rest on each other, dt = 1/60 s: A = tridiag(−1, 2, −1) but for a₁₁ = 1, \
+         b = (−g dt, 0, …, 0), in the chapter with the other sign. 100 frames of 10 sweeps without the clearing line: printed with an x that is \
+         local to the call, corrected with the x of the frame before.",
+    )
+    .measure(share.truth(&[1.0], "equilibrium", 1e-9))
+    .picture(picture))
+}
+
+/// The part of the weight at the floor after each frame; each starts from what is left of the last.
+fn frames(lcp: &Lcp, start: impl Fn(&[f64]) -> Vec<f64>) -> Result<Vec<f64>> {
+    let mut x = vec![0.0; BODIES];
+    (0..FRAMES)
+        .map(|_| {
+            x = last(sweeps("pgs", lcp, &start(&x), SWEEPS)?);
+            Ok(x[0] / (BODIES as f64 * STEP))
+        })
+        .collect()
+}

@@ -1,0 +1,136 @@
+//! E14: the velocity level called a subset of the acceleration level.
+
+use nalgebra::Vector3;
+
+use super::common::{answer, contacts, enumerated, picture};
+use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use crate::error::{Error, Result};
+use crate::formulation::Stage;
+use crate::lcp::library;
+use crate::plot::{Axis, Series};
+use crate::report::page::Picture;
+use crate::scene::catalogue::pendulum::{Pendulum, Swing};
+use crate::scene::{Formulation, Scene};
+use crate::simulation::Simulation;
+use crate::solver::{Options, by_name};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E14",
+    title: "neither level contains the other",
+    place: "K&M, section on acceleration or velocity level",
+    severity: Severity::Misleading,
+    may_be_scan: false,
+    printed: "The velocity level is basically a subset of the acceleration level.",
+    holds: "Neither contains the other. A single step at velocity level lacks J'u, the part of the force \
+            that bends the path; but it has impacts, and an answer where friction leaves no force possible.",
+    why: "The velocity level asks only that the velocity at the end of the step fits the constraint where \
+          the step began. What is missing then, the next step makes good, so over a run the force is right. \
+          The acceleration level knows forces only: a blow is none, and for Painlevé's rod there is none.",
+    evidence: Evidence::Example(example),
+};
+
+const G: f64 = 9.81;
+const START: Swing<1> = Swing { angles: [0.7], rates: [1.3] };
+
+/// A pendulum's pull, a blow, and a rod that no force can hold.
+fn example() -> Result<Finding> {
+    let pull = -(G * START.angles[0].cos() + START.rates[0].powi(2));
+    let step = |formulation| Ok::<f64, Error>(forces(formulation, 0.01, 1)?[0]);
+    let force = Measure::new(
+        "λ of the rod",
+        "N",
+        step(Formulation::Velocity)?,
+        step(Formulation::Acceleration)?,
+    );
+    let (at_rest, blow) =
+        (answer("dantzig", &contacts(&[1.0], &[-G])?)?, contacts(&[1.0], &[-1.0])?);
+    let printed = -1.0 + 0.01 * (at_rest[0] - G);
+    let corrected = -1.0 + answer("dantzig", &blow)?[0];
+    let velocity = Measure::new("velocity after a blow", "m/s", printed, corrected);
+    Ok(Finding::new(
+        "A pendulum of 1 kg and 1 m at 0.7 rad and 1.3 rad/s: λ < 0 pulls. Printed is a step at velocity \
+         level, x/dt, the same for any dt; corrected, the acceleration level. A ball of 1 kg hits the floor \
+         at 1 m/s: printed is the acceleration level, w = x − g ≥ 0, with dt = 0.01 s; corrected the velocity \
+         level, w = x − 1 ≥ 0. A thin rod of 1 kg and 2 m slides at 1 m/s, one end on the ground, at 60° with \
+         μ = 1.8; gravity gives the end 0.00981 m/s in the step. Printed is the acceleration level, \
+         w = A x + b with A and b below 0; corrected the velocity level, by Lemke's method. All b in this \
+         library's sign.",
+    )
+    .measure(force.truth(&[pull], "−(g cos θ + θ'²)", 1e-9))
+    .measure(velocity.truth(&[0.0], "the floor is rigid", 1e-12))
+    .measure(painleve()?)
+    .picture(pull_over_time()?))
+}
+
+/// The normal push on the end of Painlevé's rod.
+fn painleve() -> Result<Measure> {
+    let tan = 3f64.sqrt();
+    let given = [("mu", 1.8), ("tan", tan)];
+    let forces = library::by_name("painleve")?.generate(&given)?.lcp;
+    let printed = match enumerated(&forces).first() {
+        Some(x) => Outcome::from(x[0]),
+        None => Outcome::Impossible("no solution".into()),
+    };
+    let fall = 0.00981;
+    let given = [given[0], given[1], ("fall", fall)];
+    let impulses = library::by_name("painleve-impulse")?.generate(&given)?.lcp;
+    // ¼ (A_tt fall − A_nt), with 1 + 3 sin² = 3.25 and −3 sin cos = −1.299
+    let (square, tangent) = (1.0 + tan * tan, (1.0 + 4.0 * tan * tan) / (1.0 + tan * tan));
+    let truth = 0.25 * (tangent * fall + 3.0 * tan / square);
+    let x = Measure::new("push on the rod's end", "N s", printed, answer("lemke", &impulses)?[0]);
+    Ok(x.truth(&[truth], "the end sticks", 1e-9))
+}
+
+/// λ (N) in each of so many steps; at velocity level x/dt.
+fn forces(formulation: Formulation, dt: f64, steps: usize) -> Result<Vec<f64>> {
+    let mut scene = Scene::load("pendulum")?;
+    (scene.step.formulation, scene.step.dt) = (formulation, dt);
+    (scene.step.baumgarte, scene.step.alpha) = (0.0, 0.0);
+    let ([(sin, cos)], [rate]) = (START.angles.map(f64::sin_cos), START.rates);
+    scene.states[0].pose.p = Vector3::new(sin, 0.0, -cos);
+    scene.states[0].v = rate * Vector3::new(cos, 0.0, sin);
+    let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default())?);
+    let mut force = || -> Result<f64> {
+        let step = simulation
+            .step()
+            .map_err(|failure| Error::invalid("E14", "pendulum", failure.to_string()))?;
+        let unit = |stage| if stage == Stage::Velocity { dt } else { 1.0 };
+        let wanted = |stage| matches!(stage, Stage::Velocity | Stage::Acceleration);
+        let solve = step.solves.iter().find(|solve| wanted(solve.problem.stage));
+        Ok(solve.map_or(f64::NAN, |solve| solve.solution.x[0] / unit(solve.problem.stage)))
+    };
+    (0..steps).map(|_| force()).collect()
+}
+
+/// The pull over two seconds: along a run of velocity-level steps, exact, and in single steps that
+/// start from the exact motion.
+fn pull_over_time() -> Result<Picture> {
+    let (dt, pendulum) = (0.02, Pendulum { length: 1.0, gravity: G });
+    let mut swing = START;
+    let mut exact = Vec::new();
+    let mut single = Vec::new();
+    for k in 0..100 {
+        let (t, bend) = (f64::from(k) * dt, swing.rates[0].powi(2));
+        exact.push((t, G * swing.angles[0].cos() + bend));
+        single.push((t, G * swing.angles[0].cos()));
+        swing = pendulum.after(dt, swing);
+    }
+    let run = forces(Formulation::Velocity, dt, 100)?;
+    let run = run.iter().enumerate().map(|(k, force)| (k as f64 * dt, -force)).collect();
+    Ok(picture(
+        "pull_of_a_pendulum",
+        [
+            "What the rod of a pendulum pulls with",
+            "A single step at velocity level, started on the exact motion, lacks the part that bends the \
+             path. A run makes good from its second step on what the first one missed; \
+             what is left is the error of steps of 0.02 s.",
+        ],
+        Axis::linear("time", "s"),
+        Axis::linear("pull of the rod", "N"),
+        vec![
+            Series::measured("velocity level, a run", run),
+            Series::reference("exact", exact),
+            Series::theory("velocity level, single steps", single),
+        ],
+    ))
+}

@@ -1,0 +1,142 @@
+//! `lesson` and `exercise`: the notebooks as pages, and the answers of students.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::lesson::Program;
+use lcplab::lesson::exercise::{Exercise, exercises};
+use lcplab::report::write;
+
+use super::{Outcome, bar, print};
+use crate::lessons::ALL;
+
+/// The exercises with the answers that were compiled in.
+const EXERCISES: &[Exercise] = {
+    use crate::exercises as answers;
+    exercises!(answers)
+};
+
+/// Write a lesson as a page: its cells are run and shown with what they put out
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab lesson                # the list of lessons
+  lcplab lesson 3 --open
+  lcplab lesson --all          # writes reports/lessons/01_….html and so on
+
+A page needs no network. --ipynb writes Jupyter notebooks with outputs into notebooks/ instead. A lesson
+is written in notebooks/NN_title.md; edit it, and run the command again. Exit code 2 if a cell fails.")]
+pub struct Lesson {
+    /// Number or name of a lesson
+    lesson: Option<String>,
+    /// Write all lessons
+    #[arg(long, conflicts_with = "lesson")]
+    all: bool,
+    /// Show the page in the browser
+    #[arg(long)]
+    open: bool,
+    /// Write Jupyter notebooks instead of pages
+    #[arg(long, conflicts_with = "open")]
+    ipynb: bool,
+    /// Folder to write into; reports/lessons without it, notebooks for --ipynb
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+/// Check your answers to the exercises of the lessons
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab exercise              # the list, with what is solved
+  cargo run --release -- exercise 1.1
+
+An exercise is a file with a hole, notebooks/exercises/eLESSON_NUMBER_….rs. Fill it, and run the command
+through cargo, which compiles your answer in. It is held against an independent one. Exit code 1 if it
+misses.")]
+pub struct Answer {
+    /// Lesson and number, as 1.1
+    exercise: Option<String>,
+}
+
+impl Lesson {
+    pub fn run(&self) -> Result<Outcome> {
+        let lessons: Vec<&Program> = match &self.lesson {
+            Some(name) => vec![named(name)?],
+            None if self.all => ALL.iter().collect(),
+            None => return list(),
+        };
+        let progress = bar(lessons.len() as u64, "");
+        let mut written = String::new();
+        for lesson in lessons {
+            progress.set_message(lesson.name);
+            let path = self.write(lesson)?;
+            written += &format!("{}\n", path.display());
+            if self.open {
+                open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
+            }
+            progress.inc(1);
+        }
+        progress.finish_and_clear();
+        print(&written)?;
+        Ok(Outcome::Good)
+    }
+
+    fn write(&self, lesson: &Program) -> Result<PathBuf> {
+        let (folder, kind) =
+            if self.ipynb { ("notebooks", "ipynb") } else { ("reports/lessons", "html") };
+        let folder = self.out.as_deref().unwrap_or(Path::new(folder));
+        let record = lesson.run()?;
+        let text =
+            if self.ipynb { lesson.notebook(&record)? } else { lesson.page(&record)?.render()? };
+        let path = folder.join(lesson.name).with_extension(kind);
+        write::file(&path, &text)?;
+        Ok(path)
+    }
+}
+
+impl Answer {
+    pub fn run(&self) -> Result<Outcome> {
+        let Some(id) = &self.exercise else { return list_exercises() };
+        let exercise = EXERCISES.iter().find(|exercise| exercise.id == id).ok_or_else(|| {
+            let known = EXERCISES.iter().map(|exercise| exercise.id.to_string()).collect();
+            Error::Unknown { kind: "exercise", name: id.clone(), known }
+        })?;
+        match exercise.verdict() {
+            Ok(()) => {
+                print(&format!("{id} solved: {}\n", exercise.title))?;
+                Ok(Outcome::Good)
+            }
+            Err(reason) => {
+                print(&format!("{id} not yet: {reason}\n"))?;
+                Ok(Outcome::Refuted)
+            }
+        }
+    }
+}
+
+fn named(name: &str) -> Result<&'static Program> {
+    let is_meant = |lesson: &&Program| {
+        lesson.name == name || name.parse().is_ok_and(|number: usize| lesson.number() == number)
+    };
+    ALL.iter().find(is_meant).ok_or_else(|| Error::Unknown {
+        kind: "lesson",
+        name: name.to_string(),
+        known: ALL.iter().map(|lesson| lesson.name.to_string()).collect(),
+    })
+}
+
+fn list() -> Result<Outcome> {
+    let line = |lesson: &Program| format!("{}\n", lesson.title());
+    print(&ALL.iter().map(line).collect::<String>())?;
+    Ok(Outcome::Good)
+}
+
+fn list_exercises() -> Result<Outcome> {
+    let line = |exercise: &Exercise| {
+        let state = if exercise.verdict().is_ok() { "solved" } else { "open  " };
+        format!("{:>4}  {state}  {:<60}  {}\n", exercise.id, exercise.title, exercise.file)
+    };
+    print(&EXERCISES.iter().map(line).collect::<String>())?;
+    Ok(Outcome::Good)
+}

@@ -1,0 +1,50 @@
+//! Exercises: a student's answer against an independent one.
+//!
+//! An exercise is a small file with a hole (`notebooks/exercises`), and a check here that calls the
+//! student's function and says on which input it misses, what law it breaks or which number was
+//! expected to have which property, but not how to mend it. A check knows nothing of the solution that is
+//! kept apart (`notebooks/solutions`); it compares with a closed form, exact arithmetic or a law.
+
+mod list;
+
+pub mod lesson01;
+
+pub use list::exercises;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// What a check says: nothing, or what is wrong.
+pub type Verdict = std::result::Result<(), String>;
+
+/// A student's answer, ready to be checked.
+#[derive(Debug, Clone, Copy)]
+pub struct Exercise {
+    /// Lesson and number: `3.2`.
+    pub id: &'static str,
+    /// What is asked, in a line.
+    pub title: &'static str,
+    /// The file with the hole.
+    pub file: &'static str,
+    /// Runs the check on the answer that was compiled in.
+    pub check: fn() -> Verdict,
+}
+
+impl Exercise {
+    /// Checks the answer; a hole that is still there, or any other panic, is said in words.
+    pub fn verdict(&self) -> Verdict {
+        let quiet = std::panic::take_hook();
+        std::panic::set_hook(Box::new(|_| ()));
+        let checked = catch_unwind(AssertUnwindSafe(self.check));
+        std::panic::set_hook(quiet);
+        checked.unwrap_or_else(|cause| {
+            let words = cause.downcast_ref::<String>().map(String::as_str);
+            let words = words.or_else(|| cause.downcast_ref::<&str>().copied());
+            Err(match words.unwrap_or("it panicked") {
+                words if words.starts_with("not yet implemented") => {
+                    format!("the hole is still there: open {}", self.file)
+                }
+                words => format!("the answer panicked: {words}"),
+            })
+        })
+    }
+}

@@ -1,0 +1,61 @@
+//! A notebook that ran as a Jupyter notebook (nbformat 4.5) for the evcxr kernel.
+
+use serde_json::{Value, json};
+
+use super::show::lined;
+use super::source::{Part, Source};
+use super::{Program, Record, quoted};
+use crate::error::Result;
+
+/// Without the first line a cell that panics would leave the run green.
+const FIRST_CELL: &str = ":preserve_vars_on_panic 0\n:dep lcplab = { path = \"..\" }\n\
+                          :dep nalgebra = \"0.35\"";
+
+impl Program {
+    /// The notebook with its outputs, as the text of an `.ipynb` file.
+    ///
+    /// # Errors
+    /// If the prose quotes a value that no cell has put.
+    pub fn notebook(&self, record: &Record) -> Result<String> {
+        let source = Source::read(self.text);
+        let mut cells = vec![prose(&format!("# {}", self.title())), code(FIRST_CELL, Vec::new())];
+        let mut outputs = record.cells.iter();
+        for part in &source.parts {
+            cells.push(match part {
+                Part::Prose(text) => prose(&quoted(text, record)?),
+                Part::Cell { code: lines, .. } => {
+                    let shown = outputs.next().into_iter().flatten();
+                    code(lines, shown.map(|output| output.in_notebook()).collect())
+                }
+            });
+        }
+        for (k, cell) in cells.iter_mut().enumerate() {
+            cell["id"] = json!(format!("cell-{k}"));
+        }
+        let notebook = json!({
+            "cells": cells,
+            "metadata": {
+                "kernelspec": { "display_name": "Rust", "language": "rust", "name": "rust" },
+                "language_info": { "file_extension": ".rs", "mimetype": "text/rust", "name": "rust" },
+            },
+            "nbformat": 4,
+            "nbformat_minor": 5,
+        });
+        Ok(format!("{notebook:#}\n"))
+    }
+}
+
+fn prose(text: &str) -> Value {
+    json!({ "cell_type": "markdown", "id": "", "metadata": {}, "source": lined(text) })
+}
+
+fn code(text: &str, outputs: Vec<Value>) -> Value {
+    json!({
+        "cell_type": "code",
+        "execution_count": null,
+        "id": "",
+        "metadata": {},
+        "outputs": outputs,
+        "source": lined(text),
+    })
+}

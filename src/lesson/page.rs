@@ -1,0 +1,67 @@
+//! A notebook that ran as a page.
+
+use super::source::{Part, Source};
+use super::{Program, Record, quoted};
+use crate::error::Result;
+use crate::report::page::{Block, Page, Section};
+
+impl Program {
+    /// The page with prose, cells and what they put out; nothing on it is fetched.
+    ///
+    /// # Errors
+    /// If the prose quotes a value that no cell has put.
+    pub fn page(&self, record: &Record) -> Result<Page> {
+        let source = Source::read(self.text);
+        let mut page = Page {
+            title: self.title(),
+            facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
+            ..Page::default()
+        };
+        let mut outputs = record.cells.iter();
+        for part in &source.parts {
+            match part {
+                Part::Prose(text) => add_prose(&mut page, &quoted(text, record)?),
+                Part::Cell { code, is_hidden } => {
+                    if !is_hidden {
+                        let block = Block::Code { language: "rust".into(), text: code.clone() };
+                        add(&mut page, block);
+                    }
+                    for output in outputs.next().into_iter().flatten() {
+                        add(&mut page, output.on_page());
+                    }
+                }
+            }
+        }
+        Ok(page)
+    }
+}
+
+/// Prose begins a section at each of its headings of the second level.
+fn add_prose(page: &mut Page, text: &str) {
+    let mut pieces =
+        format!("\n{text}").split("\n## ").map(String::from).collect::<Vec<_>>().into_iter();
+    let before = pieces.next().unwrap_or_default();
+    match before.trim() {
+        "" => (),
+        lead if page.sections.is_empty() && page.lead.is_empty() => page.lead = lead.into(),
+        words => add(page, Block::Text(words.into())),
+    }
+    for piece in pieces {
+        let (title, body) = piece.split_once('\n').unwrap_or((&piece, ""));
+        let id = format!("part-{}", page.sections.len() + 1);
+        page.sections.push(Section { id, title: title.trim().into(), blocks: Vec::new() });
+        if !body.trim().is_empty() {
+            add(page, Block::Text(body.trim().into()));
+        }
+    }
+}
+
+/// Adds to the last section; what comes before the first one starts one of its own.
+fn add(page: &mut Page, block: Block) {
+    if page.sections.is_empty() {
+        let title = "Beginning".into();
+        page.sections.push(Section { id: "part-1".into(), title, blocks: Vec::new() });
+    }
+    let last = page.sections.len() - 1;
+    page.sections[last].blocks.push(block);
+}

@@ -1,0 +1,78 @@
+//! A literate notebook as it is written: Markdown whose Rust blocks are cells.
+//!
+//! ```text
+//! ---                          an optional head for Jupytext, which is skipped
+//! # Title                      the first line
+//! prose, $x^2$, {{name}}       {{name}} is a value that a cell has put there
+//! ```rust                      a cell: shown, compiled and run
+//! ```rust tags=["hide"]        a cell whose code is not shown
+//! ```text                      anything else in fences belongs to the prose
+//! ```
+//!
+//! The build script reads notebooks by the same code, to turn their cells into programs.
+
+/// A notebook, cut into prose and cells.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// The heading, without its sign.
+    pub title: String,
+    /// What follows, from top to bottom.
+    pub parts: Vec<Part>,
+}
+
+/// A piece of a notebook.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Part {
+    /// Markdown.
+    Prose(String),
+    /// Rust.
+    Cell {
+        /// The lines, as they are.
+        code: String,
+        /// Whether readers of a page see only what it puts out.
+        is_hidden: bool,
+    },
+}
+
+impl Source {
+    /// Cuts a notebook into its parts.
+    pub fn read(text: &str) -> Source {
+        let mut lines = without_head(text).lines();
+        let title = lines.by_ref().find(|line| !line.trim().is_empty()).unwrap_or_default();
+        let mut parts = Vec::new();
+        let (mut prose, mut is_fenced) = (String::new(), false);
+        while let Some(line) = lines.next() {
+            if !is_fenced && (line == "```rust" || line.starts_with("```rust ")) {
+                push_prose(&mut parts, &mut prose);
+                let code: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
+                parts.push(Part::Cell { code: code.join("\n"), is_hidden: line.contains("hide") });
+                continue;
+            }
+            is_fenced ^= line.starts_with("```");
+            prose += line;
+            prose.push('\n');
+        }
+        push_prose(&mut parts, &mut prose);
+        Source { title: title.trim_start_matches('#').trim().to_string(), parts }
+    }
+
+    /// The code of the cells, in order.
+    pub fn cells(&self) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Cell { code, .. } => Some(code.as_str()),
+            Part::Prose(_) => None,
+        })
+    }
+}
+
+fn without_head(text: &str) -> &str {
+    let body = text.strip_prefix("---\n").and_then(|rest| rest.split_once("\n---\n"));
+    body.map_or(text, |(_, body)| body)
+}
+
+fn push_prose(parts: &mut Vec<Part>, prose: &mut String) {
+    let text = std::mem::take(prose);
+    if !text.trim().is_empty() {
+        parts.push(Part::Prose(text.trim().to_string()));
+    }
+}

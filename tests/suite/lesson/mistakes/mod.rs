@@ -1,0 +1,10 @@
+//! Wrong answers that students give, at least two an exercise, with what the check says.
+
+mod lesson01;
+
+use lcplab::lesson::exercise::Verdict;
+
+/// The exercise of each mistake, and the check's word.
+pub fn all() -> Vec<(&'static str, Verdict)> {
+    [lesson01::mistakes()].concat()
+}

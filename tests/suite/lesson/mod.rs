@@ -1,0 +1,4 @@
+//! Lessons and exercises: what is committed is current, and checks tell right answers from wrong ones.
+
+mod exercise;
+mod notebook;

@@ -1,0 +1,110 @@
+//! The committed notebooks hold what their cells put out today.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use lcplab::lesson::source::{Part, Source};
+
+fn notebooks(kind: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("notebooks");
+    let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<_> =
+        files.filter(|path| path.extension().is_some_and(|end| end == kind)).collect();
+    files.sort();
+    files
+}
+
+fn lesson(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_lcplab")).arg("lesson").args(arguments).output();
+    let output = output.unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn every_cell_runs_and_the_committed_notebooks_are_current() {
+    let folder = tempfile::tempdir().unwrap();
+    lesson(&["--all", "--ipynb", "--out", folder.path().to_str().unwrap()]);
+    let sources = notebooks("md");
+    assert_eq!(sources.len(), notebooks("ipynb").len());
+    for source in sources {
+        let committed = source.with_extension("ipynb");
+        let fresh = folder.path().join(committed.file_name().unwrap());
+        let same = fs::read_to_string(&committed).unwrap() == fs::read_to_string(fresh).unwrap();
+        let name = committed.display();
+        assert!(same, "{name} is not what its cells put out: lcplab lesson --all --ipynb");
+    }
+}
+
+#[test]
+fn pages_fetch_nothing_and_name_each_picture_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let pages = lesson(&["--all", "--out", folder.path().to_str().unwrap()]);
+    for page in pages.lines() {
+        let html = fs::read_to_string(page).unwrap();
+        let outside = html.replace("http://www.w3.org/", "");
+        for fetch in ["src=\"http", "@import", "<link rel=\"stylesheet"] {
+            assert!(!outside.contains(fetch), "{page} has {fetch}");
+        }
+        let titles: Vec<&str> = html
+            .split("<svg ")
+            .skip(1)
+            .filter_map(|svg| svg.split(" id=\"").nth(1))
+            .filter_map(|rest| rest.split('"').next())
+            .collect();
+        assert_eq!(
+            titles.iter().collect::<BTreeSet<_>>().len(),
+            titles.len(),
+            "{page}: {titles:?}"
+        );
+    }
+}
+
+#[test]
+fn a_lesson_has_the_fixed_parts_and_readable_cells() {
+    for path in notebooks("md") {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let source = Source::read(&fs::read_to_string(&path).unwrap());
+        let prose: Vec<&str> = source
+            .parts
+            .iter()
+            .filter_map(|part| match part {
+                Part::Prose(text) => Some(text.as_str()),
+                Part::Cell { .. } => None,
+            })
+            .collect();
+        let prose = prose.join("\n");
+        for part in
+            ["## Question", "## Derivation", "## What the chapter gets wrong here", "## Try it"]
+        {
+            assert!(prose.contains(part), "{name} lacks {part}");
+        }
+        let cells: Vec<&str> = source.cells().collect();
+        assert!((4..=15).contains(&cells.len()), "{name} has {} cells", cells.len());
+        for line in cells.iter().flat_map(|cell| cell.lines()) {
+            assert!(line.chars().count() <= 90, "{name}: a long line: {line}");
+        }
+        for number in 1..=3 {
+            let exercise = format!("exercise {}.{number}", name[..2].trim_start_matches('0'));
+            assert!(prose.contains(&exercise), "{name} lacks {exercise}");
+        }
+    }
+}
+
+#[test]
+fn numbers_in_prose_come_from_cells() {
+    for path in notebooks("md") {
+        let source = Source::read(&fs::read_to_string(&path).unwrap());
+        for part in &source.parts {
+            let Part::Prose(text) = part else { continue };
+            // Small whole numbers and one or two digits after the point are inputs or counts.
+            let typed = text.split(|c: char| !c.is_ascii_digit() && c != '.').find(|word| {
+                let decimals = word.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+                decimals > 2 && *word != "..."
+            });
+            assert_eq!(typed, None, "{}: a number that no cell computed", path.display());
+        }
+    }
+}
