@@ -86,8 +86,8 @@ impl Results {
             }
         }
         if let Some(study) = &self.storage {
-            let agree = study.structures.iter().filter(|structure| structure.agree).count();
-            let all = study.structures.len();
+            let asked: Vec<bool> = study.structures.iter().filter_map(|s| s.agree).collect();
+            let (agree, all) = (asked.iter().filter(|agree| **agree).count(), asked.len());
             text += &format!(
                 "storage        {agree} of {all} scenes have the same A in every storage\n\
                  claims         {} of the chapter's {} on storage hold as they stand\n",

@@ -65,7 +65,7 @@ pub fn run(task: &Task) -> Result<Study> {
 impl Study {
     /// Whether the storages agreed on every matrix that was assembled in them.
     pub fn agrees(&self) -> bool {
-        self.structures.iter().all(|structure| structure.agree)
+        self.structures.iter().all(|structure| structure.agree != Some(false))
     }
 }
 

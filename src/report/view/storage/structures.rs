@@ -25,12 +25,14 @@ pub(super) fn structures(document: &mut Document, structures: &[Structure]) {
         "storage_factor_sizes",
         sizes(structures, factors, |[j, m_inv, _]| j + m_inv, false),
     );
-    let all = structures.iter().all(|structure| structure.agree);
-    document.text(if all {
-        "J, M⁻¹ and the product A = J M⁻¹ Jᵀ were kept and computed in each storage in turn, for scenes up \
-         to 10 000 entries of A: the same A to the last bit."
-    } else {
-        "**The storages do not agree on A.**"
+    let asked = structures.iter().filter(|s| s.agree.is_some()).map(|s| literal(&s.scene));
+    let asked = asked.collect::<Vec<_>>().join(", ");
+    document.text(match structures.iter().all(|s| s.agree != Some(false)) {
+        true => format!(
+            "J, M⁻¹ and the product A = J M⁻¹ Jᵀ were also kept and computed in each storage in turn \
+             ({asked}): the same A to the last bit."
+        ),
+        false => format!("**The storages do not agree on A** ({asked})."),
     });
 }
 
@@ -108,7 +110,7 @@ pub(super) fn steps(document: &mut Document, steps: &Steps) {
     let table = Table {
         title: "Requests for memory a step".into(),
         how_to_read: "The mean over the steps, for J, M⁻¹, A and the buffers of the product, counted by the \
-                      storages and the pool; a test has the same counts from the allocator. Sorted maps \
+                      storages and the pool; a test compares with the allocator. Sorted maps \
                       give every node back and ask for it again: no pool of matrices helps them, only one \
                       of nodes, as list and tree have it here."
             .into(),
