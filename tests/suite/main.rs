@@ -19,3 +19,4 @@ mod report;
 mod scene;
 mod simulation;
 mod solver;
+mod storage;
