@@ -68,8 +68,9 @@ fn example() -> Result<Finding> {
     let size = |k: usize| largest(last[k].iter().copied());
     let share = FEEDBACK * SHORT / 2.0; // what a mass gets of the rod's demand
     let soft = problem(ROD_LAST, 1e-6)?;
-    let [one, other] = [ROD_LAST, ROD_FIRST]
-        .map(|order| Ok(velocities(order, &answer("dantzig", &problem(order, 1e-6)?)?)));
+    let [one, other] = [ROD_LAST, ROD_FIRST].map(|order| -> Result<_> {
+        Ok(velocities(order, &answer("dantzig", &problem(order, 1e-6)?)?))
+    });
     let (one, other): (Vec<f64>, Vec<f64>) = (one?, other?);
 
     let growth = Measure::new("|x| after 1000 sweeps", "N s", size(10), 1000.0 * share);
