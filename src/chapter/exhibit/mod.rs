@@ -41,6 +41,18 @@ mod e24_quaternion_rate;
 mod e25_torque;
 mod e26_gyroscopic_term;
 mod e27_velocity_matrix;
+mod e28_impulse_or_force;
+mod e29_comment_against_code;
+mod e30_signs;
+mod e31_no_bounds;
+mod e32_early_return;
+mod e33_doubled_penalty;
+mod e34_beta_without_dt;
+mod e35_sign_of_feedback;
+mod e36_does_not_compile;
+mod e37_no_bounce;
+mod e38_strict_test;
+mod e39_feedback_is_no_spring;
 mod e40_orientation_coordinates;
 mod e41_ball_joint_arms;
 mod e42_distance_row;
@@ -71,6 +83,7 @@ mod e66_one_iteration_two_names;
 mod e67_closer_in_which_sense;
 mod finding;
 mod rate;
+mod setting;
 mod show;
 
 pub use finding::{Finding, Measure, Outcome};
@@ -149,6 +162,18 @@ pub const ALL: &[&Exhibit] = &[
     &e25_torque::EXHIBIT,
     &e26_gyroscopic_term::EXHIBIT,
     &e27_velocity_matrix::EXHIBIT,
+    &e28_impulse_or_force::EXHIBIT,
+    &e29_comment_against_code::EXHIBIT,
+    &e30_signs::EXHIBIT,
+    &e31_no_bounds::EXHIBIT,
+    &e32_early_return::EXHIBIT,
+    &e33_doubled_penalty::EXHIBIT,
+    &e34_beta_without_dt::EXHIBIT,
+    &e35_sign_of_feedback::EXHIBIT,
+    &e36_does_not_compile::EXHIBIT,
+    &e37_no_bounce::EXHIBIT,
+    &e38_strict_test::EXHIBIT,
+    &e39_feedback_is_no_spring::EXHIBIT,
     &e40_orientation_coordinates::EXHIBIT,
     &e41_ball_joint_arms::EXHIBIT,
     &e42_distance_row::EXHIBIT,

@@ -1,11 +1,13 @@
 //! The museum of the chapter.
 
+mod code;
 mod code08_to_11;
 mod constraints;
 mod exhibit;
 mod formulation;
 mod iterations;
 mod problem;
+mod step;
 mod storage;
 
 use lcplab::chapter::exhibit::{Measure, Outcome, named};
