@@ -21,7 +21,11 @@ impl Assembly {
 
     /// The rank of J by singular values: how many of its rows are independent at this instant.
     pub fn rank(&self) -> usize {
-        let values = self.jacobian().singular_values();
+        let j = self.jacobian();
+        if j.is_empty() {
+            return 0;
+        }
+        let values = j.singular_values();
         let largest = values.iter().copied().fold(0.0, f64::max);
         values.iter().filter(|&&value| value > NEGLIGIBLE * largest).count()
     }

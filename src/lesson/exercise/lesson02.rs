@@ -80,7 +80,11 @@ pub fn freedoms(answer: fn(&DMatrix<f64>) -> usize) -> Verdict {
     let lock = DMatrix::from_row_slice(1, 6, &[0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
     for (name, j, left) in [
         ("one body, its z locked", lock.clone(), 5),
-        ("one body, its z locked three times over", stacked(&[lock.clone(), lock.clone(), lock]), 5),
+        (
+            "one body, its z locked three times over",
+            stacked(&[lock.clone(), lock.clone(), lock]),
+            5,
+        ),
         ("a body on one nail", nail(a), 3),
         ("a body on two nails, which still turns about a line", stacked(&[nail(a), nail(b)]), 1),
         ("a body on three nails", stacked(&[nail(a), nail(b), nail(c)]), 0),

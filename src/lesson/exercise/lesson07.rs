@@ -62,7 +62,9 @@ pub fn bias(answer: fn(f64, f64, f64, f64) -> f64) -> Verdict {
 /// # Errors
 /// Says for which spring and mass the row does something else.
 pub fn spring(answer: fn(f64, f64, f64) -> [f64; 2]) -> Verdict {
-    for (k, d, dt) in [(400.0, 20.0, 0.01), (50.0, 0.0, 0.1), (0.0, 3.0, 0.5), (1e4, 1.0, 1.0 / 60.0)] {
+    for (k, d, dt) in
+        [(400.0, 20.0, 0.01), (50.0, 0.0, 0.1), (0.0, 3.0, 0.5), (1e4, 1.0, 1.0 / 60.0)]
+    {
         let [compliance, beta] = answer(k, d, dt);
         for (m, c, v) in [(1.0, 0.1, 0.0), (100.0, -0.2, 1.5)] {
             // The row: v⁺ + β/dt c + γ x = 0 with v⁺ = v + x/m.

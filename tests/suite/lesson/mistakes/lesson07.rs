@@ -7,9 +7,14 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
         // The way along the tangent.
         ("7.1", lesson07::tangent(|_, v, dt| v * dt)),
         // β without 1/dt, K&M (25).
-        ("7.2", lesson07::bias(|c, dt, beta, slop| {
-            if c > 0.0 { c / dt } else { beta * (c + slop).min(0.0) }
-        })),
+        (
+            "7.2",
+            lesson07::bias(
+                |c, dt, beta, slop| {
+                    if c > 0.0 { c / dt } else { beta * (c + slop).min(0.0) }
+                },
+            ),
+        ),
         // A gap is fed back as if it were an overlap.
         ("7.2", lesson07::bias(|c, dt, beta, _| beta / dt * c)),
         // The spring at the beginning of the step.

@@ -9,5 +9,6 @@ use lcplab::lesson::exercise::Verdict;
 
 /// The exercise of each mistake, and the check's word.
 pub fn all() -> Vec<(&'static str, Verdict)> {
-    [lesson01::mistakes(), lesson02::mistakes(), lesson03::mistakes(), lesson07::mistakes()].concat()
+    [lesson01::mistakes(), lesson02::mistakes(), lesson03::mistakes(), lesson07::mistakes()]
+        .concat()
 }
