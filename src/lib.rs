@@ -30,10 +30,10 @@
 //! ```
 //!
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
-//! Numbers: [`lcp`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
+//! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
 //! [`formulation`]; [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
-//! [`explain`] derives a step line by line, [`chapter`] shows what K&M print beside
-//! what holds, and [`lesson`] teaches it.
+//! [`explain`] derives a step line by line, [`diagnosis`] says why one cannot be taken, [`chapter`] shows
+//! what K&M print beside what holds, and [`lesson`] teaches it.
 
 pub mod error;
 
@@ -46,6 +46,8 @@ pub mod scene;
 pub mod assembly;
 
 pub mod lcp;
+
+pub mod storage;
 
 pub mod solver;
 
@@ -66,6 +68,8 @@ pub mod report;
 pub mod document;
 
 pub mod explain;
+
+pub mod diagnosis;
 
 pub mod chapter;
 

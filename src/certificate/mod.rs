@@ -29,6 +29,7 @@ mod interval;
 mod modular;
 pub mod motion_bound;
 pub mod ray;
+pub mod regularity;
 pub mod uniqueness;
 
 pub use cone::{ConeCertificate, judge_cone};

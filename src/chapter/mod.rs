@@ -3,8 +3,12 @@
 //! [`inventory`] has a row for each of the chapter's equations, listings, figures, notes and claims, with
 //! what became of it here. [`code`] has the listings as printed, running, each beside its corrected
 //! form. [`exhibit`] has the errata: what is printed, what holds, and a smallest example that tells
-//! them apart, run when it is looked at. Nothing else in the library uses what is printed here.
+//! them apart, run when it is looked at; [`errata`] lists them. [`glossary`] has the key terms,
+//! [`references`] the literature. Nothing else in the library uses what is printed here.
 
 pub mod code;
+pub mod errata;
 pub mod exhibit;
+pub mod glossary;
 pub mod inventory;
+pub mod references;

@@ -1,19 +1,18 @@
 //! `explain`: a time step or a problem, derived line by line.
 
-use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use lcplab::document::{Document, Format};
+use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, step};
 use lcplab::lcp::file::Problem;
 use lcplab::report::study::scene_options;
-use lcplab::report::write;
 use lcplab::scene::{Formulation, Scene};
 use lcplab::solver::{Options, default_for};
 
-use super::{Outcome, print};
+use super::Outcome;
+use super::form::Writing;
 
 /// Derive a time step of a scene, or the solution of a problem file, line by line
 #[derive(Debug, Args)]
@@ -41,18 +40,14 @@ pub struct Explain {
     /// How many steps of a scene are explained, from the first one; 1 without it
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     steps: Option<u64>,
-    /// How it is written
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    format: Form,
     /// Largest scaled residual that counts as solved
     #[arg(long)]
     tolerance: Option<f64>,
     /// Relaxation factor of sor, above 0 and below 2
     #[arg(long)]
     omega: Option<f64>,
-    /// The file to write; standard output without it
-    #[arg(long)]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    writing: Writing,
 }
 
 /// The levels that are explained.
@@ -64,27 +59,11 @@ enum Level {
     Acceleration,
 }
 
-/// The forms of a document.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Form {
-    /// For a terminal
-    Text,
-    /// Markdown with LaTeX
-    Markdown,
-    /// A page that needs nothing else
-    Html,
-}
-
 impl Explain {
     pub fn run(&self) -> Result<Outcome> {
         let is_problem = self.input == "-" || self.input.ends_with(".json");
         let document = if is_problem { self.of_problem()? } else { self.of_scene()? };
-        let text = document.written(self.format())?;
-        match &self.out {
-            Some(path) => write::file(path, &text)?,
-            None => print(&text)?,
-        }
-        Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
+        self.writing.write(&document)
     }
 
     fn of_problem(&self) -> Result<Document> {
@@ -133,16 +112,5 @@ impl Explain {
             ));
         }
         Ok(method)
-    }
-
-    fn format(&self) -> Format {
-        let is_seen = self.out.is_none() && std::io::stdout().is_terminal();
-        let wants_colour = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-        match self.format {
-            Form::Text if is_seen && wants_colour => Format::ColouredText,
-            Form::Text => Format::Text,
-            Form::Markdown => Format::Markdown,
-            Form::Html => Format::Html,
-        }
     }
 }

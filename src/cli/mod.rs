@@ -1,7 +1,10 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
+mod chapter;
+mod diagnose;
 mod explain;
 mod families;
+mod form;
 mod friction;
 mod lesson;
 mod library;
@@ -38,6 +41,8 @@ enum Command {
     CompareSolvers(families::CompareSolvers),
     Export(scene::Export),
     Explain(explain::Explain),
+    Diagnose(diagnose::Diagnose),
+    Chapter(chapter::Chapter),
     Lesson(lesson::Lesson),
     Exercise(lesson::Answer),
     Verify(verify::Verify),
@@ -64,6 +69,8 @@ pub fn run() -> ExitCode {
         Command::CompareSolvers(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Explain(command) => command.run(),
+        Command::Diagnose(command) => command.run(),
+        Command::Chapter(command) => command.run(),
         Command::Lesson(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Verify(command) => command.run(),

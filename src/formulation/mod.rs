@@ -13,12 +13,14 @@
 
 mod acceleration;
 mod delassus;
+mod factors;
 mod friction;
 mod position;
 mod sliding;
 mod velocity;
 
 pub use crate::scene::Formulation;
+pub use factors::Factors;
 pub use friction::{Posing, friction_model, with_friction_model};
 pub use sliding::Slide;
 

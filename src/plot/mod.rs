@@ -13,13 +13,17 @@ mod legend;
 mod line;
 mod marker;
 pub mod number;
+mod raster;
 pub mod scene;
+mod spies;
 mod spy;
 pub mod style;
 
 pub use axis::{Axis, Scale};
 pub use bars::{Bar, Bars};
 pub use line::{Lines, Look, Panel, Series};
+pub use raster::Raster;
+pub use spies::{Small, Spies};
 pub use spy::Spy;
 
 /// A picture with a name, words and numbers.

@@ -5,8 +5,9 @@ use std::fmt::Write;
 use plotters::prelude::*;
 
 use super::axis::Scale;
-use super::canvas::{Anchor, Canvas, fine, hex, stroke};
+use super::canvas::{Anchor, Canvas, fine, stroke};
 use super::number::{count, readable};
+use super::raster::Raster;
 use super::style::{self, FAINT_INK, INK, TEXT};
 use super::{Figure, csv};
 use crate::error::{Defects, Result};
@@ -16,14 +17,6 @@ const CELLS: usize = 160;
 /// The longest sides of the drawing in px.
 const WIDTH: f64 = 560.0;
 const HEIGHT: f64 = 440.0;
-/// Shades of a cell by the share of its entries that are not zero, palest first.
-const SHADES: [(f64, (u8, u8, u8)); 5] = [
-    (0.05, (158, 202, 225)),
-    (0.15, (107, 174, 214)),
-    (0.35, (49, 130, 189)),
-    (0.7, (8, 81, 156)),
-    (f64::INFINITY, (8, 40, 94)),
-];
 
 /// The nonzeros of a matrix, seen from above.
 #[derive(Debug, Clone)]
@@ -73,28 +66,14 @@ impl Spy {
         if all > 0.0 { 100.0 * self.entries.len() as f64 / all } else { 0.0 }
     }
 
-    /// Entries along the side of a cell.
-    fn block(&self) -> usize {
-        self.rows.max(self.columns).div_ceil(CELLS).max(1)
+    /// The picture.
+    fn raster(&self) -> Raster {
+        Raster::new((self.rows, self.columns), CELLS, |mark| {
+            self.entries.iter().for_each(|&(i, j)| mark(i, j));
+        })
     }
 
-    /// How many entries a cell of the drawing stands for that are not zero, by row, then column.
-    fn cells(&self) -> Vec<((usize, usize), usize)> {
-        let block = self.block();
-        let mut cells: Vec<_> = self.entries.iter().map(|(i, j)| (i / block, j / block)).collect();
-        cells.sort_unstable();
-        cells.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect()
-    }
-
-    /// The share of a cell that is not zero; a cell at the edge may be smaller.
-    fn density(&self, (i, j): (usize, usize), nonzeros: usize) -> f64 {
-        let block = self.block();
-        let height = block.min(self.rows - i * block);
-        let width = block.min(self.columns - j * block);
-        nonzeros as f64 / (height * width) as f64
-    }
-
-    fn subtitle(&self) -> String {
+    fn subtitle(&self, block: usize) -> String {
         let mut text = format!(
             "{} × {},  {} nonzeros,  {} % filled",
             count(self.rows),
@@ -102,46 +81,10 @@ impl Spy {
             count(self.nonzeros()),
             readable(self.fill(), 3)
         );
-        let block = self.block();
         if block > 1 {
             let _ = write!(text, ";  a cell is {block} × {block} entries, darker is denser");
         }
         text
-    }
-
-    /// One path for each shade, in units of an entry; neighbours in a row are one rectangle.
-    fn paths(&self) -> String {
-        let block = self.block();
-        let mut paths = vec![String::new(); SHADES.len()];
-        let shaded: Vec<_> = self
-            .cells()
-            .into_iter()
-            .map(|(cell, nonzeros)| {
-                let density = self.density(cell, nonzeros);
-                let shade = match block {
-                    1 => SHADES.len() - 2,
-                    _ => SHADES.iter().position(|(limit, _)| density <= *limit).unwrap_or(0),
-                };
-                (cell, shade)
-            })
-            .collect();
-        let joined = shaded.chunk_by(|(a, shade_a), (b, shade_b)| {
-            block > 1 && a.0 == b.0 && a.1 + 1 == b.1 && shade_a == shade_b
-        });
-        // Single entries are drawn a little smaller than their place, so that each is seen.
-        let gap = if block == 1 { 0.08 } else { 0.0 };
-        for run in joined {
-            let ((i, j), shade) = run[0];
-            let (x, y) = ((j * block) as f64 + gap, (i * block) as f64 + gap);
-            let width = (run.len() * block).min(self.columns - j * block) as f64 - 2.0 * gap;
-            let height = block.min(self.rows - i * block) as f64 - 2.0 * gap;
-            let _ = write!(paths[shade], "M{x} {y}h{width}v{height}h-{width}z");
-        }
-        let mut markup = String::new();
-        for (path, (_, color)) in paths.iter().zip(SHADES).filter(|(path, _)| !path.is_empty()) {
-            let _ = writeln!(markup, "<path fill=\"{}\" d=\"{path}\"/>", hex(color));
-        }
-        markup
     }
 }
 
@@ -164,16 +107,12 @@ impl Figure for Spy {
         // A long thin matrix keeps a visible side.
         let (width, height) = ((columns * scale).max(12.0), (rows * scale).max(12.0));
         let (left, top) = ((style::WIDTH - width) / 2.0 + 20.0, 96.0);
+        let raster = self.raster();
+        let subtitle = self.subtitle(raster.block);
         let mut canvas = Canvas::new(top + height + 14.0);
         canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
-        canvas.text((style::EDGE, 50.0), Anchor::Start, TEXT, FAINT_INK, &self.subtitle());
-        let sharp = if self.block() > 1 { " shape-rendering=\"crispEdges\"" } else { "" };
-        canvas.raw(&format!(
-            "<g transform=\"translate({left:.1} {top:.1}) scale({:.5} {:.5})\"{sharp}>\n{}</g>\n",
-            width / columns,
-            height / rows,
-            self.paths()
-        ));
+        canvas.text((style::EDGE, 50.0), Anchor::Start, TEXT, FAINT_INK, &subtitle);
+        canvas.raw(&raster.markup((left, top), (width / columns, height / rows)));
         canvas.layer("class=\"frame\"", |layer| {
             let (right, bottom) = (left + width, top + height);
             let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
@@ -191,7 +130,7 @@ impl Figure for Spy {
             let at = (left - 7.0, top + at + 4.5);
             canvas.text(at, Anchor::End, TEXT, FAINT_INK, &count(index));
         }
-        canvas.finish(&self.id, &self.title, &self.subtitle())
+        canvas.finish(&self.id, &self.title, &subtitle)
     }
 
     /// One record an entry, counted from 0.

@@ -9,8 +9,10 @@ use crate::error::{Error, Result};
 use crate::solver::ALL;
 
 /// The reports that lcplab ships, by name.
-const SHIPPED: [(&str, &str); 1] =
-    [("standard", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/standard.toml")))];
+const SHIPPED: [(&str, &str); 2] = [
+    ("standard", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/standard.toml"))),
+    ("storage", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/storage.toml"))),
+];
 
 /// A report's description, read from TOML.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -56,6 +58,9 @@ pub struct Experiment {
     /// Scenes run with shorter and shorter steps.
     #[serde(default)]
     pub drift: Vec<Timed>,
+    /// The storages of sparse matrices.
+    #[serde(default)]
+    pub storage: Option<Storage>,
 }
 
 /// A scene and how many steps it takes.
@@ -118,6 +123,44 @@ pub struct Friction {
     pub push: f64,
 }
 
+/// What is measured of storages.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Storage {
+    /// Rows and columns of the matrix that is filled at random places.
+    pub size: usize,
+    /// How much of it is filled (%).
+    pub fills: Vec<f64>,
+    /// Searches among so many entries.
+    pub entries: Vec<usize>,
+    /// Stacks of so many cubes, assembled and swept.
+    pub stacks: Vec<usize>,
+    /// Scenes whose J, M⁻¹ and A are kept in every storage.
+    #[serde(default)]
+    pub structures: Vec<AtStep>,
+    /// A scene whose steps are assembled over and over.
+    #[serde(default)]
+    pub steps: Option<Stepped>,
+    /// Scenes whose A is factored.
+    #[serde(default)]
+    pub factors: Vec<AtStep>,
+    /// The patterns of the shipped scenes.
+    #[serde(default)]
+    pub pictures: Option<Pictures>,
+}
+
+/// The shipped scenes' patterns.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pictures {
+    /// These scenes alone; all without it.
+    #[serde(default)]
+    pub only: Vec<String>,
+    /// Scenes that are shown in a later step than the first.
+    #[serde(default)]
+    pub later: Vec<AtStep>,
+}
+
 /// A scene and how long it runs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -134,6 +177,24 @@ fn all_solvers() -> Vec<String> {
 }
 
 impl Experiment {
+    /// Whether anything is solved, or nothing but storages looked at.
+    pub fn solves(&self) -> bool {
+        let lists = [
+            self.comparison.is_empty(),
+            self.cross_check.is_empty(),
+            self.convergence.is_empty(),
+            self.merits.is_empty(),
+            self.sparsity.is_empty(),
+            self.drift.is_empty(),
+        ];
+        lists.contains(&false)
+            || self.verification.is_some()
+            || self.rates.is_some()
+            || self.worst_cases.is_some()
+            || self.friction.is_some()
+            || self.storage.is_none()
+    }
+
     /// Reads a report file, or takes a shipped report by its name.
     ///
     /// # Errors

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::experiment::Experiment;
 use super::study::comparison::{Comparison, Timing};
 use super::study::{
-    convergence, cross_check, drift, merits, rates, sliding, sparsity, verification, worst_cases,
+    convergence, cross_check, drift, merits, rates, sliding, sparsity, storage, verification,
+    worst_cases,
 };
 
 /// The results of a report.
@@ -39,19 +40,23 @@ pub struct Results {
     pub sparsity: Vec<sparsity::Patterns>,
     /// Energy and constraint errors by step length.
     pub drift: Vec<drift::Study>,
+    /// The storages of sparse matrices.
+    #[serde(default)]
+    pub storage: Option<storage::Study>,
     /// What differs from machine to machine.
     pub machine: Machine,
 }
 
 impl Results {
     /// Whether every known number came out, every cost and sweep count is the one of theory, and no
-    /// claim of a solver was refuted.
+    /// claim of a solver was refuted, and all storages gave the same matrices.
     pub fn is_good(&self) -> bool {
         let (costs, sweeps) = (self.costs(), self.sweep_counts());
         self.verification.iter().all(verification::Row::passes)
             && costs.0 == costs.1
             && sweeps.0 == sweeps.1
             && self.refuted_claims() == 0
+            && self.storage.iter().all(storage::Study::agrees)
     }
 
     /// How many methods cost what theory says on one LCP, and how many there are.
@@ -79,6 +84,19 @@ impl Results {
             if all > 0 {
                 text += &format!("{name:<14} {agree} of {all} {what}\n");
             }
+        }
+        if let Some(study) = &self.storage {
+            let asked: Vec<bool> = study.structures.iter().filter_map(|s| s.agree).collect();
+            let (agree, all) = (asked.iter().filter(|agree| **agree).count(), asked.len());
+            text += &format!(
+                "storage        {agree} of {all} scenes have the same A in every storage\n\
+                 claims         {} of the chapter's {} on storage hold as they stand\n",
+                study.claims.iter().filter(|claim| claim.holds()).count(),
+                study.claims.len(),
+            );
+        }
+        if !self.experiment.solves() {
+            return text.trim_end().to_string();
         }
         text + &format!(
             "closed forms   {passed} of {} as theory says\n\
@@ -123,6 +141,9 @@ pub struct Machine {
     pub seconds: f64,
     /// Wall time of each run of the comparison.
     pub timings: Vec<Timing>,
+    /// Times of storages.
+    #[serde(default)]
+    pub storage: Option<storage::time::Times>,
 }
 
 /// Numbers that JSON has no word for, as "nan", "inf" and "-inf".

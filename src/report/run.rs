@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use super::experiment::Experiment;
 use super::results::{Machine, Results, libraries};
 use super::study::{
-    comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity, verification,
-    worst_cases,
+    comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity, storage,
+    verification, worst_cases,
 };
 use crate::error::Result;
 use crate::scene::{Formulation, Scene};
@@ -60,6 +60,8 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
     let sparsity = each.run("sparsity", &scenes.sparsity, &experiment.sparsity, |scene, task| {
         sparsity::run(scene, task.step)
     });
+    let storage = each.once("storages", &experiment.storage, storage::run)?;
+    let storage_times = each.once("times of storages", &experiment.storage, storage::time::run)?;
     Ok(Results {
         version: env!("CARGO_PKG_VERSION").to_string(),
         libraries: libraries(),
@@ -74,11 +76,13 @@ pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
         merits: merits.into_iter().flatten().collect(),
         sparsity: sparsity.into_iter().flatten().collect(),
         drift,
+        storage,
         machine: Machine {
             platform: format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
             threads: rayon::current_num_threads(),
             seconds: start.elapsed().as_secs_f64(),
             timings,
+            storage: storage_times,
         },
     })
 }
@@ -151,6 +155,7 @@ impl Scenes {
             + usize::from(experiment.rates.is_some())
             + usize::from(experiment.worst_cases.is_some())
             + usize::from(experiment.friction.is_some())
+            + 2 * usize::from(experiment.storage.is_some())
             + self.merits.len()
             + self.sparsity.len()
             + self.drift.len()

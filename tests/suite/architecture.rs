@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 
 /// Modules by row; physics left, numbers right, both from row 5 on.
 const PHYSICS: [&[&str]; 5] = [&["error"], &["body"], &["constraint"], &["scene"], &["assembly"]];
-const NUMBERS: [&[&str]; 4] = [&["error"], &["lcp"], &["solver", "reference"], &["certificate"]];
+const NUMBERS: [&[&str]; 4] =
+    [&["error"], &["lcp"], &["solver", "reference", "storage"], &["certificate"]];
 const BOTH: [&[&str]; 8] = [
     &["formulation"],
     &["simulation"],
@@ -15,7 +16,7 @@ const BOTH: [&[&str]; 8] = [
     &["plot"],
     &["report"],
     &["document"],
-    &["explain", "chapter"],
+    &["explain", "diagnosis", "chapter"],
     &["lesson"],
 ];
 /// The judge must not see a solver, a solver no reference.

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 const GOOD: &str = r#"{"name": "pair", "A": {"dense": [[2, -1], [-1, 2]]}, "b": [-1, 2]}"#;
 
-fn run_with(input: &str, arguments: &[&str]) -> Output {
+pub fn run_with(input: &str, arguments: &[&str]) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_lcplab"))
         .args(arguments)
         .stdin(Stdio::piped())
@@ -20,15 +20,15 @@ fn run_with(input: &str, arguments: &[&str]) -> Output {
     child.wait_with_output().unwrap()
 }
 
-fn run(arguments: &[&str]) -> Output {
+pub fn run(arguments: &[&str]) -> Output {
     run_with("", arguments)
 }
 
-fn out(output: &Output) -> String {
+pub fn out(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-fn err(output: &Output) -> String {
+pub fn err(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 

@@ -74,11 +74,6 @@ pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
-/// The start, 0, and x after each sweep of projected Gauss-Seidel.
-pub(super) fn swept(lcp: &Lcp, count: usize) -> Result<Vec<Vec<f64>>> {
-    sweeps("pgs", lcp, &vec![0.0; lcp.len()], count)
-}
-
 /// The last of some iterates.
 pub(super) fn last(iterates: Vec<Vec<f64>>) -> Vec<f64> {
     iterates.into_iter().next_back().unwrap_or_default()

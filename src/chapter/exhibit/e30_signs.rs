@@ -72,7 +72,8 @@ impl Signs {
 
     /// u⁺ of a body that approaches at 1 m/s, and of one that parts at 1 m/s.
     fn speeds(self) -> Result<[f64; 2]> {
-        let after = |free: f64| Ok(free + self.step * self.jacobian * self.x(free)?);
+        let after =
+            |free: f64| -> Result<f64> { Ok(free + self.step * self.jacobian * self.x(free)?) };
         Ok([after(-1.0)?, after(1.0)?])
     }
 

@@ -2,11 +2,12 @@
 
 use nalgebra::DMatrix;
 
-use super::common::{answer, contacts, delassus, drawn, swept};
+use super::common::{answer, contacts, delassus, picture, sweeps};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Series};
+use crate::report::page::Picture;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E47",
@@ -39,7 +40,7 @@ fn loads(bottom: f64, top: f64) -> [f64; 2] {
 
 /// The factor by which a later sweep shrinks the error of the upper contact.
 fn measured_factor(bottom: f64, top: f64) -> Result<f64> {
-    let x = swept(&stack(bottom, top)?, 2)?;
+    let x = sweeps("pgs", &stack(bottom, top)?, &[0.0; 2], 2)?;
     let [_, load] = loads(bottom, top);
     Ok((x[2][1] - load) / (x[1][1] - load))
 }
@@ -49,7 +50,7 @@ fn sweeps_needed(bottom: f64, top: f64) -> Result<f64> {
     let loads = loads(bottom, top);
     let is_near =
         |x: &Vec<f64>| x.iter().zip(loads).all(|(x, load)| (x - load).abs() <= 1e-6 * load);
-    let x = swept(&stack(bottom, top)?, 20_000)?;
+    let x = sweeps("pgs", &stack(bottom, top)?, &[0.0; 2], 20_000)?;
     Ok(x.iter().position(is_near).map_or(f64::NAN, |sweep| sweep as f64))
 }
 
@@ -75,11 +76,11 @@ fn example() -> Result<Finding> {
     .measure(factor("factor, heavy above", 1.0, 1000.0)?.agreeing())
     .measure(factor("factor, heavy below", 1000.0, 1.0)?)
     .measure(floor.truth(&[0.0], "it is immovable", 0.0))
-    .picture(drawn(&picture()?)))
+    .picture(drawing()?))
 }
 
 /// Sweeps against the mass ratio, for both orders.
-fn picture() -> Result<Lines> {
+fn drawing() -> Result<Picture> {
     let ratios: Vec<f64> = (0..=6).map(|k| 10f64.powf(f64::from(k) / 2.0)).collect();
     let curve = |needed: &dyn Fn(f64) -> Result<f64>| -> Result<Vec<(f64, f64)>> {
         ratios.iter().map(|&ratio| Ok((ratio, needed(ratio)?))).collect()
@@ -87,22 +88,21 @@ fn picture() -> Result<Lines> {
     let theory = |factor: fn(f64) -> f64| {
         ratios.iter().map(|&ratio| (ratio, (1e-6_f64.ln() / factor(ratio).ln()).max(1.0))).collect()
     };
-    Ok(Lines {
-        id: "e47".into(),
-        title: "Sweeps until both loads are right to 10⁻⁶".into(),
-        caption:
-            "A heavy body above a light one costs sweeps in proportion to the mass ratio; below it, \
-                  it makes them fewer. Dashed: ln 10⁻⁶ / ln(m_top / (m_bottom + m_top))."
-                .into(),
-        x: Axis::log("mass of the heavy body / mass of the light one", ""),
-        panels: vec![Panel {
-            y: Axis::log("sweeps", ""),
-            series: vec![
-                Series::measured("heavy body above", curve(&|ratio| sweeps_needed(1.0, ratio))?),
-                Series::measured("heavy body below", curve(&|ratio| sweeps_needed(ratio, 1.0))?),
-                Series::theory("theory, heavy body above", theory(|ratio| ratio / (1.0 + ratio))),
-                Series::theory("theory, heavy body below", theory(|ratio| 1.0 / (1.0 + ratio))),
-            ],
-        }],
-    })
+    Ok(picture(
+        "e47",
+        [
+            "Sweeps until both loads are right to 10⁻⁶",
+            "A heavy body above a light one costs sweeps in proportion to the mass \
+                 ratio; below it, it makes them fewer. Dashed: ln 10⁻⁶ / ln(m_top / \
+                 (m_bottom + m_top)).",
+        ],
+        Axis::log("mass of the heavy body / mass of the light one", ""),
+        Axis::log("sweeps", ""),
+        vec![
+            Series::measured("heavy body above", curve(&|ratio| sweeps_needed(1.0, ratio))?),
+            Series::measured("heavy body below", curve(&|ratio| sweeps_needed(ratio, 1.0))?),
+            Series::theory("theory, heavy body above", theory(|ratio| ratio / (1.0 + ratio))),
+            Series::theory("theory, heavy body below", theory(|ratio| 1.0 / (1.0 + ratio))),
+        ],
+    ))
 }

@@ -2,10 +2,11 @@
 
 use std::collections::LinkedList;
 
-use super::common::drawn;
+use super::common::picture;
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Series};
+use crate::report::page::Picture;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E57",
@@ -53,7 +54,7 @@ fn example() -> Result<Finding> {
     .measure(half.truth(&[bytes(ENTRIES / 2) as f64], "counted", 0.0))
     .measure(fill.truth(&[break_even], "counted", 1.0 / ENTRIES as f64))
     .measure(steps.truth(&[long], "counted", 1e-9))
-    .picture(drawn(&picture())))
+    .picture(drawing()))
 }
 
 /// The mean number of steps to an entry of a list with so many.
@@ -64,23 +65,22 @@ fn mean_steps(entries: usize) -> f64 {
 }
 
 /// Bytes against fill.
-fn picture() -> Lines {
+fn drawing() -> Picture {
     let fills = || (0..=20).map(|k| f64::from(k) / 20.0);
     let list = |fill: f64| (fill * (ENTRIES * LISTED) as f64).round();
-    Lines {
-        id: "e57".into(),
-        title: "Memory of a 100 × 100 matrix against its fill".into(),
-        caption: "The list's memory is a straight line; it crosses the dense matrix at a fill of 1/7. The \
-                  printed 70000 bytes belong to a quarter, not to a half."
-            .into(),
-        x: Axis::linear("fill", ""),
-        panels: vec![Panel {
-            y: Axis::linear("memory", "bytes"),
-            series: vec![
-                Series::measured("linked list", fills().map(|fill| (fill, list(fill))).collect()),
-                Series::reference("dense", fills().map(|fill| (fill, 40_000.0)).collect()),
-                Series::points("printed", vec![(0.5, 70_000.0), (1.0, 280_000.0)]),
-            ],
-        }],
-    }
+    picture(
+        "e57",
+        [
+            "Memory of a 100 × 100 matrix against its fill",
+            "The list's memory is a straight line; it crosses the dense matrix at a \
+                 fill of 1/7. The printed 70000 bytes belong to a quarter, not to a half.",
+        ],
+        Axis::linear("fill", ""),
+        Axis::linear("memory", "bytes"),
+        vec![
+            Series::measured("linked list", fills().map(|fill| (fill, list(fill))).collect()),
+            Series::reference("dense", fills().map(|fill| (fill, 40_000.0)).collect()),
+            Series::points("printed", vec![(0.5, 70_000.0), (1.0, 280_000.0)]),
+        ],
+    )
 }

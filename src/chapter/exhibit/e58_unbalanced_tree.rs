@@ -2,10 +2,11 @@
 
 use oorandom::Rand64;
 
-use super::common::drawn;
+use super::common::picture;
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Series};
+use crate::report::page::Picture;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E58",
@@ -110,31 +111,31 @@ fn example() -> Result<Finding> {
     .measure(depth.truth(&[in_order.depth() as f64], "counted", 0.0))
     .measure(mean.truth(&[in_order.mean_steps()], "counted", 1e-9))
     .measure(random.truth(&[measured], "counted", 1.0))
-    .picture(drawn(&picture())))
+    .picture(drawing()))
 }
 
 /// Depth against the number of entries.
-fn picture() -> Lines {
+fn drawing() -> Picture {
     let sizes = [10, 30, 100, 300, 1000, 3000];
     let curve =
         |depth: &dyn Fn(usize) -> f64| sizes.iter().map(|&n| (n as f64, depth(n))).collect();
-    Lines {
-        id: "e58".into(),
-        title: "Depth of a plain search tree".into(),
-        caption: "Filled row by row the tree is a list, as deep as it has entries; filled in random order it \
-                  stays within a small multiple of the least depth, that of a tree filled by halves."
-            .into(),
-        x: Axis::log("entries", ""),
-        panels: vec![Panel {
-            y: Axis::log("depth", "steps"),
-            series: vec![
-                Series::measured("row by row", curve(&|n| Tree::filled(0..n).depth() as f64)),
-                Series::measured(
-                    "random order",
-                    curve(&|n| Tree::filled(shuffled(n, 1)).depth() as f64),
-                ),
-                Series::measured("by halves", curve(&|n| Tree::filled(halved(0, n)).depth() as f64)),
-            ],
-        }],
-    }
+    picture(
+        "e58",
+        [
+            "Depth of a plain search tree",
+            "Filled row by row the tree is a list, as deep as it has entries; filled \
+                 in random order it stays within a small multiple of the least depth, \
+                 that of a tree filled by halves.",
+        ],
+        Axis::log("entries", ""),
+        Axis::log("depth", "steps"),
+        vec![
+            Series::measured("row by row", curve(&|n| Tree::filled(0..n).depth() as f64)),
+            Series::measured(
+                "random order",
+                curve(&|n| Tree::filled(shuffled(n, 1)).depth() as f64),
+            ),
+            Series::measured("by halves", curve(&|n| Tree::filled(halved(0, n)).depth() as f64)),
+        ],
+    )
 }

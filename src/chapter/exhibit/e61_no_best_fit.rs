@@ -2,11 +2,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::common::{answer, delassus, drawn, equations, largest, swept};
+use super::common::{answer, delassus, equations, largest, picture, sweeps};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Series};
+use crate::report::page::Picture;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E61",
@@ -61,14 +62,15 @@ fn least_squares() -> Vec<f64> {
 
 fn example() -> Result<Finding> {
     let best = least_squares();
-    let last = swept(&problem(ROD_LAST, 0.0)?, 1000)?;
-    let first = swept(&problem(ROD_FIRST, 0.0)?, 1000)?;
+    let last = sweeps("pgs", &problem(ROD_LAST, 0.0)?, &[0.0; 3], 1000)?;
+    let first = sweeps("pgs", &problem(ROD_FIRST, 0.0)?, &[0.0; 3], 1000)?;
     let end = |x: &[Vec<f64>]| x.last().cloned().unwrap_or_default();
     let size = |k: usize| largest(last[k].iter().copied());
     let share = FEEDBACK * SHORT / 2.0; // what a mass gets of the rod's demand
     let soft = problem(ROD_LAST, 1e-6)?;
-    let [one, other] = [ROD_LAST, ROD_FIRST]
-        .map(|order| Ok(velocities(order, &answer("dantzig", &problem(order, 1e-6)?)?)));
+    let [one, other] = [ROD_LAST, ROD_FIRST].map(|order| -> Result<_> {
+        Ok(velocities(order, &answer("dantzig", &problem(order, 1e-6)?)?))
+    });
     let (one, other): (Vec<f64>, Vec<f64>) = (one?, other?);
 
     let growth = Measure::new("|x| after 1000 sweeps", "N s", size(10), 1000.0 * share);
@@ -92,30 +94,29 @@ fn example() -> Result<Finding> {
     .measure(yielding("CFM, rod last", &last, ROD_LAST, one))
     .measure(yielding("CFM, rod first", &first, ROD_FIRST, other))
     .judged("the rows with γ = 10⁻⁶", &soft, &end(&last), &answer("dantzig", &soft)?)
-    .picture(drawn(&picture()?)))
+    .picture(drawing()?))
 }
 
 /// |x| against sweeps, rigid and yielding.
-fn picture() -> Result<Lines> {
+fn drawing() -> Result<Picture> {
     let curve = |compliance: f64| -> Result<Vec<(f64, f64)>> {
-        let x = swept(&problem(ROD_LAST, compliance)?, 100)?;
+        let x = sweeps("pgs", &problem(ROD_LAST, compliance)?, &[0.0; 3], 100)?;
         let size = x.iter().map(|x| largest(x.iter().copied()));
         Ok(size.enumerate().map(|(sweep, size)| (sweep as f64, size)).collect())
     };
-    Ok(Lines {
-        id: "e61".into(),
-        title: "Impulses of constraints that contradict each other".into(),
-        caption: "Without compliance the impulses grow by 12 N s in every sweep, for ever. With γ = 0.1 or \
-                  0.3 on the diagonal they settle."
-            .into(),
-        x: Axis::linear("sweep", ""),
-        panels: vec![Panel {
-            y: Axis::linear("largest impulse", "N s"),
-            series: vec![
-                Series::measured("rigid", curve(0.0)?),
-                Series::measured("γ = 0.1", curve(0.1)?),
-                Series::measured("γ = 0.3", curve(0.3)?),
-            ],
-        }],
-    })
+    Ok(picture(
+        "e61",
+        [
+            "Impulses of constraints that contradict each other",
+            "Without compliance the impulses grow by 12 N s in every sweep, for ever. \
+                 With γ = 0.1 or 0.3 on the diagonal they settle.",
+        ],
+        Axis::linear("sweep", ""),
+        Axis::linear("largest impulse", "N s"),
+        vec![
+            Series::measured("rigid", curve(0.0)?),
+            Series::measured("γ = 0.1", curve(0.1)?),
+            Series::measured("γ = 0.3", curve(0.3)?),
+        ],
+    ))
 }

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector2;
 
-use super::common::{drawn, largest};
+use super::common::{largest, picture};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Series};
 use crate::scene::{Feedback, Formulation, Scene, Step};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
@@ -86,14 +86,16 @@ fn example() -> Result<Finding> {
         let points = errors.iter().enumerate().map(|(k, &error)| (k as f64 * DT, error));
         series.push(Series::measured(name, points.collect()));
     }
-    Ok(finding.picture(drawn(&Lines {
-        id: "e64".into(),
-        title: "Error of a pendulum's length".into(),
-        caption: "Without feedback the rod grows by jerks, most where the bob is fastest. Feedback of β c \
-                  without 1/dt changes little; β c/dt holds the error at two centimetres. At the \
-                  acceleration level the error grows fastest."
-            .into(),
-        x: Axis::linear("time", "s"),
-        panels: vec![Panel { y: Axis::linear("length error", "m"), series }],
-    })))
+    Ok(finding.picture(picture(
+        "e64",
+        [
+            "Error of a pendulum's length",
+            "Without feedback the rod grows by jerks, most where the bob is fastest. \
+                 Feedback of β c without 1/dt changes little; β c/dt holds the error at \
+                 two centimetres. At the acceleration level the error grows fastest.",
+        ],
+        Axis::linear("time", "s"),
+        Axis::linear("length error", "m"),
+        series,
+    )))
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::common::{contacts, delassus, largest, swept};
+use super::common::{contacts, delassus, largest, sweeps};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 
@@ -57,7 +57,7 @@ fn example() -> Result<Finding> {
     let j = [[1.0, ARM], [1.0, -ARM]];
     let matrix = DMatrix::from_row_slice(2, 2, &j.concat());
     let lcp = contacts(&delassus(&matrix, &[1.0; 2]), &[-1.0, -1.0])?;
-    let system = swept(&lcp, count)?;
+    let system = sweeps("pgs", &lcp, &[0.0; 2], count)?;
     let (single, total) =
         (impulses(&j, Clamped::Single, count), impulses(&j, Clamped::Total, count));
     let apart = |kept: &[([f64; 2], [f64; 2])]| {

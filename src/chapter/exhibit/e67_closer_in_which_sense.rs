@@ -3,11 +3,12 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::common::{drawn, equations, largest, swept};
+use super::common::{equations, largest, picture, sweeps};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::{Axis, Series};
+use crate::report::page::Picture;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E67",
@@ -56,13 +57,13 @@ fn norm(values: impl IntoIterator<Item = RBig>) -> f64 {
 
 fn example() -> Result<Finding> {
     let near = problem(NEAR)?;
-    let x = swept(&near, 50)?;
+    let x = sweeps("pgs", &near, &[0.0; 2], 50)?;
     let distance = |x: &[f64]| x[0].hypot(x[1] - 1.0);
     let number = |value: i64| RBig::from(IBig::from(value));
     let exact = norm(exact_sweep(NEAR).into_iter().zip(NEAR.2).map(|(x, &star)| x - number(star)));
 
     let second = problem(RESIDUAL)?;
-    let y = swept(&second, 1)?;
+    let y = sweeps("pgs", &second, &[0.0; 3], 1)?;
     let z = exact_sweep(RESIDUAL);
     let w = |i: usize| {
         (0..3).fold(number(RESIDUAL.1[i]), |sum, j| sum + number(RESIDUAL.0[3 * i + j]) * &z[j])
@@ -89,11 +90,11 @@ fn example() -> Result<Finding> {
     .measure(moved.truth(&[exact], "rational arithmetic", 1e-9))
     .measure(residual.truth(&[exact_residual], "rational arithmetic", 1e-9))
     .measure(objective.truth(&[0.0], "theory", 1e-15).agreeing())
-    .picture(drawn(&picture(&near, &x))))
+    .picture(drawing(&near, &x)))
 }
 
 /// Distance in both norms, sweep by sweep.
-fn picture(lcp: &Lcp, x: &[Vec<f64>]) -> Lines {
+fn drawing(lcp: &Lcp, x: &[Vec<f64>]) -> Picture {
     let least = merit::objective(lcp, &[0.0, 1.0]);
     // |x − x*|² in the norm of A is twice what the objective is above its least.
     let in_norm_of_a = |x: &[f64]| (2.0 * (merit::objective(lcp, x) - least)).max(0.0).sqrt();
@@ -101,19 +102,18 @@ fn picture(lcp: &Lcp, x: &[Vec<f64>]) -> Lines {
         let shown = x.iter().take(21).enumerate();
         shown.map(|(sweep, x)| (sweep as f64, distance(x))).collect::<Vec<_>>()
     };
-    Lines {
-        id: "e67".into(),
-        title: "Distance from the solution, sweep by sweep".into(),
-        caption: "In the norm of A the iterates come nearer in each sweep. Measured by |x − x*| the first \
-                  sweep leads away, to more than twice the distance."
-            .into(),
-        x: Axis::linear("sweep", ""),
-        panels: vec![Panel {
-            y: Axis::linear("distance from x*", ""),
-            series: vec![
-                Series::measured("|x − x*|", curve(&|x| x[0].hypot(x[1] - 1.0))),
-                Series::measured("norm of A", curve(&in_norm_of_a)),
-            ],
-        }],
-    }
+    picture(
+        "e67",
+        [
+            "Distance from the solution, sweep by sweep",
+            "In the norm of A the iterates come nearer in each sweep. Measured by |x \
+                 − x*| the first sweep leads away, to more than twice the distance.",
+        ],
+        Axis::linear("sweep", ""),
+        Axis::linear("distance from x*", ""),
+        vec![
+            Series::measured("|x − x*|", curve(&|x| x[0].hypot(x[1] - 1.0))),
+            Series::measured("norm of A", curve(&in_norm_of_a)),
+        ],
+    )
 }

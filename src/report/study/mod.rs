@@ -12,6 +12,7 @@ pub mod rates;
 pub mod slider;
 pub mod sliding;
 pub mod sparsity;
+pub mod storage;
 pub mod verification;
 pub mod worst_cases;
 

@@ -10,6 +10,7 @@ mod introduction;
 mod merits;
 mod rates;
 mod sparsity;
+mod storage;
 mod timing;
 mod verification;
 mod worst_cases;
@@ -47,7 +48,10 @@ pub fn document(results: &Results) -> Document {
         figures: Vec::new(),
         tables: Vec::new(),
     };
-    introduction::problem(&mut document, results);
+    let solves = results.experiment.solves();
+    if solves {
+        introduction::problem(&mut document, results);
+    }
     verification::section(&mut document, &results.verification);
     comparison::section(&mut document, &results.comparisons);
     cross_check::section(&mut document, &results.cross_checks);
@@ -62,8 +66,18 @@ pub fn document(results: &Results) -> Document {
     merits::section(&mut document, &results.merits);
     sparsity::section(&mut document, &results.sparsity);
     drift::section(&mut document, &results.drift);
+    if let Some(study) = &results.storage {
+        storage::sections(&mut document, study);
+    }
     timing::section(&mut document, results);
-    introduction::limits(&mut document);
+    if let Some(times) = &results.machine.storage {
+        storage::times(&mut document, times);
+    }
+    if solves {
+        introduction::limits(&mut document);
+    } else {
+        storage::limits(&mut document);
+    }
     document.page.facts = introduction::facts(results);
     document
 }

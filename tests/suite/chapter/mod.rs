@@ -1,10 +1,13 @@
 //! The museum of the chapter.
 
+mod claims;
+mod cli;
 mod code;
 mod code08_to_11;
 mod constraints;
 mod exhibit;
 mod formulation;
+mod inventory;
 mod iterations;
 mod problem;
 mod step;

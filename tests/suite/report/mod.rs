@@ -4,5 +4,6 @@ mod page;
 mod rates;
 mod sliding;
 mod standard;
+mod storage;
 mod verification;
 mod worst_cases;

@@ -1,0 +1,134 @@
+//! How far a matrix is from being singular, and in which rows.
+//!
+//! ```text
+//! Ã = D A D,   D = diag(1/√s_i),   s_i = |a_ii|, or max_j |a_ij| where a_ii = 0;   Ã = U Σ Vᵀ
+//! ```
+//!
+//! The rank is the number of singular values above rounding, the condition number the quotient of the
+//! largest and the least of those. A column u of U with σ = 0 makes d = D u a vector with dᵀA = 0: the
+//! rows with d_i ≠ 0 depend on each other. D takes units and masses out of the decision. The d come as a
+//! reduced echelon form, so that each has few entries: for a box on four equal feet (1, −1, 1, −1). K&M
+//! ask for this in "Debugging"; they propose the determinant, which depends on units and can be small or
+//! large for any matrix, E10.
+
+#![allow(non_snake_case)]
+
+use faer::Mat;
+
+use crate::lcp::{Lcp, Matrix};
+
+/// A singular value below this part of the largest counts as zero.
+const RELATIVE_ZERO: f64 = 1e-11;
+
+/// An entry of d below this part of its largest counts as zero.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// Rank, condition and dependent rows of a square matrix A.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Regularity {
+    /// The number of independent rows.
+    pub rank: usize,
+    /// The condition number among them, after scaling to a unit diagonal; 1 without rows.
+    pub condition: f64,
+    /// Rows that have nothing but zeros: what they ask for, no x can give.
+    pub zero_rows: Vec<usize>,
+    /// Vectors d, n entries each and one of them 1, with dᵀA = 0; as many as rows are missing from
+    /// the rank, those of zero rows included.
+    pub dependencies: Vec<Vec<f64>>,
+}
+
+/// Rank, condition and dependent rows of A; `None` if its singular values cannot be found.
+///
+/// ```
+/// use lcplab::certificate::regularity::regularity;
+/// use lcplab::lcp::Matrix;
+///
+/// let twice = Matrix::dense(2, &[2.0, 2.0, 2.0, 2.0]); // one contact listed two times
+/// let found = regularity(&twice).expect("a small matrix");
+/// assert_eq!((found.rank, found.dependencies.len()), (1, 1));
+/// assert_eq!(found.dependencies[0][0], -found.dependencies[0][1]);
+/// ```
+pub fn regularity(a: &Matrix) -> Option<Regularity> {
+    let n = a.len();
+    if n == 0 {
+        return Some(Regularity {
+            rank: 0,
+            condition: 1.0,
+            zero_rows: Vec::new(),
+            dependencies: Vec::new(),
+        });
+    }
+    let A = a.to_dense();
+    let size = |i: usize| A.row(i).iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+    let d: Vec<f64> = (0..n)
+        .map(|i| match A[(i, i)].abs() {
+            0.0 if size(i) == 0.0 => 1.0,
+            0.0 => 1.0 / size(i).sqrt(),
+            diagonal => 1.0 / diagonal.sqrt(),
+        })
+        .collect();
+    let svd = Mat::from_fn(n, n, |i, j| d[i] * A[(i, j)] * d[j]).svd().ok()?;
+    let (U, sigma) = (svd.U(), svd.S().column_vector());
+    let rank = (0..n).filter(|&k| sigma[k] > RELATIVE_ZERO * sigma[0]).count();
+    let null = (rank..n).map(|k| (0..n).map(|i| U[(i, k)]).collect()).collect();
+    let mut dependencies = echelon(null);
+    for vector in &mut dependencies {
+        scale(vector, &d);
+    }
+    Some(Regularity {
+        rank,
+        condition: if rank == 0 { 1.0 } else { sigma[0] / sigma[rank - 1] },
+        zero_rows: (0..n).filter(|&i| size(i) == 0.0).collect(),
+        dependencies,
+    })
+}
+
+/// The least eigenvalue of the scaled matrix: negative for no J M⁻¹ Jᵀ. `None` if A is not symmetric.
+pub fn least_eigenvalue(lcp: &Lcp) -> Option<f64> {
+    let (a, n) = (lcp.matrix(), lcp.len());
+    if !a.is_symmetric() || n == 0 {
+        return None;
+    }
+    let largest = (0..n).map(|i| a.diagonal(i).abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let scale = |i: usize| a.diagonal(i).abs().max(1e-16 * largest).sqrt();
+    let A = a.to_dense();
+    let scaled = Mat::from_fn(n, n, |i, j| A[(i, j)] / (scale(i) * scale(j)));
+    let eigenvalues = scaled.self_adjoint_eigenvalues(faer::Side::Lower).ok()?;
+    eigenvalues.into_iter().reduce(f64::min)
+}
+
+/// Gauss-Jordan elimination with complete pivoting: the same space, each vector with a 1 where the
+/// others have a 0, negligible entries removed.
+fn echelon(mut vectors: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    for k in 0..vectors.len() {
+        let entries = (k..vectors.len()).flat_map(|r| (0..vectors[r].len()).map(move |c| (r, c)));
+        let Some((r, c)) = entries.max_by(|&(r, c), &(s, e)| {
+            vectors[r][c].abs().total_cmp(&vectors[s][e].abs()).then((s, e).cmp(&(r, c)))
+        }) else {
+            break;
+        };
+        vectors.swap(k, r);
+        let pivot = vectors[k][c];
+        vectors[k].iter_mut().for_each(|entry| *entry /= pivot);
+        let own = vectors[k].clone();
+        for (_, other) in vectors.iter_mut().enumerate().filter(|(r, _)| *r != k) {
+            let factor = other[c];
+            other.iter_mut().zip(&own).for_each(|(entry, own)| *entry -= factor * own);
+        }
+    }
+    for entry in vectors.iter_mut().flatten().filter(|entry| entry.abs() < NEGLIGIBLE) {
+        *entry = 0.0;
+    }
+    vectors.sort_by_key(|vector| vector.iter().position(|&entry| entry != 0.0));
+    vectors
+}
+
+/// d = D u, with its largest entry 1.
+fn scale(vector: &mut [f64], factors: &[f64]) {
+    vector.iter_mut().zip(factors).for_each(|(entry, factor)| *entry *= factor);
+    let largest = vector
+        .iter()
+        .copied()
+        .fold(0.0, |most: f64, entry| if entry.abs() > most.abs() { entry } else { most });
+    vector.iter_mut().for_each(|entry| *entry /= largest);
+}

@@ -1,0 +1,80 @@
+//! The list of errata, each tried on the spot.
+
+use serde_json::{Value, json};
+
+use super::exhibit::{ALL, Evidence, Exhibit};
+use crate::document::{Block, Document, Section, Table};
+use crate::error::Result;
+
+/// An erratum and what its example showed.
+#[derive(Debug, Clone, Copy)]
+pub struct Tried {
+    /// The erratum.
+    pub exhibit: &'static Exhibit,
+    /// Whether the example told the printed form from the corrected one; `None` without an example.
+    pub is_shown: Option<bool>,
+}
+
+/// Runs all examples.
+///
+/// # Errors
+/// If an example cannot be set up.
+pub fn tried() -> Result<Vec<Tried>> {
+    ALL.iter().map(|exhibit| Tried::of(exhibit)).collect()
+}
+
+/// The list of those that were tried.
+pub fn document(tried: &[Tried]) -> Document {
+    let line = |tried: &Tried| {
+        let Exhibit { id, severity, place, title, .. } = tried.exhibit;
+        [id, severity.word(), tried.word(), place, title].map(str::to_string).to_vec()
+    };
+    let mut section = Section::new("errata");
+    let columns = ["no.", "severity", "its example", "place", "about"];
+    section.blocks.push(Block::Table(Table {
+        title: "Errata and what their examples show".into(),
+        columns: columns.map(str::to_string).to_vec(),
+        rows: tried.iter().map(line).collect(),
+        left_out: 0,
+    }));
+    let mut document = Document {
+        title: "Errata of the chapter".into(),
+        lead: format!("{} entries, all examples run just now.", tried.len()),
+        is_accepted: tried.iter().all(|tried| tried.is_shown != Some(false)),
+        ..Document::default()
+    };
+    document.add("", section);
+    document
+}
+
+impl Tried {
+    /// Runs the example of one.
+    ///
+    /// # Errors
+    /// If it cannot be set up.
+    pub fn of(exhibit: &'static Exhibit) -> Result<Self> {
+        let is_shown = match exhibit.evidence {
+            Evidence::Example(example) => Some(example()?.is_shown()),
+            Evidence::Words(_) => None,
+        };
+        Ok(Tried { exhibit, is_shown })
+    }
+
+    /// What came of it, in words.
+    pub fn word(&self) -> &'static str {
+        match self.is_shown {
+            Some(true) => "shown",
+            Some(false) => "not shown",
+            None => "in words",
+        }
+    }
+
+    /// The same for machines.
+    pub fn to_json(&self) -> Value {
+        let Exhibit { id, title, place, severity, printed, holds, why, .. } = self.exhibit;
+        json!({
+            "id": id, "title": title, "place": place, "severity": severity.word(),
+            "example": self.word(), "printed": printed, "holds": holds, "why": why,
+        })
+    }
+}

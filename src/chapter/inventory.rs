@@ -1,1 +1,0 @@
-//! A row for each equation, listing, figure, note and claim of the chapter.

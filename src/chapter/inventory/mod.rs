@@ -1,0 +1,217 @@
+//! A row for each equation, listing, figure, note, claim, demonstration and suggestion of the chapter:
+//! what it says, whether that holds, and where the library has it.
+//!
+//! ```
+//! use lcplab::chapter::inventory::{Verdict, named};
+//!
+//! let (_, position_update) = named("16")?; // or "(16)"
+//! assert_eq!(position_update.verdict, Verdict::Wrong);
+//! assert_eq!(position_update.errata, ["E21"]);
+//! # Ok::<(), lcplab::error::Error>(())
+//! ```
+
+mod claims;
+mod demos;
+mod equations;
+mod figures;
+mod future;
+mod listings;
+mod notes;
+mod show;
+mod techniques;
+mod unnumbered;
+
+pub use show::{LESSONS, chosen, list};
+
+use serde_json::{Value, json};
+
+use crate::error::{Error, Result};
+
+/// Something that the chapter says or shows.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// Its number: `(16)`, `Code 6`, `Fig 7`; U for equations without number, N for notes, T for claims
+    /// and techniques, D for demonstrations, W for further work, K for the key terms, numbered here.
+    pub id: &'static str,
+    /// What it says, in our own words; plain text.
+    pub says: &'static str,
+    /// Whether it holds.
+    pub verdict: Verdict,
+    /// The exhibits that show what does not.
+    pub errata: &'static [&'static str],
+    /// Where the library has it: a module or item (`lcp::merit`), `scene fig7`, a command
+    /// (`lcplab verify`), `test solver::pgs`, `bench pivoting` or `example own_solver`.
+    pub code: &'static [&'static str],
+    /// The lessons that teach it.
+    pub lesson: &'static [u8],
+    /// What else should be known; where there is no code, the reason.
+    pub remark: &'static str,
+}
+
+/// Whether an entry holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// Derived again or tested, and right.
+    Right,
+    /// A choice of signs or words, or true under a condition left unsaid.
+    Convention,
+    /// A reader repairs it at sight.
+    Misprint,
+    /// A reader draws a wrong conclusion, or parts that are usable alone do not fit together.
+    Misleading,
+    /// Following it gives a wrong result or a crash.
+    Wrong,
+    /// A claim about behaviour or cost that our measurements bear out.
+    Confirmed,
+    /// Advice or taste, which no number decides.
+    Opinion,
+    /// A picture, demonstration or suggestion that claims nothing; ours is built anew.
+    Rebuilt,
+}
+
+/// A group of entries.
+#[derive(Debug, Clone, Copy)]
+pub struct Group {
+    /// The name to ask for it by.
+    pub kind: &'static str,
+    /// The heading.
+    pub title: &'static str,
+    /// The entries in the chapter's order.
+    pub entries: &'static [Entry],
+}
+
+/// The groups in the order of the lists.
+pub const GROUPS: &[Group] = &[
+    Group { kind: "equations", title: "Equations", entries: equations::ENTRIES },
+    Group { kind: "unnumbered", title: "Equations without a number", entries: unnumbered::ENTRIES },
+    Group { kind: "listings", title: "Listings", entries: listings::ENTRIES },
+    Group { kind: "figures", title: "Figures and table", entries: figures::ENTRIES },
+    Group { kind: "notes", title: "Notes", entries: notes::ENTRIES },
+    Group { kind: "claims", title: "Claims", entries: claims::ENTRIES },
+    Group { kind: "techniques", title: "Techniques", entries: techniques::ENTRIES },
+    Group { kind: "demos", title: "Demonstrations", entries: demos::ENTRIES },
+    Group { kind: "future", title: "Further work and key terms", entries: future::ENTRIES },
+];
+
+/// All entries in order.
+pub fn all() -> impl Iterator<Item = &'static Entry> {
+    GROUPS.iter().flat_map(|group| group.entries)
+}
+
+/// The entry of this number with its group, in either case of letters; the brackets of an equation may
+/// be left out.
+///
+/// # Errors
+/// If there is none.
+pub fn named(id: &str) -> Result<(&'static Group, &'static Entry)> {
+    let bare = |id: &str| id.trim_matches(['(', ')']).replace(' ', "").to_lowercase();
+    let wanted = bare(id);
+    let found = GROUPS.iter().find_map(|group| {
+        group.entries.iter().find(|entry| bare(entry.id) == wanted).map(|entry| (group, entry))
+    });
+    found.ok_or_else(|| Error::Unknown {
+        kind: "entry of the chapter",
+        name: id.to_string(),
+        known: ranges(),
+    })
+}
+
+/// What can be asked for, by first and last.
+fn ranges() -> Vec<String> {
+    let range = |group: &Group| match group.entries {
+        [] => String::new(),
+        [only] => only.id.to_string(),
+        [first, .., last] => format!("{} to {}", first.id, last.id),
+    };
+    let others = ["E01 to E67", "errata", "glossary", "references"].map(str::to_string);
+    GROUPS.iter().map(range).chain(others).collect()
+}
+
+/// The group of this name.
+///
+/// # Errors
+/// If there is none.
+pub fn group(kind: &str) -> Result<&'static Group> {
+    GROUPS.iter().find(|group| group.kind.eq_ignore_ascii_case(kind)).ok_or_else(|| {
+        Error::Unknown {
+            kind: "kind of entry",
+            name: kind.to_string(),
+            known: GROUPS.iter().map(|group| group.kind.to_string()).collect(),
+        }
+    })
+}
+
+impl Entry {
+    const fn new(id: &'static str, verdict: Verdict, says: &'static str) -> Self {
+        Entry { id, says, verdict, errata: &[], code: &[], lesson: &[], remark: "" }
+    }
+
+    /// The entry for machines.
+    pub fn to_json(&self, kind: &str) -> Value {
+        json!({
+            "id": self.id, "kind": kind, "says": self.says, "verdict": self.verdict.word(),
+            "errata": self.errata, "code": self.code, "lesson": self.lesson, "remark": self.remark,
+        })
+    }
+
+    const fn errata(mut self, errata: &'static [&'static str]) -> Self {
+        self.errata = errata;
+        self
+    }
+
+    const fn code(mut self, code: &'static [&'static str]) -> Self {
+        self.code = code;
+        self
+    }
+
+    const fn lesson(mut self, lesson: &'static [u8]) -> Self {
+        self.lesson = lesson;
+        self
+    }
+
+    const fn remark(mut self, remark: &'static str) -> Self {
+        self.remark = remark;
+        self
+    }
+}
+
+impl Verdict {
+    /// All verdicts, as the lists explain them.
+    pub const ALL: [Verdict; 8] = [
+        Verdict::Right,
+        Verdict::Convention,
+        Verdict::Misprint,
+        Verdict::Misleading,
+        Verdict::Wrong,
+        Verdict::Confirmed,
+        Verdict::Opinion,
+        Verdict::Rebuilt,
+    ];
+
+    /// The word of the lists.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Right => "right",
+            Verdict::Convention => "convention",
+            Verdict::Misprint => "misprint",
+            Verdict::Misleading => "misleading",
+            Verdict::Wrong => "wrong",
+            Verdict::Confirmed => "confirmed",
+            Verdict::Opinion => "opinion",
+            Verdict::Rebuilt => "rebuilt",
+        }
+    }
+
+    /// The verdict of this word.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn named(word: &str) -> Result<Self> {
+        let found = Verdict::ALL.into_iter().find(|v| v.word().eq_ignore_ascii_case(word));
+        found.ok_or_else(|| Error::Unknown {
+            kind: "verdict",
+            name: word.to_string(),
+            known: Verdict::ALL.map(|verdict| verdict.word().to_string()).to_vec(),
+        })
+    }
+}

@@ -1,0 +1,175 @@
+//! The inventory as documents: lists by groups, and one entry with all that is known of it.
+
+use super::{Entry, GROUPS, Group, Verdict};
+use crate::chapter::exhibit::{self, Exhibit};
+use crate::document::{Block, Document, Section, Table};
+
+/// A statement is cut after so many characters in a list.
+const WIDTH: usize = 58;
+
+/// The lessons, from the first.
+pub const LESSONS: [&str; 11] = [
+    "complementarity by hand",
+    "Jacobians",
+    "from Newton to the LCP",
+    "Gauss-Seidel, PGS, SOR",
+    "pivoting",
+    "is it solved?",
+    "drift, Baumgarte, energy",
+    "friction",
+    "impacts and Painlevé",
+    "sparsity and storage",
+    "a stack of boxes",
+];
+
+/// The entries of a group, or of all, that have a verdict, or any.
+pub fn chosen(
+    kind: Option<&Group>,
+    verdict: Option<Verdict>,
+) -> impl Iterator<Item = (&'static Group, Vec<&'static Entry>)> {
+    let kind = kind.map(|group| group.kind);
+    GROUPS.iter().filter(move |group| kind.is_none_or(|kind| kind == group.kind)).map(
+        move |group| {
+            let wanted = |entry: &&Entry| verdict.is_none_or(|verdict| verdict == entry.verdict);
+            (group, group.entries.iter().filter(wanted).collect())
+        },
+    )
+}
+
+/// A list of entries, a table a group.
+pub fn list(kind: Option<&Group>, verdict: Option<Verdict>) -> Document {
+    let mut document =
+        Document { title: "The chapter".into(), is_accepted: true, ..Document::default() };
+    let mut count = 0;
+    for (group, entries) in chosen(kind, verdict).filter(|(_, entries)| !entries.is_empty()) {
+        count += entries.len();
+        let mut section = Section::new(group.title);
+        let columns = ["no.", "verdict", "errata", "says", "lesson", "code"];
+        section.blocks.push(Block::Table(Table {
+            title: format!("{}: what became of them", group.title),
+            columns: columns.map(str::to_string).to_vec(),
+            rows: entries.into_iter().map(line).collect(),
+            left_out: 0,
+        }));
+        document.add("", section);
+    }
+    document.lead = format!(
+        "{count} entries. lcplab chapter NO shows one of them, lcplab chapter E07 an erratum; N, T, D, W, U \
+         and K are numbered here, not in print."
+    );
+    document
+}
+
+fn line(entry: &Entry) -> Vec<String> {
+    let errata = match entry.errata {
+        [] | [_] | [_, _] => entry.errata.join(" "),
+        [first, .., last] => format!("{first} … {last}"),
+    };
+    let code = match entry.code {
+        [] => String::new(),
+        [only] => only.to_string(),
+        [first, rest @ ..] => format!("{first} and {} more", rest.len()),
+    };
+    let lessons: Vec<String> = entry.lesson.iter().map(u8::to_string).collect();
+    vec![
+        entry.id.to_string(),
+        entry.verdict.word().to_string(),
+        errata,
+        cut(entry.says),
+        lessons.join(", "),
+        code,
+    ]
+}
+
+fn cut(words: &str) -> String {
+    if words.chars().count() <= WIDTH {
+        return words.to_string();
+    }
+    let short: String = words.chars().take(WIDTH - 1).collect();
+    format!("{}…", short.trim_end())
+}
+
+impl Entry {
+    /// The entry with all that is known of it.
+    pub fn document(&self) -> Document {
+        let mut document = Document {
+            title: format!("K&M {}", self.id),
+            lead: self.says.to_string(),
+            is_accepted: true,
+            ..Document::default()
+        };
+        let mut verdict = Section::new("verdict");
+        verdict.say(format!("{}: {}", self.verdict.word(), self.verdict.meaning()));
+        if !self.remark.is_empty() {
+            verdict.say(self.remark);
+        }
+        document.add("", verdict);
+        for section in [self.errata_section(), self.code_section(), self.lesson_section()] {
+            if !section.blocks.is_empty() {
+                document.add("", section);
+            }
+        }
+        document
+    }
+
+    fn errata_section(&self) -> Section {
+        let mut section = Section::new("errata");
+        let line = |id: &&str| match exhibit::named(id) {
+            Ok(Exhibit { title, severity, .. }) => {
+                vec![id.to_string(), severity.word().to_string(), title.to_string()]
+            }
+            Err(_) => vec![id.to_string(), String::new(), String::new()],
+        };
+        if !self.errata.is_empty() {
+            let rows = self.errata.iter().map(line).collect();
+            section.table("what is wrong", &["no.", "severity", "about"], rows);
+        }
+        section
+    }
+
+    fn code_section(&self) -> Section {
+        let mut section = Section::new("in the library");
+        let line = |place: &&str| {
+            let (kind, name) = match place.split_once(' ') {
+                Some(("lcplab", _)) => ("command", *place),
+                Some((kind, name)) => (kind, name),
+                None => ("module or item", *place),
+            };
+            vec![kind.to_string(), name.to_string()]
+        };
+        if !self.code.is_empty() {
+            let rows = self.code.iter().map(line).collect();
+            section.table("where it is", &["what", "name"], rows);
+        }
+        section
+    }
+
+    fn lesson_section(&self) -> Section {
+        let mut section = Section::new("lessons");
+        for number in self.lesson {
+            let title = LESSONS.get(usize::from(*number) - 1).copied().unwrap_or_default();
+            section.say(format!("{number} {title}"));
+        }
+        section
+    }
+}
+
+impl Verdict {
+    /// What the word means.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Verdict::Right => "derived again or tested, and it holds.",
+            Verdict::Convention => {
+                "a choice of signs or words, or true under a condition left unsaid."
+            }
+            Verdict::Misprint => "a reader repairs it at sight.",
+            Verdict::Misleading => {
+                "a reader draws a wrong conclusion, or parts that are usable alone do not fit together."
+            }
+            Verdict::Wrong => "following it gives a wrong result or a crash.",
+            Verdict::Confirmed => "measured here, and so it is.",
+            Verdict::Opinion => "advice or taste, which no number decides.",
+            Verdict::Rebuilt => "it claims nothing; here it is built anew.",
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! `diagnose`: what is wrong with a scene or a problem.
+
+use std::path::Path;
+
+use clap::Args;
+use lcplab::diagnosis::{problem, scene};
+use lcplab::error::{Error, Result};
+use lcplab::lcp::file::Problem;
+use lcplab::scene::Scene;
+
+use super::Outcome;
+use super::form::Writing;
+
+/// Say why a scene or a problem cannot be solved, or not in one way only
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab diagnose fig8                    # three rows that contradict each other, proved
+  lcplab diagnose stack --step 10
+  lcplab generate fathi | lcplab diagnose - --format markdown
+
+Counted are rank, condition number and degrees of freedom; named are zero rows, dependent rows, rows
+that no forces satisfy, constraints without direction, drift and overlap, and what a wrong sign leaves in
+A. A name that ends in .json, or -, is a problem file. Exit code 0 if it can be solved, with remarks or
+without, 1 if not, 2 for bad input.")]
+pub struct Diagnose {
+    /// A scene file, the name of a shipped scene, a problem as JSON (.json), or - for one from
+    /// standard input
+    input: String,
+    /// The step of a scene at whose beginning it is examined, from 1; 1 without it
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    step: Option<u64>,
+    #[command(flatten)]
+    writing: Writing,
+}
+
+impl Diagnose {
+    pub fn run(&self) -> Result<Outcome> {
+        let is_problem = self.input == "-" || self.input.ends_with(".json");
+        let found = match (is_problem, self.step) {
+            (true, Some(_)) => {
+                let reason = "is for scenes, this is a problem";
+                return Err(Error::invalid(&self.input, "--step", reason));
+            }
+            (true, None) => problem(&Problem::read(Path::new(&self.input))?)?,
+            (false, step) => scene(&Scene::load(&self.input)?, step.unwrap_or(1) as usize)?,
+        };
+        self.writing.write(&found.document())
+    }
+}

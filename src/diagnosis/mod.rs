@@ -1,0 +1,137 @@
+//! What is wrong with a scene or a problem: the causes of trouble, in words.
+//!
+//! A problem may have no solution, many, or one that no iteration reaches in time. [`scene`] and
+//! [`problem`] look for the reason before anything is solved: rank, condition and dependent rows
+//! ([`regularity`]), rows that contradict each other ([`refute`](crate::certificate::ray::refute)),
+//! bodies that are not where they should be, constraints without direction. K&M "Debugging" and
+//! "Bad Constraints".
+//!
+//! ```
+//! use lcplab::diagnosis::{Cause, scene};
+//! use lcplab::scene::Scene;
+//!
+//! let found = scene(&Scene::load("fig8")?, 1)?; // two nails farther apart than the rod between them
+//! assert!(found.causes.iter().any(|cause| matches!(cause, Cause::Impossible { is_proved: true, .. })));
+//! # Ok::<(), lcplab::error::Error>(())
+//! ```
+
+mod cause;
+mod contradiction;
+mod freedom;
+mod show;
+mod situation;
+
+pub use cause::Cause;
+pub use freedom::Freedoms;
+pub use situation::scene;
+
+use crate::certificate::regularity::{Regularity, least_eigenvalue, regularity};
+use crate::error::{Error, Result};
+use crate::lcp::Lcp;
+use crate::lcp::file::Problem;
+
+/// Problems with more rows are not examined.
+const LARGEST: usize = 2000;
+
+/// Above this condition number sweeps are called slow.
+const SLOW: f64 = 1e6;
+
+/// An eigenvalue below minus this is negative, not rounding.
+const NEGATIVE: f64 = 1e-9;
+
+/// What was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Diagnosis {
+    /// What was looked at.
+    pub subject: String,
+    /// The names of the rows.
+    pub labels: Vec<String>,
+    /// Degrees of freedom; of a scene only.
+    pub freedoms: Option<Freedoms>,
+    /// Rank, condition and dependent rows of A; without it, no rows were reached.
+    pub regularity: Option<Regularity>,
+    /// What is wrong, the fatal ones first.
+    pub causes: Vec<Cause>,
+}
+
+/// Examines a problem file.
+///
+/// # Errors
+/// If it has more than 2000 rows.
+pub fn problem(problem: &Problem) -> Result<Diagnosis> {
+    let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
+    let label = |i: usize| {
+        let row = problem.extra.get("rows").and_then(|rows| rows.get(i));
+        match row.and_then(|row| row.get("label")?.as_str()) {
+            Some(label) => format!("{i} ({label})"),
+            None => i.to_string(),
+        }
+    };
+    let labels = (0..problem.lcp.len()).map(label).collect();
+    let mut found = Diagnosis::named(name.to_string(), labels);
+    found.examine(&problem.lcp)?;
+    Ok(found)
+}
+
+impl Diagnosis {
+    fn named(subject: String, labels: Vec<String>) -> Self {
+        Diagnosis { subject, labels, freedoms: None, regularity: None, causes: Vec::new() }
+    }
+
+    /// Whether a step can be taken.
+    pub fn is_sound(&self) -> bool {
+        !self.causes.iter().any(Cause::is_fatal)
+    }
+
+    /// Adds what A and b alone tell.
+    fn examine(&mut self, lcp: &Lcp) -> Result<()> {
+        if lcp.len() > LARGEST {
+            let reason = format!("has {} rows, more than {LARGEST} are not examined", lcp.len());
+            return Err(Error::invalid(&self.subject, "A", reason));
+        }
+        let Some(found) = regularity(lcp.matrix()) else {
+            let reason = "its singular values could not be found";
+            return Err(Error::invalid(&self.subject, "A", reason));
+        };
+        self.definiteness(lcp);
+        for &row in &found.zero_rows {
+            self.causes.push(Cause::ZeroRow { row: self.labels[row].clone() });
+        }
+        let impossible = contradiction::rows(lcp, &found.dependencies);
+        if let Some((rows, is_proved)) = impossible {
+            self.causes.push(Cause::Impossible { rows: self.names(rows), is_proved });
+        }
+        self.redundancy(&found);
+        if found.condition > SLOW {
+            self.causes.push(Cause::IllConditioned { condition: found.condition });
+        }
+        self.regularity = Some(found);
+        self.causes.sort_by_key(|cause| !cause.is_fatal());
+        Ok(())
+    }
+
+    fn definiteness(&mut self, lcp: &Lcp) {
+        if !lcp.matrix().is_symmetric() {
+            self.causes.push(Cause::Unsymmetric);
+        } else if let Some(eigenvalue) = least_eigenvalue(lcp).filter(|&least| least < -NEGATIVE) {
+            self.causes.push(Cause::Indefinite { eigenvalue });
+        }
+    }
+
+    /// Dependent rows, but for those that have nothing but zeros.
+    fn redundancy(&mut self, found: &Regularity) {
+        let depends = |&i: &usize| found.dependencies.iter().any(|d| d[i] != 0.0);
+        let rows: Vec<usize> = (0..self.labels.len())
+            .filter(depends)
+            .filter(|i| !found.zero_rows.contains(i))
+            .collect();
+        let spare = found.dependencies.len() - found.zero_rows.len().min(found.dependencies.len());
+        if spare > 0 {
+            self.causes.push(Cause::Redundant { rows: self.names(rows), spare });
+        }
+    }
+
+    fn names(&self, rows: Vec<usize>) -> Vec<String> {
+        rows.into_iter().map(|i| self.labels[i].clone()).collect()
+    }
+}

@@ -1,0 +1,103 @@
+//! A diagnosis as a document.
+
+use super::Diagnosis;
+use crate::certificate::regularity::Regularity;
+use crate::document::notation::{indexed, plain};
+use crate::document::{Document, SHOWN, Section};
+
+impl Diagnosis {
+    /// What was found, for a terminal or a page.
+    pub fn document(&self) -> Document {
+        let mut document = Document {
+            title: format!("Diagnosis of {}", self.subject),
+            lead: self.summary(),
+            sections: Vec::new(),
+            is_accepted: self.is_sound(),
+        };
+        if let Some(found) = &self.regularity {
+            document.add("", self.counts(found));
+        }
+        if !self.causes.is_empty() {
+            document.add("", self.findings());
+        }
+        if let Some(found) = self.regularity.as_ref().filter(|found| !found.dependencies.is_empty())
+        {
+            document.add("", self.dependencies(found));
+        }
+        document
+    }
+
+    fn summary(&self) -> String {
+        let words = match self.causes.as_slice() {
+            [] => "Nothing is wrong: the rows are independent and the answer is unique.",
+            _ if self.is_sound() => "It can be solved; the remarks below say what to expect.",
+            _ => "It cannot be solved as it stands.",
+        };
+        words.to_string()
+    }
+
+    fn counts(&self, found: &Regularity) -> Section {
+        let mut section = Section::new("counts");
+        let mut rows = vec![
+            ["rows of A".to_string(), self.labels.len().to_string()],
+            ["rank of A".into(), found.rank.to_string()],
+            ["condition number of its independent part, scaled".into(), plain(found.condition)],
+        ];
+        if let Some(freedoms) = &self.freedoms {
+            rows.extend([
+                ["velocity components of moving bodies".into(), freedoms.components.to_string()],
+                ["rows of rigid equations".into(), freedoms.rows.to_string()],
+                ["rank of these".into(), freedoms.rank.to_string()],
+                ["degrees of freedom left".into(), freedoms.left().to_string()],
+            ]);
+        }
+        section.table(
+            "what is counted",
+            &["", "number"],
+            rows.into_iter().map(Vec::from).collect(),
+        );
+        section
+    }
+
+    fn findings(&self) -> Section {
+        let mut section = Section::new("causes");
+        for cause in &self.causes {
+            section.say(format!("{}: {cause}", cause.name()));
+        }
+        section
+    }
+
+    fn dependencies(&self, found: &Regularity) -> Section {
+        let mut section = Section::new("dependent rows");
+        section.say(
+            "No forces change these sums of w = A x + b: along each, forces can be shifted between the rows, \
+             where their bounds allow it, and the bodies move alike.",
+        );
+        let lines = found.dependencies.iter().map(|d| vec![combination(d)]).collect();
+        section.table("sums that stay", &["sum"], lines);
+        section
+    }
+}
+
+/// d as a sum: `w₀ − 2 w₃`.
+fn combination(d: &[f64]) -> String {
+    let entries: Vec<usize> = (0..d.len()).filter(|&i| d[i] != 0.0).collect();
+    let mut sum = String::new();
+    for (k, &i) in entries.iter().take(SHOWN).enumerate() {
+        let sign = match (k, d[i] < 0.0) {
+            (0, false) => "",
+            (0, true) => "−",
+            (_, false) => " + ",
+            (_, true) => " − ",
+        };
+        let factor = match plain(d[i].abs()) {
+            one if one == "1" => String::new(),
+            other => other + " ",
+        };
+        sum += &format!("{sign}{factor}{}", indexed("w", i));
+    }
+    if entries.len() > SHOWN {
+        sum += &format!(" … and {} more", entries.len() - SHOWN);
+    }
+    sum
+}

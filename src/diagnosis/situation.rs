@@ -1,0 +1,66 @@
+//! A scene at an instant, examined.
+
+use super::{Cause, Diagnosis, Freedoms};
+use crate::assembly::{Assembly, Entering, Row};
+use crate::constraint::Bounds;
+use crate::document::notation::plain;
+use crate::error::Result;
+use crate::formulation::Problem;
+use crate::report::study::scene_simulation;
+use crate::scene::{Scene, contacts};
+
+/// An error c (m or rad) beyond this is worth a word.
+const APART: f64 = 1e-3;
+
+/// Examines the velocity-level LCP of a scene at the beginning of a step, counted from 1; the steps
+/// before it are taken as the scene says.
+///
+/// # Errors
+/// If the scene's solver does not exist, or the LCP has numbers that are not finite or more than 2000
+/// rows. What keeps a step from being taken is a cause, not an error.
+pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
+    let mut found = Diagnosis::named(format!("{}, step {step}", scene.name), Vec::new());
+    let mut simulation = scene_simulation(scene)?;
+    for _ in 1..step {
+        if let Err(failure) = simulation.step() {
+            found.causes.push(Cause::Failed { reason: failure.to_string() });
+            break;
+        }
+    }
+    let states = simulation.states();
+    let touching = contacts(scene, states, scene.contact.margin);
+    let assembly = match Assembly::new(scene, states, &touching, Entering::Near) {
+        Ok(assembly) => assembly,
+        Err(undefined) => {
+            let place =
+                undefined.bodies.map(|body| body.map_or("world", |k| &scene.bodies[k].name));
+            let constraint = format!("{undefined} ({} and {})", place[0], place[1]);
+            found.causes.push(Cause::NoDirection { constraint });
+            return Ok(found);
+        }
+    };
+    let rows = assembly.rows.iter().enumerate();
+    found.labels = rows.map(|(i, row)| format!("{i} ({})", row.label(scene))).collect();
+    found.freedoms = Some(Freedoms::of(&assembly));
+    found.causes.extend(apart(&assembly, scene));
+    let problem = Problem::velocity(scene, assembly).map_err(|error| error.within(&scene.name))?;
+    found.examine(&problem.lcp)?;
+    Ok(found)
+}
+
+/// The equation that is off most, and the deepest overlap.
+fn apart(assembly: &Assembly, scene: &Scene) -> Vec<Cause> {
+    let is_rigid = |row: &&Row| row.bounds == Bounds::Bilateral && row.spring.is_none();
+    let equations = assembly.rows.iter().filter(is_rigid).map(|row| (row, row.c.abs()));
+    let one_sided = assembly.rows.iter().filter(|row| row.bounds == Bounds::Unilateral);
+    let overlaps = one_sided.map(|row| (row, -row.c));
+    let cause = |(row, error): (&Row, f64)| {
+        let unit = if row.kind.is_angular() { "rad" } else { "m" };
+        Cause::Apart { row: row.label(scene), error: format!("{} {unit}", plain(error)) }
+    };
+    let worst = [
+        equations.reduce(|most, next| if next.1 > most.1 { next } else { most }),
+        overlaps.reduce(|most, next| if next.1 > most.1 { next } else { most }),
+    ];
+    worst.into_iter().flatten().filter(|(_, error)| *error > APART).map(cause).collect()
+}

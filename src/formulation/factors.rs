@@ -1,0 +1,95 @@
+//! J and M⁻¹ as entries, for the matrices of [`storage`](crate::storage).
+
+use nalgebra::{Matrix6, Vector6};
+
+use crate::assembly::{Assembly, Block};
+use crate::storage::{BlockRows, Entry, Factored, Result, Storage, WIDTH};
+
+/// The factors of A = J M⁻¹ Jᵀ with six columns a moving body; a point mass leaves its last three empty.
+///
+/// ```
+/// use lcplab::formulation::Factors;
+/// use lcplab::scene::Scene;
+/// use lcplab::simulation::Simulation;
+/// use lcplab::solver::{Options, by_name};
+/// use lcplab::storage::{CompressedRows, Storage, Workspace, triple_product};
+///
+/// let solver = by_name("dantzig", &Options::default())?;
+/// let mut simulation = Simulation::new(Scene::load("fig7")?, solver);
+/// let step = simulation.step().expect("a step that does not diverge");
+/// let factors = Factors::of(&step.solves[0].problem.assembly);
+///
+/// let mut j = CompressedRows::new(factors.rows, factors.columns);
+/// j.load(&factors.jacobian)?;
+/// let mut m_inv = CompressedRows::new(factors.columns, factors.columns);
+/// m_inv.load(&factors.inverse_mass)?;
+/// let mut a = CompressedRows::new(0, 0);
+/// triple_product(&j, &m_inv, &mut a, &mut Workspace::default())?;
+/// assert_eq!(a.row(1)?, factors.operator()?.row(1)?); // the same, never assembled
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Factors {
+    /// Rows of J.
+    pub rows: usize,
+    /// Columns of J, rows and columns of M⁻¹.
+    pub columns: usize,
+    /// The entries of J, row by row.
+    pub jacobian: Vec<Entry>,
+    /// The entries of M⁻¹ (1/kg, 1/(kg m²)), row by row.
+    pub inverse_mass: Vec<Entry>,
+    /// The diagonal blocks of M⁻¹, one a moving body.
+    pub inverse_masses: Vec<Matrix6<f64>>,
+}
+
+impl Factors {
+    /// The factors of an assembly.
+    pub fn of(assembly: &Assembly) -> Self {
+        let inverse_masses: Vec<_> = assembly.blocks.iter().map(inverse_mass).collect();
+        let block = |(k, block)| entries_of(k, block);
+        Factors {
+            rows: assembly.rows.len(),
+            columns: WIDTH * assembly.blocks.len(),
+            jacobian: jacobian(assembly),
+            inverse_mass: inverse_masses.iter().enumerate().flat_map(block).collect(),
+            inverse_masses,
+        }
+    }
+
+    /// A as the operator J M⁻¹ Jᵀ.
+    ///
+    /// # Errors
+    /// None that an assembly could cause.
+    pub fn operator(&self) -> Result<Factored> {
+        let mut j = BlockRows::new(self.rows, self.columns);
+        j.load(&self.jacobian)?;
+        Factored::new(j, &self.inverse_masses)
+    }
+}
+
+fn jacobian(assembly: &Assembly) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    for (i, row) in assembly.rows.iter().enumerate() {
+        let first = entries.len();
+        for part in row.parts() {
+            let dof = assembly.blocks[part.block].dof;
+            let values = part.jacobian.iter().take(dof).enumerate().filter(|(_, j)| **j != 0.0);
+            entries.extend(values.map(|(k, &j)| (i, WIDTH * part.block + k, j)));
+        }
+        entries[first..].sort_by_key(|&(_, column, _)| column);
+    }
+    entries
+}
+
+/// M⁻¹ of a body, column by column.
+fn inverse_mass(block: &Block) -> Matrix6<f64> {
+    let column = |k: usize| block.accelerate(&Vector6::ith(k, f64::from(u8::from(k < block.dof))));
+    Matrix6::from_columns(&[0, 1, 2, 3, 4, 5].map(column))
+}
+
+/// The entries of a body's block that are not zero.
+fn entries_of(body: usize, block: &Matrix6<f64>) -> Vec<Entry> {
+    let places = (0..WIDTH).flat_map(|i| (0..WIDTH).map(move |j| (i, j)));
+    let nonzero = places.filter(|place| block[*place] != 0.0);
+    nonzero.map(|(i, j)| (WIDTH * body + i, WIDTH * body + j, block[(i, j)])).collect()
+}

@@ -1,0 +1,118 @@
+//! A sparsity pattern in cells, each a square of entries: small enough to be stored and drawn.
+
+use std::fmt::Write;
+
+use serde::{Deserialize, Serialize};
+
+use super::canvas::hex;
+
+/// Shades of a cell by the share of its entries that are not zero, palest first.
+const SHADES: [(f64, (u8, u8, u8)); 5] = [
+    (0.05, (158, 202, 225)),
+    (0.15, (107, 174, 214)),
+    (0.35, (49, 130, 189)),
+    (0.7, (8, 81, 156)),
+    (f64::INFINITY, (8, 40, 94)),
+];
+/// The shade where a cell is an entry.
+const ENTRY: usize = SHADES.len() - 2;
+
+/// A pattern in cells.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Raster {
+    /// Rows of the matrix.
+    pub rows: usize,
+    /// Its columns.
+    pub columns: usize,
+    /// Entries that are not zero.
+    pub nonzeros: usize,
+    /// Entries along the side of a cell.
+    pub block: usize,
+    /// A line of cells a string: `0` for an empty cell, `1` to `5` for shades, palest first; empty cells
+    /// at the end of a line are left out.
+    pub cells: Vec<String>,
+}
+
+impl Raster {
+    /// The picture of a rows × columns pattern in at most so many cells a side; `draw` marks each place
+    /// (row, column) that is not zero, once.
+    pub fn new(
+        (rows, columns): (usize, usize),
+        side: usize,
+        draw: impl FnOnce(&mut dyn FnMut(usize, usize)),
+    ) -> Self {
+        let block = rows.max(columns).div_ceil(side).max(1);
+        let (lines, width) = (rows.div_ceil(block), columns.div_ceil(block));
+        let mut counts = vec![0_usize; lines * width];
+        draw(&mut |row, column| counts[row / block * width + column / block] += 1);
+        let digit = |line: usize, cell: usize| {
+            // A cell at the edge may be smaller.
+            let entries = block.min(rows - line * block) * block.min(columns - cell * block);
+            let shade = match counts[line * width + cell] {
+                0 => return '0',
+                _ if block == 1 => ENTRY,
+                count => {
+                    let density = count as f64 / entries as f64;
+                    SHADES.iter().position(|(limit, _)| density <= *limit).unwrap_or(0)
+                }
+            };
+            char::from(b'1' + shade as u8)
+        };
+        let line = |line| {
+            let cells: String = (0..width).map(|cell| digit(line, cell)).collect();
+            cells.trim_end_matches('0').to_string()
+        };
+        let cells = (0..lines).map(line).collect();
+        Raster { rows, columns, nonzeros: counts.iter().sum(), block, cells }
+    }
+
+    /// The share of entries that are not zero, in per cent; 0 for an empty matrix.
+    pub fn fill(&self) -> f64 {
+        let all = self.rows as f64 * self.columns as f64;
+        if all > 0.0 { 100.0 * self.nonzeros as f64 / all } else { 0.0 }
+    }
+
+    /// The cells that are not empty: line, place in it, shade from 0.
+    fn shaded(&self) -> impl Iterator<Item = (usize, usize, usize)> {
+        let line = |(line, cells): (usize, &String)| {
+            let shades: Vec<u8> = cells.bytes().collect();
+            let cells = shades.into_iter().enumerate().filter(|(_, digit)| *digit > b'0');
+            cells.map(move |(cell, digit)| {
+                (line, cell, usize::from(digit - b'1').min(SHADES.len() - 1))
+            })
+        };
+        self.cells.iter().enumerate().flat_map(line)
+    }
+
+    /// The cells as SVG, from a corner on, an entry so many px wide and high: one path for each shade;
+    /// neighbours in a line are one rectangle.
+    pub(super) fn markup(&self, (left, top): (f64, f64), (wide, high): (f64, f64)) -> String {
+        let block = self.block;
+        let mut paths = vec![String::new(); SHADES.len()];
+        let shaded: Vec<_> = self.shaded().collect();
+        let joined =
+            shaded.chunk_by(|a, b| block > 1 && a.0 == b.0 && a.1 + 1 == b.1 && a.2 == b.2);
+        // Single entries are drawn a little smaller than their place, so that each is seen.
+        let gap = if block == 1 { 0.08 } else { 0.0 };
+        for run in joined {
+            let (i, j, shade) = run[0];
+            let (x, y) = ((j * block) as f64 + gap, (i * block) as f64 + gap);
+            let width = (run.len() * block).min(self.columns - j * block) as f64 - 2.0 * gap;
+            let height = block.min(self.rows - i * block) as f64 - 2.0 * gap;
+            let _ = write!(paths[shade], "M{x} {y}h{width}v{height}h-{width}z");
+        }
+        let sharp = if block > 1 { " shape-rendering=\"crispEdges\"" } else { "" };
+        let mut markup = format!(
+            "<g transform=\"translate({left:.1} {top:.1}) scale({wide:.5} {high:.5})\"{sharp}>\n"
+        );
+        for (path, (_, color)) in paths.iter().zip(SHADES).filter(|(path, _)| !path.is_empty()) {
+            let _ = writeln!(markup, "<path fill=\"{}\" d=\"{path}\"/>", hex(color));
+        }
+        markup + "</g>\n"
+    }
+
+    /// A record a cell that is not empty: name, line, place, shade.
+    pub(super) fn records(&self) -> impl Iterator<Item = [String; 3]> {
+        self.shaded().map(|(line, cell, shade)| [line, cell, shade + 1].map(|k| k.to_string()))
+    }
+}

@@ -1,0 +1,70 @@
+//! The list of storages.
+
+use super::{
+    BalancedTree, BlockRows, CompressedRows, Dense, HashTable, LinkedList, MapOfMaps, Storage, Tree,
+};
+
+/// A storage, and how to make an empty one.
+#[derive(Debug, Clone, Copy)]
+pub struct Kind {
+    /// Its name.
+    pub name: &'static str,
+    /// How it keeps its entries.
+    pub about: &'static str,
+    /// Where the chapter has it.
+    pub source: &'static str,
+    /// A zero matrix of so many rows and columns.
+    pub new: fn(usize, usize) -> Box<dyn Storage>,
+}
+
+/// Every storage that takes entries one by one.
+pub const ALL: [Kind; 8] = [
+    Kind {
+        name: "dense",
+        about: "every number, row by row",
+        source: "K&M Codes 8-10",
+        new: |rows, columns| Box::new(Dense::new(rows, columns)),
+    },
+    Kind {
+        name: "map of maps",
+        about: "a sorted map of rows, each a sorted map of columns",
+        source: "K&M Code 11",
+        new: |rows, columns| Box::new(MapOfMaps::new(rows, columns)),
+    },
+    Kind {
+        name: "linked list",
+        about: "one list of entries, each with its row, column, value and links",
+        source: "K&M “Linear Linked-List Sparse Matrix”",
+        new: |rows, columns| Box::new(LinkedList::new(rows, columns)),
+    },
+    Kind {
+        name: "tree",
+        about: "entries in a binary search tree, as bushy as the order they came in",
+        source: "K&M “Binary Tree (Search Speedup)”",
+        new: |rows, columns| Box::new(Tree::new(rows, columns)),
+    },
+    Kind {
+        name: "balanced tree",
+        about: "entries in one sorted map, a B-tree",
+        source: "E58's remedy",
+        new: |rows, columns| Box::new(BalancedTree::new(rows, columns)),
+    },
+    Kind {
+        name: "hash table",
+        about: "entries in a hash table by row and column",
+        source: "K&M “Hashing”",
+        new: |rows, columns| Box::new(HashTable::new(rows, columns)),
+    },
+    Kind {
+        name: "compressed rows",
+        about: "columns and values of all entries in two arrays, row by row",
+        source: "faer; named by K&M for Code 11, E56",
+        new: |rows, columns| Box::new(CompressedRows::new(rows, columns)),
+    },
+    Kind {
+        name: "block rows",
+        about: "the same with blocks of 1 × 6, a body's columns",
+        source: "the blocks of K&M (6) and Code 2",
+        new: |rows, columns| Box::new(BlockRows::new(rows, columns)),
+    },
+];

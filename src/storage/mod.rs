@@ -1,0 +1,219 @@
+//! The chapter's matrices: one small set of operations, and the ways to keep what stands behind it.
+//!
+//! K&M build their solver on a dense matrix class (Codes 8-10), then put a map of maps under the same
+//! face (Code 11) and name what else could stand there: a linked list, a binary tree, a hash table,
+//! memory that is kept from step to step. Here all of them stand behind [`Storage`], so that one
+//! program runs on each and gives the same bits:
+//!
+//! ```
+//! use lcplab::storage::{self, MapOfMaps, Storage};
+//!
+//! let mut a = MapOfMaps::new(3, 3);
+//! a.set(0, 0, 2.0)?;
+//! a.set(0, 2, -1.0)?;
+//! assert_eq!(a.row(0)?, [(0, 2.0), (2, -1.0)]);
+//! assert_eq!(a.product(&[1.0, 1.0, 1.0])?, [1.0, 0.0, 0.0]);
+//! assert_eq!(a.set(3, 0, 1.0).unwrap_err().to_string(), "entry (3, 0) is outside a 3 × 3 matrix");
+//!
+//! for kind in &storage::ALL {
+//!     let mut same = (kind.new)(3, 3);
+//!     same.load(&[(0, 0, 2.0), (0, 2, -1.0)])?;
+//!     assert_eq!(same.row(0)?, a.row(0)?);
+//!     println!("{:<20} {:>4} bytes", kind.name, same.bytes());
+//! }
+//! # Ok::<(), lcplab::error::Error>(())
+//! ```
+//!
+//! An entry that is zero is no entry: setting one to zero removes it (E54), and a row's entries are
+//! those that are not zero, columns ascending, in every storage. [`Factored`], the operator J M⁻¹ Jᵀ that
+//! is never assembled, can be read like the others but not set. [`triple_product`] assembles A through
+//! any of them, [`sweep`] runs projected Gauss-Seidel over any of them, [`Pool`] keeps their buffers, and [`Ordering`] says what
+//! a factor of A would take.
+
+mod balanced;
+mod blocks;
+mod compressed;
+mod dense;
+mod error;
+mod factored;
+mod hash;
+mod kind;
+mod list;
+mod map;
+mod nodes;
+mod ordering;
+mod pool;
+mod product;
+mod slots;
+mod sweep;
+mod tree;
+
+pub use balanced::BalancedTree;
+pub use blocks::{BlockRows, WIDTH};
+pub use compressed::CompressedRows;
+pub use dense::Dense;
+pub use error::{Error, Result};
+pub use factored::Factored;
+pub use hash::HashTable;
+pub use kind::{ALL, Kind};
+pub use list::LinkedList;
+pub use map::MapOfMaps;
+pub use ordering::{Graph, Ordering};
+pub use pool::Pool;
+pub use product::{Workspace, triple_product};
+pub use sweep::sweep;
+pub use tree::Tree;
+
+/// A matrix, however it is kept.
+pub trait Storage {
+    /// Its name in [`ALL`].
+    fn name(&self) -> &'static str;
+
+    /// The number of rows.
+    fn rows(&self) -> usize;
+
+    /// The number of columns.
+    fn columns(&self) -> usize;
+
+    /// The entry at (row, column), 0 where none is kept. It never makes one (the trap that Code 11
+    /// comments on).
+    ///
+    /// # Errors
+    /// [`Error::Outside`].
+    fn get(&self, row: usize, column: usize) -> Result<f64>;
+
+    /// Puts a value at (row, column); zero removes what is there.
+    ///
+    /// # Errors
+    /// [`Error::Outside`], [`Error::NotFinite`]; [`Error::Fixed`] for an operator without entries.
+    fn set(&mut self, row: usize, column: usize, value: f64) -> Result<()>;
+
+    /// Shows the entries (column, value) of a row that are not zero, columns ascending.
+    ///
+    /// # Errors
+    /// [`Error::Outside`].
+    fn visit_row(&self, row: usize, visit: &mut dyn FnMut(usize, f64)) -> Result<()>;
+
+    /// Becomes a zero matrix of this size, and keeps the memory that it has where it can. (Code 11's
+    /// `SetToZero` leaves everything as it was, E52.)
+    ///
+    /// # Errors
+    /// [`Error::Fixed`] for an operator without entries; [`Error::TooLarge`] above a limit that was
+    /// asked for.
+    fn reset(&mut self, rows: usize, columns: usize) -> Result<()>;
+
+    /// How many numbers are kept: all of a dense matrix, zeros included.
+    fn stored(&self) -> usize;
+
+    /// The heap memory that is held (bytes), spare room included.
+    fn bytes(&self) -> usize;
+
+    /// How often heap memory was asked for since the matrix was made.
+    fn allocations(&self) -> usize;
+
+    /// Becomes the matrix with these entries, given row by row, columns ascending, each place once.
+    ///
+    /// # Errors
+    /// As [`set`](Storage::set) and [`reset`](Storage::reset); [`Error::Unordered`].
+    fn load(&mut self, entries: &[Entry]) -> Result<()> {
+        check_order(entries)?;
+        self.reset(self.rows(), self.columns())?;
+        entries.iter().try_for_each(|&(row, column, value)| self.set(row, column, value))
+    }
+
+    /// The entries of a row that are not zero as (column, value), columns ascending.
+    ///
+    /// # Errors
+    /// [`Error::Outside`].
+    fn row(&self, row: usize) -> Result<Vec<(usize, f64)>> {
+        let mut entries = Vec::new();
+        self.visit_row(row, &mut |column, value| entries.push((column, value)))?;
+        Ok(entries)
+    }
+
+    /// The sum of row times x, column by column.
+    ///
+    /// # Errors
+    /// [`Error::Outside`], [`Error::Length`].
+    fn row_dot(&self, row: usize, x: &[f64]) -> Result<f64> {
+        check_length("x", x.len(), self.columns())?;
+        let mut sum = 0.0;
+        self.visit_row(row, &mut |column, value| sum += value * x[column])?;
+        Ok(sum)
+    }
+
+    /// y ← A x. The sums run over ascending columns, so that y has the same bits in every storage but
+    /// those that say otherwise.
+    ///
+    /// # Errors
+    /// [`Error::Length`].
+    fn multiply(&self, x: &[f64], y: &mut [f64]) -> Result<()> {
+        check_product(self.rows(), self.columns(), x, y)?;
+        y.iter_mut().enumerate().try_for_each(|(row, y)| {
+            *y = self.row_dot(row, x)?;
+            Ok(())
+        })
+    }
+
+    /// A x.
+    ///
+    /// # Errors
+    /// [`Error::Length`].
+    fn product(&self, x: &[f64]) -> Result<Vec<f64>> {
+        let mut y = vec![0.0; self.rows()];
+        self.multiply(x, &mut y)?;
+        Ok(y)
+    }
+}
+
+/// Row, column and value of an entry.
+pub type Entry = (usize, usize, f64);
+
+/// An entry's place, if the matrix has it; indices are kept in 4 bytes.
+fn check_place(matrix: &(impl Storage + ?Sized), row: usize, column: usize) -> Result<(u32, u32)> {
+    let (rows, columns) = (matrix.rows(), matrix.columns());
+    if row >= rows || column >= columns {
+        return Err(Error::Outside { row, column, rows, columns });
+    }
+    match (u32::try_from(row), u32::try_from(column)) {
+        (Ok(row), Ok(column)) => Ok((row, column)),
+        _ => Err(Error::TooLarge { rows, columns, limit: u32::MAX as usize }),
+    }
+}
+
+/// The place of a value to be set.
+fn check_entry(
+    matrix: &(impl Storage + ?Sized),
+    row: usize,
+    column: usize,
+    value: f64,
+) -> Result<(u32, u32)> {
+    let place = check_place(matrix, row, column)?;
+    if value.is_finite() { Ok(place) } else { Err(Error::NotFinite { row, column, value }) }
+}
+
+/// A row, if the matrix has it.
+fn check_row(matrix: &(impl Storage + ?Sized), row: usize) -> Result<u32> {
+    let (rows, columns) = (matrix.rows(), matrix.columns());
+    match u32::try_from(row) {
+        Ok(index) if row < rows => Ok(index),
+        _ => Err(Error::Outside { row, column: 0, rows, columns }),
+    }
+}
+
+fn check_length(what: &'static str, found: usize, expected: usize) -> Result<()> {
+    if found == expected { Ok(()) } else { Err(Error::Length { what, found, expected }) }
+}
+
+/// The lengths that y = A x needs.
+fn check_product(rows: usize, columns: usize, x: &[f64], y: &[f64]) -> Result<()> {
+    check_length("x", x.len(), columns)?;
+    check_length("y", y.len(), rows)
+}
+
+fn check_order(entries: &[Entry]) -> Result<()> {
+    match entries.windows(2).find(|pair| (pair[0].0, pair[0].1) >= (pair[1].0, pair[1].1)) {
+        Some(pair) => Err(Error::Unordered { row: pair[1].0, column: pair[1].1 }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,120 @@
+//! What the storages say of their memory, beside what the allocator saw. A program of its own: it
+//! replaces the global allocator by one that counts, thread by thread.
+
+use allocation_counter::{AllocationInfo, measure};
+use lcplab::lcp::{Lcp, Matrix};
+use lcplab::storage::{ALL, Entry, Factored, Storage, Workspace, sweep, triple_product};
+use nalgebra::Matrix6;
+
+/// A pile of boxes as a step meets it: so many contacts of three rows between neighbours.
+fn jacobian(contacts: usize) -> Vec<Entry> {
+    let row = |i: usize| {
+        let below = i / 12; // four contacts a pair
+        let value = move |k: usize| {
+            if (i + k).is_multiple_of(5) { 0.0 } else { 1.0 + ((i * 7 + k * 3) % 11) as f64 }
+        };
+        (0..12).map(move |k| (i, 6 * below + k, value(k)))
+    };
+    (0..3 * contacts).flat_map(row).filter(|(.., value)| *value != 0.0).collect()
+}
+
+const BODIES: usize = 12;
+/// Contacts step by step: they come and go, the most in the first round.
+const CONTACTS: [usize; 6] = [40, 31, 44, 24, 38, 44];
+
+fn inverse_mass() -> Vec<Entry> {
+    (0..6 * BODIES).map(|i| (i, i, 1.0 / (1 + i % 7) as f64)).collect()
+}
+
+/// The steps' entries and problems, made before anything is counted.
+fn steps() -> Vec<(usize, Vec<Entry>, Lcp)> {
+    let lcp = |n: usize| {
+        let (lo, hi) = (vec![0.0; n], vec![f64::INFINITY; n]);
+        Lcp::new(Matrix::sparse(n, &[]), vec![-1.0; n], lo, hi).unwrap()
+    };
+    CONTACTS.iter().map(|&c| (3 * c, jacobian(c), lcp(3 * c))).collect()
+}
+
+/// Assembles and sweeps each step ten times, as an engine does, all in storages that are kept.
+fn frame(
+    [j, m_inv, a]: &mut [Box<dyn Storage>; 3],
+    (rows, entries, lcp): &(usize, Vec<Entry>, Lcp),
+    workspace: &mut Workspace,
+    x: &mut Vec<f64>,
+) {
+    j.reset(*rows, 6 * BODIES).unwrap();
+    j.load(entries).unwrap();
+    triple_product(j.as_ref(), m_inv.as_ref(), a.as_mut(), workspace).unwrap();
+    x.clear();
+    x.resize(*rows, 0.0);
+    for _ in 0..10 {
+        sweep(lcp, a.as_ref(), x).unwrap();
+    }
+}
+
+#[test]
+fn a_warm_step_asks_for_no_memory_where_nodes_are_kept() {
+    let steps = steps();
+    for kind in &ALL {
+        let mut matrices = [(); 3].map(|()| (kind.new)(6 * BODIES, 6 * BODIES));
+        matrices[1].load(&inverse_mass()).unwrap();
+        let (mut workspace, mut x) = (Workspace::default(), Vec::new());
+        let mut round = || {
+            measure(|| {
+                steps.iter().for_each(|step| frame(&mut matrices, step, &mut workspace, &mut x))
+            })
+        };
+        let (cold, warm) = (round(), round());
+        assert!(cold.count_total > 0, "{}", kind.name);
+        // A map gives its nodes back one by one and asks for them again: E56's cost.
+        let frees_nodes = ["map of maps", "balanced tree"].contains(&kind.name);
+        assert_eq!(warm.count_total > 0, frees_nodes, "{}: {warm:?}", kind.name);
+    }
+}
+
+#[test]
+fn sequential_impulses_ask_for_no_memory() {
+    let (rows, entries, lcp) = steps().swap_remove(0);
+    let mut j = lcplab::storage::BlockRows::new(rows, 6 * BODIES);
+    j.load(&entries).unwrap();
+    let operator = Factored::new(j, &[Matrix6::identity(); BODIES]).unwrap();
+    let (mut x, mut u) = (vec![0.0; rows], vec![0.0; 6 * BODIES]);
+    let info = measure(|| (0..10).for_each(|_| operator.sweep(&lcp, &mut x, &mut u).unwrap()));
+    assert_eq!(info, AllocationInfo::default());
+    assert!(x.iter().any(|x| *x > 0.0));
+}
+
+#[test]
+fn bytes_and_allocations_are_those_the_allocator_saw() {
+    for kind in &ALL {
+        for contacts in [0, 1, 7, 44] {
+            let entries = jacobian(contacts);
+            let mut storage = None;
+            let made = measure(|| storage = Some((kind.new)(140, 6 * BODIES)));
+            let storage = storage.as_mut().unwrap();
+            let body = made.bytes_current as usize - storage.bytes(); // the box around it
+            assert!(body > 0 && body < 200, "{}", kind.name);
+            let before = (storage.bytes(), storage.allocations());
+            let loaded = measure(|| storage.load(&entries).unwrap());
+            let held = storage.bytes() as i64 - before.0 as i64;
+            assert_eq!(held, loaded.bytes_current, "{} with {contacts}", kind.name);
+            let asked = storage.allocations() - before.1;
+            assert_eq!(asked as u64, loaded.count_total, "{} with {contacts}", kind.name);
+        }
+    }
+}
+
+#[test]
+fn sorted_maps_that_were_set_out_of_order_hold_about_what_they_say() {
+    for kind in ALL.iter().filter(|kind| ["map of maps", "balanced tree"].contains(&kind.name)) {
+        let mut storage = (kind.new)(100, 100);
+        let info = measure(|| {
+            for k in 0..6000_usize {
+                let place = k * 6007 % 10_000; // 6007 and 10 000 have no common factor
+                storage.set(place / 100, place % 100, 1.0).unwrap();
+            }
+        });
+        let off = storage.bytes() as f64 / info.bytes_current as f64 - 1.0;
+        assert!(off.abs() < 0.3, "{}: {off}", kind.name);
+    }
+}
