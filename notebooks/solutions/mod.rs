@@ -3,3 +3,12 @@
 pub mod e01_1_clamp;
 pub mod e01_2_one_row;
 pub mod e01_3_two_rows;
+pub mod e02_1_rod;
+pub mod e02_2_nail;
+pub mod e02_3_freedoms;
+pub mod e03_1_offset;
+pub mod e03_2_delassus;
+pub mod e03_3_two_levels;
+pub mod e07_1_tangent;
+pub mod e07_2_bias;
+pub mod e07_3_spring;

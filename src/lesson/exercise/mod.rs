@@ -8,6 +8,9 @@
 mod list;
 
 pub mod lesson01;
+pub mod lesson02;
+pub mod lesson03;
+pub mod lesson07;
 
 pub use list::exercises;
 

@@ -1,10 +1,14 @@
 //! Wrong answers that students give, at least two an exercise, with what the check says.
 
 mod lesson01;
+mod lesson02;
+mod lesson03;
+mod lesson07;
 
 use lcplab::lesson::exercise::Verdict;
 
 /// The exercise of each mistake, and the check's word.
 pub fn all() -> Vec<(&'static str, Verdict)> {
-    [lesson01::mistakes()].concat()
+    [lesson01::mistakes(), lesson02::mistakes(), lesson03::mistakes(), lesson07::mistakes()]
+        .concat()
 }
