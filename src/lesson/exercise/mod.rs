@@ -8,6 +8,7 @@
 mod list;
 
 pub mod lesson01;
+pub mod lesson04;
 
 pub use list::exercises;
 

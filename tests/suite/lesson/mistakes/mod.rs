@@ -1,10 +1,11 @@
 //! Wrong answers that students give, at least two an exercise, with what the check says.
 
 mod lesson01;
+mod lesson04;
 
 use lcplab::lesson::exercise::Verdict;
 
 /// The exercise of each mistake, and the check's word.
 pub fn all() -> Vec<(&'static str, Verdict)> {
-    [lesson01::mistakes()].concat()
+    [lesson01::mistakes(), lesson04::mistakes()].concat()
 }
