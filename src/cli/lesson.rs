@@ -17,7 +17,7 @@ const EXERCISES: &[Exercise] = {
     exercises!(answers)
 };
 
-/// Write a lesson as a page: its cells are run, and what they put out stands under them
+/// Write a lesson as a page: its cells are run and shown with what they put out
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:

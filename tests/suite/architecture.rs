@@ -68,7 +68,8 @@ fn imports(text: &str) -> Vec<String> {
         });
         parts.collect::<Vec<_>>()
     };
-    code.flat_map(names).filter(|name| !name.is_empty()).collect()
+    // Exported macros live at the root under names that begin with two underscores.
+    code.flat_map(names).filter(|name| !name.is_empty() && !name.starts_with("__")).collect()
 }
 
 #[test]

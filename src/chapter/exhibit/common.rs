@@ -69,6 +69,16 @@ impl Observer for Kept {
     }
 }
 
+/// The entry that is largest in size.
+pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().map(f64::abs).fold(0.0, f64::max)
+}
+
+/// The start, 0, and x after each sweep of projected Gauss-Seidel.
+pub(super) fn swept(lcp: &Lcp, count: usize) -> Result<Vec<Vec<f64>>> {
+    sweeps("pgs", lcp, &vec![0.0; lcp.len()], count)
+}
+
 /// The last of some iterates.
 pub(super) fn last(iterates: Vec<Vec<f64>>) -> Vec<f64> {
     iterates.into_iter().next_back().unwrap_or_default()
@@ -81,6 +91,14 @@ pub(super) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Outcome {
         return Outcome::Impossible(format!("no product: {m} × {k} by {l} × {n}"));
     }
     Outcome::from((a * b).as_slice())
+}
+
+/// J M⁻¹ Jᵀ by rows, for point masses that move along one line.
+pub(super) fn delassus(j: &DMatrix<f64>, inverse_mass: &[f64]) -> Vec<f64> {
+    let m_inv = DMatrix::from_fn(inverse_mass.len(), inverse_mass.len(), |r, c| {
+        if r == c { inverse_mass[r] } else { 0.0 }
+    });
+    (j * m_inv * j.transpose()).as_slice().to_vec() // symmetric: by columns is by rows
 }
 
 /// J of a constraint between the world and a body in this state: n × 6.
@@ -106,7 +124,12 @@ pub(super) fn picture(
 ) -> Picture {
     let [title, caption] = words.map(str::to_string);
     let lines = Lines { id: id.into(), title, caption, x, panels: vec![Panel { y, series }] };
-    Picture { svg: lines.svg(), caption: lines.caption, files: Vec::new() }
+    drawn(&lines)
+}
+
+/// Curves as a picture without files beside it.
+pub(super) fn drawn(lines: &Lines) -> Picture {
+    Picture { svg: lines.svg(), caption: lines.caption.clone(), files: Vec::new() }
 }
 
 /// Values against their place in the list, every so many.

@@ -14,7 +14,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
               the row",
     holds: "xᵢ⁽ᵏ⁺¹⁾ = (bᵢ − Σ aᵢⱼ xⱼ⁽ᵏ⁺¹⁾ over j < i − Σ aᵢⱼ xⱼ⁽ᵏ⁾ over j > i) / aᵢᵢ, with i the row and j \
             the column",
-    why: "Row i of A x = b is Σ aᵢⱼ xⱼ = bᵢ; solved for x_i, every other unknown keeps its coefficient. \
+    why: "Row i of A x = b is Σ aᵢⱼ xⱼ = bᵢ; solved for xᵢ, every other unknown keeps its coefficient. \
           With row and column exchanged the sweep solves Aᵀ x = b: the same where A is symmetric, as it is \
           for contacts, so nothing shows the mistake there. Code 6 has the coefficients.",
     evidence: Evidence::Example(example),

@@ -31,12 +31,13 @@ fn example() -> Result<Finding> {
         Ok(last(sweeps(solver, &shared, &[0.0; 3], count)?)[0])
     };
     let velocity = Measure::new("velocity of an open contact", "m/s", glued, free);
-    let x = Measure::new("x₁: Jacobi, Gauss-Seidel", "", first("jacobi", 30)?, first("pgs", 200)?);
+    let x = Measure::new("x₁ after the sweeps", "", first("jacobi", 30)?, first("pgs", 200)?);
     Ok(Finding::new(
-        "A body of 1 kg leaves the floor at 1 m/s: w = x + 1 (A = 1, b = 1). As an equation, then as an \
-         inequality. Second, A with 1 on the diagonal and 0.9 elsewhere, three rows, b = −2.8: A is positive \
-         definite (eigenvalues 0.1, 0.1, 2.8) and x = (1, 1, 1). Thirty sweeps of Jacobi's method multiply \
-         the error by −1.8 each; Gauss-Seidel, by 0.854.",
+        "A body of 1 kg leaves the floor at 1 m/s: w = x + 1 (A = 1, b = 1 in this \
+         library's sign, −1 in the chapter's). As an equation, then as an inequality. Second, A with 1 on the diagonal and 0.9 elsewhere, three rows, b = −2.8: A is positive \
+         definite (eigenvalues 0.1, 0.1, 2.8) and x = (1, 1, 1). Printed is x₁ after 30 sweeps of \
+         Jacobi's method, each of which multiplies the error by −1.8; corrected, after 200 of Gauss-Seidel, \
+         which in the long run multiply it by 0.854.",
     )
     .measure(velocity.truth(&[speed], "no force acts", 1e-12))
     .measure(x.truth(&[1.0], "by hand", 1e-9)))

@@ -9,7 +9,7 @@ use crate::plot::{Axis, Series};
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E12",
     title: "a warm start that starts cold",
-    place: "K&M Codes 6 and 7 and the note between them",
+    place: "K&M Codes 6 and 7, note on fewer iterations",
     severity: Severity::Misleading,
     may_be_scan: false,
     printed: "Leave out the line of Code 6 that clears x, and the solver starts from the last frame's answer.",
@@ -61,7 +61,7 @@ fn example() -> Result<Finding> {
     );
     Ok(Finding::new(
         "Ten bodies of 1 kg at rest on each other, dt = 1/60 s: A = tridiag(−1, 2, −1) but for a₁₁ = 1, \
-         b = (−g dt, 0, …, 0). 100 frames of 10 sweeps without the clearing line: printed with an x that is \
+         b = (−g dt, 0, …, 0), in the chapter with the other sign. 100 frames of 10 sweeps without the clearing line: printed with an x that is \
          local to the call, corrected with the x of the frame before.",
     )
     .measure(share.truth(&[1.0], "equilibrium", 1e-9))

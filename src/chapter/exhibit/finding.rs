@@ -1,7 +1,9 @@
 //! What an example finds: numbers of the printed and of the corrected form, held against the truth.
 
 use crate::certificate::{Demand, Verdict, judge};
+use crate::document::Table;
 use crate::lcp::Lcp;
+use crate::plot::{Figure, Lines};
 use crate::report::page::Picture;
 
 /// What an example finds.
@@ -13,6 +15,8 @@ pub struct Finding {
     pub measures: Vec<Measure>,
     /// Answers of both forms to one LCP, by the judge's word: `(problem in words, printed, corrected)`.
     pub judged: Vec<(String, Verdict, Verdict)>,
+    /// What else is to be seen in numbers; says nothing about which form holds.
+    pub tables: Vec<Table>,
     /// A picture, where a person would rather look.
     pub picture: Option<Picture>,
 }
@@ -71,6 +75,19 @@ impl Finding {
         let word = |x: &[f64]| judge(lcp, x, &Demand::default()).verdict;
         self.judged.push((problem.into(), word(printed), word(corrected)));
         self
+    }
+
+    /// With one more table, all of whose lines are shown.
+    pub fn table(mut self, title: &str, columns: &[&str], rows: Vec<Vec<String>>) -> Self {
+        let columns = columns.iter().map(|title| title.to_string()).collect();
+        self.tables.push(Table { title: title.into(), columns, rows, left_out: 0 });
+        self
+    }
+
+    /// With curves as its picture.
+    pub fn plot(self, lines: &Lines) -> Self {
+        let caption = lines.caption().into();
+        self.picture(Picture { svg: lines.svg(), caption, files: Vec::new() })
     }
 
     /// With a picture.

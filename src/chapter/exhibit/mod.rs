@@ -41,7 +41,49 @@ mod e24_quaternion_rate;
 mod e25_torque;
 mod e26_gyroscopic_term;
 mod e27_velocity_matrix;
+mod e28_impulse_or_force;
+mod e29_comment_against_code;
+mod e30_signs;
+mod e31_no_bounds;
+mod e32_early_return;
+mod e33_doubled_penalty;
+mod e34_beta_without_dt;
+mod e35_sign_of_feedback;
+mod e36_does_not_compile;
+mod e37_no_bounce;
+mod e38_strict_test;
+mod e39_feedback_is_no_spring;
+mod e40_orientation_coordinates;
+mod e41_ball_joint_arms;
+mod e42_distance_row;
+mod e43_owner_of_the_normal;
+mod e44_sign_of_the_contact_row;
+mod e45_contact_as_three_rows;
+mod e46_binary_rows;
+mod e47_immovable_bodies;
+mod e48_action_and_reaction;
+mod e49_order_of_statements;
+mod e50_size_limits;
+mod e51_shared_memory;
+mod e52_empty_does_not_clear;
+mod e53_data_column_by_column;
+mod e54_stored_zeros;
+mod e55_product_of_three;
+mod e56_names_of_storages;
+mod e57_linked_list_memory;
+mod e58_unbalanced_tree;
+mod e59_matrices_of_size_zero;
+mod e60_labels;
+mod e61_no_best_fit;
+mod e62_complementarity;
+mod e63_force_not_strain;
+mod e64_drift;
+mod e65_distance_glues;
+mod e66_one_iteration_two_names;
+mod e67_closer_in_which_sense;
 mod finding;
+mod rate;
+mod setting;
 mod show;
 
 pub use finding::{Finding, Measure, Outcome};
@@ -120,6 +162,46 @@ pub const ALL: &[&Exhibit] = &[
     &e25_torque::EXHIBIT,
     &e26_gyroscopic_term::EXHIBIT,
     &e27_velocity_matrix::EXHIBIT,
+    &e28_impulse_or_force::EXHIBIT,
+    &e29_comment_against_code::EXHIBIT,
+    &e30_signs::EXHIBIT,
+    &e31_no_bounds::EXHIBIT,
+    &e32_early_return::EXHIBIT,
+    &e33_doubled_penalty::EXHIBIT,
+    &e34_beta_without_dt::EXHIBIT,
+    &e35_sign_of_feedback::EXHIBIT,
+    &e36_does_not_compile::EXHIBIT,
+    &e37_no_bounce::EXHIBIT,
+    &e38_strict_test::EXHIBIT,
+    &e39_feedback_is_no_spring::EXHIBIT,
+    &e40_orientation_coordinates::EXHIBIT,
+    &e41_ball_joint_arms::EXHIBIT,
+    &e42_distance_row::EXHIBIT,
+    &e43_owner_of_the_normal::EXHIBIT,
+    &e44_sign_of_the_contact_row::EXHIBIT,
+    &e45_contact_as_three_rows::EXHIBIT,
+    &e46_binary_rows::EXHIBIT,
+    &e47_immovable_bodies::EXHIBIT,
+    &e48_action_and_reaction::EXHIBIT,
+    &e49_order_of_statements::EXHIBIT,
+    &e50_size_limits::EXHIBIT,
+    &e51_shared_memory::EXHIBIT,
+    &e52_empty_does_not_clear::EXHIBIT,
+    &e53_data_column_by_column::EXHIBIT,
+    &e54_stored_zeros::EXHIBIT,
+    &e55_product_of_three::EXHIBIT,
+    &e56_names_of_storages::EXHIBIT,
+    &e57_linked_list_memory::EXHIBIT,
+    &e58_unbalanced_tree::EXHIBIT,
+    &e59_matrices_of_size_zero::EXHIBIT,
+    &e60_labels::EXHIBIT,
+    &e61_no_best_fit::EXHIBIT,
+    &e62_complementarity::EXHIBIT,
+    &e63_force_not_strain::EXHIBIT,
+    &e64_drift::EXHIBIT,
+    &e65_distance_glues::EXHIBIT,
+    &e66_one_iteration_two_names::EXHIBIT,
+    &e67_closer_in_which_sense::EXHIBIT,
 ];
 
 /// The exhibit of this number, in either case of letters.

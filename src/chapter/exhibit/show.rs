@@ -4,7 +4,7 @@ use super::finding::{Finding, Measure, Outcome};
 use super::{Evidence, Exhibit};
 use crate::certificate::Verdict;
 use crate::document::notation::{plain, vector};
-use crate::document::{Document, Section};
+use crate::document::{Block, Document, Section};
 use crate::error::Result;
 use crate::plot::number::readable;
 
@@ -59,6 +59,7 @@ impl Exhibit {
             let columns = ["problem", "printed", "corrected"];
             section.table("The judge on both forms' answers", &columns, rows.collect());
         }
+        section.blocks.extend(finding.tables.iter().cloned().map(Block::Table));
         if let Some(picture) = &finding.picture {
             section.figure(picture.clone());
         }

@@ -10,13 +10,13 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Options, by_name};
 use nalgebra::Vector3;
 
-use super::{assert_near, numbers, outcomes};
+use super::{assert_near, both, outcomes};
 
 #[test]
 fn e13_the_printed_force_stops_a_second_of_the_blow_in_any_step() {
     // λ = 1 + g, so v⁺ = −1 + dt.
     for (dt, name) in [(1.0 / 60.0, "1/60"), (1e-3, "1/1000"), (1.0, "1")] {
-        let [printed, corrected] = numbers("E13", &format!("v⁺, dt = {name} s"));
+        let [printed, corrected] = both("E13", &format!("v⁺, dt = {name} s"));
         assert_near(printed, dt - 1.0, 1e-12);
         assert_near(corrected, 0.0, 1e-12);
     }
@@ -24,7 +24,7 @@ fn e13_the_printed_force_stops_a_second_of_the_blow_in_any_step() {
 
 #[test]
 fn e14_a_single_velocity_step_lacks_the_square_of_the_rate() {
-    let [printed, corrected] = numbers("E14", "λ of the rod");
+    let [printed, corrected] = both("E14", "λ of the rod");
     assert_near(printed, -9.81 * 0.7f64.cos(), 1e-9);
     assert_near(printed - corrected, 1.3 * 1.3, 1e-9);
 }
@@ -83,8 +83,8 @@ fn e17_the_printed_ratio_is_the_reciprocal() {
     let [Outcome::Numbers(printed), _] = outcomes("E17", "J") else { panic!("numbers") };
     assert_near(printed[0], 5.0 / 3.0, 1e-6);
     assert_near(printed[1], 5.0 / 4.0, 1e-6);
-    assert_near(numbers("E17", "ċ")[0], 25.0 / 6.0, 1e-5);
-    assert_near(numbers("E17", "ċ")[1], 11.0 / 5.0, 1e-12);
+    assert_near(both("E17", "ċ")[0], 25.0 / 6.0, 1e-5);
+    assert_near(both("E17", "ċ")[1], 11.0 / 5.0, 1e-12);
 }
 
 #[test]
@@ -100,12 +100,12 @@ fn e19_two_nails_allow_the_turn_about_the_line_through_them() {
             assert_near(rate, 0.0, 1e-15);
         }
     }
-    assert_eq!(numbers("E19", "removed by two nails"), [6.0, 5.0]);
+    assert_eq!(both("E19", "removed by two nails"), [6.0, 5.0]);
 }
 
 #[test]
 fn e22_the_printed_sign_doubles_the_velocity() {
-    let [printed, corrected] = numbers("E22", "v⁺");
+    let [printed, corrected] = both("E22", "v⁺");
     assert_near(printed, 2.0 * (-1.0 - 9.81 / 60.0), 1e-12);
     assert_near(corrected, 0.0, 1e-12);
 }
@@ -114,15 +114,15 @@ fn e22_the_printed_sign_doubles_the_velocity() {
 fn e24_the_corrected_rotation_lags_by_the_cube_of_the_rate() {
     // A step turns by 2 atan(|ω| dt/2) = |ω| dt − (|ω| dt)³/12 + …
     let rate = Vector3::new(0.3, -1.1, 0.7).norm();
-    let [printed, corrected] = numbers("E24", "off the exact pose by");
+    let [printed, corrected] = both("E24", "off the exact pose by");
     assert_near(printed, rate, 1e-12);
     assert_near(corrected, rate.powi(3) * 1e-6 / 12.0, 1e-11);
 }
 
 #[test]
 fn e25_the_printed_line_is_compound_interest() {
-    assert_eq!(numbers("E25", "driven from rest")[0], 0.0);
-    assert_near(numbers("E25", "left alone at 1 rad/s")[0], 1.005f64.powi(100), 1e-12);
+    assert_eq!(both("E25", "driven from rest")[0], 0.0);
+    assert_near(both("E25", "left alone at 1 rad/s")[0], 1.005f64.powi(100), 1e-12);
 }
 
 #[test]
@@ -132,11 +132,11 @@ fn e26_without_the_term_the_momentum_goes_round_with_the_body() {
     let momentum = Vector3::new(1.0, 15.0, 2.0);
     let angle = 1000.0 * 2.0 * (omega.norm() * 5e-4).atan();
     let part = 2.0 * (angle / 2.0).sin().abs() * momentum.angle(&omega).sin();
-    let [printed, corrected] = numbers("E26", "error of I ω at 1 s");
+    let [printed, corrected] = both("E26", "error of I ω at 1 s");
     assert_near(printed, 100.0 * part, 1e-9);
     assert_near(part, 0.054, 5e-4);
     assert!(corrected < 0.01);
-    assert_near(numbers("E26", "rate about axis 1 at 1 s")[0], 0.5, 1e-12);
+    assert_near(both("E26", "rate about axis 1 at 1 s")[0], 0.5, 1e-12);
 }
 
 #[test]

@@ -1,0 +1,78 @@
+//! Code 6: the iterative solver, of which the library has both forms.
+//!
+//! As printed it is [`Code6`](crate::solver::Code6), which clamps after the whole sweep (E06); corrected it
+//! is [`Pgs`](crate::solver::Pgs), which clamps each row as it is updated. Here both take the dense
+//! matrices of the listings and make so many sweeps, whatever comes of it. The listing solves A x = b,
+//! its corrected form poses w = A x + b as the library does (E02).
+#![allow(non_snake_case)]
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Form, Listing};
+use crate::error::Result;
+use crate::lcp::{Lcp, Matrix};
+use crate::solver::{Code6, Pgs, Settings, Solver, Start};
+
+pub(super) const LISTING: Listing = Listing {
+    id: "Code 6",
+    title: "the iterative solver",
+    printed: "Clear x, sweep ten times over the rows of A x = b, and clamp x after each sweep.",
+    corrected: "Start from the last step's x, and clamp each row before the next one is looked at.",
+    errata: &["E02", "E06", "E11", "E12"],
+};
+
+/// The listing's number of sweeps.
+pub const SWEEPS: usize = 10;
+
+/// The listing: x of A x = b after so many sweeps from 0; bounds as the listing takes them, or none.
+///
+/// # Errors
+/// If a number is not finite or a lower bound above its upper one.
+pub fn printed(
+    A: &DMatrix<f64>,
+    b: &DVector<f64>,
+    lo: Option<&[f64]>,
+    hi: Option<&[f64]>,
+    sweeps: usize,
+) -> Result<DVector<f64>> {
+    swept(Form::Printed, A, &-b, lo, hi, None, sweeps)
+}
+
+/// x of w = A x + b after so many sweeps from 0, each row clamped as it is updated.
+///
+/// # Errors
+/// As [`printed`].
+pub fn corrected(
+    A: &DMatrix<f64>,
+    b: &DVector<f64>,
+    lo: Option<&[f64]>,
+    hi: Option<&[f64]>,
+    sweeps: usize,
+) -> Result<DVector<f64>> {
+    swept(Form::Corrected, A, b, lo, hi, None, sweeps)
+}
+
+/// x of w = A x + b after so many sweeps of either form from `start`, or from 0.
+///
+/// # Errors
+/// As [`printed`].
+pub fn swept(
+    form: Form,
+    A: &DMatrix<f64>,
+    b: &DVector<f64>,
+    lo: Option<&[f64]>,
+    hi: Option<&[f64]>,
+    start: Option<&[f64]>,
+    sweeps: usize,
+) -> Result<DVector<f64>> {
+    let bound =
+        |given: Option<&[f64]>, none: f64| given.map_or(vec![none; b.len()], <[f64]>::to_vec);
+    let (lo, hi) = (bound(lo, f64::NEG_INFINITY), bound(hi, f64::INFINITY));
+    let lcp = Lcp::new(Matrix::from(A.as_view()), b.as_slice().to_vec(), lo, hi)?;
+    let settings = Settings { tolerance: 0.0, max_iterations: sweeps, check_every: sweeps.max(1) };
+    let solver: Box<dyn Solver> = match form {
+        Form::Printed => Box::new(Code6 { settings }),
+        Form::Corrected => Box::new(Pgs { settings, ..Pgs::default() }),
+    };
+    Ok(DVector::from_vec(solver.solve(&lcp, &Start { x: start }, &mut ()).x))
+}

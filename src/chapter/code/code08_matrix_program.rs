@@ -1,0 +1,74 @@
+//! Code 8: the matrices of a step as a program reads, with operators in place of loops.
+//!
+//! ```text
+//! A = J M⁻¹ Jᵀ,   b = J (u + dt M⁻¹ F),   to be solved for A x = b, then u⁺ = u* − M⁻¹ Jᵀ x
+//! ```
+//!
+//! That a formula can be written down as it stands is the listing's point, and it holds here too:
+//! the operators are nalgebra's. Its statements are in the wrong order, though, a dt is missing, and
+//! its velocities lie beside each other where Code 6 wants them in one column (E27, E49).
+
+use nalgebra::DMatrix;
+
+/// The matrices handed to the solver of A x = b.
+#[derive(Debug, Clone, PartialEq)]
+pub struct System {
+    /// n × n.
+    pub a: DMatrix<f64>,
+    /// n × 1; 6 columns in the printed form.
+    pub b: DMatrix<f64>,
+}
+
+/// The listing as printed.
+pub mod printed {
+    use nalgebra::DMatrix;
+
+    use super::System;
+
+    /// A and b of m bodies under n constraints. `inverse_mass` is m × m; `velocity` and `force` have
+    /// a body a row, 6 wide; `jacobian` (n × m) is what J is filled with.
+    ///
+    /// The transpose is taken of the empty J, before the data come in: Jᵀ, and with it A, is 0.
+    ///
+    /// # Panics
+    /// If the sizes do not fit.
+    pub fn system(
+        inverse_mass: &DMatrix<f64>,
+        velocity: &DMatrix<f64>,
+        force: &DMatrix<f64>,
+        jacobian: &DMatrix<f64>,
+    ) -> System {
+        let mut j = DMatrix::zeros(jacobian.nrows(), jacobian.ncols());
+        let j_transpose = j.transpose();
+        j.copy_from(jacobian);
+        System {
+            a: &j * inverse_mass * j_transpose,
+            b: &j * (velocity + inverse_mass * force), // no dt: velocities and accelerations added
+        }
+    }
+}
+
+/// The listing with its statements in order, its dt, and u in one column.
+pub mod corrected {
+    use nalgebra::DMatrix;
+
+    use super::System;
+
+    /// A and b of m bodies under n constraints over a step of dt (s): `inverse_mass` is 6m × 6m,
+    /// `velocity` and `force` are 6m × 1, `jacobian` is n × 6m. K&M (15), in the sign of Code 4.
+    ///
+    /// # Panics
+    /// If the sizes do not fit.
+    pub fn system(
+        inverse_mass: &DMatrix<f64>,
+        velocity: &DMatrix<f64>,
+        force: &DMatrix<f64>,
+        jacobian: &DMatrix<f64>,
+        dt: f64,
+    ) -> System {
+        System {
+            a: jacobian * inverse_mass * jacobian.transpose(),
+            b: jacobian * (velocity + inverse_mass * force * dt),
+        }
+    }
+}

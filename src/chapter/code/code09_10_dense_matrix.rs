@@ -1,0 +1,158 @@
+//! Codes 9 and 10: a dense matrix of floats with checks, row after row in one piece of memory.
+//!
+//! Code 9 has the three members and nothing else; Code 10 adds constructor, destructor and access.
+//! What its assertions stop is an [`Error`](crate::error::Error) here, so that a program can show it.
+//!
+//! One fault of Code 10 cannot be built in safe Rust: the class owns a raw pointer and says nothing of
+//! copies, so a copy shares the memory and the destructors free it twice (E51). A `Vec` is moved or
+//! cloned, never shared by accident.
+
+/// The listings as printed.
+pub mod printed {
+    use crate::error::{Error, Result};
+
+    /// Sizes from here on are refused: the assertion says `< 500`, the words "greater than 500".
+    pub const LIMIT: i32 = 500;
+
+    /// Code 9: the members, open to everyone.
+    #[derive(Debug, Clone, PartialEq, Default)]
+    pub struct RawMatrix {
+        /// Rows × columns entries.
+        pub data: Vec<f32>,
+        /// The number of rows.
+        pub num_rows: i32,
+        /// The number of columns.
+        pub num_cols: i32,
+    }
+
+    /// Code 10: the same behind functions.
+    #[derive(Debug, PartialEq)] // not `Clone`: the listing has no copy that works
+    pub struct DenseMatrix(RawMatrix);
+
+    impl DenseMatrix {
+        /// A matrix of this size with these entries by rows, or of zeros.
+        ///
+        /// # Errors
+        /// What the listing asserts: sizes below 0 or from [`LIMIT`] on, and a size of 0 beside one
+        /// that is not; also what it leaves to chance, data of another length.
+        pub fn new(num_rows: i32, num_cols: i32, data: Option<&[f32]>) -> Result<Self> {
+            let stop = |place: &str, reason: String| Err(Error::invalid("Code 10", place, reason));
+            for (place, size) in [("numRows", num_rows), ("numCols", num_cols)] {
+                if !(0..LIMIT).contains(&size) {
+                    return stop(place, format!("must be from 0 to {}, is {size}", LIMIT - 1));
+                }
+            }
+            if (num_rows == 0) != (num_cols == 0) {
+                return stop("size", format!("{num_rows} × {num_cols} has one zero"));
+            }
+            let size = (num_rows * num_cols) as usize;
+            let data = data.map_or_else(|| vec![0.0; size], <[f32]>::to_vec);
+            if data.len() != size {
+                return stop("data", format!("has {} entries, needs {size}", data.len()));
+            }
+            Ok(DenseMatrix(RawMatrix { data, num_rows, num_cols }))
+        }
+
+        /// The number of rows.
+        pub fn num_rows(&self) -> i32 {
+            self.0.num_rows
+        }
+
+        /// The number of columns.
+        pub fn num_cols(&self) -> i32 {
+            self.0.num_cols
+        }
+
+        /// An entry.
+        ///
+        /// # Errors
+        /// If there is no such place.
+        pub fn get(&self, row: i32, col: i32) -> Result<f32> {
+            Ok(self.0.data[self.data_index(row, col)?])
+        }
+
+        /// An entry to be written.
+        ///
+        /// # Errors
+        /// If there is no such place.
+        pub fn set(&mut self, row: i32, col: i32) -> Result<&mut f32> {
+            let index = self.data_index(row, col)?;
+            Ok(&mut self.0.data[index])
+        }
+
+        /// Where an entry lies: col + columns · row.
+        fn data_index(&self, row: i32, col: i32) -> Result<usize> {
+            let RawMatrix { num_rows, num_cols, .. } = self.0;
+            if !(0..num_rows).contains(&row) || !(0..num_cols).contains(&col) {
+                let reason = format!("outside {num_rows} × {num_cols}");
+                return Err(Error::invalid("Code 10", format!("({row}, {col})"), reason));
+            }
+            Ok((col + num_cols * row) as usize)
+        }
+    }
+}
+
+/// The class without limits of its own, open to sizes of 0, and safe to copy.
+pub mod corrected {
+    use crate::error::{Error, Result};
+
+    /// A dense matrix of floats, row after row.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct DenseMatrix {
+        data: Vec<f32>,
+        num_rows: usize,
+        num_cols: usize,
+    }
+
+    impl DenseMatrix {
+        /// Zeros; either size may be 0, as that of a J without active rows is.
+        ///
+        /// ```
+        /// use lcplab::chapter::code::code09_10_dense_matrix::corrected::DenseMatrix;
+        ///
+        /// let j = DenseMatrix::zeros(0, 18);
+        /// assert_eq!((j.num_rows(), j.num_cols()), (0, 18));
+        /// ```
+        pub fn zeros(num_rows: usize, num_cols: usize) -> Self {
+            DenseMatrix { data: vec![0.0; num_rows * num_cols], num_rows, num_cols }
+        }
+
+        /// These entries by rows.
+        ///
+        /// # Errors
+        /// If there are not rows × columns of them.
+        pub fn new(num_rows: usize, num_cols: usize, data: &[f32]) -> Result<Self> {
+            let size = num_rows * num_cols;
+            if data.len() != size {
+                let reason = format!("has {} entries, needs {size}", data.len());
+                return Err(Error::invalid("dense matrix", "data", reason));
+            }
+            Ok(DenseMatrix { data: data.to_vec(), num_rows, num_cols })
+        }
+
+        /// The number of rows.
+        pub fn num_rows(&self) -> usize {
+            self.num_rows
+        }
+
+        /// The number of columns.
+        pub fn num_cols(&self) -> usize {
+            self.num_cols
+        }
+
+        /// The entry, if there is such a place.
+        pub fn get(&self, row: usize, col: usize) -> Option<f32> {
+            self.index(row, col).map(|index| self.data[index])
+        }
+
+        /// The entry to be written, if there is such a place.
+        pub fn get_mut(&mut self, row: usize, col: usize) -> Option<&mut f32> {
+            self.index(row, col).map(|index| &mut self.data[index])
+        }
+
+        fn index(&self, row: usize, col: usize) -> Option<usize> {
+            let is_inside = row < self.num_rows && col < self.num_cols;
+            is_inside.then_some(col + self.num_cols * row)
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Code 11: a sparse matrix as a map of rows, each a map from column to entry.
+//!
+//! `std::map` is a `BTreeMap` here. The listing clears nothing (E52), reads its data column by column
+//! where Code 10 reads row by row (E53), and keeps every entry that was ever touched (E54). That a
+//! product of three is no valid C++ (E55) has no counterpart: Rust lends a temporary.
+
+use std::collections::BTreeMap;
+
+/// Entries by row, then by column.
+type Rows = BTreeMap<usize, BTreeMap<usize, f32>>;
+
+fn stored(rows: &Rows) -> usize {
+    rows.values().map(BTreeMap::len).sum()
+}
+
+fn entry(rows: &Rows, row: usize, col: usize) -> f32 {
+    rows.get(&row).and_then(|row| row.get(&col)).copied().unwrap_or(0.0)
+}
+
+/// The listing as printed.
+pub mod printed {
+    use super::Rows;
+    use crate::error::{Error, Result};
+
+    /// Sizes from here on are refused.
+    pub const LIMIT: usize = 1501;
+
+    /// A map of maps.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct MapMatrix {
+        rows: Rows,
+        num_rows: usize,
+        num_cols: usize,
+    }
+
+    impl MapMatrix {
+        /// A matrix of this size, filled from `data`, which is read column by column.
+        ///
+        /// # Errors
+        /// What the listing asserts: sizes from [`LIMIT`] on, and a size of 0 beside one that is not;
+        /// also what it leaves to chance, data of another length.
+        pub fn new(num_rows: usize, num_cols: usize, data: Option<&[f32]>) -> Result<Self> {
+            let stop = |place: &str, reason: String| Err(Error::invalid("Code 11", place, reason));
+            for (place, size) in [("numRows", num_rows), ("numCols", num_cols)] {
+                if size >= LIMIT {
+                    return stop(place, format!("must be below {LIMIT}, is {size}"));
+                }
+            }
+            if (num_rows == 0) != (num_cols == 0) {
+                return stop("size", format!("{num_rows} × {num_cols} has one zero"));
+            }
+            let mut matrix = MapMatrix { rows: Rows::new(), num_rows, num_cols };
+            if let Some(data) = data {
+                if data.len() != num_rows * num_cols {
+                    return stop("data", format!("has {} entries", data.len()));
+                }
+                for i in 0..num_rows {
+                    for k in 0..num_cols {
+                        *matrix.set(i, k)? = data[i + k * num_rows];
+                    }
+                }
+            }
+            Ok(matrix)
+        }
+
+        /// The entry, 0 where none is stored.
+        ///
+        /// # Errors
+        /// If there is no such place.
+        pub fn get(&self, row: usize, col: usize) -> Result<f32> {
+            self.check(row, col)?;
+            Ok(super::entry(&self.rows, row, col))
+        }
+
+        /// The entry to be written; it is stored from now on, whatever is written, or read.
+        ///
+        /// # Errors
+        /// If there is no such place.
+        pub fn set(&mut self, row: usize, col: usize) -> Result<&mut f32> {
+            self.check(row, col)?;
+            Ok(self.rows.entry(row).or_default().entry(col).or_default())
+        }
+
+        /// Does nothing: `empty()` of a map asks whether it is empty. The answer, which the listing
+        /// throws away, is returned here.
+        pub fn set_to_zero(&mut self) -> bool {
+            self.rows.is_empty()
+        }
+
+        /// How many entries are stored.
+        pub fn stored(&self) -> usize {
+            super::stored(&self.rows)
+        }
+
+        fn check(&self, row: usize, col: usize) -> Result<()> {
+            if row < self.num_rows && col < self.num_cols {
+                return Ok(());
+            }
+            let reason = format!("outside {} × {}", self.num_rows, self.num_cols);
+            Err(Error::invalid("Code 11", format!("({row}, {col})"), reason))
+        }
+    }
+}
+
+/// The same idea with the faults taken out.
+pub mod corrected {
+    use super::Rows;
+    use crate::error::{Error, Result};
+
+    /// A map of maps that holds what is not zero.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct MapMatrix {
+        rows: Rows,
+        num_rows: usize,
+        num_cols: usize,
+    }
+
+    impl MapMatrix {
+        /// Zeros; either size may be 0.
+        pub fn zeros(num_rows: usize, num_cols: usize) -> Self {
+            MapMatrix { rows: Rows::new(), num_rows, num_cols }
+        }
+
+        /// These entries by rows.
+        ///
+        /// # Errors
+        /// If there are not rows × columns of them.
+        ///
+        /// ```
+        /// use lcplab::chapter::code::code11_map_matrix::corrected::MapMatrix;
+        ///
+        /// let matrix = MapMatrix::new(2, 2, &[1.0, 0.0, 0.0, 4.0])?;
+        /// assert_eq!((matrix.get(1, 1), matrix.stored()), (4.0, 2));
+        /// # Ok::<(), lcplab::error::Error>(())
+        /// ```
+        pub fn new(num_rows: usize, num_cols: usize, data: &[f32]) -> Result<Self> {
+            if data.len() != num_rows * num_cols {
+                let reason = format!("has {} entries, needs {num_rows} × {num_cols}", data.len());
+                return Err(Error::invalid("map matrix", "data", reason));
+            }
+            let mut matrix = MapMatrix::zeros(num_rows, num_cols);
+            for (k, &value) in data.iter().enumerate() {
+                matrix.set(k / num_cols, k % num_cols, value)?;
+            }
+            Ok(matrix)
+        }
+
+        /// The entry, 0 where none is stored.
+        pub fn get(&self, row: usize, col: usize) -> f32 {
+            super::entry(&self.rows, row, col)
+        }
+
+        /// Writes an entry; a zero takes it out.
+        ///
+        /// # Errors
+        /// If there is no such place.
+        pub fn set(&mut self, row: usize, col: usize, value: f32) -> Result<()> {
+            if row >= self.num_rows || col >= self.num_cols {
+                let reason = format!("outside {} × {}", self.num_rows, self.num_cols);
+                return Err(Error::invalid("map matrix", format!("({row}, {col})"), reason));
+            }
+            let entries = self.rows.entry(row).or_default();
+            match value {
+                0.0 => entries.remove(&col),
+                value => entries.insert(col, value),
+            };
+            if entries.is_empty() {
+                self.rows.remove(&row);
+            }
+            Ok(())
+        }
+
+        /// Makes every entry 0.
+        pub fn set_to_zero(&mut self) {
+            self.rows.clear();
+        }
+
+        /// How many entries are stored.
+        pub fn stored(&self) -> usize {
+            super::stored(&self.rows)
+        }
+
+        /// How many nodes hold them in memory: one a row that has entries, one an entry.
+        pub fn nodes(&self) -> usize {
+            self.rows.len() + self.stored()
+        }
+    }
+}

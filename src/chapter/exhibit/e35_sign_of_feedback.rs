@@ -1,0 +1,73 @@
+//! E35: feedback that lets the error grow, K&M (25) with (34) and (44).
+
+use super::setting::{DT, over_time, stretched_rod};
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::chapter::code::Form;
+use crate::chapter::code::code07_whole_step::{Limits, WholeStep};
+use crate::chapter::code::constraint_class::Joint;
+use crate::error::Result;
+use crate::plot::{Axis, Lines, Panel, Series};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E35",
+    title: "feedback that lets the error grow",
+    place: "K&M (25) with (34) and (44)",
+    severity: Severity::Wrong,
+    may_be_scan: false,
+    printed: "Add β c to J u, whatever J is; and the J of (34) and (44) is −∂c/∂s.",
+    holds: "The error that is fed back has the sign of J: c with J = ∂c/∂s as in (39), −c with J = −∂c/∂s.",
+    why: "The step makes J u = −β e. With J = ∂c/∂s and e = c that is ċ = −β c, and the error dies away. \
+          With J = −∂c/∂s it is ċ = +β c, and the error grows. The other sign of J is harmless until \
+          feedback is added.",
+    evidence: Evidence::Example(example),
+};
+
+fn example() -> Result<Finding> {
+    let rod = Joint::rod([Some(0), Some(1)], 1.0);
+    let negative = Joint { jacobian: -1.0, ..rod.clone() };
+    let both = Joint { penalty: -1.0, ..negative.clone() };
+    let scaled = WholeStep {
+        beta: Form::Corrected,
+        penalty: Form::Corrected,
+        limits: Limits::Absent,
+        ..WholeStep::PRINTED
+    };
+    let errors = |step: &WholeStep, joint: &Joint| stretched_rod(step, joint, DT, 60);
+    let literally = errors(&WholeStep::PRINTED, &negative)?;
+    let (grows, dies, right) =
+        (errors(&scaled, &negative)?, errors(&scaled, &both)?, errors(&scaled, &rod)?);
+    let factor = |errors: &[f64]| errors[1] / errors[0];
+    let (whole, step) = (0.1 * 0.9f64.powi(60), 0.9);
+    let as_printed = Measure::new("factor, all as printed", "", factor(&literally), factor(&dies));
+    let alone = Measure::new("factor, β/dt, e once", "", factor(&grows), factor(&dies));
+    let second = Measure::new("error after 1 s", "m", grows[60], dies[60]);
+    let other = Measure::new("the same, J of (39)", "m", right[60], right[60]);
+    let lines = Lines {
+        id: "e35".into(),
+        title: "An error of 0.1 m with feedback of either sign".into(),
+        caption:
+            "With J = −∂c/∂s, as the ball joint and the contact are printed, the error c fed back \
+                  grows to 30 m in a second; −c lets it die away."
+                .into(),
+        x: Axis::linear("time", "s"),
+        panels: vec![Panel {
+            y: Axis::log("error", "m"),
+            series: vec![
+                Series::measured("printed", over_time(&grows)),
+                Series::measured("printed, β without 1/dt", over_time(&literally)),
+                Series::measured("corrected", over_time(&dies)),
+            ],
+        }],
+    };
+    Ok(Finding::new(
+        "A rod of 1 m between two bodies of 1 kg is 0.1 m too long; no forces, dt = 1/60 s, β = 0.1. Its J is \
+         that of (34), −∂c/∂s. In the first line all of Code 7 is as printed, so that its penalty is \
+         doubled (E33) and β lacks 1/dt (E34); in the others those two are corrected and the sign alone \
+         is at fault. With the J of (39) the printed sign is right.",
+    )
+    .measure(as_printed.truth(&[step], "1 − β", 1e-12))
+    .measure(alone.truth(&[step], "1 − β", 1e-12))
+    .measure(second.truth(&[whole], "0.1 (1 − β)⁶⁰", 1e-12))
+    .measure(other.truth(&[whole], "0.1 (1 − β)⁶⁰", 1e-12).agreeing())
+    .plot(&lines))
+}

@@ -1,0 +1,127 @@
+//! E39: feedback is no spring, and pushes bodies off, K&M section on drifting.
+
+use super::setting::{DT, over_time};
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::constraint::Spring;
+use crate::error::Result;
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::scene::{Formulation, Scene};
+use crate::simulation::Simulation;
+use crate::solver::{Options, by_name};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E39",
+    title: "feedback is no spring",
+    place: "K&M, the section on drifting",
+    severity: Severity::Misleading,
+    may_be_scan: false,
+    printed: "The term β c is in effect a spring, as it is proportional to the error; contacts that overlap are pushed \
+              apart by it.",
+    holds: "A spring k with damping d is two things in a row, over a step: the feedback β = dt k/(d + dt k) and the \
+            compliance γ = 1/(dt (d + dt k)) on the diagonal of A. Feedback alone has no stiffness, and the push \
+            it gives is motion that stays.",
+    why: "Feedback prescribes a velocity, and the impulse is whatever brings it about: one kilogram and a thousand \
+          come back equally fast. A spring has a force of its own, and the mass decides what it does. And the \
+          prescribed velocity is real: out of an overlap c it is β c/dt. Gravity stops a body that lies a \
+          little too deep before it is out; from deep enough it is thrown above the ground. Correcting \
+          positions apart from velocities leaves them at rest.",
+    evidence: Evidence::Example(example),
+};
+
+/// A step (s) of a mass (kg) on a spring, error c (m) and its rate (m/s), with the row
+/// w = (1/m + γ) x + b, b = v + β/dt c: the velocity after it.
+fn row(spring: Spring, compliance: f64, mass: f64, c: f64, v: f64) -> f64 {
+    let b = v + spring.feedback(DT) * c;
+    v - b / (1.0 / mass + compliance) / mass
+}
+
+/// The implicit Euler step of m v' = −k c − d v, by solving it for the velocity.
+fn implicit(spring: Spring, mass: f64, c: f64, v: f64) -> f64 {
+    let Spring { stiffness: k, damping: d } = spring;
+    (mass * v - DT * k * c) / (mass + DT * d + DT * DT * k)
+}
+
+/// The error (m) that is left after so many steps from 0.1 m at rest.
+fn left(steps: usize, next: impl Fn(f64, f64) -> f64) -> f64 {
+    let start = (0.1, 0.0);
+    let (c, _) = (0..steps).fold(start, |(c, v), _| {
+        let v = next(c, v);
+        (c + DT * v, v)
+    });
+    c
+}
+
+/// Heights (m) and the first speed (m/s) of a body that rests too deep in the ground.
+fn pushed_out(formulation: Formulation, depth: f64) -> Result<(Vec<f64>, f64)> {
+    let text = format!(
+        "[step]\ndt = {DT}\nbaumgarte = 0.2\n\
+         [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
+         [[bodies]]\nname = \"body\"\nmass = 1\nshape = \"point\"\nposition = [0, 0, {}]\n",
+        -depth
+    );
+    let mut scene = Scene::from_toml("overlap.toml", &text)?;
+    scene.step.formulation = formulation;
+    let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default())?);
+    let (mut heights, mut first) = (vec![-depth], f64::NAN);
+    simulation.run(60, |step| {
+        let body = &step.states[1];
+        heights.push(body.pose.p.z);
+        if step.number == 1 {
+            first = body.v.z;
+        }
+        std::ops::ControlFlow::Continue(())
+    });
+    Ok((heights, first))
+}
+
+fn example() -> Result<Finding> {
+    let damped = Spring { stiffness: 300.0, damping: 20.0 };
+    let gamma = damped.compliance(DT);
+    let speed = |words: &str, mass: f64| {
+        let of = |gamma| row(damped, gamma, mass, 0.1, 0.4);
+        let measure = Measure::new(words, "m/s", of(0.0), of(gamma));
+        measure.truth(&[implicit(damped, mass, 0.1, 0.4)], "implicit Euler", 1e-12)
+    };
+    let error = |words: &str, mass: f64| {
+        let of = |gamma| left(10, |c, v| row(damped, gamma, mass, c, v));
+        let measure = Measure::new(words, "m", of(0.0), of(gamma));
+        measure.truth(&[left(10, |c, v| implicit(damped, mass, c, v))], "implicit Euler", 1e-12)
+    };
+    let (thrown, _) = pushed_out(Formulation::Velocity, 0.3)?;
+    let (lifted, _) = pushed_out(Formulation::SplitImpulse, 0.3)?;
+    let (_, pushed) = pushed_out(Formulation::Velocity, 0.1)?;
+    let (_, still) = pushed_out(Formulation::SplitImpulse, 0.1)?;
+    let top = |heights: &[f64]| heights.iter().copied().fold(0.0, f64::max);
+    let push = Measure::new("speed out of 0.1 m, one step", "m/s", pushed, still);
+    let jump = Measure::new("peak above ground, from 0.3 m", "m", top(&thrown), top(&lifted));
+    let lines = Lines {
+        id: "e39".into(),
+        title: "A body at rest 0.3 m deep in the ground".into(),
+        caption: "Feedback with β = 0.2 throws the body out of the ground; correcting its position apart \
+                  from its velocity lifts it just to the surface."
+            .into(),
+        x: Axis::linear("time", "s"),
+        panels: vec![Panel {
+            y: Axis::linear("height", "m"),
+            series: vec![
+                Series::measured("printed", over_time(&thrown)),
+                Series::measured("corrected", over_time(&lifted)),
+                Series::reference("the ground", vec![(0.0, 0.0), (1.0, 0.0)]),
+            ],
+        }],
+    };
+    Ok(Finding::new(
+        "First a mass on a spring of k = 300 N/m and d = 20 N s/m, stretched by 0.1 m, moving at 0.4 m/s for \
+         one step or from rest for ten; dt = 1/60 s, so β = 0.2. Printed is the row with this feedback alone, with 1/dt \
+         (E34), corrected the one with compliance as well; true is the spring's own implicit step.\n\nThen \
+         a body of 1 kg at rest in the ground, 0.1 m or 0.3 m deep, g = 9.81 m/s², β = 0.2. Corrected is split \
+         impulse: positions by themselves.",
+    )
+    .measure(speed("u⁺ of 2 kg", 2.0))
+    .measure(speed("u⁺ of 2000 kg", 2000.0))
+    .measure(error("error of 2 kg, ten steps", 2.0))
+    .measure(error("error of 2000 kg, ten steps", 2000.0))
+    .measure(push.truth(&[0.0], "it rests", 1e-12))
+    .measure(jump.truth(&[0.0], "it rests", 1e-9))
+    .plot(&lines))
+}

@@ -1,0 +1,55 @@
+//! E42: a row of three entries for six velocities, K&M (40).
+
+use nalgebra::{DMatrix, Vector3};
+
+use super::rate::{body, rates};
+use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use crate::error::Result;
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E42",
+    title: "a row of three entries for six velocities",
+    place: "K&M (40)",
+    severity: Severity::Misprint,
+    may_be_scan: false,
+    printed: "[n_x n_y n_z] q' = 0, where (38) says that q' is [v₀; v₁].",
+    holds: "[−nᵀ nᵀ] [v₀; v₁] = 0 as in (39), or nᵀ (v₁ − v₀) = 0.",
+    why: "The distance of two points changes by the difference of their velocities along the line between \
+          them. Three entries can be multiplied with that difference, but not with the six velocities \
+          that q' was just said to be.",
+    evidence: Evidence::Example(example),
+};
+
+/// Two points 5 m apart.
+fn example() -> Result<Finding> {
+    let still = Vector3::zeros();
+    let left = body(still, Vector3::x(), still);
+    let right = body(Vector3::new(3.0, 4.0, 0.0), 2.0 * Vector3::y(), still);
+    let n = right.pose.p.normalize();
+    let q_rate = DMatrix::from_iterator(6, 1, left.v.iter().chain(&right.v).copied());
+
+    let short = DMatrix::from_row_slice(1, 3, n.as_slice());
+    let full = DMatrix::from_iterator(1, 6, (-n).iter().chain(&n).copied());
+    let difference = DMatrix::from_column_slice(3, 1, (right.v - left.v).as_slice());
+    let truth = rates([&left, &right], |[one, other]| vec![(other.p - one.p).norm()]);
+    let measure = |quantity: &str, printed: Outcome| {
+        let measure = Measure::new(quantity, "m/s", printed, product(&full, &q_rate));
+        measure.truth(&truth, "dual numbers", 1e-9)
+    };
+    Ok(Finding::new(
+        "One point lies at the origin and moves with (1, 0, 0) m/s, the other at (3, 4, 0) m and moves with \
+         (0, 2, 0) m/s; n = (0.6, 0.8, 0). How fast does their distance grow?",
+    )
+    .measure(measure("c' with q' = [v₀; v₁]", product(&short, &q_rate)))
+    .measure(measure("c' with q' = v₁ − v₀", product(&short, &difference)).agreeing()))
+}
+
+/// A row times a column, where they fit.
+fn product(row: &DMatrix<f64>, column: &DMatrix<f64>) -> Outcome {
+    let (m, n) = (row.ncols(), column.nrows());
+    if m == n {
+        (row * column)[0].into()
+    } else {
+        Outcome::Impossible(format!("{m} by {n} entries"))
+    }
+}

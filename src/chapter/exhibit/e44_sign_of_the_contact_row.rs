@@ -1,0 +1,50 @@
+//! E44: the sign of the contact's Jacobian, K&M (44).
+
+use nalgebra::Vector3;
+
+use super::common::{answer, contacts};
+use super::rate::{body, rates};
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::body::State;
+use crate::error::Result;
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E44",
+    title: "the contact's Jacobian has the opposite sign of its gap rate",
+    place: "K&M (44)",
+    severity: Severity::Misleading,
+    may_be_scan: false,
+    printed: "J₀ = [n, r₀×n] and J₁ = −[n, r₁×n], extracted from the rate (43).",
+    holds: "J₀ = −[n, r₀×n] and J₁ = [n, r₁×n]: then J u is the rate of c = d·n, as (42) and (43) have it.",
+    why: "An equation J u = 0 does not care for its sign. A contact does: J u ≥ 0 with the printed J asks the \
+          bodies to approach each other. The chapter's Code 7 turns another sign, and with (44) in it the \
+          two cancel; (44) in the velocity-level equation that goes with λ ≥ 0 lets everything fall through \
+          the floor. E30 has the table of all combinations, E35 what becomes of the feedback.",
+    evidence: Evidence::Example(example),
+};
+
+/// A unit mass that lands on the floor.
+fn example() -> Result<Finding> {
+    let n = Vector3::y();
+    let still = Vector3::zeros();
+    let ball = body(still, -Vector3::y(), still);
+    let truth = rates([&State::WORLD, &ball], |[floor, ball]| vec![(ball.p - floor.p).y]);
+    // Of the floor, body 0, nothing is left: it does not move.
+    let step = |j: Vector3<f64>| -> Result<(f64, f64, f64)> {
+        let lcp = contacts(&[j.dot(&j)], &[j.dot(&ball.v)])?;
+        let x = answer("pgs", &lcp)?[0];
+        Ok((j.dot(&ball.v), x, (ball.v + j * x).y))
+    };
+    let (printed, x_printed, v_printed) = step(-n)?;
+    let (corrected, x_corrected, v_corrected) = step(n)?;
+    let rate = Measure::new("rate of the gap J u", "m/s", printed, corrected);
+    let after = Measure::new("velocity after the step", "m/s", v_printed, v_corrected);
+    let right = contacts(&[1.0], &truth)?;
+    Ok(Finding::new(
+        "A ball of 1 kg reaches the floor at 1 m/s, no gravity. With either J the same steps are taken: \
+         w = J Jᵀ x + J u ≥ 0, x ≥ 0, then v⁺ = v + Jᵀ x. The judge sees both x on the problem w = x − 1.",
+    )
+    .measure(rate.truth(&truth, "dual numbers", 1e-12))
+    .measure(after.truth(&[0.0], "the floor stops it", 1e-9))
+    .judged("one contact, closing at 1 m/s", &right, &[x_printed], &[x_corrected]))
+}

@@ -1,0 +1,108 @@
+//! E47: immovable bodies and heavy ones, note on masses.
+
+use nalgebra::DMatrix;
+
+use super::common::{answer, contacts, delassus, drawn, swept};
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::error::Result;
+use crate::lcp::Lcp;
+use crate::plot::{Axis, Lines, Panel, Series};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E47",
+    title: "immovable bodies, and which heavy body hurts",
+    place: "K&M note on immovable objects",
+    severity: Severity::Misleading,
+    may_be_scan: false,
+    printed: "An object made immovable by a mass of 0 or of 10⁷ can crash the simulator or cost many \
+              iterations.",
+    holds: "What is stored is the inverse mass, and 0 there is exact and safe: the body does not move at all. \
+            A large mass costs sweeps only where something light has to carry it: two bodies on a floor \
+            shrink the error by m_top / (m_bottom + m_top) in each sweep.",
+    why: "A mass of 0 cannot be inverted, but the listing's class keeps the inverse, and an inverse mass of 0 \
+          is a column of zeros in M⁻¹. It fails only for a row between two such bodies, whose diagonal \
+          in A is 0. For a heavy body below, the upper one is a fly on it: the first sweep is nearly \
+          exact. For a heavy one above, each sweep hands the light one only a little of the load.",
+    evidence: Evidence::Example(example),
+};
+
+/// Bodies of these masses on a floor under gravity, bottom first, after one step of 1/60 s.
+fn stack(bottom: f64, top: f64) -> Result<Lcp> {
+    let j = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, -1.0, 1.0]);
+    contacts(&delassus(&j, &[1.0 / bottom, 1.0 / top]), &[-9.81 / 60.0, 0.0])
+}
+
+/// x once it is settled: the loads are the weights.
+fn loads(bottom: f64, top: f64) -> [f64; 2] {
+    [(bottom + top) * 9.81 / 60.0, top * 9.81 / 60.0]
+}
+
+/// The factor by which a later sweep shrinks the error of the upper contact.
+fn measured_factor(bottom: f64, top: f64) -> Result<f64> {
+    let x = swept(&stack(bottom, top)?, 2)?;
+    let [_, load] = loads(bottom, top);
+    Ok((x[2][1] - load) / (x[1][1] - load))
+}
+
+/// Sweeps until both loads are right to 10⁻⁶.
+fn sweeps_needed(bottom: f64, top: f64) -> Result<f64> {
+    let loads = loads(bottom, top);
+    let is_near =
+        |x: &Vec<f64>| x.iter().zip(loads).all(|(x, load)| (x - load).abs() <= 1e-6 * load);
+    let x = swept(&stack(bottom, top)?, 20_000)?;
+    Ok(x.iter().position(is_near).map_or(f64::NAN, |sweep| sweep as f64))
+}
+
+fn example() -> Result<Finding> {
+    let factor = |quantity: &str, bottom: f64, top: f64| -> Result<Measure> {
+        let heavy = 1000.0 / 1001.0; // what a heavy body would cost wherever it is
+        let measure = Measure::new(quantity, "", heavy, top / (bottom + top));
+        Ok(measure.truth(&[measured_factor(bottom, top)?], "PGS, measured", 1e-6))
+    };
+    // A ball of 1 kg falls on a body with this inverse mass: velocity of that body afterwards.
+    let floor = |inverse_mass: f64| -> Result<f64> {
+        let j = DMatrix::from_row_slice(1, 2, &[-1.0, 1.0]);
+        let x = answer("pgs", &contacts(&delassus(&j, &[inverse_mass, 1.0]), &[-1.0])?)?;
+        Ok(-inverse_mass * x[0])
+    };
+    let floor = Measure::new("speed of the floor", "m/s", floor(1e-7)?, floor(0.0)?);
+    Ok(Finding::new(
+        "Two bodies on a floor, one of 1 kg and one of 1000 kg: the factor by which a sweep of projected \
+         Gauss-Seidel shrinks the error. The printed column has the factor of the heavy body above in \
+         either order. Last, a ball of 1 kg lands at 1 m/s on a floor that is a body of 10⁷ kg, or one \
+         of inverse mass 0.",
+    )
+    .measure(factor("factor, heavy above", 1.0, 1000.0)?.agreeing())
+    .measure(factor("factor, heavy below", 1000.0, 1.0)?)
+    .measure(floor.truth(&[0.0], "it is immovable", 0.0))
+    .picture(drawn(&picture()?)))
+}
+
+/// Sweeps against the mass ratio, for both orders.
+fn picture() -> Result<Lines> {
+    let ratios: Vec<f64> = (0..=6).map(|k| 10f64.powf(f64::from(k) / 2.0)).collect();
+    let curve = |needed: &dyn Fn(f64) -> Result<f64>| -> Result<Vec<(f64, f64)>> {
+        ratios.iter().map(|&ratio| Ok((ratio, needed(ratio)?))).collect()
+    };
+    let theory = |factor: fn(f64) -> f64| {
+        ratios.iter().map(|&ratio| (ratio, (1e-6_f64.ln() / factor(ratio).ln()).max(1.0))).collect()
+    };
+    Ok(Lines {
+        id: "e47".into(),
+        title: "Sweeps until both loads are right to 10⁻⁶".into(),
+        caption:
+            "A heavy body above a light one costs sweeps in proportion to the mass ratio; below it, \
+                  it makes them fewer. Dashed: ln 10⁻⁶ / ln(m_top / (m_bottom + m_top))."
+                .into(),
+        x: Axis::log("mass of the heavy body / mass of the light one", ""),
+        panels: vec![Panel {
+            y: Axis::log("sweeps", ""),
+            series: vec![
+                Series::measured("heavy body above", curve(&|ratio| sweeps_needed(1.0, ratio))?),
+                Series::measured("heavy body below", curve(&|ratio| sweeps_needed(ratio, 1.0))?),
+                Series::theory("theory, heavy body above", theory(|ratio| ratio / (1.0 + ratio))),
+                Series::theory("theory, heavy body below", theory(|ratio| 1.0 / (1.0 + ratio))),
+            ],
+        }],
+    })
+}

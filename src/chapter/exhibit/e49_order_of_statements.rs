@@ -1,0 +1,57 @@
+//! E49: Code 8 transposes before it fills, and leaves out dt.
+
+use nalgebra::DMatrix;
+
+use super::common::contacts;
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::chapter::code::code08_matrix_program::{corrected, printed};
+use crate::error::Result;
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E49",
+    title: "transposed before it is filled, and without dt",
+    place: "K&M Code 8",
+    severity: Severity::Wrong,
+    may_be_scan: false,
+    printed: "Jᵀ is taken, then the matrices are filled, then A = J M⁻¹ Jᵀ and b = J (V + M⁻¹ F), with a body \
+              a row and six columns in V and F.",
+    holds: "Fill, then transpose. b = J (u + dt M⁻¹ F), with all velocities in one column of 6m.",
+    why: "A transpose is a copy: made of the empty J it stays empty, and A with it. Velocities in m/s and \
+          accelerations in m/s² cannot be added. And six columns in V make six columns in b, of which Code 6 \
+          reads the first.",
+    evidence: Evidence::Example(example),
+};
+
+/// A ball that falls onto the floor, by both programs.
+fn example() -> Result<Finding> {
+    let (v, g, dt) = (-1.0, -9.81, 1.0 / 60.0);
+    let one = DMatrix::from_element(1, 1, 1.0);
+    let along_y = |y: f64| DMatrix::from_row_slice(1, 6, &[0.0, y, 0.0, 0.0, 0.0, 0.0]);
+    let printed = printed::system(&one, &along_y(v), &along_y(g), &one);
+    let mut inverse_mass = DMatrix::identity(6, 6);
+    inverse_mass.view_mut((3, 3), (3, 3)).fill_diagonal(10.0); // a ball of inertia 0.1 kg m²
+    let corrected = corrected::system(
+        &inverse_mass,
+        &along_y(v).transpose(),
+        &along_y(g).transpose(),
+        &along_y(1.0),
+        dt,
+    );
+
+    let lcp = contacts(corrected.a.as_slice(), corrected.b.as_slice())?;
+    let (closing, x) = (-printed.b[(0, 1)], -corrected.b[0]);
+    let target = v + dt * g;
+    let matrix = Measure::new("A", "1/kg", printed.a[0], corrected.a[0]);
+    let columns =
+        Measure::new("columns of b", "", printed.b.ncols() as f64, corrected.b.ncols() as f64);
+    let after = Measure::new("velocity after the step", "m/s", target + closing, target + x);
+    Ok(Finding::new(
+        "A ball of 1 kg on the floor falls at 1 m/s, g = 9.81 m/s², a step of 1/60 s. Both programs are run as \
+         they stand. For the velocity, the printed b is given the right A = 1 and its second column, along y: \
+         x = −b/A. The judge sees both x on the problem w = A x + b of the corrected program.",
+    )
+    .measure(matrix.truth(&[1.0], "1/m", 1e-12))
+    .measure(columns.truth(&[1.0], "Code 6 reads one", 0.0))
+    .measure(after.truth(&[0.0], "the floor stops it", 1e-12))
+    .judged("the ball on the floor", &lcp, &[closing], &[x]))
+}

@@ -1,0 +1,52 @@
+//! E52: `empty()` asks, `clear()` does, Code 11.
+
+use super::common::equations;
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::chapter::code::code11_map_matrix::{corrected, printed};
+use crate::error::Result;
+use crate::solver::{Pgs, Settings, Solver, Start};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E52",
+    title: "a matrix that is not set to zero",
+    place: "K&M Code 11",
+    severity: Severity::Wrong,
+    may_be_scan: false,
+    printed: "SetToZero and the constructor call empty() of the map.",
+    holds: "clear() takes the entries out; empty() only says whether there are any.",
+    why: "The call compiles, for its answer may be thrown away. Everything stays where it was, so Code 6, \
+          which sets x to zero first, starts from the last answer instead: a warm start that nobody \
+          asked for, and that hides itself as long as sweeps converge.",
+    evidence: Evidence::Example(example),
+};
+
+/// An entry is written, the matrix set to zero, and a sweep done from there.
+fn example() -> Result<Finding> {
+    let mut stale = printed::MapMatrix::new(2, 1, None)?;
+    *stale.set(1, 0)? = 5.0;
+    stale.set_to_zero();
+    let mut clear = corrected::MapMatrix::zeros(2, 1);
+    clear.set(1, 0, 5.0)?;
+    clear.set_to_zero();
+
+    let left = [stale.get(0, 0)?, stale.get(1, 0)?].map(f64::from);
+    let none = [clear.get(0, 0), clear.get(1, 0)].map(f64::from);
+    let entry = Measure::new("second entry", "", left[1], none[1]);
+    let stored = Measure::new("entries stored", "", stale.stored() as f64, clear.stored() as f64);
+    let sweeps = Measure::new("x after a sweep", "N s", swept(&left)?, swept(&none)?);
+    Ok(Finding::new(
+        "A matrix of 2 × 1 gets a 5 in its second row and is set to zero. Then Gauss-Seidel starts from it, \
+         on 2 x₁ − x₂ = 1, −x₁ + 2 x₂ = 1 with the solution (1, 1), and is interrupted after one sweep.",
+    )
+    .measure(entry.truth(&[0.0], "its name", 0.0))
+    .measure(stored.truth(&[0.0], "its name", 0.0))
+    .measure(sweeps.truth(&[0.5, 0.75], "by hand from 0", 1e-12)))
+}
+
+/// x after one sweep from this start.
+fn swept(start: &[f64]) -> Result<Vec<f64>> {
+    let lcp = equations(&[2.0, -1.0, -1.0, 2.0], &[-1.0, -1.0])?;
+    let settings = Settings { max_iterations: 1, ..Settings::default() };
+    let pgs = Pgs { settings, ..Pgs::default() };
+    Ok(pgs.solve(&lcp, &Start { x: Some(start) }, &mut ()).x)
+}

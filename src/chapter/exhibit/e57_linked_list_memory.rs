@@ -1,0 +1,86 @@
+//! E57: the memory of a linked list, section on linked lists.
+
+use std::collections::LinkedList;
+
+use super::common::drawn;
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::error::Result;
+use crate::plot::{Axis, Lines, Panel, Series};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E57",
+    title: "the memory of a linked list",
+    place: "K&M section on linked lists",
+    severity: Severity::Wrong,
+    may_be_scan: false,
+    printed: "A dense matrix of 100 × 100 takes 40000 bytes, a full linked list 280000: a ratio of 28:1. Half \
+              full it takes 70000. Memory and time of access grow exponentially with the fill.",
+    holds: "280000 : 40000 is 7:1; 28 is the bytes an entry takes. Half full is 140000 bytes (70000 is a \
+            quarter). Both memory and mean time of access grow linearly, and beyond 1/7 of the entries \
+            the list is larger than the dense matrix.",
+    why: "An entry of the list needs its value of 4 bytes and 24 more for its place and its links, 7 times \
+          the dense 4, whatever the others do. To find one entry of n takes (n + 1)/2 steps on average.",
+    evidence: Evidence::Example(example),
+};
+
+/// Entries of the matrix, and the bytes of one.
+const ENTRIES: usize = 100 * 100;
+const DENSE: usize = 4;
+/// 280000 bytes for all entries, the chapter's own figure.
+const LISTED: usize = 280_000 / ENTRIES;
+
+fn example() -> Result<Finding> {
+    let dense = ENTRIES * DENSE;
+    let bytes = |entries: usize| (0..entries).map(|_| LISTED).sum::<usize>();
+    let last_smaller = (0..=ENTRIES).take_while(|&entries| entries * LISTED <= dense).last();
+    let break_even = last_smaller.unwrap_or(0) as f64 / ENTRIES as f64;
+    let [short, middle, long] = [500, 1000, 1500].map(mean_steps);
+
+    let ratio = Measure::new("list : dense, full", "", 28.0, 280_000.0 / 40_000.0);
+    let half = Measure::new("bytes, half full", "", 70_000.0, (ENTRIES / 2 * LISTED) as f64);
+    let fill = Measure::new("fill at break-even", "", 1.0 / 28.0, 1.0 / 7.0);
+    let steps =
+        Measure::new("steps to 1 of 1500", "", middle * middle / short, 2.0 * middle - short);
+    let full = bytes(ENTRIES) as f64 / dense as f64;
+    Ok(Finding::new(
+        "A matrix of 100 × 100 floats; a list entry takes 28 bytes, which is what the chapter's 280000 for a \
+         full one amount to. The truth of the bytes is counted entry by entry, and the break-even by \
+         adding entries until the dense matrix is smaller. Access is measured in a list: the mean number \
+         of steps to each of 500 and of 1000 entries, continued to 1500 by a constant factor (exponential \
+         growth) or by a constant difference, and counted there.",
+    )
+    .measure(ratio.truth(&[full], "counted", 0.0))
+    .measure(half.truth(&[bytes(ENTRIES / 2) as f64], "counted", 0.0))
+    .measure(fill.truth(&[break_even], "counted", 1.0 / ENTRIES as f64))
+    .measure(steps.truth(&[long], "counted", 1e-9))
+    .picture(drawn(&picture())))
+}
+
+/// The mean number of steps to an entry of a list with so many.
+fn mean_steps(entries: usize) -> f64 {
+    let list: LinkedList<usize> = (0..entries).collect();
+    let steps = (0..entries).map(|key| list.iter().take_while(|&&own| own != key).count() + 1);
+    steps.sum::<usize>() as f64 / entries as f64
+}
+
+/// Bytes against fill.
+fn picture() -> Lines {
+    let fills = || (0..=20).map(|k| f64::from(k) / 20.0);
+    let list = |fill: f64| (fill * (ENTRIES * LISTED) as f64).round();
+    Lines {
+        id: "e57".into(),
+        title: "Memory of a 100 × 100 matrix against its fill".into(),
+        caption: "The list's memory is a straight line; it crosses the dense matrix at a fill of 1/7. The \
+                  printed 70000 bytes belong to a quarter, not to a half."
+            .into(),
+        x: Axis::linear("fill", ""),
+        panels: vec![Panel {
+            y: Axis::linear("memory", "bytes"),
+            series: vec![
+                Series::measured("linked list", fills().map(|fill| (fill, list(fill))).collect()),
+                Series::reference("dense", fills().map(|fill| (fill, 40_000.0)).collect()),
+                Series::points("printed", vec![(0.5, 70_000.0), (1.0, 280_000.0)]),
+            ],
+        }],
+    }
+}

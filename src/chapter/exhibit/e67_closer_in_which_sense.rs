@@ -1,0 +1,119 @@
+//! E67: closer with every update, but in which sense, section on iterative methods.
+
+use dashu_int::IBig;
+use dashu_ratio::RBig;
+
+use super::common::{drawn, equations, largest, swept};
+use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use crate::error::Result;
+use crate::lcp::{Lcp, merit};
+use crate::plot::{Axis, Lines, Panel, Series};
+
+pub(super) const EXHIBIT: Exhibit = Exhibit {
+    id: "E67",
+    title: "closer with every update, but in which sense",
+    place: "K&M section on iterative methods",
+    severity: Severity::Misleading,
+    may_be_scan: false,
+    printed: "Iterative methods move closer to the solution with every update, so they may be interrupted at \
+              any time.",
+    holds: "What never rises in a sweep of Gauss-Seidel is the objective ½ xᵀA x + bᵀx, for equations the same \
+            as the distance in the norm of A. The distance |x − x*| and the residual can rise.",
+    why: "Each update makes the objective least along one coordinate, so it cannot rise. Its level sets are \
+          ellipsoids; where they are long and thin, a point on a lower one can be farther from the centre. \
+          Interrupting is still safe: a lower objective is a motion nearer to the right one in the norm of \
+          kinetic energy.",
+    evidence: Evidence::Example(example),
+};
+
+/// A by rows, b in this library's sign, x*: all integers.
+type Case = (&'static [i64], &'static [i64], &'static [i64]);
+const NEAR: Case = (&[1, 2, 2, 5], &[-2, -5], &[0, 1]);
+const RESIDUAL: Case = (&[5, 4, -2, 4, 8, -2, -2, -2, 1], &[-1, -1, -3], &[]);
+
+fn problem((a, b, _): Case) -> Result<Lcp> {
+    let floats = |values: &[i64]| values.iter().map(|&value| value as f64).collect::<Vec<_>>();
+    equations(&floats(a), &floats(b))
+}
+
+/// One sweep of Gauss-Seidel from 0 in rational numbers.
+fn exact_sweep((a, b, _): Case) -> Vec<RBig> {
+    let n = b.len();
+    let number = |value: i64| RBig::from(IBig::from(value));
+    let mut x = vec![RBig::ZERO; n];
+    for i in 0..n {
+        let others = (0..n).filter(|&j| j != i);
+        let sum = others.fold(number(b[i]), |sum, j| sum + number(a[n * i + j]) * &x[j]);
+        x[i] = -sum / number(a[n * i + i]);
+    }
+    x
+}
+
+/// √(Σ values²), rounded once the sum is known exactly.
+fn norm(values: impl IntoIterator<Item = RBig>) -> f64 {
+    values.into_iter().fold(RBig::ZERO, |sum, value| sum + &value * &value).to_f64().value().sqrt()
+}
+
+fn example() -> Result<Finding> {
+    let near = problem(NEAR)?;
+    let x = swept(&near, 50)?;
+    let distance = |x: &[f64]| x[0].hypot(x[1] - 1.0);
+    let number = |value: i64| RBig::from(IBig::from(value));
+    let exact = norm(exact_sweep(NEAR).into_iter().zip(NEAR.2).map(|(x, &star)| x - number(star)));
+
+    let second = problem(RESIDUAL)?;
+    let y = swept(&second, 1)?;
+    let z = exact_sweep(RESIDUAL);
+    let w = |i: usize| {
+        (0..3).fold(number(RESIDUAL.1[i]), |sum, j| sum + number(RESIDUAL.0[3 * i + j]) * &z[j])
+    };
+    let exact_residual = norm((0..3).map(w)) / norm(RESIDUAL.1.iter().map(|&b| number(b)));
+
+    let rises = x.windows(2).map(|pair| {
+        (merit::objective(&near, &pair[1]) - merit::objective(&near, &pair[0])).max(0.0)
+    });
+    let moved = Measure::new("|x − x*| after a sweep", "", distance(&x[0]), distance(&x[1]));
+    let residual = Measure::new(
+        "(4) after a sweep",
+        "",
+        merit::km4(&second, &y[0]),
+        merit::km4(&second, &y[1]),
+    );
+    let objective = Measure::new("rise of the objective", "", 0.0, largest(rises));
+    Ok(Finding::new(
+        "A x = (2, 5) with A = [1 2; 2 5], solution (0, 1), and A x = (1, 1, 3) with A = [5 4 −2; 4 8 −2; −2 −2 1]; \
+         Gauss-Seidel from 0. The printed column has what the claim allows at most: the distance, and the \
+         residual (4) |A x − b|/|b|, before the sweep. The last line is the largest rise of ½ xᵀA x − bᵀx in \
+         50 sweeps of the first problem; in that sense the claim is right.",
+    )
+    .measure(moved.truth(&[exact], "rational arithmetic", 1e-9))
+    .measure(residual.truth(&[exact_residual], "rational arithmetic", 1e-9))
+    .measure(objective.truth(&[0.0], "theory", 1e-15).agreeing())
+    .picture(drawn(&picture(&near, &x))))
+}
+
+/// Distance in both norms, sweep by sweep.
+fn picture(lcp: &Lcp, x: &[Vec<f64>]) -> Lines {
+    let least = merit::objective(lcp, &[0.0, 1.0]);
+    // |x − x*|² in the norm of A is twice what the objective is above its least.
+    let in_norm_of_a = |x: &[f64]| (2.0 * (merit::objective(lcp, x) - least)).max(0.0).sqrt();
+    let curve = |distance: &dyn Fn(&[f64]) -> f64| {
+        let shown = x.iter().take(21).enumerate();
+        shown.map(|(sweep, x)| (sweep as f64, distance(x))).collect::<Vec<_>>()
+    };
+    Lines {
+        id: "e67".into(),
+        title: "Distance from the solution, sweep by sweep".into(),
+        caption: "In the norm of A the iterates come nearer in each sweep. Measured by |x − x*| the first \
+                  sweep leads away, to more than twice the distance."
+            .into(),
+        x: Axis::linear("sweep", ""),
+        panels: vec![Panel {
+            y: Axis::linear("distance from x*", ""),
+            series: vec![
+                Series::measured("|x − x*|", curve(&|x| x[0].hypot(x[1] - 1.0))),
+                Series::measured("norm of A", curve(&in_norm_of_a)),
+            ],
+        }],
+    }
+}
