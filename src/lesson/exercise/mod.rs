@@ -9,6 +9,8 @@ mod list;
 
 pub mod lesson01;
 pub mod lesson04;
+pub mod lesson05;
+pub mod lesson06;
 
 pub use list::exercises;
 

@@ -2,10 +2,13 @@
 
 mod lesson01;
 mod lesson04;
+mod lesson05;
+mod lesson06;
 
 use lcplab::lesson::exercise::Verdict;
 
 /// The exercise of each mistake, and the check's word.
 pub fn all() -> Vec<(&'static str, Verdict)> {
-    [lesson01::mistakes(), lesson04::mistakes()].concat()
+    [lesson01::mistakes(), lesson04::mistakes(), lesson05::mistakes(), lesson06::mistakes()]
+        .concat()
 }
