@@ -19,6 +19,15 @@ macro_rules! __exercises {
             "7.1" e07_1_tangent lesson07::tangent "how far a step leaves the circle";
             "7.2" e07_2_bias lesson07::bias "the bias of a contact: gap, slop, overlap";
             "7.3" e07_3_spring lesson07::spring "γ and β of a row that is a spring";
+            "4.1" e04_1_sweep lesson04::sweep "one sweep of projected Gauss-Seidel";
+            "4.2" e04_2_impulse lesson04::impulse "one contact of sequential impulses";
+            "4.3" e04_3_omega lesson04::omega "the best ω of over-relaxation";
+            "5.1" e05_1_active_set lesson05::active_set "the point of an active set";
+            "5.2" e05_2_murty lesson05::murty "Murty's least-index rule";
+            "5.3" e05_3_ratio lesson05::ratio "Lemke's ratio test";
+            "6.1" e06_1_residual lesson06::residual "the natural residual of a row with two bounds";
+            "6.2" e06_2_gap lesson06::gap "the duality gap";
+            "6.3" e06_3_farkas lesson06::farkas "is this vector a proof that no solution exists?";
         )
     };
     ($answers:ident, $($id:literal $file:ident $lesson:ident :: $check:ident $title:literal;)*) => {

@@ -4,11 +4,15 @@ mod lesson01;
 mod lesson02;
 mod lesson03;
 mod lesson07;
+mod lesson04;
+mod lesson05;
+mod lesson06;
 
 use lcplab::lesson::exercise::Verdict;
 
 /// The exercise of each mistake, and the check's word.
 pub fn all() -> Vec<(&'static str, Verdict)> {
     [lesson01::mistakes(), lesson02::mistakes(), lesson03::mistakes(), lesson07::mistakes()]
+    [lesson01::mistakes(), lesson04::mistakes(), lesson05::mistakes(), lesson06::mistakes()]
         .concat()
 }
