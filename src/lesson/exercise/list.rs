@@ -28,6 +28,15 @@ macro_rules! __exercises {
             "6.1" e06_1_residual lesson06::residual "the natural residual of a row with two bounds";
             "6.2" e06_2_gap lesson06::gap "the duality gap";
             "6.3" e06_3_farkas lesson06::farkas "is this vector a proof that no solution exists?";
+            "8.1" e08_1_friction_row lesson08::friction_row "one friction row of the coupled box in a sweep";
+            "8.2" e08_2_cone lesson08::cone "the nearest point of the friction cone";
+            "8.3" e08_3_uphill lesson08::uphill "a block kicked up a slope";
+            "9.1" e09_1_two_balls lesson09::two_balls "two balls collide, with restitution";
+            "9.2" e09_2_all_answers lesson09::all_answers "all answers of one row, with a of either sign";
+            "9.3" e09_3_critical_friction lesson09::critical_friction "the critical friction of a sliding rod";
+            "11.1" e11_1_layers lesson11::layers "what each layer of a stack carries";
+            "11.2" e11_2_warm_start lesson11::warm_start "old impulses find their contacts by name";
+            "11.3" e11_3_sweeps lesson11::sweeps "how many sweeps a mass ratio costs";
         )
     };
     ($answers:ident, $($id:literal $file:ident $lesson:ident :: $check:ident $title:literal;)*) => {

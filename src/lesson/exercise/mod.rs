@@ -14,6 +14,9 @@ pub mod lesson07;
 pub mod lesson04;
 pub mod lesson05;
 pub mod lesson06;
+pub mod lesson08;
+pub mod lesson09;
+pub mod lesson11;
 
 pub use list::exercises;
 

@@ -7,6 +7,9 @@ mod lesson07;
 mod lesson04;
 mod lesson05;
 mod lesson06;
+mod lesson08;
+mod lesson09;
+mod lesson11;
 
 use lcplab::lesson::exercise::Verdict;
 
@@ -14,5 +17,6 @@ use lcplab::lesson::exercise::Verdict;
 pub fn all() -> Vec<(&'static str, Verdict)> {
     [lesson01::mistakes(), lesson02::mistakes(), lesson03::mistakes(), lesson07::mistakes()]
     [lesson01::mistakes(), lesson04::mistakes(), lesson05::mistakes(), lesson06::mistakes()]
+    [lesson01::mistakes(), lesson08::mistakes(), lesson09::mistakes(), lesson11::mistakes()]
         .concat()
 }
