@@ -21,6 +21,7 @@ const HANDOUT: &Program = &ALL[0];
 Example:
   lcplab report                # writes reports/standard/index.html
   lcplab report chapter        # the chapter, walked through with everything computed
+  lcplab report storage        # the chapter's sparse matrices, measured
   lcplab report mine.toml --out mine
   lcplab report --redraw reports/standard      # the page again, nothing is solved
   lcplab report --compare before/results.json after/results.json
