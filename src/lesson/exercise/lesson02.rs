@@ -4,11 +4,14 @@ use nalgebra::{DMatrix, Rotation3, Vector3};
 
 use super::Verdict;
 
+/// Three components.
+type Triple = [f64; 3];
+
 /// The row of a rod and its J'u: held against difference quotients of the distance.
 ///
 /// # Errors
 /// Says which number is off, and where.
-pub fn rod(answer: fn([f64; 3], [f64; 3]) -> ([f64; 3], f64)) -> Verdict {
+pub fn rod(answer: fn(Triple, Triple) -> (Triple, f64)) -> Verdict {
     for (p, v) in [
         ([3.0, 4.0, 0.0], [2.0, -1.0, 0.0]),
         ([0.0, 0.0, -1.0], [1.5, 0.0, 0.0]),

@@ -2,11 +2,16 @@
 
 use super::Verdict;
 
+/// Three components.
+type Triple = [f64; 3];
+/// Three rows of three entries.
+type Square = [Triple; 3];
+
 /// b of a row: held against a body that is really stepped, without any impulse.
 ///
 /// # Errors
 /// Says for which motion b is not the velocity along the row after the step.
-pub fn offset(answer: fn([f64; 3], [f64; 3], [f64; 3], f64, f64) -> f64) -> Verdict {
+pub fn offset(answer: fn(Triple, Triple, Triple, f64, f64) -> f64) -> Verdict {
     for (case, j, u, force, mass, dt) in [
         ("a body that only moves", [0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0; 3], 1.0, 0.1),
         ("a body that only falls", [0.0, 0.0, 1.0], [0.0; 3], [0.0, 0.0, -9.81], 1.0, 0.1),
@@ -30,7 +35,7 @@ pub fn offset(answer: fn([f64; 3], [f64; 3], [f64; 3], f64, f64) -> f64) -> Verd
 ///
 /// # Errors
 /// Says which entry is not the response to an impulse.
-pub fn delassus(answer: fn([[f64; 3]; 3], [f64; 3]) -> [[f64; 3]; 3]) -> Verdict {
+pub fn delassus(answer: fn(Square, Triple) -> Square) -> Verdict {
     let stack = [[1.0, 0.0, 0.0], [-1.0, 1.0, 0.0], [0.0, -1.0, 1.0]];
     let other = [[1.0, -1.0, 0.0], [0.0, 1.0, -1.0], [1.0, 0.0, 2.0]];
     for (j, inverse_mass) in
