@@ -53,9 +53,9 @@ impl Change {
     fn row(&self) -> Vec<Cell> {
         let written = |value: &Option<Value>| match value {
             None => Cell::text("–"),
-            Some(Value::Number(entry)) => match entry.as_f64() {
+            Some(Value::Number(found)) => match found.as_f64() {
                 Some(value) => number(value, 8),
-                None => Cell::text(entry.to_string()),
+                None => Cell::text(found.to_string()),
             },
             Some(Value::Array(items)) => Cell::text(format!("{} entries", items.len())),
             Some(Value::Object(_)) => Cell::text("a row"),

@@ -34,6 +34,9 @@ macro_rules! __exercises {
             "9.1" e09_1_two_balls lesson09::two_balls "two balls collide, with restitution";
             "9.2" e09_2_all_answers lesson09::all_answers "all answers of one row, with a of either sign";
             "9.3" e09_3_critical_friction lesson09::critical_friction "the critical friction of a sliding rod";
+            "10.1" e10_1_place lesson10::place "where an entry lies in a dense matrix";
+            "10.2" e10_2_compressed_rows lesson10::compressed_rows "the product of compressed rows with a vector";
+            "10.3" e10_3_pattern lesson10::pattern "the pattern of A, from the bodies alone";
             "11.1" e11_1_layers lesson11::layers "what each layer of a stack carries";
             "11.2" e11_2_warm_start lesson11::warm_start "old impulses find their contacts by name";
             "11.3" e11_3_sweeps lesson11::sweeps "how many sweeps a mass ratio costs";

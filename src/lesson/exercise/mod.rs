@@ -18,6 +18,7 @@ pub mod lesson06;
 pub mod lesson07;
 pub mod lesson08;
 pub mod lesson09;
+pub mod lesson10;
 pub mod lesson11;
 
 pub use list::exercises;

@@ -207,10 +207,13 @@ fn code_3_lets_a_free_body_fall_in_its_corrected_form_only() {
     assert_eq!(corrected.bodies[0].force.z, 0.0);
 }
 
+/// A scene, its velocities, its J by rows, and the impulses.
+type Worked = (&'static str, &'static [f64], &'static [f64], &'static [f64]);
+
 /// The corrected Codes 4 and 2 on the two worked examples, and the shipped scenes of them.
 #[test]
 fn corrected_codes_2_and_4_give_figures_6_and_7() {
-    let examples: [(&str, &[f64], &[f64], &[f64]); 2] = [
+    let examples: [Worked; 2] = [
         ("fig6", &[-1.0], &[1.0], &[2.0]),
         (
             "fig7",

@@ -150,8 +150,7 @@ fn e26_the_middle_axis_turns_over_when_jacobis_integral_says() {
         time += h / rate(start + (f64::from(k) + 0.5) * h);
     }
     assert_near(time, 2.4875, 5e-5);
-    let [printed, Outcome::Numbers(corrected)] = outcomes("E26", "middle rate flips at")
-    else {
+    let [printed, Outcome::Numbers(corrected)] = outcomes("E26", "middle rate flips at") else {
         panic!("with the term it turns over")
     };
     assert_eq!(printed, Outcome::Impossible("never".into()));

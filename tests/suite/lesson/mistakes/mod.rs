@@ -9,6 +9,7 @@ mod lesson06;
 mod lesson07;
 mod lesson08;
 mod lesson09;
+mod lesson10;
 mod lesson11;
 
 use lcplab::lesson::exercise::Verdict;
@@ -25,6 +26,7 @@ pub fn all() -> Vec<(&'static str, Verdict)> {
         lesson07::mistakes(),
         lesson08::mistakes(),
         lesson09::mistakes(),
+        lesson10::mistakes(),
         lesson11::mistakes(),
     ]
     .concat()
