@@ -11,7 +11,8 @@ use lcplab::formulation::{friction_model, with_friction_model};
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::Model;
 use lcplab::plot::Figure;
-use lcplab::plot::scene::{Frame, Strip, instants};
+use lcplab::plot::scene::{Film, Frame, Strip, Take, instants};
+use lcplab::report::study::film::{self, Actor};
 use lcplab::report::study::{comparison, scene_simulation};
 use lcplab::report::{methods, recording, text, view, write};
 use lcplab::scene::{self, Formulation, Scene, catalogue};
@@ -173,9 +174,9 @@ impl From<scene::Order> for RowOrder {
 Example:
   lcplab simulate pendulum --steps 500 --out swing --frames 8 --forces
 
-Writes trajectory.csv (poses and velocities), ledger.csv (energy and where it went, momentum, errors),
-forces.csv (x and w of every row), results.json and frames.svg (a picture of some instants) to the
-folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
+Writes index.html (a page that plays the motion), trajectory.csv (poses and velocities), ledger.csv
+(energy and where it went, momentum, errors), forces.csv (x and w of every row), results.json and
+frames.svg (a picture of some instants) to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
 recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
     #[command(flatten)]
@@ -204,9 +205,15 @@ impl Simulate {
         let steps = self.steps.unwrap_or(scene.step.count);
         let progress = bar(steps as u64, &scene.name);
         let mut record = recording::Record::start(&scene, &simulation);
-        let (instants, mut frames) = (self.instants(steps), vec![Frame::start(&scene)]);
+        let (instants, mut frames) =
+            (self.instants(steps, self.frames as usize), vec![Frame::start(&scene)]);
+        let shots = self.instants(steps, Film::shots(1));
+        let mut take = Take::start(scene.solver.name.clone(), &simulation);
         let recording = simulation.run(steps, |step: &Step| {
             record.add(step);
+            if shots.binary_search(&step.number).is_ok() {
+                take.add(&scene, step);
+            }
             if instants.contains(&step.number) {
                 frames.push(Frame::after(&scene, step));
             }
@@ -219,7 +226,10 @@ impl Simulate {
             frames.push(Frame::now(&simulation));
         }
         if let Some(folder) = &self.out {
+            take.end(recording.failure.as_ref());
             record.write(folder)?;
+            let page = view::simulation_page(Film::new("film", &scene, vec![take]), &record);
+            write::file(&folder.join("index.html"), &page.render()?)?;
             let strip = Strip::new(&scene, frames);
             let strip = if self.forces { strip.with_forces() } else { strip };
             write::file(&folder.join("frames.svg"), &strip.svg())?;
@@ -233,9 +243,9 @@ impl Simulate {
     }
 
     /// The steps after which to look; none if no picture is wanted.
-    fn instants(&self, steps: usize) -> Vec<usize> {
+    fn instants(&self, steps: usize, frames: usize) -> Vec<usize> {
         match self.out {
-            Some(_) => instants(steps, self.frames as usize),
+            Some(_) => instants(steps, frames),
             None => Vec::new(),
         }
     }
@@ -250,7 +260,10 @@ Example:
 Without --formulation at both levels that are one LCP, velocity and acceleration; with it by that
 family alone. Families that solve no LCP have one row. Only solvers that are made for the model of
 friction run, and only levels that know it.
-With --out the folder gets a page with the table and the plots. Exit code 1 if the judge refutes a
+With --out the folder gets a page with a film of the solvers side by side, the table and the plots.
+The film shows one solver of each group that moves alike, or those named by --show:
+  lcplab compare stack --show pgs:5 --show dantzig --out stack-report   # five sweeps beside exact
+Exit code 1 if the judge refutes a
 solver's claim, 2 for bad input; a solver that admits failure is a row of the table.")]
 pub struct Compare {
     #[command(flatten)]
@@ -258,9 +271,12 @@ pub struct Compare {
     /// Number of steps; the scene's own without it
     #[arg(long)]
     steps: Option<usize>,
-    /// Folder for a page with table and plots
+    /// Folder for a page with film, table and plots
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Solver in the film, with its most sweeps after a colon if they are not the scene's; repeatable
+    #[arg(long, value_name = "SOLVER[:SWEEPS]", requires = "out")]
+    show: Vec<String>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -281,6 +297,8 @@ impl Compare {
         let contenders = comparison::contenders(&scene, &families, &solvers);
         let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
         self.scene.check(&running, &scene)?;
+        let shown = self.show.iter().map(|name| Actor::named(name, &scene));
+        let shown = shown.collect::<Result<Vec<Actor>>>()?;
         let progress = bar(contenders.len() as u64, &scene.name);
         let (comparison, timings) =
             comparison::compare_families(&scene, &families, &solvers, steps, &progress);
@@ -291,7 +309,12 @@ impl Compare {
             print(&text::table(&view::comparison_table(&comparison)))?;
         }
         if let Some(folder) = &self.out {
-            let page = write::document(&view::comparison_document(&comparison), folder)?;
+            let actors = match shown.is_empty() {
+                true => film::alike(&contenders, &view::alike(&comparison.runs)),
+                false => shown.into_iter().map(|actor| (actor.name(), actor)).collect(),
+            };
+            let film = film::film("film", &scene, &actors, steps);
+            let page = write::document(&view::comparison_document(&comparison, film), folder)?;
             eprintln!("{}", page.display());
         }
         let refuted = comparison.runs.iter().any(|run| run.refuted_claims > 0);

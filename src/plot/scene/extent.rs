@@ -13,6 +13,8 @@ const FARTHEST: f64 = 100.0;
 /// How much of a fixed body is shown around the motion, as a share of the motion's size.
 const AROUND: f64 = 0.1;
 
+/// How far around the calmest of several motions the others are followed, in its diagonals.
+const NEAR: f64 = 0.4;
 /// A fixed body up to so many times the motion's size is shown whole.
 const WHOLE: f64 = 1.5;
 
@@ -55,6 +57,17 @@ pub(super) fn landmarks(scene: &Scene, frames: &[Frame]) -> Vec<Landmark> {
         }
     }
     all
+}
+
+/// The landmarks of the calmest of several motions, and of the others what is near: one that flies
+/// apart does not make the rest small.
+pub(super) fn shared(scene: &Scene, motions: &[Vec<Frame>]) -> Vec<Landmark> {
+    let mut all: Vec<_> = motions.iter().map(|frames| landmarks(scene, frames)).collect();
+    all.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    let Some(calmest) = all.first() else { return landmarks(scene, &[]) };
+    let near = Extent::of(calmest).grown(NEAR);
+    let (first, others) = (calmest.clone(), all.into_iter().skip(1).flatten());
+    first.into_iter().chain(others.filter(|mark| near.contains(&mark.point))).collect()
 }
 
 /// The diagonal of the box around the landmarks (m); 1 m where they are one point.

@@ -2,10 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::extent::Landmark;
-use crate::body::Pose;
+use super::Camera;
+use super::extent::{self, Landmark};
+use super::layout::Window;
+use crate::body::{Pose, Shape};
 use crate::constraint::tangents;
 use crate::plot::axis::round_step;
+use crate::scene::Scene;
 
 /// How far a patch reaches beyond what is above it, as a share of the motion's size.
 const MARGIN: f64 = 0.1;
@@ -21,6 +24,24 @@ pub(super) struct Patch {
     pub normal: Vector3<f64>,
     /// Lines at round distances (m, world).
     pub lines: Vec<[Vector3<f64>; 2]>,
+}
+
+/// The patches of a scene's half spaces near a motion.
+pub(super) fn patches(scene: &Scene, landmarks: &[Landmark]) -> Vec<Patch> {
+    let size = extent::size(landmarks);
+    let bodies = scene.bodies.iter().zip(&scene.states);
+    let patches = bodies.filter_map(|(body, state)| match &body.shape {
+        Shape::Plane { normal } => Patch::new(&state.pose, normal, landmarks, size),
+        _ => None,
+    });
+    patches.collect()
+}
+
+/// What is seen of the landmarks and the ground beneath them.
+pub(super) fn window(camera: &Camera, mut landmarks: Vec<Landmark>, patches: &[Patch]) -> Window {
+    let corners = patches.iter().flat_map(|patch| patch.corners);
+    landmarks.extend(corners.map(|point| Landmark { point, radius: 0.0 }));
+    Window::around(camera, &landmarks)
 }
 
 impl Patch {

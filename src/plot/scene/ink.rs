@@ -15,19 +15,23 @@ use crate::plot::canvas::hex;
 use crate::plot::style::{FAINT_INK, FIXED, GRID, GROUND, INK, POINT, body_color};
 
 /// The radius of joint marks in px.
-const MARK: f64 = 2.6;
+pub(super) const MARK: f64 = 2.6;
 /// Thickness of a half space seen from its edge in px.
 const BAND: f64 = 6.0;
 /// A ball with a smaller radius in px is a plain disc.
-const PLAIN: f64 = 3.0;
+pub(super) const PLAIN: f64 = 3.0;
 /// A plane is seen from its edge where its normal points this little (sine) to the viewer.
 const EDGE_ON: f64 = 0.02;
 /// Where light comes from: left of the viewer and above (right, up, towards the viewer).
-const LIGHT: Vector3<f64> = Vector3::new(-0.40, 0.74, 0.54);
+pub(super) const LIGHT: Vector3<f64> = Vector3::new(-0.40, 0.74, 0.54);
+
+/// Brightness of a face in the shade, and what light adds.
+pub(super) const FACE: (f64, f64) = (0.70, 0.44);
 
 /// Brightness of the discs that make a ball round, how far they lie towards the light, and their
 /// size, both in radii.
-const LIT: [(f64, f64, f64); 3] = [(0.88, 0.0, 1.0), (0.96, 0.18, 0.78), (1.05, 0.36, 0.45)];
+pub(super) const LIT: [(f64, f64, f64); 3] =
+    [(0.88, 0.0, 1.0), (0.96, 0.18, 0.78), (1.05, 0.36, 0.45)];
 
 type Rgb = (u8, u8, u8);
 
@@ -235,7 +239,7 @@ impl<'a> Ink<'a> {
 
     /// How bright a face with this normal is.
     fn light(&self, normal: &Vector3<f64>) -> f64 {
-        0.70 + 0.44 * self.lens.camera.project(normal).dot(&LIGHT).max(0.0)
+        FACE.0 + FACE.1 * self.lens.camera.project(normal).dot(&LIGHT).max(0.0)
     }
 
     fn inside(&self, polygon: Vec<Place>) -> Vec<Place> {
@@ -327,9 +331,16 @@ pub(super) fn tenth(px: f64) -> i64 {
 fn look(bodies: &[Body], solid: &Solid) -> Rgb {
     match solid.part {
         Part::Rod(_) => rgb(FAINT_INK),
-        Part::Body(k) if bodies[k].mass == Mass::Fixed => FIXED,
-        Part::Body(k) if bodies[k].shape == Shape::Point => POINT,
-        Part::Body(k) => body_color(k),
+        Part::Body(k) => paint(bodies, k),
+    }
+}
+
+/// The colour of the body with this index.
+pub(super) fn paint(bodies: &[Body], k: usize) -> Rgb {
+    match &bodies[k] {
+        body if body.mass == Mass::Fixed => FIXED,
+        body if body.shape == Shape::Point => POINT,
+        _ => body_color(k),
     }
 }
 

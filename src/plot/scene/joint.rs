@@ -3,10 +3,16 @@
 use nalgebra::Vector3;
 
 use super::Frame;
+use super::layout::Lens;
 use super::solid::Solid;
 use crate::body::{Shape, State};
 use crate::constraint::Constraint;
 use crate::scene::Scene;
+
+/// Half of a rod's width in px.
+pub(super) const ROD: f64 = 0.8;
+/// The least and the greatest radius of a point mass in px.
+const DOT: (f64, f64) = (1.5, 5.0);
 
 /// A dot that marks a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,12 +25,21 @@ pub(super) enum Mark {
 
 /// The rods between points farther apart than `radius` (m), which is also their own.
 pub(super) fn rods(scene: &Scene, frame: &Frame, radius: f64) -> Vec<Solid> {
-    let rod = |constraint: &dyn Constraint| {
-        let ends = ends(constraint, &frame.states)?;
-        let apart = (ends[1] - ends[0]).norm() > radius;
-        apart.then(|| Solid::rod(constraint.bodies(), ends, radius))
-    };
-    scene.constraints.iter().filter_map(|constraint| rod(constraint.as_ref())).collect()
+    let constraints = scene.constraints.iter();
+    constraints.filter_map(|constraint| rod(constraint.as_ref(), frame, radius)).collect()
+}
+
+/// The rod of one constraint, if its points are apart.
+pub(super) fn rod(constraint: &dyn Constraint, frame: &Frame, radius: f64) -> Option<Solid> {
+    let ends = ends(constraint, &frame.states)?;
+    let apart = (ends[1] - ends[0]).norm() > radius;
+    apart.then(|| Solid::rod(constraint.bodies(), ends, radius))
+}
+
+/// The radius of a point mass in px: a share of the shortest rod, within limits.
+pub(super) fn dot(scene: &Scene, lens: &Lens) -> f64 {
+    let shortest = shortest(scene).unwrap_or(f64::INFINITY);
+    (0.25 * shortest * lens.scale).clamp(DOT.0, DOT.1)
 }
 
 /// The marks at the ends of constraints; a point mass is its own mark.
@@ -52,7 +67,7 @@ pub(super) fn pins(scene: &Scene) -> impl Iterator<Item = Vector3<f64>> {
 }
 
 /// The least distance (m) of two points that are apart at the start, if any are.
-pub(super) fn shortest(scene: &Scene) -> Option<f64> {
+fn shortest(scene: &Scene) -> Option<f64> {
     let lengths = scene.constraints.iter().filter_map(|constraint| {
         let [start, end] = ends(constraint.as_ref(), &scene.states)?;
         Some((end - start).norm()).filter(|length| *length > 0.0)

@@ -95,6 +95,13 @@ impl Layout {
         best
     }
 
+    /// One frame of this width, at most so high (px).
+    pub fn single(window: &Window, width: f64, highest: f64) -> Self {
+        let (w, h) = window.size();
+        let scale = ((width - 2.0 * PADDING) / w).min((highest - 2.0 * PADDING) / h);
+        Layout { columns: 1, rows: 1, width, height: h * scale + 2.0 * PADDING, scale }
+    }
+
     fn in_rows(window: &Window, frames: usize, rows: usize) -> Self {
         let columns = frames.max(1).div_ceil(rows);
         let rows = frames.max(1).div_ceil(columns);
@@ -131,6 +138,18 @@ impl Lens {
         let seen = self.camera.project(point);
         let x = 0.5 * self.width + (seen.x - self.middle.0) * self.scale;
         (x, 0.5 * self.height - (seen.y - self.middle.1) * self.scale)
+    }
+
+    /// The same in a cell that is higher at its foot by so many px.
+    pub fn with_foot(self, foot: f64) -> Self {
+        let height = (self.height + foot).round();
+        let middle = (self.middle.0, self.middle.1 - 0.5 * (height - self.height) / self.scale);
+        Lens { height, middle, ..self }
+    }
+
+    /// What appears in the middle (m, to the right and up).
+    pub fn middle(&self) -> (f64, f64) {
+        self.middle
     }
 
     /// Whether a place in px lies in the cell.

@@ -8,7 +8,8 @@
 //! A [`Frame`] is one instant; a [`Strip`] lays several out and is a [`Figure`] like any other. All
 //! bodies are convex, so a plane separates any two that do not overlap: the order of painting is
 //! that of the sides of those planes, and what is hidden is not written. A new shape is one function
-//! in `solid.rs`.
+//! in `solid.rs`. A [`Film`] is the same motion instant by instant, by several solvers, as data for a
+//! player that draws what a strip draws.
 
 mod arrow;
 mod camera;
@@ -16,6 +17,7 @@ mod clip;
 mod coverage;
 mod depth;
 mod extent;
+mod film;
 mod frame;
 mod ground;
 mod ink;
@@ -27,5 +29,6 @@ mod strip;
 #[cfg(doc)]
 use super::Figure;
 pub use camera::{Camera, View};
+pub use film::{Film, Measure, Pane, Shot, Take};
 pub use frame::{Force, Frame, Origin, instants};
 pub use strip::{Arrows, Strip};

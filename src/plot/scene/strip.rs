@@ -1,12 +1,10 @@
 //! The strip: some instants of a motion on one sheet.
 
-use super::extent::{self, Landmark};
-use super::ground::Patch;
+use super::ground::{self, Patch};
 use super::ink::{Ink, tenth};
-use super::layout::{LABEL, Layout, Lens, Window};
+use super::layout::{LABEL, Layout, Lens};
 use super::solid::Solid;
-use super::{Camera, Force, Frame, Origin, View, arrow, depth, joint};
-use crate::body::Shape;
+use super::{Camera, Force, Frame, Origin, View, arrow, depth, extent, joint};
 use crate::plot::axis::round_step;
 use crate::plot::canvas::{Anchor, Canvas, hex};
 use crate::plot::number::readable;
@@ -22,10 +20,6 @@ const BOLD: f64 = 1.1;
 const SCALES: f64 = 48.0;
 /// The length of the scale bar as a share of a frame's width, at least.
 const BAR: f64 = 0.3;
-/// Half of a rod's width in px.
-const ROD: f64 = 0.8;
-/// The least and the greatest radius of a point mass in px.
-const DOT: (f64, f64) = (1.5, 5.0);
 
 /// Whether forces are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -107,17 +101,6 @@ impl Strip {
         )
     }
 
-    /// The patches of the half spaces near the motion.
-    fn patches(&self, landmarks: &[Landmark]) -> Vec<Patch> {
-        let size = extent::size(landmarks);
-        let bodies = self.scene.bodies.iter().zip(&self.scene.states);
-        let patch = |(body, state): (&crate::body::Body, &crate::body::State)| match &body.shape {
-            Shape::Plane { normal } => Patch::new(&state.pose, normal, landmarks, size),
-            _ => None,
-        };
-        bodies.filter_map(patch).collect()
-    }
-
     /// One frame in tenths of a px.
     fn frame(&self, frame: &Frame, patches: &[Patch], lens: &Lens, newton: Option<f64>) -> String {
         let mut ink = Ink::new(lens);
@@ -125,10 +108,10 @@ impl Strip {
             ink.ground(patch);
         }
         let bodies = self.scene.bodies.iter().zip(&frame.states).enumerate();
-        let dot = self.dot(lens) / lens.scale;
+        let dot = joint::dot(&self.scene, lens) / lens.scale;
         let mut solids: Vec<_> =
             bodies.filter_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
-        solids.extend(joint::rods(&self.scene, frame, ROD / lens.scale));
+        solids.extend(joint::rods(&self.scene, frame, joint::ROD / lens.scale));
         let order = depth::order(&lens.camera, &solids);
         let painted: Vec<_> = order.into_iter().map(|k| &solids[k]).collect();
         ink.solids(&self.scene.bodies, &painted);
@@ -137,12 +120,6 @@ impl Strip {
             ink.raw(&arrow::markup(&frame.forces, lens, newton));
         }
         ink.finish()
-    }
-
-    /// The radius of a point mass in px: a share of the shortest rod, within limits.
-    fn dot(&self, lens: &Lens) -> f64 {
-        let shortest = joint::shortest(&self.scene).unwrap_or(f64::INFINITY);
-        (0.25 * shortest * lens.scale).clamp(DOT.0, DOT.1)
     }
 
     /// The scale bar, and an arrow of a round force for each origin that occurs.
@@ -194,11 +171,9 @@ impl Figure for Strip {
         let finite = self.frames.iter().filter(|frame| frame.is_finite());
         let frames: Vec<Frame> = finite.cloned().collect();
         let camera = Camera::new(self.view);
-        let mut landmarks = extent::landmarks(&self.scene, &frames);
-        let patches = self.patches(&landmarks);
-        let corners = patches.iter().flat_map(|patch| patch.corners);
-        landmarks.extend(corners.map(|point| Landmark { point, radius: 0.0 }));
-        let window = Window::around(&camera, &landmarks);
+        let landmarks = extent::landmarks(&self.scene, &frames);
+        let patches = ground::patches(&self.scene, &landmarks);
+        let window = ground::window(&camera, landmarks, &patches);
         let layout = Layout::new(&window, frames.len());
         let lens = layout.lens(camera, &window);
         let largest = arrow::largest(&frames);

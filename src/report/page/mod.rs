@@ -5,10 +5,12 @@
 //! "how to read" may carry [`markup`]. The same page gives the same bytes.
 
 pub mod markup;
+mod player;
 mod render;
 
 use crate::plot;
 use crate::plot::number::significant;
+pub use player::{Player, SPEEDS, speed};
 
 /// A document.
 ///
@@ -58,6 +60,8 @@ pub enum Block {
     },
     /// A picture.
     Figure(Picture),
+    /// A film of a scene.
+    Player(Box<Player>),
     /// A table.
     Table(Table),
     /// Program text or output.

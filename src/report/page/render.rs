@@ -3,6 +3,7 @@
 use askama::Template;
 
 use super::markup::{Renderer, html};
+use super::player::{self, Player};
 use super::{Align, Block, Cell, Column, Mark, Page, Picture, Section, Table};
 use crate::error::{Defects, Error, Result};
 
@@ -19,8 +20,8 @@ struct Document<'a> {
     /// Each section with its blocks as HTML.
     sections: Vec<(&'a Section, Vec<String>)>,
     font: String,
-    style: &'static str,
-    script: &'static str,
+    style: [&'static str; 2],
+    script: [&'static str; 2],
 }
 
 #[derive(Template)]
@@ -52,6 +53,8 @@ impl Page {
         let lead = writer.checked("lead", |markup| markup.blocks(&self.lead));
         let sections = self.sections.iter().enumerate();
         let sections = sections.map(|(k, section)| (section, writer.section(k, section))).collect();
+        let plays = |part: &'static str| if writer.plays { part } else { "" };
+        let (style, script) = (plays(include_str!("player.css")), plays(include_str!("player.js")));
         let defects = self.ids_checked(writer.defects);
         defects.into_result(format!("page {:?}", self.title))?;
         finished(&Document {
@@ -59,8 +62,8 @@ impl Page {
             lead,
             sections,
             font: base64(FONT),
-            style: include_str!("page.css"),
-            script: include_str!("page.js"),
+            style: [include_str!("page.css"), style],
+            script: [include_str!("page.js"), script],
         })
     }
 
@@ -86,6 +89,8 @@ struct Writer {
     markup: Renderer,
     defects: Defects,
     figures: usize,
+    /// Whether there is a film.
+    plays: bool,
     tables: usize,
 }
 
@@ -117,6 +122,7 @@ impl Writer {
                 )
             }
             Block::Figure(figure) => self.figure(place, figure),
+            Block::Player(player) => self.player(place, player),
             Block::Table(table) => self.table(place, table),
         }
     }
@@ -126,6 +132,14 @@ impl Writer {
         let caption = self.checked(place, |markup| markup.inline(&figure.caption));
         let number = self.figures;
         self.checked(place, |_| written(&FigureView { number, figure, caption }))
+    }
+
+    fn player(&mut self, place: &str, player: &Player) -> String {
+        self.figures += 1;
+        self.plays = true;
+        let caption = self.checked(place, |markup| markup.inline(&player.caption));
+        let number = self.figures;
+        self.checked(place, |_| player::rendered(player, number, caption))
     }
 
     fn table(&mut self, place: &str, table: &Table) -> String {

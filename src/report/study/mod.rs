@@ -6,6 +6,7 @@ pub mod convergence;
 pub mod cross_check;
 pub mod drift;
 pub mod families;
+pub mod film;
 pub mod friction;
 pub mod merits;
 pub mod rates;

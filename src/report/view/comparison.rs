@@ -1,6 +1,7 @@
 //! All solvers at both levels, scene by scene.
 
 use super::Document;
+use crate::plot::scene::Film;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{Comparison, Run, Sample};
@@ -86,14 +87,15 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
     ]
 }
 
-/// A page of its own for one scene: the table, and the motion by solver and level.
-pub fn document(comparison: &Comparison) -> Document {
+/// A page of its own for one scene: the film, the table, and the motion by solver and level.
+pub fn document(comparison: &Comparison, film: Film) -> Document {
     let page = Page {
         title: comparison.title.clone(),
         lead: markup::literal(comparison.teaches.trim()),
         ..Page::default()
     };
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    document.film(film, "The same scene by several solvers, at the same instants.");
     document.open("comparison", "Solvers and levels");
     document.table(&format!("comparison_{}", comparison.scene), table(comparison));
     document.figure(motion_figure(comparison));
@@ -140,7 +142,7 @@ fn start_energy(run: &Run) -> f64 {
 }
 
 /// One run for each group of runs that move alike at one level, with a name for the group.
-fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
+pub fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
     let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
     let apart = |a: &Run, b: &Run, measure: fn(&Sample) -> f64| {
         let pairs = a.motion.iter().zip(&b.motion);
@@ -164,13 +166,17 @@ fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
             None => groups.push(vec![run]),
         }
     }
-    let name = |group: &[&Run]| match group {
+    groups.into_iter().map(|group| (name(&group), group[0])).collect()
+}
+
+/// The first solver of a group, and how many more there are.
+fn name(group: &[&Run]) -> String {
+    match group {
         [only] => format!("{}, {}", only.solver, only.formulation),
         [first, ..] => {
             let others = group.len() - 1;
             format!("{}: {} and {others} more", first.formulation, first.solver)
         }
         [] => String::new(),
-    };
-    groups.iter().map(|group| (name(group), group[0])).collect()
+    }
 }

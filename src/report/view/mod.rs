@@ -5,6 +5,7 @@ mod convergence;
 mod cross_check;
 mod drift;
 mod families;
+mod film;
 mod friction;
 mod introduction;
 mod merits;
@@ -15,9 +16,10 @@ mod timing;
 mod verification;
 mod worst_cases;
 
-pub use comparison::{document as comparison_document, table as comparison_table};
+pub use comparison::{alike, document as comparison_document, table as comparison_table};
 
 pub use families::table as families_table;
+pub use film::simulation_page;
 pub use verification::table as verification_table;
 
 use super::page::{Block, Page, Picture, Section, Table};

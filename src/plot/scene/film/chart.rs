@@ -1,0 +1,153 @@
+//! What is measured over time: a curve a take, above the axis of the film's instants.
+
+use std::fmt::Write;
+
+use super::{Film, Shot, Take};
+use crate::plot::Scale;
+use crate::plot::canvas::escape;
+use crate::plot::scene::extent;
+use crate::plot::style::WIDTH;
+
+/// The sides of the plot in px: left, right, top, bottom; and the height of the picture.
+pub(super) const PLOT: [f64; 4] = [64.0, WIDTH - 10.0, 8.0, 106.0];
+const HEIGHT: f64 = 130.0;
+/// A measure that stays below this is not shown (m or J).
+const NOTHING: f64 = 1e-9;
+
+/// What is measured of an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// The energy less that at the start (J).
+    Energy,
+    /// The largest |c| of an equality row that is a length (m).
+    Drift,
+    /// The deepest overlap (m).
+    Penetration,
+}
+
+impl Measure {
+    /// All of them.
+    pub const ALL: [Measure; 3] = [Measure::Energy, Measure::Drift, Measure::Penetration];
+
+    /// Its name in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Measure::Energy => "energy change",
+            Measure::Drift => "drift",
+            Measure::Penetration => "penetration",
+        }
+    }
+
+    /// Its unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Measure::Energy => "J",
+            Measure::Drift | Measure::Penetration => "m",
+        }
+    }
+
+    fn of(self, shot: &Shot, start: &Shot) -> f64 {
+        match self {
+            Measure::Energy => shot.motion.energy() - start.motion.energy(),
+            Measure::Drift => shot.motion.drift,
+            Measure::Penetration => shot.motion.penetration,
+        }
+    }
+}
+
+/// A measure at each instant of a take.
+pub(super) fn values(take: &Take, measure: Measure) -> Vec<f64> {
+    let Some(start) = take.shots.first() else { return Vec::new() };
+    take.shots.iter().map(|shot| measure.of(shot, start)).collect()
+}
+
+pub(super) fn measures(film: &Film) -> Vec<Measure> {
+    let matters = |measure: &Measure| {
+        let any = film.takes.iter().any(|take| take.worst(*measure).abs() > NOTHING);
+        *measure == Measure::Energy || any
+    };
+    Measure::ALL.into_iter().filter(matters).collect()
+}
+
+/// The values at the bottom and the top of a plot. What is beyond the scene's own size, or beyond
+/// its weight lifted by that, has left the picture.
+pub(super) fn range(film: &Film, measure: Measure) -> (f64, f64) {
+    let size = extent::size(&extent::landmarks(&film.scene, &[]));
+    let masses: f64 = film.scene.bodies.iter().map(|body| body.mass.mass()).sum();
+    let most = match measure {
+        Measure::Energy => (masses * film.scene.gravity.norm() * size).max(1.0),
+        Measure::Drift | Measure::Penetration => size,
+    };
+    let all = film.takes.iter().flat_map(|take| values(take, measure));
+    let (lo, hi) =
+        all.filter(|x| x.is_finite()).fold((0.0f64, 0.0f64), |(lo, hi), x| (lo.min(x), hi.max(x)));
+    let (lo, hi) = (lo.max(-most), hi.min(most));
+    let margin = 0.06 * (hi - lo).max(NOTHING);
+    (if lo < 0.0 { lo - margin } else { 0.0 }, hi + margin)
+}
+
+/// The last instant (s).
+pub(super) fn end(film: &Film) -> f64 {
+    film.times().last().copied().filter(|end| *end > 0.0).unwrap_or(1.0)
+}
+
+pub(super) fn svg(film: &Film, measure: Measure) -> String {
+    let [left, right, top, bottom] = PLOT;
+    let ((lo, hi), end) = (range(film, measure), end(film));
+    let x = |t: f64| left + t / end * (right - left);
+    let y = |v: f64| bottom - (v - lo) / (hi - lo) * (bottom - top);
+    let mut out = format!(
+        "<svg class=\"chart\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"{}\">\n",
+        escape(&words(film, measure))
+    );
+    for tick in Scale::Linear.ticks((lo, hi), 4) {
+        let (at, label) = (y(tick.at), tick.label);
+        let zero = if tick.at == 0.0 { " class=\"zero\"" } else { "" };
+        let _ = write!(
+            out,
+            "<path{zero} d=\"M{left} {at:.1}H{right}\"/><text x=\"{:.1}\" y=\"{:.1}\" \
+             text-anchor=\"end\">{label}</text>\n",
+            left - 6.0,
+            at + 4.0
+        );
+    }
+    for tick in Scale::Linear.ticks((0.0, end), 8) {
+        let (at, label) = (x(tick.at), tick.label);
+        let anchor = if at > right - 12.0 { "end" } else { "middle" };
+        let unit = if tick.at == 0.0 { " s" } else { "" };
+        let _ = write!(
+            out,
+            "<text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{label}{unit}</text>\n",
+            bottom + 16.0
+        );
+    }
+    let (w, h) = (right - left, bottom - top);
+    let _ = writeln!(
+        out,
+        "<svg x=\"{left}\" y=\"{top}\" width=\"{w}\" height=\"{h}\" viewBox=\"{left} {top} {w} {h}\">"
+    );
+    for ((take, color), k) in film.takes.iter().zip(film.colors()).zip(0..) {
+        let points = take.shots.iter().zip(values(take, measure));
+        let drawn = points
+            .filter(|(_, v)| v.is_finite())
+            .map(|(shot, v)| format!("{:.1} {:.1}", x(shot.motion.time), y(v).clamp(-1e4, 1e4)));
+        let course: Vec<_> = drawn.collect();
+        let _ = writeln!(
+            out,
+            "<path class=\"curve curve-{}\" style=\"--c:{color}\" d=\"M{}\"/>",
+            k % 4,
+            course.join("L")
+        );
+    }
+    out + "</svg></svg>\n"
+}
+
+fn words(film: &Film, measure: Measure) -> String {
+    let end = crate::plot::number::readable(end(film), 3);
+    let of = |take: &Take| {
+        let worst = crate::plot::number::readable(take.worst(measure), 2);
+        format!("{} up to {worst} {}", take.name, measure.unit())
+    };
+    let takes: Vec<_> = film.takes.iter().map(of).collect();
+    format!("{} over {end} s: {}", measure.name(), takes.join("; "))
+}

@@ -1,0 +1,209 @@
+//! A film as numbers: what moves, where it is, in which order it is painted, and what acts on it.
+
+use serde_json::{Value, json};
+
+use super::chart::{self, PLOT};
+use super::stage::Stage;
+use super::{Film, Take};
+use crate::body::{Body, Mass, Shape, State};
+use crate::plot::scene::frame::{Force, Frame, Origin};
+use crate::plot::scene::ink::{FACE, LIGHT, LIT, MARK, PLAIN, paint, tenth};
+use crate::plot::scene::layout::Lens;
+use crate::plot::scene::solid::{Part, Solid};
+use crate::plot::scene::{Camera, arrow, depth, joint};
+use crate::plot::style::POINT;
+use crate::scene::Scene;
+
+/// A position is rounded to a power of ten of metres below so many px.
+const EXACT: f64 = 0.05;
+/// Parts of a quaternion are rounded to 1 over this.
+pub(super) const TURN: f64 = 1e4;
+/// Numbers larger than this are cut: they are far out of the picture.
+const FAR: f64 = 1e12;
+
+pub(super) fn json(film: &Film) -> Value {
+    let stage = film.stage();
+    let unit = 10f64.powf((EXACT / stage.lens.scale).log10().floor());
+    let measures = film.measures().into_iter().map(|measure| {
+        let (lo, hi) = chart::range(film, measure);
+        json!({ "name": measure.name(), "unit": measure.unit(), "range": [short(lo), short(hi)] })
+    });
+    let steps = film.longest().iter().map(|shot| shot.motion.step);
+    let camera = Camera::new(film.view);
+    let basis = [0, 1, 2].map(|k| {
+        let axis = nalgebra::Vector3::ith(k, 1.0);
+        let seen = camera.project(&axis);
+        [seen.x, seen.y, seen.z]
+    });
+    let (x, y) = stage.lens.middle();
+    json!({
+        "camera": basis,
+        "size": [stage.lens.width, stage.lens.height],
+        "scale": stage.lens.scale,
+        "middle": [x, y],
+        "light": [LIGHT.x, LIGHT.y, LIGHT.z],
+        "face": [FACE.0, FACE.1],
+        "lit": LIT.map(|(light, aside, size)| [light, aside, size]),
+        "plain": PLAIN,
+        "mark": MARK,
+        "rod": joint::ROD,
+        "unit": unit,
+        "turn": 1.0 / TURN,
+        "bodies": bodies(&film.scene, &stage.lens),
+        "joints": joints(&film.scene),
+        "times": film.times().iter().map(|time| short(*time)).collect::<Vec<_>>(),
+        "steps": steps.collect::<Vec<_>>(),
+        "plot": PLOT,
+        "end": chart::end(film),
+        "measures": measures.collect::<Vec<_>>(),
+        "takes": film.takes.iter().map(|own| take(film, own, &stage, unit)).collect::<Vec<_>>(),
+    })
+}
+
+/// Corners and faces in the body's own frame; null where nothing is drawn.
+fn bodies(scene: &Scene, lens: &Lens) -> Vec<Value> {
+    let dot = joint::dot(scene, lens) / lens.scale;
+    let of = |(k, body): (usize, &Body)| {
+        let solid = Solid::of(k, body, &State::WORLD.pose, dot)?;
+        let corners: Vec<_> = solid
+            .corners
+            .iter()
+            .map(|c| [c.x, c.y, c.z].map(|x| (x * 1e6).round() / 1e6))
+            .collect();
+        Some(json!({
+            "corners": corners,
+            "faces": solid.faces,
+            "radius": solid.radius,
+            "color": paint(&scene.bodies, k),
+            "plain": paint(&scene.bodies, k) == POINT,
+            "fixed": body.mass == Mass::Fixed,
+        }))
+    };
+    scene.bodies.iter().enumerate().map(of).map(Value::from).collect()
+}
+
+/// The two points of each constraint on its bodies, null being the world, and their marks: 1 is a
+/// dot, 2 a square.
+fn joints(scene: &Scene) -> Vec<Value> {
+    let of = |constraint: &dyn crate::constraint::Constraint| {
+        let ends = constraint.anchors()?.map(|p| [p.x, p.y, p.z].map(|x| (x * 1e6).round() / 1e6));
+        let bodies = constraint.bodies();
+        let mark = bodies.map(|body| match body.map(|k| &scene.bodies[k].shape) {
+            None => 2,
+            Some(Shape::Point) => 0,
+            Some(_) => 1,
+        });
+        Some(json!({ "bodies": bodies, "ends": ends, "marks": mark }))
+    };
+    scene.constraints.iter().map(|joint| Value::from(of(joint.as_ref()))).collect()
+}
+
+fn take(film: &Film, take: &Take, stage: &Stage, unit: f64) -> Value {
+    let values = |measure| {
+        let values = chart::values(take, measure);
+        values.into_iter().map(short).collect::<Vec<_>>()
+    };
+    let forces = take.shots.iter().map(|shot| forces(&shot.frame.forces, stage));
+    json!({
+        "name": take.name,
+        "poses": (0..film.scene.bodies.len()).map(|k| poses(film, take, k, unit)).collect::<Vec<_>>(),
+        "order": orders(&film.scene, take, &stage.lens),
+        "forces": forces.collect::<Vec<_>>(),
+        "measures": film.measures().into_iter().map(values).collect::<Vec<_>>(),
+        "ending": take.ending,
+    })
+}
+
+/// The channels of a body: x, y, z, and the parts w, i, j, k of its quaternion unless it is a point.
+fn poses(film: &Film, take: &Take, body: usize, unit: f64) -> Vec<Vec<i64>> {
+    let mut last = nalgebra::Quaternion::identity();
+    let rows = take.shots.iter().map(|shot| {
+        let pose = &shot.frame.states[body].pose;
+        let q = *pose.q.quaternion();
+        last = if q.dot(&last) < 0.0 { -q } else { q }; // the same turn, without a jump
+        let place = [pose.p.x, pose.p.y, pose.p.z].map(|x| whole(x / unit));
+        let turn = [last.w, last.i, last.j, last.k].map(|x| whole(x * TURN));
+        [&place[..], &turn].concat()
+    });
+    let rows: Vec<_> = rows.collect();
+    let channels = if film.scene.bodies[body].shape == Shape::Point { 3 } else { 7 };
+    (0..channels).map(|k| changes(rows.iter().map(|row| row[k]))).collect()
+}
+
+/// The first number and the differences, without the zeros at the end.
+fn changes(numbers: impl Iterator<Item = i64>) -> Vec<i64> {
+    let mut before = 0;
+    let mut changes: Vec<i64> = numbers
+        .map(|number| {
+            let change = number - before;
+            before = number;
+            change
+        })
+        .collect();
+    while changes.len() > 1 && changes.last() == Some(&0) {
+        changes.pop();
+    }
+    changes
+}
+
+/// The order of painting at each instant: bodies by index, then constraints; 0 where it is that of
+/// the instant before.
+fn orders(scene: &Scene, take: &Take, lens: &Lens) -> Vec<Value> {
+    let mut before = Vec::new();
+    let of = |shot: &super::Shot| {
+        let order = order(scene, &shot.frame, lens);
+        if order == before {
+            return json!(0);
+        }
+        before.clone_from(&order);
+        json!(order)
+    };
+    take.shots.iter().map(of).collect()
+}
+
+fn order(scene: &Scene, frame: &Frame, lens: &Lens) -> Vec<usize> {
+    let dot = joint::dot(scene, lens) / lens.scale;
+    let bodies = scene.bodies.iter().zip(&frame.states).enumerate();
+    let mut solids: Vec<_> =
+        bodies.filter_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
+    let mut names: Vec<usize> = solids.iter().filter_map(body_of).collect();
+    for (k, constraint) in scene.constraints.iter().enumerate() {
+        if let Some(rod) = joint::rod(constraint.as_ref(), frame, joint::ROD / lens.scale) {
+            solids.push(rod);
+            names.push(scene.bodies.len() + k);
+        }
+    }
+    depth::order(&lens.camera, &solids).into_iter().map(|k| names[k]).collect()
+}
+
+fn body_of(solid: &Solid) -> Option<usize> {
+    match solid.part {
+        Part::Body(k) => Some(k),
+        Part::Rod(_) => None,
+    }
+}
+
+/// Five numbers a force: origin, then tail and course in tenths of a px.
+fn forces(forces: &[Force], stage: &Stage) -> Vec<i64> {
+    let Some(newton) = stage.newton else { return Vec::new() };
+    let lens = &stage.lens;
+    let drawn = forces.iter().filter_map(|force| {
+        let tail = lens.place(&force.point);
+        let seen = lens.camera.project(&force.force) * newton;
+        let (dx, dy) = (seen.x, -seen.y);
+        let seen = dx.hypot(dy) >= arrow::SHORTEST || force.origin == Origin::Normal;
+        let drawn = seen && lens.holds(tail) && dx.is_finite() && dy.is_finite();
+        let far = |px: f64| tenth(px.clamp(-1e4, 1e4));
+        drawn.then(|| [force.origin as i64, tenth(tail.0), tenth(tail.1), far(dx), far(dy)])
+    });
+    drawn.flatten().collect()
+}
+
+fn whole(x: f64) -> i64 {
+    x.clamp(-FAR, FAR).round() as i64
+}
+
+/// Four significant digits.
+fn short(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
+}

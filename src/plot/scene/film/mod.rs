@@ -1,0 +1,240 @@
+//! The film: one scene by several solvers, instant by instant, all seen by one camera at one scale.
+//!
+//! ```text
+//! simulation ─→ takes ─→ poses, order, forces, measures as numbers ─→ a player
+//!               shots     rounded to what an eye can tell apart
+//! ```
+
+mod chart;
+mod data;
+mod stage;
+
+use std::ops::ControlFlow;
+
+use super::extent;
+use super::frame::{Frame, instants};
+use super::strip::Strip;
+use super::{Camera, View};
+use crate::plot::number::readable;
+use crate::plot::style;
+use crate::scene::Scene;
+use crate::simulation::{Failure, Motion, Simulation, Step};
+pub use chart::Measure;
+use stage::Stage;
+
+/// Instants of a take, and of all takes of a film together, at most.
+const SHOTS: (usize, usize) = (151, 600);
+/// Instants of a take in the strip that stands for the film where it cannot be played.
+const STILLS: usize = 5;
+
+/// One scene, simulated in several ways.
+///
+/// ```
+/// use lcplab::plot::scene::{Film, Take};
+/// use lcplab::{scene::Scene, simulation::Simulation, solver};
+///
+/// let scene = Scene::load("stack")?;
+/// let solver = solver::by_name("dantzig", &solver::Options::default())?;
+/// let mut simulation = Simulation::new(scene.clone(), solver);
+/// let film = Film::new("stack", &scene, vec![Take::of("dantzig", &mut simulation, 10, 11)]);
+/// assert_eq!(film.times().len(), 11);
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Film {
+    /// A name without spaces, unique on a page.
+    pub id: String,
+    /// What moves.
+    pub scene: Scene,
+    /// How it moved, a take a solver; all have their shots after the same steps.
+    pub takes: Vec<Take>,
+    /// From where it is seen.
+    pub view: View,
+}
+
+/// A scene as one solver moved it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Take {
+    /// The solver, and after a comma how it was set.
+    pub name: String,
+    /// Its instants from the start on.
+    pub shots: Vec<Shot>,
+    /// Why it ended early, if it did.
+    pub ending: Option<String>,
+}
+
+/// An instant with what is measured of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shot {
+    /// The poses and forces.
+    pub frame: Frame,
+    /// Energy, momentum and errors.
+    pub motion: Motion,
+}
+
+/// What a page needs to show one take.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pane {
+    /// The take's name.
+    pub name: String,
+    /// The colour of its curves, `#0072b2`.
+    pub color: String,
+    /// What never moves, as markup in px.
+    pub backdrop: String,
+    /// How it went, in a sentence.
+    pub description: String,
+}
+
+impl Take {
+    /// A take at the start of a simulation.
+    pub fn start(name: impl Into<String>, simulation: &Simulation) -> Self {
+        let (frame, motion) = (Frame::now(simulation), simulation.motion());
+        Take { name: name.into(), shots: vec![Shot { frame, motion }], ending: None }
+    }
+
+    /// Adds the end of a step.
+    pub fn add(&mut self, scene: &Scene, step: &Step) {
+        let (frame, motion) = (Frame::after(scene, step), step.motion.clone());
+        self.shots.push(Shot { frame, motion });
+    }
+
+    /// Notes why the simulation ended early, if it did.
+    pub fn end(&mut self, failure: Option<&Failure>) {
+        self.ending = failure.map(ToString::to_string);
+    }
+
+    /// Steps a simulation and keeps so many instants.
+    pub fn of(name: &str, simulation: &mut Simulation, steps: usize, shots: usize) -> Self {
+        let mut take = Take::start(name, simulation);
+        let (scene, kept) = (simulation.scene().clone(), instants(steps, shots));
+        let recording = simulation.run(steps, |step| {
+            if kept.binary_search(&step.number).is_ok() {
+                take.add(&scene, step);
+            }
+            ControlFlow::Continue(())
+        });
+        take.end(recording.failure.as_ref());
+        take
+    }
+
+    fn frames(&self) -> Vec<Frame> {
+        self.shots.iter().map(|shot| shot.frame.clone()).collect()
+    }
+
+    /// The largest value of a measure over the take.
+    fn worst(&self, measure: Measure) -> f64 {
+        let values = chart::values(self, measure);
+        values.into_iter().fold(0.0, |worst: f64, x| if x.abs() > worst.abs() { x } else { worst })
+    }
+}
+
+impl Film {
+    /// A film of these takes, seen from where all of them are seen best.
+    pub fn new(id: impl Into<String>, scene: &Scene, takes: Vec<Take>) -> Self {
+        let frames: Vec<_> = takes.iter().flat_map(Take::frames).collect();
+        let view = View::of(scene, &frames);
+        Film { id: id.into(), scene: scene.clone(), takes, view }
+    }
+
+    /// How many instants each of so many takes should have.
+    pub fn shots(takes: usize) -> usize {
+        SHOTS.0.min(SHOTS.1 / takes.max(1))
+    }
+
+    /// The instants (s), as far as the longest take goes.
+    pub fn times(&self) -> Vec<f64> {
+        self.longest().iter().map(|shot| shot.motion.time).collect()
+    }
+
+    fn longest(&self) -> &[Shot] {
+        let longest = self.takes.iter().max_by_key(|take| take.shots.len());
+        longest.map_or(&[], |take| &take.shots)
+    }
+
+    /// How many takes stand side by side.
+    pub fn columns(&self) -> usize {
+        match self.takes.len() {
+            4 => 2,
+            takes => takes.clamp(1, 3),
+        }
+    }
+
+    /// What is measured and not 0 in every take, the energy first.
+    pub fn measures(&self) -> Vec<Measure> {
+        chart::measures(self)
+    }
+
+    /// A measure over time, a curve a take, as an SVG element for a page that has the colours.
+    pub fn chart(&self, measure: Measure) -> String {
+        chart::svg(self, measure)
+    }
+
+    /// The width and height of a stage in px.
+    pub fn size(&self) -> (f64, f64) {
+        let lens = self.stage().lens;
+        (lens.width, lens.height)
+    }
+
+    /// The takes as a page shows them.
+    pub fn panes(&self) -> Vec<Pane> {
+        let (backdrop, colors) = (self.stage().backdrop(), self.colors());
+        let pane = |(take, color): (&Take, String)| Pane {
+            name: take.name.clone(),
+            color,
+            backdrop: backdrop.clone(),
+            description: self.description(take),
+        };
+        self.takes.iter().zip(colors).map(pane).collect()
+    }
+
+    /// All that a player needs, as one JSON object. Positions are in units of `unit` (m), parts of
+    /// quaternions in 1/10000; each list is the first number and then the changes, without the
+    /// zeros at its end.
+    pub fn data(&self) -> String {
+        data::json(self).to_string()
+    }
+
+    /// Some instants of a take as a picture.
+    pub fn strip(&self, take: usize) -> Strip {
+        let Take { name, shots, .. } = &self.takes[take];
+        let last = shots.len().saturating_sub(1);
+        let kept = instants(last, STILLS).into_iter().filter_map(|k| shots.get(k));
+        let strip = Strip {
+            id: format!("{}-{take}", self.id),
+            title: name.clone(),
+            view: self.view,
+            ..Strip::new(&self.scene, kept.map(|shot| shot.frame.clone()).collect())
+        };
+        strip.with_forces()
+    }
+
+    fn stage(&self) -> Stage {
+        let motions: Vec<_> = self.takes.iter().map(Take::frames).collect();
+        let landmarks = extent::shared(&self.scene, &motions);
+        Stage::new(self, Camera::new(self.view), landmarks)
+    }
+
+    fn colors(&self) -> Vec<String> {
+        let names: Vec<&str> = self.takes.iter().map(|take| take.name.as_str()).collect();
+        style::styles(&names).into_iter().map(|look| crate::plot::canvas::hex(look.color)).collect()
+    }
+
+    fn description(&self, take: &Take) -> String {
+        let worst = |measure: &Measure| {
+            let value = readable(take.worst(*measure), 2);
+            format!("{} {value} {} at most", measure.name(), measure.unit())
+        };
+        let measures: Vec<_> = self.measures().iter().map(worst).collect();
+        let end = take.shots.last().map_or(0.0, |shot| shot.motion.time);
+        let ending = take.ending.as_ref().map_or(String::new(), |why| format!("; ended: {why}"));
+        format!(
+            "{} by {}, {} instants to {} s, seen {}: {}{ending}",
+            self.scene.title,
+            take.name,
+            take.shots.len(),
+            readable(end, 3),
+            self.view.name(),
+            measures.join(", ")
+        )
+    }
+}

@@ -1,0 +1,108 @@
+//! The stage: the picture's measures, and what stands in it all the time.
+
+use std::fmt::Write;
+
+use super::Film;
+use crate::plot::axis::round_step;
+use crate::plot::number::readable;
+use crate::plot::scene::Camera;
+use crate::plot::scene::arrow;
+use crate::plot::scene::extent::Landmark;
+use crate::plot::scene::frame::Origin;
+use crate::plot::scene::ground::{self, Patch};
+use crate::plot::scene::ink::Ink;
+use crate::plot::scene::layout::{Layout, Lens};
+use crate::plot::style::{WIDTH, width};
+
+/// The least and the greatest height of a stage in px.
+const HEIGHT: (f64, f64) = (250.0, 420.0);
+/// Between stages in px.
+const GAP: f64 = 10.0;
+/// Beneath the motion in px, for the scales.
+const FOOT: f64 = 22.0;
+/// Size of the scales' text in px.
+const SMALL: f64 = 11.0;
+/// The length of the scale bar, as a share of the width, at least.
+const BAR: f64 = 0.12;
+/// The share of instants whose largest force has a whole arrow: blows leave the picture, and what
+/// rests can be seen.
+const USUAL: f64 = 0.9;
+
+pub(super) struct Stage {
+    pub lens: Lens,
+    /// px for a newton, if there are forces.
+    pub newton: Option<f64>,
+    patches: Vec<Patch>,
+    origins: Vec<Origin>,
+    /// The force (N) whose arrow is as long as arrows should be.
+    usual: f64,
+}
+
+impl Stage {
+    pub fn new(film: &Film, camera: Camera, landmarks: Vec<Landmark>) -> Self {
+        let patches = ground::patches(&film.scene, &landmarks);
+        let window = ground::window(&camera, landmarks, &patches);
+        let columns = film.columns() as f64;
+        let across = ((WIDTH - (columns - 1.0) * GAP) / columns).round();
+        let highest = (0.75 * across).clamp(HEIGHT.0, HEIGHT.1);
+        let lens = Layout::single(&window, across, highest).lens(camera, &window).with_foot(FOOT);
+        let shots = || film.takes.iter().flat_map(|take| &take.shots);
+        let largest = |shot: &super::Shot| arrow::largest(std::slice::from_ref(&shot.frame));
+        let mut forces: Vec<f64> = shots().map(largest).filter(|force| *force > 0.0).collect();
+        forces.sort_by(f64::total_cmp);
+        let usual = forces.get((USUAL * forces.len() as f64) as usize).copied().unwrap_or(0.0);
+        let acts = |origin: &Origin| {
+            shots().any(|shot| shot.frame.forces.iter().any(|force| force.origin == *origin))
+        };
+        let origins = Origin::ALL.into_iter().filter(acts).collect();
+        let newton = (usual > 0.0).then(|| arrow::scale(usual, &lens));
+        Stage { lens, newton, patches, origins, usual }
+    }
+
+    /// The ground and the scales, in px.
+    pub fn backdrop(&self) -> String {
+        let mut ink = Ink::new(&self.lens);
+        for patch in &self.patches {
+            ink.ground(patch);
+        }
+        format!("<g transform=\"scale(0.1)\">{}</g>\n{}", ink.finish(), self.scales())
+    }
+
+    /// A bar of a round length, and an arrow of a round force for each origin that occurs.
+    fn scales(&self) -> String {
+        let y = self.lens.height - 11.0;
+        let metres = round_step(BAR * self.lens.width / self.lens.scale);
+        let length = metres * self.lens.scale;
+        let label = format!("{} m", readable(metres, 2));
+        let mut out = format!(
+            "<path class=\"bar\" d=\"M10 {:.1}v6m0 -3h{length:.1}m0 -3v6\"/>\
+             <text x=\"{:.1}\" y=\"{:.1}\">{label}</text>",
+            y - 3.0,
+            length + 15.0,
+            y + 4.0
+        );
+        let Some(newton) = self.newton else { return out };
+        let mut x = length + 15.0 + width(&label, SMALL) + 16.0;
+        let force = round_step(0.35 * self.usual);
+        out += "<g class=\"forces\">";
+        for (k, origin) in self.origins.iter().enumerate() {
+            let long = force * newton;
+            let number = if k == 0 { format!(" {} N", readable(force, 2)) } else { String::new() };
+            let words = format!("{}{number}", origin.name());
+            if x + long + 5.0 + width(&words, SMALL) > self.lens.width {
+                break;
+            }
+            let arrow = arrow::sample(*origin, (x, y), long);
+            let _ = write!(
+                out,
+                "<g class=\"{}\" transform=\"scale(0.1)\">{arrow}</g>\
+                 <text x=\"{:.1}\" y=\"{:.1}\">{words}</text>",
+                origin.name(),
+                x + long + 5.0,
+                y + 4.0
+            );
+            x += long + 5.0 + width(&words, SMALL) + 12.0;
+        }
+        out + "</g>\n"
+    }
+}

@@ -1,0 +1,73 @@
+//! One scene by several solvers, recorded for a player.
+
+use rayon::prelude::*;
+
+use super::comparison::Run;
+use super::{at_level, simulation_by};
+use crate::plot::scene::{Film, Take};
+use crate::report::methods;
+use crate::scene::{Formulation, Scene};
+use crate::solver::Method;
+
+/// Who moves a scene in a film.
+#[derive(Debug, Clone, Copy)]
+pub struct Actor {
+    /// The family of methods that takes the steps.
+    pub formulation: Formulation,
+    /// The solver.
+    pub method: Method,
+    /// Most sweeps or pivots; the scene's own without it.
+    pub max_iterations: Option<usize>,
+}
+
+impl Actor {
+    /// An actor by the name of its solver, with its most sweeps after a colon if they are not the
+    /// scene's: `pgs:5`.
+    ///
+    /// # Errors
+    /// If there is no such solver, or the number is none.
+    pub fn named(text: &str, scene: &Scene) -> crate::error::Result<Self> {
+        let (name, most) = text.split_once(':').map_or((text, None), |(n, m)| (n, Some(m)));
+        let number = |most: &str| {
+            let reason = || format!("{most:?} is no number of sweeps");
+            most.parse().ok().filter(|n| *n > 0).ok_or_else(reason)
+        };
+        let most = most.map(number).transpose();
+        let max_iterations =
+            most.map_err(|reason| crate::error::Error::invalid("solver", text, reason))?;
+        let method = methods::by_name(name, crate::formulation::friction_model(&scene.contact))?;
+        Ok(Actor { formulation: scene.step.formulation, method, max_iterations })
+    }
+
+    /// The solver, its level and its sweeps: what is after the comma varies the name before it.
+    pub fn name(&self) -> String {
+        let sweeps = self.max_iterations.map_or(String::new(), |n| format!(", {n} sweeps"));
+        format!("{}, {}{sweeps}", self.method.name(), self.formulation.name())
+    }
+}
+
+/// Steps a scene by each of these, and keeps as many instants as a film needs.
+pub fn film(id: &str, scene: &Scene, actors: &[(String, Actor)], steps: usize) -> Film {
+    let shots = Film::shots(actors.len());
+    let take = |(name, actor): &(String, Actor)| {
+        let mut own = at_level(scene, actor.formulation);
+        own.solver.max_iterations = actor.max_iterations.unwrap_or(own.solver.max_iterations);
+        Take::of(name, &mut simulation_by(&own, &actor.method), steps, shots)
+    };
+    Film::new(id, scene, actors.par_iter().map(take).collect())
+}
+
+/// The contenders of a comparison that stand for a group each, under the group's name.
+pub fn alike(
+    contenders: &[(Formulation, Method)],
+    groups: &[(String, &Run)],
+) -> Vec<(String, Actor)> {
+    let actor = |(name, run): &(String, &Run)| {
+        let is = |(formulation, method): &&(Formulation, Method)| {
+            formulation.name() == run.formulation && method.name() == run.solver
+        };
+        let &(formulation, method) = contenders.iter().find(is)?;
+        Some((name.clone(), Actor { formulation, method, max_iterations: None }))
+    };
+    groups.iter().filter_map(actor).collect()
+}

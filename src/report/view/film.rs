@@ -1,0 +1,42 @@
+//! Films on pages of their own and beside the tables of a comparison.
+
+use super::Document;
+use crate::plot::scene::Film;
+use crate::report::page::{Block, Page, Player, markup};
+use crate::report::recording::Record;
+
+/// What the buttons do, for the caption.
+const HOW: &str = "Arrows are forces on the moving body; the curves are of all instants shown, and \
+                   pressing on them goes there.";
+
+impl Document {
+    /// Adds a film with a section of its own.
+    pub fn film(&mut self, film: Film, caption: &str) {
+        self.open("film", "The motion");
+        let caption = format!("{caption} {HOW}");
+        self.add(Block::Player(Box::new(Player { film, caption, files: Vec::new() })));
+    }
+}
+
+/// The page of one simulation: its film, and its totals; its tables lie beside it.
+pub fn simulation_page(film: Film, record: &Record) -> Page {
+    let scene = film.scene.clone();
+    let page = Page {
+        title: scene.title.clone(),
+        lead: markup::literal(scene.teaches.trim()),
+        ..Page::default()
+    };
+    let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    document.film(film, "What was simulated, instant by instant.");
+    if let Some(Block::Player(player)) =
+        document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()
+    {
+        player.files = FILES.map(|name| (name.into(), name.into())).into();
+    }
+    document.open("totals", "Totals");
+    document.add(Block::Code { language: "text".into(), text: record.text() });
+    document.page
+}
+
+/// What `simulate` writes beside the page.
+const FILES: [&str; 4] = ["trajectory.csv", "ledger.csv", "forces.csv", "results.json"];
