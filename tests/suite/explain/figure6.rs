@@ -9,7 +9,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
     // u* = −1 − 1·1 = −2 m/s, and a body of 1 kg needs 2 N s to stop.
     let document = explained("fig6", Formulation::Velocity, "pgs");
     let text = sections(
-        document,
+        &document,
         &["masses", "constraints", "Newton", "row by row", "answer", "motion", "after"],
     );
     insta::assert_snapshot!(text, @r"
