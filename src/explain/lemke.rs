@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use super::answer::Reading;
 use super::solve::{self, Scribe};
+use super::units::with_unit;
 use crate::document::notation::{bracketed, indexed, plain};
 use crate::document::{Block, Formula, SHOWN, Section, Table};
 use crate::lcp::Lcp;
@@ -62,7 +63,7 @@ impl<'a> Tableaux<'a> {
         match variable {
             Variable::Y(i) | Variable::T(i) => units.x[i].clone(),
             Variable::W(i) | Variable::V(i) => units.w[i].clone(),
-            Variable::Cover => units.of_w(),
+            Variable::Cover => with_unit("", &units.of_w()).trim_start().to_string(),
         }
     }
 

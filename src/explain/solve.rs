@@ -32,7 +32,11 @@ pub(super) fn section(reading: &Reading, method: &Method, start: Option<&[f64]>)
     let solution = method.solver()?.solve(lcp, &Start { x: start }, &mut *scribe);
     let mut section = scribe.section(&solution);
     if let (Status::Ray { row, direction }, true) = (&solution.status, method.name() != "lemke") {
-        ray(&mut section, reading, &solution.x, *row, direction);
+        section.say(match method.name() {
+            "dantzig" => stuck(reading, &solution.x, *row),
+            _ => ENDLESS.to_string(),
+        });
+        ray(&mut section, reading, direction);
     }
     let plural = if solution.iterations == 1 { "" } else { "s" };
     let x = with_unit(&vector(&solution.x), &reading.units.of_x());
@@ -48,16 +52,23 @@ pub(super) fn section(reading: &Reading, method: &Method, start: Option<&[f64]>)
     Ok(Solved { section, solution })
 }
 
-/// Where x could go for ever.
-fn ray(section: &mut Section, reading: &Reading, x: &[f64], row: usize, direction: &[f64]) {
-    let lcp = reading.lcp;
-    let w = with_unit(&plain(lcp.w(x)[row]), &reading.units.w[row]);
-    section.say(format!(
+/// What sweeps come to where there is no solution.
+const ENDLESS: &str = "Every further sweep moves x by the same d, for ever: no bound is met, and no w gets \
+nearer to 0, for Δw = A d is";
+
+/// A row that Dantzig's method cannot satisfy.
+fn stuck(reading: &Reading, x: &[f64], row: usize) -> String {
+    let w = with_unit(&plain(reading.lcp.w(x)[row]), &reading.units.w[row]);
+    format!(
         "Row {row} is left, with {} = {w}. Here x can go along d for ever: no bound is met, and no w \
          gets nearer to 0, for Δw = A d is",
         indexed("w", row)
-    ));
-    let product = lcp.homogeneous().w(direction);
+    )
+}
+
+/// Where x could go for ever.
+fn ray(section: &mut Section, reading: &Reading, direction: &[f64]) {
+    let product = reading.lcp.homogeneous().w(direction);
     section.formula(
         Formula::default()
             .symbols("d =", "d =")

@@ -5,6 +5,9 @@ use serde_json::Value;
 use crate::formulation::{Problem, Stage};
 use crate::lcp::file;
 
+/// What is said in place of a unit that not all rows have.
+const DIFFERENT: &str = "units row by row";
+
 /// The units of x and w, one entry a row; empty where none is known.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Units {
@@ -81,7 +84,7 @@ fn known(x: &str) -> [&'static str; 3] {
 fn common(units: &[String]) -> String {
     match units.first() {
         Some(first) if units.iter().all(|unit| unit == first) => first.clone(),
-        Some(_) => "units row by row".into(),
+        Some(_) => DIFFERENT.into(),
         None => String::new(),
     }
 }
@@ -98,12 +101,15 @@ pub(super) fn of_motion(stage: Stage, has_angular: bool) -> &'static str {
     }
 }
 
-/// A heading with the unit in brackets, if there is one.
+/// A heading with the unit in brackets, if there is one for all rows.
 pub(super) fn headed(words: &str, unit: &str) -> String {
-    if unit.is_empty() { words.to_string() } else { format!("{words} ({unit})") }
+    if matches!(unit, "" | DIFFERENT) { words.to_string() } else { format!("{words} ({unit})") }
 }
 
-/// A number with its unit.
+/// A number with its unit; without one if the rows differ in theirs.
 pub(super) fn with_unit(number: &str, unit: &str) -> String {
-    format!("{number} {unit}").trim_end().to_string()
+    match unit {
+        "" | DIFFERENT => number.to_string(),
+        unit => format!("{number} {unit}"),
+    }
 }

@@ -60,7 +60,7 @@ impl Observer for Follower {
                 let values = own.basic.iter().copied().zip(own.constant.iter().copied());
                 self.last_values = values.collect();
             }
-            Part::Satisfied { .. } => {}
+            Part::Satisfied { .. } | Part::Frozen(_) => {}
         }
     }
 }
