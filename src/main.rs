@@ -2,14 +2,14 @@
 
 mod cli;
 
-/// The lessons' cells, compiled.
-#[allow(non_snake_case)]
+/// The lessons' cells, compiled; they are written to be read one by one.
+#[allow(non_snake_case, clippy::type_complexity, clippy::useless_vec)]
 mod lessons {
     include!(concat!(env!("OUT_DIR"), "/lessons.rs"));
 }
 
 /// The handout's cells, compiled.
-#[allow(non_snake_case)]
+#[allow(non_snake_case, clippy::type_complexity, clippy::useless_vec)]
 mod handout {
     include!(concat!(env!("OUT_DIR"), "/handout.rs"));
 }

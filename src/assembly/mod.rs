@@ -4,6 +4,7 @@
 //! everything. Constraints come first, in the order of the scene, then contacts, each as normal,
 //! first and second tangent. `math §1`, `math §2`.
 
+mod freedoms;
 mod mass;
 mod rows;
 
@@ -127,6 +128,8 @@ pub struct Undefined {
     /// Why.
     pub cause: Degenerate,
 }
+
+impl std::error::Error for Undefined {}
 
 impl fmt::Display for Undefined {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

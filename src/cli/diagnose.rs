@@ -8,8 +8,8 @@ use lcplab::error::{Error, Result};
 use lcplab::lcp::file::Problem;
 use lcplab::scene::Scene;
 
-use super::Outcome;
 use super::form::Writing;
+use super::{Outcome, print};
 
 /// Say why a scene or a problem cannot be solved, or not in one way only
 #[derive(Debug, Args)]
@@ -17,6 +17,7 @@ use super::form::Writing;
 Example:
   lcplab diagnose fig8                    # three rows that contradict each other, proved
   lcplab diagnose stack --step 10
+  lcplab diagnose fig8 --json
   lcplab generate fathi | lcplab diagnose - --format markdown
 
 Counted are rank, condition number and degrees of freedom; named are zero rows, dependent rows, rows
@@ -30,6 +31,9 @@ pub struct Diagnose {
     /// The step of a scene at whose beginning it is examined, from 1; 1 without it
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
+    /// Print what was found as JSON
+    #[arg(long, conflicts_with_all = ["format", "out"])]
+    json: bool,
     #[command(flatten)]
     writing: Writing,
 }
@@ -45,6 +49,10 @@ impl Diagnose {
             (true, None) => problem(&Problem::read(Path::new(&self.input))?)?,
             (false, step) => scene(&Scene::load(&self.input)?, step.unwrap_or(1) as usize)?,
         };
-        self.writing.write(&found.document())
+        if !self.json {
+            return self.writing.write(&found.document());
+        }
+        print(&format!("{:#}\n", found.to_json()))?;
+        Ok(if found.is_sound() { Outcome::Good } else { Outcome::Refuted })
     }
 }

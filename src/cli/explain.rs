@@ -5,8 +5,10 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
-use lcplab::explain::{Method, problem, step};
+use lcplab::explain::{Method, problem, steps};
+use lcplab::formulation::with_friction_model;
 use lcplab::lcp::file::Problem;
+use lcplab::lcp::friction::Model;
 use lcplab::report::study::scene_options;
 use lcplab::scene::{Formulation, Scene};
 use lcplab::solver::{Options, default_for};
@@ -20,6 +22,8 @@ use super::form::Writing;
 Example:
   lcplab explain fig7 --solver pgs
   lcplab explain fig7 --solver lemke --formulation acceleration --format html --out fig7.html
+  lcplab explain bouncing_ball --from 80
+  lcplab explain sphere_plane --model polygon-4
   lcplab export stack | lcplab explain - --solver dantzig --format markdown
 
 Written are states, masses, forces, each row's c, J and J'u, the way from Newton's law to A and b, and
@@ -37,7 +41,13 @@ pub struct Explain {
     /// The level of a scene's LCP; the scene's own without it
     #[arg(long, value_enum)]
     formulation: Option<Level>,
-    /// How many steps of a scene are explained, from the first one; 1 without it
+    /// The model of friction of a scene; the scene's own without it
+    #[arg(long)]
+    model: Option<Model>,
+    /// The first step of a scene that is explained, counted from 1; those before are only taken
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    from: Option<u64>,
+    /// How many steps of a scene are explained; 1 without it
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     steps: Option<u64>,
     /// Largest scaled residual that counts as solved
@@ -67,9 +77,12 @@ impl Explain {
     }
 
     fn of_problem(&self) -> Result<Document> {
-        for (option, given) in
-            [("--formulation", self.formulation.is_some()), ("--steps", self.steps.is_some())]
-        {
+        for (option, given) in [
+            ("--formulation", self.formulation.is_some()),
+            ("--model", self.model.is_some()),
+            ("--from", self.from.is_some()),
+            ("--steps", self.steps.is_some()),
+        ] {
             if given {
                 return Err(Error::invalid(
                     &self.input,
@@ -97,7 +110,12 @@ impl Explain {
             None => "dantzig",
         };
         let method = self.method(name, scene_options(&scene))?;
-        step(&scene, &method, self.steps.unwrap_or(1) as usize)
+        if let Some(model) = self.model {
+            scene.contact = with_friction_model(&scene.contact, model);
+        }
+        let first = self.from.unwrap_or(1) as usize;
+        let last = first.saturating_add(self.steps.unwrap_or(1) as usize - 1);
+        steps(&scene, &method, first..=last)
     }
 
     fn method(&self, name: &str, mut options: Options) -> Result<Method> {

@@ -1,12 +1,13 @@
 //! `report`: runs the studies of a report file and writes its page.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use lcplab::error::Result;
+use lcplab::error::{Error, Result};
 use lcplab::lesson::Program;
 use lcplab::report::experiment::Experiment;
-use lcplab::report::{run, write};
+use lcplab::report::results::Results;
+use lcplab::report::{difference, run, text, view, write};
 
 use super::{Outcome, bar, print};
 use crate::handout::ALL;
@@ -20,14 +21,27 @@ const HANDOUT: &Program = &ALL[0];
 Example:
   lcplab report                # writes reports/standard/index.html
   lcplab report chapter        # the chapter, walked through with everything computed
+  lcplab report storage        # the chapter's sparse matrices, measured
   lcplab report mine.toml --out mine
+  lcplab report --redraw reports/standard      # the page again, nothing is solved
+  lcplab report --compare before/results.json after/results.json
 
 The folder gets index.html, which needs no network, results.json, and the data of every figure and
-table. Exit code 1 if a known number is missed or a solver's claim is refuted, 2 for bad input.")]
+table. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
+differ, 2 for bad input.")]
 pub struct Report {
     /// A report file, or the name of a shipped report
     #[arg(default_value = "standard")]
     report: String,
+    /// Draw the page of a folder with results.json again
+    #[arg(long, value_name = "FOLDER", conflicts_with = "compare")]
+    redraw: Option<PathBuf>,
+    /// List what differs between two results files, times aside
+    #[arg(long, num_args = 2, value_names = ["OLD", "NEW"])]
+    compare: Vec<PathBuf>,
+    /// Relative difference of numbers that --compare lets pass
+    #[arg(long, default_value_t = 0.0, requires = "compare")]
+    tolerance: f64,
     /// Folder of the report; reports/NAME without it
     #[arg(long)]
     out: Option<PathBuf>,
@@ -38,6 +52,12 @@ pub struct Report {
 
 impl Report {
     pub fn run(&self) -> Result<Outcome> {
+        if let [old, new] = &self.compare[..] {
+            return self.changes(old, new);
+        }
+        if let Some(folder) = &self.redraw {
+            return redraw(folder);
+        }
         if self.report == HANDOUT.name {
             return self.handout();
         }
@@ -56,6 +76,17 @@ impl Report {
         Ok(if results.is_good() { Outcome::Good } else { Outcome::Refuted })
     }
 
+    fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
+        let changes =
+            difference::between(&difference::read(old)?, &difference::read(new)?, self.tolerance);
+        if changes.is_empty() {
+            print("no difference\n")?;
+            return Ok(Outcome::Good);
+        }
+        print(&text::table(&difference::table(&changes)))?;
+        Ok(Outcome::Refuted)
+    }
+
     /// The report `chapter`: a notebook in the order of the chapter, run and written as one page.
     fn handout(&self) -> Result<Outcome> {
         let folder = self.out.clone().unwrap_or_else(|| ["reports", HANDOUT.name].iter().collect());
@@ -65,4 +96,15 @@ impl Report {
         print(&format!("{}\n", path.display()))?;
         Ok(Outcome::Good)
     }
+}
+
+/// The page of results that were found before.
+fn redraw(folder: &Path) -> Result<Outcome> {
+    let path = folder.join("results.json");
+    let results: Results = serde_json::from_value(difference::read(&path)?).map_err(|cause| {
+        Error::invalid(path.display().to_string(), "results", cause.to_string())
+    })?;
+    let page = write::document(&view::document(&results), folder)?;
+    print(&format!("{}\n{}\n", results.summary(), page.display()))?;
+    Ok(if results.is_good() { Outcome::Good } else { Outcome::Refuted })
 }

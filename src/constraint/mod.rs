@@ -69,7 +69,7 @@ pub use slider::Slider;
 pub use spring::Elastic;
 pub use squared_distance::SquaredDistance;
 pub use universal::Universal;
-pub use verify::{Mistake, Quantity, Verifiable, verify};
+pub use verify::{Mistake, Quantity, Verifiable, derivatives, verify};
 pub use weld::Weld;
 
 use std::fmt;
@@ -257,6 +257,8 @@ pub struct Degenerate {
     /// What went wrong.
     pub reason: &'static str,
 }
+
+impl std::error::Error for Degenerate {}
 
 impl fmt::Display for Degenerate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -123,6 +123,27 @@ pub fn verify(constraint: &dyn Verifiable, states: [&State; 2]) -> Result<(), Mi
     Ok(())
 }
 
+/// c, ċ and c̈ of every row that has a position, as the bodies go on with their velocities unchanged:
+/// exact, by dual numbers and c(s) alone. Since u' = 0 there, ċ is J u and c̈ is J'u. Where a body is
+/// the world its state is [`State::WORLD`], whatever is given.
+///
+/// ```
+/// use lcplab::body::State;
+/// use lcplab::constraint::{Distance, derivatives};
+/// use nalgebra::Vector3;
+///
+/// let rod = Distance { bodies: [None, Some(0)], anchors: [Vector3::zeros(); 2], length: 2.0 };
+/// let mut bob = State::WORLD;
+/// (bob.pose.p.x, bob.v.y) = (2.0, 3.0); // on a circle of 2 m at 3 m/s
+/// assert_eq!(derivatives(&rod, [&State::WORLD, &bob]), [[0.0, 0.0, 4.5]]);
+/// ```
+pub fn derivatives(constraint: &dyn Verifiable, states: [&State; 2]) -> Vec<[f64; 3]> {
+    let bodies = constraint.bodies();
+    let states = [0, 1].map(|k| if bodies[k].is_some() { *states[k] } else { State::WORLD });
+    let rows = constraint.dual([&moving(&states[0]), &moving(&states[1])]);
+    rows.iter().map(|c| [c.re, c.v1, c.v2]).collect()
+}
+
 fn compare(row: usize, quantity: Quantity, ours: f64, exact: f64) -> Result<(), Mistake> {
     if (ours - exact).abs() <= ROUNDING * exact.abs().max(1.0) {
         return Ok(());

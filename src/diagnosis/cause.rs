@@ -73,6 +73,19 @@ impl Cause {
         }
     }
 
+    /// The rows that it is about, if it is about some.
+    pub fn rows(&self) -> &[String] {
+        match self {
+            Cause::Impossible { rows, .. } | Cause::Redundant { rows, .. } => rows,
+            Cause::ZeroRow { row } | Cause::Apart { row, .. } => std::slice::from_ref(row),
+            Cause::NoDirection { .. }
+            | Cause::IllConditioned { .. }
+            | Cause::Unsymmetric
+            | Cause::Indefinite { .. }
+            | Cause::Failed { .. } => &[],
+        }
+    }
+
     /// Two or three words for the head of a line.
     pub fn name(&self) -> &'static str {
         match self {
@@ -92,46 +105,47 @@ impl Cause {
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Cause::NoDirection { constraint } => {
-                write!(f, "{constraint}. Its row would divide by zero; place the bodies apart.")
-            }
+            Cause::NoDirection { constraint } => write!(
+                f,
+                "{constraint}; such a row would divide by zero, so place the bodies apart."
+            ),
             Cause::ZeroRow { row } => write!(
                 f,
-                "row {row} has a zero on the diagonal: it acts on nothing that can move. A sweep would \
-                 divide by zero; take the row out, or let one of its bodies move."
+                "row {row} acts on nothing that can move, so that a sweep would divide by a zero on the \
+                 diagonal; take the row out, or let one of its bodies move."
             ),
             Cause::Impossible { rows, is_proved } => write!(
                 f,
-                "no forces satisfy these rows together, {}: {}. Sweeps would raise the forces for ever; \
-                 take one of them out, or let it yield by a spring.",
+                "no forces satisfy these rows together, {}, so that sweeps would raise the forces for ever: \
+                 {}; take one of them out, or let it yield by a spring.",
                 if *is_proved { "proved in exact arithmetic" } else { "as far as rounding shows" },
                 listed(rows)
             ),
             Cause::Redundant { rows, spare } => write!(
                 f,
-                "{spare} of these rows could be left out, they depend on each other: {}. The motion is \
-                 the same for all solutions; how the rows share the load is not determined.",
+                "{spare} of the rows {} could be left out, as they depend on each other; the motion is unique, \
+                 but how they share the load is not.",
                 listed(rows)
             ),
             Cause::Apart { row, error } => write!(
                 f,
-                "row {row} is off by {error}. Feedback of such an error puts energy in; start where c = 0, \
+                "row {row} is off by {error}, and feedback of such an error puts energy in; start where c = 0, \
                  or correct positions apart from velocities (split-impulse, gauss-seidel)."
             ),
             Cause::IllConditioned { condition } => write!(
                 f,
-                "the condition number is {}: sweeps will be slow. Look for heavy bodies carried by light \
-                 ones, long chains, rows that all but repeat each other; or use a pivoting solver.",
+                "the condition number is {}, so that sweeps will be slow; look for heavy bodies carried by \
+                 light ones, long chains and rows that all but repeat each other, or use a pivoting solver.",
                 plain(*condition)
             ),
             Cause::Unsymmetric => write!(
                 f,
-                "A is not symmetric. Sliding friction that follows its normal force makes it so, and then \
-                 Lemke's method or enumeration is asked for; without it, look for a transposed block."
+                "A is not symmetric; with sliding friction it should not be, and needs Lemke's method or \
+                 enumeration, but without it look for a transposed block."
             ),
             Cause::Indefinite { eigenvalue } => write!(
                 f,
-                "A has the eigenvalue {} after scaling. No J M⁻¹ Jᵀ has a negative one: look for a wrong \
+                "A has the eigenvalue {} after scaling, where no J M⁻¹ Jᵀ has a negative one; look for a wrong \
                  sign, a block of another body, or a negative mass.",
                 plain(*eigenvalue)
             ),

@@ -1,9 +1,15 @@
-//! A diagnosis as a document.
+//! A diagnosis as a document, and for machines.
 
-use super::Diagnosis;
+use serde_json::{Value, json};
+
+use super::{Cause, Diagnosis};
 use crate::certificate::regularity::Regularity;
 use crate::document::notation::{indexed, plain};
 use crate::document::{Document, SHOWN, Section};
+use crate::plot::number::readable;
+
+/// Significant digits of the factors in a sum.
+const DIGITS: usize = 3;
 
 impl Diagnosis {
     /// What was found, for a terminal or a page.
@@ -25,6 +31,33 @@ impl Diagnosis {
             document.add("", self.dependencies(found));
         }
         document
+    }
+
+    /// The same for machines: counts are `null` where no rows were reached, freedoms also for a problem.
+    pub fn to_json(&self) -> Value {
+        let cause = |cause: &Cause| {
+            json!({
+                "name": cause.name(), "is_fatal": cause.is_fatal(), "rows": cause.rows(),
+                "message": cause.to_string(),
+            })
+        };
+        let freedoms = self.freedoms.map(|freedoms| {
+            json!({
+                "components": freedoms.components, "rows": freedoms.rows, "rank": freedoms.rank,
+                "left": freedoms.left(),
+            })
+        });
+        let found = self.regularity.as_ref();
+        json!({
+            "subject": self.subject,
+            "is_sound": self.is_sound(),
+            "rows": self.labels,
+            "rank": found.map(|found| found.rank),
+            "condition": found.map(|found| found.condition),
+            "dependencies": found.map(|found| &found.dependencies),
+            "freedoms": freedoms,
+            "causes": self.causes.iter().map(cause).collect::<Vec<_>>(),
+        })
     }
 
     fn summary(&self) -> String {
@@ -90,7 +123,7 @@ fn combination(d: &[f64]) -> String {
             (_, false) => " + ",
             (_, true) => " − ",
         };
-        let factor = match plain(d[i].abs()) {
+        let factor = match readable(d[i].abs(), DIGITS) {
             one if one == "1" => String::new(),
             other => other + " ",
         };

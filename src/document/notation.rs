@@ -56,17 +56,15 @@ pub fn set(rows: &[usize]) -> String {
 }
 
 /// A sum of products and a last term with their value: `2·4 − 1·3 − 1 = 4`. Terms whose first factor
-/// is 0 are not written.
+/// is 0 are not written, and of many the last ones are added up: `2·4 + 5 (3 more) − 1 = 12`.
 pub fn sum(products: &[(f64, f64)], last: f64, value: f64) -> String {
-    let terms: Vec<String> = products
-        .iter()
-        .filter(|(a, _)| *a != 0.0)
-        .map(|&(a, x)| format!("{}·{}", plain(a), bracketed(x)))
-        .collect();
-    let left_out = terms.len().saturating_sub(TERMS);
+    let terms: Vec<(f64, f64)> = products.iter().copied().filter(|(a, _)| *a != 0.0).collect();
+    let (written, rest) = terms.split_at(terms.len().min(TERMS));
+    let rest_sum: f64 = rest.iter().map(|(a, x)| a * x).sum();
+    let more = (!rest.is_empty()).then(|| format!("{} ({} more)", plain(rest_sum), rest.len()));
+    let written = written.iter().map(|&(a, x)| format!("{}·{}", plain(a), bracketed(x)));
     let mut text = String::new();
-    let more = (left_out > 0).then(|| format!("({left_out} more)"));
-    for term in terms.into_iter().take(TERMS).chain(more).chain([plain(last)]) {
+    for term in written.chain(more).chain([plain(last)]) {
         match (text.is_empty(), term.strip_prefix('−')) {
             (true, _) => text += &term,
             (false, Some(size)) => text += &format!(" − {size}"),

@@ -29,9 +29,14 @@ impl Ink {
 
 /// Lines of a paragraph are not longer than this.
 const WIDTH: usize = 96;
+/// Tables are not wider than this, where their words can be parted.
+const TABLE: usize = 110;
+/// The margin of a table, and what stands between its columns.
+const MARGIN: usize = 4;
+const GAP: usize = 3;
 
 pub(super) fn written(document: &Document, ink: Ink) -> String {
-    let mut out = format!("{}\n{}", ink.heading(&document.title), wrapped(&document.lead));
+    let mut out = format!("{}\n{}", ink.heading(&document.title), paragraph(&document.lead));
     for (k, section) in document.sections.iter().enumerate() {
         out += &format!("\n{}\n", ink.heading(&format!("{} {}", k + 1, section.title)));
         for block in &section.blocks {
@@ -50,29 +55,34 @@ impl Block {
 
 fn inked(block: &Block, ink: Ink) -> String {
     match block {
-        Block::Text(words) => wrapped(words),
+        Block::Text(words) => paragraph(words),
         Block::Formula(own) => formula(own, ink),
         Block::Table(own) => table(own, ink),
-        Block::Figure(own) => wrapped(&format!("[picture: {}]", own.caption)),
+        Block::Figure(own) => paragraph(&format!("[picture: {}]", own.caption)),
     }
 }
 
-/// A paragraph in lines.
-fn wrapped(words: &str) -> String {
-    let (mut out, mut length) = (String::new(), 0);
+fn paragraph(words: &str) -> String {
+    wrapped(words, WIDTH).join("\n") + "\n"
+}
+
+/// Words in lines of this width; at least one line.
+fn wrapped(words: &str, width: usize) -> Vec<String> {
+    let (mut lines, mut line, mut length) = (Vec::new(), String::new(), 0);
     for word in words.split(' ') {
         let size = word.chars().count();
-        if length > 0 && length + 1 + size > WIDTH {
-            out.push('\n');
+        if length > 0 && length + 1 + size > width {
+            lines.push(std::mem::take(&mut line));
             length = 0;
         } else if length > 0 {
-            out.push(' ');
+            line.push(' ');
             length += 1;
         }
-        out += word;
+        line += word;
         length += size;
     }
-    out + "\n"
+    lines.push(line);
+    lines
 }
 
 /// A formula: its pieces side by side, symbols on the middle line of the matrices.
@@ -126,25 +136,49 @@ fn grid(grid: &Grid) -> Vec<String> {
 
 /// A table with its title above; columns of words to the left, of numbers to the right.
 fn table(table: &Table, ink: Ink) -> String {
-    let width = |c: usize| {
-        let cells = table.rows.iter().map(|row| row[c].chars().count());
-        cells.chain([table.columns[c].chars().count()]).max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..table.columns.len()).map(width).collect();
-    let line = |row: &[String]| {
-        let pad = |(c, cell): (usize, &String)| match table.is_numeric(c) {
-            true => format!("{cell:>width$}", width = widths[c]),
-            false => format!("{cell:<width$}", width = widths[c]),
+    let widths = widths(table);
+    let is_numeric: Vec<bool> = (0..widths.len()).map(|c| table.is_numeric(c)).collect();
+    let lines = |row: &[String]| {
+        let cells: Vec<_> =
+            row.iter().zip(&widths).map(|(cell, &width)| wrapped(cell, width)).collect();
+        let height = cells.iter().map(Vec::len).max().unwrap_or(1);
+        let line = |k: usize| {
+            let pad = |(c, lines): (usize, &Vec<String>)| {
+                let (cell, width) = (lines.get(k).map_or("", String::as_str), widths[c]);
+                if is_numeric[c] { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
+            };
+            let cells: Vec<String> = cells.iter().enumerate().map(pad).collect();
+            let (margin, gap) = (" ".repeat(MARGIN), " ".repeat(GAP));
+            format!("{margin}{}", cells.join(&gap)).trim_end().to_string()
         };
-        let cells: Vec<String> = row.iter().enumerate().map(pad).collect();
-        format!("    {}", cells.join("   ")).trim_end().to_string()
+        (0..height).map(line).collect::<Vec<_>>().join("\n")
     };
-    let mut out = format!("  {}\n{}\n", table.title, ink.faint(&line(&table.columns)));
+    let mut out = format!("  {}\n{}\n", table.title, ink.faint(&lines(&table.columns)));
     for row in &table.rows {
-        out += &(line(row) + "\n");
+        out += &(lines(row) + "\n");
     }
     if table.left_out > 0 {
         out += &format!("    and {} more\n", table.left_out);
     }
     out
+}
+
+/// The columns' widths: those of their cells, and less for the widest as long as the table is too wide
+/// and their words can be parted.
+fn widths(table: &Table) -> Vec<usize> {
+    let size = |words: &str| words.chars().count();
+    let longest = |c: usize, of: &dyn Fn(&str) -> usize| {
+        let cells = table.rows.iter().map(|row| row[c].as_str());
+        cells.chain([table.columns[c].as_str()]).map(of).max().unwrap_or(0)
+    };
+    let word = |words: &str| words.split(' ').map(size).max().unwrap_or(0);
+    let columns = 0..table.columns.len();
+    let least: Vec<usize> = columns.clone().map(|c| longest(c, &word)).collect();
+    let mut widths: Vec<usize> = columns.map(|c| longest(c, &size)).collect();
+    while MARGIN + widths.iter().sum::<usize>() + GAP * widths.len().saturating_sub(1) > TABLE {
+        let partable = (0..widths.len()).filter(|&c| widths[c] > least[c]);
+        let Some(widest) = partable.max_by_key(|&c| widths[c]) else { break };
+        widths[widest] -= 1;
+    }
+    widths
 }

@@ -1,7 +1,7 @@
 //! The answer: x, w, what they say, and the judge's word.
 
 use super::units::{Units, with_unit};
-use crate::certificate::{Demand, judge};
+use crate::certificate::{Demand, Verdict, judge};
 use crate::document::Section;
 use crate::document::notation::{indexed, interval, plain};
 use crate::lcp::Lcp;
@@ -33,12 +33,24 @@ pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -
     };
     let columns = ["row", "x", "bounds", "w = A x + b", "what x asks of w"];
     section.table("x and w, row by row", &columns, (0..lcp.len()).map(line).collect());
-    section.say(format!(
-        "The judge, who sees A, b, the bounds and x but not the solver: {}. The scaled residual is {}.",
-        certificate.verdict,
-        plain(certificate.scaled_residual)
-    ));
+    section.say(word(&certificate.verdict, certificate.scaled_residual));
     (section, certificate.verdict.is_solution())
+}
+
+/// The judge's word.
+pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
+    let verdict = match verdict {
+        Verdict::Proved { distance: 0.0 } => "proved, x is an exact solution".into(),
+        Verdict::Proved { distance } => {
+            format!("proved, an exact solution is within {} of each x", plain(*distance))
+        }
+        other => other.to_string(),
+    };
+    format!(
+        "The judge, who sees A, b, the bounds and x but not the solver: {verdict}. The scaled residual, \
+         the error of the worst row beside the sizes of its terms, is {}.",
+        plain(scaled_residual)
+    )
 }
 
 /// What the place of x in its bounds asks of w.

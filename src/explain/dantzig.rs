@@ -2,44 +2,54 @@
 
 use std::ops::ControlFlow;
 
-use super::solve::Scribe;
+use super::answer::Reading;
+use super::solve::{self, Scribe};
+use super::units::{headed, with_unit};
 use crate::document::notation::{bracketed, indexed, interval, plain, set, vector};
 use crate::document::{Formula, SHOWN, Section};
-use crate::lcp::Lcp;
 use crate::solver::{Event, Iterate, Move, Observer, Part, Side, Solution};
 
 pub(super) struct Moves<'a> {
-    lcp: &'a Lcp,
+    reading: &'a Reading<'a>,
     section: Section,
     moves: usize,
+    /// Rounds of frozen bounds.
+    rounds: usize,
+    /// lo and hi, of friction rows as they are frozen.
+    bounds: Vec<(f64, f64)>,
     /// Whether the move under way is written.
     writes: bool,
 }
 
 impl<'a> Moves<'a> {
-    pub fn of(lcp: &'a Lcp) -> Self {
+    pub fn of(reading: &'a Reading<'a>) -> Self {
         let mut section = Section::new("Dantzig's method, move by move");
         section.say(
             "Rows are satisfied one after another. To bring wᵢ to 0, xᵢ moves, and the free rows C move \
              along so that their w stays 0. The move ends when wᵢ is 0, when some x meets a bound, or \
-             when the w of a row at a bound gets to 0; the row that ends it changes sides.",
+             when the w of a row at a bound gets to 0; the row that ends it changes sides. d and Δw \
+             are what x and w change by for each unit of t.",
         );
         section.formula(Formula::default().symbols(
             "d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d",
             "d_i = 1, \\qquad d_C = -A_{CC}^{-1} A_{Ci}, \\qquad \\Delta w = A d",
         ));
-        Moves { lcp, section, moves: 0, writes: true }
+        let bounds =
+            reading.lcp.lo().iter().copied().zip(reading.lcp.hi().iter().copied()).collect();
+        Moves { reading, section, moves: 0, rounds: 0, bounds, writes: true }
     }
 
     fn write(&mut self, own: &Move<'_>) {
         let (i, n) = (own.driven, own.x.len());
         let (x, w) = (indexed("x", i), indexed("w", i));
+        let units = &self.reading.units;
+        let at = with_unit(&vector(own.x), &units.of_x());
+        let has = with_unit(&plain(own.w[i]), &units.w[i]);
         let verb = if own.sign > 0.0 { "rises" } else { "falls" };
         self.section.say(format!(
-            "Move {}: row {i} is driven. At x = {} it has {w} = {}, so {x} {verb}. The free rows are C = {}.",
+            "Move {}: row {i} is driven. At x = {at} it has {w} = {has}, so {x} {verb}. The free rows are \
+             C = {}.",
             self.moves,
-            vector(own.x),
-            plain(own.w[i]),
             set(own.free),
         ));
         let mut direction = vec![0.0; n];
@@ -60,7 +70,27 @@ impl<'a> Moves<'a> {
         let mut ends = ends(own, &direction, &change);
         ends.sort_by(|a, b| a.0.total_cmp(&b.0));
         let lines = ends.into_iter().map(|(_, what, length)| vec![what, length]).collect();
-        self.section.table(&title, &["what", "after t"], lines);
+        let after = headed("after t", &self.reading.units.x[i]);
+        self.section.table(&title, &["what", &after], lines);
+    }
+
+    /// x with its unit.
+    fn x(&self, x: &[f64]) -> String {
+        with_unit(&vector(x), &self.reading.units.of_x())
+    }
+
+    /// Why a row need not be driven.
+    fn satisfied(&self, row: usize, w: f64, side: Side) -> String {
+        let (lo, hi) = self.bounds[row];
+        let (x, bounds) = (indexed("x", row), interval(lo, hi));
+        let w = with_unit(&plain(w), &self.reading.units.w[row]);
+        let reason = match side {
+            _ if lo == hi => format!("any w will do, {bounds} pins {x}"),
+            Side::Lower => format!("w may be positive with {x} at the lower end of {bounds}"),
+            Side::Upper => format!("w may be negative with {x} at the upper end of {bounds}"),
+            _ => "nothing is to be done".to_string(),
+        };
+        format!("Row {row} has {} = {w}: {reason}.", indexed("w", row))
     }
 
     fn outcome(&self, own: &Move<'_>) -> String {
@@ -72,7 +102,8 @@ impl<'a> Moves<'a> {
             (_, Side::Upper) => "goes to its upper bound",
             _ => "goes to its lower bound",
         };
-        format!("It ends after t = {}: row {row} {exchange}.", plain(own.length))
+        let length = with_unit(&plain(own.length), &self.reading.units.x[own.driven]);
+        format!("It ends after t = {length}: row {row} {exchange}.")
     }
 }
 
@@ -113,9 +144,9 @@ fn ends(own: &Move<'_>, direction: &[f64], change: &[f64]) -> Vec<(f64, String, 
 impl Observer for Moves<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
         if iterate.event == Event::Start {
-            self.section.say(format!("The start is x = {}, C is empty.", vector(iterate.x)));
+            self.section.say(format!("The start is x = {}, C is empty.", self.x(iterate.x)));
         } else if self.writes {
-            self.section.say(format!("Now x = {}.", vector(iterate.x)));
+            self.section.say(format!("Now x = {}.", self.x(iterate.x)));
         }
         ControlFlow::Continue(())
     }
@@ -126,17 +157,28 @@ impl Observer for Moves<'_> {
 
     fn part(&mut self, part: &Part<'_>) {
         match part {
-            Part::Satisfied { row, w, side: Side::Lower | Side::Upper } if self.writes => {
-                let (lo, hi) = (self.lcp.lo()[*row], self.lcp.hi()[*row]);
-                let w = format!("{} = {}", indexed("w", *row), plain(*w));
-                let bounds = interval(lo, hi);
-                self.section.say(format!(
-                    "Row {row} has {w} at an end of {bounds}: satisfied as it stands."
-                ));
+            Part::Frozen(lcp) => {
+                self.rounds += 1;
+                self.bounds = lcp.lo().iter().copied().zip(lcp.hi().iter().copied()).collect();
+                if self.moves < SHOWN {
+                    solve::frozen(&mut self.section, self.reading, self.rounds, lcp);
+                }
+            }
+            Part::Satisfied { row, w, side } if self.moves <= SHOWN => {
+                let words = self.satisfied(*row, *w, *side);
+                self.section.say(words);
             }
             Part::Move(own) => {
                 self.moves += 1;
-                self.writes = self.moves <= SHOWN;
+                self.writes = self.moves <= SHOWN && own.w[own.driven] != 0.0;
+                if !self.writes && self.moves <= SHOWN {
+                    let (row, w) = (own.driven, indexed("w", own.driven));
+                    self.section.say(format!(
+                        "Move {}: row {row} has {w} = 0 already, between its bounds. It enters C, and \
+                         nothing moves.",
+                        self.moves
+                    ));
+                }
                 if self.writes {
                     self.write(own);
                     let outcome = self.outcome(own);

@@ -2,20 +2,26 @@
 
 use std::ops::ControlFlow;
 
-use super::solve::Scribe;
+use super::answer::Reading;
+use super::solve::{self, Scribe};
 use crate::document::notation::{bracketed, indexed, plain};
 use crate::document::{Block, Formula, SHOWN, Section, Table};
 use crate::lcp::Lcp;
 use crate::solver::{Iterate, Observer, Part, Solution, Tableau, Variable};
 
 pub(super) struct Tableaux<'a> {
-    lcp: &'a Lcp,
+    reading: &'a Reading<'a>,
     section: Section,
     tableaux: usize,
+    /// Rounds of frozen bounds.
+    rounds: usize,
+    /// The problem, its bounds as they are frozen.
+    lcp: Lcp,
 }
 
 impl<'a> Tableaux<'a> {
-    pub fn of(lcp: &'a Lcp) -> Self {
+    pub fn of(reading: &'a Reading<'a>) -> Self {
+        let lcp = reading.lcp.clone();
         let mut section = Section::new("Lemke's method, tableau by tableau");
         section.say(
             "A covering variable z makes every w big enough. A tableau gives the basic variables by \
@@ -36,7 +42,7 @@ impl<'a> Tableaux<'a> {
                  without bounds are solved for beforehand.",
             );
         }
-        Tableaux { lcp, section, tableaux: 0 }
+        Tableaux { reading, section, tableaux: 0, rounds: 0, lcp }
     }
 
     fn name(&self, variable: Variable) -> String {
@@ -51,13 +57,23 @@ impl<'a> Tableaux<'a> {
         }
     }
 
+    fn unit(&self, variable: Variable) -> String {
+        let units = &self.reading.units;
+        match variable {
+            Variable::Y(i) | Variable::T(i) => units.x[i].clone(),
+            Variable::W(i) | Variable::V(i) => units.w[i].clone(),
+            Variable::Cover => units.of_w(),
+        }
+    }
+
     fn write(&mut self, own: &Tableau<'_>) {
         let rows = chosen(own.pairs, own.leaving);
         let columns = chosen(own.nonbasic.len(), own.entering);
         let heading = |&c: &usize| self.name(own.nonbasic[c]);
-        let headings = ["basic".to_string(), "value".to_string()].into_iter();
+        let headings = ["basic", "value", "unit"].map(String::from).into_iter();
         let line = |&r: &usize| {
-            let own_cells = [self.name(own.basic[r]), plain(own.constant[r])];
+            let own_cells =
+                [self.name(own.basic[r]), plain(own.constant[r]), self.unit(own.basic[r])];
             let entries = columns.iter().map(|&c| plain(own.rows[r][c]));
             own_cells.into_iter().chain(entries).chain([ratio(own, r)]).collect()
         };
@@ -131,11 +147,21 @@ impl Observer for Tableaux<'_> {
     }
 
     fn part(&mut self, part: &Part<'_>) {
-        if let Part::Tableau(own) = part {
-            self.tableaux += 1;
-            if self.tableaux <= SHOWN {
-                self.write(own);
+        match part {
+            Part::Frozen(lcp) => {
+                self.rounds += 1;
+                self.lcp = (*lcp).clone();
+                if self.tableaux < SHOWN {
+                    solve::frozen(&mut self.section, self.reading, self.rounds, lcp);
+                }
             }
+            Part::Tableau(own) => {
+                self.tableaux += 1;
+                if self.tableaux <= SHOWN {
+                    self.write(own);
+                }
+            }
+            _ => {}
         }
     }
 }

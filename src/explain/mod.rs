@@ -3,7 +3,8 @@
 //! What is written down is what a student would write: states and forces, each row's c, J and J'u,
 //! the four steps that lead from Newton's law to the LCP (K&M Figure 4), A and b, and then the solver
 //! at work, row by row, move by move, or tableau by tableau, as it tells an observer that asks
-//! ([`Part`](crate::solver::Part)). Nothing is computed for show: the numbers are those of the
+//! ([`Part`](crate::solver::Part)). Friction within polygons or cones is posed as what it is, and of a
+//! problem without solution the proof is written that there is none. Nothing is computed for show: the numbers are those of the
 //! simulation.
 //!
 //! ```
@@ -20,10 +21,13 @@
 mod answer;
 mod dantzig;
 mod derivation;
+mod friction;
 mod lemke;
 mod method;
 mod problem;
+mod refutation;
 mod setup;
+mod single;
 mod solve;
 mod step;
 mod sweeps;
@@ -31,4 +35,4 @@ mod units;
 
 pub use method::Method;
 pub use problem::problem;
-pub use step::step;
+pub use step::{step, steps};

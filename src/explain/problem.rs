@@ -1,8 +1,9 @@
 //! A problem file, from A and b on.
 
 use super::answer::{self, Reading};
+use super::solve::{self, Solved};
 use super::units::Units;
-use super::{Method, derivation, solve};
+use super::{Method, derivation, refutation};
 use crate::certificate::Demand;
 use crate::document::Document;
 use crate::error::Result;
@@ -20,10 +21,10 @@ pub fn problem(problem: &Problem, method: &Method) -> Result<Document> {
         row.and_then(|row| row.get("label")?.as_str()).unwrap_or_default().to_string()
     };
     let labels = (0..lcp.len()).map(label).collect();
-    let (solving, solution) = solve::section(lcp, method, None)?;
-    let statement = derivation::statement(lcp, &units);
-    let demand = Demand { tolerance: method.tolerance(), ..Demand::default() };
     let reading = Reading { lcp, labels, units };
+    let Solved { section: solving, solution } = solve::section(&reading, method, None)?;
+    let statement = derivation::statement(lcp, &reading.units);
+    let demand = Demand { tolerance: method.tolerance(), ..Demand::default() };
     let (answer, is_accepted) = answer::section(&reading, &solution, &demand);
     let mut document = Document {
         title: format!("{name}, by {}", method.name()),
@@ -31,7 +32,9 @@ pub fn problem(problem: &Problem, method: &Method) -> Result<Document> {
         sections: Vec::new(),
         is_accepted,
     };
-    for section in [statement, solving, answer] {
+    let proof = refutation::of(lcp, &solution);
+    let proof = proof.map(|proof| refutation::section(&reading, Some(&proof)));
+    for section in [statement, solving, answer].into_iter().chain(proof) {
         document.add("", section);
     }
     Ok(document)

@@ -4,10 +4,12 @@ use nalgebra::Vector3;
 
 use super::units::of_motion;
 use crate::body::{Mass, State, angular, linear};
+use crate::constraint::Kind;
 use crate::document::notation::{bracketed, interval, plain, vector};
 use crate::document::{SHOWN, Section};
-use crate::formulation::{Problem, Stage};
-use crate::scene::Scene;
+use crate::formulation::{Posing, Problem, Stage};
+use crate::lcp::friction::Posed;
+use crate::scene::{Feedback, Scene};
 use crate::simulation::Step;
 
 /// s and u of all bodies, over this time.
@@ -97,14 +99,21 @@ pub(super) fn masses(scene: &Scene, problem: &Problem) -> Section {
 }
 
 /// c, J u, J'u and the bounds of every row.
-pub(super) fn rows(scene: &Scene, problem: &Problem) -> Section {
+pub(super) fn rows(scene: &Scene, problem: &Problem, posing: Option<&Posing>) -> Section {
     let mut section = Section::new("constraints");
     let rows = &problem.assembly.rows;
     let lcp = &problem.lcp;
     let line = |(i, row): (usize, &crate::assembly::Row)| {
         let bounds = match lcp.coupling().and_then(|coupling| Some((coupling.index(i)?, coupling)))
         {
-            Some((normal, coupling)) => format!("±{} x of row {normal}", plain(coupling.mu(i))),
+            Some((normal, coupling)) => {
+                let mu = plain(coupling.mu(i));
+                match posing.map(|posing| &posing.posed) {
+                    None | Some(Posed::Boxed(_)) => format!("±{mu} x of row {normal}"),
+                    Some(Posed::Polyhedral(_)) => format!("polygon, μ = {mu}, on row {normal}"),
+                    Some(Posed::Cone(_)) => format!("cone, μ = {mu}, on row {normal}"),
+                }
+            }
             None => interval(lcp.lo()[i], lcp.hi()[i]),
         };
         vec![
@@ -131,25 +140,56 @@ pub(super) fn rows(scene: &Scene, problem: &Problem) -> Section {
         &format!("bounds of x ({})", problem.stage.unit(false)),
     ];
     section.table("the rows", &columns, rows.iter().enumerate().map(line).collect());
-    section.say(bias(problem.stage));
+    section.say(bias(scene, problem));
     section
 }
 
-/// How the bias comes about.
-fn bias(stage: Stage) -> &'static str {
-    match stage {
+/// How the bias comes about, with the scene's numbers.
+fn bias(scene: &Scene, problem: &Problem) -> String {
+    let (step, contact) = (&scene.step, &scene.contact);
+    let (dt, alpha, beta) = (plain(step.dt), plain(step.alpha), plain(step.baumgarte));
+    let rows = &problem.assembly.rows;
+    let mut words = match problem.stage {
         Stage::Velocity => {
-            "The bias feeds errors back: β/dt c for an error of position, c/dt for a gap, which may close \
-             within the step and not more; 0 for friction, less the speed of a motor."
+            let factor = match step.feedback {
+                Feedback::Corrected => {
+                    format!("β/dt = {beta}/{dt} = {} 1/s", plain(step.baumgarte / step.dt))
+                }
+                Feedback::Unscaled => format!("β = {beta} 1/s, not divided by dt (E34)"),
+                Feedback::Printed => {
+                    format!("−β = −{beta} 1/s, as the chapter prints it (E34, E35)")
+                }
+            };
+            format!(
+                "The bias feeds errors back: an error of position c by {factor}; a gap c > 0 of a \
+                 contact by 1/dt, so that it may close within the step and not more. Friction has the \
+                 bias 0, a motor its speed with the other sign."
+            )
         }
-        Stage::Impact => "A blow takes no time: no force, no bias, only J u⁺ ≥ 0.",
-        Stage::Restitution => {
-            "Rows that were pushed and hit fast enough have the bias e J u before."
-        }
-        Stage::Acceleration => {
-            "The bias is J'u, and with it 2α J u + α² c, by which errors decay; friction and motors have \
-             their speed over dt instead."
-        }
-        Stage::Position => "The bias is the error of position.",
+        Stage::Impact => "A blow takes no time: no force, no bias, only J u⁺ ≥ 0.".into(),
+        Stage::Restitution => format!(
+            "Contacts that the first answer pushed and that approached faster than {} m/s bounce: they \
+             have the bias e J u with e = {}, J u from the table. So w = J u⁺ + e J u ≥ 0 asks for e \
+             times the speed of approach. The other rows keep their bias.",
+            plain(contact.bounce_speed),
+            plain(contact.restitution)
+        ),
+        Stage::Acceleration => format!(
+            "The bias is J'u + 2α J u + α² c with α = {alpha} 1/s, by which errors decay; for friction \
+             J'u + J u/dt with dt = {dt} s, for a motor J'u + (J u − its speed)/dt."
+        ),
+        Stage::Position => "The bias is the error of position.".into(),
+    };
+    let touches = rows.iter().any(|row| row.kind == Kind::Normal);
+    if problem.stage == Stage::Velocity && contact.slop > 0.0 && touches {
+        words += &format!(
+            " Contacts may overlap by {} m: of them min(c + that, 0) counts.",
+            plain(contact.slop)
+        );
     }
+    if rows.iter().any(|row| row.spring.is_some()) {
+        words += " A spring of stiffness k and damping d has β = dt k/(d + dt k) of its own, and yields by \
+                  γ = 1/(dt (d + dt k)).";
+    }
+    words
 }

@@ -1,11 +1,13 @@
 //! The solver at work, as it tells it.
 
+use super::answer::Reading;
+use super::units::with_unit;
 use super::{Method, dantzig, lemke, sweeps};
-use crate::document::Section;
-use crate::document::notation::vector;
+use crate::document::notation::{indexed, interval, plain, vector};
+use crate::document::{Formula, Section};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::solver::{Observer, Solution, Start};
+use crate::solver::{Observer, Solution, Start, Status};
 
 /// Someone who writes down what a solver does.
 pub(super) trait Scribe: Observer {
@@ -13,35 +15,74 @@ pub(super) trait Scribe: Observer {
     fn section(self: Box<Self>, solution: &Solution) -> Section;
 }
 
-/// A section on the solve of a problem from a start, and its solution.
-pub(super) fn section(
-    lcp: &Lcp,
-    method: &Method,
-    start: Option<&[f64]>,
-) -> Result<(Section, Solution)> {
+/// What was written of a solve, and where it ended.
+pub(super) struct Solved {
+    pub section: Section,
+    pub solution: Solution,
+}
+
+/// The solve of a problem from a start.
+pub(super) fn section(reading: &Reading, method: &Method, start: Option<&[f64]>) -> Result<Solved> {
+    let lcp = reading.lcp;
     let mut scribe: Box<dyn Scribe + '_> = match method.name() {
-        "dantzig" => Box::new(dantzig::Moves::of(lcp)),
-        "lemke" => Box::new(lemke::Tableaux::of(lcp)),
-        _ => Box::new(sweeps::Sweeps::of(lcp, method.name())),
+        "dantzig" => Box::new(dantzig::Moves::of(reading)),
+        "lemke" => Box::new(lemke::Tableaux::of(reading)),
+        _ => Box::new(sweeps::Sweeps::of(reading, method.name())),
     };
     let solution = method.solver()?.solve(lcp, &Start { x: start }, &mut *scribe);
     let mut section = scribe.section(&solution);
-    if lcp.coupling().is_some() && matches!(method.name(), "dantzig" | "lemke") {
-        section.say(
-            "The bounds of friction rows were frozen at the last x, and the problem solved again, until \
-             they agreed with it.",
-        );
+    if let (Status::Ray { row, direction }, true) = (&solution.status, method.name() != "lemke") {
+        ray(&mut section, reading, &solution.x, *row, direction);
     }
     let plural = if solution.iterations == 1 { "" } else { "s" };
+    let x = with_unit(&vector(&solution.x), &reading.units.of_x());
     section.say(format!(
-        "{} ends after {} iteration{plural} with x = {}: {}.",
+        "{} ends after {} iteration{plural} with x = {x}: {}.",
         method.name(),
         solution.iterations,
-        vector(&solution.x),
         solution.status
     ));
     if let Some(fallback) = solution.fallback {
         section.say(format!("Something else had a part in it: {fallback}."));
     }
-    Ok((section, solution))
+    Ok(Solved { section, solution })
+}
+
+/// Where x could go for ever.
+fn ray(section: &mut Section, reading: &Reading, x: &[f64], row: usize, direction: &[f64]) {
+    let lcp = reading.lcp;
+    let w = with_unit(&plain(lcp.w(x)[row]), &reading.units.w[row]);
+    section.say(format!(
+        "Row {row} is left, with {} = {w}. Here x can go along d for ever: no bound is met, and no w \
+         gets nearer to 0, for Δw = A d is",
+        indexed("w", row)
+    ));
+    let product = lcp.homogeneous().w(direction);
+    section.formula(
+        Formula::default()
+            .symbols("d =", "d =")
+            .vector(direction)
+            .symbols(",   A d =", ", \\quad A d =")
+            .vector(&product),
+    );
+}
+
+/// The bounds of friction rows, frozen at the last x, as a table.
+pub(super) fn frozen(section: &mut Section, reading: &Reading, round: usize, lcp: &Lcp) {
+    section.say(match round {
+        1 => "The bounds ±μ x_n of friction rows are frozen at the x_n of the start, and the problem with \
+              these bounds is solved."
+            .to_string(),
+        round => format!(
+            "Round {round}: the bounds of friction rows are frozen at the x_n just found, and the problem \
+             is solved again from there, until the bounds agree with x."
+        ),
+    });
+    let line = |i: usize| {
+        reading.lcp.coupling()?.index(i)?;
+        let bounds = interval(lcp.lo()[i], lcp.hi()[i]);
+        Some(vec![i.to_string(), with_unit(&bounds, &reading.units.x[i])])
+    };
+    let lines = (0..lcp.len()).filter_map(line).collect();
+    section.table(&format!("round {round}, frozen bounds"), &["row", "bounds of x"], lines);
 }

@@ -2,10 +2,12 @@
 
 use std::ops::ControlFlow;
 
+use super::answer::Reading;
 use super::solve::Scribe;
+use super::units::{headed, with_unit};
 use crate::document::notation::{bracketed, interval, plain, sum, vector};
 use crate::document::{Formula, SHOWN, Section};
-use crate::lcp::{Lcp, merit};
+use crate::lcp::merit;
 use crate::solver::{Event, Iterate, Observer, Part, RowUpdate, Solution};
 
 /// Sweeps that are written row by row; of the others x alone.
@@ -14,7 +16,7 @@ const IN_FULL: usize = 3;
 const LISTED: usize = SHOWN - 2;
 
 pub(super) struct Sweeps<'a> {
-    lcp: &'a Lcp,
+    reading: &'a Reading<'a>,
     section: Section,
     /// x in the middle of a sweep.
     x: Vec<f64>,
@@ -27,7 +29,7 @@ pub(super) struct Sweeps<'a> {
 }
 
 impl<'a> Sweeps<'a> {
-    pub fn of(lcp: &'a Lcp, name: &str) -> Self {
+    pub fn of(reading: &'a Reading<'a>, name: &str) -> Self {
         let title = if name == "pgs" { "projected Gauss-Seidel" } else { "projected SOR" };
         let mut section = Section::new(format!("{title}, row by row"));
         section.say(
@@ -41,20 +43,20 @@ impl<'a> Sweeps<'a> {
              w_i = \\sum_j a_{ij} x_j + b_i",
         ));
         let (x, lines, listed) = (Vec::new(), Vec::new(), Vec::new());
-        Sweeps { lcp, section, x, lines, sweeps: 0, listed, last: None }
+        Sweeps { reading, section, x, lines, sweeps: 0, listed, last: None }
     }
 
     /// A row of a sweep as a line of the table.
     fn line(&self, own: &RowUpdate) -> Vec<String> {
         let RowUpdate { row, w, diagonal, omega, before, unclamped, after } = *own;
         let products: Vec<(f64, f64)> =
-            self.lcp.matrix().row(row).iter().map(|(j, a)| (a, self.x[j])).collect();
+            self.reading.lcp.matrix().row(row).iter().map(|(j, a)| (a, self.x[j])).collect();
         let quotient = w / diagonal;
         let factor = if omega == 1.0 { String::new() } else { format!("{}·", plain(omega)) };
-        let (lo, hi) = self.lcp.bounds(row, &self.x);
+        let (lo, hi) = self.reading.lcp.bounds(row, &self.x);
         vec![
             row.to_string(),
-            sum(&products, self.lcp.b()[row], w),
+            sum(&products, self.reading.lcp.b()[row], w),
             format!("{}/{} = {}", plain(w), bracketed(diagonal), plain(quotient)),
             format!("{} − {factor}{} = {}", plain(before), bracketed(quotient), plain(unclamped)),
             format!("to {}: {}", interval(lo, hi), plain(after)),
@@ -63,10 +65,15 @@ impl<'a> Sweeps<'a> {
 
     fn finish_sweep(&mut self) {
         let title = format!("sweep {}", self.sweeps);
-        let columns = ["row", "the sum w", "divided by a", "x moved", "clamped"];
+        let (x, w) = (self.reading.units.of_x(), self.reading.units.of_w());
+        let [sum, quotient, moved, clamped] =
+            [("the sum w", &w), ("divided by a", &x), ("x moved", &x), ("clamped", &x)]
+                .map(|(words, unit)| headed(words, unit));
+        let columns = ["row", &sum, &quotient, &moved, &clamped];
         let lines = std::mem::take(&mut self.lines);
         self.section.table(&title, &columns, lines);
-        self.section.say(format!("After sweep {}: x = {}.", self.sweeps, vector(&self.x)));
+        let x = with_unit(&vector(&self.x), &x);
+        self.section.say(format!("After sweep {}: x = {x}.", self.sweeps));
     }
 
     /// x and its residual sweep by sweep.
@@ -83,7 +90,8 @@ impl<'a> Sweeps<'a> {
             before = Some((*sweep, *residual));
             lines.push(vec![sweep.to_string(), vector(x), plain(*residual), factor]);
         }
-        let columns = ["sweep", "x", "max |x − Π(x − w)|", "factor"];
+        let x = headed("x", &self.reading.units.of_x());
+        let columns = ["sweep", &x, "max |x − Π(x − w)|", "factor"];
         self.section.table("x and its residual, the first sweeps and the last", &columns, lines);
     }
 }
@@ -93,11 +101,14 @@ impl Observer for Sweeps<'_> {
         self.x = iterate.x.to_vec();
         self.sweeps = iterate.iteration;
         if iterate.event == Event::Start {
-            self.section.say(format!("The start is x = {}.", vector(iterate.x)));
+            self.section.say(format!(
+                "The start is x = {}.",
+                with_unit(&vector(iterate.x), &self.reading.units.of_x())
+            ));
         } else if iterate.iteration <= IN_FULL {
             self.finish_sweep();
         }
-        let residual = merit::natural_residual(self.lcp, iterate.x);
+        let residual = merit::natural_residual(self.reading.lcp, iterate.x);
         let record = (iterate.iteration, self.x.clone(), residual);
         if iterate.iteration <= LISTED {
             self.listed.push(record);

@@ -40,6 +40,16 @@ impl Units {
         Units::from_x((0..problem.lcp.len()).map(unit).collect())
     }
 
+    /// Those of the LCP of friction within polygons: so many impulses, then speeds γ, whose w are
+    /// impulses.
+    pub fn of_polygons(stage: Stage, impulses: usize, speeds: usize) -> Self {
+        let mut units = Units::from_x(vec![stage.unit(false).to_string(); impulses]);
+        let [x, w] = [stage.unit(false), known(stage.unit(false))[1]];
+        units.x.extend(vec![w.to_string(); speeds]);
+        units.w.extend(vec![x.to_string(); speeds]);
+        units
+    }
+
     fn from_x(x: Vec<String>) -> Self {
         let w = x.iter().map(|x| known(x)[1].to_string()).collect();
         Units { x, w }
@@ -86,6 +96,11 @@ pub(super) fn of_motion(stage: Stage, has_angular: bool) -> &'static str {
         (_, false) => "m/s",
         (_, true) => "m/s or rad/s",
     }
+}
+
+/// A heading with the unit in brackets, if there is one.
+pub(super) fn headed(words: &str, unit: &str) -> String {
+    if unit.is_empty() { words.to_string() } else { format!("{words} ({unit})") }
 }
 
 /// A number with its unit.

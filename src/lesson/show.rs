@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::record::{Output, put_out};
 use crate::chapter::exhibit::Exhibit;
-use crate::document::{Block, Document, Table};
+use crate::document::{Block, Document, Section, Table};
 use crate::error::Result;
 use crate::plot::Figure;
 use crate::report::page::{self, Picture};
@@ -43,12 +43,15 @@ impl Show for Table {
 
 impl Show for Document {
     fn outputs(&self) -> Result<Vec<Output>> {
-        let mut outputs = Vec::new();
-        for section in &self.sections {
-            outputs.push(Output::Block(Block::Text(format!("{}.", section.title))));
-            outputs.extend(section.blocks.iter().cloned().map(Output::Block));
-        }
-        Ok(outputs)
+        let sections: Result<Vec<_>> = self.sections.iter().map(Show::outputs).collect();
+        Ok(sections?.concat())
+    }
+}
+
+impl Show for Section {
+    fn outputs(&self) -> Result<Vec<Output>> {
+        let title = Block::Text(format!("{}.", self.title));
+        Ok([title].into_iter().chain(self.blocks.iter().cloned()).map(Output::Block).collect())
     }
 }
 

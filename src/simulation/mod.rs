@@ -49,6 +49,7 @@ pub struct Simulation {
     states: Vec<State>,
     steps: usize,
     previous: Memory,
+    unfinished: Vec<Solve>,
 }
 
 impl Simulation {
@@ -57,7 +58,15 @@ impl Simulation {
     pub fn new(scene: Scene, solver: Box<dyn Solver>) -> Self {
         let states = scene.states.clone();
         let cone_solver = Box::new(Apgd { settings: answering::settings(&scene) });
-        Simulation { scene, solver, cone_solver, states, steps: 0, previous: Memory::new() }
+        Simulation {
+            scene,
+            solver,
+            cone_solver,
+            states,
+            steps: 0,
+            previous: Memory::new(),
+            unfinished: Vec::new(),
+        }
     }
 
     /// The same with another solver for friction in cones.
@@ -83,6 +92,12 @@ impl Simulation {
     /// Energy, momentum and errors now.
     pub fn motion(&self) -> Motion {
         Motion::of(&self.scene, &self.states, self.steps)
+    }
+
+    /// What was solved in a step that then could not be taken; of a problem without solution, the
+    /// last one, the answer is none.
+    pub fn unfinished(&self) -> &[Solve] {
+        &self.unfinished
     }
 
     /// Takes one step; after a failure the states are those before it.
@@ -113,11 +128,20 @@ impl Simulation {
             solves: Vec::new(),
             answers: Memory::new(),
         };
-        let states = family::step(&mut solving, &self.states, &found).map_err(failure)?;
+        let outcome = family::step(&mut solving, &self.states, &found);
         let Solving { solves, answers, .. } = solving;
-        if let Some(cause) = self.divergence(&states, &solves) {
-            return Err(failure(cause));
-        }
+        let sound = |states: Vec<State>| match self.divergence(&states, &solves) {
+            Some(cause) => Err(cause),
+            None => Ok(states),
+        };
+        let states = match outcome.and_then(sound) {
+            Ok(states) => states,
+            Err(cause) => {
+                let failure = failure(cause);
+                self.unfinished = solves;
+                return Err(failure);
+            }
+        };
         let ledger = Ledger::of(&self.scene, &self.states, &solves, &states);
         let laws = Laws::of(&self.states, &solves, &ledger);
         self.previous = answers;

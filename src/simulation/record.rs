@@ -39,6 +39,8 @@ pub struct Solve {
     /// The same under the scene's model of friction, if that is not the coupled box that the
     /// problem's own LCP states.
     pub posing: Option<Posing>,
+    /// The x that its solver started from.
+    pub start: Vec<f64>,
     /// The name of the solver that gave the answer: another than the simulation's where that one is
     /// not made for the problem; "none" where no solver was asked.
     pub solver: &'static str,

@@ -66,14 +66,14 @@ impl Solving<'_> {
             _ => problem.pose(model, &x)?,
         };
         let (solver, solution) = self.solvers.solve(&problem, posing.as_ref(), &x, self.observer);
-        Ok(self.keep(Solve { problem, posing, solver, solution }))
+        Ok(self.keep(Solve { problem, posing, start: x, solver, solution }))
     }
 
     /// Solves a problem as it stands by a method of the family's own.
     pub fn solve_by(&mut self, problem: Problem, method: Method) -> &Solve {
         let x = self.start(problem.stage, &problem.assembly);
         let solution = method(&problem, &x, self.observer);
-        self.keep(Solve { problem, posing: None, solver: "none", solution })
+        self.keep(Solve { problem, posing: None, start: x, solver: "none", solution })
     }
 
     fn keep(&mut self, solve: Solve) -> &Solve {

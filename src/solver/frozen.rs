@@ -10,8 +10,8 @@
 //! with A = 1 and cones contracts by μ²/(1 + μ²) a round. In general the map contracts for small μ;
 //! for large μ a fixed point need not be reached, and then the answer is `Stalled`, not `Solved`.
 
-use super::{Settings, Solution, Status};
-use crate::lcp::Complementarity;
+use super::{Observer, Part, Settings, Solution, Status};
+use crate::lcp::{Complementarity, Lcp};
 
 /// Frozen problems solved before giving up.
 const MAX_ROUNDS: usize = 200;
@@ -40,4 +40,11 @@ pub(super) fn solve<P: Complementarity>(
         return Solution::new(problem.lcp(), x, status, iterations).with_fallback(fallback);
     }
     Solution::new(problem.lcp(), x, Status::Stalled, iterations).with_fallback(fallback)
+}
+
+/// Tells an observer of parts that this problem is solved for one whose bounds depend on x.
+pub(super) fn tell(problem: &Lcp, frozen: &Lcp, observer: &mut dyn Observer) {
+    if !problem.is_frozen() && observer.asks_for_parts() {
+        observer.part(&Part::Frozen(frozen));
+    }
 }

@@ -66,7 +66,9 @@ impl Solver for Lemke {
         if let Some(status) = pivoting::at_once(lcp, &x, &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
-        frozen::solve(lcp, x, &self.settings, |lcp, _, before| {
+        frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
+            frozen::tell(lcp, frozen, observer);
+            let lcp = frozen;
             let mut path = Path::new(lcp, before);
             let (x, status) = path.solve(&self.settings, observer);
             let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;

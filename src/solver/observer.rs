@@ -66,6 +66,8 @@ pub enum Event {
 /// rows, Dantzig's method its moves, Lemke's its tableaux.
 #[derive(Debug, Clone, Copy)]
 pub enum Part<'a> {
+    /// Bounds that depend on x are frozen at it; what follows is about this problem.
+    Frozen(&'a Lcp),
     /// A row of a sweep: x_i ← Π_i(x_i − ω w_i / a_ii).
     Row(RowUpdate),
     /// A row that need not be driven: it is satisfied as it stands.

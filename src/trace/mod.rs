@@ -1,7 +1,9 @@
 //! What an observer wrote down: one small record an iteration.
 
 mod convergence;
+mod path;
 mod provenance;
 
 pub use convergence::{Convergence, Record};
+pub use path::Path;
 pub use provenance::Provenance;

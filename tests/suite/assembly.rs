@@ -23,6 +23,17 @@ fn jacobian(assembly: &Assembly) -> DMatrix<f64> {
 }
 
 #[test]
+fn freedoms_are_counted_by_rank_and_not_by_rows() {
+    let freedoms = |name| {
+        let (_, assembly) = assembled(name, Entering::Near);
+        (assembly.columns(), assembly.rows.len(), assembly.freedoms())
+    };
+    assert_eq!(freedoms("dzhanibekov"), (6, 0, 6));
+    assert_eq!(freedoms("pendulum"), (3, 1, 2)); // a point on a sphere
+    assert_eq!(freedoms("bricard"), (30, 30, 1)); // overconstrained, and yet it moves
+}
+
+#[test]
 fn fixed_bodies_have_no_columns_and_point_masses_three() {
     let (_, fig6) = assembled("fig6", Entering::Near);
     assert_eq!((fig6.columns(), fig6.rows.len()), (3, 1));

@@ -161,6 +161,28 @@ fn signs_and_blocks_gone_wrong_are_seen_in_a() {
 }
 
 #[test]
+fn every_cause_is_one_sentence() {
+    let rows = || vec!["0".to_string(), "1".into()];
+    let causes = [
+        Cause::NoDirection { constraint: "constraints[0]: the two points coincide".into() },
+        Cause::ZeroRow { row: "1".into() },
+        Cause::Impossible { rows: rows(), is_proved: true },
+        Cause::Impossible { rows: rows(), is_proved: false },
+        Cause::Redundant { rows: rows(), spare: 1 },
+        Cause::Apart { row: "1".into(), error: "0.5 m".into() },
+        Cause::IllConditioned { condition: 2e8 },
+        Cause::Unsymmetric,
+        Cause::Indefinite { eigenvalue: -0.5 },
+        Cause::Failed { reason: "\"bob\" diverged".into() },
+    ];
+    for cause in causes {
+        let message = cause.to_string();
+        assert!(message.ends_with('.') && !message.contains(". "), "{message}");
+        assert!(cause.rows().iter().all(|row| message.contains(row)), "{message}");
+    }
+}
+
+#[test]
 fn a_motion_that_fails_on_the_way_is_told() {
     let mut pendulum = Scene::load("pendulum").unwrap();
     pendulum.step.formulation = lcplab::scene::Formulation::Acceleration;

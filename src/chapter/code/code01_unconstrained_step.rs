@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Listing;
 
-pub(super) const LISTING: Listing = Listing {
+pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 1",
     title: "a step without constraints",
     printed: "u⁺ = u + dt M⁻¹ F, s⁺ = s + dt S u⁺",

@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 use super::Listing;
 use super::code01_unconstrained_step::Blocks;
 
-pub(super) const LISTING: Listing = Listing {
+pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 2",
     title: "a step with the constraints' x",
     printed: "u⁺ = u + dt M⁻¹ F − M⁻¹ Jᵀ x; beside it (23), with dt M⁻¹ Jᵀ x",

@@ -9,7 +9,7 @@ use super::code07_whole_step::{WholeStep, World};
 use super::{Form, Listing};
 use crate::error::Result;
 
-pub(super) const LISTING: Listing = Listing {
+pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 3",
     title: "a frame: forces, then constraints and step",
     printed: "Add up the forces; leave constraints and integration to Code 7, which may return early.",

@@ -16,7 +16,7 @@ use super::code01_unconstrained_step::Blocks;
 use super::code06_solver;
 use crate::error::Result;
 
-pub(super) const LISTING: Listing = Listing {
+pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 4",
     title: "feedback of position errors",
     printed: "A x = J (u + dt M⁻¹ F) + β c with β = 0.1",

@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use super::Listing;
 
-pub(super) const LISTING: Listing = Listing {
+pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 5",
     title: "the rigid body",
     printed: "State, sums of force and torque, and Tᵀ I⁻¹ T with the T of row vectors.",

@@ -13,7 +13,7 @@ use crate::error::Result;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::{Code6, Pgs, Settings, Solver, Start};
 
-pub(super) const LISTING: Listing = Listing {
+pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 6",
     title: "the iterative solver",
     printed: "Clear x, sweep ten times over the rows of A x = b, and clamp x after each sweep.",

@@ -20,14 +20,16 @@ use super::constraint_class::Constraint;
 use super::{Form, Listing, code02_constrained_step, code04_drift_correction, code06_solver};
 use crate::error::Result;
 
-pub(super) const LISTING: Listing = Listing {
+pub(in crate::chapter) const LISTING: Listing = Listing {
     id: "Code 7",
     title: "the whole step",
     printed: "Return if there is nothing to constrain; else J, A x = J u* + β e with e added up over \
               bodies, no bounds, x from 0, and u⁺ = u* − M⁻¹ Jᵀ x.",
     corrected: "Always step; e once a constraint, β/dt, each row's bounds, x from the last frame, and \
                 u⁺ = u* + M⁻¹ Jᵀ x.",
-    errata: &["E12", "E26", "E28", "E29", "E30", "E31", "E32", "E33", "E34", "E35", "E36", "E59"],
+    errata: &[
+        "E12", "E26", "E28", "E29", "E30", "E31", "E32", "E33", "E34", "E35", "E36", "E37", "E59",
+    ],
 };
 
 /// Bodies, their constraints, and the x of the last step.

@@ -10,6 +10,16 @@
 
 use nalgebra::DMatrix;
 
+use super::Listing;
+
+pub(in crate::chapter) const LISTING: Listing = Listing {
+    id: "Code 8",
+    title: "the matrices of a step, written with operators",
+    printed: "Transpose J, then fill it; A = J M⁻¹ Jᵀ and b = J (V + M⁻¹ F), a body a row in V and F.",
+    corrected: "Fill J, then transpose it; b = J (u + dt M⁻¹ F), with all velocities in one column.",
+    errata: &["E27", "E49"],
+};
+
 /// The matrices handed to the solver of A x = b.
 #[derive(Debug, Clone, PartialEq)]
 pub struct System {

@@ -7,6 +7,26 @@
 //! copies, so a copy shares the memory and the destructors free it twice (E51). A `Vec` is moved or
 //! cloned, never shared by accident.
 
+use super::Listing;
+
+pub(in crate::chapter) const MEMBERS: Listing = Listing {
+    id: "Code 9",
+    title: "the members of a dense matrix",
+    printed: "A pointer to floats, the number of rows and the number of columns, open to everyone.",
+    corrected: "The same three, closed, so that the entries are always rows × columns many.",
+    errata: &[],
+};
+
+pub(in crate::chapter) const ACCESS: Listing = Listing {
+    id: "Code 10",
+    title: "construction and access of a dense matrix",
+    printed: "Assert sizes below 500 and not one of them 0, allocate, free in the destructor; \
+              entry (row, col) lies at col + columns · row.",
+    corrected: "Any size from 0 on, errors in place of assertions, and copies that own their entries; the \
+                index stays.",
+    errata: &["E50", "E51", "E59"],
+};
+
 /// The listings as printed.
 pub mod printed {
     use crate::error::{Error, Result};

@@ -6,6 +6,25 @@
 
 use std::collections::BTreeMap;
 
+use super::Listing;
+
+pub(in crate::chapter) const LISTING: Listing = Listing {
+    id: "Code 11",
+    title: "a sparse matrix as a map of maps",
+    printed: "Clear with empty(), read data column by column, hand out a reference to an entry that is made \
+              for it.",
+    corrected: "Clear with clear(), read data row by row, take the value itself, and keep no zeros.",
+    errata: &["E50", "E52", "E53", "E54", "E56"],
+};
+
+pub(in crate::chapter) const OPERATORS: Listing = Listing {
+    id: "operators",
+    title: "the operators of that matrix",
+    printed: "The product takes both operands by a reference through which they could be changed.",
+    corrected: "It takes them by const references, as the other operators do: then J * MInverse * Jt compiles.",
+    errata: &["E55"],
+};
+
 /// Entries by row, then by column.
 type Rows = BTreeMap<usize, BTreeMap<usize, f32>>;
 

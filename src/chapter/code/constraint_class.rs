@@ -11,8 +11,8 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use super::Listing;
 use super::code05_rigid_body::{RigidBody, Vectors};
 
-pub(super) const LISTING: Listing = Listing {
-    id: "Constraint_c",
+pub(in crate::chapter) const LISTING: Listing = Listing {
+    id: "class",
     title: "the class of constraints, and IsEquality",
     printed: "Dimension, Jacobian for a body, penalty; IsEquality answers false unless overridden.",
     corrected: "Each row states its bounds; there is no default.",

@@ -50,4 +50,21 @@ pub const LISTINGS: &[Listing] = &[
     code06_solver::LISTING,
     constraint_class::LISTING,
     code07_whole_step::LISTING,
+    code08_matrix_program::LISTING,
+    code09_10_dense_matrix::MEMBERS,
+    code09_10_dense_matrix::ACCESS,
+    code11_map_matrix::LISTING,
+    code11_map_matrix::OPERATORS,
 ];
+
+/// The listing of this number or name, if there is one.
+///
+/// ```
+/// use lcplab::chapter::code;
+///
+/// assert_eq!(code::listing("Code 11").map(|listing| listing.title), Some("a sparse matrix as a map of maps"));
+/// assert!(code::listing("Code 12").is_none());
+/// ```
+pub fn listing(id: &str) -> Option<&'static Listing> {
+    LISTINGS.iter().find(|listing| listing.id == id)
+}

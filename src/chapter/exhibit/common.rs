@@ -9,8 +9,7 @@ use crate::body::State;
 use crate::constraint::Constraint;
 use crate::error::{Error, Result};
 use crate::lcp::{Lcp, Matrix};
-use crate::plot::{Axis, Figure, Lines, Panel, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Panel, Series};
 use crate::solver::{Damping, Iterate, Observer, Options, Settings, Start, all_solutions, by_name};
 
 /// w = A x + b ≥ 0, x ≥ 0, with A by rows.
@@ -109,26 +108,13 @@ pub(super) fn rank(j: &DMatrix<f64>) -> f64 {
     j.rank(1e-9) as f64
 }
 
-/// A picture of one panel.
-pub(super) fn picture(
-    id: &str,
-    words: [&str; 2],
-    x: Axis,
-    y: Axis,
-    series: Vec<Series>,
-) -> Picture {
+/// Curves in one panel; `words` are title and caption.
+pub(super) fn curves(id: &str, words: [&str; 2], x: Axis, y: Axis, series: Vec<Series>) -> Lines {
     let [title, caption] = words.map(str::to_string);
-    let lines = Lines { id: id.into(), title, caption, x, panels: vec![Panel { y, series }] };
-    drawn(&lines)
+    Lines { id: id.into(), title, caption, x, panels: vec![Panel { y, series }] }
 }
 
-/// Curves as a picture without files beside it.
-pub(super) fn drawn(lines: &Lines) -> Picture {
-    Picture { svg: lines.svg(), caption: lines.caption.clone(), files: Vec::new() }
-}
-
-/// Values against their place in the list, every so many.
-pub(super) fn by_index(values: &[f64], every: usize) -> Vec<(f64, f64)> {
-    let points = values.iter().enumerate().step_by(every);
-    points.map(|(k, &value)| (k as f64, value)).collect()
+/// Values as points that lie so far apart, the first at 0.
+pub(super) fn spaced(values: &[f64], spacing: f64) -> Vec<(f64, f64)> {
+    values.iter().enumerate().map(|(k, &value)| (k as f64 * spacing, value)).collect()
 }

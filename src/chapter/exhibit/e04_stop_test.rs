@@ -1,11 +1,10 @@
 //! E04: a stop test that never fires at an active bound, K&M (4).
 
-use super::common::{by_index, contacts, picture, sweeps};
+use super::common::{contacts, curves, spaced, sweeps};
 use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E04",
@@ -59,22 +58,22 @@ fn example() -> Result<Finding> {
     .measure(at_solution.truth(&[0.0], "by definition", 0.0))
     .measure(count.truth(&[1.0], "by hand", 0.0))
     .measure(at_zero.truth(&[0.0], "by definition", 0.0))
-    .picture(both_merits()?))
+    .plot(&both_merits()?))
 }
 
 /// Both tests, sweep after sweep, where the solution x = (3, 2, 0) is approached by ½ a sweep.
-fn both_merits() -> Result<Picture> {
+fn both_merits() -> Result<Lines> {
     let a = [1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0];
     let lcp = contacts(&a, &[-1.0, -1.0, 3.0])?;
     let iterates = sweeps("pgs", &lcp, &[0.0; 3], 30)?;
     let values = |merit: fn(&Lcp, &[f64]) -> f64| {
-        by_index(&iterates.iter().map(|x| merit(&lcp, x)).collect::<Vec<_>>(), 1)
+        spaced(&iterates.iter().map(|x| merit(&lcp, x)).collect::<Vec<_>>(), 1.0)
     };
     let series = vec![
         Series::measured("K&M (4)", values(merit::km4)),
         Series::measured("natural residual", values(merit::natural_residual)),
     ];
-    Ok(picture(
+    Ok(curves(
         "two_stop_tests",
         [
             "Two stop tests on one problem",

@@ -1,11 +1,10 @@
 //! E05: two inequalities without complementarity, K&M (15).
 
-use super::common::{contacts, enumerated, last, picture};
+use super::common::{contacts, curves, enumerated, last};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E05",
@@ -54,7 +53,7 @@ fn example() -> Result<Finding> {
         );
         finding = finding.measure(accepted.truth(&[truth], "enumeration", 0.0));
     }
-    Ok(finding.judged("n = 1: x = 3 and x = 2", &one, &[3.0], &[2.0]).picture(feasible_set(&two)))
+    Ok(finding.judged("n = 1: x = 3 and x = 2", &one, &[3.0], &[2.0]).plot(&feasible_set(&two)))
 }
 
 /// (0, ¼, …, 2)².
@@ -62,11 +61,11 @@ fn grid() -> Vec<Vec<f64>> {
     (0..81).map(|k| vec![0.25 * f64::from(k % 9), 0.25 * f64::from(k / 9)]).collect()
 }
 
-fn feasible_set(lcp: &Lcp) -> Picture {
+fn feasible_set(lcp: &Lcp) -> Lines {
     let point = |x: &Vec<f64>| (x[0], x[1]);
     let feasible = grid().iter().filter(|x| printed(lcp, x)).map(point).collect();
     let solution = point(&last(enumerated(lcp)));
-    picture(
+    curves(
         "feasible_set",
         [
             "What two inequalities leave",

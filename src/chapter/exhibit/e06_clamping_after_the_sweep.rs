@@ -35,7 +35,8 @@ fn example() -> Result<Finding> {
         "Three problems w = A x + b ≥ 0, x ≥ 0, b in this library's sign. In the first, Code 6 ends at a \
          vector that is no solution; in the second, the middle one of three equal balls runs into the \
          third at 1 m/s, and the pair goes on closing at ⅓; in the third its first sweep from 0 hits the \
-         solution (0, 0, ⅓), but it does not stay there. All start at (2, …, 2).",
+         solution (0, 0, ⅓), but it does not stay there. All start at (2, …, 2) and make \
+         10000 sweeps at most.",
     );
     let quantities = ["x₂, first problem", "x₂, three balls", "x₃, third problem"];
     for (quantity, (name, a, b)) in quantities.into_iter().zip(problems) {

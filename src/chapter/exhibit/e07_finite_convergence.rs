@@ -2,11 +2,10 @@
 
 use dashu_ratio::RBig;
 
-use super::common::{bounded, by_index, picture, sweeps, tridiagonal};
+use super::common::{bounded, curves, spaced, sweeps, tridiagonal};
 use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
 use crate::error::Result;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 use crate::solver::theory::sweeps_to;
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
@@ -47,7 +46,7 @@ fn example() -> Result<Finding> {
     )
     .measure(error.truth(&[0.25_f64.powi(40)], "(¼)⁴⁰", 1e-40))
     .measure(count.truth(&[predicted], "ln 10⁻⁶ / ln ρ", 1.0))
-    .picture(errors_by_sweep(&errors)))
+    .plot(&errors_by_sweep(&errors)))
 }
 
 /// ρ of Gauss-Seidel on the chain, in closed form.
@@ -74,10 +73,10 @@ fn chain_errors() -> Result<Vec<f64>> {
     Ok(sweeps("pgs", &lcp, &[0.0; RODS], 4700)?.iter().map(error).collect())
 }
 
-fn errors_by_sweep(errors: &[f64]) -> Picture {
+fn errors_by_sweep(errors: &[f64]) -> Lines {
     let from = (SETTLED as f64, errors[SETTLED]);
     let line = [0.0, 4700.0].map(|k| (k, from.1 * rho().powf(k - from.0)));
-    picture(
+    curves(
         "error_by_sweep",
         [
             "A chain of 50 rods, sweep after sweep",
@@ -87,7 +86,7 @@ fn errors_by_sweep(errors: &[f64]) -> Picture {
         Axis::linear("sweep", ""),
         Axis::log("largest error of x", ""),
         vec![
-            Series::points("pgs", by_index(errors, 200)),
+            Series::points("pgs", spaced(errors, 1.0).into_iter().step_by(200).collect()),
             Series::theory("theory ρᵏ", line.to_vec()),
         ],
     )

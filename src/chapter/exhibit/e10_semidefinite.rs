@@ -2,11 +2,11 @@
 
 use nalgebra::{DMatrix, SMatrix, Vector3};
 
-use super::common::{by_index, contacts, enumerated, equations, picture, rank, sweeps};
+use super::common::{contacts, curves, enumerated, equations, rank, spaced, sweeps};
+use super::setting::{DT, G};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E10",
@@ -32,7 +32,7 @@ const NULL: [f64; 4] = [1.0, -1.0, -1.0, 1.0];
 fn example() -> Result<Finding> {
     let j = jacobian();
     let a = delassus(&j);
-    let weight = contacts(a.as_slice(), &[-9.81 / 60.0; 4])?;
+    let weight = contacts(a.as_slice(), &[-G * DT; 4])?;
     let solutions = enumerated(&weight).len() as f64;
     let (pushes, speeds) = run_off(&j)?;
     let growth = (pushes[SWEEPS] - pushes[SWEEPS / 2]) / (SWEEPS / 2) as f64;
@@ -52,7 +52,7 @@ fn example() -> Result<Finding> {
         Measure::new("growth of x₁ a sweep", "N s", 0.0, growth)
             .truth(&[expected], "zᵀb / ½ zᵀD z", 1e-9),
     )
-    .picture(off_for_ever(&pushes, &speeds)))
+    .plot(&off_for_ever(&pushes, &speeds)))
 }
 
 /// Four corners at (±½, ±½, −½), pushed upwards.
@@ -77,8 +77,8 @@ fn run_off(j: &SMatrix<f64, 4, 6>) -> Result<(Vec<f64>, Vec<f64>)> {
     Ok(iterates.iter().map(|x| (x[0], x.iter().sum::<f64>())).unzip())
 }
 
-fn off_for_ever(pushes: &[f64], speeds: &[f64]) -> Picture {
-    picture(
+fn off_for_ever(pushes: &[f64], speeds: &[f64]) -> Lines {
+    curves(
         "off_for_ever",
         [
             "Forces without bound, a motion at rest",
@@ -96,7 +96,7 @@ fn off_for_ever(pushes: &[f64], speeds: &[f64]) -> Picture {
 
 /// The values at sweeps 1, 2, 4, 8, ….
 fn powers(values: &[f64]) -> Vec<(f64, f64)> {
-    by_index(values, 1)
+    spaced(values, 1.0)
         .into_iter()
         .skip(1)
         .filter(|(k, _)| (*k as usize).is_power_of_two())

@@ -1,6 +1,7 @@
 //! E12: a warm start that starts cold, K&M Codes 6 and 7.
 
-use super::common::{bounded, last, picture, sweeps, tridiagonal};
+use super::common::{bounded, curves, last, sweeps, tridiagonal};
+use super::setting::{DT, G};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::Lcp;
@@ -25,7 +26,7 @@ const BODIES: usize = 10;
 const FRAMES: usize = 100;
 const SWEEPS: usize = 10;
 /// What gravity adds to the velocity in a frame (m/s), and the impulse (N s) that holds one body.
-const STEP: f64 = 9.81 / 60.0;
+const STEP: f64 = G * DT;
 
 /// The floor's part of the weight of ten bodies at rest, frame by frame.
 fn example() -> Result<Finding> {
@@ -44,7 +45,7 @@ fn example() -> Result<Finding> {
             .map(|(k, &share)| ((k + 1) as f64, 100.0 * share))
             .collect()
     };
-    let picture = picture(
+    let lines = curves(
         "warm_start",
         [
             "What the floor carries, frame after frame",
@@ -65,7 +66,7 @@ fn example() -> Result<Finding> {
          local to the call, corrected with the x of the frame before.",
     )
     .measure(share.truth(&[1.0], "equilibrium", 1e-9))
-    .picture(picture))
+    .plot(&lines))
 }
 
 /// The part of the weight at the floor after each frame; each starts from what is left of the last.

@@ -1,6 +1,7 @@
 //! E13: the velocity equation lacks the time step, K&M's first velocity-level equation.
 
 use super::common::{answer, contacts};
+use super::setting::{DT, G};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 
@@ -19,7 +20,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
 };
 
 const V: f64 = -1.0;
-const F: f64 = -9.81;
+const F: f64 = -G;
 
 /// λ of a body of 1 kg: (a, b) of w = a λ + b ≥ 0, λ ≥ 0.
 fn force(a: f64, b: f64) -> Result<f64> {
@@ -44,7 +45,7 @@ fn example() -> Result<Finding> {
         );
         finding = finding.measure(if dt == 1.0 { v.agreeing() } else { v });
     }
-    let dt = 1.0 / 60.0;
+    let dt = DT;
     let lambda = Measure::new("λ, dt = 1/60 s", "N", force(1.0, V + F)?, force(dt, V + dt * F)?);
     Ok(finding.measure(lambda.truth(&[60.0 + 9.81], "m (1/dt + g)", 1e-9)))
 }

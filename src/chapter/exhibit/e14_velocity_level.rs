@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::common::{answer, contacts, enumerated, picture};
+use super::common::{answer, contacts, curves, enumerated};
+use super::setting::G;
 use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
 use crate::error::{Error, Result};
 use crate::formulation::Stage;
 use crate::lcp::library;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 use crate::scene::catalogue::pendulum::{Pendulum, Swing};
 use crate::scene::{Formulation, Scene};
 use crate::simulation::Simulation;
@@ -21,7 +21,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     severity: Severity::Misleading,
     may_be_scan: false,
     printed: "The velocity level is basically a subset of the acceleration level.",
-    holds: "Neither contains the other. A single step at velocity level lacks J'u, the part of the force \
+    holds: "Neither contains the other. A single step at velocity level lacks J̇u, the part of the force \
             that bends the path; but it has impacts, and an answer where friction leaves no force possible.",
     why: "The velocity level asks only that the velocity at the end of the step fits the constraint where \
           the step began. What is missing then, the next step makes good, so over a run the force is right. \
@@ -29,7 +29,6 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     evidence: Evidence::Example(example),
 };
 
-const G: f64 = 9.81;
 const START: Swing<1> = Swing { angles: [0.7], rates: [1.3] };
 
 /// A pendulum's pull, a blow, and a rod that no force can hold.
@@ -49,17 +48,17 @@ fn example() -> Result<Finding> {
     let velocity = Measure::new("velocity after a blow", "m/s", printed, corrected);
     Ok(Finding::new(
         "A pendulum of 1 kg and 1 m at 0.7 rad and 1.3 rad/s: λ < 0 pulls. Printed is a step at velocity \
-         level, x/dt, the same for any dt; corrected, the acceleration level. A ball of 1 kg hits the floor \
+         level, x/dt, the same for any dt; corrected, the acceleration level.\n\nA ball of 1 kg hits the floor \
          at 1 m/s: printed is the acceleration level, w = x − g ≥ 0, with dt = 0.01 s; corrected the velocity \
-         level, w = x − 1 ≥ 0. A thin rod of 1 kg and 2 m slides at 1 m/s, one end on the ground, at 60° with \
+         level, w = x − 1 ≥ 0.\n\nA thin rod of 1 kg and 2 m slides at 1 m/s, one end on the ground, at 60° with \
          μ = 1.8; gravity gives the end 0.00981 m/s in the step. Printed is the acceleration level, \
-         w = A x + b with A and b below 0; corrected the velocity level, by Lemke's method. All b in this \
-         library's sign.",
+         w = A x + b with A and b below 0; corrected the velocity level, by Lemke's method.\n\nAll b are in \
+         this library's sign.",
     )
     .measure(force.truth(&[pull], "−(g cos θ + θ'²)", 1e-9))
     .measure(velocity.truth(&[0.0], "the floor is rigid", 1e-12))
     .measure(painleve()?)
-    .picture(pull_over_time()?))
+    .plot(&pull_over_time()?))
 }
 
 /// The normal push on the end of Painlevé's rod.
@@ -104,7 +103,7 @@ fn forces(formulation: Formulation, dt: f64, steps: usize) -> Result<Vec<f64>> {
 
 /// The pull over two seconds: along a run of velocity-level steps, exact, and in single steps that
 /// start from the exact motion.
-fn pull_over_time() -> Result<Picture> {
+fn pull_over_time() -> Result<Lines> {
     let (dt, pendulum) = (0.02, Pendulum { length: 1.0, gravity: G });
     let mut swing = START;
     let mut exact = Vec::new();
@@ -117,7 +116,7 @@ fn pull_over_time() -> Result<Picture> {
     }
     let run = forces(Formulation::Velocity, dt, 100)?;
     let run = run.iter().enumerate().map(|(k, force)| (k as f64 * dt, -force)).collect();
-    Ok(picture(
+    Ok(curves(
         "pull_of_a_pendulum",
         [
             "What the rod of a pendulum pulls with",

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::common::{answer, equations, product};
+use super::setting::{DT, G};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 
@@ -27,7 +28,7 @@ fn example() -> Result<Finding> {
         (DMatrix::from_row_slice(1, 2, &[-1.0, 1.0]), DMatrix::from_element(1, 1, 3.0));
     let forces =
         Measure::new("forces", "N", product(&j, &lambda), product(&j.transpose(), &lambda));
-    let unconstrained = -1.0 - 9.81 / 60.0;
+    let unconstrained = -1.0 - G * DT;
     // w = A x + b = 0 with A = 1; the printed line is A x = J u*, so its b is −J u*.
     let next = |b: f64| -> Result<f64> {
         Ok(unconstrained + answer("dantzig", &equations(&[1.0], &[b])?)?[0])

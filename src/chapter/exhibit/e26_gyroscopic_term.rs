@@ -2,12 +2,11 @@
 
 use nalgebra::Vector3;
 
-use super::common::picture;
+use super::common::curves;
 use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
 use crate::body::{Gyroscopic, Mass, State, stack};
 use crate::error::Result;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E26",
@@ -34,18 +33,10 @@ fn example() -> Result<Finding> {
     let euler = euler(3000);
     let momentum =
         Measure::new("error of I ω at 1 s", "%", printed.errors[1000], corrected.errors[1000]);
-    let rate = Measure::new(
-        "rate about axis 1 at 1 s",
-        "rad/s",
-        printed.rates[1000].x,
-        corrected.rates[1000].x,
-    );
-    let time = Measure::new(
-        "middle rate turns over at",
-        "s",
-        flip(&printed.rates),
-        flip(&corrected.rates),
-    );
+    let rate =
+        Measure::new("axis 1 rate at 1 s", "rad/s", printed.rates[1000].x, corrected.rates[1000].x);
+    let time =
+        Measure::new("middle rate flips at", "s", flip(&printed.rates), flip(&corrected.rates));
     let turned_over = match flip(&euler) {
         Outcome::Numbers(times) => times,
         Outcome::Impossible(_) => Vec::new(),
@@ -59,7 +50,7 @@ fn example() -> Result<Finding> {
     .measure(momentum.truth(&[0.0], "conservation", 0.05))
     .measure(rate.truth(&[euler[1000].x], "Euler's equations", 2e-3))
     .measure(time.truth(&turned_over, "Euler's equations", 5e-3))
-    .picture(momentum_over_time(&printed, &corrected)))
+    .plot(&momentum_over_time(&printed, &corrected)))
 }
 
 /// When the rate about the middle axis passes 0 (s), between two steps by a straight line.
@@ -110,12 +101,12 @@ fn euler(steps: usize) -> Vec<Vector3<f64>> {
     std::iter::successors(Some(Vector3::from(RATES)), step).take(steps + 1).collect()
 }
 
-fn momentum_over_time(printed: &Tumble, corrected: &Tumble) -> Picture {
+fn momentum_over_time(printed: &Tumble, corrected: &Tumble) -> Lines {
     let points = |tumble: &Tumble| -> Vec<(f64, f64)> {
         let errors = tumble.errors.iter().enumerate().step_by(10);
         errors.map(|(k, &error)| (k as f64 * DT, error)).collect()
     };
-    picture(
+    curves(
         "momentum_of_a_tumbling_body",
         [
             "The angular momentum of a free body",

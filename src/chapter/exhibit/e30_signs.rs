@@ -1,6 +1,7 @@
 //! E30: three systems of signs side by side, K&M (10), (15), (23), (34), (44) and Code 7.
 
-use super::setting::{contact, one, single};
+use super::common::contacts;
+use super::setting::{one, single};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::chapter::code::code06_solver as code06;
 use crate::document::notation::vector;
@@ -119,7 +120,12 @@ fn example() -> Result<Finding> {
                 .agreeing(),
         );
     for (words, free) in [("approaching: A = 1, b = −1", -1.0), ("parting: A = 1, b = 1", 1.0)] {
-        finding = finding.judged(words, &contact(free)?, &[CODE_7.x(free)?], &[CORRECTED.x(free)?]);
+        finding = finding.judged(
+            words,
+            &contacts(&[1.0], &[free])?,
+            &[CODE_7.x(free)?],
+            &[CORRECTED.x(free)?],
+        );
     }
     let columns = ["J", "b", "u⁺", "bound", "u⁺ of −1 and 1", "verdict", "found in"];
     let rows = Signs::all().map(Signs::row).collect::<Result<Vec<_>>>()?;

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::setting::{DT, contact, point, weigh, world};
+use super::common::contacts;
+use super::setting::{DT, point, weigh, world};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::chapter::code::code07_whole_step::{Limits, WholeStep};
 use crate::chapter::code::constraint_class::Joint;
@@ -55,5 +56,5 @@ fn example() -> Result<Finding> {
     )
     .measure(speed.truth(&[1.0], "nothing holds it", 1e-12))
     .measure(fallen.truth(&[0.0], "the nail holds", 1e-12))
-    .judged("the parting body: A = 1, b = 1", &contact(1.0)?, &[-taken], &[added]))
+    .judged("the parting body: A = 1, b = 1", &contacts(&[1.0], &[1.0])?, &[-taken], &[added]))
 }

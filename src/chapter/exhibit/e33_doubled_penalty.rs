@@ -42,7 +42,7 @@ fn example() -> Result<Finding> {
         Measure::new("factor, two, no 1/dt", "", rate(Form::Printed)?, rate(Form::Corrected)?);
     let (doubled, once) =
         (errors(Form::Printed, 1.2, &pair)?, errors(Form::Corrected, 1.2, &pair)?);
-    let left = Measure::new("error after 1 s, β = 1.2", "m", doubled[60], once[60]);
+    let left = Measure::new("after 1 s, β = 1.2", "m", doubled[60], once[60]);
     let size = |errors: &[f64]| errors.iter().map(|error| error.abs()).collect::<Vec<_>>();
     let panel = |beta: f64| -> Result<Panel> {
         Ok(Panel {

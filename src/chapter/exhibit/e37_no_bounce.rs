@@ -81,7 +81,7 @@ fn example() -> Result<Finding> {
     let dt = 1.0 / RATE as f64;
     let (hit, thrown) = (printed((0.0, -3.0), DT, 1)?, corrected((0.0, -3.0), DT, 1)?);
     let (dead, alive) = (printed((1.0, 0.0), dt, RATE)?, corrected((1.0, 0.0), dt, RATE)?);
-    let speed = Measure::new("speed after an impact at 3 m/s", "m/s", hit[1].1, thrown[1].1);
+    let speed = Measure::new("speed after the impact", "m/s", hit[1].1, thrown[1].1);
     let height = Measure::new("rebound of a fall from 1 m", "m", rebound(&dead), rebound(&alive));
     let heights = |path: &[(f64, f64)]| {
         path.iter().enumerate().map(|(k, (z, _))| (k as f64 * dt, *z)).collect::<Vec<_>>()

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, Vector3};
 
+use super::common::product;
 use super::rate::{body, rates};
 use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
 use crate::error::Result;
@@ -40,16 +41,6 @@ fn example() -> Result<Finding> {
         "One point lies at the origin and moves with (1, 0, 0) m/s, the other at (3, 4, 0) m and moves with \
          (0, 2, 0) m/s; n = (0.6, 0.8, 0). How fast does their distance grow?",
     )
-    .measure(measure("c' with q' = [v₀; v₁]", product(&short, &q_rate)))
-    .measure(measure("c' with q' = v₁ − v₀", product(&short, &difference)).agreeing()))
-}
-
-/// A row times a column, where they fit.
-fn product(row: &DMatrix<f64>, column: &DMatrix<f64>) -> Outcome {
-    let (m, n) = (row.ncols(), column.nrows());
-    if m == n {
-        (row * column)[0].into()
-    } else {
-        Outcome::Impossible(format!("{m} by {n} entries"))
-    }
+    .measure(measure("ċ with q' = [v₀; v₁]", product(&short, &q_rate)))
+    .measure(measure("ċ with q' = v₁ − v₀", product(&short, &difference)).agreeing()))
 }

@@ -2,12 +2,12 @@
 
 use nalgebra::DMatrix;
 
-use super::common::{answer, contacts, delassus, picture, sweeps};
+use super::common::{answer, contacts, curves, delassus, sweeps};
+use super::setting::{DT, G};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E47",
@@ -30,12 +30,12 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
 /// Bodies of these masses on a floor under gravity, bottom first, after one step of 1/60 s.
 fn stack(bottom: f64, top: f64) -> Result<Lcp> {
     let j = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, -1.0, 1.0]);
-    contacts(&delassus(&j, &[1.0 / bottom, 1.0 / top]), &[-9.81 / 60.0, 0.0])
+    contacts(&delassus(&j, &[1.0 / bottom, 1.0 / top]), &[-G * DT, 0.0])
 }
 
 /// x once it is settled: the loads are the weights.
 fn loads(bottom: f64, top: f64) -> [f64; 2] {
-    [(bottom + top) * 9.81 / 60.0, top * 9.81 / 60.0]
+    [(bottom + top) * G * DT, top * G * DT]
 }
 
 /// The factor by which a later sweep shrinks the error of the upper contact.
@@ -76,11 +76,11 @@ fn example() -> Result<Finding> {
     .measure(factor("factor, heavy above", 1.0, 1000.0)?.agreeing())
     .measure(factor("factor, heavy below", 1000.0, 1.0)?)
     .measure(floor.truth(&[0.0], "it is immovable", 0.0))
-    .picture(drawing()?))
+    .plot(&drawing()?))
 }
 
 /// Sweeps against the mass ratio, for both orders.
-fn drawing() -> Result<Picture> {
+fn drawing() -> Result<Lines> {
     let ratios: Vec<f64> = (0..=6).map(|k| 10f64.powf(f64::from(k) / 2.0)).collect();
     let curve = |needed: &dyn Fn(f64) -> Result<f64>| -> Result<Vec<(f64, f64)>> {
         ratios.iter().map(|&ratio| Ok((ratio, needed(ratio)?))).collect()
@@ -88,7 +88,7 @@ fn drawing() -> Result<Picture> {
     let theory = |factor: fn(f64) -> f64| {
         ratios.iter().map(|&ratio| (ratio, (1e-6_f64.ln() / factor(ratio).ln()).max(1.0))).collect()
     };
-    Ok(picture(
+    Ok(curves(
         "e47",
         [
             "Sweeps until both loads are right to 10⁻⁶",

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::common::contacts;
+use super::setting::{DT, G};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::chapter::code::code08_matrix_program::{corrected, printed};
 use crate::error::Result;
@@ -24,7 +25,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
 
 /// A ball that falls onto the floor, by both programs.
 fn example() -> Result<Finding> {
-    let (v, g, dt) = (-1.0, -9.81, 1.0 / 60.0);
+    let (v, g, dt) = (-1.0, -G, DT);
     let one = DMatrix::from_element(1, 1, 1.0);
     let along_y = |y: f64| DMatrix::from_row_slice(1, 6, &[0.0, y, 0.0, 0.0, 0.0, 0.0]);
     let printed = printed::system(&one, &along_y(v), &along_y(g), &one);

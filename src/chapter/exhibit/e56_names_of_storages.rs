@@ -48,7 +48,7 @@ fn example() -> Result<Finding> {
         Measure::new("bytes, 100 entries", "", compressed as f64, (nodes + MAP + 2 * KEY) as f64);
     let pieces = Measure::new("pieces of memory", "", arrays.len() as f64, map.nodes() as f64);
     let order =
-        Measure::new("[1 2; 3 4] as MATLAB has it", "", [1.0, 2.0, 3.0, 4.0], [1.0, 3.0, 2.0, 4.0]);
+        Measure::new("[1 2; 3 4] in MATLAB", "", [1.0, 2.0, 3.0, 4.0], [1.0, 3.0, 2.0, 4.0]);
     Ok(Finding::new(
         "A matrix of 100 × 100 with one entry a row, of 4 bytes. Printed: three arrays with indices of 4 bytes. \
          Corrected: the nodes of the map of maps, counted in one that was filled; 88 bytes for a row, 48 for \

@@ -2,11 +2,10 @@
 
 use std::collections::LinkedList;
 
-use super::common::picture;
+use super::common::curves;
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E57",
@@ -54,7 +53,7 @@ fn example() -> Result<Finding> {
     .measure(half.truth(&[bytes(ENTRIES / 2) as f64], "counted", 0.0))
     .measure(fill.truth(&[break_even], "counted", 1.0 / ENTRIES as f64))
     .measure(steps.truth(&[long], "counted", 1e-9))
-    .picture(drawing()))
+    .plot(&drawing()))
 }
 
 /// The mean number of steps to an entry of a list with so many.
@@ -64,11 +63,11 @@ fn mean_steps(entries: usize) -> f64 {
     steps.sum::<usize>() as f64 / entries as f64
 }
 
-/// Bytes against fill.
-fn drawing() -> Picture {
+/// Memory (kB) against fill.
+fn drawing() -> Lines {
     let fills = || (0..=20).map(|k| f64::from(k) / 20.0);
-    let list = |fill: f64| (fill * (ENTRIES * LISTED) as f64).round();
-    picture(
+    let list = |fill: f64| (fill * (ENTRIES * LISTED) as f64).round() / 1e3;
+    curves(
         "e57",
         [
             "Memory of a 100 × 100 matrix against its fill",
@@ -76,11 +75,14 @@ fn drawing() -> Picture {
                  fill of 1/7. The printed 70000 bytes belong to a quarter, not to a half.",
         ],
         Axis::linear("fill", ""),
-        Axis::linear("memory", "bytes"),
+        Axis::linear("memory", "kB"),
         vec![
             Series::measured("linked list", fills().map(|fill| (fill, list(fill))).collect()),
-            Series::reference("dense", fills().map(|fill| (fill, 40_000.0)).collect()),
-            Series::points("printed", vec![(0.5, 70_000.0), (1.0, 280_000.0)]),
+            Series::reference(
+                "dense",
+                fills().map(|fill| (fill, (ENTRIES * DENSE) as f64 / 1e3)).collect(),
+            ),
+            Series::points("printed", vec![(0.5, 70.0), (1.0, 280.0)]),
         ],
     )
 }

@@ -2,11 +2,10 @@
 
 use oorandom::Rand64;
 
-use super::common::picture;
+use super::common::curves;
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E58",
@@ -111,15 +110,15 @@ fn example() -> Result<Finding> {
     .measure(depth.truth(&[in_order.depth() as f64], "counted", 0.0))
     .measure(mean.truth(&[in_order.mean_steps()], "counted", 1e-9))
     .measure(random.truth(&[measured], "counted", 1.0))
-    .picture(drawing()))
+    .plot(&drawing()))
 }
 
 /// Depth against the number of entries.
-fn drawing() -> Picture {
+fn drawing() -> Lines {
     let sizes = [10, 30, 100, 300, 1000, 3000];
     let curve =
         |depth: &dyn Fn(usize) -> f64| sizes.iter().map(|&n| (n as f64, depth(n))).collect();
-    picture(
+    curves(
         "e58",
         [
             "Depth of a plain search tree",

@@ -1,6 +1,7 @@
 //! E59: matrices of size 0, Codes 7 and 10.
 
 use super::common::{answer, contacts};
+use super::setting::{DT, G};
 use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
 use crate::chapter::code::code09_10_dense_matrix::{corrected, printed};
 use crate::error::Result;
@@ -22,7 +23,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
 
 /// Three bodies that touch nothing.
 fn example() -> Result<Finding> {
-    let (m, dt) = (3, 1.0 / 60.0);
+    let (m, dt) = (3, DT);
     let stopped = || Outcome::Impossible("Code 10 stops".into());
     let j = printed::DenseMatrix::new(0, 6 * m, None);
     let columns = j.as_ref().map_or_else(|_| stopped(), |j| f64::from(j.num_cols()).into());
@@ -32,7 +33,7 @@ fn example() -> Result<Finding> {
         .filter(|&(rows, cols)| printed::DenseMatrix::new(rows, cols, None).is_ok())
         .count();
 
-    let (v, g) = (-1.0, -9.81);
+    let (v, g) = (-1.0, -G);
     let x = answer("pgs", &contacts(&[], &vec![0.0; right.num_rows()])?)?;
     let falling = v + dt * g + x.iter().sum::<f64>();
     let flight = j.as_ref().map_or_else(|_| stopped(), |_| falling.into());

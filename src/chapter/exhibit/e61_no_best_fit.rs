@@ -2,12 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::common::{answer, delassus, equations, largest, picture, sweeps};
+use super::common::{answer, curves, delassus, equations, largest, sweeps};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E61",
@@ -94,17 +93,17 @@ fn example() -> Result<Finding> {
     .measure(yielding("CFM, rod last", &last, ROD_LAST, one))
     .measure(yielding("CFM, rod first", &first, ROD_FIRST, other))
     .judged("the rows with γ = 10⁻⁶", &soft, &end(&last), &answer("dantzig", &soft)?)
-    .picture(drawing()?))
+    .plot(&drawing()?))
 }
 
 /// |x| against sweeps, rigid and yielding.
-fn drawing() -> Result<Picture> {
+fn drawing() -> Result<Lines> {
     let curve = |compliance: f64| -> Result<Vec<(f64, f64)>> {
         let x = sweeps("pgs", &problem(ROD_LAST, compliance)?, &[0.0; 3], 100)?;
         let size = x.iter().map(|x| largest(x.iter().copied()));
         Ok(size.enumerate().map(|(sweep, size)| (sweep as f64, size)).collect())
     };
-    Ok(picture(
+    Ok(curves(
         "e61",
         [
             "Impulses of constraints that contradict each other",

@@ -1,6 +1,7 @@
 //! E63: λ is a force, note on λ.
 
 use super::common::{answer, contacts};
+use super::setting::{DT, G};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 
@@ -21,7 +22,7 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
 
 /// λ of a ball of 1 kg at rest on the floor, with these units of length (m), time (s) and mass (kg).
 fn load(length: f64, time: f64, mass: f64) -> Result<f64> {
-    let (m, g, dt) = (1.0 / mass, 9.81 / length * time * time, 1.0 / 60.0 / time);
+    let (m, g, dt) = (1.0 / mass, G / length * time * time, DT / time);
     let x = answer("pgs", &contacts(&[1.0 / m], &[-g * dt])?)?;
     Ok(x[0] / dt)
 }

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector2;
 
-use super::common::{largest, picture};
+use super::common::{curves, largest};
+use super::setting::{DT, G, over_time};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::plot::{Axis, Series};
@@ -25,7 +26,6 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     evidence: Evidence::Example(example),
 };
 
-const DT: f64 = 1.0 / 60.0;
 const STEPS: usize = 600;
 
 /// The four methods: their name, and how they step.
@@ -52,7 +52,7 @@ fn simulated(step: Step) -> Result<Vec<f64>> {
 
 /// The largest length error again, by the formulas of one rod in a plane.
 fn by_hand(step: &Step) -> f64 {
-    let gravity = Vector2::new(0.0, -9.81);
+    let gravity = Vector2::new(0.0, -G);
     let (mut p, mut v, mut worst) = (Vector2::new(1.0, 0.0), Vector2::zeros(), 0.0_f64);
     for _ in 0..STEPS {
         let length: f64 = p.norm();
@@ -83,10 +83,9 @@ fn example() -> Result<Finding> {
         let errors = simulated(step)?;
         let measure = Measure::new(name, "m", 0.0, largest(errors.iter().copied()));
         finding = finding.measure(measure.truth(&[by_hand], "by hand", 1e-6));
-        let points = errors.iter().enumerate().map(|(k, &error)| (k as f64 * DT, error));
-        series.push(Series::measured(name, points.collect()));
+        series.push(Series::measured(name, over_time(&errors)));
     }
-    Ok(finding.picture(picture(
+    Ok(finding.plot(&curves(
         "e64",
         [
             "Error of a pendulum's length",

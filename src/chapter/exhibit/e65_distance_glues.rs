@@ -1,6 +1,7 @@
 //! E65: keeping a distance glues, text on Figure 11.
 
 use super::common::{answer, contacts, equations};
+use super::setting::DT;
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::Lcp;
@@ -28,7 +29,7 @@ struct Motion {
 
 /// A sphere and a point of the net, 1 kg each, step by step; the row by `pose`.
 fn moved(pose: impl Fn(f64) -> Result<Lcp>) -> Result<Motion> {
-    let dt = 1.0 / 60.0;
+    let dt = DT;
     let (mut u, mut gap, mut first) = ([0.0, 2.0], 0.0, None);
     for _ in 0..30 {
         // A gap may close within the step, and no faster.

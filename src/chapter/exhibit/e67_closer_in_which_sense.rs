@@ -3,12 +3,11 @@
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use super::common::{equations, largest, picture, sweeps};
+use super::common::{curves, equations, largest, sweeps};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
-use crate::plot::{Axis, Series};
-use crate::report::page::Picture;
+use crate::plot::{Axis, Lines, Series};
 
 pub(super) const EXHIBIT: Exhibit = Exhibit {
     id: "E67",
@@ -18,8 +17,8 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     may_be_scan: false,
     printed: "Iterative methods move closer to the solution with every update, so they may be interrupted at \
               any time.",
-    holds: "What never rises in a sweep of Gauss-Seidel is the objective ½ xᵀA x + bᵀx, for equations the same \
-            as the distance in the norm of A. The distance |x − x*| and the residual can rise.",
+    holds: "What never rises in a sweep of Gauss-Seidel is the objective ½ xᵀA x + bᵀx (b in this library's \
+            sign; ½ xᵀA x − bᵀx for the chapter's A x = b), for equations the same as the distance in the norm of A. The distance |x − x*| and the residual can rise.",
     why: "Each update makes the objective least along one coordinate, so it cannot rise. Its level sets are \
           ellipsoids; where they are long and thin, a point on a lower one can be farther from the centre. \
           Interrupting is still safe: a lower objective is a motion nearer to the right one in the norm of \
@@ -90,11 +89,11 @@ fn example() -> Result<Finding> {
     .measure(moved.truth(&[exact], "rational arithmetic", 1e-9))
     .measure(residual.truth(&[exact_residual], "rational arithmetic", 1e-9))
     .measure(objective.truth(&[0.0], "theory", 1e-15).agreeing())
-    .picture(drawing(&near, &x)))
+    .plot(&drawing(&near, &x)))
 }
 
 /// Distance in both norms, sweep by sweep.
-fn drawing(lcp: &Lcp, x: &[Vec<f64>]) -> Picture {
+fn drawing(lcp: &Lcp, x: &[Vec<f64>]) -> Lines {
     let least = merit::objective(lcp, &[0.0, 1.0]);
     // |x − x*|² in the norm of A is twice what the objective is above its least.
     let in_norm_of_a = |x: &[f64]| (2.0 * (merit::objective(lcp, x) - least)).max(0.0).sqrt();
@@ -102,7 +101,7 @@ fn drawing(lcp: &Lcp, x: &[Vec<f64>]) -> Picture {
         let shown = x.iter().take(21).enumerate();
         shown.map(|(sweep, x)| (sweep as f64, distance(x))).collect::<Vec<_>>()
     };
-    picture(
+    curves(
         "e67",
         [
             "Distance from the solution, sweep by sweep",

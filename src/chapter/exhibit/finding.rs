@@ -84,15 +84,10 @@ impl Finding {
         self
     }
 
-    /// With curves as its picture.
-    pub fn plot(self, lines: &Lines) -> Self {
+    /// With these curves as its picture.
+    pub fn plot(mut self, lines: &Lines) -> Self {
         let caption = lines.caption().into();
-        self.picture(Picture { svg: lines.svg(), caption, files: Vec::new() })
-    }
-
-    /// With a picture.
-    pub fn picture(mut self, picture: Picture) -> Self {
-        self.picture = Some(picture);
+        self.picture = Some(Picture { svg: lines.svg(), caption, files: Vec::new() });
         self
     }
 

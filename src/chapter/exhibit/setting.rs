@@ -2,11 +2,11 @@
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
+use super::common::spaced;
 use crate::chapter::code::code05_rigid_body::RigidBody;
 use crate::chapter::code::code07_whole_step::{WholeStep, World};
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
-use crate::lcp::{Lcp, Matrix};
 
 /// A step (s).
 pub(super) const DT: f64 = 1.0 / 60.0;
@@ -21,11 +21,6 @@ pub(super) fn one(entry: f64) -> DMatrix<f64> {
 /// A vector of one entry.
 pub(super) fn single(entry: f64) -> DVector<f64> {
     DVector::from_element(1, entry)
-}
-
-/// A contact of a unit mass: w = x + b, x ≥ 0.
-pub(super) fn contact(b: f64) -> Result<Lcp> {
-    Lcp::new(Matrix::dense(1, &[1.0]), vec![b], vec![0.0], vec![f64::INFINITY])
 }
 
 /// A point mass of 1 kg on the z axis.
@@ -68,7 +63,7 @@ pub(super) fn stretched_rod(
     Ok(errors)
 }
 
-/// Values of consecutive steps of 1/60 s as points over time (s).
+/// Values of consecutive steps of [`DT`] as points over time (s).
 pub(super) fn over_time(values: &[f64]) -> Vec<(f64, f64)> {
-    values.iter().enumerate().map(|(k, &value)| (k as f64 * DT, value)).collect()
+    spaced(values, DT)
 }

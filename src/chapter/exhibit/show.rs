@@ -8,6 +8,9 @@ use crate::document::{Block, Document, Section};
 use crate::error::Result;
 use crate::plot::number::readable;
 
+/// A number below this is rounding, where the truth is 0.
+const ROUNDING: f64 = 1e-12;
+
 impl Exhibit {
     /// The exhibit with its example run, for a terminal or a page.
     ///
@@ -73,10 +76,6 @@ impl Exhibit {
 }
 
 fn row(measure: &Measure) -> Vec<String> {
-    let written = |outcome: &Outcome| match outcome {
-        Outcome::Numbers(values) => numbers(values),
-        Outcome::Impossible(reason) => reason.clone(),
-    };
     let verdict = match (measure.is_as_claimed(), measure.agrees) {
         (true, false) => "told apart",
         (true, true) => "both hold",
@@ -85,9 +84,9 @@ fn row(measure: &Measure) -> Vec<String> {
     vec![
         measure.quantity.clone(),
         measure.unit.to_string(),
-        written(&measure.printed),
-        written(&measure.corrected),
-        numbers(&measure.truth),
+        written(&measure.printed, &measure.truth),
+        written(&measure.corrected, &measure.truth),
+        truth(measure),
         measure.source.to_string(),
         verdict.to_string(),
     ]
@@ -104,9 +103,34 @@ fn word(verdict: &Verdict) -> String {
     }
 }
 
-fn numbers(values: &[f64]) -> String {
+fn written(outcome: &Outcome, truth: &[f64]) -> String {
+    match outcome {
+        Outcome::Numbers(values) => numbers(values, truth),
+        Outcome::Impossible(reason) => reason.clone(),
+    }
+}
+
+/// The truth, with what counts as right where the corrected form does not show the same digits.
+fn truth(measure: &Measure) -> String {
+    let truth = numbers(&measure.truth, &[]);
+    if written(&measure.corrected, &measure.truth) == truth {
+        return truth;
+    }
+    format!("{truth} ± {}", readable(measure.tolerance, 2))
+}
+
+fn numbers(values: &[f64], truth: &[f64]) -> String {
     match values {
-        [one] => plain(*one),
+        [one] => number(*one, truth == [0.0]),
         many => vector(many),
+    }
+}
+
+/// Counts in full (`+ 0.0` takes the sign from −0); with one digit what rounding has left of a 0.
+fn number(value: f64, is_zero: bool) -> String {
+    match value.abs() {
+        count if count.fract() == 0.0 && count < 1e7 => (value + 0.0).to_string().replace('-', "−"),
+        rest if is_zero && rest < ROUNDING => readable(value, 1),
+        _ => plain(value),
     }
 }

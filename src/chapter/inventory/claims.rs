@@ -135,8 +135,8 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::new("T17", Misleading, "Iterations cope with singular and over-constrained systems.")
         .errata(&["E10", "E61"])
         .code(&[
-            "test solver::every::a_singular_system_with_a_solution_is_no_ray",
             "simulation::conflict",
+            "test solver::every::a_singular_system_with_a_solution_is_no_ray",
             "scene fig8",
         ])
         .lesson(&[6])

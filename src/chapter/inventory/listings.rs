@@ -2,9 +2,11 @@
 
 use super::Entry;
 use super::Verdict::{Misleading, Misprint, Right, Wrong};
+use crate::chapter::code;
 
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::new("Code 1", Right, "A step without constraints in block matrices.")
+        .errata(code::code01_unconstrained_step::LISTING.errata)
         .code(&[
             "chapter::code::code01_unconstrained_step",
             "formulation::velocity",
@@ -12,7 +14,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         ])
         .lesson(&[3]),
     Entry::new("Code 2", Misleading, "The step with the solved impulses.")
-        .errata(&["E28", "E60"])
+        .errata(code::code02_constrained_step::LISTING.errata)
         .code(&["chapter::code::code02_constrained_step", "formulation::Problem::next_velocity"])
         .lesson(&[3])
         .remark(
@@ -24,12 +26,12 @@ pub(super) const ENTRIES: &[Entry] = &[
         Wrong,
         "The update of a frame: forces, then constraints, which also move the bodies.",
     )
-    .errata(&["E32", "E36"])
+    .errata(code::code03_update::LISTING.errata)
     .code(&["chapter::code::code03_update", "simulation::Simulation::step"])
     .lesson(&[3])
     .remark("Without a constraint nothing moves and forces pile up."),
     Entry::new("Code 4", Misleading, "A and b with feedback of errors, and the solve.")
-        .errata(&["E34", "E35"])
+        .errata(code::code04_drift_correction::LISTING.errata)
         .code(&["chapter::code::code04_drift_correction", "formulation::Problem::velocity"])
         .lesson(&[3, 7]),
     Entry::new(
@@ -37,7 +39,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Wrong,
         "The rigid body: state, force, torque, and the inverse inertia in world axes.",
     )
-    .errata(&["E26", "E36", "E60"])
+    .errata(code::code05_rigid_body::LISTING.errata)
     .code(&["chapter::code::code05_rigid_body", "body::Body", "body::inertia"])
     .lesson(&[3])
     .remark(
@@ -45,7 +47,7 @@ pub(super) const ENTRIES: &[Entry] = &[
          gyroscopic torque is missing and the caption names an integrator.",
     ),
     Entry::new("Code 6", Wrong, "Gauss-Seidel with bounds.")
-        .errata(&["E06", "E11", "E12"])
+        .errata(code::code06_solver::LISTING.errata)
         .code(&["chapter::code::code06_solver", "solver::Code6", "solver::Pgs"])
         .lesson(&[4])
         .remark(
@@ -57,7 +59,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Misleading,
         "The base class of constraints: penalty, block of J for a body, number of rows.",
     )
-    .errata(&["E33", "E59"])
+    .errata(code::constraint_class::LISTING.errata)
     .code(&["chapter::code::constraint_class", "constraint::Constraint", "example own_constraint"])
     .lesson(&[2])
     .remark(
@@ -77,7 +79,7 @@ pub(super) const ENTRIES: &[Entry] = &[
          bounds in each row and no default.",
     ),
     Entry::new("Code 7", Wrong, "The whole step: gather, J, A, b, solve, scatter.")
-        .errata(&["E12", "E26", "E29", "E30", "E31", "E32", "E33", "E34", "E35", "E36", "E37"])
+        .errata(code::code07_whole_step::LISTING.errata)
         .code(&[
             "chapter::code::code07_whole_step",
             "simulation::Simulation::step",
@@ -86,7 +88,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .lesson(&[3])
         .remark("Its step of equations is right; each fault of the rest has its exhibit."),
     Entry::new("Code 8", Wrong, "The same with matrices that are written like numbers.")
-        .errata(&["E27", "E49"])
+        .errata(code::code08_matrix_program::LISTING.errata)
         .code(&["chapter::code::code08_matrix_program", "explain::derivation"])
         .lesson(&[3, 10])
         .remark(
@@ -97,7 +99,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .code(&["chapter::code::code09_10_dense_matrix", "storage::Dense"])
         .lesson(&[10]),
     Entry::new("Code 10", Wrong, "Construction and access of the dense matrix, with checks.")
-        .errata(&["E50", "E51", "E59"])
+        .errata(code::code09_10_dense_matrix::ACCESS.errata)
         .code(&["chapter::code::code09_10_dense_matrix", "storage::Dense", "storage::error"])
         .lesson(&[10])
         .remark(
@@ -105,7 +107,7 @@ pub(super) const ENTRIES: &[Entry] = &[
          do; the limit of 500 forbids the chapter's own tower.",
         ),
     Entry::new("Code 11", Wrong, "A sparse matrix as a map of maps.")
-        .errata(&["E50", "E52", "E53", "E54", "E56"])
+        .errata(code::code11_map_matrix::LISTING.errata)
         .code(&["chapter::code::code11_map_matrix", "storage::MapOfMaps"])
         .lesson(&[10])
         .remark("Clearing does nothing, data are read by columns, zeros are stored."),
@@ -114,7 +116,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Misprint,
         "Declarations of product, transpose, sum, difference and scaling.",
     )
-    .errata(&["E55"])
+    .errata(code::code11_map_matrix::OPERATORS.errata)
     .code(&["storage::product", "lcp::Matrix"])
     .lesson(&[10])
     .remark("A product of three needs constant references in standard C++."),

@@ -25,6 +25,7 @@ pub use show::{LESSONS, chosen, list};
 
 use serde_json::{Value, json};
 
+use super::code;
 use crate::error::{Error, Result};
 
 /// Something that the chapter says or shows.
@@ -146,12 +147,17 @@ impl Entry {
         Entry { id, says, verdict, errata: &[], code: &[], lesson: &[], remark: "" }
     }
 
-    /// The entry for machines.
+    /// The entry for machines; a listing has also what is printed and what is corrected.
     pub fn to_json(&self, kind: &str) -> Value {
-        json!({
+        let mut entry = json!({
             "id": self.id, "kind": kind, "says": self.says, "verdict": self.verdict.word(),
             "errata": self.errata, "code": self.code, "lesson": self.lesson, "remark": self.remark,
-        })
+        });
+        if let Some(listing) = code::listing(self.id) {
+            entry["printed"] = listing.printed.into();
+            entry["corrected"] = listing.corrected.into();
+        }
+        entry
     }
 
     const fn errata(mut self, errata: &'static [&'static str]) -> Self {

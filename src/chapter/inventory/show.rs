@@ -1,11 +1,9 @@
 //! The inventory as documents: lists by groups, and one entry with all that is known of it.
 
 use super::{Entry, GROUPS, Group, Verdict};
+use crate::chapter::code;
 use crate::chapter::exhibit::{self, Exhibit};
 use crate::document::{Block, Document, Section, Table};
-
-/// A statement is cut after so many characters in a list.
-const WIDTH: usize = 58;
 
 /// The lessons, from the first.
 pub const LESSONS: [&str; 11] = [
@@ -68,25 +66,17 @@ fn line(entry: &Entry) -> Vec<String> {
     let code = match entry.code {
         [] => String::new(),
         [only] => only.to_string(),
-        [first, rest @ ..] => format!("{first} and {} more", rest.len()),
+        [first, rest @ ..] => format!("{first}, + {}", rest.len()),
     };
     let lessons: Vec<String> = entry.lesson.iter().map(u8::to_string).collect();
     vec![
         entry.id.to_string(),
         entry.verdict.word().to_string(),
         errata,
-        cut(entry.says),
+        entry.says.to_string(),
         lessons.join(", "),
         code,
     ]
-}
-
-fn cut(words: &str) -> String {
-    if words.chars().count() <= WIDTH {
-        return words.to_string();
-    }
-    let short: String = words.chars().take(WIDTH - 1).collect();
-    format!("{}…", short.trim_end())
 }
 
 impl Entry {
@@ -104,12 +94,24 @@ impl Entry {
             verdict.say(self.remark);
         }
         document.add("", verdict);
-        for section in [self.errata_section(), self.code_section(), self.lesson_section()] {
+        let sections =
+            [self.listing(), self.errata_section(), self.code_section(), self.lesson_section()];
+        for section in sections {
             if !section.blocks.is_empty() {
                 document.add("", section);
             }
         }
         document
+    }
+
+    /// What is printed and what is corrected, of a listing.
+    fn listing(&self) -> Section {
+        let mut section = Section::new("both forms");
+        if let Some(listing) = code::listing(self.id) {
+            section.say(format!("Printed, {}: {}", listing.title, listing.printed));
+            section.say(format!("Corrected: {}", listing.corrected));
+        }
+        section
     }
 
     fn errata_section(&self) -> Section {

@@ -87,10 +87,14 @@ pub(super) const ENTRIES: &[Entry] = &[
         .code(&[
             "storage::Dense",
             "storage::CompressedRows",
-            "report::study::sparsity",
+            "report::study::storage",
             "lcp::Matrix",
         ])
-        .lesson(&[10]),
+        .lesson(&[10])
+        .remark(
+            "The A of our tower of 700 cubes takes 4.7 GB dense and 36 MB in compressed rows: half a \
+         percent of it is filled.",
+        ),
     Entry::new("T48", Opinion, "Overloaded operators with assertions make programs readable.")
         .errata(&["E49"])
         .code(&["lcp::Matrix", "storage::product"])
@@ -111,12 +115,23 @@ pub(super) const ENTRIES: &[Entry] = &[
         .lesson(&[10])
         .remark("The dense way stays as a reference for the others."),
     Entry::new("T51", Confirmed, "Iterations can leave out zeros.")
-        .code(&["lcp::matrix::Row", "storage::Factored", "storage::sweep", "simulation::sweep"])
-        .lesson(&[10]),
+        .code(&[
+            "lcp::matrix::Row",
+            "storage::Factored",
+            "storage::sweep",
+            "report::study::storage",
+            "simulation::sweep",
+        ])
+        .lesson(&[10])
+        .remark(
+            "A sweep then costs what is stored, not n²: for a stack of 80 boxes, with 3 % of A filled, about a \
+         tenth of the time of a dense one.",
+        ),
     Entry::new("T52", Right, "A manager keeps matrices of common sizes.")
         .code(&["storage::Pool"])
         .lesson(&[10])
-        .remark("Once warm, a step allocates nothing from it."),
+        .remark("Once warm, a step allocates nothing, if the storage lies in a few arrays; a map of maps asks for its \
+         nodes anew in every step."),
     Entry::new("T53", Right, "Allocate more than needed, to avoid resizing.")
         .code(&["storage::product::Workspace", "storage::Pool"])
         .lesson(&[10]),
@@ -147,12 +162,19 @@ pub(super) const ENTRIES: &[Entry] = &[
         .lesson(&[10])
         .remark("If it is balanced: filled in the order of the indices it is a list."),
     Entry::new("T59", Confirmed, "Hashing finds an element in one step.")
-        .code(&["storage::HashTable"])
+        .code(&["storage::HashTable", "report::study::storage"])
         .lesson(&[10])
-        .remark("Nearly constant while the table is not full."),
+        .remark(
+            "The time of a search does not grow from a hundred entries to ten thousand, while that in a \
+         balanced tree doubles. But rows have no place of their own: a sweep has to search.",
+        ),
     Entry::new("T60", Confirmed, "Access near what was last used is faster.")
-        .code(&["storage::CompressedRows", "storage::sweep"])
-        .lesson(&[10]),
+        .code(&["storage::CompressedRows", "storage::sweep", "report::study::storage"])
+        .lesson(&[10])
+        .remark(
+            "In compressed rows, and in the map of maps, an entry costs several times less when its row is run \
+         through than when it is looked up.",
+        ),
     Entry::new("T61", Opinion, "A memory pool against fragmentation.")
         .code(&["storage::Pool"])
         .lesson(&[10])

@@ -73,6 +73,16 @@ impl Strip {
         }
     }
 
+    /// The same with another short name, where a page has several.
+    pub fn named(self, id: &str) -> Self {
+        Strip { id: id.into(), ..self }
+    }
+
+    /// The same with what the reader should see, in a sentence.
+    pub fn with_caption(self, words: &str) -> Self {
+        Strip { caption: words.into(), ..self }
+    }
+
     /// The same with the forces drawn.
     pub fn with_forces(self) -> Self {
         Strip { arrows: Arrows::Shown, ..self }

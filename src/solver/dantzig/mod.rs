@@ -74,7 +74,9 @@ impl Solver for Dantzig {
         if observer.observe(&Iterate { iteration: 0, x: &x, event: Event::Start }).is_break() {
             return Solution::new(lcp, x, Status::Stopped, 0);
         }
-        frozen::solve(lcp, x, &self.settings, |lcp, start, pivots| {
+        frozen::solve(lcp, x, &self.settings, |frozen, start, pivots| {
+            frozen::tell(lcp, frozen, observer);
+            let lcp = frozen;
             let mut run = Run::new(lcp, start.clone(), pivots, &self.settings, observer);
             let status = run.solve();
             if run.x.iter().any(|x| !x.is_finite()) {

@@ -112,3 +112,40 @@ fn a_diagnosis_exits_with_1_where_no_step_can_be_taken() {
     let wedge = r#"{"A": {"dense": [[1, -1], [-1, 1]]}, "b": [-1, -1]}"#;
     assert_eq!(run_with(wedge, &["diagnose", "-"]).status.code(), Some(1));
 }
+
+#[test]
+fn a_listing_is_shown_in_both_forms() {
+    let text = out(&run(&["chapter", "Code 6"]));
+    for part in
+        ["Printed, the iterative solver: ", "clamp x after each sweep", "Corrected: ", "E06"]
+    {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    let entry = json(&["operators"]);
+    assert!(entry["corrected"].as_str().unwrap().contains("const references"), "{entry}");
+    assert!(json(&["16"]).get("printed").is_none());
+}
+
+#[test]
+fn a_diagnosis_is_the_same_for_machines() {
+    // Two nails and the rod between them: 7 rows in 6 components, one of them too many.
+    let fig8 = run(&["diagnose", "fig8", "--json"]);
+    assert_eq!(fig8.status.code(), Some(1));
+    let found: Value = serde_json::from_str(&out(&fig8)).unwrap();
+    assert_eq!((&found["rank"], &found["is_sound"]), (&6.into(), &false.into()));
+    assert_eq!(found["rows"].as_array().unwrap().len(), 7);
+    assert_eq!(found["freedoms"]["left"], 0);
+    assert_eq!(found["dependencies"].as_array().unwrap().len(), 1);
+    let cause = &found["causes"][0];
+    assert_eq!((&cause["name"], &cause["is_fatal"]), (&"impossible".into(), &true.into()));
+    assert_eq!(cause["rows"].as_array().unwrap().len(), 3);
+    let text = out(&run(&["diagnose", "fig8"])).replace('\n', " ");
+    assert!(text.contains(cause["message"].as_str().unwrap()), "{text}");
+    // A problem has no bodies whose freedom could be counted.
+    let free = r#"{"A": {"dense": [[2, 0], [0, 1]]}, "b": [-1, -1]}"#;
+    let output = run_with(free, &["diagnose", "-", "--json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let found: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!((&found["rank"], &found["freedoms"]), (&2.into(), &Value::Null));
+    assert_eq!(found["causes"], Value::Array(Vec::new()));
+}

@@ -1,6 +1,7 @@
 //! Each erratum is shown by its example: the printed form fails, the corrected one holds.
 
 use lcplab::chapter::exhibit::{ALL, Evidence};
+use lcplab::chapter::{errata, inventory};
 use lcplab::document::Format;
 
 #[test]
@@ -10,6 +11,17 @@ fn every_example_tells_the_printed_form_from_the_corrected_one() {
             let finding = example().unwrap();
             let text = exhibit.document().unwrap().written(Format::Text).unwrap();
             assert!(finding.is_shown(), "{text}");
+        }
+    }
+}
+
+#[test]
+fn exhibits_and_lists_fit_a_terminal() {
+    let pages = ALL.iter().map(|exhibit| exhibit.document().unwrap());
+    let lists = [errata::document(&errata::tried().unwrap()), inventory::list(None, None)];
+    for page in pages.chain(lists) {
+        for line in page.written(Format::Text).unwrap().lines() {
+            assert!(line.chars().count() <= 110, "{}: {line}", page.title);
         }
     }
 }

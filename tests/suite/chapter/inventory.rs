@@ -29,7 +29,8 @@ fn every_number_of_the_chapter_has_one_entry() {
     let mut expected: Vec<String> = RANGES.into_iter().flat_map(range).collect();
     expected.extend(NAMES.map(str::to_string));
     let mut found: Vec<String> = all().map(|entry| entry.id.to_string()).collect();
-    (expected.sort(), found.sort());
+    expected.sort();
+    found.sort();
     assert_eq!(found, expected);
 }
 
@@ -154,7 +155,8 @@ fn numbers() -> Vec<String> {
 #[test]
 fn every_erratum_is_named_by_an_entry() {
     let mut named: Vec<&str> = all().flat_map(|entry| entry.errata.iter().copied()).collect();
-    (named.sort(), named.dedup());
+    named.sort();
+    named.dedup();
     assert_eq!(named, numbers());
     for entry in all() {
         assert!(entry.errata.is_sorted(), "{}", entry.id);

@@ -1,4 +1,5 @@
 //! Lessons and exercises: what is committed is current, and checks tell right answers from wrong ones.
 
 mod exercise;
+mod handout;
 mod notebook;

@@ -108,3 +108,14 @@ fn numbers_in_prose_come_from_cells() {
         }
     }
 }
+
+#[test]
+fn the_readme_lists_every_lesson_by_its_title() {
+    let readme = include_str!("../../../README.md");
+    for path in notebooks("md") {
+        let title = Source::read(&fs::read_to_string(&path).unwrap()).title;
+        let file = path.with_extension("ipynb");
+        let link = format!("[{title}](notebooks/{})", file.file_name().unwrap().to_string_lossy());
+        assert!(readme.contains(&link), "{link}");
+    }
+}

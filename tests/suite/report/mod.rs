@@ -1,3 +1,4 @@
+mod difference;
 mod families;
 mod friction;
 mod page;

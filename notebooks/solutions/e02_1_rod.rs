@@ -1,0 +1,12 @@
+//! Exercise 2.1: the row of a rod.
+//!
+//! A bob at p (m) hangs on a rod from the origin and moves at v (m/s). With c = |p| − l, find the row J
+//! with ċ = J v, and J'u: what c̈ is when the bob flies straight on.
+
+/// J (three numbers) and J'u (m/s²).
+pub fn answer(p: [f64; 3], v: [f64; 3]) -> ([f64; 3], f64) {
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let length = dot(p, p).sqrt();
+    let n = p.map(|p| p / length);
+    (n, (dot(v, v) - dot(n, v).powi(2)) / length)
+}

@@ -1,0 +1,10 @@
+//! Exercise 2.2: the rows of a nail.
+//!
+//! A nail holds the point of a body that lies at the arm r (m) from its centre. The point moves at
+//! ċ = v + ω × r. Write the three rows of J, so that ċ = J u with u = (v_x, v_y, v_z, ω_x, ω_y, ω_z).
+
+/// J, row by row.
+pub fn answer(r: [f64; 3]) -> [[f64; 6]; 3] {
+    let [x, y, z] = r;
+    [[1.0, 0.0, 0.0, 0.0, z, -y], [0.0, 1.0, 0.0, -z, 0.0, x], [0.0, 0.0, 1.0, y, -x, 0.0]]
+}

@@ -1,0 +1,83 @@
+//! The columns of a problem that some row touches, and its matrices in them.
+
+use crate::document::{Formula, SHOWN};
+use crate::explain::units::of_motion;
+use crate::formulation::Problem;
+use crate::scene::Scene;
+
+/// A problem without the columns that no row touches.
+pub(super) struct Columns<'a> {
+    pub problem: &'a Problem,
+    pub kept: Vec<usize>,
+    /// Rows of J, dense, kept columns alone; the first [`SHOWN`] rows.
+    jacobian: Vec<Vec<f64>>,
+    pub is_angular: bool,
+}
+
+impl<'a> Columns<'a> {
+    pub fn of(problem: &'a Problem) -> Self {
+        let assembly = &problem.assembly;
+        let mut kept: Vec<usize> =
+            assembly.jacobian_pattern().into_iter().map(|(_, column)| column).collect();
+        kept.sort_unstable();
+        kept.dedup();
+        let dense = |i: usize| {
+            let row = assembly.jacobian_row(i);
+            let entry = |k: &usize| row.iter().find(|(column, _)| column == k).map_or(0.0, |e| e.1);
+            kept.iter().map(entry).collect()
+        };
+        let jacobian = (0..assembly.rows.len().min(SHOWN)).map(dense).collect();
+        let is_angular = kept.iter().any(|&column| component(problem, column).1 >= 3);
+        Columns { problem, kept, jacobian, is_angular }
+    }
+
+    pub fn pick(&self, values: &[f64]) -> Vec<f64> {
+        self.kept.iter().map(|&column| values[column]).collect()
+    }
+
+    pub fn unit(&self) -> &'static str {
+        of_motion(self.problem.stage, self.is_angular)
+    }
+
+    /// Adds J.
+    pub fn j(&self, formula: Formula) -> Formula {
+        let rows = self.problem.assembly.rows.len();
+        formula.matrix(rows, self.kept.len(), |i, k| self.jacobian[i][k])
+    }
+
+    /// Adds Jᵀ.
+    pub fn j_transposed(&self, formula: Formula) -> Formula {
+        let rows = self.problem.assembly.rows.len();
+        formula.matrix(self.kept.len(), rows, |k, i| self.jacobian[i][k])
+    }
+
+    /// Adds M⁻¹.
+    pub fn inverse_mass(&self, formula: Formula) -> Formula {
+        let column = |&column: &usize| {
+            let mut unit = vec![0.0; self.problem.assembly.columns()];
+            unit[column] = 1.0;
+            self.pick(&self.problem.assembly.accelerate(&unit))
+        };
+        let columns: Vec<Vec<f64>> = self.kept.iter().take(SHOWN).map(column).collect();
+        formula.matrix(self.kept.len(), self.kept.len(), |i, j| columns[j][i])
+    }
+
+    /// The names of the kept columns, such as `v_z of bottom`.
+    pub fn names(&self, scene: &Scene) -> String {
+        let name = |&column: &usize| {
+            let (body, k) = component(self.problem, column);
+            let part = ["v_x", "v_y", "v_z", "ω_x", "ω_y", "ω_z"][k];
+            format!("{part} of {}", scene.bodies[body].name)
+        };
+        let shown: Vec<String> = self.kept.iter().take(SHOWN).map(name).collect();
+        let more = if self.kept.len() > SHOWN { ", …" } else { "" };
+        shown.join(", ") + more
+    }
+}
+
+/// The body of a column, and which of its velocity components it is.
+fn component(problem: &Problem, column: usize) -> (usize, usize) {
+    let blocks = &problem.assembly.blocks;
+    let block = &blocks[blocks.partition_point(|block| block.offset <= column) - 1];
+    (block.body, column - block.offset)
+}

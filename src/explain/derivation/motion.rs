@@ -1,0 +1,45 @@
+//! The motion that an answer leads to.
+
+use super::columns::Columns;
+use super::{effort, moved, target};
+use crate::document::{Formula, Section};
+use crate::explain::units::of_motion;
+use crate::formulation::{Problem, Stage};
+
+/// The motion that an answer leads to.
+pub(in crate::explain) fn motion(problem: &Problem, x: &[f64], dt: f64) -> Section {
+    let mut section = Section::new("the new motion");
+    let columns = Columns::of(problem);
+    let [(moved, moved_latex), (target, target_latex)] =
+        [moved(problem.stage), target(problem.stage)];
+    let target_numbers = columns.pick(&problem.target);
+    let motion = columns.pick(&problem.motion(x));
+    let next = problem.next_velocity(x, dt);
+    let change: Vec<f64> = motion.iter().zip(&target_numbers).map(|(m, t)| m - t).collect();
+    let x = effort(problem);
+    section.say("The bodies then move, in the columns that the rows touch, with");
+    let formula = Formula::default()
+        .symbols(
+            &format!("{moved} = {target} + M⁻¹Jᵀ {x} ="),
+            &format!("{moved_latex} = {target_latex} + M^{{-1}} J^T {x} ="),
+        )
+        .vector(&target_numbers)
+        .symbols("+", "+")
+        .vector(&change)
+        .symbols("=", "=")
+        .vector(&motion);
+    section.formula(formula.unit(columns.unit()));
+    if problem.stage == Stage::Acceleration {
+        let formula = Formula::default()
+            .symbols("u + dt u' =", "u + dt\\, u' =")
+            .vector(&columns.pick(&problem.assembly.u))
+            .symbols("+", "+")
+            .number(dt)
+            .symbols("s ·", "\\,\\mathrm{s} \\cdot")
+            .vector(&motion)
+            .symbols("=", "=")
+            .vector(&columns.pick(&next));
+        section.formula(formula.unit(of_motion(Stage::Velocity, columns.is_angular)));
+    }
+    section
+}

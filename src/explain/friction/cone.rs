@@ -1,0 +1,150 @@
+//! Friction within circular cones: the problem stated, its answer contact by contact, and beside it the
+//! box, whose solver can be followed.
+
+use crate::certificate::judge_cone;
+use crate::document::notation::{interval, plain};
+use crate::document::{Document, Formula, Section};
+use crate::error::Result;
+use crate::explain::answer;
+use crate::explain::single::Single;
+use crate::explain::solve::Solved;
+use crate::explain::units::with_unit;
+use crate::lcp::friction::{ConeProblem, Contact, Law};
+use crate::solver::Solution;
+
+/// The cones with their answer, then the box beside them; whether the judge accepts the cones' x.
+pub(in crate::explain) fn cones(
+    single: &Single,
+    document: &mut Document,
+    cones: &ConeProblem,
+) -> Result<bool> {
+    document.add(single.place, law(cones));
+    let (section, is_accepted) = contacts(single, cones);
+    document.add(single.place, section);
+    let Solved { mut section, solution } = single.solved(&single.reading(), None)?;
+    section.title = format!("the box beside it, by {}", section.title);
+    document.add(single.place, section);
+    document.add(single.place, beside(single, &solution));
+    Ok(is_accepted)
+}
+
+/// What is posed.
+fn law(cones: &ConeProblem) -> Section {
+    let mut section = Section::new("friction within cones");
+    section.say(
+        "The scene asks for the circular cone: at each contact |x_t| ≤ μ x_n, whatever the direction. That \
+         is no LCP, for the cone is no box. With K the cone and K* its dual, all w with x·w ≥ 0 for every \
+         x in K, each contact has",
+    );
+    section.formula(Formula::default().symbols(
+        "K = { x : |x_t| ≤ μ x_n },   K* = { w : w_n ≥ μ |w_t| }",
+        "K = \\{ x : |x_t| \\le \\mu x_n \\}, \\qquad K^* = \\{ w : w_n \\ge \\mu |w_t| \\}",
+    ));
+    let (text, latex, words) = match cones.law() {
+        Law::Associated => (
+            "x in K,   w in K*,   x·w = 0,   w = A x + b",
+            "x \\in K, \\qquad w \\in K^*, \\qquad x \\cdot w = 0, \\qquad w = A x + b",
+            "This is the condition of the least ½ xᵀAx + bᵀx over the cones, a convex problem. Its price: \
+             a contact that slides lifts off, w_n = μ |w_t|.",
+        ),
+        Law::Coulomb => (
+            "x in K,   ŵ in K*,   x·ŵ = 0,   ŵ = A x + b + μ |w_t| n",
+            "x \\in K, \\qquad \\hat w \\in K^*, \\qquad x \\cdot \\hat w = 0, \\qquad \
+             \\hat w = A x + b + \\mu |w_t| n",
+            "μ |w_t| is added to the normal row of each contact: without it a contact that slides would \
+             lift off. With it this is Coulomb's law: where x_n > 0 and the contact slides, w_n = 0 and \
+             x_t = −μ x_n w_t/|w_t|.",
+        ),
+    };
+    section.formula(Formula::default().symbols(text, latex));
+    section.say(words);
+    section
+}
+
+/// x and w of each contact, what they say of the law, and the judge's word.
+fn contacts(single: &Single, cones: &ConeProblem) -> (Section, bool) {
+    let own = &single.own.solution;
+    let certificate = judge_cone(cones, &own.x, &single.demand());
+    let reading = single.reading();
+    let mut section = Section::new("the cones' answer");
+    section.say(format!(
+        "{} comes ever nearer to it, all rows at once, and is not followed line by line: {}, after {} \
+         iterations.",
+        single.own.solver, own.status, own.iterations
+    ));
+    let contacts = cones.friction().contacts();
+    let [x_unit, w_unit] = contacts.first().map_or(["", ""], |contact| {
+        [&reading.units.x, &reading.units.w].map(|units| units[contact.rows[0]].as_str())
+    });
+    let line = |contact: &Contact| {
+        let ([x, x1, x2], w) = (contact.of(&own.x), contact.of(&certificate.w));
+        let (rubs, slip, shift) = (x1.hypot(x2), w[1].hypot(w[2]), cones.shift(contact, w));
+        let [n, t1, t2] = contact.rows;
+        vec![
+            format!("rows {n}, {t1}, {t2}"),
+            plain(x),
+            format!("({}, {})", plain(x1), plain(x2)),
+            format!(
+                "{} of {}·{} = {}",
+                plain(rubs),
+                plain(contact.mu),
+                plain(x),
+                plain(contact.mu * x)
+            ),
+            format!("{} + {} = {}", plain(w[0]), plain(shift), plain(w[0] + shift)),
+            format!("({}, {})", plain(w[1]), plain(w[2])),
+            plain(slip),
+        ]
+    };
+    let unit = |words: &str, unit: &str| format!("{words} ({unit})");
+    let columns = [
+        "contact",
+        &unit("x_n", x_unit),
+        &unit("x_t", x_unit),
+        &unit("|x_t| of μ x_n", x_unit),
+        &unit("w_n + shift", w_unit),
+        &unit("w_t", w_unit),
+        &unit("|w_t|", w_unit),
+    ];
+    section.table("the contacts", &columns, contacts.iter().map(line).collect());
+    let others = cones.friction().others().iter().map(|&i| {
+        let lcp = cones.friction().lcp();
+        vec![
+            with_unit(&i.to_string(), &reading.labels[i]),
+            with_unit(&plain(own.x[i]), &reading.units.x[i]),
+            interval(lcp.lo()[i], lcp.hi()[i]),
+            with_unit(&plain(certificate.w[i]), &reading.units.w[i]),
+        ]
+    });
+    let others: Vec<_> = others.collect();
+    if !others.is_empty() {
+        section.table("the other rows", &["row", "x", "bounds", "w"], others);
+    }
+    section.say(answer::word(&certificate.verdict, certificate.scaled_residual));
+    (section, certificate.verdict.is_solution())
+}
+
+/// Why the box is there, and how far its x is from that of the cones.
+fn beside(single: &Single, boxed: &Solution) -> Section {
+    let mut section = Section::new("the cones and the box");
+    section.say(
+        "The box |x_t1| ≤ μ x_n, |x_t2| ≤ μ x_n is another law, and so another x: along its diagonal it \
+         rubs with √2 μ x_n, where the cone has μ x_n in every direction. It stands here because every line \
+         of its solver can be followed, and because both agree where a contact sticks or slides along a \
+         tangent, up to how contacts that are not independent share their load. The bodies move by the \
+         cones' x.",
+    );
+    let (own, reading) = (&single.own.solution, single.reading());
+    let line = |i: usize| {
+        let number = |x: f64| with_unit(&plain(x), &reading.units.x[i]);
+        vec![
+            with_unit(&i.to_string(), &reading.labels[i]),
+            number(own.x[i]),
+            number(boxed.x[i]),
+            number(boxed.x[i] - own.x[i]),
+        ]
+    };
+    let columns = ["row", "x of the cones", "x of the box", "difference"];
+    section.table("both answers", &columns, (0..own.x.len()).map(line).collect());
+    section
+}

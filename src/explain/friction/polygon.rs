@@ -1,0 +1,127 @@
+//! Friction within polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's method.
+
+use crate::certificate::judge_friction;
+use crate::document::notation::{indexed, plain};
+use crate::document::{Document, Formula, Section};
+use crate::error::Result;
+use crate::explain::answer::{self, Reading};
+use crate::explain::derivation;
+use crate::explain::refutation;
+use crate::explain::single::Single;
+use crate::explain::solve::Solved;
+use crate::explain::units::{Units, with_unit};
+use crate::formulation::Stage;
+use crate::lcp::friction::{Polyhedral, Posed};
+use crate::solver::Solution;
+
+/// The LCP of the polygons, its solution, and the x that it means; whether the judge accepts x.
+pub(in crate::explain) fn polygons(
+    single: &Single,
+    document: &mut Document,
+    polygons: &Polyhedral,
+) -> Result<bool> {
+    let (place, own) = (single.place, &single.own.solution);
+    let reading = reading(polygons, single.own.problem.stage);
+    document.add(place, law(polygons, &reading));
+    document.add(place, derivation::statement(reading.lcp, &reading.units));
+    let start = polygons.z(&single.own.start);
+    let Solved { section, solution } = single.solved(&reading, Some(&start))?;
+    document.add(place, section);
+    let found = polygons.x(&solution.x) == own.x;
+    let z = if found { solution.x.clone() } else { polygons.z(&own.x) };
+    let shown = Solution { x: z, ..solution.clone() };
+    let (section, _) = answer::section(&reading, &shown, &single.demand());
+    document.add(place, section);
+    if let Some(proof) = refutation::of(reading.lcp, &solution) {
+        document.add(place, refutation::section(&reading, Some(&proof)));
+    }
+    let (mut section, is_accepted) = impulses(single, polygons);
+    if !found {
+        section.say(format!(
+            "The simulation came to this x in another way: {}{}.",
+            own.status,
+            own.fallback.map_or(String::new(), |fallback| format!(", by {fallback}"))
+        ));
+    }
+    document.add(place, section);
+    Ok(is_accepted)
+}
+
+/// What is posed, in symbols, and what each unknown is.
+fn law(polygons: &Polyhedral, reading: &Reading) -> Section {
+    let k = polygons.directions();
+    let mut section = Section::new("friction within polygons");
+    section.say(format!(
+        "The scene asks for the polyhedral cone of Stewart and Trinkle. Each contact may rub along {k} \
+         directions d, {}° apart, the first one along its row t1, with β ≥ 0 along each; together they \
+         rub with no more than μ x_n. γ is the speed at which the contact slides. D has the directions \
+         as columns, E a column of ones for each contact.",
+        plain(360.0 / k as f64)
+    ));
+    for [text, latex] in [
+        ["w_n = A_nn x_n + A_nD β + b_n", "w_n = A_{nn} x_n + A_{nD} \\beta + b_n"],
+        [
+            "w_β = A_Dn x_n + A_DD β + E γ + Dᵀb_t",
+            "w_\\beta = A_{Dn} x_n + A_{DD} \\beta + E \\gamma + D^T b_t",
+        ],
+        ["w_γ = μ x_n − Eᵀβ", "w_\\gamma = \\mu x_n - E^T \\beta"],
+    ] {
+        section.formula(Formula::default().symbols(text, latex));
+    }
+    section.say(
+        "All of x_n, β, γ and of their w are ≥ 0, and of each pair one is 0. So w_β ≥ 0: in no direction \
+         does the contact slip against d faster than γ, and it rubs only along those where it is as \
+         fast. And γ w_γ = 0: it slides only with all of μ x_n used up. The zeros on the diagonal and the \
+         sign of Eᵀ make A no longer symmetric. From here on x, w, A and b are those of this LCP.",
+    );
+    let line = |i: usize| {
+        vec![
+            indexed("x", i),
+            reading.labels[i].clone(),
+            reading.units.x[i].clone(),
+            reading.units.w[i].clone(),
+        ]
+    };
+    let columns = ["unknown", "what it is", "unit of x", "unit of w"];
+    section.table("the unknowns", &columns, (0..reading.lcp.len()).map(line).collect());
+    section
+}
+
+/// The LCP with what its unknowns are: those of other rows, x_n, β and γ of each contact.
+fn reading(polygons: &Polyhedral, stage: Stage) -> Reading<'_> {
+    let friction = polygons.friction();
+    let k = polygons.directions();
+    let rubbing = || friction.contacts().iter().filter(|contact| contact.mu > 0.0);
+    let others = friction.others().iter().map(|i| format!("x of row {i}"));
+    let normals =
+        friction.contacts().iter().map(|contact| format!("x_n of row {}", contact.rows[0]));
+    let angle = |j: usize| plain(360.0 * j as f64 / k as f64);
+    let beta = |n: usize, j: usize| format!("β at {}° of row {n}", angle(j));
+    let betas = rubbing().flat_map(|contact| (0..k).map(move |j| beta(contact.rows[0], j)));
+    let gammas = rubbing().map(|contact| format!("γ of row {}", contact.rows[0]));
+    let speeds = rubbing().count();
+    let labels: Vec<String> = others.chain(normals).chain(betas).chain(gammas).collect();
+    let impulses = labels.len() - speeds;
+    let units = Units::of_polygons(stage, impulses, speeds);
+    Reading { lcp: polygons.lcp(), labels, units }
+}
+
+/// x = D β, and the judge's word on it.
+fn impulses(single: &Single, polygons: &Polyhedral) -> (Section, bool) {
+    let own = &single.own.solution;
+    let posed = Posed::Polyhedral(polygons.clone());
+    let certificate = judge_friction(&posed, &own.x, &single.demand());
+    let rows = single.reading();
+    let mut section = Section::new("back to the rows");
+    section.say("Of the rows n, t1, t2 of a contact, x_t = D β, each β along its direction.");
+    let line = |i: usize| {
+        vec![
+            with_unit(&i.to_string(), &rows.labels[i]),
+            with_unit(&plain(own.x[i]), &rows.units.x[i]),
+            with_unit(&plain(certificate.w[i]), &rows.units.w[i]),
+        ]
+    };
+    section.table("x and w of the rows", &["row", "x", "w"], (0..own.x.len()).map(line).collect());
+    section.say(answer::word(&certificate.verdict, certificate.scaled_residual));
+    (section, certificate.verdict.is_solution())
+}

@@ -1,0 +1,129 @@
+//! One LCP of a step: what it is made of, the law of friction, the solver, the answer or why there
+//! is none.
+
+use super::answer::{self, Reading};
+use super::solve::{self, Solved};
+use super::units::Units;
+use super::{Method, derivation, friction, refutation, setup};
+use crate::certificate::Demand;
+use crate::certificate::ray::Farkas;
+use crate::document::Document;
+use crate::error::Result;
+use crate::formulation::Posing;
+use crate::lcp::friction::Posed;
+use crate::scene::Scene;
+use crate::simulation::Solve;
+use crate::solver::Solution;
+
+/// How the solve of an LCP ended.
+#[derive(Clone, Copy)]
+pub(super) enum Ending<'a> {
+    /// With an answer, good or not.
+    Answered,
+    /// The simulation knows that there is none, by this vector; without one all active sets were
+    /// tried.
+    Impossible(Option<&'a Farkas>),
+}
+
+/// An LCP of a step, to be explained in this place of a document.
+pub(super) struct Single<'a> {
+    pub scene: &'a Scene,
+    pub method: &'a Method,
+    pub own: &'a Solve,
+    pub place: &'a str,
+}
+
+impl Single<'_> {
+    /// Adds its sections.
+    pub fn explain(&self, document: &mut Document, ending: Ending) -> Result<()> {
+        let Single { scene, own, place, .. } = *self;
+        let problem = &own.problem;
+        let posing = own.posing.as_ref();
+        document.add(place, setup::masses(scene, problem));
+        document.add(place, setup::rows(scene, problem, posing));
+        let units = Units::of(problem);
+        document.add(place, derivation::newton_to_lcp(scene, problem, posing, &units));
+        let is_accepted = match posing {
+            None => self.boxed(document, ending)?,
+            Some(posing) => self.posed(document, posing)?,
+        };
+        document.is_accepted &= is_accepted;
+        if matches!(ending, Ending::Answered) {
+            document.add(place, derivation::motion(problem, &own.solution.x, scene.step.dt));
+        }
+        Ok(())
+    }
+
+    /// The LCP as it stands; whether the judge accepts the answer.
+    fn boxed(&self, document: &mut Document, ending: Ending) -> Result<bool> {
+        let reading = self.reading();
+        match ending {
+            Ending::Answered => self.answered(document, &reading),
+            Ending::Impossible(proof) => {
+                let Solved { section, .. } = self.solved(&reading, Some(&self.own.start))?;
+                document.add(self.place, section);
+                document.add(self.place, refutation::section(&reading, proof));
+                Ok(false)
+            }
+        }
+    }
+
+    /// The LCP under a law of friction of its own.
+    fn posed(&self, document: &mut Document, posing: &Posing) -> Result<bool> {
+        match &posing.posed {
+            Posed::Boxed(frozen) => {
+                let at = posing.frozen_at.as_deref().unwrap_or(&self.own.start);
+                let reading = Reading { lcp: frozen, ..self.reading() };
+                document.add(self.place, friction::frozen(&reading, &self.own.problem.lcp, at));
+                self.answered(document, &reading)
+            }
+            Posed::Polyhedral(polygons) => friction::polygons(self, document, polygons),
+            Posed::Cone(cones) => friction::cones(self, document, cones),
+        }
+    }
+
+    /// The solver at work, its answer, and if there is none, why.
+    fn answered(&self, document: &mut Document, reading: &Reading) -> Result<bool> {
+        let own = &self.own.solution;
+        let Solved { mut section, solution } = self.solved(reading, Some(&self.own.start))?;
+        if solution.x != own.x {
+            section
+                .say(format!("The simulation came to its answer in another way: {}.", own.status));
+        }
+        document.add(self.place, section);
+        let (section, is_accepted) = answer::section(reading, own, &self.demand());
+        document.add(self.place, section);
+        self.refuted(document, reading, &solution);
+        Ok(is_accepted)
+    }
+
+    /// A proof that there is no answer, if the solver ended on a ray and it is one.
+    pub fn refuted(&self, document: &mut Document, reading: &Reading, solution: &Solution) {
+        if let Some(proof) = refutation::of(reading.lcp, solution) {
+            document.add(self.place, refutation::section(reading, Some(&proof)));
+        }
+    }
+
+    /// The method at work on a problem; Lemke's where it is not made for it.
+    pub fn solved(&self, reading: &Reading, start: Option<&[f64]>) -> Result<Solved> {
+        if reading.lcp.matrix().is_symmetric() || self.method.name() == "lemke" {
+            return solve::section(reading, self.method, start);
+        }
+        let mut solved = solve::section(reading, &self.method.for_any_matrix(), start)?;
+        solved.section.say("A is not symmetric, so Lemke's method takes over.");
+        Ok(solved)
+    }
+
+    /// The problem's own LCP with what its rows mean.
+    pub fn reading(&self) -> Reading<'_> {
+        let problem = &self.own.problem;
+        let rows = problem.assembly.rows.iter();
+        let labels = rows.map(|row| row.label(self.scene)).collect();
+        Reading { lcp: &problem.lcp, labels, units: Units::of(problem) }
+    }
+
+    /// What the judge asks.
+    pub fn demand(&self) -> Demand {
+        Demand { tolerance: self.method.tolerance(), ..Demand::default() }
+    }
+}

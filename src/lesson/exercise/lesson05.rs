@@ -1,0 +1,97 @@
+//! Checks of lesson 5, pivoting.
+
+use super::Verdict;
+
+/// The point of each of the four sets: held against what the set says.
+///
+/// # Errors
+/// Says which row breaks what its side asks for.
+pub fn active_set(answer: fn([[f64; 2]; 2], [f64; 2], [bool; 2]) -> [f64; 2]) -> Verdict {
+    for (a, b) in [
+        ([[2.0, -1.0], [-1.0, 2.0]], [-1.0, 2.0]),
+        ([[2.0, 1.0], [1.0, 2.0]], [-5.0, -6.0]),
+        ([[4.0, 1.0], [1.0, 1.0]], [3.0, -1.0]),
+    ] {
+        for free in [[false, false], [true, false], [false, true], [true, true]] {
+            let x = answer(a, b, free);
+            for i in 0..2 {
+                let w = a[i][0] * x[0] + a[i][1] * x[1] + b[i];
+                let at = format!("A = {a:?}, b = {b:?}, free {free:?}: x = {x:?}, w[{i}] = {w}");
+                if free[i] && !(w.abs() < 1e-12) {
+                    return Err(format!("{at}; row {i} is free"));
+                }
+                if !free[i] && x[i] != 0.0 {
+                    return Err(format!("{at}; row {i} is at its bound"));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Murty's rule: the row must be wrong, and no row before it may be.
+///
+/// # Errors
+/// Says what speaks against the row.
+pub fn murty(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
+    let cases: [(&[f64], &[f64]); 5] = [
+        (&[0.0, 1.0, 0.0], &[2.0, 0.0, -1.0]),
+        (&[0.0, -0.5, 0.0], &[2.0, 0.0, -1.0]),
+        (&[3.0, 0.0, -9.0, 0.0], &[0.0, -1.0, 0.0, -20.0]),
+        (&[1.0, 0.0], &[0.0, 0.0]),
+        (&[0.0, 2.0, -1.0], &[0.0, 0.0, 0.0]),
+    ];
+    for (x, w) in cases {
+        let is_wrong = |i: usize| x[i] < 0.0 || w[i] < 0.0;
+        let at = format!("x = {x:?}, w = {w:?}");
+        match answer(x, w) {
+            None if (0..x.len()).any(is_wrong) => {
+                return Err(format!("{at}: not all rows are satisfied yet"));
+            }
+            Some(row) if row >= x.len() => return Err(format!("{at}: there is no row {row}")),
+            Some(row) if !is_wrong(row) => return Err(format!("{at}: row {row} is satisfied")),
+            Some(row) if (0..row).any(is_wrong) => {
+                return Err(format!(
+                    "{at}: row {row} is wrong, but the rule would take another one"
+                ));
+            }
+            _ => (),
+        }
+    }
+    Ok(())
+}
+
+/// The ratio test: with the step that it allows, no variable may be negative.
+///
+/// # Errors
+/// Says which variable is.
+pub fn ratio(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
+    let cases: [(&[f64], &[f64]); 5] = [
+        (&[4.0, 3.0], &[-1.0, -3.0]),
+        (&[1.0, 9.0, 2.0], &[-0.5, -4.0, -0.25]),
+        (&[1.0, 6.0], &[2.0, -1.0]),
+        (&[5.0, 1.0, 8.0], &[-1.0, 0.0, -4.0]),
+        (&[1.0, 2.0], &[0.0, 3.0]),
+    ];
+    for (constant, rate) in cases {
+        let at = format!("constants {constant:?}, rates {rate:?}");
+        let Some(row) = answer(constant, rate) else {
+            match rate.iter().position(|&rate| rate < 0.0) {
+                Some(row) => return Err(format!("{at}: variable {row} falls for ever, no ray")),
+                None => continue,
+            }
+        };
+        if row >= rate.len() {
+            return Err(format!("{at}: there is no row {row}"));
+        }
+        if rate[row] >= 0.0 {
+            return Err(format!("{at}: variable {row} never falls to 0"));
+        }
+        let t = -constant[row] / rate[row];
+        let below = (0..rate.len()).find(|&r| constant[r] + rate[r] * t < -1e-12);
+        if let Some(r) = below {
+            return Err(format!("{at}: when variable {row} gets to 0, variable {r} is negative"));
+        }
+    }
+    Ok(())
+}

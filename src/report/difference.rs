@@ -1,0 +1,176 @@
+//! What changed between two results files: numbers, words, and rows that came or went.
+//!
+//! What differs from machine to machine (`machine`) and the versions of libraries are left out.
+
+use std::path::Path;
+
+use serde_json::{Map, Value};
+
+use super::page::{Cell, Column, Table};
+use crate::error::{Error, Result};
+use crate::plot::number::readable;
+
+/// Parts of a results file that say where and with what it was made, not what came out.
+const CIRCUMSTANCES: [&str; 3] = ["machine", "version", "libraries"];
+/// Fields by which a row of results is known, in the order in which they are said.
+const NAMES: [&str; 12] = [
+    "scene",
+    "name",
+    "case",
+    "id",
+    "quantity",
+    "formulation",
+    "level",
+    "family",
+    "solver",
+    "model",
+    "order",
+    "dt",
+];
+
+/// One thing that is not what it was.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Change {
+    /// Where: `comparisons › fig7 › pgs › iterations`.
+    pub place: String,
+    /// What it was; nothing if it has come.
+    pub old: Option<Value>,
+    /// What it is; nothing if it has gone.
+    pub new: Option<Value>,
+}
+
+impl Change {
+    /// |new − old| over the larger of both sizes; 1 for what is not two numbers.
+    pub fn relative(&self) -> f64 {
+        let number = |value: &Option<Value>| value.as_ref().and_then(Value::as_f64);
+        match (number(&self.old), number(&self.new)) {
+            (Some(old), Some(new)) => (new - old).abs() / old.abs().max(new.abs()),
+            _ => 1.0,
+        }
+    }
+
+    /// The change as a table's row: place, old, new, relative change.
+    fn row(&self) -> Vec<Cell> {
+        let written = |value: &Option<Value>| match value {
+            None => Cell::text("–"),
+            Some(Value::Number(found)) => match found.as_f64() {
+                Some(value) => number(value, 8),
+                None => Cell::text(found.to_string()),
+            },
+            Some(Value::Array(items)) => Cell::text(format!("{} entries", items.len())),
+            Some(Value::Object(_)) => Cell::text("a row"),
+            Some(Value::String(words)) => Cell::text(words.as_str()),
+            Some(other) => Cell::text(other.to_string()),
+        };
+        let place = Cell::text(self.place.as_str());
+        vec![place, written(&self.old), written(&self.new), number(self.relative(), 2)]
+    }
+}
+
+/// A number without zeros at its end.
+fn number(value: f64, digits: usize) -> Cell {
+    Cell { text: readable(value, digits), value: Some(value), ..Cell::default() }
+}
+
+/// At most this many changes are listed.
+const LISTED: usize = 40;
+
+/// The changes as a table.
+pub fn table(changes: &[Change]) -> Table {
+    let more = changes.len().saturating_sub(LISTED);
+    Table {
+        title: format!("{} differences", changes.len()),
+        how_to_read: if more > 0 { format!("And {more} more.") } else { String::new() },
+        columns: vec![
+            Column::words("place"),
+            Column::numbers("old", ""),
+            Column::numbers("new", ""),
+            Column::numbers("relative change", ""),
+        ],
+        rows: changes.iter().take(LISTED).map(Change::row).collect(),
+        files: Vec::new(),
+    }
+}
+
+/// Reads a results file.
+///
+/// # Errors
+/// If it cannot be read or is not JSON.
+pub fn read(path: &Path) -> Result<Value> {
+    let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
+    serde_json::from_str(&text).map_err(|cause| {
+        let place = format!("line {}", cause.line());
+        Error::invalid(path.display().to_string(), place, cause.to_string())
+    })
+}
+
+/// All changes from old to new results, numbers only where they differ by more than `tolerance`
+/// relative to their size.
+pub fn between(old: &Value, new: &Value, tolerance: f64) -> Vec<Change> {
+    let mut changes = Vec::new();
+    compare(&mut changes, "", Some(&outcome(old)), Some(&outcome(new)));
+    changes.retain(|change| change.relative() > tolerance);
+    changes
+}
+
+/// The results without the circumstances.
+fn outcome(results: &Value) -> Value {
+    let Value::Object(fields) = results else { return results.clone() };
+    let kept = fields.iter().filter(|(name, _)| !CIRCUMSTANCES.contains(&name.as_str()));
+    Value::Object(kept.map(|(name, value)| (name.clone(), value.clone())).collect())
+}
+
+fn compare(changes: &mut Vec<Change>, place: &str, old: Option<&Value>, new: Option<&Value>) {
+    match (old, new) {
+        (Some(Value::Object(before)), Some(Value::Object(after))) => {
+            for name in names(before, after) {
+                compare(changes, &inside(place, name), before.get(name), after.get(name));
+            }
+        }
+        (Some(Value::Array(before)), Some(Value::Array(after))) => {
+            let (before, after) = (labelled(before), labelled(after));
+            for label in names(&before, &after) {
+                compare(changes, &inside(place, label), before.get(label), after.get(label));
+            }
+        }
+        (old, new) if old != new => {
+            let (old, new) = (old.cloned(), new.cloned());
+            changes.push(Change { place: place.to_string(), old, new });
+        }
+        _ => (),
+    }
+}
+
+/// The names in either, those of the first in its order before the others.
+fn names<'a>(before: &'a Map<String, Value>, after: &'a Map<String, Value>) -> Vec<&'a String> {
+    let added = after.keys().filter(|name| !before.contains_key(*name));
+    before.keys().chain(added).collect()
+}
+
+/// The items of a list by what they call themselves, so that a row is found where others were put
+/// before it; by number where they have no name or share one.
+fn labelled(items: &[Value]) -> Map<String, Value> {
+    let mut labelled = Map::new();
+    for (k, item) in items.iter().enumerate() {
+        let mut label = label(item).unwrap_or_else(|| (k + 1).to_string());
+        if labelled.contains_key(&label) {
+            label = format!("{label} ({})", k + 1);
+        }
+        labelled.insert(label, item.clone());
+    }
+    labelled
+}
+
+fn label(item: &Value) -> Option<String> {
+    let said = NAMES.iter().filter_map(|name| match item.get(name)? {
+        Value::String(words) => Some(words.clone()),
+        Value::Number(number) => Some(format!("{name} {number}")),
+        _ => None,
+    });
+    let said: Vec<String> = said.collect();
+    (!said.is_empty()).then(|| said.join(" "))
+}
+
+fn inside(place: &str, name: &str) -> String {
+    if place.is_empty() { name.to_string() } else { format!("{place} › {name}") }
+}
