@@ -392,6 +392,28 @@ fn simulate_records_every_step_and_body() {
     let lines =
         |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap().lines().count();
     assert_eq!((lines("ledger.csv"), lines("trajectory.csv")), (9, 9)); // heading, start, 7 steps
+    let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(page.contains("\"steps\":[0,1,2,3,4,5,6,7]"), "all instants can be played");
+}
+
+#[test]
+fn compare_shows_the_solvers_asked_for_side_by_side() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let all = ["compare", "pendulum", "--steps", "3", "--solver", "dantzig", "--out", path];
+    assert_eq!(
+        run(&[&all[..], &["--show", "pgs:1", "--show", "dantzig"]].concat()).status.code(),
+        Some(0)
+    );
+    let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
+    let names: Vec<_> =
+        page.split("<h4>").skip(1).map(|rest| rest.split('<').next().unwrap()).collect();
+    assert_eq!(names, ["pgs, velocity, 1 sweep", "dantzig, velocity"]);
+    for (name, reason) in [("pgs:0", "is no number of sweeps"), ("magic", "magic")] {
+        let output = run(&[&all[..], &["--show", name]].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(err(&output).contains(reason), "{}", err(&output));
+    }
 }
 
 #[test]

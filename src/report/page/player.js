@@ -1,6 +1,4 @@
 // Plays films: poses as they were simulated, drawn as the strips of frames are.
-for (const root of document.querySelectorAll("figure.player")) play(root);
-
 function play(root) {
   const film = JSON.parse(root.querySelector("script").textContent);
   const find = (name) => root.querySelector(name);
@@ -124,7 +122,7 @@ function chart(film, measure, svg) {
 
 // One take in its pane.
 function stage(film, take, pane) {
-  const [bodies, forces, values] = [".bodies", "svg > .forces", ".values"].map((name) => pane.querySelector(name));
+  const [bodies, forces, values] = [".bodies", ".acting", ".values"].map((name) => pane.querySelector(name));
   const count = take.order.length;
   const grown = (list) => {
     let sum = 0;
@@ -139,8 +137,12 @@ function stage(film, take, pane) {
     const length = Math.hypot(...q);
     return { p: at.slice(0, 3).map((x) => x * film.unit), q: q.map((x) => x / length) };
   };
-  const number = (x) => (x === 0 ? "0" : Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5 ? x.toExponential(1) : x.toPrecision(3))
-    .replace("-", "−").replace(/e−(\d+)/, "e−$1");
+  const raised = (digits) => digits.replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
+  const number = (x) => {
+    const small = x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5);
+    const [digits, power] = small ? x.toExponential(1).split("e") : [x === 0 ? "0" : x.toPrecision(3)];
+    return digits.replace("-", "−") + (power ? `×10${raised(power.replace("+", ""))}` : "");
+  };
   return (asked) => {
     const now = Math.min(asked, count - 1);
     const places = film.bodies.map((_, k) => pose(k, now));
@@ -259,3 +261,5 @@ function arrows(list) {
     `<path fill="#ffffff" stroke="#ffffff" stroke-width="3.1" d="${shafts}${heads}"/>` +
     `<path fill="none" stroke-width="1.5" d="${shafts}"/><path stroke="none" d="${heads}"/></g>`).join("");
 }
+
+for (const root of document.querySelectorAll("figure.player")) play(root);

@@ -41,7 +41,10 @@ impl Actor {
 
     /// The solver, its level and its sweeps: what is after the comma varies the name before it.
     pub fn name(&self) -> String {
-        let sweeps = self.max_iterations.map_or(String::new(), |n| format!(", {n} sweeps"));
+        let sweeps = self.max_iterations.map_or(String::new(), |n| match n {
+            1 => ", 1 sweep".into(),
+            n => format!(", {n} sweeps"),
+        });
         format!("{}, {}{sweeps}", self.method.name(), self.formulation.name())
     }
 }

@@ -15,6 +15,7 @@ use super::extent;
 use super::frame::{Frame, instants};
 use super::strip::Strip;
 use super::{Camera, View};
+use crate::plot::canvas::hex;
 use crate::plot::number::readable;
 use crate::plot::style;
 use crate::scene::Scene;
@@ -26,6 +27,8 @@ use stage::Stage;
 const SHOTS: (usize, usize) = (151, 600);
 /// Instants of a take in the strip that stands for the film where it cannot be played.
 const STILLS: usize = 5;
+/// Names whose colours variants of one name get.
+const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"];
 
 /// One scene, simulated in several ways.
 ///
@@ -214,9 +217,16 @@ impl Film {
         Stage::new(self, Camera::new(self.view), landmarks)
     }
 
+    /// The colours of the takes' names; variants of one name get others that are free.
     fn colors(&self) -> Vec<String> {
-        let names: Vec<&str> = self.takes.iter().map(|take| take.name.as_str()).collect();
-        style::styles(&names).into_iter().map(|look| crate::plot::canvas::hex(look.color)).collect()
+        let mut taken = Vec::new();
+        for take in &self.takes {
+            let own = style::style(&take.name).color;
+            let spare = || SPARE.map(|name| style::style(name).color);
+            let free = [own].into_iter().chain(spare()).find(|color| !taken.contains(color));
+            taken.push(free.unwrap_or(own));
+        }
+        taken.into_iter().map(hex).collect()
     }
 
     fn description(&self, take: &Take) -> String {
