@@ -103,10 +103,10 @@ pub(super) fn svg(film: &Film, measure: Measure) -> String {
     for tick in Scale::Linear.ticks((lo, hi), 4) {
         let (at, label) = (y(tick.at), tick.label);
         let zero = if tick.at == 0.0 { " class=\"zero\"" } else { "" };
-        let _ = write!(
+        let _ = writeln!(
             out,
             "<path{zero} d=\"M{left} {at:.1}H{right}\"/><text x=\"{:.1}\" y=\"{:.1}\" \
-             text-anchor=\"end\">{label}</text>\n",
+             text-anchor=\"end\">{label}</text>",
             left - 6.0,
             at + 4.0
         );
@@ -115,9 +115,9 @@ pub(super) fn svg(film: &Film, measure: Measure) -> String {
         let (at, label) = (x(tick.at), tick.label);
         let anchor = if at > right - 12.0 { "end" } else { "middle" };
         let unit = if tick.at == 0.0 { " s" } else { "" };
-        let _ = write!(
+        let _ = writeln!(
             out,
-            "<text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{label}{unit}</text>\n",
+            "<text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{label}{unit}</text>",
             bottom + 16.0
         );
     }
