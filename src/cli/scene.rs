@@ -176,8 +176,8 @@ Example:
 
 Writes index.html (a page that plays the motion), trajectory.csv (poses and velocities), ledger.csv
 (energy and where it went, momentum, errors), forces.csv (x and w of every row), results.json and
-frames.svg (a picture of some instants) to the folder. Exit code 0 if every step was solved, 1 if not or if the motion diverged (what was
-recorded until then is written), 2 for bad input.")]
+frames.svg (a picture of some instants) to the folder. Exit code 0 if every step was solved, 1 if not
+or if the motion diverged (what was recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
     #[command(flatten)]
     scene: SceneArgs,
