@@ -30,7 +30,7 @@ impl Ink {
 /// Lines of a paragraph are not longer than this.
 const WIDTH: usize = 96;
 /// Tables are not wider than this, where their words can be parted.
-const TABLE: usize = 110;
+const TABLE: usize = 128;
 /// The margin of a table, and what stands between its columns.
 const MARGIN: usize = 4;
 const GAP: usize = 3;
