@@ -1,7 +1,7 @@
 //! Code 6: the iterative solver, of which the library has both forms.
 //!
-//! As printed it is [`Code6`](crate::solver::Code6), which clamps after the whole sweep (E06); corrected it
-//! is [`Pgs`](crate::solver::Pgs), which clamps each row as it is updated. Here both take the dense
+//! As printed it is [`Code6`], which clamps after the whole sweep (E06); corrected it
+//! is [`Pgs`], which clamps each row as it is updated. Here both take the dense
 //! matrices of the listings and make so many sweeps, whatever comes of it. The listing solves A x = b,
 //! its corrected form poses w = A x + b as the library does (E02).
 #![allow(non_snake_case)]
