@@ -1,5 +1,6 @@
 //! Turns the cells of the literate notebooks into programs, one function a notebook.
 
+// The titles and hidden cells that it also reads are for pages.
 #[path = "src/lesson/source.rs"]
 #[allow(dead_code)]
 mod source;

@@ -110,6 +110,16 @@ fn numbers_in_prose_come_from_cells() {
 }
 
 #[test]
+fn every_value_that_a_cell_puts_is_quoted() {
+    for path in notebooks("md") {
+        let text = fs::read_to_string(&path).unwrap();
+        for name in text.split("put(\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+            assert!(text.contains(&format!("{{{{{name}}}}}")), "{}: {name}", path.display());
+        }
+    }
+}
+
+#[test]
 fn the_readme_lists_every_lesson_by_its_title() {
     let readme = include_str!("../../../README.md");
     for path in notebooks("md") {
