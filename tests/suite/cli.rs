@@ -407,7 +407,7 @@ fn compare_shows_the_solvers_asked_for_side_by_side() {
     );
     let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
     let names: Vec<_> =
-        page.split("<h4>").skip(1).map(|rest| rest.split('<').next().unwrap()).collect();
+        page.split("<p class=\"take\">").skip(1).map(|rest| rest.split('<').next().unwrap()).collect();
     assert_eq!(names, ["pgs, velocity, 1 sweep", "dantzig, velocity"]);
     for (name, reason) in [("pgs:0", "is no number of sweeps"), ("magic", "magic")] {
         let output = run(&[&all[..], &["--show", name]].concat());

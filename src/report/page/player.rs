@@ -3,6 +3,7 @@
 
 use askama::Template;
 
+use super::Origin;
 use super::markup::html;
 use crate::plot::Figure;
 use crate::plot::scene::{Film, Measure, Pane};
@@ -16,6 +17,8 @@ pub struct Player {
     pub caption: String,
     /// Files behind it: the name of the link and its address, relative to the page.
     pub files: Vec<(String, String)>,
+    /// How it was obtained.
+    pub origin: Option<Origin>,
 }
 
 /// Playing speeds: seconds of motion in a second.

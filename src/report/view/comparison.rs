@@ -66,7 +66,7 @@ pub fn table(comparison: &Comparison) -> Table {
             .into(),
         columns,
         rows,
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

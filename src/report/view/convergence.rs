@@ -97,7 +97,7 @@ fn table(studies: &[Study]) -> Table {
             Column::words("agreement"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

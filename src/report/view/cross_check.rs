@@ -68,7 +68,7 @@ fn table(checks: &[CrossCheck]) -> Table {
             Column::words("verdict on QP"),
         ],
         rows: checks.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -127,7 +127,7 @@ fn objectives(checks: &[CrossCheck]) -> Table {
             Column::numbers("− Gauss", ""),
         ],
         rows: checks.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -164,7 +164,7 @@ fn wrenches(checks: &[CrossCheck]) -> Table {
             Column::numbers("difference", ""),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

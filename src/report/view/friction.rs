@@ -121,7 +121,7 @@ fn path_table(study: &Study) -> Table {
             Column::words("agreement"),
         ],
         rows: study.paths.iter().map(path_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -250,7 +250,7 @@ fn block_table(study: &Study) -> Table {
             Column::numbers("Coulomb residual", ""),
         ],
         rows: slides.map(block_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -299,7 +299,7 @@ fn rod_table(study: &Study) -> Table {
             Column::numbers("Coulomb residual", ""),
         ],
         rows: study.rod.iter().map(|answer| rod_cells(answer, exact)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

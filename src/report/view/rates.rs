@@ -98,7 +98,7 @@ fn contraction(systems: &[System]) -> Table {
             Column::words("slope"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -142,7 +142,7 @@ fn sweeps(systems: &[System]) -> Table {
             Column::words("agreement"),
         ],
         rows: systems.iter().map(sweep_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

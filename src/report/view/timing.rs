@@ -41,7 +41,7 @@ pub(super) fn section(document: &mut Document, results: &Results) {
             Column::numbers("time a step", "ms"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     };
     document.table("timings", table);
 }

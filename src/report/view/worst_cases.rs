@@ -87,7 +87,7 @@ fn table(study: &Study) -> Table {
             .into(),
         columns,
         rows: study.cases.iter().map(|case| cells(study, case)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use lcplab::plot::{Axis, Figure, Lines};
 use lcplab::report::page::markup::literal;
-use lcplab::report::page::{Block, Cell, Column, Mark, Page, Picture, Section, Table};
+use lcplab::report::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
 
 fn page(blocks: Vec<Block>) -> Page {
     let section = Section { id: "one".into(), title: "One".into(), blocks };
@@ -50,6 +50,7 @@ fn text_is_escaped_everywhere() {
         columns: vec![Column { unit: evil.into(), ..Column::words(evil) }],
         rows: vec![vec![Cell::text(evil)]],
         files: vec![(evil.into(), "a\" onclick=\"b".into())],
+        origin: Some(Origin { scene: evil.into(), settings: evil.into(), command: evil.into() }),
     };
     let mut page = page(vec![
         Block::Text(evil.into()),
