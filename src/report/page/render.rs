@@ -12,6 +12,9 @@ const FONT: &[u8] = include_bytes!("../assets/lcplab-math.woff2");
 /// A cell of more characters than this is broken into lines.
 const LONG: usize = 28;
 
+/// A table of more rows than this scrolls in a frame of its own beneath its heads.
+const TALL: usize = 40;
+
 #[derive(Template)]
 #[template(path = "page.html")]
 struct Document<'a> {

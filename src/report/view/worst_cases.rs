@@ -53,7 +53,7 @@ fn figure(study: &Study) -> Lines {
     };
     let theory = |case: &Case| {
         let points = study.sizes.iter().map(|&n| (f64::from(n), case.law.cost(n) as f64));
-        Series::theory(format!("theory {}", case.law), points.collect())
+        Series::theory(format!("theory, {}: {}", case.solver, case.law), points.collect())
     };
     Lines {
         id: "worst_cases".into(),
