@@ -132,5 +132,5 @@ fn a_table_shows_short_numbers_and_keeps_full_ones() {
     let html = main_part(&page(vec![Block::Table(table)]));
     assert!(html.contains("<td class=\"number\" data-value=\"0.3333333333333333\">0.33</td>"));
     assert!(html.contains("<td class=\"bad\">lemke</td>"));
-    assert!(html.contains("<b>Table 1. Residuals.</b>"));
+    assert!(html.contains("<a class=\"self\" href=\"#table-1\">Table 1.</a> <b>Residuals.</b>"));
 }
