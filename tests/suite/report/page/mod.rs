@@ -1,5 +1,9 @@
 //! Pages: self-contained, escaped, and every fault named with its place.
 
+mod contrast;
+mod sample;
+mod valid;
+
 use lcplab::plot::{Axis, Figure, Lines};
 use lcplab::report::page::markup::literal;
 use lcplab::report::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
