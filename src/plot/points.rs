@@ -54,7 +54,9 @@ pub(super) fn listed(points: &[((f64, f64), Option<(f64, f64)>)]) -> String {
             indices.chunk_by(|a, b| stretch(a) == stretch(b)).map(|group| group[0]).collect()
         }
     };
-    kept.extend(indices.iter().min_by(by_height).into_iter().chain(indices.iter().max_by(by_height)));
+    kept.extend(
+        indices.iter().min_by(by_height).into_iter().chain(indices.iter().max_by(by_height)),
+    );
     kept.sort_unstable();
     kept.dedup();
     let pair = |i: usize| {

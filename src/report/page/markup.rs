@@ -56,7 +56,9 @@ impl Renderer {
         let frame = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\">";
         let out = out.replace("<table>", &format!("{frame}<table>"));
         let out = out.replace("</table>", "</table></div>");
-        Ok(out.replace("<th>", "<th scope=\"col\">").replace("<th style", "<th scope=\"col\" style"))
+        Ok(out
+            .replace("<th>", "<th scope=\"col\">")
+            .replace("<th style", "<th scope=\"col\" style"))
     }
 
     /// Text within a line.

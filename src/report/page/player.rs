@@ -42,7 +42,6 @@ pub fn speed(duration: f64) -> f64 {
 #[template(path = "player.html")]
 struct View<'a> {
     number: usize,
-    id: &'a str,
     player: &'a Player,
     caption: String,
     columns: usize,
@@ -66,7 +65,6 @@ pub(super) fn rendered(
     let own = speed(times.last().copied().unwrap_or(0.0));
     let view = View {
         number,
-        id: &film.id,
         player,
         caption,
         columns: film.columns(),

@@ -110,7 +110,7 @@ fn a_page_fetches_nothing_and_is_the_same_twice() {
     let html = page.render().unwrap();
     assert_eq!(html, page.render().unwrap());
     assert!(html.contains(&plot.svg()) && html.contains("href=\"figures/empty.csv\""));
-    assert!(html.contains("<html lang=\"en\">") && html.contains("<main id=\"content\">"));
+    assert!(html.contains("<html lang=\"en\">") && html.contains("<main id=\"content\""));
     let outside = html.replace("http://www.w3.org/2000/svg", "");
     for fetch in ["http:", "https:", "src=\"", "@import", "<link rel=\"stylesheet"] {
         assert!(!outside.contains(fetch), "{fetch}");

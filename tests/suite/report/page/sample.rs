@@ -1,8 +1,5 @@
 //! A page with every kind of block, whose numbers are known.
 
-use std::fs;
-use std::path::Path;
-
 use lcplab::plot::scene::{Film, Strip, Take};
 use lcplab::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series, Spy};
 use lcplab::report::page::{
@@ -11,19 +8,6 @@ use lcplab::report::page::{
 use lcplab::report::study::scene_solver;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
-
-/// The page and the files that it names, in a folder.
-pub fn write(folder: &Path) -> String {
-    let page = page().render().unwrap();
-    fs::create_dir_all(folder.join("data")).unwrap();
-    for figure in [&halving() as &dyn Figure, &growth(), &times()] {
-        fs::write(folder.join(format!("data/{}.svg", figure.id())), figure.svg()).unwrap();
-        fs::write(folder.join(format!("data/{}.csv", figure.id())), figure.csv()).unwrap();
-    }
-    fs::write(folder.join("data/squares.csv"), squares().csv()).unwrap();
-    fs::write(folder.join("index.html"), &page).unwrap();
-    page
-}
 
 /// Every kind of block.
 pub fn page() -> Page {
@@ -39,18 +23,19 @@ pub fn page() -> Page {
             Block::Code { language: "rust".into(), text: "let x = 1 < 2;".into() },
         ],
     };
-    let mut figures = Section {
+    let mut pictures = Section {
         id: "figures".into(),
         title: "Figures".into(),
-        blocks: [&halving() as &dyn Figure, &growth(), &times()]
-            .map(|figure| Block::Figure(Picture::of(figure, "data")))
-            .into(),
+        blocks: figures()
+            .iter()
+            .map(|figure| Block::Figure(Picture::of(figure.as_ref(), "data")))
+            .collect(),
     };
     for figure in [&pattern() as &dyn Figure, &strip()] {
-        figures.blocks.push(Block::Figure(Picture { svg: figure.svg(), ..Picture::default() }));
+        pictures.blocks.push(Block::Figure(Picture { svg: figure.svg(), ..Picture::default() }));
     }
-    figures.blocks.push(Block::Player(Box::new(player())));
-    figures.obtained(&Origin {
+    pictures.blocks.push(Block::Player(Box::new(player())));
+    pictures.obtained(&Origin {
         scene: "none: numbers in closed form".into(),
         settings: "factor ½".into(),
         command: "lcplab report --redraw <folder>".into(),
@@ -63,9 +48,14 @@ pub fn page() -> Page {
     Page {
         title: "Every kind of block".into(),
         lead: "A page for tests.".into(),
-        sections: vec![text, figures, tables],
+        sections: vec![text, pictures, tables],
         facts: vec![("lcplab".into(), "today".into())],
     }
+}
+
+/// The figures whose files lie in the folder `data`.
+pub fn figures() -> [Box<dyn Figure>; 3] {
+    [Box::new(halving()), Box::new(growth()), Box::new(times())]
 }
 
 /// A residual that is halved in a sweep, nine times, and is then exactly zero; and its theory.
@@ -91,7 +81,10 @@ pub fn halving() -> Lines {
 /// Two panels of two curves.
 fn growth() -> Lines {
     let curve = |name: &str, rate: f64| {
-        Series::measured(name, (0..=1000).map(|k| (f64::from(k) * 0.01, rate * f64::from(k))).collect())
+        Series::measured(
+            name,
+            (0..=1000).map(|k| (f64::from(k) * 0.01, rate * f64::from(k))).collect(),
+        )
     };
     let panel = |label: &str, unit: &str, rate: f64| Panel {
         y: Axis::linear(label, unit),
@@ -108,7 +101,8 @@ fn growth() -> Lines {
 
 /// Two bars.
 fn times() -> Bars {
-    let bars = [("pgs", 3.25), ("lemke", 0.5)].map(|(name, value)| Bar { name: name.into(), value });
+    let bars =
+        [("pgs", 3.25), ("lemke", 0.5)].map(|(name, value)| Bar { name: name.into(), value });
     let (title, caption) = ("Time a step".into(), "Shorter is better.".into());
     Bars { id: "times".into(), title, caption, x: Axis::linear("time", "ms"), bars: bars.into() }
 }
