@@ -90,7 +90,7 @@ pub fn table(changes: &[Change]) -> Table {
             Column::numbers("relative change", ""),
         ],
         rows: changes.iter().take(LISTED).map(Change::row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
