@@ -1,6 +1,7 @@
 //! What a report measures, one study a file: each runs simulations or solvers and returns plain
 //! results that can be stored, compared and drawn later without solving anything again.
 
+pub mod attempt;
 pub mod comparison;
 pub mod convergence;
 pub mod cross_check;
@@ -9,13 +10,25 @@ pub mod families;
 pub mod film;
 pub mod friction;
 pub mod merits;
+pub mod plane;
+pub mod posed;
+pub mod profiles;
+pub mod race;
 pub mod rates;
+pub mod ratio;
+pub mod relaxation;
+pub mod residual_map;
+pub mod scaling;
 pub mod slider;
 pub mod sliding;
 pub mod sparsity;
 pub mod storage;
 pub mod verification;
+pub mod warm_start;
 pub mod worst_cases;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 use crate::error::Result;
 use crate::formulation::{Problem, friction_model};
@@ -95,4 +108,12 @@ fn step_of(scene: &Scene, number: usize) -> Option<Step> {
 /// The last LCP of the scene's step of this number.
 fn problem_of(scene: &Scene, number: usize) -> Option<Problem> {
     step_of(scene, number)?.solves.pop().map(|solve| solve.problem)
+}
+
+pub trait Study: Serialize + DeserializeOwned + Send + Sync {
+    const NAME: &'static str;
+    type Finding: Serialize + DeserializeOwned + Send + Sync;
+    type Times: Serialize + DeserializeOwned + Send + Sync;
+    fn tasks(&self) -> Vec<String>;
+    fn run(&self, task: usize) -> Result<(Self::Finding, Self::Times)>;
 }
