@@ -27,9 +27,6 @@ pub mod verification;
 pub mod warm_start;
 pub mod worst_cases;
 
-use serde::Serialize;
-use serde::de::DeserializeOwned;
-
 use crate::error::Result;
 use crate::formulation::{Problem, friction_model};
 use crate::report::methods;
@@ -108,12 +105,4 @@ fn step_of(scene: &Scene, number: usize) -> Option<Step> {
 /// The last LCP of the scene's step of this number.
 fn problem_of(scene: &Scene, number: usize) -> Option<Problem> {
     step_of(scene, number)?.solves.pop().map(|solve| solve.problem)
-}
-
-pub trait Study: Serialize + DeserializeOwned + Send + Sync {
-    const NAME: &'static str;
-    type Finding: Serialize + DeserializeOwned + Send + Sync;
-    type Times: Serialize + DeserializeOwned + Send + Sync;
-    fn tasks(&self) -> Vec<String>;
-    fn run(&self, task: usize) -> Result<(Self::Finding, Self::Times)>;
 }
