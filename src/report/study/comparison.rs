@@ -6,13 +6,49 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{at_level, simulation_by};
+use super::settings::Stepped;
+use super::{Study, at_level, simulation_by};
 use crate::certificate::Demand;
+use crate::error::Result;
 use crate::formulation::friction_model;
 use crate::lcp::friction::Model;
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
-use crate::solver::{CONES, Class, Dantzig, Entry, MatrixClass, Method, Status};
+use crate::solver::{ALL, CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, entry};
+
+/// Scenes stepped by solvers at both levels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The solvers, by name; all without it.
+    #[serde(default = "all_solvers")]
+    pub solvers: Vec<String>,
+    /// The scenes.
+    pub scenes: Vec<Stepped>,
+}
+
+/// The names of all registered solvers.
+fn all_solvers() -> Vec<String> {
+    ALL.iter().map(|entry| entry.name.to_string()).collect()
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "comparison";
+    type Finding = Comparison;
+    type Times = Vec<Timing>;
+
+    fn tasks(&self) -> Vec<String> {
+        self.scenes.iter().map(|task| task.scene.clone()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Comparison, Vec<Timing>)> {
+        let task = &self.scenes[task];
+        let solvers: Vec<Entry> =
+            self.solvers.iter().map(|name| entry(name).copied()).collect::<Result<_>>()?;
+        let scene = Scene::load(&task.scene)?;
+        Ok(compare(&scene, &solvers, task.steps, &ProgressBar::hidden()))
+    }
+}
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -91,6 +127,8 @@ pub struct Timing {
     pub formulation: String,
     /// The solver.
     pub solver: String,
+    /// Steps taken.
+    pub steps: usize,
     /// Wall time of the whole run, judging left out (s).
     pub seconds: f64,
 }
@@ -188,7 +226,7 @@ fn run(scene: &Scene, solver: &Method, steps: usize) -> (Run, Timing) {
     let simulation = simulation_by(scene, solver);
     let seconds = step_through(simulation, steps, &mut run);
     let (scene, solver) = (scene.name.clone(), solver.name().to_string());
-    let timing = Timing { scene, formulation, solver, seconds };
+    let timing = Timing { scene, formulation, solver, steps: run.steps, seconds };
     (run, timing)
 }
 

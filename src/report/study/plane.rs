@@ -9,12 +9,12 @@ use super::attempt::entries;
 use super::posed::Source;
 use crate::error::{Error, Result};
 use crate::lcp::Lcp;
-use crate::solver::{Iterate, Observer, Options, Settings as Common, Start, Status};
+use crate::solver::{Iterate, Observer, Options, Settings, Start, Status};
 
 /// Which rows, and whose paths.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// Rows of problems.
     pub rows: Vec<Chosen>,
     /// The solvers.
@@ -82,7 +82,7 @@ pub struct Path {
     pub points: Vec<(f64, f64)>,
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "plane";
     type Finding = Row;
     type Times = ();
@@ -99,10 +99,10 @@ impl Study for Settings {
             let reason = format!("the problem has {} rows, this is {row}", lcp.len());
             return Err(Error::invalid(problem.name(), "row", reason));
         }
-        let settings = Common {
+        let settings = Settings {
             tolerance: self.tolerance,
             max_iterations: self.max_iterations,
-            ..Common::default()
+            ..Settings::default()
         };
         let options = Options { settings, omega: self.omega, ..Options::default() };
         let (mut paths, mut answer) = (Vec::new(), None);

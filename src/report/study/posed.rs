@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::problem_of;
-use crate::error::{Error, Result};
+use super::settings::AtStep;
+use crate::error::Result;
 use crate::lcp::{Lcp, library};
 use crate::scene::Scene;
 
@@ -23,16 +24,6 @@ pub enum Source {
     Family(OfFamily),
     /// Boxes with a load on top.
     Stack(Loaded),
-}
-
-/// The last LCP of a step of a scene.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct AtStep {
-    /// A shipped scene or a file.
-    pub scene: String,
-    /// The number of the step, from 1.
-    pub step: usize,
 }
 
 /// A problem of the library.
@@ -78,10 +69,9 @@ impl Source {
     /// # Errors
     /// If there is no such scene, step or family.
     pub fn lcp(&self) -> Result<Lcp> {
-        let none = || Error::invalid(self.name(), "step", "the simulation poses no LCP there");
         match self {
             Source::Scene(AtStep { scene, step }) => {
-                Ok(problem_of(&Scene::load(scene)?, *step).ok_or_else(none)?.lcp)
+                Ok(problem_of(&Scene::load(scene)?, *step)?.lcp)
             }
             Source::Family(OfFamily { family, values }) => {
                 let values: Vec<(&str, f64)> =
@@ -89,7 +79,7 @@ impl Source {
                 Ok(library::by_name(family)?.generate(&values)?.lcp)
             }
             Source::Stack(stack) => {
-                Ok(problem_of(&stack.scene()?, 1).ok_or_else(none)?.lcp)
+                Ok(problem_of(&stack.scene()?, 1)?.lcp)
             }
         }
     }

@@ -17,7 +17,8 @@ use serde::{Deserialize, Serialize};
 
 use super::Study;
 use super::attempt::{Attempt, attempt, entries, options};
-use super::posed::{AtStep, Source};
+use super::posed::Source;
+use super::settings::AtStep;
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::lcp::file::Problem;
@@ -26,7 +27,7 @@ use crate::lcp::library;
 /// Which problems and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// Families of the library; all without it.
     #[serde(default)]
     pub families: Vec<String>,
@@ -88,7 +89,7 @@ pub struct Seconds {
     pub seconds: Vec<BTreeMap<String, f64>>,
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "profiles";
     type Finding = Tried;
     type Times = Seconds;
@@ -127,7 +128,7 @@ impl Study for Settings {
     }
 }
 
-impl Settings {
+impl Plan {
     fn families(&self) -> Vec<String> {
         if self.families.is_empty() {
             library::all().map(|family| family.name().to_string()).collect()

@@ -11,13 +11,13 @@ use super::attempt::{Group, Outcome, entries};
 use super::posed::Source;
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
-use crate::solver::{Entry, Iterate, Observer, Options, Settings as Common, Start};
+use crate::solver::{Entry, Iterate, Observer, Options, Settings, Start};
 use crate::trace::Work;
 
 /// Which problems and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// The problems.
     pub problems: Vec<Source>,
     /// The solvers; all without it.
@@ -95,8 +95,9 @@ pub struct Clock {
     pub runners: Vec<(String, Vec<(f64, f64)>)>,
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "race";
+    const ALONE: bool = true;
     type Finding = Race;
     type Times = Clock;
 
@@ -107,10 +108,10 @@ impl Study for Settings {
     fn run(&self, task: usize) -> Result<(Race, Clock)> {
         let problem = &self.problems[task];
         let lcp = problem.lcp()?;
-        let settings = Common {
+        let settings = Settings {
             tolerance: self.tolerance,
             max_iterations: self.max_iterations,
-            ..Common::default()
+            ..Settings::default()
         };
         let options = Options { settings, omega: self.omega, ..Options::default() };
         let runs = entries(&self.solvers)?;

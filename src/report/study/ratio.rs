@@ -19,14 +19,14 @@ use super::Study;
 use super::attempt::{Attempt, attempt, entries, options};
 use super::posed::{BLOW, Loaded, column};
 use super::problem_of;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::solver::{Options, Order, theory};
 
 /// Which stacks and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// The boxes of the stack, the load among them: at least 2.
     pub boxes: usize,
     /// The mass of the load, in masses of the other bodies.
@@ -107,7 +107,7 @@ struct Posed {
     weight: f64,
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "mass-ratio";
     type Finding = Stack;
     type Times = Seconds;
@@ -159,8 +159,7 @@ fn boxes(boxes: usize, ratio: f64) -> Result<Posed> {
     let ground = scene.body("ground");
     let mass = (boxes - 1) as f64 + ratio;
     let weight = mass * scene.gravity.norm() * scene.step.dt;
-    let none = || Error::invalid("the loaded stack", "step", "the simulation poses no LCP there");
-    let problem = problem_of(&scene, 1).ok_or_else(none)?;
+    let problem = problem_of(&scene, 1)?;
     let rows = problem.assembly.rows.iter().enumerate();
     let carries = rows.filter(|(_, row)| row.id.component == 0 && row.bodies.contains(&ground));
     let ground = carries.map(|(i, _)| i).collect();

@@ -20,12 +20,12 @@ use super::Study;
 use super::posed::{BLOW, column};
 use crate::error::{Error, Result};
 use crate::lcp::{Lcp, merit};
-use crate::solver::{Iterate, Observer, Order, Pgs, Settings as Common, Solver, Start, theory};
+use crate::solver::{Iterate, Observer, Order, Pgs, Settings, Solver, Start, theory};
 
 /// Columns and relaxation factors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// Columns of so many bodies.
     pub bodies: Vec<usize>,
     /// The relaxation factors, each above 0 and below 2; the optimal one is added.
@@ -93,7 +93,7 @@ pub fn young(jacobi: f64, omega: f64) -> f64 {
     (0.5 * (omega * jacobi + root.sqrt())).powi(2)
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "relaxation";
     type Finding = Column;
     type Times = ();
@@ -120,7 +120,7 @@ impl Study for Settings {
     }
 }
 
-impl Settings {
+impl Plan {
     fn point(&self, lcp: &Lcp, jacobi: f64, omega: f64) -> Point {
         let residuals = self.residuals(lcp, omega);
         let closed_form = young(jacobi, omega);
@@ -138,7 +138,7 @@ impl Settings {
     /// The natural residuals of the start and of each sweep, to a hundredth of the target.
     fn residuals(&self, lcp: &Lcp, omega: f64) -> Vec<f64> {
         let max_iterations = self.max_sweeps;
-        let settings = Common { tolerance: 0.0, max_iterations, check_every: max_iterations.max(1) };
+        let settings = Settings { tolerance: 0.0, max_iterations, check_every: max_iterations.max(1) };
         let mut watch = Watch { lcp, least: 1e-2 * self.target, residuals: Vec::new() };
         Pgs { omega, order: Order::Natural, settings }.solve(lcp, &Start::default(), &mut watch);
         watch.residuals

@@ -14,13 +14,13 @@ use super::posed::column;
 use crate::error::{Error, Result};
 use crate::lcp::Lcp;
 use crate::solver::{
-    Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings as Common, Solver, Start,
+    Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings, Solver, Start,
 };
 
 /// Which column, and how long it is looked at.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// The number of bodies.
     pub bodies: usize,
     /// The mass of the top body, in masses of the others.
@@ -66,7 +66,7 @@ pub struct Map {
     pub residuals: Vec<Vec<f64>>,
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "residual-map";
     type Finding = Map;
     type Times = ();
@@ -103,10 +103,10 @@ impl Method {
     }
 }
 
-impl Settings {
+impl Plan {
     fn solver(&self, method: Method, omega: f64) -> Box<dyn Solver> {
         let max_iterations = self.sweeps;
-        let settings = Common { tolerance: 0.0, max_iterations, check_every: max_iterations };
+        let settings = Settings { tolerance: 0.0, max_iterations, check_every: max_iterations };
         match method {
             Method::Up | Method::BestSor => {
                 Box::new(Pgs { omega, order: Order::Natural, settings })

@@ -24,7 +24,7 @@ use crate::solver::Options;
 /// Which columns and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// Columns of so many bodies, rising.
     pub bodies: Vec<usize>,
     /// The solvers; `sor` has the optimal ω of each column.
@@ -67,8 +67,9 @@ pub struct Seconds {
     pub solvers: Vec<(String, Option<f64>)>,
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "scaling";
+    const ALONE: bool = true;
     type Finding = Column;
     type Times = Seconds;
 

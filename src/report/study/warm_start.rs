@@ -6,17 +6,18 @@ use std::ops::ControlFlow;
 use serde::{Deserialize, Serialize};
 
 use super::attempt::entries;
+use super::settings::Stepped;
 use super::{Study, scene_options};
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Solve};
-use crate::solver::{Entry, Options, Settings as Common, Start, Status};
+use crate::solver::{Entry, Options, Settings, Start, Status};
 use crate::trace::Work;
 
 /// Which simulations and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// Scenes and how many steps each takes.
     pub scenes: Vec<Stepped>,
     /// The solvers.
@@ -27,16 +28,6 @@ pub struct Settings {
     /// More sweeps, steps or pivots are not made in a solve.
     #[serde(default = "limit")]
     pub max_iterations: usize,
-}
-
-/// A scene and how many steps it takes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Stepped {
-    /// A shipped scene or a file.
-    pub scene: String,
-    /// The number of steps.
-    pub steps: usize,
 }
 
 fn target() -> f64 {
@@ -77,7 +68,7 @@ pub struct Pair {
     pub unsolved: usize,
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "warm-start";
     type Finding = Run;
     type Times = ();
@@ -94,10 +85,10 @@ impl Study for Settings {
         scene.solver.tolerance = self.tolerance;
         scene.solver.max_iterations = self.max_iterations;
         let options = Options {
-            settings: Common {
+            settings: Settings {
                 tolerance: self.tolerance,
                 max_iterations: self.max_iterations,
-                ..Common::default()
+                ..Settings::default()
             },
             ..scene_options(&scene)
         };
@@ -114,7 +105,7 @@ impl Study for Settings {
     }
 }
 
-impl Settings {
+impl Plan {
     fn pairs(&self) -> Vec<(&Stepped, &String)> {
         let of = |at| self.solvers.iter().map(move |solver| (at, solver));
         self.scenes.iter().flat_map(of).collect()

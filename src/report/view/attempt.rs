@@ -1,5 +1,6 @@
 //! How attempts of solvers are shown in the tables of several studies.
 
+use super::Document;
 use crate::plot::number::{count, readable};
 use crate::report::page::{Cell, Mark};
 use crate::report::study::attempt::{Attempt, Group, Outcome};
@@ -51,4 +52,15 @@ pub(super) fn listed<S: AsRef<str>>(names: &[S]) -> String {
 /// A tolerance: `10⁻⁸`.
 pub(super) fn tolerance(value: f64) -> String {
     readable(value, 1)
+}
+
+/// The id of the section that is open: what figures and tables of it are named after.
+pub(super) fn section_id(document: &Document) -> String {
+    document.page.sections.last().map_or_else(String::new, |section| section.id.clone())
+}
+
+/// Words as part of a file's name.
+pub(super) fn anchor(words: &str) -> String {
+    let parts = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join("-").to_ascii_lowercase()
 }

@@ -1,12 +1,12 @@
 //! Paths in the plane of a row.
 
-use super::attempt::iterations_in_words;
+use super::attempt::{anchor, iterations_in_words, section_id};
 use super::{Document, View};
 use crate::plot::Axis;
 use crate::plot::plane::{Path, Plane};
-use crate::report::study::plane::{Row, Settings};
+use crate::report::study::plane::{Row, Plan};
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "One row on its way to the law";
 
     fn show(&self, rows: &[Row], document: &mut Document) {
@@ -16,8 +16,9 @@ impl View for Settings {
              graph is drawn in grey. A solver's iterates are points beside it, and the row is satisfied \
              when they come to lie on it.",
         );
-        for (k, row) in rows.iter().enumerate() {
-            document.figure(figure(k, row));
+        for row in rows {
+            let id = format!("{}_{}_{}", section_id(document), anchor(&row.problem), row.row);
+            document.figure(figure(id, row));
         }
         document.text(
             "In this plane row i of a sweep is a step along a line of slope $a_{ii}$ down to the graph; \
@@ -27,7 +28,7 @@ impl View for Settings {
     }
 }
 
-fn figure(k: usize, row: &Row) -> Plane {
+fn figure(id: String, row: &Row) -> Plane {
     let [lo, hi] = row.bounds;
     let ends: Vec<String> = row
         .paths
@@ -42,7 +43,7 @@ fn figure(k: usize, row: &Row) -> Plane {
         points: path.points.clone(),
     };
     Plane {
-        id: format!("plane_{}", k + 1),
+        id,
         title: format!("{} ({}, row {})", row.what, row.problem, row.row),
         caption: format!(
             "$(x_i, w_i)$ after each iteration, from the ring to the black disc, beside the graph of the \

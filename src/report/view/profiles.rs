@@ -6,12 +6,12 @@ use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::attempt::{Attempt, Group, Outcome};
-use crate::report::study::profiles::{Cost, Profile, Settings, Tried, costs, profiles};
+use crate::report::study::profiles::{Cost, Profile, Plan, Tried, costs, profiles};
 
 /// A failure: solver, tolerance, reason; and the families where it happened.
 type Failures = Vec<((String, usize, String), Vec<String>)>;
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "All solvers on all families";
 
     fn show(&self, tried: &[Tried], document: &mut Document) {
@@ -41,7 +41,7 @@ impl View for Settings {
     }
 }
 
-impl Settings {
+impl Plan {
     fn figure(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
         let by_tolerance: Vec<Vec<Profile>> =
             (0..self.tolerances.len()).map(|k| profiles(&costs(tried, k))).collect();

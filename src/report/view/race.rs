@@ -1,17 +1,17 @@
 //! How the residual falls by iteration, by multiplication and by second.
 
-use super::attempt::{outcome, tolerance};
+use super::attempt::{anchor, outcome, tolerance};
 use super::{Document, View};
 use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
 use crate::report::study::attempt::Group;
-use crate::report::study::race::{Clock, Mark, Race, Runner, Settings};
+use crate::report::study::race::{Clock, Mark, Race, Runner, Plan};
 
 /// A residual of exactly 0 has no place on a logarithmic axis; it is drawn here.
 const LEAST: f64 = 1e-17;
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "The same problem, many methods";
 
     fn show(&self, races: &[Race], document: &mut Document) {
@@ -22,18 +22,22 @@ impl View for Settings {
              by second it stands in the last section. Pivoting methods have no residual worth the name \
              until they end: their end is a marker.",
         );
-        for (k, race) in races.iter().enumerate() {
-            document.figure(by_iteration(k, race));
-            document.figure(by_work(k, race));
-            document.table(&format!("race_{}", k + 1), table(race));
+        for race in races {
+            document.figure(by_iteration(race));
+            document.figure(by_work(race));
+            document.table(&id(&race.problem, "table"), table(race));
         }
     }
 
     fn show_times(&self, clocks: &[Clock], document: &mut Document) {
-        for (k, clock) in clocks.iter().enumerate() {
-            document.figure(by_second(k, clock));
+        for clock in clocks {
+            document.figure(by_second(clock));
         }
     }
+}
+
+fn id(problem: &str, what: &str) -> String {
+    format!("race_{}_{what}", anchor(problem))
 }
 
 /// The runners as curves, those that only have an end as points; solved or not.
@@ -61,12 +65,12 @@ fn asked(race: &Race, across: fn(&Mark) -> f64) -> Series {
     Series::reference(name, vec![(1e-3, race.tolerance), (10.0 * last, race.tolerance)])
 }
 
-fn by_iteration(k: usize, race: &Race) -> Lines {
+fn by_iteration(race: &Race) -> Lines {
     let across = |mark: &Mark| mark.iteration as f64;
     let mut curves = series(race, across);
     curves.push(asked(race, across));
     Lines {
-        id: format!("race_{}_iterations", k + 1),
+        id: id(&race.problem, "iterations"),
         title: format!("{}: residual by iteration", race.problem),
         caption: format!(
             "{} rows; SOR with ω = {}. Newton's curves fall off a cliff after a few steps, those of \
@@ -80,12 +84,12 @@ fn by_iteration(k: usize, race: &Race) -> Lines {
     }
 }
 
-fn by_work(k: usize, race: &Race) -> Lines {
+fn by_work(race: &Race) -> Lines {
     let across = |mark: &Mark| mark.work;
     let mut curves = series(race, across);
     curves.push(asked(race, across));
     Lines {
-        id: format!("race_{}_work", k + 1),
+        id: id(&race.problem, "work"),
         title: format!("{}: residual by multiplication", race.problem),
         caption: format!(
             "The same runs; A has {} stored entries, so many multiplications are a product. Further \
@@ -98,12 +102,12 @@ fn by_work(k: usize, race: &Race) -> Lines {
     }
 }
 
-fn by_second(k: usize, clock: &Clock) -> Lines {
+fn by_second(clock: &Clock) -> Lines {
     let curves = clock.runners.iter().map(|(solver, points)| {
         curve(solver, points.iter().map(|(s, residual)| (1e3 * s, residual.max(LEAST))).collect())
     });
     Lines {
-        id: format!("race_{}_seconds", k + 1),
+        id: id(&clock.problem, "seconds"),
         title: format!("{}: residual by time", clock.problem),
         caption: "The same runs by the clock, stop tests included and the time for looking at iterates \
                   taken off. On a machine that does other things too."

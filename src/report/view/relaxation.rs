@@ -1,11 +1,12 @@
 //! SOR against ω, beside Young's curve.
 
+use super::attempt::{iterations_in_words, section_id};
 use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column as Head, Mark, Table};
 use crate::report::study::posed::BLOW;
-use crate::report::study::relaxation::{Column, Point, Settings, young};
+use crate::report::study::relaxation::{Column, Point, Plan, young};
 use crate::solver::theory;
 
 /// Digits gained a sweep that differ by this part are the same.
@@ -13,7 +14,7 @@ const SAME: f64 = 0.05;
 /// The same for the sweeps that theory counts by the rate alone.
 const NEAR: f64 = 0.2;
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "Which ω, and what it is worth";
 
     fn show(&self, columns: &[Column], document: &mut Document) {
@@ -29,17 +30,18 @@ impl View for Settings {
             "Young 1950",
         );
         for column in columns {
-            document.figure(self.figure(column));
+            let id = format!("{}_{}", section_id(document), column.bodies);
+            document.figure(self.figure(id, column));
         }
-        document.table("relaxation", self.table(columns));
+        document.table(&section_id(document), self.table(columns));
         for column in columns {
             document.text(words(column));
         }
     }
 }
 
-impl Settings {
-    fn figure(&self, column: &Column) -> Lines {
+impl Plan {
+    fn figure(&self, id: String, column: &Column) -> Lines {
         let omegas = || (1..400).map(|k| f64::from(k) / 200.0);
         let rate = |omega| young(column.jacobi, omega);
         let sweeps = |omega| theory::sweeps_to(self.target / BLOW, rate(omega));
@@ -59,7 +61,7 @@ impl Settings {
             Series::reference(best, vec![(column.best, 1e-3), (column.best, 1e12)]),
         ];
         Lines {
-            id: format!("relaxation_{}", column.bodies),
+            id,
             title: format!("SOR on a column of {} bodies", column.bodies),
             caption: format!(
                 "Above: what a sweep leaves of the error. Below: sweeps from $x = 0$ to a natural \
@@ -147,7 +149,7 @@ fn words(column: &Column) -> String {
             "On the column of {} Gauss-Seidel takes {} and SOR with ω\\* = {} takes {best}: {} times \
              fewer. The fewest of the ω tried were {least}, with ω = {}.",
             column.bodies,
-            super::attempt::iterations_in_words("pgs", plain),
+            iterations_in_words("pgs", plain),
             readable(column.best, 4),
             readable(plain as f64 / best as f64, 2),
             readable(omega, 4)

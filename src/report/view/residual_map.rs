@@ -1,11 +1,12 @@
 //! The residual of each row after each sweep, as shades.
 
+use super::attempt::section_id;
 use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Heat, Shaded};
-use crate::report::study::residual_map::{Map, Method, Settings};
+use crate::report::study::residual_map::{Map, Method, Plan};
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "How news travels through a stack";
 
     fn show(&self, maps: &[Map], document: &mut Document) {
@@ -15,13 +16,13 @@ impl View for Settings {
              of the others is news that has to climb. A row that has heard nothing has nothing to do.",
             self.bodies
         ));
-        document.figure(self.figure(maps));
+        document.figure(self.figure(section_id(document), maps));
         document.text(self.words(maps));
     }
 }
 
-impl Settings {
-    fn figure(&self, maps: &[Map]) -> Heat {
+impl Plan {
+    fn figure(&self, id: String, maps: &[Map]) -> Heat {
         let panel = |map: &Map| {
             let name = match map.method {
                 Method::BestSor => format!("{} = {}", map.method.name(), readable(map.omega, 4)),
@@ -30,7 +31,7 @@ impl Settings {
             Shaded { name, rows: map.residuals.clone() }
         };
         Heat {
-            id: "residual_map".into(),
+            id,
             title: format!("The residual of {} rows, sweep by sweep", self.bodies),
             caption: "Each small square is a row after a sweep, the ground's contact at the bottom. \
                       White is a residual of exactly 0: top-down, a wedge of rows that have not heard \

@@ -5,12 +5,12 @@ use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column as Head, Mark, Table};
 use crate::report::study::attempt::Attempt;
-use crate::report::study::scaling::{Column, Seconds, Settings};
+use crate::report::study::scaling::{Column, Seconds, Plan};
 
 /// Predicted and counted sweeps of Gauss-Seidel that differ by this part are the same.
 const SAME: f64 = 0.05;
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "Twice the bodies, how many times the cost";
 
     fn show(&self, columns: &[Column], document: &mut Document) {
@@ -72,7 +72,7 @@ fn slope(points: &[(f64, f64)]) -> Option<f64> {
     Some((y1 / y0).ln() / (n1 / n0).ln()).filter(|slope| slope.is_finite())
 }
 
-impl Settings {
+impl Plan {
     fn curves(&self, columns: &[Column], cost: fn(&Attempt) -> f64) -> Vec<Series> {
         let curve = |solver: &String| Series::measured(solver, points(columns, solver, cost));
         self.solvers.iter().map(curve).collect()

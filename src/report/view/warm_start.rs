@@ -1,12 +1,13 @@
 //! What the last step's answer saves.
 
+use super::attempt::{anchor, section_id};
 use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::warm_start::{Pair, Run, Settings};
+use crate::report::study::warm_start::{Pair, Run, Plan};
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "What a warm start saves";
 
     fn show(&self, runs: &[Run], document: &mut Document) {
@@ -15,13 +16,11 @@ impl View for Settings {
              ago carries it now. Each problem below was solved twice by the same method, once from the \
              impulses of the last step and once from 0. The trajectories are those of the warm solves.",
         );
-        for scene in self.scenes.iter().map(|at| &at.scene) {
-            let of_scene: Vec<&Run> = runs.iter().filter(|run| run.scene == *scene).collect();
-            if let Some(first) = of_scene.first() {
-                document.figure(figure(&first.title, &of_scene));
-            }
+        let id = section_id(document);
+        for of_scene in runs.chunk_by(|a, b| a.scene == b.scene) {
+            document.figure(figure(&id, of_scene));
         }
-        document.table("warm_start", table(runs));
+        document.table(&id, table(runs));
         document.text(words(runs));
     }
 }
@@ -36,7 +35,8 @@ fn left(run: &Run) -> f64 {
     total(run, |pair| pair.warm as f64) / total(run, |pair| pair.cold as f64)
 }
 
-fn figure(title: &str, runs: &[&Run]) -> Lines {
+/// The runs of a scene.
+fn figure(section: &str, runs: &[Run]) -> Lines {
     let curve = |run: &Run, of: fn(&Pair) -> f64| -> Vec<(f64, f64)> {
         run.steps.iter().enumerate().map(|(k, pair)| (k as f64 + 1.0, of(pair))).collect()
     };
@@ -44,9 +44,9 @@ fn figure(title: &str, runs: &[&Run]) -> Lines {
         y: Axis::log(label, "a step"),
         series: runs.iter().map(|run| Series::measured(&run.solver, curve(run, of))).collect(),
     };
-    let scene = runs.first().map_or("", |run| run.scene.as_str());
+    let (scene, title) = runs.first().map_or(("", ""), |run| (&run.scene, &run.title));
     Lines {
-        id: format!("warm_start_{scene}"),
+        id: format!("{section}_{}", anchor(scene)),
         title: format!("{title}: iterations of each step"),
         caption: "Above from 0, below from the last step's impulses, on the same axis. A step that needs \
                   none, because the old answer is within the tolerance, is an open wedge at the foot. \
