@@ -48,6 +48,8 @@ pub struct Heat {
     pub upwards: String,
     /// What is shown, at least 0; a value that is not finite is drawn as the largest.
     pub value: Axis,
+    /// A value up to this is 0 but for rounding, and drawn white.
+    pub zero: f64,
     /// Two side by side, then down.
     pub panels: Vec<Shaded>,
 }
@@ -66,12 +68,13 @@ pub struct Shaded {
 struct Range {
     least: f64,
     most: f64,
+    zero: f64,
 }
 
 impl Range {
-    /// Which step a value has: `None` for exactly 0.
+    /// Which step a value has: `None` for 0.
     fn step(self, value: f64) -> Option<usize> {
-        if value == 0.0 {
+        if value <= self.zero {
             return None;
         }
         let length = (self.most - self.least).max(f64::MIN_POSITIVE);
@@ -94,18 +97,18 @@ fn shade(step: usize) -> (u8, u8, u8) {
 impl Heat {
     fn range(&self) -> Range {
         let values = self.panels.iter().flat_map(|panel| panel.rows.iter().flatten());
-        let logs = values.filter(|v| v.is_finite() && **v > 0.0).map(|v| v.log10());
+        let logs = values.filter(|v| v.is_finite() && **v > self.zero.max(0.0)).map(|v| v.log10());
         let (least, most) = logs
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), log| (lo.min(log), hi.max(log)));
         if least > most {
-            return Range { least: -1.0, most: 0.0 };
+            return Range { least: -1.0, most: 0.0, zero: self.zero };
         }
-        let most = most.ceil();
-        Range { least: least.floor().max(most - DECADES).min(most - 1.0), most }
+        let least = least.floor().max(most.ceil() - DECADES).min(most.ceil() - 1.0);
+        Range { least, most: most.ceil(), zero: self.zero }
     }
 
     fn draw_scale(&self, canvas: &mut Canvas, range: Range) {
-        let (left, top, width, height) = (style::EDGE, 50.0, 330.0, 12.0);
+        let (left, top, width, height) = (style::EDGE + 14.0, 50.0, 330.0, 12.0);
         let step = width / STEPS as f64;
         for k in 0..STEPS {
             canvas.raw(&format!(
@@ -131,7 +134,7 @@ impl Heat {
         canvas.text((after, top + 11.0), Anchor::Start, TEXT, INK, &self.value.heading());
         let zero = after + style::width(&self.value.heading(), TEXT) + 24.0;
         outline(canvas, (zero, top), (18.0, height));
-        canvas.text((zero + 26.0, top + 11.0), Anchor::Start, TEXT, INK, "exactly 0");
+        canvas.text((zero + 26.0, top + 11.0), Anchor::Start, TEXT, INK, "0");
     }
 
     fn describe(&self, panel: &Shaded) -> String {

@@ -57,9 +57,14 @@ impl Plane {
         let w = Scale::Linear.range(w.chain([0.0])).unwrap_or((-1.0, 1.0));
         let (lo, hi) = x.unwrap_or((-1.0, 1.0));
         let near = |bound: &f64| (bound - lo).abs().min((bound - hi).abs()) <= hi - lo;
-        let corners = [self.bounds.0, self.bounds.1].into_iter().filter(near);
-        let x = Scale::Linear.range([lo, hi].into_iter().chain(corners)).unwrap_or((lo, hi));
-        [x, w]
+        let corners = [self.bounds.0, self.bounds.1].map(|bound| Some(bound).filter(near));
+        let all = [lo, hi].into_iter().chain(corners.into_iter().flatten());
+        let x = Scale::Linear.range(all).unwrap_or((lo, hi));
+        // Where a corner is seen, so is the segment that starts there.
+        let room = 0.22 * (w.1 - w.0);
+        let below = if corners[1].is_some() { w.0.min(-room) } else { w.0 };
+        let above = if corners[0].is_some() { w.1.max(room) } else { w.1 };
+        [x, (below, above)]
     }
 
     /// The graph: w ≥ 0 at the lower bound, w = 0 between, w ≤ 0 at the upper one.

@@ -6,13 +6,14 @@ use plotters::prelude::*;
 use super::axis::{Axis, Scale};
 use super::canvas::{Anchor, Canvas, Frame, dashes, fine, stroke};
 use super::cut::cut;
+use super::marker::{draw_markers, marker_places};
 use super::number::readable;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT};
 use super::{Figure, csv};
 
 const TOP: f64 = 46.0;
 const HEIGHT: f64 = 130.0;
-const LEFT: f64 = 48.0;
+const LEFT: f64 = 54.0;
 const GAP: f64 = 26.0;
 const SAMPLE: f64 = 30.0;
 const LINE: f64 = 20.0;
@@ -120,6 +121,10 @@ impl Figure for Profiles {
                 self.draw_panel(&mut canvas, &frame, k, c);
                 canvas.text((left, above - 7.0), Anchor::Start, TEXT, FAINT_INK, column);
             }
+            let (x, y) = (style::EDGE + 12.0, above + HEIGHT / 2.0);
+            canvas.raw(&format!("<g transform=\"rotate(-90 {x:.1} {y:.1})\">"));
+            canvas.text((x, y), Anchor::Middle, 12.0, FAINT_INK, &self.y.heading());
+            canvas.raw("</g>\n");
             top = above + HEIGHT + 28.0;
         }
         let middle = (style::WIDTH / 2.0, top + 14.0);
@@ -201,9 +206,14 @@ impl Profiles {
             }
         }
         let group = &self.groups[own];
-        for (curve, look) in group.curves.iter().zip(group.looks()) {
+        for (k, (curve, look)) in group.curves.iter().zip(group.looks()).enumerate() {
             let (r, g, b) = look.color;
             draw(canvas, curve, RGBColor(r, g, b), style::LINE, look.dash);
+            let Some((steps, _)) = curve.columns.get(column) else { continue };
+            let places = corners(steps, frame.x).into_iter().map(|point| frame.place(point));
+            let inside = places.filter(|(x, _)| *x < frame.right - 1.0).collect::<Vec<_>>();
+            let spots = marker_places(&inside, frame.left, k);
+            draw_markers(canvas, &spots, look.marker, RGBColor(r, g, b));
         }
     }
 }
@@ -245,6 +255,12 @@ impl Legend {
             canvas.layer(&dashes(look.dash), |layer| {
                 layer.draw(&PathElement::new(ends, stroke(RGBColor(r, g, b), style::LINE)))
             });
+            draw_markers(
+                canvas,
+                &[(x + SAMPLE / 2.0, y)],
+                look.marker,
+                RGBColor(r, g, b),
+            );
             canvas.text((x + SAMPLE + 8.0, y + 5.0), Anchor::Start, TEXT, INK, label);
         }
     }

@@ -6,9 +6,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::certificate::{Demand, Verdict, judge};
 use crate::error::Result;
-use crate::lcp::Lcp;
+use crate::lcp::{Lcp, merit};
 use crate::solver::{self, ALL, Entry, Options, Settings, Solution, Start, Status};
 use crate::trace::Work;
+
+/// Problems of up to this many rows are proved exactly, as `lcplab judge` does.
+const PROVED: usize = 150;
 
 /// What came of an attempt.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -20,6 +23,9 @@ pub enum Outcome {
     Accepted,
     /// Claimed, and the judge does not: this must not happen.
     Refuted,
+    /// The residual is within the tolerance, but the answer is hardly better than x = 0: the solver
+    /// takes its claim back. A loose tolerance invites this where masses are far apart.
+    Withdrawn,
     /// Not claimed, for this reason.
     Failed(String),
     /// The solver says that it is not made for the problem: no attempt.
@@ -29,13 +35,15 @@ pub enum Outcome {
 impl Outcome {
     /// What came of a solve: a claim is judged by this tolerance.
     pub fn of(solution: &Solution, lcp: &Lcp, tolerance: f64) -> Outcome {
-        let demand = Demand { tolerance, ..Demand::default() };
+        let demand = Demand { tolerance, prove_up_to: PROVED };
+        let is_within = || merit::scaled_residual(lcp, &solution.x) <= tolerance;
         match &solution.status {
             Status::Solved => match judge(lcp, &solution.x, &demand).verdict {
                 Verdict::Proved { .. } => Outcome::Proved,
                 Verdict::WithinTolerance => Outcome::Accepted,
                 Verdict::NotASolution { .. } => Outcome::Refuted,
             },
+            Status::Diverged if is_within() => Outcome::Withdrawn,
             Status::OutsideClass { reason } => Outcome::Outside((*reason).to_string()),
             status => Outcome::Failed(status.to_string()),
         }
@@ -62,6 +70,7 @@ impl Outcome {
             Outcome::Proved => "proved",
             Outcome::Accepted => "within tolerance",
             Outcome::Refuted => "claimed, refuted",
+            Outcome::Withdrawn => "within tolerance, yet hardly better than x = 0: no claim",
             Outcome::Failed(reason) | Outcome::Outside(reason) => reason,
         }
     }

@@ -11,7 +11,10 @@
 //! k = ln(ε₂/ε₁) / ln ρ,   ρ the largest eigenvalue below 1 of the iteration matrix
 //! ```
 //!
-//! while no row changes between bound and interior, as at rest none does.
+//! while no row changes between bound and interior, as at rest none does. For the boxes that is the most
+//! that may lie between: the slowest component of the error, in which the load rocks, has little share in
+//! a start from which nothing rocks. For the two bodies all is known: their scaled residual after k sweeps
+//! is ρ^k / (2 (1 + r)), nearly.
 
 use serde::{Deserialize, Serialize};
 

@@ -10,7 +10,7 @@ pub(super) fn outcome(outcome: &Outcome) -> Cell {
     let mark = match outcome {
         Outcome::Proved | Outcome::Accepted => Mark::Good,
         Outcome::Refuted => Mark::Bad,
-        Outcome::Failed(_) => Mark::Note,
+        Outcome::Withdrawn | Outcome::Failed(_) => Mark::Note,
         Outcome::Outside(_) => Mark::Plain,
     };
     let text = match outcome {

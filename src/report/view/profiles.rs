@@ -1,7 +1,7 @@
 //! Problem families × solvers, and performance profiles.
 
 use super::attempt::{listed, tolerance};
-use super::{Document, View};
+use super::{Document, Outcome as Verdict, View};
 use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -39,6 +39,18 @@ impl View for Plan {
         }
         document.table("profiles_failures", self.failures(tried));
     }
+
+    fn outcome(&self, tried: &[Tried]) -> Verdict {
+        let all = |of| count(tried, None, None, of);
+        let refuted = all(|attempt| attempt.outcome == Outcome::Refuted);
+        let says = format!(
+            "{} attempts, {} claimed solved, {} accepted by the judge, {refuted} claims refuted",
+            all(|attempt| attempt.outcome.is_attempt()),
+            all(|attempt| attempt.outcome.is_claim()),
+            all(|attempt| attempt.outcome.is_solved()),
+        );
+        Verdict { good: refuted == 0, says }
+    }
 }
 
 impl Plan {
@@ -67,10 +79,12 @@ impl Plan {
             caption: "A curve is the share of the problems its solver attempted (how many: in brackets, \
                       one number a precision where they differ) that it solves within τ times the cheapest \
                       solver's multiplications. Far left: how often it is the cheapest. Far right: how \
-                      often it succeeds at all. Steep and high is good. The other groups are pale behind."
+                      often it succeeds at all. Steep and high is good. The other groups are pale behind. Sweeps and \
+                      Newton's method do not look whether A is symmetric: they attempt problems that they \
+                      are not made for, and lose them."
                 .into(),
             x: Axis::log("τ: at most so many times the cheapest", ""),
-            y: Axis::linear("share of attempted problems solved", ""),
+            y: Axis::linear("share solved", ""),
             columns: self.tolerances.iter().map(precision).collect(),
             groups: groups.filter(|group| !group.curves.is_empty()).collect(),
         }
@@ -133,6 +147,7 @@ impl Plan {
                     Cell::count(count(|attempt| attempt.outcome == Outcome::Proved)),
                     Cell::count(refuted).marked(if refuted == 0 { Mark::Plain } else { Mark::Bad }),
                     Cell::count(attempted - claimed),
+                    Cell::text(semidefinite(tried, solver, k)),
                     Cell::count(false_claims(tried, solver, k))
                         .marked(if false_claims(tried, solver, k) == 0 { Mark::Plain } else { Mark::Note }),
                 ]);
@@ -143,7 +158,9 @@ impl Plan {
             how_to_read: "*attempted*: the solver took the problem on; *outside*: it says that the \
                           problem is not for it. *claimed* is its own word, *accepted* and *proved* the \
                           judge's on these claims; *refuted* must be 0. *failed*: attempted, not claimed; \
-                          the table of failures has the reasons. *no solution*: accepted answers to \
+                          the table of failures has the reasons. *semidefinite*: accepted, of the \
+                          problems that Dantzig's method takes on, which are the symmetric semidefinite \
+                          ones: those of contacts. *no solution*: accepted answers to \
                           problems that have none, possible only where the precision cannot tell them \
                           from ones that do."
                 .into(),
@@ -157,6 +174,7 @@ impl Plan {
                 Column::numbers("proved", ""),
                 Column::numbers("refuted", ""),
                 Column::numbers("failed", ""),
+                Column::numbers("semidefinite", ""),
                 Column::numbers("no solution", ""),
             ],
             rows,
@@ -223,6 +241,21 @@ fn false_claims(tried: &[Tried], solver: &str, tolerance: usize) -> usize {
     let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| p.impossible);
     let attempts = problems.flat_map(|problem| &problem.attempts[tolerance]);
     attempts.filter(|a| a.solver == solver && a.outcome.is_solved()).count()
+}
+
+/// `19 of 19`: accepted, of the solvable problems that Dantzig's method attempts.
+fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> String {
+    let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
+    let of = |attempts: &[Attempt], name: &str| attempts.iter().find(|a| a.solver == name).cloned();
+    let fit = problems.filter(|problem| {
+        let dantzig = of(&problem.attempts[tolerance], "dantzig");
+        dantzig.is_some_and(|attempt| attempt.outcome.is_attempt())
+    });
+    let solved: Vec<bool> = fit
+        .filter_map(|problem| of(&problem.attempts[tolerance], solver))
+        .map(|attempt| attempt.outcome.is_solved())
+        .collect();
+    format!("{} of {}", solved.iter().filter(|solved| **solved).count(), solved.len())
 }
 
 /// The attempts without an accepted claim, gathered by solver, precision and reason.

@@ -1,11 +1,11 @@
 //! How the residual falls by iteration, by multiplication and by second.
 
 use super::attempt::{anchor, outcome, tolerance};
-use super::{Document, View};
+use super::{Document, Outcome as Verdict, View};
 use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
-use crate::report::study::attempt::Group;
+use crate::report::study::attempt::{Group, Outcome};
 use crate::report::study::race::{Clock, Mark, Race, Runner, Plan};
 
 /// A residual of exactly 0 has no place on a logarithmic axis; it is drawn here.
@@ -27,6 +27,14 @@ impl View for Plan {
             document.figure(by_work(race));
             document.table(&id(&race.problem, "table"), table(race));
         }
+    }
+
+    fn outcome(&self, races: &[Race]) -> Verdict {
+        let runners = || races.iter().flat_map(|race| &race.runners);
+        let refuted = runners().filter(|runner| runner.outcome == Outcome::Refuted).count();
+        let solved = runners().filter(|runner| runner.outcome.is_solved()).count();
+        let says = format!("{solved} of {} arrived, {refuted} claims refuted", runners().count());
+        Verdict { good: refuted == 0, says }
     }
 
     fn show_times(&self, clocks: &[Clock], document: &mut Document) {
@@ -73,9 +81,9 @@ fn by_iteration(race: &Race) -> Lines {
         id: id(&race.problem, "iterations"),
         title: format!("{}: residual by iteration", race.problem),
         caption: format!(
-            "{} rows; SOR with ω = {}. Newton's curves fall off a cliff after a few steps, those of \
-             sweeps are straight on a linear axis and bend here: each further digit costs as many \
-             sweeps as the one before.",
+            "{} rows; SOR with ω = {}. Second-order methods fall off a cliff after a few steps. Sweeps \
+             take the easy part of the error away at once and then crawl: the load is still settling on \
+             the boxes below it.",
             count(race.rows),
             readable(race.omega, 3)
         ),

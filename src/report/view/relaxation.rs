@@ -1,7 +1,7 @@
 //! SOR against ω, beside Young's curve.
 
 use super::attempt::{iterations_in_words, section_id};
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column as Head, Mark, Table};
@@ -9,6 +9,8 @@ use crate::report::study::posed::BLOW;
 use crate::report::study::relaxation::{Column, Point, Plan, young};
 use crate::solver::theory;
 
+/// An eigenvalue is the formula's up to this: at ω* the matrix is defective, and half of the digits go.
+const EIGENVALUE: f64 = 1e-5;
 /// Digits gained a sweep that differ by this part are the same.
 const SAME: f64 = 0.05;
 /// The same for the sweeps that theory counts by the rate alone.
@@ -38,6 +40,26 @@ impl View for Plan {
             document.text(words(column));
         }
     }
+
+    fn outcome(&self, columns: &[Column]) -> Outcome {
+        let points = || columns.iter().flat_map(|column| &column.points);
+        let same = |point: &&Point| (point.eigenvalue - point.closed_form).abs() <= EIGENVALUE;
+        let eigenvalues = points().filter(same).count();
+        let slopes = points().filter(|point| point.has_the_slope() == Some(true)).count();
+        let says = format!(
+            "{eigenvalues} of {0} eigenvalues and {slopes} of {0} slopes are Young's",
+            points().count()
+        );
+        Outcome { good: eigenvalues == points().count(), says }
+    }
+}
+
+impl Point {
+    /// Whether the slope of the residuals is Young's.
+    fn has_the_slope(&self) -> Option<bool> {
+        let digits = self.measured?.ln() / self.closed_form.ln();
+        Some((digits - 1.0).abs() <= SAME)
+    }
 }
 
 impl Plan {
@@ -52,6 +74,7 @@ impl Plan {
         let best = format!("ω* = {}", readable(column.best, 5));
         let contraction = vec![
             Series::points("measured", of(|point| point.measured)),
+            Series::points("eigenvalue", of(|point| Some(point.eigenvalue))),
             Series::theory("Young's formula", omegas().map(|omega| (omega, rate(omega))).collect()),
             Series::reference(best.clone(), vec![(column.best, 0.0), (column.best, 1.0)]),
         ];
@@ -120,8 +143,6 @@ fn says(agrees: bool) -> Cell {
 
 fn cells(column: &Column, point: &Point) -> Vec<Cell> {
     let none = || Cell::text("–");
-    let slope =
-        |measured: f64| says((measured.ln() / point.closed_form.ln() - 1.0).abs() <= SAME);
     let near = |sweeps: usize| says((point.expected / sweeps as f64 - 1.0).abs() <= NEAR);
     let omega = Cell::number(point.omega, 5);
     let is_best = point.omega == column.best;
@@ -131,7 +152,7 @@ fn cells(column: &Column, point: &Point) -> Vec<Cell> {
         Cell::number(point.closed_form, 5),
         Cell::number(point.eigenvalue, 5),
         point.measured.map_or_else(none, |rate| Cell::number(rate, 5)),
-        point.measured.map_or_else(none, slope),
+        point.has_the_slope().map_or_else(none, says),
         Cell::count(point.expected.ceil() as usize),
         point.sweeps.map_or(Cell::text("not reached").marked(Mark::Note), Cell::count),
         point.sweeps.map_or_else(none, near),

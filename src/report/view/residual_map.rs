@@ -6,6 +6,9 @@ use crate::plot::number::readable;
 use crate::plot::{Axis, Heat, Shaded};
 use crate::report::study::residual_map::{Map, Method, Plan};
 
+/// A residual (m/s) up to this is rounding.
+const ROUNDING: f64 = 1e-14;
+
 impl View for Plan {
     const TITLE: &'static str = "How news travels through a stack";
 
@@ -34,14 +37,17 @@ impl Plan {
             id,
             title: format!("The residual of {} rows, sweep by sweep", self.bodies),
             caption: "Each small square is a row after a sweep, the ground's contact at the bottom. \
-                      White is a residual of exactly 0: top-down, a wedge of rows that have not heard \
-                      yet, and news that climbs one row a sweep; from the ground up it reaches the top \
-                      in the first sweep, halved in each row. After that all rows fade together, and \
-                      slowly: what is left is one smooth curve over the whole column."
+                      White is a residual of 0. Top-down there is a white wedge of rows that have not \
+                      heard yet, and news climbs one row a sweep; from the ground up it reaches the top in \
+                      the first sweep, halved in each row (the row swept last is always satisfied). Then \
+                      all rows fade together, and slowly. With the best ω the news comes back: a dark front \
+                      starts at the top and runs down one row a sweep, and behind it the residual is \
+                      lower. Jacobi's rows act in turns, every other sweep."
                 .into(),
             across: "sweep".into(),
             upwards: "contact, from the ground up".into(),
             value: Axis::log("residual", "m/s"),
+            zero: ROUNDING,
             panels: maps.iter().map(panel).collect(),
         }
     }
@@ -51,14 +57,15 @@ impl Plan {
             let last = map.residuals.iter().filter_map(|row| row.last());
             last.copied().fold(0.0, f64::max)
         };
+        // In a sweep from the ground up the top row has heard, and has answered.
         let heard = |map: &Map| {
-            let top = map.residuals.last()?;
-            top.iter().position(|residual| *residual != 0.0)
+            let top = map.residuals.iter().rev().nth(1)?;
+            top.iter().position(|residual| *residual > ROUNDING)
         };
         let of = |map: &Map| {
             let arrives = heard(map).map_or("never".into(), |sweep| format!("after sweep {sweep}"));
             format!(
-                "- *{}*: the top row first hears of the ground {arrives}; after sweep {} the largest \
+                "- *{}*: the contact below the top one first hears of the ground {arrives}; after sweep {} the largest \
                  residual is {} m/s.",
                 map.method.name(),
                 self.sweeps,

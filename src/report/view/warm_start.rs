@@ -48,9 +48,10 @@ fn figure(section: &str, runs: &[Run]) -> Lines {
     Lines {
         id: format!("{section}_{}", anchor(scene)),
         title: format!("{title}: iterations of each step"),
-        caption: "Above from 0, below from the last step's impulses, on the same axis. A step that needs \
-                  none, because the old answer is within the tolerance, is an open wedge at the foot. \
-                  Where something happens, a touch or a swing, the old answer is worth less."
+        caption: "Above from 0, below from the last step's impulses. A step that needs no iteration, \
+                  because the old answer is within the tolerance, is an open wedge at the foot. Sweeps \
+                  keep what they are given; a pivoting method must first undo an active set that is not \
+                  the one it would have built."
             .into(),
         x: Axis::linear("step", ""),
         panels: vec![
@@ -114,7 +115,8 @@ fn words(runs: &[Run]) -> String {
     let percent = |run: &Run| readable(100.0 * left(run), 2);
     match (best, worst) {
         (Some(best), Some(worst)) => format!(
-            "The warm start is worth most to {} ({} % of the iterations are left) and least to {} ({} %).",
+            "The warm start is worth most to {} ({} % of the iterations are left) and least to {} ({} %; \
+             above 100 it is a hindrance).",
             name(best),
             percent(best),
             name(worst),

@@ -4,6 +4,7 @@ mod friction;
 mod page;
 mod rates;
 mod sliding;
+mod solvers;
 mod standard;
 mod storage;
 mod verification;
