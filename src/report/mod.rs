@@ -8,6 +8,7 @@ pub mod difference;
 pub mod experiment;
 pub mod friction;
 pub mod kind;
+mod layout;
 pub mod methods;
 pub mod page;
 pub mod recording;
