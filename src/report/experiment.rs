@@ -26,8 +26,9 @@ use super::results::Results;
 use crate::error::{Defects, Error, Result};
 
 /// The reports that lcplab ships, by name.
-pub const SHIPPED: [(&str, &str); 2] = [
+pub const SHIPPED: [(&str, &str); 3] = [
     ("standard", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/standard.toml"))),
+    ("solvers", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/solvers.toml"))),
     ("storage", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/storage.toml"))),
 ];
 

@@ -4,8 +4,9 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::study::{
-    Study, comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity, storage,
-    verification, worst_cases,
+    Study, comparison, convergence, cross_check, drift, merits, plane, profiles, race, rates, ratio,
+    relaxation, residual_map, scaling, sliding, sparsity, storage, verification, warm_start,
+    worst_cases,
 };
 use super::view::{Document, Outcome, View};
 use crate::error::{Error, Result};
@@ -21,7 +22,7 @@ pub struct Kind {
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 11] = [
+pub const KINDS: [Kind; 19] = [
     kind::<verification::Plan>(),
     kind::<comparison::Plan>(),
     kind::<cross_check::Plan>(),
@@ -33,6 +34,14 @@ pub const KINDS: [Kind; 11] = [
     kind::<sparsity::Plan>(),
     kind::<drift::Plan>(),
     kind::<storage::Plan>(),
+    kind::<profiles::Plan>(),
+    kind::<ratio::Plan>(),
+    kind::<relaxation::Plan>(),
+    kind::<scaling::Plan>(),
+    kind::<warm_start::Plan>(),
+    kind::<residual_map::Plan>(),
+    kind::<plane::Plan>(),
+    kind::<race::Plan>(),
 ];
 
 const fn kind<S: View + 'static>() -> Kind {

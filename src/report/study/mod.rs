@@ -3,6 +3,7 @@
 //!
 //! A [`Study`] is a list of tasks that do not depend on each other.
 
+pub mod attempt;
 pub mod comparison;
 pub mod convergence;
 pub mod cross_check;
@@ -11,13 +12,22 @@ pub mod families;
 pub mod film;
 pub mod friction;
 pub mod merits;
+pub mod plane;
+pub mod posed;
+pub mod profiles;
+pub mod race;
 pub mod rates;
+pub mod ratio;
+pub mod relaxation;
+pub mod residual_map;
+pub mod scaling;
 pub mod settings;
 pub mod slider;
 pub mod sliding;
 pub mod sparsity;
 pub mod storage;
 pub mod verification;
+pub mod warm_start;
 pub mod worst_cases;
 
 use serde::Serialize;

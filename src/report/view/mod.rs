@@ -1,5 +1,6 @@
 //! Results as pages: tables, figures and what to see in them. Nothing is solved here.
 
+mod attempt;
 mod comparison;
 mod convergence;
 mod cross_check;
@@ -7,11 +8,19 @@ mod drift;
 mod families;
 mod film;
 mod merits;
+mod plane;
+mod profiles;
+mod race;
 mod rates;
+mod ratio;
+mod relaxation;
+mod residual_map;
+mod scaling;
 mod sliding;
 mod sparsity;
 mod storage;
 mod verification;
+mod warm_start;
 mod worst_cases;
 
 pub use comparison::{alike, document as comparison_document, table as comparison_table};
