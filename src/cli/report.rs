@@ -23,12 +23,13 @@ Example:
   lcplab report chapter        # the chapter, walked through with everything computed
   lcplab report storage        # the chapter's sparse matrices, measured
   lcplab report mine.toml --out mine
+  lcplab report --section convergence          # one section of the standard report
   lcplab report --redraw reports/standard      # the page again, nothing is solved
   lcplab report --compare before/results.json after/results.json
 
 The folder gets index.html, which needs no network, results.json, and the data of every figure and
-table. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
-differ, 2 for bad input.")]
+table. results.json grows while the report runs; a run that was interrupted goes on from it. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
+differ, or a study fails, 2 for bad input.")]
 pub struct Report {
     /// A report file, or the name of a shipped report
     #[arg(default_value = "standard")]
@@ -42,6 +43,12 @@ pub struct Report {
     /// Relative difference of numbers that --compare lets pass
     #[arg(long, default_value_t = 0.0, requires = "compare")]
     tolerance: f64,
+    /// Run one section alone, by its id: the study's name, or the anchor in the page's address
+    #[arg(long, value_name = "ID")]
+    section: Option<String>,
+    /// Start over even if an interrupted run has left results to go on from
+    #[arg(long)]
+    fresh: bool,
     /// Folder of the report; reports/NAME without it
     #[arg(long)]
     out: Option<PathBuf>,
@@ -61,19 +68,24 @@ impl Report {
         if self.report == HANDOUT.name {
             return self.handout();
         }
-        let experiment = Experiment::load(&self.report)?;
-        let folder =
+        let mut experiment = Experiment::load(&self.report)?;
+        let mut folder =
             self.out.clone().unwrap_or_else(|| ["reports", &experiment.name].iter().collect());
+        if let Some(id) = &self.section {
+            experiment = experiment.only(id)?;
+            folder.push(id);
+        }
         if let Some(threads) = self.threads {
             // Fails only if the pool exists already, which nothing before this has made.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
         }
+        let earlier = if self.fresh { None } else { interrupted(&folder.join(write::RESULTS)) };
         let progress = bar(0, "");
-        let results = run::run(&experiment, &progress)?;
+        let save = |results: &Results| write::results(results, &folder);
+        let results = run::run(&experiment, earlier.as_ref(), &progress, &save)?;
         progress.finish_and_clear();
-        let page = write::report(&results, &folder)?;
-        print(&format!("{}\n{}\n", results.summary(), page.display()))?;
-        Ok(if results.is_good() { Outcome::Good } else { Outcome::Refuted })
+        write::results(&results, &folder)?;
+        shown(&results, &folder)
     }
 
     fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
@@ -100,11 +112,22 @@ impl Report {
 
 /// The page of results that were found before.
 fn redraw(folder: &Path) -> Result<Outcome> {
-    let path = folder.join("results.json");
+    let path = folder.join(write::RESULTS);
     let results: Results = serde_json::from_value(difference::read(&path)?).map_err(|cause| {
         Error::invalid(path.display().to_string(), "results", cause.to_string())
     })?;
-    let page = write::document(&view::document(&results), folder)?;
-    print(&format!("{}\n{}\n", results.summary(), page.display()))?;
-    Ok(if results.is_good() { Outcome::Good } else { Outcome::Refuted })
+    shown(&results, folder)
+}
+
+/// Writes the page and prints the summary.
+fn shown(results: &Results, folder: &Path) -> Result<Outcome> {
+    let page = write::document(&view::document(results)?, folder)?;
+    print(&format!("{}\n{}\n", results.summary()?, page.display()))?;
+    Ok(if results.is_good()? { Outcome::Good } else { Outcome::Refuted })
+}
+
+/// What a run that did not come to its end has left; nothing if there is none, or it is not readable.
+fn interrupted(path: &Path) -> Option<Results> {
+    let results: Results = serde_json::from_value(difference::read(path).ok()?).ok()?;
+    (!results.is_complete()).then_some(results)
 }

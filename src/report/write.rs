@@ -10,16 +10,27 @@ use super::results::Results;
 use super::view::{self, Document, FILES};
 use crate::error::{Error, Result};
 
+/// The name of the results beside a page.
+pub const RESULTS: &str = "results.json";
+
 /// Writes `index.html`, `results.json` and the folder of figures and tables into `folder`; returns
 /// the path of the page.
 ///
 /// # Errors
 /// If a file cannot be written.
 pub fn report(results: &Results, folder: &Path) -> Result<PathBuf> {
+    self::results(results, folder)?;
+    document(&view::document(results)?, folder)
+}
+
+/// Writes `results.json` into `folder`.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn results(results: &Results, folder: &Path) -> Result<()> {
     let json = serde_json::to_string_pretty(results)
-        .map_err(|cause| Error::invalid("results.json", "results", cause.to_string()))?;
-    file(&folder.join("results.json"), &(json + "\n"))?;
-    document(&view::document(results), folder)
+        .map_err(|cause| Error::invalid(RESULTS, "results", cause.to_string()))?;
+    file(&folder.join(RESULTS), &(json + "\n"))
 }
 
 /// Writes a document's page, figures and tables; returns the path of the page.
