@@ -26,8 +26,17 @@ use super::results::Results;
 use crate::error::{Defects, Error, Result};
 
 /// The reports that lcplab ships, by name.
-pub const SHIPPED: [(&str, &str); 2] = [
+pub const SHIPPED: [(&str, &str); 5] = [
     ("standard", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/standard.toml"))),
+    (
+        "formulations",
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/formulations.toml")),
+    ),
+    ("friction", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/friction.toml"))),
+    (
+        "verification",
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/verification.toml")),
+    ),
     ("storage", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/storage.toml"))),
 ];
 

@@ -4,8 +4,9 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::study::{
-    Study, comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity, storage,
-    verification, worst_cases,
+    Study, comparison, convergence, creep, cross_check, drift, footage, force_path, formulations,
+    friction_solvers, ledger, merits, order, painleve, published, ramp, rates, sinking, sliding,
+    sparsity, storage, verification, worst_cases,
 };
 use super::view::{Document, Outcome, View};
 use crate::error::{Error, Result};
@@ -21,7 +22,7 @@ pub struct Kind {
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 11] = [
+pub const KINDS: [Kind; 22] = [
     kind::<verification::Plan>(),
     kind::<comparison::Plan>(),
     kind::<cross_check::Plan>(),
@@ -33,6 +34,17 @@ pub const KINDS: [Kind; 11] = [
     kind::<sparsity::Plan>(),
     kind::<drift::Plan>(),
     kind::<storage::Plan>(),
+    kind::<formulations::Plan>(),
+    kind::<sinking::Plan>(),
+    kind::<force_path::Plan>(),
+    kind::<order::Plan>(),
+    kind::<ledger::Plan>(),
+    kind::<footage::Plan>(),
+    kind::<ramp::Plan>(),
+    kind::<creep::Plan>(),
+    kind::<painleve::Plan>(),
+    kind::<friction_solvers::Plan>(),
+    kind::<published::Plan>(),
 ];
 
 const fn kind<S: View + 'static>() -> Kind {

@@ -15,7 +15,7 @@ use crate::simulation::Motion;
 /// A film as a section of its own.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// A name without spaces, unique in the report.
     pub name: String,
     /// A shipped scene or a file.
@@ -181,7 +181,7 @@ fn rounded(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "film";
     type Finding = Footage;
     type Times = ();

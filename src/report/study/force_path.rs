@@ -24,7 +24,7 @@ use crate::simulation::{Solve, Step};
 /// Columns and a chain.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// Balls in a column.
     pub bodies: usize,
     /// The mass of its top ball, in masses of the others; a column and a pair of balls each.
@@ -191,16 +191,31 @@ fn column_path(bodies: usize, ratio: f64, sweeps: &[usize]) -> Result<Finding> {
 fn chain_path(chain: &Chain) -> Result<Finding> {
     let mut scene = Scene::load(&chain.scene)?;
     scene.step.formulation = Formulation::Velocity;
-    let (g, joints) = (scene.gravity.norm(), scene.constraints.len());
-    // Joint k carries the body that it ends in, and all after it.
+    let (g, joints) = (scene.gravity.norm(), in_line(&scene));
+    // A joint carries the body that it ends in, and all after it.
     let carried = |k: usize| {
-        let ends = (k..joints).filter_map(|j| scene.constraints[j].bodies()[1]);
+        let ends = joints[k..].iter().filter_map(|&j| scene.constraints[j].bodies()[1]);
         g * ends.map(|body| scene.bodies[body].mass.mass()).sum::<f64>()
     };
-    let expected = (0..joints).map(carried).collect();
-    let forces = |step: &Step| (0..joints).map(|k| joint_force(&scene, step, k)).collect();
+    let expected = (0..joints.len()).map(carried).collect();
+    let forces = |step: &Step| joints.iter().map(|&k| joint_force(&scene, step, k)).collect();
     let paths = paths(&scene, &chain.sweeps, forces)?;
     Ok(Finding { line: Line::Chain { title: scene.title.clone() }, expected, paths })
+}
+
+/// The joints from the world on, each from the body in which the one before it ends.
+fn in_line(scene: &Scene) -> Vec<usize> {
+    let from = |body: Option<usize>| {
+        let joints = scene.constraints.iter().enumerate();
+        joints.map(|(k, joint)| (k, joint.bodies())).find(|(_, bodies)| bodies[0] == body)
+    };
+    let mut line = Vec::new();
+    let mut next = from(None);
+    while let Some((joint, bodies)) = next.filter(|(joint, _)| !line.contains(joint)) {
+        line.push(joint);
+        next = bodies[1].and_then(|body| from(Some(body)));
+    }
+    line
 }
 
 /// The force (N) of a constraint.
@@ -211,7 +226,7 @@ fn joint_force(scene: &Scene, step: &Step, constraint: usize) -> f64 {
     own.map(|(_, x)| x * x).sum::<f64>().sqrt() * per_unit(scene, solve)
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "force-path";
     type Finding = Finding;
     type Times = ();

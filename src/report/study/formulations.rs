@@ -17,7 +17,7 @@ use crate::scene::Formulation;
 /// Scenes, each stepped by every family that knows its model of friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// The scenes.
     pub cases: Vec<Case>,
 }
@@ -119,7 +119,7 @@ impl Case {
     }
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "formulations";
     type Finding = Finding;
     type Times = Times;

@@ -162,7 +162,7 @@ impl History {
 fn passes(scene: &Scene) -> Option<usize> {
     let step = &scene.step;
     match step.formulation {
-        Formulation::Xpbd => Some(step.substeps * (step.xpbd.sweeps + 1)), // and one for speeds
+        Formulation::Xpbd => Some(step.substeps * 2 * step.xpbd.sweeps), // positions, then speeds
         Formulation::Soft => Some(step.substeps * (1 + step.soft.relax)),
         Formulation::Penalty => Some(step.substeps),
         _ => None,

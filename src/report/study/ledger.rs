@@ -18,7 +18,7 @@ use crate::simulation::Ledger;
 /// Runs whose energy is accounted for.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// The runs.
     pub runs: Vec<Run>,
 }
@@ -112,7 +112,7 @@ impl Run {
     }
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "ledger";
     type Finding = Finding;
     type Times = ();

@@ -19,7 +19,7 @@ use crate::scene::Scene;
 /// A stack of cubes whose top one is heavier, by several mass ratios and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Settings {
+pub struct Plan {
     /// How many cubes.
     pub boxes: usize,
     /// The mass of the top one, in masses of the others.
@@ -74,6 +74,8 @@ pub struct Run {
     pub history: History,
     /// How much of the weight the ground carries in the first step, and in the last, as parts.
     pub carried: [f64; 2],
+    /// How far the top cube has come down (m) and aside (m) at the end.
+    pub top: [f64; 2],
 }
 
 impl Contender {
@@ -114,17 +116,21 @@ pub fn tower(boxes: usize, ratio: f64) -> Variation {
     Variation::of("stack", &change)
 }
 
-impl Settings {
+impl Plan {
     fn run_one(&self, ratio: f64, contender: &Contender) -> Result<(Run, Option<Take>)> {
         let scene = tower(self.boxes, ratio).and(&contender.change()).scene()?;
         let name = contender.name();
-        let (mut first, mut last) = (f64::NAN, 0.0);
+        let (mut first, mut last, mut top) = (0.0, 0.0, [0.0; 2]);
+        let heavy = scene.body("top").unwrap_or(0);
+        let start = scene.states[heavy].pose.p;
         let total = weight(&scene);
         let watch = |step: &crate::simulation::Step| {
             last = force_path::ground_force(&scene, step) / total;
             if step.number == 1 {
                 first = last;
             }
+            let way = step.states[heavy].pose.p - start;
+            top = [-way.z, way.x.hypot(way.y)];
         };
         let (history, take) = match self.film == Some(ratio) {
             true => {
@@ -133,7 +139,7 @@ impl Settings {
             }
             false => (history::run(&scene, self.duration, watch)?, None),
         };
-        Ok((Run { name, history, carried: [first, last] }, take))
+        Ok((Run { name, history, carried: [first, last], top }, take))
     }
 }
 
@@ -142,7 +148,7 @@ fn weight(scene: &Scene) -> f64 {
     scene.gravity.norm() * scene.bodies.iter().map(|body| body.mass.mass()).sum::<f64>()
 }
 
-impl Study for Settings {
+impl Study for Plan {
     const NAME: &'static str = "sinking";
     type Finding = Finding;
     type Times = ();

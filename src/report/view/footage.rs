@@ -2,7 +2,7 @@
 
 use super::{Document, View};
 use crate::report::page::{Block, Player};
-use crate::report::study::footage::{Footage, Settings};
+use crate::report::study::footage::{Footage, Plan};
 
 impl Document {
     /// Adds a film made of what was kept.
@@ -17,7 +17,7 @@ impl Document {
     }
 }
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "The motion";
 
     fn show(&self, findings: &[Footage], document: &mut Document) {

@@ -4,12 +4,12 @@ use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::force_path::{Finding, Line, Path, Settings};
+use crate::report::study::force_path::{Finding, Line, Path, Plan};
 
 /// A measured remainder may differ from the predicted one by this part.
 const AGREES: f64 = 1e-6;
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "The way of a force through a stack and along a chain";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {

@@ -4,9 +4,9 @@ use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table, markup};
 use crate::report::study::comparison::Sample;
-use crate::report::study::formulations::{Case, Finding, Run, Settings, Times};
+use crate::report::study::formulations::{Case, Finding, Run, Plan, Times};
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "One scene, every family of methods";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {

@@ -4,14 +4,14 @@ use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::ledger::{Finding, Settings};
+use crate::report::study::ledger::{Finding, Plan};
 
 /// Accounts below this part of the energy that was moved are not drawn.
 const SMALL: f64 = 1e-6;
 /// A remainder up to this part of the energy that was moved is rounding.
 const ROUNDING: f64 = 1e-9;
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "Where the energy goes";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {

@@ -2,12 +2,23 @@
 
 mod comparison;
 mod convergence;
+mod creep;
 mod cross_check;
 mod drift;
 mod families;
 mod film;
+mod footage;
+mod force_path;
+mod formulations;
+mod friction_solvers;
+mod ledger;
 mod merits;
+mod order;
+mod painleve;
+mod published;
+mod ramp;
 mod rates;
+mod sinking;
 mod sliding;
 mod sparsity;
 mod storage;

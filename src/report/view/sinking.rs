@@ -4,12 +4,14 @@ use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::sinking::{Finding, Run, Settings};
+use crate::report::study::sinking::{Finding, Run, Plan};
 
 /// A stack that is squeezed by more than this (mm) has visibly sunk.
 const VISIBLE: f64 = 10.0;
+/// A stack whose top has moved by more than this (m) has fallen over.
+const FALLEN: f64 = 0.5;
 
-impl View for Settings {
+impl View for Plan {
     const TITLE: &'static str = "Why a stack with a heavy top sinks";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
@@ -37,7 +39,7 @@ impl View for Settings {
     }
 }
 
-fn figure(settings: &Settings, findings: &[Finding]) -> Lines {
+fn figure(settings: &Plan, findings: &[Finding]) -> Lines {
     let curve = |run: &Run| {
         Series::measured(run.name.clone(), run.history.curve(|sample| 1e3 * sample.penetration))
     };
@@ -60,7 +62,7 @@ fn table(findings: &[Finding]) -> Table {
         title: "Who carries the heavy top".into(),
         how_to_read: format!(
             "*carried*: the force of the ground, in parts of the weight of all cubes; it should be 1 in \
-             every step. *sweeps*: or pivots, mean over the steps. *sinks*: the deepest overlap is over \
+             every step. *sweeps*: or pivots, mean over the steps. *top*: where the heavy cube is at the end. *sinks*: the deepest overlap is over \
              {} mm.",
             readable(VISIBLE, 2)
         ),
@@ -71,7 +73,8 @@ fn table(findings: &[Finding]) -> Table {
             Column::numbers("carried, first step", ""),
             Column::numbers("carried, last step", ""),
             Column::numbers("deepest overlap", "mm"),
-            Column::numbers("overlap at the end", "mm"),
+            Column::numbers("top came down", "mm"),
+            Column::numbers("and aside", "mm"),
             Column::words("outcome"),
         ],
         rows: rows.collect(),
@@ -81,9 +84,11 @@ fn table(findings: &[Finding]) -> Table {
 
 fn cells(ratio: f64, run: &Run) -> Vec<Cell> {
     let history = &run.history;
-    let end = history.samples.last().map_or(f64::NAN, |sample| sample.penetration);
     let outcome = match &history.ending {
         Some(why) => Cell::text(why).marked(Mark::Bad),
+        None if run.top.iter().any(|way| way.abs() > FALLEN) => {
+            Cell::text("falls over").marked(Mark::Bad)
+        }
         None if 1e3 * history.penetration > VISIBLE => Cell::text("sinks").marked(Mark::Bad),
         None => Cell::text("stands").marked(Mark::Good),
     };
@@ -94,13 +99,14 @@ fn cells(ratio: f64, run: &Run) -> Vec<Cell> {
         Cell::number(run.carried[0], 3),
         Cell::number(run.carried[1], 3),
         depth(history.penetration),
-        depth(end),
+        depth(run.top[0]),
+        depth(run.top[1]),
         outcome,
     ]
 }
 
 /// In mm; what is rounding is 0.
 fn depth(metres: f64) -> Cell {
-    let shown = if metres < 1e-9 { 0.0 } else { 1e3 * metres };
+    let shown = if metres.abs() < 1e-9 { 0.0 } else { 1e3 * metres };
     Cell { value: Some(1e3 * metres), ..Cell::number(shown, 3) }
 }
