@@ -41,6 +41,9 @@ enum Action {
 struct Plan {
     #[command(flatten)]
     place: Place,
+    /// Print the plan as JSON, and write nothing
+    #[arg(long)]
+    json: bool,
 }
 
 /// Run the tasks that have no results yet, or one of them
@@ -94,9 +97,14 @@ impl Sweep {
 
 impl Plan {
     fn run(&self) -> Result<Outcome> {
-        let (_, folder) = self.place.open()?;
+        if self.json {
+            let plan = File::load(&self.place.sweep)?.plan()?;
+            print(&format!("{}\n", serde_json::json!(plan)))?;
+            return Ok(Outcome::Good);
+        }
+        let (sweep, folder) = self.place.open()?;
         let path = folder.write_plan()?;
-        print(&text::table(&plan_table(folder.plan(), SHOWN)))?;
+        print(&text::table(&plan_table(&sweep, folder.plan(), SHOWN)))?;
         print(&format!("{}\n", path.display()))?;
         Ok(Outcome::Good)
     }
@@ -118,7 +126,8 @@ impl Run {
         let progress = bar(plan.tasks.len() as u64, &plan.sweep);
         let done = folder.run_missing(&progress)?;
         progress.finish_and_clear();
-        print(&format!("{done} of {} tasks run, the others were done\n", plan.tasks.len()))?;
+        let all = plan.tasks.len();
+        print(&format!("{done} of {all} tasks run, {} were done before\n", all - done))?;
         Ok(Outcome::Good)
     }
 }

@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue, ValueDeserializer};
 use super::measure::{MEASURES, Measure};
 use super::theory::Theory;
 use crate::error::{Defects, Error, Result};
+use crate::plot::Scale;
 
 /// The sweeps that lcplab ships, by name.
 const SHIPPED: [(&str, &str); 2] = [
@@ -17,9 +18,9 @@ const SHIPPED: [(&str, &str); 2] = [
     ("ratio", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/sweeps/ratio.toml"))),
 ];
 
-const KEYS: [&str; 12] = [
-    "title", "text", "scene", "family", "steps", "measure", "theory", "seed", "repeat", "set",
-    "axes", "zip",
+const KEYS: [&str; 14] = [
+    "title", "text", "scene", "family", "steps", "measure", "scale", "theory", "seed", "repeat",
+    "set", "axes", "zip", "labels",
 ];
 
 /// A sweep as its file describes it; see the [module](super) for the format.
@@ -37,10 +38,14 @@ pub struct Sweep {
     pub axes: Vec<Axis>,
     /// What is drawn.
     pub measures: Vec<&'static Measure>,
+    /// How it is spread on its axis; as its values ask for without it.
+    pub scale: Option<Scale>,
     /// The closed form to draw beside it.
     pub theory: Option<Theory>,
     /// The seed from which those of the tasks follow.
     pub seed: u64,
+    /// What settings are called on the page.
+    pub labels: Vec<(String, String)>,
     /// The file itself.
     pub(super) source: String,
 }
@@ -55,6 +60,19 @@ pub struct Axis {
 }
 
 impl Sweep {
+    /// What a setting is called: its label, or the last part of its path where no other axis has the
+    /// same.
+    pub fn label(&self, path: &str) -> String {
+        let last = |path: &str| path.rsplit('.').next().unwrap_or(path).replace('_', " ");
+        let paths = || self.axes.iter().flat_map(|axis| &axis.paths);
+        let label = self.labels.iter().find(|(other, _)| other == path).map(|(_, label)| label);
+        match label {
+            Some(label) => label.clone(),
+            None if paths().filter(|other| last(other) == last(path)).count() > 1 => path.into(),
+            None => last(path),
+        }
+    }
+
     /// Reads a sweep file, or takes a shipped sweep by its name.
     ///
     /// # Errors
@@ -115,8 +133,8 @@ impl<'a> Reader<'a> {
                 format!("{:?} is no key of a sweep; there are {}", key.get_ref(), KEYS.join(", "));
             self.add(key.span().start, reason);
         }
-        let name =
-            Path::new(path).file_stem().map_or("sweep".into(), |name| name.to_string_lossy());
+        let name = Path::new(path).file_stem();
+        let name = name.map_or("sweep".into(), |name| name.to_string_lossy().into_owned());
         let measures: Vec<String> = self.one_or_many("measure");
         let measures = measures.iter().filter_map(|name| {
             self.named(
@@ -133,14 +151,21 @@ impl<'a> Reader<'a> {
         });
         let axes = self.axes();
         let settings = self.settings(&axes);
+        let labels = self.labels(&axes);
+        let scale: Option<Spacing> = self.key("scale");
         Sweep {
-            name: name.into(),
-            title: self.key("title").unwrap_or_else(|| path.into()),
+            title: self.key("title").unwrap_or_else(|| name.clone()),
+            name,
             text: self.key("text").unwrap_or_default(),
             settings,
             axes,
             measures: if measures.is_empty() { vec![&MEASURES[0]] } else { measures },
+            scale: scale.map(|scale| match scale {
+                Spacing::Linear => Scale::Linear,
+                Spacing::Log => Scale::Log,
+            }),
             theory,
+            labels,
             seed: self.key("seed").unwrap_or(1),
             source: self.text.into(),
         }
@@ -215,6 +240,22 @@ impl<'a> Reader<'a> {
             self.fault(&path, "is an axis twice".into());
         }
         settings
+    }
+
+    /// What settings are called; only those that vary have to be.
+    fn labels(&mut self, axes: &[Axis]) -> Vec<(String, String)> {
+        let mut labels = Vec::new();
+        for Entry { path, at, value } in self.entries("labels", |value| !value.is_table()) {
+            match plain(value) {
+                Some(Value::String(label))
+                    if axes.iter().any(|axis| axis.paths.contains(&path)) =>
+                {
+                    labels.push((path, label));
+                }
+                _ => self.add(at, format!("{path}: needs a text, and must be an axis")),
+            }
+        }
+        labels
     }
 
     /// The values of an axis: a list, or so many between two numbers.

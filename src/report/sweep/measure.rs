@@ -56,7 +56,8 @@ pub const MEASURES: [Measure; 14] = [
 /// What was found at a point; the same on every machine.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Finding {
-    /// `solved`, or the solver's word on the last LCP that it did not solve.
+    /// `solved`, or the solver's word on the last LCP that it did not solve; `no LCP` where none was
+    /// posed.
     pub status: String,
     /// The judge's word on the worst answer.
     pub verdict: String,
@@ -221,9 +222,9 @@ impl Tally {
     }
 
     fn finding(self) -> Finding {
-        let none = if self.solves > 0 { "solved" } else { "nothing to solve" };
+        let usual = if self.solves > 0 { "solved" } else { "no LCP" };
         let mut finding = Finding {
-            status: self.status.unwrap_or(none).into(),
+            status: self.status.unwrap_or(usual).into(),
             verdict: self.verdict.map_or("none", |verdict| verdict.word()).into(),
             trouble: self.trouble,
             values: Map::new(),

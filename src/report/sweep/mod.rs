@@ -24,7 +24,13 @@
 //! [zip]                           # lists of one length that go together, as one more axis
 //! step.dt = [0.01, 0.005]
 //! step.count = [50, 100]
+//!
+//! [labels]                        # what settings are called on the page
+//! solver.omega = "ω"
 //! ```
+//!
+//! `scale = "linear"` or `"log"` spreads the measures on their axis, which else depends on the values;
+//! `theory` names a closed form to draw beside them ([`Theory`]).
 //!
 //! A setting is the path of a field of the scene file: of lists the item's number from 0 or its name,
 //! or neither if there is one item. Of a family it is a parameter, or a field of `solver` as scenes
@@ -45,7 +51,8 @@ mod theory;
 
 pub use collect::{Collection, collect};
 pub use file::{Axis, Sweep};
-pub use folder::{Folder, Record};
+pub use folder::{Folder, Machine, Record};
+pub use measure::Finding;
 pub use page::{document, plan_table};
 pub use plan::{Plan, Task};
 pub use theory::Theory;

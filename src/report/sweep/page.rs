@@ -7,7 +7,7 @@ use super::folder::Record;
 use super::measure::{MEASURES, Measure};
 use super::plan::{Plan, Task};
 use crate::plot::number::readable;
-use crate::plot::{Axis, Figure, Lines, Panel, Series};
+use crate::plot::{Axis, Figure, Lines, Panel, Scale, Series};
 use crate::report::page::{Block, Cell, Column, Mark, Page, Picture, Section, Table};
 use crate::report::view::{Document, FILES};
 
@@ -20,7 +20,7 @@ const WIDE: f64 = 50.0;
 
 /// The page with its figures and tables.
 pub fn document(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Document {
-    let curves = curves(plan, collection);
+    let curves = curves(sweep, plan, collection);
     let mut figures: Vec<Box<dyn Figure>> = Vec::new();
     let mut blocks = Vec::new();
     for measure in &sweep.measures {
@@ -36,7 +36,7 @@ pub fn document(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Document
     };
     let mut sections = Vec::new();
     if !blocks.is_empty() {
-        sections.push(section("curves", "Across the first axis", blocks));
+        sections.push(section("curves", "What was measured", blocks));
     }
     let optima = curves.as_ref().and_then(optima);
     if let Some(table) = &optima {
@@ -59,11 +59,9 @@ pub fn document(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Document
 }
 
 /// The table that `sweep plan` prints: the first tasks with what varies.
-pub fn plan_table(plan: &Plan, rows: usize) -> Table {
-    let columns = ["task"]
-        .into_iter()
-        .map(String::from)
-        .chain(plan.axes.iter().map(|p| short(p, &plan.axes)));
+pub fn plan_table(sweep: &Sweep, plan: &Plan, rows: usize) -> Table {
+    let columns =
+        ["task"].into_iter().map(String::from).chain(plan.axes.iter().map(|p| sweep.label(p)));
     let cells = |task: &Task| {
         let values = plan.axes.iter().map(|path| Cell::text(task.shown(path)));
         [Cell::text(task.task.to_string())].into_iter().chain(values).collect()
@@ -94,15 +92,17 @@ struct Curve<'a> {
 }
 
 /// `None` if no axis has numbers.
-fn curves<'a>(plan: &Plan, collection: &'a Collection) -> Option<Curves<'a>> {
+fn curves<'a>(sweep: &Sweep, plan: &Plan, collection: &'a Collection) -> Option<Curves<'a>> {
     let is_number = |path: &&String| plan.tasks.iter().all(|task| task.number(path).is_some());
     let first = plan.axes.iter().filter(|path| *path != REPEAT).find(is_number)?;
     let others: Vec<&String> =
         plan.axes.iter().filter(|path| *path != first && *path != REPEAT).collect();
     let mut curves: Vec<Curve> = Vec::new();
     for (task, record) in &collection.done {
-        let parts =
-            others.iter().map(|path| format!("{} = {}", short(path, &plan.axes), task.shown(path)));
+        let parts = others.iter().map(|path| match task.number(path) {
+            Some(_) => format!("{} = {}", sweep.label(path), task.shown(path)),
+            None => task.shown(path), // the name of a solver or family has a look of its own
+        });
         let name = parts.collect::<Vec<_>>().join(", ");
         let name = if name.is_empty() { "measured".to_string() } else { name };
         let point = (task.number(first)?, record);
@@ -112,14 +112,7 @@ fn curves<'a>(plan: &Plan, collection: &'a Collection) -> Option<Curves<'a>> {
         }
     }
     let unit = if first == "step.dt" { "s" } else { "" };
-    Some(Curves { across: (short(first, &plan.axes), unit), curves })
-}
-
-/// The last part of a path, if no other axis has the same.
-fn short(path: &str, axes: &[String]) -> String {
-    let last = |path: &str| path.rsplit('.').next().unwrap_or(path).to_string();
-    let alike = axes.iter().filter(|other| last(other) == last(path)).count();
-    if alike > 1 { path.into() } else { last(path) }
+    Some(Curves { across: (sweep.label(first), unit), curves })
 }
 
 impl Curve<'_> {
@@ -143,6 +136,8 @@ fn figure(sweep: &Sweep, curves: &Curves, measure: &Measure) -> Option<Lines> {
     let all = || drawn.iter().flat_map(|series| series.points.iter().copied());
     let (x, y) = (spread(all().map(|(x, _)| x)), spread(all().map(|(_, y)| y)));
     y.most.is_finite().then_some(())?;
+    let y_wide = sweep.scale.map_or(y.wide, |scale| scale == Scale::Log);
+    let floor = if y_wide { y.smallest } else { y.least };
     let mut series = drawn.clone();
     let mut words = vec![format!("{}: {}.", measure.name, measure.about)];
     if sweep.theory.is_some_and(|theory| theory.measure() == measure.name) {
@@ -151,8 +146,7 @@ fn figure(sweep: &Sweep, curves: &Curves, measure: &Measure) -> Option<Lines> {
             shown.iter().map(|curve| curve.of("predicted")),
             Series::theory,
         ));
-        let bars =
-            shown.iter().filter_map(optimum).map(|best| vec![(best, y.least), (best, y.most)]);
+        let bars = shown.iter().filter_map(optimum).map(|best| vec![(best, floor), (best, y.most)]);
         series.extend(joined("optimum by theory", bars, Series::reference));
         words.push("Dashed grey: the closed form.".into());
     }
@@ -175,9 +169,9 @@ fn figure(sweep: &Sweep, curves: &Curves, measure: &Measure) -> Option<Lines> {
             curves.across.0
         ),
         caption: words.join(" "),
-        x: axis(x.wide, &curves.across.0, curves.across.1),
+        x: axis(x.wide && x.least > 0.0, &curves.across.0, curves.across.1),
         panels: vec![Panel {
-            y: axis(y.wide, &measure.name.replace('_', " "), measure.unit),
+            y: axis(y_wide, &measure.name.replace('_', " "), measure.unit),
             series,
         }],
     })
@@ -198,6 +192,9 @@ fn joined(
 struct Spread {
     least: f64,
     most: f64,
+    /// The least above 0.
+    smallest: f64,
+    /// Whether they ask for a logarithmic axis.
     wide: bool,
 }
 
@@ -207,7 +204,7 @@ fn spread(values: impl Iterator<Item = f64> + Clone) -> Spread {
         (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
     let smallest = finite().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
     let wide = least >= 0.0 && most / smallest >= WIDE;
-    Spread { least: if wide { smallest } else { least }, most, wide }
+    Spread { least, most, smallest, wide }
 }
 
 /// Where theory says that the least is.
@@ -257,7 +254,7 @@ fn results_table(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Table {
     };
     let measures: Vec<&Measure> = MEASURES.iter().filter(shown).collect();
     let mut columns = vec![Column::numbers("task", "")];
-    columns.extend(plan.axes.iter().map(|path| Column::numbers(short(path, &plan.axes), "")));
+    columns.extend(plan.axes.iter().map(|path| Column::numbers(sweep.label(path), "")));
     columns.extend(measures.iter().map(|m| Column::numbers(m.name.replace('_', " "), m.unit)));
     columns.extend(["status", "verdict", "reason"].map(Column::words));
     let rows = collection.done.iter().take(MOST_ROWS).map(|(task, record)| {

@@ -8,7 +8,9 @@ use super::plan::Task;
 use crate::error::{Error, Result};
 use crate::lcp::file::Problem;
 use crate::lcp::library::{self, Family};
+use crate::report::methods;
 use crate::scene::{self, Description, Scene};
+use crate::solver::Choice;
 
 /// More tasks than this are refused: a typing error should not fill the disk.
 const MOST_TASKS: usize = 100_000;
@@ -95,7 +97,16 @@ impl Form {
             at = inner.ok_or_else(|| Error::invalid(&self.name, path, "has no place there"))?;
         }
         *at = value;
-        Ok(())
+        self.check_types().map_err(|reason| Error::invalid(&self.name, path, reason))
+    }
+
+    /// Whether every value is of its field's type.
+    fn check_types(&self) -> std::result::Result<(), String> {
+        let checked = match (&self.family, &self.values) {
+            (None, values) => values.clone().try_into().map(|_: Description| ()),
+            (Some(_), values) => values["solver"].clone().try_into().map(|_: scene::Solver| ()),
+        };
+        checked.map_err(|cause| cause.message().replace('`', "\""))
     }
 
     /// The way to a setting, of which there need be no value yet.
@@ -124,7 +135,11 @@ impl Form {
                     }
                 }
                 _ => {
-                    return Err(Error::invalid(&self.name, path, format!("nothing has a {part:?}")));
+                    return Err(Error::invalid(
+                        &self.name,
+                        path,
+                        format!("nothing has a {part:?}"),
+                    ));
                 }
             };
             parts.next();
@@ -238,9 +253,35 @@ pub(super) fn check(sweep: &Sweep, mut fault: impl FnMut(&str, String)) -> Resul
             fault(path, defects[0].reason.clone());
         }
     }
+    for (path, names) in unused(sweep, &forms) {
+        fault(path, format!("would vary nothing: {names} does not use it"));
+    }
     let tasks = sweep.axes.iter().try_fold(1_usize, |n, axis| n.checked_mul(axis.points.len()));
     if tasks.is_none_or(|tasks| tasks > MOST_TASKS) {
         fault("axes", format!("make more than {MOST_TASKS} tasks"));
     }
     Ok(())
+}
+
+/// The axes of options at which no solver of the sweep looks, with the solvers' names.
+fn unused<'a>(sweep: &'a Sweep, forms: &[&Form]) -> Vec<(&'a str, String)> {
+    let named = sweep.values_of("solver.name").into_iter().filter_map(|value| value.as_str());
+    let mut names: Vec<String> = named.map(String::from).collect();
+    if names.is_empty() {
+        let usual = |form: &&Form| form.fields["solver"]["name"].as_str().map(String::from);
+        names = forms.iter().filter_map(usual).collect();
+    }
+    let ignored = |choice: Choice| {
+        let uses = |name: &String| methods::entry(name).map(|entry| entry.uses.contains(&choice));
+        names.iter().all(|name| uses(name) == Ok(false))
+    };
+    [Choice::Omega, Choice::Order, Choice::Damping]
+        .into_iter()
+        .filter(|choice| ignored(*choice))
+        .filter_map(|choice| {
+            let is_it = |path: &&String| path.strip_prefix("solver.") == Some(choice.name());
+            let path = sweep.axes.iter().flat_map(|axis| &axis.paths).find(is_it)?;
+            Some((path.as_str(), names.join(", ")))
+        })
+        .collect()
 }

@@ -6,5 +6,6 @@ mod rates;
 mod sliding;
 mod standard;
 mod storage;
+mod sweep;
 mod verification;
 mod worst_cases;
