@@ -8,5 +8,6 @@ mod sliding;
 mod solvers;
 mod standard;
 mod storage;
+mod sweep;
 mod verification;
 mod worst_cases;
