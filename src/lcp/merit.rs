@@ -57,9 +57,12 @@ impl RowTerms {
             magnitude += (a * x).abs();
         }
         let scale = row_scale(lcp, i);
+        if SAFE.contains(&magnitude) {
+            return RowTerms { w: w.value(), magnitude, scale, exponent: 0 };
+        }
         let largest = products().filter_map(|(a, x)| exponent(a, x)).max();
         match largest {
-            Some(largest) if !SAFE.contains(&magnitude) && x.iter().all(|x| x.is_finite()) => {
+            Some(largest) if x.iter().all(|x| x.is_finite()) => {
                 let (mut w, mut magnitude) = (S::default(), 0.0);
                 for (a, x) in products() {
                     let (a, x) = shifted(a, x, -largest);

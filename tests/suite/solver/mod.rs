@@ -9,6 +9,7 @@ mod extremes;
 mod first_order;
 mod interior_point;
 mod jacobi;
+mod kernel;
 mod lemke;
 mod newton;
 mod order;
