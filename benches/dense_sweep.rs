@@ -38,7 +38,7 @@ fn compare(lcp: &Lcp) {
     let a: Vec<f64> = (0..n).flat_map(|i| lcp.matrix().row(i).iter().map(|(_, a)| a)).collect();
     let widest = Width::widest();
     let mut contenders = vec![Contender::new("one read of A", || {
-        timed(|| (0..COUNTED).for_each(|_| drop(black_box(read(black_box(&a), widest)))))
+        timed(|| (0..COUNTED).for_each(|_| _ = black_box(read(black_box(&a), widest))))
     })];
     contenders.push(swept("the plain loop", lcp, |x| plain_sweep(lcp, x)));
     for width in Width::available() {
@@ -48,7 +48,7 @@ fn compare(lcp: &Lcp) {
     for width in Width::available() {
         contenders.push(Contender::new(format!("columns, {width:?}"), move || {
             let mut columns = Columns::of(lcp, 1.0, width).expect("a positive diagonal");
-            time_of(lcp, |x| drop(columns.sweep(x)))
+            time_of(lcp, |x| _ = columns.sweep(x))
         }));
     }
     let times = interleaved(ROUNDS, &mut contenders);

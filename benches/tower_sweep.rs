@@ -36,11 +36,12 @@ fn main() {
         "| sweep | ns a row: median | best | sweeps and ms to {TOLERANCES:?} of the first residual |"
     );
     println!("|---|---|---|---|");
-    let mut contenders: Vec<Contender> =
-        kinds(&system, &problem.lcp).into_iter().map(contender).collect();
+    let timed = kinds(&system, &problem.lcp).into_iter().map(contender);
+    let mut contenders: Vec<Contender> = timed.collect();
     let times = interleaved(ROUNDS, &mut contenders);
     let kinds = kinds(&system, &problem.lcp);
-    for (time, (name, sweep, x)) in times.iter().zip(kinds) {
+    for ((time, contender), (_, sweep, x)) in times.iter().zip(&contenders).zip(kinds) {
+        let name = &contender.name;
         let per_row = |seconds: f64| 1e9 * seconds / (TOGETHER * rows.len()) as f64;
         let sweeps = sweeps_to(&problem.lcp, sweep, x);
         let reached = sweeps.map(|sweeps| match sweeps {

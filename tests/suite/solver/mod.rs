@@ -17,5 +17,6 @@ mod parts;
 mod pgs;
 mod piles;
 mod principal;
+mod singular;
 mod theory;
 mod worst_cases;

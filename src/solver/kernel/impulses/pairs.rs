@@ -54,11 +54,7 @@ impl PairByPair {
     /// The sweeps, from x = 0; `None` if a row's bounds follow one that is not between the same bodies,
     /// or not among the same sixteen rows of many.
     pub fn new(system: &System, width: Width) -> Option<Self> {
-        let split = |pair: Range<usize>| {
-            let end = pair.end;
-            pair.step_by(MOST).map(move |first| first..end.min(first + MOST))
-        };
-        let pairs = system.pairs().flat_map(split);
+        let pairs = system.pairs().flat_map(|pair| split(system, pair));
         let pairs = pairs.map(|pair| Pair::of(system, pair)).collect::<Option<_>>()?;
         Some(PairByPair { pairs, v: vec![[0.0; 8]; system.bodies + 1], width })
     }
@@ -131,6 +127,21 @@ impl Pair {
             }
         }
     }
+}
+
+/// Parts of at most [`MOST`] rows, each ending where no row is bounded by one of the part.
+fn split(system: &System, pair: Range<usize>) -> Vec<Range<usize>> {
+    let (mut parts, mut start) = (Vec::new(), pair.start);
+    while start < pair.end {
+        let whole = pair.end.min(start + MOST);
+        let is_apart = |&end: &usize| {
+            end == pair.end || system.follows(end).is_none_or(|(normal, _)| normal < start)
+        };
+        let end = (start + 1..=whole).rev().find(is_apart).unwrap_or(whole);
+        parts.push(start..end);
+        start = end;
+    }
+    parts
 }
 
 struct Sweep<'a> {

@@ -9,7 +9,8 @@ use crate::common::{INF, cases, contacts, manufactured};
 
 /// x after so many sweeps by rows and by columns.
 fn fast(lcp: &Lcp, omega: f64, sweeps: usize, width: Width) -> [Vec<f64>; 2] {
-    let (mut by_rows, mut by_columns) = (vec![0.0; lcp.len()], vec![0.0; lcp.len()]);
+    let mut by_rows = Start::default().point(lcp);
+    let mut by_columns = by_rows.clone();
     let rows = Rows::of(lcp, omega, width).unwrap();
     let mut columns = Columns::of(lcp, omega, width).unwrap();
     for _ in 0..sweeps {
@@ -56,7 +57,7 @@ fn by_columns_w_does_not_drift() {
     let a = |i: usize, k: usize| (0..n).map(|c| j[i * n + c] * j[k * n + c]).sum::<f64>();
     let mut entries: Vec<f64> =
         (0..n * n).map(|k| a((k / n).min(k % n), (k / n).max(k % n))).collect();
-    (0..n).for_each(|i| entries[i * n + i] += 0.1);
+    (0..n).for_each(|i| entries[i * n + i] += 1.0);
     let b: Vec<f64> = (0..n).map(|i| (i as f64).sin() - 0.5).collect();
     let lcp = Lcp::new(Matrix::dense(n, &entries), b, vec![0.0; n], vec![INF; n]).unwrap();
     let [_, x] = fast(&lcp, 1.0, 40 * RENEWED, Width::widest());
