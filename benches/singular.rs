@@ -19,6 +19,8 @@ const TOLERANCE: f64 = 1e-9;
 const CLARABEL: f64 = 1e-8;
 /// Seconds to spend on a problem.
 const BUDGET: f64 = 2.0;
+/// A run longer than this (s) is not repeated.
+const LONG: f64 = 0.1;
 const SOLVERS: [&str; 3] = ["interior-point", "dantzig", "lemke"];
 
 fn main() {
@@ -60,7 +62,9 @@ fn compare(problem: &str, lcp: &Lcp) {
     let mut residuals = vec![merit::scaled_residual(lcp, &clarabel(lcp))];
     let start = Instant::now();
     for solver in &solvers {
+        let before = start.elapsed();
         let solution = solver.solve(lcp, &Start::default(), &mut ());
+        let once = (start.elapsed() - before).as_secs_f64();
         let demand = Demand { tolerance: TOLERANCE, prove_up_to: 0 };
         if solution.status != Status::Solved {
             println!("| {problem} | {} | **fails** ({}) | | | |", solver.name(), solution.status);
@@ -68,6 +72,10 @@ fn compare(problem: &str, lcp: &Lcp) {
         }
         let verdict = judge(lcp, &solution.x, &demand).verdict;
         assert!(verdict.is_solution(), "{} claims what is {verdict}", solver.name());
+        if once > LONG {
+            println!("| {problem} | {} | one run: {:.0} | | | |", solver.name(), 1e6 * once);
+            continue;
+        }
         let run = || timed(|| drop(solver.solve(lcp, &Start::default(), &mut ())));
         contenders.push(Contender::new(solver.name(), run));
         residuals.push(merit::scaled_residual(lcp, &solution.x));

@@ -20,7 +20,7 @@
 //! For bounds that follow another row, [`Pgs`](crate::solver::Pgs).
 
 use super::lanes::{Lanes, Width, Work, sum};
-use crate::lcp::{Lcp, Matrix};
+use crate::lcp::{Lcp, Matrix, dot};
 use crate::solver::Status;
 use crate::solver::metric::Metric;
 
@@ -131,21 +131,20 @@ impl Work for RowSweep<'_> {
             i += TOGETHER;
         }
         for i in i..n {
-            let [w] = dots::<V, 1>([dense.row(i)], x);
-            x[i] = dense.updated(i, x[i], w + dense.lcp.b()[i]);
+            x[i] = dense.updated(i, x[i], dot(dense.row(i), x) + dense.lcp.b()[i]);
         }
     }
 }
 
-/// The products of four rows with x: in one pass if there are registers enough, else in two.
+/// The products of four rows with x: in one pass if there are registers enough, else one by one, which
+/// is the same to the bit.
 #[inline(always)]
 fn products<V: Lanes>(rows: [&[f64]; TOGETHER], x: &[f64]) -> [f64; TOGETHER] {
     if V::WIDE {
         return dots::<V, TOGETHER>(rows, x);
     }
     let [a, b, c, d] = rows;
-    let ([a, b], [c, d]) = (dots::<V, 2>([a, b], x), dots::<V, 2>([c, d], x));
-    [a, b, c, d]
+    [dot(a, x), dot(b, x), dot(c, x), dot(d, x)]
 }
 
 /// [`dot`](crate::lcp::dot) of several rows with the same x, bit by bit.
@@ -261,12 +260,15 @@ impl Work for Read<'_> {
 
     #[inline(always)]
     fn run<V: Lanes>(self) -> f64 {
-        let (blocks, tail) = self.0.as_chunks::<8>();
+        let (fours, rest) = self.0.as_chunks::<{ 8 * TOGETHER }>();
         let mut lanes = [V::splat(0.0); TOGETHER];
-        for k in 0..blocks.len() {
-            lanes[k % TOGETHER] = lanes[k % TOGETHER] + V::load(&blocks[k]);
+        for four in fours {
+            let blocks = four.as_chunks::<8>().0;
+            for k in 0..TOGETHER {
+                lanes[k] = lanes[k] + V::load(&blocks[k]);
+            }
         }
         let [a, b, c, d] = lanes;
-        sum(((a + b) + (c + d)).to_array()) + tail.iter().sum::<f64>()
+        sum(((a + b) + (c + d)).to_array()) + rest.iter().sum::<f64>()
     }
 }

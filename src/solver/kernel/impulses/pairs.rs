@@ -179,17 +179,18 @@ impl Work for Sweep<'_> {
 fn sweep_rows<V: Lanes>(pair: &mut Pair, mut w: [V; PARTS]) -> PerRow {
     let mut changes = [[0.0; 8]; PARTS];
     let mut next = [[0.0; 8]; PARTS];
-    for r in 0..pair.rows.len() {
-        let (part, lane) = (r / 8, r % 8);
-        w[part].store(&mut next[part]);
+    for r in 0..pair.rows.len().min(MOST) {
+        for part in 0..PARTS {
+            w[part].store(&mut next[part]);
+        }
         let (lo, hi) = pair.bounds(r);
-        let before = pair.x[part][lane];
-        let after = (before - next[part][lane] * pair.inverse[r]).max(lo).min(hi);
-        let change = after - before;
-        pair.x[part][lane] = after;
-        changes[part][lane] = change;
-        for part in part..PARTS {
-            w[part] = w[part] + V::load(&pair.gram[r][part]) * V::splat(change);
+        let before = pair.x.as_flattened()[r];
+        let after = (before - next.as_flattened()[r] * pair.inverse[r]).max(lo).min(hi);
+        pair.x.as_flattened_mut()[r] = after;
+        changes.as_flattened_mut()[r] = after - before;
+        let change = V::splat(after - before);
+        for part in 0..PARTS {
+            w[part] = w[part] + V::load(&pair.gram[r][part]) * change;
         }
     }
     changes
