@@ -9,6 +9,7 @@ mod friction;
 mod lesson;
 mod library;
 mod options;
+mod pdf;
 mod problem;
 mod report;
 mod scene;

@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::lesson::Program;
+use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
 
+use super::pdf::Browser;
 use super::{Outcome, bar, print};
 use crate::handout::ALL;
 
@@ -21,14 +23,15 @@ const HANDOUT: &Program = &ALL[0];
 Example:
   lcplab report                # writes reports/standard/index.html
   lcplab report chapter        # the chapter, walked through with everything computed
-  lcplab report storage        # the chapter's sparse matrices, measured
+  lcplab report storage --pdf  # the chapter's sparse matrices, measured; and report.pdf
   lcplab report mine.toml --out mine
+  lcplab report --section convergence          # one section of the standard report
   lcplab report --redraw reports/standard      # the page again, nothing is solved
   lcplab report --compare before/results.json after/results.json
 
 The folder gets index.html, which needs no network, results.json, and the data of every figure and
-table. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
-differ, 2 for bad input.")]
+table. results.json grows while the report runs; a run that was interrupted goes on from it. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
+differ, or a study fails, 2 for bad input.")]
 pub struct Report {
     /// A report file, or the name of a shipped report
     #[arg(default_value = "standard")]
@@ -42,12 +45,24 @@ pub struct Report {
     /// Relative difference of numbers that --compare lets pass
     #[arg(long, default_value_t = 0.0, requires = "compare")]
     tolerance: f64,
+    /// Run one section alone, by its id: the study's name, or the anchor in the page's address
+    #[arg(long, value_name = "ID")]
+    section: Option<String>,
+    /// Start over even if an interrupted run has left results to go on from
+    #[arg(long)]
+    fresh: bool,
+    /// Difference of numbers that --compare lets pass, whatever their size
+    #[arg(long, default_value_t = 0.0, requires = "compare")]
+    absolute: f64,
     /// Folder of the report; reports/NAME without it
     #[arg(long)]
     out: Option<PathBuf>,
     /// Threads to use; the results are the same for any number
     #[arg(long)]
     threads: Option<usize>,
+    /// Print the page to report.pdf beside it too, by a Chromium or Chrome that is on the PATH
+    #[arg(long, conflicts_with = "compare")]
+    pdf: bool,
 }
 
 impl Report {
@@ -55,30 +70,46 @@ impl Report {
         if let [old, new] = &self.compare[..] {
             return self.changes(old, new);
         }
+        let browser = self.pdf.then(Browser::find).transpose()?;
+        let (outcome, page) = self.page()?;
+        if let Some(browser) = browser {
+            print(&format!("{}\n", browser.print(&page)?.display()))?;
+        }
+        Ok(outcome)
+    }
+
+    /// Writes the page; returns how the report came out, and the page's path.
+    fn page(&self) -> Result<(Outcome, PathBuf)> {
         if let Some(folder) = &self.redraw {
             return redraw(folder);
         }
         if self.report == HANDOUT.name {
             return self.handout();
         }
-        let experiment = Experiment::load(&self.report)?;
-        let folder =
+        let mut experiment = Experiment::load(&self.report)?;
+        let mut folder =
             self.out.clone().unwrap_or_else(|| ["reports", &experiment.name].iter().collect());
+        if let Some(id) = &self.section {
+            experiment = experiment.only(id)?;
+            folder.push(id);
+        }
         if let Some(threads) = self.threads {
             // Fails only if the pool exists already, which nothing before this has made.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
         }
+        let earlier = if self.fresh { None } else { interrupted(&folder.join(write::RESULTS)) };
         let progress = bar(0, "");
-        let results = run::run(&experiment, &progress)?;
+        let save = |results: &Results| write::results(results, &folder);
+        let results = run::run(&experiment, earlier.as_ref(), &progress, &save)?;
         progress.finish_and_clear();
-        let page = write::report(&results, &folder)?;
-        print(&format!("{}\n{}\n", results.summary(), page.display()))?;
-        Ok(if results.is_good() { Outcome::Good } else { Outcome::Refuted })
+        write::results(&results, &folder)?;
+        shown(&results, &folder)
     }
 
     fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
+        let tolerance = Tolerance { relative: self.tolerance, absolute: self.absolute };
         let changes =
-            difference::between(&difference::read(old)?, &difference::read(new)?, self.tolerance);
+            difference::between(&difference::read(old)?, &difference::read(new)?, tolerance);
         if changes.is_empty() {
             print("no difference\n")?;
             return Ok(Outcome::Good);
@@ -88,23 +119,34 @@ impl Report {
     }
 
     /// The report `chapter`: a notebook in the order of the chapter, run and written as one page.
-    fn handout(&self) -> Result<Outcome> {
+    fn handout(&self) -> Result<(Outcome, PathBuf)> {
         let folder = self.out.clone().unwrap_or_else(|| ["reports", HANDOUT.name].iter().collect());
         let page = HANDOUT.page(&HANDOUT.run()?)?.render()?;
         let path = folder.join("index.html");
         write::file(&path, &page)?;
         print(&format!("{}\n", path.display()))?;
-        Ok(Outcome::Good)
+        Ok((Outcome::Good, path))
     }
 }
 
 /// The page of results that were found before.
-fn redraw(folder: &Path) -> Result<Outcome> {
-    let path = folder.join("results.json");
+fn redraw(folder: &Path) -> Result<(Outcome, PathBuf)> {
+    let path = folder.join(write::RESULTS);
     let results: Results = serde_json::from_value(difference::read(&path)?).map_err(|cause| {
         Error::invalid(path.display().to_string(), "results", cause.to_string())
     })?;
-    let page = write::document(&view::document(&results), folder)?;
-    print(&format!("{}\n{}\n", results.summary(), page.display()))?;
-    Ok(if results.is_good() { Outcome::Good } else { Outcome::Refuted })
+    shown(&results, folder)
+}
+
+/// Writes the page and prints the summary.
+fn shown(results: &Results, folder: &Path) -> Result<(Outcome, PathBuf)> {
+    let page = write::document(&view::document(results)?, folder)?;
+    print(&format!("{}\n{}\n", results.summary()?, page.display()))?;
+    Ok((if results.is_good()? { Outcome::Good } else { Outcome::Refuted }, page))
+}
+
+/// What a run that did not come to its end has left; nothing if there is none, or it is not readable.
+fn interrupted(path: &Path) -> Option<Results> {
+    let results: Results = serde_json::from_value(difference::read(path).ok()?).ok()?;
+    (!results.is_complete()).then_some(results)
 }

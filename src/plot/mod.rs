@@ -13,6 +13,7 @@ mod legend;
 mod line;
 mod marker;
 pub mod number;
+mod points;
 mod raster;
 pub mod scene;
 mod spies;

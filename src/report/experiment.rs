@@ -1,204 +1,76 @@
-//! What a report is to find out, as a file: scenes, studies and their settings.
+//! What a report is to find out, as a file: sections of text and studies with their settings.
+//!
+//! ```toml
+//! title = "My report"
+//! lead = "What it is about."
+//!
+//! [[section]]                       # a study, with a heading and words of its own if wanted
+//! study = "convergence"
+//! title = "How fast"
+//! text = "Look at the slopes: $\\rho^k$."
+//! scenes = [{ scene = "chain", step = 50, omegas = [1.0, 1.5] }]
+//!
+//! [[section]]                       # words alone
+//! title = "What this report does not show"
+//! text = "Everything else."
+//! ```
 
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use serde_json::Value;
+use toml::Spanned;
 
-use super::study::verification::Size;
-use crate::error::{Error, Result};
-use crate::solver::ALL;
+use super::kind::{self, AnyStudy};
+use super::results::Results;
+use crate::error::{Defects, Error, Result};
 
 /// The reports that lcplab ships, by name.
-const SHIPPED: [(&str, &str); 2] = [
+pub const SHIPPED: [(&str, &str); 2] = [
     ("standard", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/standard.toml"))),
     ("storage", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/storage.toml"))),
 ];
 
-/// A report's description, read from TOML.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// A report's description.
 pub struct Experiment {
     /// The file's name without its extension; also the folder the report is written to.
-    #[serde(default)]
     pub name: String,
     /// The heading.
     pub title: String,
     /// What the report is about, in a few sentences of page markup.
     pub lead: String,
-    /// Whether the known numbers are measured, `fast` or `full`.
-    #[serde(default)]
-    pub verification: Option<Size>,
-    /// The solvers to compare, by name; all without it.
-    #[serde(default = "all_solvers")]
-    pub solvers: Vec<String>,
-    /// Scenes stepped by these solvers at both levels.
-    #[serde(default)]
-    pub comparison: Vec<Stepped>,
-    /// LCPs solved in three ways.
-    #[serde(default)]
-    pub cross_check: Vec<AtStep>,
-    /// LCPs solved by sweeps.
-    #[serde(default)]
-    pub convergence: Vec<Sweeps>,
-    /// Columns whose rates have a closed form.
-    #[serde(default)]
-    pub rates: Option<Rates>,
-    /// One LCP that costs each method something else.
-    #[serde(default)]
-    pub worst_cases: Option<WorstCases>,
-    /// A block pushed from all sides under each model of friction.
-    #[serde(default)]
-    pub friction: Option<Friction>,
-    /// LCPs on which the merit functions are compared.
-    #[serde(default)]
-    pub merits: Vec<AtStep>,
-    /// Matrices drawn.
-    #[serde(default)]
-    pub sparsity: Vec<AtStep>,
-    /// Scenes run with shorter and shorter steps.
-    #[serde(default)]
-    pub drift: Vec<Timed>,
-    /// The storages of sparse matrices.
-    #[serde(default)]
-    pub storage: Option<Storage>,
+    /// The sections, in the order of the page.
+    pub sections: Vec<Section>,
 }
 
-/// A scene and how many steps it takes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// A section of a report.
+pub struct Section {
+    /// The anchor on the page, unique in the report.
+    pub id: String,
+    /// The heading.
+    pub title: String,
+    /// Words before what the study shows, in page markup.
+    pub text: String,
+    /// Whether what differs from machine to machine stands here.
+    pub times: bool,
+    /// The study; none in a section of words alone.
+    pub study: Option<Box<dyn AnyStudy>>,
+}
+
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Stepped {
-    /// A shipped scene or a file.
-    pub scene: String,
-    /// The number of steps.
-    pub steps: usize,
-}
-
-/// A scene and one of its steps.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct AtStep {
-    /// A shipped scene or a file.
-    pub scene: String,
-    /// The number of the step, from 1.
-    pub step: usize,
-}
-
-/// A scene, one of its steps, and relaxation factors.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Sweeps {
-    /// A shipped scene or a file.
-    pub scene: String,
-    /// The number of the step, from 1.
-    pub step: usize,
-    /// The relaxation factors ω; the optimal one is added where theory knows it.
-    pub omegas: Vec<f64>,
-}
-
-/// Columns of bodies on the ground.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rates {
-    /// Columns of so many equal bodies.
-    pub bodies: Vec<usize>,
-    /// Two bodies, the upper one so many times as heavy.
-    pub ratios: Vec<f64>,
-}
-
-/// Murty's and Fathi's matrices.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct WorstCases {
-    /// The numbers of rows.
-    pub sizes: Vec<u32>,
-}
-
-/// A block on the floor.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Friction {
-    /// The coefficient of friction, above 0.
-    pub mu: f64,
-    /// How hard it is pushed, in units of what friction can hold; every model slides above √2.
-    pub push: f64,
-}
-
-/// What is measured of storages.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Storage {
-    /// Rows and columns of the matrix that is filled at random places.
-    pub size: usize,
-    /// How much of it is filled (%).
-    pub fills: Vec<f64>,
-    /// Searches among so many entries.
-    pub entries: Vec<usize>,
-    /// Stacks of so many cubes, assembled and swept.
-    pub stacks: Vec<usize>,
-    /// Scenes whose J, M⁻¹ and A are kept in every storage.
+struct File {
+    title: String,
+    lead: String,
     #[serde(default)]
-    pub structures: Vec<AtStep>,
-    /// A scene whose steps are assembled over and over.
-    #[serde(default)]
-    pub steps: Option<Stepped>,
-    /// Scenes whose A is factored.
-    #[serde(default)]
-    pub factors: Vec<AtStep>,
-    /// The patterns of the shipped scenes.
-    #[serde(default)]
-    pub pictures: Option<Pictures>,
-}
-
-/// The shipped scenes' patterns.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Pictures {
-    /// These scenes alone; all without it.
-    #[serde(default)]
-    pub only: Vec<String>,
-    /// Scenes that are shown in a later step than the first.
-    #[serde(default)]
-    pub later: Vec<AtStep>,
-}
-
-/// A scene and how long it runs.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Timed {
-    /// A shipped scene or a file.
-    pub scene: String,
-    /// Simulated time (s).
-    pub duration: f64,
-}
-
-/// The names of all registered solvers.
-fn all_solvers() -> Vec<String> {
-    ALL.iter().map(|entry| entry.name.to_string()).collect()
+    section: Vec<Spanned<toml::Table>>,
 }
 
 impl Experiment {
-    /// Whether anything is solved, or nothing but storages looked at.
-    pub fn solves(&self) -> bool {
-        let lists = [
-            self.comparison.is_empty(),
-            self.cross_check.is_empty(),
-            self.convergence.is_empty(),
-            self.merits.is_empty(),
-            self.sparsity.is_empty(),
-            self.drift.is_empty(),
-        ];
-        lists.contains(&false)
-            || self.verification.is_some()
-            || self.rates.is_some()
-            || self.worst_cases.is_some()
-            || self.friction.is_some()
-            || self.storage.is_none()
-    }
-
     /// Reads a report file, or takes a shipped report by its name.
     ///
     /// # Errors
-    /// A name that is neither a file nor shipped, or a file with a defect, with its line.
+    /// A name that is neither a file nor shipped, or a file with defects, with their lines.
     pub fn load(path_or_name: &str) -> Result<Self> {
         let path = Path::new(path_or_name);
         if path.is_file() {
@@ -215,12 +87,110 @@ impl Experiment {
         Self::parse(text, path_or_name, name)
     }
 
-    fn parse(text: &str, input: &str, name: &str) -> Result<Self> {
-        let mut experiment: Experiment = toml::from_str(text).map_err(|cause| {
-            let line = cause.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-            Error::invalid(input, format!("line {line}"), cause.message())
-        })?;
-        experiment.name = name.to_string();
-        Ok(experiment)
+    /// The report that these results belong to.
+    ///
+    /// # Errors
+    /// If they name a study that this version does not have.
+    pub fn of(results: &Results) -> Result<Self> {
+        let section = |part: &super::results::Part| {
+            let study = match &part.study {
+                Some(name) => Some(read(name, &part.settings)?),
+                None => None,
+            };
+            let (id, title, text) = (part.id.clone(), part.title.clone(), part.text.clone());
+            Ok(Section { id, title, text, times: part.times, study })
+        };
+        Ok(Experiment {
+            name: results.name.clone(),
+            title: results.title.clone(),
+            lead: results.lead.clone(),
+            sections: results.sections.iter().map(section).collect::<Result<_>>()?,
+        })
     }
+
+    /// The same report with one of its sections alone.
+    ///
+    /// # Errors
+    /// If there is no section of that id.
+    pub fn only(mut self, id: &str) -> Result<Self> {
+        let known = self.sections.iter().map(|section| section.id.clone()).collect();
+        self.sections.retain(|section| section.id == id);
+        if self.sections.is_empty() {
+            return Err(Error::Unknown { kind: "section", name: id.into(), known });
+        }
+        Ok(self)
+    }
+
+    fn parse(text: &str, input: &str, name: &str) -> Result<Self> {
+        let line = |at: usize| 1 + text[..at].matches('\n').count();
+        let file: File = toml::from_str(text).map_err(|cause| {
+            let at = cause.span().map_or(0, |span| span.start);
+            Error::invalid(input, format!("line {}", line(at)), cause.message())
+        })?;
+        let mut sections: Vec<Section> = Vec::new();
+        let mut defects = Defects::default();
+        for (k, table) in file.section.into_iter().enumerate() {
+            let place = format!("section {}, from line {}", k + 1, line(table.span().start));
+            match section(table.into_inner()) {
+                Ok(section) => sections.push(numbered(section, &sections)),
+                Err(reason) => defects.add(place, reason),
+            }
+        }
+        defects.into_result(input)?;
+        Ok(Experiment { name: name.into(), title: file.title, lead: file.lead, sections })
+    }
+}
+
+/// What a section of a file holds besides the settings of its study.
+#[derive(Deserialize)]
+struct Head {
+    study: Option<String>,
+    title: Option<String>,
+    #[serde(default)]
+    text: String,
+    #[serde(default)]
+    times: bool,
+}
+
+fn section(mut table: toml::Table) -> std::result::Result<Section, String> {
+    let words = |error: toml::de::Error| error.message().to_string();
+    let mut head = toml::Table::new();
+    for key in ["study", "title", "text", "times"] {
+        head.extend(table.remove(key).map(|value| (key.to_string(), value)));
+    }
+    let Head { study, title, text, times } = head.try_into().map_err(words)?;
+    let Some(name) = study else {
+        if let Some(key) = table.keys().next() {
+            return Err(format!("has {key:?} but no study that it could belong to"));
+        }
+        let title = title.ok_or("needs a title, or a study")?;
+        return Ok(Section { id: anchor(&title), title, text, times, study: None });
+    };
+    let kind = kind::by_name(&name).map_err(|error| error.to_string())?;
+    let settings = serde_json::to_value(&table).map_err(|error| error.to_string())?;
+    let study = (kind.read)(&settings).map_err(|error| format!("{name}: {error}"))?;
+    let title = title.unwrap_or_else(|| kind.title.into());
+    Ok(Section { id: name, title, text, times, study: Some(study) })
+}
+
+fn read(name: &str, settings: &Value) -> Result<Box<dyn AnyStudy>> {
+    (kind::by_name(name)?.read)(settings)
+        .map_err(|cause| Error::invalid("results.json", name, cause.to_string()))
+}
+
+/// The section with a number after its id, if one before it has the same.
+fn numbered(mut section: Section, before: &[Section]) -> Section {
+    let id = section.id.clone();
+    let mut number = 1;
+    while before.iter().any(|other| other.id == section.id) {
+        number += 1;
+        section.id = format!("{id}-{number}");
+    }
+    section
+}
+
+/// A title as an anchor: its words in small letters, joined by hyphens.
+fn anchor(title: &str) -> String {
+    let words = title.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("-").to_ascii_lowercase()
 }

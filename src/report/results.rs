@@ -3,115 +3,238 @@
 //! All of it but `machine` is the same in every run on the same kind of processor.
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
-use super::experiment::Experiment;
-use super::study::comparison::{Comparison, Timing};
-use super::study::{
-    convergence, cross_check, drift, merits, rates, sliding, sparsity, storage, verification,
-    worst_cases,
-};
+use super::experiment::{Experiment, Section};
+use super::study::Study;
+use crate::error::{Error, Result};
 
-/// The results of a report.
+/// The results of a report, complete or as far as it has come.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Results {
     /// The version of lcplab.
     pub version: String,
     /// The versions of the libraries that compute, as `name version`.
     pub libraries: Vec<String>,
-    /// What was run.
-    pub experiment: Experiment,
-    /// Known numbers beside measured ones.
-    pub verification: Vec<verification::Row>,
-    /// Scenes with all solvers at all levels.
-    pub comparisons: Vec<Comparison>,
-    /// LCPs solved in three ways.
-    pub cross_checks: Vec<cross_check::CrossCheck>,
-    /// Residuals by sweep.
-    pub convergence: Vec<convergence::Study>,
-    /// Rates in closed form, as eigenvalues and measured.
-    pub rates: Vec<rates::System>,
-    /// What one LCP costs each method.
-    pub worst_cases: Option<worst_cases::Study>,
-    /// Friction models on a sliding block.
-    pub friction: Option<sliding::Study>,
-    /// Merit functions by sweep.
-    pub merits: Vec<merits::Study>,
-    /// Patterns of J and A.
-    pub sparsity: Vec<sparsity::Patterns>,
-    /// Energy and constraint errors by step length.
-    pub drift: Vec<drift::Study>,
-    /// The storages of sparse matrices.
-    #[serde(default)]
-    pub storage: Option<storage::Study>,
+    /// The report's name.
+    pub name: String,
+    /// Its heading.
+    pub title: String,
+    /// What it is about.
+    pub lead: String,
+    /// Its sections.
+    pub sections: Vec<Part>,
     /// What differs from machine to machine.
     pub machine: Machine,
 }
 
+/// A section and what was found out for it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Part {
+    /// The anchor on the page.
+    pub id: String,
+    /// The heading.
+    pub title: String,
+    /// Words before what the study shows.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub text: String,
+    /// Whether what differs from machine to machine stands here.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub times: bool,
+    /// The kind of study; none in a section of words alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub study: Option<String>,
+    /// The study's settings.
+    #[serde(default, skip_serializing_if = "Value::is_null")]
+    pub settings: Value,
+    /// The study's tasks.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tasks: Vec<Task>,
+}
+
+/// A task of a study: to be done, done, or failed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Task {
+    /// What tells it from the others of its study.
+    pub name: String,
+    /// What it found out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub finding: Option<Value>,
+    /// Why it found nothing out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub failure: Option<String>,
+}
+
+/// What differs from machine to machine.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Machine {
+    /// Operating system and processor family.
+    pub platform: String,
+    /// Threads that ran the studies; they share the processor, so times are upper bounds.
+    pub threads: usize,
+    /// Wall time of the whole report (s).
+    pub seconds: f64,
+    /// What was timed.
+    pub times: Vec<Timed>,
+}
+
+/// Times of one task.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Timed {
+    /// The section's id.
+    pub section: String,
+    /// The task's name.
+    pub task: String,
+    /// As the kind of study states them.
+    pub times: Value,
+}
+
 impl Results {
-    /// Whether every known number came out, every cost and sweep count is the one of theory, and no
-    /// claim of a solver was refuted, and all storages gave the same matrices.
-    pub fn is_good(&self) -> bool {
-        let (costs, sweeps) = (self.costs(), self.sweep_counts());
-        self.verification.iter().all(verification::Row::passes)
-            && costs.0 == costs.1
-            && sweeps.0 == sweeps.1
-            && self.refuted_claims() == 0
-            && self.storage.iter().all(storage::Study::agrees)
+    /// The results of a report of which nothing has been done yet.
+    pub fn empty(experiment: &Experiment) -> Self {
+        Results {
+            version: env!("CARGO_PKG_VERSION").to_string(),
+            libraries: libraries(),
+            name: experiment.name.clone(),
+            title: experiment.title.clone(),
+            lead: experiment.lead.clone(),
+            sections: experiment.sections.iter().map(Part::empty).collect(),
+            machine: Machine {
+                platform: format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
+                threads: rayon::current_num_threads(),
+                seconds: 0.0,
+                times: Vec::new(),
+            },
+        }
     }
 
-    /// How many methods cost what theory says on one LCP, and how many there are.
-    fn costs(&self) -> (usize, usize) {
-        let cases = || self.worst_cases.iter().flat_map(|study| &study.cases);
-        let sizes =
-            self.worst_cases.iter().flat_map(|study| study.sizes.clone()).collect::<Vec<_>>();
-        (cases().filter(|case| case.agrees(&sizes)).count(), cases().count())
+    /// Whether every task is done or has failed.
+    pub fn is_complete(&self) -> bool {
+        self.tasks().all(Task::is_over)
     }
 
-    /// How many columns take as many sweeps as predicted, and how many there are.
-    fn sweep_counts(&self) -> (usize, usize) {
-        (self.rates.iter().filter(|system| system.sweeps.agree()).count(), self.rates.len())
+    /// Takes over what an earlier run of the same version found out for the same settings.
+    pub fn resume(&mut self, earlier: &Results) {
+        if earlier.version != self.version || earlier.libraries != self.libraries {
+            return;
+        }
+        for part in &mut self.sections {
+            let same = |old: &&Part| old.study == part.study && old.settings == part.settings;
+            let Some(old) = earlier.sections.iter().find(same) else { continue };
+            for task in &mut part.tasks {
+                let done = old.tasks.iter().find(|done| done.name == task.name);
+                task.finding = done.and_then(|done| done.finding.clone());
+                let of_task = |t: &&Timed| t.section == old.id && t.task == task.name;
+                let times = earlier.machine.times.iter().filter(of_task);
+                self.machine
+                    .times
+                    .extend(times.map(|timed| Timed { section: part.id.clone(), ..timed.clone() }));
+            }
+        }
+    }
+
+    /// Notes how a task ended.
+    pub fn note(&mut self, section: usize, task: usize, ended: Result<(Value, Value)>) {
+        let part = &mut self.sections[section];
+        let (id, task) = (part.id.clone(), &mut part.tasks[task]);
+        match ended {
+            Ok((finding, times)) => {
+                task.finding = Some(finding);
+                if !times.is_null() {
+                    let task = task.name.clone();
+                    self.machine.times.push(Timed { section: id, task, times });
+                }
+            }
+            Err(failure) => task.failure = Some(failure.to_string()),
+        }
+    }
+
+    /// All findings of one kind of study.
+    ///
+    /// # Errors
+    /// If one is not what this version writes.
+    pub fn findings<S: Study>(&self) -> Result<Vec<S::Finding>> {
+        let parts = self.sections.iter().filter(|part| part.study.as_deref() == Some(S::NAME));
+        let found = parts.flat_map(|part| part.findings());
+        let read = |value| {
+            serde_json::from_value(value)
+                .map_err(|cause| Error::invalid("results.json", S::NAME, cause.to_string()))
+        };
+        found.map(read).collect()
+    }
+
+    /// Whether nothing failed, and every study came out as it should.
+    ///
+    /// # Errors
+    /// If a finding is not what this version writes.
+    pub fn is_good(&self) -> Result<bool> {
+        let failed = self.tasks().any(|task| task.failure.is_some());
+        Ok(!failed && self.outcomes()?.iter().all(|(_, outcome)| outcome.good))
     }
 
     /// The outcome in a few lines.
-    pub fn summary(&self) -> String {
-        let runs = || self.comparisons.iter().flat_map(|comparison| &comparison.runs);
-        let passed = self.verification.iter().filter(|row| row.passes()).count();
-        let mut text = String::new();
-        for (name, (agree, all), what) in [
-            ("rates", self.sweep_counts(), "columns take as many sweeps as predicted"),
-            ("five costs", self.costs(), "methods cost what theory says"),
-        ] {
-            if all > 0 {
-                text += &format!("{name:<14} {agree} of {all} {what}\n");
-            }
-        }
-        if let Some(study) = &self.storage {
-            let asked: Vec<bool> = study.structures.iter().filter_map(|s| s.agree).collect();
-            let (agree, all) = (asked.iter().filter(|agree| **agree).count(), asked.len());
-            text += &format!(
-                "storage        {agree} of {all} scenes have the same A in every storage\n\
-                 claims         {} of the chapter's {} on storage hold as they stand\n",
-                study.claims.iter().filter(|claim| claim.holds()).count(),
-                study.claims.len(),
+    ///
+    /// # Errors
+    /// If a finding is not what this version writes.
+    pub fn summary(&self) -> Result<String> {
+        let outcomes = self.outcomes()?;
+        let mut lines: Vec<String> = outcomes
+            .iter()
+            .filter(|(_, outcome)| !outcome.says.is_empty())
+            .map(|(id, outcome)| format!("{id:<14} {}", outcome.says))
+            .collect();
+        for part in &self.sections {
+            let failed = part.tasks.iter().filter_map(|task| Some((task, task.failure.as_ref()?)));
+            lines.extend(
+                failed.map(|(task, why)| format!("{}, {}: failed: {why}", part.id, task.name)),
             );
         }
-        if !self.experiment.solves() {
-            return text.trim_end().to_string();
-        }
-        text + &format!(
-            "closed forms   {passed} of {} as theory says\n\
-             comparison     {} problems, {} claimed solved, {} accepted by the judge, {} claims refuted",
-            self.verification.len(),
-            runs().map(|run| run.solves).sum::<usize>(),
-            runs().map(|run| run.claimed).sum::<usize>(),
-            runs().map(|run| run.accepted).sum::<usize>(),
-            self.refuted_claims(),
-        )
+        Ok(lines.join("\n"))
     }
 
-    fn refuted_claims(&self) -> usize {
-        let runs = self.comparisons.iter().flat_map(|comparison| &comparison.runs);
-        runs.map(|run| run.refuted_claims).sum()
+    fn outcomes(&self) -> Result<Vec<(String, super::view::Outcome)>> {
+        let experiment = Experiment::of(self)?;
+        let studied = experiment.sections.iter().zip(&self.sections);
+        let outcomes = studied.filter_map(|(section, part)| {
+            let study = section.study.as_ref()?;
+            let findings: Vec<Value> = part.findings().collect();
+            Some(study.outcome(&findings).map(|outcome| (part.id.clone(), outcome)))
+        });
+        outcomes.collect()
+    }
+
+    fn tasks(&self) -> impl Iterator<Item = &Task> {
+        self.sections.iter().flat_map(|part| &part.tasks)
+    }
+}
+
+impl Part {
+    fn empty(section: &Section) -> Self {
+        let task = |name| Task { name, finding: None, failure: None };
+        let study = section.study.as_ref();
+        Part {
+            id: section.id.clone(),
+            title: section.title.clone(),
+            text: section.text.clone(),
+            times: section.times,
+            study: study.map(|study| study.name().to_string()),
+            settings: study.map(|study| study.settings()).unwrap_or_default(),
+            tasks: study
+                .map(|study| study.tasks().into_iter().map(task).collect())
+                .unwrap_or_default(),
+        }
+    }
+
+    /// What its tasks found out, those that did.
+    pub fn findings(&self) -> impl Iterator<Item = Value> + '_ {
+        self.tasks.iter().filter_map(|task| task.finding.clone())
+    }
+}
+
+impl Task {
+    /// Whether it is done or has failed.
+    pub fn is_over(&self) -> bool {
+        self.finding.is_some() || self.failure.is_some()
     }
 }
 
@@ -128,22 +251,6 @@ pub fn libraries() -> Vec<String> {
         .iter()
         .filter_map(version)
         .collect()
-}
-
-/// What differs from machine to machine.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Machine {
-    /// Operating system and processor family.
-    pub platform: String,
-    /// Threads that ran the comparison; they share the processor, so times are upper bounds.
-    pub threads: usize,
-    /// Wall time of the whole report (s).
-    pub seconds: f64,
-    /// Wall time of each run of the comparison.
-    pub timings: Vec<Timing>,
-    /// Times of storages.
-    #[serde(default)]
-    pub storage: Option<storage::time::Times>,
 }
 
 /// Numbers that JSON has no word for, as "nan", "inf" and "-inf".

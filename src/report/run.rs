@@ -1,163 +1,98 @@
-//! Runs an experiment: the stage that simulates and solves.
+//! Runs a report's studies: the stage that simulates and solves.
 
-use std::time::Instant;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use super::experiment::Experiment;
-use super::results::{Machine, Results, libraries};
-use super::study::{
-    comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity, storage,
-    verification, worst_cases,
-};
+use super::results::{Results, Task};
 use crate::error::Result;
-use crate::scene::{Formulation, Scene};
-use crate::solver::{Entry, entry};
 
-/// Runs everything in the experiment. The results do not depend on the number of threads.
+/// Results are saved no more often than this while the report runs.
+const PAUSE: Duration = Duration::from_secs(1);
+
+/// Runs every task that `earlier` results lack; `save` gets the results as they grow.
+///
+/// The findings do not depend on the number of threads. A task that fails is a row with its reason.
 ///
 /// # Errors
-/// If a scene cannot be loaded; all are loaded before anything runs. If a study that needs no scene
-/// is given numbers that make no problem.
-pub fn run(experiment: &Experiment, progress: &ProgressBar) -> Result<Results> {
+/// If the results cannot be saved before the first task.
+pub fn run(
+    experiment: &Experiment,
+    earlier: Option<&Results>,
+    progress: &ProgressBar,
+    save: &(dyn Fn(&Results) -> Result<()> + Sync),
+) -> Result<Results> {
     let start = Instant::now();
-    let scenes = Scenes::load(experiment)?;
-    let solvers = experiment.solvers.iter().map(|name| entry(name).copied());
-    let solvers: Vec<Entry> = solvers.collect::<Result<_>>()?;
-    progress.set_length(scenes.tasks(experiment) as u64);
-    let mut timings = Vec::new();
-    let mut comparisons = Vec::new();
-    for (scene, task) in scenes.comparison.iter().zip(&experiment.comparison) {
-        progress.set_message(format!("comparing solvers on {}", scene.name));
-        let (comparison, times) = comparison::compare(scene, &solvers, task.steps, progress);
-        comparisons.push(comparison);
-        timings.extend(times);
+    let mut results = Results::empty(experiment);
+    if let Some(earlier) = earlier {
+        results.resume(earlier);
     }
-    let each = Each { progress };
-    let verification =
-        each.once("closed forms", &experiment.verification, |size| verification::run(*size, None))?;
-    let drift = each.run("energy drift", &scenes.drift, &experiment.drift, |scene, task| {
-        drift::run(scene, task.duration)
-    });
-    let checks =
-        each.run("cross-checks", &scenes.cross_check, &experiment.cross_check, |scene, task| {
-            cross_check::run(scene, task.step)
-        });
-    let convergence =
-        each.run("convergence", &scenes.convergence, &experiment.convergence, |scene, task| {
-            convergence::run(scene, task.step, &task.omegas)
-        });
-    let rates =
-        each.once("rates", &experiment.rates, |task| rates::run(&task.bodies, &task.ratios))?;
-    let worst_cases =
-        each.once("worst cases", &experiment.worst_cases, |task| worst_cases::run(&task.sizes))?;
-    let friction =
-        each.once("friction", &experiment.friction, |task| sliding::run(task.mu, task.push))?;
-    let merits = each.run("merits", &scenes.merits, &experiment.merits, |scene, task| {
-        merits::run(scene, task.step)
-    });
-    let sparsity = each.run("sparsity", &scenes.sparsity, &experiment.sparsity, |scene, task| {
-        sparsity::run(scene, task.step)
-    });
-    let storage = each.once("storages", &experiment.storage, storage::run)?;
-    let storage_times = each.once("times of storages", &experiment.storage, storage::time::run)?;
-    Ok(Results {
-        version: env!("CARGO_PKG_VERSION").to_string(),
-        libraries: libraries(),
-        experiment: experiment.clone(),
-        verification: verification.unwrap_or_default(),
-        comparisons,
-        cross_checks: checks.into_iter().flatten().collect(),
-        convergence: convergence.into_iter().flatten().collect(),
-        rates: rates.unwrap_or_default(),
-        worst_cases,
-        friction,
-        merits: merits.into_iter().flatten().collect(),
-        sparsity: sparsity.into_iter().flatten().collect(),
-        drift,
-        storage,
-        machine: Machine {
-            platform: format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
-            threads: rayon::current_num_threads(),
-            seconds: start.elapsed().as_secs_f64(),
-            timings,
-            storage: storage_times,
-        },
-    })
+    save(&results)?;
+    let missing = missing(&results);
+    progress.set_length(missing.len() as u64);
+    let growing = Growing { results: Mutex::new((results, Instant::now())), save };
+    let one = |&(section, task): &(usize, usize)| {
+        let Some(study) = &experiment.sections[section].study else { return };
+        progress.set_message(format!("{}: {}", study.name(), growing.name(section, task)));
+        let ended = study.run(task);
+        growing.note(|results| results.note(section, task, ended));
+        progress.inc(1);
+    };
+    let alone = |&(section, _): &(usize, usize)| {
+        experiment.sections[section].study.as_ref().is_some_and(|study| study.alone())
+    };
+    let (timed, together): (Vec<_>, Vec<_>) = missing.into_iter().partition(alone);
+    together.par_iter().for_each(one);
+    timed.iter().for_each(one);
+    let (mut results, _) = growing.results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    in_order(&mut results);
+    results.machine.seconds = start.elapsed().as_secs_f64();
+    Ok(results)
 }
 
-/// Runs studies; one on each of its scenes in parallel, results in order.
-struct Each<'a> {
-    progress: &'a ProgressBar,
+/// The places of the tasks that are not done: section and task.
+fn missing(results: &Results) -> Vec<(usize, usize)> {
+    let open = |tasks: &[Task]| -> Vec<usize> {
+        (0..tasks.len()).filter(|&task| !tasks[task].is_over()).collect()
+    };
+    let sections = results.sections.iter().enumerate();
+    sections.flat_map(|(s, part)| open(&part.tasks).into_iter().map(move |t| (s, t))).collect()
 }
 
-impl Each<'_> {
-    fn run<T: Sync, R: Send>(
-        &self,
-        name: &'static str,
-        scenes: &[Scene],
-        tasks: &[T],
-        study: impl Fn(&Scene, &T) -> R + Sync,
-    ) -> Vec<R> {
-        self.progress.set_message(name);
-        let one = |(scene, task)| {
-            let result = study(scene, task);
-            self.progress.inc(1);
-            result
-        };
-        scenes.par_iter().zip(tasks).map(one).collect()
-    }
-
-    /// Runs a study that needs no scene, if it is asked for.
-    fn once<T, R>(
-        &self,
-        name: &'static str,
-        task: &Option<T>,
-        study: impl Fn(&T) -> Result<R>,
-    ) -> Result<Option<R>> {
-        let Some(task) = task else { return Ok(None) };
-        self.progress.set_message(name);
-        let result = study(task)?;
-        self.progress.inc(1);
-        Ok(Some(result))
-    }
+/// Times in the order of the report, whichever task ended first.
+fn in_order(results: &mut Results) {
+    let Results { sections, machine, .. } = results;
+    let place = |section: &str, task: &str| {
+        let s = sections.iter().position(|part| part.id == section);
+        let t = s.and_then(|s| sections[s].tasks.iter().position(|other| other.name == task));
+        (s, t)
+    };
+    machine.times.sort_by_key(|timed| place(&timed.section, &timed.task));
 }
 
-/// The scenes of each study, in the order of the experiment.
-struct Scenes {
-    comparison: Vec<Scene>,
-    cross_check: Vec<Scene>,
-    convergence: Vec<Scene>,
-    merits: Vec<Scene>,
-    sparsity: Vec<Scene>,
-    drift: Vec<Scene>,
+/// Results to which tasks add what they find out, saved now and then.
+struct Growing<'a> {
+    results: Mutex<(Results, Instant)>,
+    save: &'a (dyn Fn(&Results) -> Result<()> + Sync),
 }
 
-impl Scenes {
-    fn load(experiment: &Experiment) -> Result<Self> {
-        let load = |names: Vec<&str>| names.into_iter().map(Scene::load).collect::<Result<_>>();
-        Ok(Scenes {
-            comparison: load(experiment.comparison.iter().map(|t| t.scene.as_str()).collect())?,
-            cross_check: load(experiment.cross_check.iter().map(|t| t.scene.as_str()).collect())?,
-            convergence: load(experiment.convergence.iter().map(|t| t.scene.as_str()).collect())?,
-            merits: load(experiment.merits.iter().map(|t| t.scene.as_str()).collect())?,
-            sparsity: load(experiment.sparsity.iter().map(|t| t.scene.as_str()).collect())?,
-            drift: load(experiment.drift.iter().map(|t| t.scene.as_str()).collect())?,
-        })
+impl Growing<'_> {
+    fn name(&self, section: usize, task: usize) -> String {
+        let held = self.results.lock().unwrap_or_else(PoisonError::into_inner);
+        held.0.sections[section].tasks[task].name.clone()
     }
 
-    fn tasks(&self, experiment: &Experiment) -> usize {
-        self.comparison.len() * Formulation::LEVELS.len() * experiment.solvers.len()
-            + usize::from(experiment.verification.is_some())
-            + self.cross_check.len()
-            + self.convergence.len()
-            + usize::from(experiment.rates.is_some())
-            + usize::from(experiment.worst_cases.is_some())
-            + usize::from(experiment.friction.is_some())
-            + 2 * usize::from(experiment.storage.is_some())
-            + self.merits.len()
-            + self.sparsity.len()
-            + self.drift.len()
+    fn note(&self, note: impl FnOnce(&mut Results)) {
+        let mut held = self.results.lock().unwrap_or_else(PoisonError::into_inner);
+        let (results, saved) = &mut *held;
+        note(results);
+        if saved.elapsed() >= PAUSE {
+            // A disk that is full now may not be at the end, when a failure is reported.
+            let _ = (self.save)(results);
+            *saved = Instant::now();
+        }
     }
 }

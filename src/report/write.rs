@@ -6,9 +6,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::layout;
 use super::results::Results;
 use super::view::{self, Document, FILES};
 use crate::error::{Error, Result};
+
+/// The name of the results beside a page.
+pub const RESULTS: &str = "results.json";
 
 /// Writes `index.html`, `results.json` and the folder of figures and tables into `folder`; returns
 /// the path of the page.
@@ -16,10 +20,18 @@ use crate::error::{Error, Result};
 /// # Errors
 /// If a file cannot be written.
 pub fn report(results: &Results, folder: &Path) -> Result<PathBuf> {
-    let json = serde_json::to_string_pretty(results)
-        .map_err(|cause| Error::invalid("results.json", "results", cause.to_string()))?;
-    file(&folder.join("results.json"), &(json + "\n"))?;
-    document(&view::document(results), folder)
+    self::results(results, folder)?;
+    document(&view::document(results)?, folder)
+}
+
+/// Writes `results.json` into `folder`.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn results(results: &Results, folder: &Path) -> Result<()> {
+    let json = layout::json(results)
+        .map_err(|cause| Error::invalid(RESULTS, "results", cause.to_string()))?;
+    file(&folder.join(RESULTS), &json)
 }
 
 /// Writes a document's page, figures and tables; returns the path of the page.

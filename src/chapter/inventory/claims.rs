@@ -10,7 +10,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .remark("lcplab explain prints each with its shape, unit and numbers."),
     Entry::new("T2", Misleading, "Most of the time goes into inverting A.")
         .errata(&["E11"])
-        .code(&["bench pivoting", "report::view::timing", "storage::sweep"])
+        .code(&["bench pivoting", "report::study::comparison", "storage::sweep"])
         .lesson(&[5, 10])
         .remark("Nothing is inverted: a sweep or a factorization solves."),
     Entry::new("T3", Misleading, "A singular A shows in its determinant; find out why.")

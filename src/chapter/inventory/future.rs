@@ -42,7 +42,7 @@ pub(super) const ENTRIES: &[Entry] = &[
          each.",
         ),
     Entry::new("W6", Rebuilt, "Profile and make it fast.")
-        .code(&["bench judge", "bench pivoting", "report::view::timing"])
+        .code(&["bench judge", "bench pivoting", "report::study::comparison"])
         .lesson(&[10]),
     Entry::new("W7", Rebuilt, "Show kinetic and potential energy.")
         .code(&[

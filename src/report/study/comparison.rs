@@ -6,13 +6,52 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{at_level, simulation_by};
+use super::settings::Stepped;
+use super::{Study, at_level, simulation_by};
 use crate::certificate::Demand;
+use crate::error::Result;
 use crate::formulation::friction_model;
 use crate::lcp::friction::Model;
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
-use crate::solver::{CONES, Class, Dantzig, Entry, MatrixClass, Method, Status};
+use crate::solver::{ALL, CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, entry};
+
+/// Scenes stepped by solvers at both levels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The solvers, by name; all without it.
+    #[serde(default = "all_solvers")]
+    pub solvers: Vec<String>,
+    /// The scenes.
+    pub scenes: Vec<Stepped>,
+}
+
+/// The names of all registered solvers.
+fn all_solvers() -> Vec<String> {
+    ALL.iter().map(|entry| entry.name.to_string()).collect()
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "comparison";
+    type Finding = Comparison;
+    type Times = Vec<Timing>;
+
+    fn tasks(&self) -> Vec<String> {
+        self.scenes.iter().map(|task| task.scene.clone()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Comparison, Vec<Timing>)> {
+        let task = &self.scenes[task];
+        let solvers: Vec<Entry> =
+            self.solvers.iter().map(|name| entry(name).copied()).collect::<Result<_>>()?;
+        let scene = Scene::load(&task.scene)?;
+        let (mut comparison, timings) =
+            compare(&scene, &solvers, task.steps, &ProgressBar::hidden());
+        comparison.runs.iter_mut().for_each(|run| run.motion = thinned(&run.motion));
+        Ok((comparison, timings))
+    }
+}
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -75,6 +114,29 @@ pub struct Sample {
     pub penetration: f64,
 }
 
+/// About so many samples of a motion are kept.
+const KEPT: usize = 200;
+
+/// Samples at equal distances, the last one, and those at which a measure is largest or smallest, so
+/// that the extremes are still those of all samples.
+pub fn thinned(samples: &[Sample]) -> Vec<Sample> {
+    let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
+    let length = samples.len().div_ceil(KEPT).max(1);
+    let mut kept = vec![false; samples.len()];
+    for first in (0..samples.len()).step_by(length) {
+        kept[first] = true;
+    }
+    for measure in measures {
+        let by_size =
+            |a: &usize, b: &usize| measure(&samples[*a]).total_cmp(&measure(&samples[*b]));
+        for extreme in [(0..samples.len()).min_by(by_size), (0..samples.len()).max_by(by_size)] {
+            extreme.into_iter().for_each(|k| kept[k] = true);
+        }
+    }
+    kept.last_mut().into_iter().for_each(|last| *last = true);
+    samples.iter().zip(kept).filter_map(|(sample, kept)| kept.then_some(*sample)).collect()
+}
+
 impl From<&Motion> for Sample {
     fn from(motion: &Motion) -> Self {
         let Motion { time, drift, penetration, .. } = *motion;
@@ -91,6 +153,8 @@ pub struct Timing {
     pub formulation: String,
     /// The solver.
     pub solver: String,
+    /// Steps taken.
+    pub steps: usize,
     /// Wall time of the whole run, judging left out (s).
     pub seconds: f64,
 }
@@ -188,7 +252,7 @@ fn run(scene: &Scene, solver: &Method, steps: usize) -> (Run, Timing) {
     let simulation = simulation_by(scene, solver);
     let seconds = step_through(simulation, steps, &mut run);
     let (scene, solver) = (scene.name.clone(), solver.name().to_string());
-    let timing = Timing { scene, formulation, solver, seconds };
+    let timing = Timing { scene, formulation, solver, steps: run.steps, seconds };
     (run, timing)
 }
 

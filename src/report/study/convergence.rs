@@ -2,15 +2,51 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{problem_of, scene_options};
+use super::{Study, problem_of, scene_options};
+use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::scene::Scene;
 use crate::solver::{Dantzig, Order, Pgs, Settings, Solver, Start, theory};
 use crate::trace::{Convergence, Record};
 
+/// LCPs solved by sweeps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The LCPs.
+    pub scenes: Vec<Swept>,
+}
+
+/// A scene, one of its steps, and relaxation factors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Swept {
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// The number of the step, from 1.
+    pub step: usize,
+    /// The relaxation factors ω; the optimal one is added where theory knows it.
+    pub omegas: Vec<f64>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "convergence";
+    type Finding = Finding;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.scenes.iter().map(|task| task.scene.clone()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Self::Finding, ())> {
+        let task = &self.scenes[task];
+        Ok((run(&Scene::load(&task.scene)?, task.step, &task.omegas)?, ()))
+    }
+}
+
 /// The first LCP of a scene with several relaxation factors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Study {
+pub struct Finding {
     /// The scene.
     pub scene: String,
     /// Its title.
@@ -47,7 +83,10 @@ const SWEEPS: usize = 600;
 const FLOOR: f64 = 1e-12;
 
 /// Runs PGS and SOR on the scene's last LCP of a step.
-pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
+///
+/// # Errors
+/// If the simulation fails before.
+pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Result<Finding> {
     let lcp = problem_of(scene, step)?.lcp;
     let mut options = scene_options(scene);
     options.settings.tolerance = 1e-12;
@@ -62,7 +101,7 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Option<Study> {
     omegas.sort_by(f64::total_cmp);
     omegas.dedup();
     let curves = omegas.iter().map(|&omega| curve(&lcp, omega)).collect();
-    Some(Study {
+    Ok(Finding {
         scene: scene.name.clone(),
         title: scene.title.clone(),
         rows: lcp.len(),

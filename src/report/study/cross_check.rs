@@ -2,15 +2,40 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{STEPPER, at_level, problem_of, scene_options};
+use super::settings::AtStep;
+use super::{STEPPER, Study, at_level, problem_of, scene_options};
 use crate::assembly::Block;
 use crate::certificate::cross_check::{cross_check, max_difference};
 use crate::certificate::motion_bound::motion_bound;
 use crate::certificate::{Demand, judge, uniqueness};
+use crate::error::Result;
 use crate::formulation::Problem;
 use crate::reference;
 use crate::scene::{Formulation, Scene};
 use crate::solver::{Start, by_name};
+
+/// LCPs solved in three ways.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The LCPs.
+    pub scenes: Vec<AtStep>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "cross-check";
+    type Finding = Vec<CrossCheck>;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.scenes.iter().map(|task| task.scene.clone()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Self::Finding, ())> {
+        let task = &self.scenes[task];
+        Ok((run(&Scene::load(&task.scene)?, task.step), ()))
+    }
+}
 
 /// One LCP of a scene, solved in three ways.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -75,7 +100,7 @@ pub fn run(scene: &Scene, step: usize) -> Vec<CrossCheck> {
 }
 
 fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
-    let problem = problem_of(scene, step)?;
+    let problem = problem_of(scene, step).ok()?;
     let lcp = &problem.lcp;
     let mut options = scene_options(scene);
     options.settings.tolerance = 1e-12;

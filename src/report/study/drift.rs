@@ -4,15 +4,40 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
-use super::comparison::Sample;
-use super::{STEPPER, at_level, scene_options};
+use super::comparison::{Sample, thinned};
+use super::settings::Timed;
+use super::{STEPPER, Study, at_level, scene_options};
+use crate::error::Result;
 use crate::scene::{Formulation, Scene};
 use crate::simulation::Simulation;
 use crate::solver::by_name;
 
+/// Scenes run with shorter and shorter steps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The scenes.
+    pub scenes: Vec<Timed>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "drift";
+    type Finding = Finding;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.scenes.iter().map(|task| task.scene.clone()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Self::Finding, ())> {
+        let task = &self.scenes[task];
+        Ok((run(&Scene::load(&task.scene)?, task.duration), ()))
+    }
+}
+
 /// A scene at both levels with several step lengths.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Study {
+pub struct Finding {
     /// The scene.
     pub scene: String,
     /// Its title.
@@ -34,14 +59,14 @@ pub struct Curve {
     pub division: usize,
     /// The step (s).
     pub dt: f64,
-    /// The motion after each step, the start first.
+    /// The motion from the start to the last step, [`thinned`].
     pub samples: Vec<Sample>,
     /// Why it ended early, if it did.
     pub failure: Option<String>,
 }
 
 /// Runs the scene for a time with dt, dt/2 and dt/4 at both levels.
-pub fn run(scene: &Scene, duration: f64) -> Study {
+pub fn run(scene: &Scene, duration: f64) -> Finding {
     let mut scale = 0.0;
     let mut curves = Vec::new();
     for level in Formulation::LEVELS {
@@ -54,7 +79,7 @@ pub fn run(scene: &Scene, duration: f64) -> Study {
         }
     }
     let (name, title) = (scene.name.clone(), scene.title.clone());
-    Study { scene: name, title, duration, scale, curves }
+    Finding { scene: name, title, duration, scale, curves }
 }
 
 fn curve(scene: &Scene, division: usize, duration: f64) -> (Curve, f64) {
@@ -75,7 +100,7 @@ fn curve(scene: &Scene, division: usize, duration: f64) -> (Curve, f64) {
     };
     let recording =
         Simulation::new(scene.clone(), solver).run(steps, |_| ControlFlow::Continue(()));
-    curve.samples = recording.motion.iter().map(Sample::from).collect();
+    curve.samples = thinned(&recording.motion.iter().map(Sample::from).collect::<Vec<_>>());
     curve.failure = recording.failure.map(|failure| failure.to_string());
     (curve, recording.motion.iter().map(|motion| motion.kinetic).fold(0.0, f64::max))
 }

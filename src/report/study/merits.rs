@@ -4,7 +4,9 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
-use super::problem_of;
+use super::settings::AtStep;
+use super::{Study, problem_of};
+use crate::error::Result;
 use crate::lcp::friction::{ConeProblem, FrictionProblem, Law, merit as cone_merit};
 use crate::lcp::{Complementarity, Lcp, merit};
 use crate::scene::Scene;
@@ -19,9 +21,32 @@ pub enum Shape {
     Cone,
 }
 
+/// LCPs on which the merit functions are compared.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The LCPs.
+    pub scenes: Vec<AtStep>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "merits";
+    type Finding = Vec<Run>;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.scenes.iter().map(|task| task.scene.clone()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Self::Finding, ())> {
+        let task = &self.scenes[task];
+        Ok((run(&Scene::load(&task.scene)?, task.step)?, ()))
+    }
+}
+
 /// A run on one LCP of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Study {
+pub struct Run {
     /// The scene.
     pub scene: String,
     /// Its title.
@@ -116,11 +141,13 @@ const CONE: [Merit<ConeProblem>; 6] = [
 const SWEEPS: usize = 60;
 
 /// Runs PGS on the scene's last LCP of a step, and on its cones where it has contacts with friction.
-pub fn run(scene: &Scene, step: usize) -> Vec<Study> {
-    let Some(problem) = problem_of(scene, step) else { return Vec::new() };
-    let lcp = problem.lcp;
+///
+/// # Errors
+/// If the simulation fails before.
+pub fn run(scene: &Scene, step: usize) -> Result<Vec<Run>> {
+    let lcp = problem_of(scene, step)?.lcp;
     let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
-    let study = |shape, curves| Study {
+    let run = |shape, curves| Run {
         scene: scene.name.clone(),
         title: scene.title.clone(),
         shape,
@@ -129,15 +156,15 @@ pub fn run(scene: &Scene, step: usize) -> Vec<Study> {
     let pgs = Pgs { omega: 1.0, order: Order::default(), settings: settings.clone() };
     let mut seen = Seen::new(&lcp, &BOX);
     pgs.solve(&lcp, &Start::default(), &mut seen);
-    let mut studies = vec![study(Shape::Box, seen.curves())];
+    let mut runs = vec![run(Shape::Box, seen.curves())];
     let friction = FrictionProblem::of(&lcp).ok().filter(|f| !f.contacts().is_empty());
     if let Some(friction) = friction {
         let problem = ConeProblem::new(friction, Law::Coulomb);
         let mut seen = Seen::new(&problem, &CONE);
         ConePgs { settings }.solve(&problem, &Start::default(), &mut seen);
-        studies.push(study(Shape::Cone, seen.curves()));
+        runs.push(run(Shape::Cone, seen.curves()));
     }
-    studies
+    Ok(runs)
 }
 
 /// An observer that measures every iterate by every merit.

@@ -1,5 +1,7 @@
 //! What a report measures, one study a file: each runs simulations or solvers and returns plain
 //! results that can be stored, compared and drawn later without solving anything again.
+//!
+//! A [`Study`] is a list of tasks that do not depend on each other.
 
 pub mod comparison;
 pub mod convergence;
@@ -10,6 +12,7 @@ pub mod film;
 pub mod friction;
 pub mod merits;
 pub mod rates;
+pub mod settings;
 pub mod slider;
 pub mod sliding;
 pub mod sparsity;
@@ -17,12 +20,36 @@ pub mod storage;
 pub mod verification;
 pub mod worst_cases;
 
-use crate::error::Result;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::error::{Error, Result};
 use crate::formulation::{Problem, friction_model};
 use crate::report::methods;
 use crate::scene::{self, Formulation, Scene};
 use crate::simulation::{Simulation, Step};
 use crate::solver::{Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name};
+
+/// A kind of study; a value holds the settings that one section of a report file states.
+pub trait Study: Serialize + DeserializeOwned + Send + Sync {
+    /// The kind's name in report files.
+    const NAME: &'static str;
+    /// Whether its tasks run one after the other and beside nothing else, because they are timed.
+    const ALONE: bool = false;
+    /// What a task finds out: the same in every run on the same kind of processor.
+    type Finding: Serialize + DeserializeOwned + Send;
+    /// What differs from machine to machine; `()` where nothing is timed.
+    type Times: Serialize + DeserializeOwned + Send;
+
+    /// What tells the tasks apart: a scene's name, a size.
+    fn tasks(&self) -> Vec<String>;
+
+    /// Carries out the task of this place in [`Study::tasks`].
+    ///
+    /// # Errors
+    /// What it cannot do, with the reason: a row of the report. Other tasks go on.
+    fn run(&self, task: usize) -> Result<(Self::Finding, Self::Times)>;
+}
 
 /// The solver that studies use where the solver is not what they study.
 const STEPPER: &str = "dantzig";
@@ -85,14 +112,27 @@ fn at_level(scene: &Scene, formulation: Formulation) -> Scene {
     scene
 }
 
-/// The scene's step of this number, from 1; `None` if the simulation fails before.
-fn step_of(scene: &Scene, number: usize) -> Option<Step> {
-    let solver = by_name(STEPPER, &scene_options(scene)).ok()?;
-    let mut simulation = Simulation::new(scene.clone(), solver);
-    (0..number).map(|_| simulation.step()).last()?.ok()
+/// The scene's step of this number, from 1.
+///
+/// # Errors
+/// If the simulation fails before.
+fn step_of(scene: &Scene, number: usize) -> Result<Step> {
+    let mut simulation = Simulation::new(scene.clone(), by_name(STEPPER, &scene_options(scene))?);
+    let refused = |reason: String| Error::invalid(&*scene.name, format!("step {number}"), reason);
+    let mut last = None;
+    for _ in 0..number {
+        last = Some(simulation.step().map_err(|failure| refused(failure.to_string()))?);
+    }
+    last.ok_or_else(|| refused("steps are counted from 1".into()))
 }
 
 /// The last LCP of the scene's step of this number.
-fn problem_of(scene: &Scene, number: usize) -> Option<Problem> {
-    step_of(scene, number)?.solves.pop().map(|solve| solve.problem)
+///
+/// # Errors
+/// If the simulation fails before, or the step solves none.
+fn problem_of(scene: &Scene, number: usize) -> Result<Problem> {
+    let solve = step_of(scene, number)?.solves.pop().ok_or_else(|| {
+        Error::invalid(&*scene.name, format!("step {number}"), "it solves no problem")
+    })?;
+    Ok(solve.problem)
 }

@@ -14,9 +14,9 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use crate::error::Result;
 use crate::lcp::{Lcp, library, merit};
 use crate::solver::{
@@ -33,6 +33,35 @@ const FLOOR: f64 = 1e-11;
 const MAX_SWEEPS: usize = 1_000_000;
 /// After how many sweeps the error is written down: 1, 2, 5, 10, …
 const LOOKS: [usize; 3] = [1, 2, 5];
+
+/// Columns of bodies on the ground.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// Columns of so many equal bodies.
+    pub bodies: Vec<usize>,
+    /// Two bodies, the upper one so many times as heavy.
+    pub ratios: Vec<f64>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "rates";
+    type Finding = System;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        let columns = self.bodies.iter().map(|n| format!("column of {n}"));
+        columns.chain(self.ratios.iter().map(|r| format!("ratio {r}"))).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(System, ())> {
+        let system = match self.bodies.get(task) {
+            Some(&bodies) => column(bodies)?,
+            None => pair(self.ratios[task - self.bodies.len()])?,
+        };
+        Ok((system, ()))
+    }
+}
 
 /// A column of bodies.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -97,16 +126,6 @@ impl Sweeps {
         self.measured
             .is_some_and(|m| (self.predicted.ceil() / m as f64 - 1.0).abs() <= SWEEPS_AGREE)
     }
-}
-
-/// Columns of equal bodies, then pairs of these mass ratios.
-///
-/// # Errors
-/// If the library makes no such column.
-pub fn run(bodies: &[usize], ratios: &[f64]) -> Result<Vec<System>> {
-    let columns = bodies.par_iter().map(|&n| column(n));
-    let pairs = ratios.par_iter().map(|&r| pair(r));
-    columns.chain(pairs).collect()
 }
 
 fn column(n: usize) -> Result<System> {

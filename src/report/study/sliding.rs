@@ -17,6 +17,7 @@ use std::f64::consts::{FRAC_PI_4, SQRT_2, TAU};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use super::friction::{Answer, Model, compare};
 use super::slider::{self, Path};
 use crate::error::Result;
@@ -24,9 +25,33 @@ use crate::lcp::friction::{Contact, FrictionProblem};
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::Settings;
 
+/// A block on the floor.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The coefficient of friction, above 0.
+    pub mu: f64,
+    /// How hard it is pushed, in units of what friction can hold; every model slides above √2.
+    pub push: f64,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "sliding";
+    type Finding = Finding;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        vec!["all".into()]
+    }
+
+    fn run(&self, _: usize) -> Result<(Finding, ())> {
+        Ok((run(self.mu, self.push)?, ()))
+    }
+}
+
 /// Block and rod.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Study {
+pub struct Finding {
     /// The coefficient of friction.
     pub mu: f64,
     /// How hard the sliding block is pushed, in N s; friction is at most 1 N s.
@@ -155,7 +180,7 @@ impl Figure {
 ///
 /// # Errors
 /// If there is no problem with such a μ, or the push is not finite.
-pub fn run(mu: f64, push: f64) -> Result<Study> {
+pub fn run(mu: f64, push: f64) -> Result<Finding> {
     let settings = Settings { tolerance: 1e-10, ..Settings::default() };
     let pushes: Vec<(Model, f64)> =
         Model::ALL.iter().flat_map(|&m| (0..=18).map(move |k| (m, f64::from(5 * k)))).collect();
@@ -166,7 +191,7 @@ pub fn run(mu: f64, push: f64) -> Result<Study> {
     let directions: Vec<(Model, f64)> =
         SHOWN.iter().flat_map(|&m| (0..=12).map(move |k| (m, 7.5 * f64::from(k)))).collect();
     let grips = directions.par_iter().map(|&(model, degrees)| grip(model, mu, degrees, &settings));
-    Ok(Study {
+    Ok(Finding {
         mu,
         push,
         slides: slides.collect::<Result<_>>()?,

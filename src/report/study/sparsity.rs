@@ -2,8 +2,33 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::problem_of;
+use super::settings::AtStep;
+use super::{Study, problem_of};
+use crate::error::Result;
 use crate::scene::Scene;
+
+/// Matrices to be drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The LCPs.
+    pub scenes: Vec<AtStep>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "sparsity";
+    type Finding = Patterns;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.scenes.iter().map(|task| task.scene.clone()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Self::Finding, ())> {
+        let task = &self.scenes[task];
+        Ok((run(&Scene::load(&task.scene)?, task.step)?, ()))
+    }
+}
 
 /// The patterns of one scene's matrices in a step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,9 +50,12 @@ pub struct Patterns {
 }
 
 /// The patterns in the last LCP of a step.
-pub fn run(scene: &Scene, step: usize) -> Option<Patterns> {
+///
+/// # Errors
+/// If the simulation fails before.
+pub fn run(scene: &Scene, step: usize) -> Result<Patterns> {
     let problem = problem_of(scene, step)?;
-    Some(Patterns {
+    Ok(Patterns {
         scene: scene.name.clone(),
         title: scene.title.clone(),
         step,

@@ -9,14 +9,37 @@ use std::fmt;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use crate::certificate::{Demand, judge};
 use crate::error::Result;
 use crate::lcp::{Lcp, library};
 use crate::solver::{Options, Settings, Solver, Start, Status, by_name};
 
+/// Murty's and Fathi's matrices.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The numbers of rows.
+    pub sizes: Vec<u32>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "worst-cases";
+    type Finding = Finding;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        vec!["all".into()]
+    }
+
+    fn run(&self, _: usize) -> Result<(Finding, ())> {
+        Ok((run(&self.sizes)?, ()))
+    }
+}
+
 /// The costs of all methods.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Study {
+pub struct Finding {
     /// The numbers of rows n.
     pub sizes: Vec<u32>,
     /// A method, matrix and numbering each.
@@ -108,7 +131,7 @@ const CASES: [(&str, &str, [Law; 2], bool); 7] = [
 ///
 /// # Errors
 /// If the library has no problem of such a size.
-pub fn run(sizes: &[u32]) -> Result<Study> {
+pub fn run(sizes: &[u32]) -> Result<Finding> {
     let paired = CASES.iter().flat_map(|&(solver, matrix, laws, reversed)| {
         [(0, reversed), (1, !reversed)].map(|(k, reversed)| (solver, matrix, reversed, k, laws[k]))
     });
@@ -127,7 +150,7 @@ pub fn run(sizes: &[u32]) -> Result<Study> {
         })
     };
     let cases = all.par_iter().map(case).collect::<Result<_>>()?;
-    Ok(Study { sizes: sizes.to_vec(), cases })
+    Ok(Finding { sizes: sizes.to_vec(), cases })
 }
 
 fn problem(matrix: &str, n: u32, reversed: bool) -> Result<Lcp> {

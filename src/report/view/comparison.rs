@@ -1,34 +1,55 @@
 //! All solvers at both levels, scene by scene.
 
-use super::Document;
+use super::{Document, Outcome, View};
 use crate::plot::scene::Film;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
-use crate::report::study::comparison::{Comparison, Run, Sample};
+use crate::report::study::comparison::{Comparison, Plan, Run, Sample, Timing};
 
-pub(super) fn section(document: &mut Document, comparisons: &[Comparison]) {
-    if comparisons.is_empty() {
-        return;
-    }
-    document.open("comparison", "Solvers and levels on the same scenes");
-    let runs = || comparisons.iter().flat_map(|comparison| &comparison.runs);
-    let (solves, claimed) =
-        (runs().map(|run| run.solves).sum::<usize>(), runs().map(|run| run.claimed).sum::<usize>());
-    let refuted = runs().map(|run| run.refuted_claims).sum::<usize>();
-    document.text(format!(
-        "Each scene was stepped by each solver, once with impulses (velocity level) and once with \
-         forces (acceleration level), every solve starting from the answer of the step before. Of \
-         {solves} problems the solvers claim to have solved {claimed}; the judge refutes {refuted} \
-         of these claims.",
-    ));
-    for comparison in comparisons {
-        let id = format!("comparison_{}", comparison.scene);
+impl View for Plan {
+    const TITLE: &'static str = "Solvers and levels on the same scenes";
+
+    fn show(&self, findings: &[Comparison], document: &mut Document) {
+        let runs = || findings.iter().flat_map(|comparison| &comparison.runs);
+        let (solves, claimed) = (
+            runs().map(|run| run.solves).sum::<usize>(),
+            runs().map(|run| run.claimed).sum::<usize>(),
+        );
+        let refuted = runs().map(|run| run.refuted_claims).sum::<usize>();
         document.text(format!(
-            "**{}.** {}",
-            markup::literal(&comparison.title),
-            markup::literal(comparison.teaches.trim())
+            "Each scene was stepped by each solver, once with impulses (velocity level) and once with \
+             forces (acceleration level), every solve starting from the answer of the step before. Of \
+             {solves} problems the solvers claim to have solved {claimed}; the judge refutes {refuted} \
+             of these claims.",
         ));
-        document.table(&id, table(comparison));
+        for comparison in findings {
+            let id = format!("comparison_{}", comparison.scene);
+            document.text(format!(
+                "**{}.** {}",
+                markup::literal(&comparison.title),
+                markup::literal(comparison.teaches.trim())
+            ));
+            document.table(&id, table(comparison));
+        }
+    }
+
+    fn outcome(&self, findings: &[Comparison]) -> Outcome {
+        let sum = |count: fn(&Run) -> usize| -> usize {
+            findings.iter().flat_map(|comparison| &comparison.runs).map(count).sum()
+        };
+        let refuted = sum(|run| run.refuted_claims);
+        let says = format!(
+            "{} problems, {} claimed solved, {} accepted by the judge, {refuted} claims refuted",
+            sum(|run| run.solves),
+            sum(|run| run.claimed),
+            sum(|run| run.accepted),
+        );
+        Outcome { good: refuted == 0, says }
+    }
+
+    fn show_times(&self, times: &[Vec<Timing>], document: &mut Document) {
+        document.text("Times are of whole simulations: contacts, assembly, solves and motion; judging is left out.");
+        document.table("timings", timings(&times.concat()));
     }
 }
 
@@ -66,7 +87,7 @@ pub fn table(comparison: &Comparison) -> Table {
             .into(),
         columns,
         rows,
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -85,6 +106,32 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
         Cell::number(run.worst(|sample| sample.drift), 2),
         Cell::number(run.worst(|sample| sample.penetration), 2),
     ]
+}
+
+/// How long a step took, run by run.
+fn timings(times: &[Timing]) -> Table {
+    let row = |timing: &Timing| {
+        vec![
+            Cell::text(&timing.scene),
+            Cell::text(&timing.formulation),
+            Cell::text(&timing.solver),
+            Cell::count(timing.steps),
+            Cell::number(1e3 * timing.seconds / timing.steps.max(1) as f64, 3),
+        ]
+    };
+    Table {
+        title: "Wall time of a step".into(),
+        how_to_read: "Mean over the run; runs share the processor with each other.".into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::words("level"),
+            Column::words("solver"),
+            Column::numbers("steps", ""),
+            Column::numbers("time a step", "ms"),
+        ],
+        rows: times.iter().map(row).collect(),
+        ..Table::default()
+    }
 }
 
 /// A page of its own for one scene: the film, the table, and the motion by solver and level.

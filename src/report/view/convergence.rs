@@ -1,41 +1,41 @@
 //! Residuals by sweep, beside the slopes that theory predicts.
 
-use super::Document;
+use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::convergence::{Curve, Study};
+use crate::report::study::convergence::{Curve, Finding, Plan};
 
 /// A measured rate, as digits a sweep, that differs from the predicted one by more than this part is
 /// marked.
 const AGREES: f64 = 0.1;
 
-pub(super) fn section(document: &mut Document, studies: &[Study]) {
-    if studies.is_empty() {
-        return;
+impl View for Plan {
+    const TITLE: &'static str = "How fast the sweeps converge";
+
+    fn show(&self, findings: &[Finding], document: &mut Document) {
+        document.text(
+            "While no row changes between bound and interior, a sweep multiplies the error by a fixed \
+             matrix. Its spectral radius $\\rho$ is the slope of the curves below: the residual falls \
+             like $\\rho^k$. For a chain, whose matrix is consistently ordered, Young's theory knows \
+             the best relaxation factor too:",
+        );
+        document.equation(
+            "\\rho_{GS} = \\rho_J^2, \\qquad \\omega^* = \\frac{2}{1 + \\sqrt{1 - \\rho_J^2}}, \
+             \\qquad \\rho(\\omega^*) = \\omega^* - 1",
+            "Young 1950",
+        );
+        for study in findings {
+            document.figure(figure(study));
+        }
+        document.table("rates", table(findings));
     }
-    document.open("convergence", "How fast the sweeps converge");
-    document.text(
-        "While no row changes between bound and interior, a sweep multiplies the error by a fixed \
-         matrix. Its spectral radius $\\rho$ is the slope of the curves below: the residual falls \
-         like $\\rho^k$. For a chain, whose matrix is consistently ordered, Young's theory knows \
-         the best relaxation factor too:",
-    );
-    document.equation(
-        "\\rho_{GS} = \\rho_J^2, \\qquad \\omega^* = \\frac{2}{1 + \\sqrt{1 - \\rho_J^2}}, \
-         \\qquad \\rho(\\omega^*) = \\omega^* - 1",
-        "Young 1950",
-    );
-    for study in studies {
-        document.figure(figure(study));
-    }
-    document.table("rates", table(studies));
 }
 
 fn name(omega: f64) -> String {
     if omega == 1.0 { "pgs".into() } else { format!("sor ω = {omega}") }
 }
 
-fn figure(study: &Study) -> Lines {
+fn figure(study: &Finding) -> Lines {
     let residuals = |curve: &Curve| -> Vec<(f64, f64)> {
         curve.records.iter().map(|r| (r.iteration as f64, r.natural_residual)).collect()
     };
@@ -73,11 +73,11 @@ fn slope(curve: &Curve) -> Option<Series> {
         let value = middle.natural_residual * rate.powf(k as f64 - middle.iteration as f64);
         (k as f64, value)
     };
-    let name = format!("theory ω = {}: ρ = {rate:.4}", curve.omega);
+    let name = format!("theory, {}: ρ = {rate:.4}", name(curve.omega));
     Some(Series::theory(name, vec![at(curve.records[0].iteration), at(last.iteration)]))
 }
 
-fn table(studies: &[Study]) -> Table {
+fn table(studies: &[Finding]) -> Table {
     let rows =
         studies.iter().flat_map(|study| study.curves.iter().map(|curve| cells(study, curve)));
     Table {
@@ -97,11 +97,11 @@ fn table(studies: &[Study]) -> Table {
             Column::words("agreement"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
-fn cells(study: &Study, curve: &Curve) -> Vec<Cell> {
+fn cells(study: &Finding, curve: &Curve) -> Vec<Cell> {
     let rate = |rate: Option<f64>| rate.map_or(Cell::text("–"), |rate| Cell::number(rate, 5));
     let agreement = match (curve.predicted_rate, curve.measured_rate) {
         (Some(predicted), Some(measured))

@@ -1,46 +1,47 @@
 //! Our answers beside two independent ones.
 
-use super::Document;
+use super::{Document, View};
 use crate::certificate::cross_check::max_difference;
 use crate::plot::number::significant;
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::cross_check::{CrossCheck, Wrench};
+use crate::report::study::cross_check::{CrossCheck, Plan, Wrench};
 
-pub(super) fn section(document: &mut Document, checks: &[CrossCheck]) {
-    if checks.is_empty() {
-        return;
-    }
-    document.open("cross-check", "The same answers from elsewhere");
-    document.text(
-        "Dantzig's answer is compared with two that share no code with it, both by the interior-\
-         point solver clarabel. The *box QP* is the same problem read as a minimisation over \
-         impulses:",
-    );
-    document.equation("\\min_{lo \\le x \\le hi}\\; \\tfrac12 x^T A x + b^T x", "dual");
-    document.text(
-        "*Gauss's principle* is the same motion read as a minimisation over velocities, in which \
-         $A$ is never formed, so that it checks the assembly of $A$ as well:",
-    );
-    document.equation(
-        "\\min_u\\; \\tfrac12 (u - u^*)^T M (u - u^*) \\quad \\text{subject to} \\quad J u + \
-         \\text{bias} \\ge 0",
-        "primal",
-    );
-    document.text(
-        "The two optimal values must be opposite. Where contacts are redundant, $x$ is not unique: \
-         the rank of $A$ on the free rows is then less than their number, and $x$ may differ while \
-         $w$ and the motion $u$ agree. There the distance to the exact motion $\\hat u$ is bounded \
-         instead of that to $x$: for any feasible $u$ and $x$",
-    );
-    document.equation("|u - \\hat u|_M \\le \\sqrt{2\\,(P(u) + D(x))}", "motion-bound");
-    document.table("cross_checks", table(checks));
-    document.table("objectives", objectives(checks));
-    if checks.iter().any(|check| !check.wrenches.is_empty()) {
+impl View for Plan {
+    const TITLE: &'static str = "The same answers from elsewhere";
+
+    fn show(&self, findings: &[Vec<CrossCheck>], document: &mut Document) {
+        let checks = &findings.concat();
         document.text(
-            "Where a load is shared in more than one way, single forces mean nothing; what the \
-             contacts do together to each body is unique, and both answers must agree on it:",
+            "Dantzig's answer is compared with two that share no code with it, both by the interior-\
+             point solver clarabel. The *box QP* is the same problem read as a minimisation over \
+             impulses:",
         );
-        document.table("wrenches", wrenches(checks));
+        document.equation("\\min_{lo \\le x \\le hi}\\; \\tfrac12 x^T A x + b^T x", "dual");
+        document.text(
+            "*Gauss's principle* is the same motion read as a minimisation over velocities, in which \
+             $A$ is never formed, so that it checks the assembly of $A$ as well:",
+        );
+        document.equation(
+            "\\min_u\\; \\tfrac12 (u - u^*)^T M (u - u^*) \\quad \\text{subject to} \\quad J u + \
+             \\text{bias} \\ge 0",
+            "primal",
+        );
+        document.text(
+            "The two optimal values must be opposite. Where contacts are redundant, $x$ is not unique: \
+             the rank of $A$ on the free rows is then less than their number, and $x$ may differ while \
+             $w$ and the motion $u$ agree. There the distance to the exact motion $\\hat u$ is bounded \
+             instead of that to $x$: for any feasible $u$ and $x$",
+        );
+        document.equation("|u - \\hat u|_M \\le \\sqrt{2\\,(P(u) + D(x))}", "motion-bound");
+        document.table("cross_checks", table(checks));
+        document.table("objectives", objectives(checks));
+        if checks.iter().any(|check| !check.wrenches.is_empty()) {
+            document.text(
+                "Where a load is shared in more than one way, single forces mean nothing; what the \
+                 contacts do together to each body is unique, and both answers must agree on it:",
+            );
+            document.table("wrenches", wrenches(checks));
+        }
     }
 }
 
@@ -68,7 +69,7 @@ fn table(checks: &[CrossCheck]) -> Table {
             Column::words("verdict on QP"),
         ],
         rows: checks.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -127,7 +128,7 @@ fn objectives(checks: &[CrossCheck]) -> Table {
             Column::numbers("− Gauss", ""),
         ],
         rows: checks.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -164,7 +165,7 @@ fn wrenches(checks: &[CrossCheck]) -> Table {
             Column::numbers("difference", ""),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

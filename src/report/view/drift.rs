@@ -1,26 +1,26 @@
 //! Energy and constraint errors, level by level, for shorter and shorter steps.
 
-use super::Document;
+use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
 use crate::report::study::comparison::Sample;
-use crate::report::study::drift::{Curve, Study};
+use crate::report::study::drift::{Curve, Finding, Plan};
 
-pub(super) fn section(document: &mut Document, studies: &[Study]) {
-    if studies.is_empty() {
-        return;
+impl View for Plan {
+    const TITLE: &'static str = "Energy, and how far the rods stretch";
+
+    fn show(&self, findings: &[Finding], document: &mut Document) {
+        document.text(
+            "A pendulum keeps its energy and its length; a simulated one does so only as far as its \
+             step and its formulation let it. Below, the energy error is measured against the largest \
+             kinetic energy of the motion, and the *drift* is how much the worst rod is too long or too \
+             short. Halving the step should halve the errors of a first-order method.",
+        );
+        for study in findings {
+            document.figure(figure(study));
+        }
+        document.table("drift", table(findings));
     }
-    document.open("drift", "Energy, and how far the rods stretch");
-    document.text(
-        "A pendulum keeps its energy and its length; a simulated one does so only as far as its \
-         step and its formulation let it. Below, the energy error is measured against the largest \
-         kinetic energy of the motion, and the *drift* is how much the worst rod is too long or too \
-         short. Halving the step should halve the errors of a first-order method.",
-    );
-    for study in studies {
-        document.figure(figure(study));
-    }
-    document.table("drift", table(studies));
 }
 
 fn name(curve: &Curve) -> String {
@@ -30,7 +30,7 @@ fn name(curve: &Curve) -> String {
     }
 }
 
-fn figure(study: &Study) -> Lines {
+fn figure(study: &Finding) -> Lines {
     let series = |measure: &dyn Fn(&Curve, &Sample) -> f64| -> Vec<Series> {
         let one = |curve: &Curve| {
             let points = curve.samples.iter().map(|s| (s.time, measure(curve, s))).collect();
@@ -57,8 +57,8 @@ fn figure(study: &Study) -> Lines {
     }
 }
 
-fn table(studies: &[Study]) -> Table {
-    let cells = |study: &Study, k: usize| {
+fn table(studies: &[Finding]) -> Table {
+    let cells = |study: &Finding, k: usize| {
         let curve = &study.curves[k];
         let coarser = k.checked_sub(1).map(|k| &study.curves[k]);
         let coarser = coarser.filter(|coarser| coarser.formulation == curve.formulation);
@@ -96,6 +96,6 @@ fn table(studies: &[Study]) -> Table {
             Column::words("trouble"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

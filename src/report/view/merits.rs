@@ -1,31 +1,31 @@
 //! The same iterates, measured in six ways.
 
-use super::Document;
+use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table, markup};
-use crate::report::study::merits::{Curve, Shape, Study};
+use crate::report::study::merits::{Curve, Plan, Run, Shape};
 
-pub(super) fn section(document: &mut Document, studies: &[Study]) {
-    if studies.is_empty() {
-        return;
-    }
-    document.open("merits", "One run, and six opinions on how far it got");
-    document.text(
-        "The same iterates of Gauss-Seidel, measured by the merit functions of different codes. \
-         Factors between the curves are a matter of units and norms; that one of them stays where \
-         it is is not: the chapter's stop test measures $w$, which at a solution is not zero where \
-         a bound holds (E04). Where there is friction, a second run solves Coulomb's law with \
-         circular cones: the codes that measure cones, $K$ with $\\hat w = w + \\mu |w_t| n$, agree up \
-         to a factor; those that see a box stay where the slip is oblique, for the box is another \
-         law.",
-    );
-    for study in studies {
-        document.figure(figure(study));
-        document.table(&id(study), table(study));
+impl View for Plan {
+    const TITLE: &'static str = "One run, and six opinions on how far it got";
+
+    fn show(&self, findings: &[Vec<Run>], document: &mut Document) {
+        document.text(
+            "The same iterates of Gauss-Seidel, measured by the merit functions of different codes. \
+             Factors between the curves are a matter of units and norms; that one of them stays where \
+             it is is not: the chapter's stop test measures $w$, which at a solution is not zero where \
+             a bound holds (E04). Where there is friction, a second run solves Coulomb's law with \
+             circular cones: the codes that measure cones, $K$ with $\\hat w = w + \\mu |w_t| n$, agree up \
+             to a factor; those that see a box stay where the slip is oblique, for the box is another \
+             law.",
+        );
+        for study in findings.iter().flatten() {
+            document.figure(figure(study));
+            document.table(&id(study), table(study));
+        }
     }
 }
 
-fn id(study: &Study) -> String {
+fn id(study: &Run) -> String {
     match study.shape {
         Shape::Box => format!("merits_{}", study.scene),
         Shape::Cone => format!("merits_{}_cone", study.scene),
@@ -33,14 +33,14 @@ fn id(study: &Study) -> String {
 }
 
 /// What tells two runs on one scene apart.
-fn suffix(study: &Study) -> &'static str {
+fn suffix(study: &Run) -> &'static str {
     match study.shape {
         Shape::Box => "",
         Shape::Cone => ", circular cones",
     }
 }
 
-fn figure(study: &Study) -> Lines {
+fn figure(study: &Run) -> Lines {
     let series = |curve: &Curve| {
         let points = curve.values.iter().enumerate().map(|(k, &v)| (k as f64, v)).collect();
         Series::measured(curve.name.clone(), points)
@@ -57,7 +57,7 @@ fn figure(study: &Study) -> Lines {
     }
 }
 
-fn table(study: &Study) -> Table {
+fn table(study: &Run) -> Table {
     let cells = |curve: &Curve| {
         let last = curve.values.last().copied().unwrap_or(f64::NAN);
         vec![Cell::text(&curve.name), Cell::text(&curve.definition), Cell::number(last, 3)]
@@ -75,6 +75,6 @@ fn table(study: &Study) -> Table {
             Column::numbers("at the end", ""),
         ],
         rows: study.curves.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

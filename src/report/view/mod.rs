@@ -6,13 +6,11 @@ mod cross_check;
 mod drift;
 mod families;
 mod film;
-mod friction;
-mod introduction;
 mod merits;
 mod rates;
+mod sliding;
 mod sparsity;
 mod storage;
-mod timing;
 mod verification;
 mod worst_cases;
 
@@ -22,8 +20,13 @@ pub use families::table as families_table;
 pub use film::simulation_page;
 pub use verification::table as verification_table;
 
-use super::page::{Block, Page, Picture, Section, Table};
-use super::results::Results;
+use serde_json::Value;
+
+use super::experiment::Experiment;
+use super::page::{Block, Cell, Column, Mark, Page, Picture, Section, Table};
+use super::results::{Part, Results, Task};
+use super::study::Study;
+use crate::error::Result;
 use crate::plot::Figure;
 
 /// A page with the figures and tables on it, each under the name of its files.
@@ -39,52 +42,120 @@ pub struct Document {
 /// The folder beside the page that holds figures and tables.
 pub const FILES: &str = "data";
 
+/// How the findings of a kind of study are shown.
+pub trait View: Study {
+    /// The heading of its section.
+    const TITLE: &'static str;
+
+    /// Adds the findings to the section that is open.
+    fn show(&self, findings: &[Self::Finding], document: &mut Document);
+
+    /// Adds what differs from machine to machine to the section of times.
+    fn show_times(&self, _times: &[Self::Times], _document: &mut Document) {}
+
+    /// Whether all came out as it should.
+    fn outcome(&self, _findings: &[Self::Finding]) -> Outcome {
+        Outcome { good: true, says: String::new() }
+    }
+}
+
+/// How a study came out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Outcome {
+    /// Whether all is as it should be.
+    pub good: bool,
+    /// In one line, with the numbers; nothing if there is nothing to say.
+    pub says: String,
+}
+
 /// The page of a report's results.
-pub fn document(results: &Results) -> Document {
-    let mut document = Document {
-        page: Page {
-            title: results.experiment.title.clone(),
-            lead: results.experiment.lead.clone(),
-            ..Page::default()
-        },
-        figures: Vec::new(),
-        tables: Vec::new(),
+///
+/// # Errors
+/// If a finding is not what this version writes.
+pub fn document(results: &Results) -> Result<Document> {
+    let page = Page {
+        title: results.title.clone(),
+        lead: results.lead.clone(),
+        facts: facts(results),
+        ..Page::default()
     };
-    let solves = results.experiment.solves();
-    if solves {
-        introduction::problem(&mut document, results);
+    let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    let experiment = Experiment::of(results)?;
+    for (section, part) in experiment.sections.iter().zip(&results.sections) {
+        document.open(&part.id, &part.title);
+        if !part.text.is_empty() {
+            document.text(&part.text);
+        }
+        if let Some(study) = &section.study {
+            study.show(&part.findings().collect::<Vec<_>>(), &mut document)?;
+            failures(&mut document, part);
+        }
+        if part.times {
+            times(&mut document, &experiment, results)?;
+        }
     }
-    verification::section(&mut document, &results.verification);
-    comparison::section(&mut document, &results.comparisons);
-    cross_check::section(&mut document, &results.cross_checks);
-    convergence::section(&mut document, &results.convergence);
-    rates::section(&mut document, &results.rates);
-    if let Some(study) = &results.worst_cases {
-        worst_cases::section(&mut document, study);
+    if !results.sections.iter().any(|part| part.times) && !results.machine.times.is_empty() {
+        document.open("times", "Times, on this machine");
+        times(&mut document, &experiment, results)?;
     }
-    if let Some(study) = &results.friction {
-        friction::section(&mut document, study);
+    document.page.sections.retain(|section| !section.blocks.is_empty());
+    Ok(document)
+}
+
+/// What differs from machine to machine, study by study.
+fn times(document: &mut Document, experiment: &Experiment, results: &Results) -> Result<()> {
+    for section in &experiment.sections {
+        let of_section = results.machine.times.iter().filter(|timed| timed.section == section.id);
+        let times: Vec<Value> = of_section.map(|timed| timed.times.clone()).collect();
+        if let (Some(study), false) = (&section.study, times.is_empty()) {
+            study.show_times(&times, document)?;
+        }
     }
-    merits::section(&mut document, &results.merits);
-    sparsity::section(&mut document, &results.sparsity);
-    drift::section(&mut document, &results.drift);
-    if let Some(study) = &results.storage {
-        storage::sections(&mut document, study);
+    Ok(())
+}
+
+/// The tasks of a section that failed, each with its reason.
+fn failures(document: &mut Document, part: &Part) {
+    let row = |task: &Task| {
+        let why = Cell::text(task.failure.as_ref()?).marked(Mark::Bad);
+        Some(vec![Cell::text(&task.name), why])
+    };
+    let rows: Vec<_> = part.tasks.iter().filter_map(row).collect();
+    if rows.is_empty() {
+        return;
     }
-    timing::section(&mut document, results);
-    if let Some(times) = &results.machine.storage {
-        storage::times(&mut document, times);
-    }
-    if solves {
-        introduction::limits(&mut document);
-    } else {
-        storage::limits(&mut document);
-    }
-    document.page.facts = introduction::facts(results);
-    document
+    let table = Table {
+        title: format!("What failed: {}", part.title),
+        how_to_read: "These are missing from the figures and tables of this section.".into(),
+        columns: vec![Column::words("task"), Column::words("reason")],
+        rows,
+        ..Table::default()
+    };
+    document.table(&format!("{}_failures", part.id), table);
+}
+
+fn facts(results: &Results) -> Vec<(String, String)> {
+    vec![
+        ("lcplab".into(), results.version.clone()),
+        ("libraries".into(), results.libraries.join(", ")),
+        ("report".into(), results.name.clone()),
+        ("platform".into(), results.machine.platform.clone()),
+        ("threads".into(), results.machine.threads.to_string()),
+        ("wall time".into(), format!("{:.1} s", results.machine.seconds)),
+        ("reproduce".into(), format!("lcplab report {}", results.name)),
+    ]
 }
 
 impl Document {
+    /// A document that shows the findings of one study.
+    pub fn of<S: View>(study: &S, findings: &[S::Finding]) -> Self {
+        let page = Page { title: S::TITLE.into(), ..Page::default() };
+        let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+        document.open(S::NAME, S::TITLE);
+        study.show(findings, &mut document);
+        document
+    }
+
     /// Starts a section.
     fn open(&mut self, id: &str, title: &str) {
         let section = Section { id: id.into(), title: title.into(), blocks: Vec::new() };

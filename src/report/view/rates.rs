@@ -1,10 +1,10 @@
 //! Rates in closed form beside eigenvalues and counted sweeps.
 
-use super::Document;
+use super::{Document, Outcome, View};
 use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::rates::{BLOW, Method, Rate, System, TARGET};
+use crate::report::study::rates::{BLOW, Method, Plan, Rate, System, TARGET};
 
 /// An eigenvalue agrees with a closed form if the digits gained a sweep differ by this part at most.
 const EIGENVALUE_AGREES: f64 = 1e-4;
@@ -13,52 +13,61 @@ const MEASURED_AGREES: f64 = 0.01;
 /// Where the rate alone does not predict the sweeps to this part, the cell is marked.
 const RULE_AGREES: f64 = 0.1;
 
-pub(super) fn section(document: &mut Document, systems: &[System]) {
-    if systems.is_empty() {
-        return;
-    }
-    document.open("rates", "Rates that can be worked out by hand");
-    document.text(
-        "Put $n$ equal bodies on each other, without friction, and let them fall for one step. Only \
-         the lowest contact closes at once; the others learn of it row by row. In units of one mass \
-         the matrix has 2 on the diagonal (1 in the first row, which belongs to the ground) and −1 \
-         beside it. Its eigenvectors are cosines, so the rate of every splitting method is known:",
-    );
-    document.equation(
-        "\\rho_J = \\cos\\frac{\\pi}{2n}, \\quad \\rho_{GS} = \\rho_J^2, \\quad \
-         \\omega^* = \\frac{2}{1 + \\sin(\\pi/2n)}, \\quad \\rho(\\omega^*) = \\omega^* - 1",
-        "Young 1950",
-    );
-    document.text(
-        "For a tall column $1 - \\rho_{GS} \\approx (\\pi/2n)^2$: twice as many bodies, four times as \
-         many sweeps. Two bodies are enough to make it as bad as one likes, if the upper one is $r$ \
-         times as heavy as the lower one. Gauss-Seidel on the two rows is $x_1 \\leftarrow v + x_2$, \
-         $x_2 \\leftarrow x_1 r / (1 + r)$ with $v = g\\,dt$; so, of the error, a sweep leaves",
-    );
-    document.equation("\\rho_{GS} = \\frac{r}{1 + r}", "two bodies");
-    document.table("rates_contraction", contraction(systems));
-    document.text(
-        "How many sweeps is that? The *rule of thumb* is $\\ln\\varepsilon / \\ln\\rho$ for a \
-         reduction by $\\varepsilon$. It assumes that all of the error is of the slowest kind. At \
-         the start, $x = 0$, only a part of it is. Projecting the start on the slowest eigenvector \
-         leaves, after $k$ sweeps, a natural residual $\\max_i |x_i - \\Pi(x_i - w_i)|$ of",
-    );
-    document.equation(
-        "\\frac{2}{n}\\, v\\, \\rho_{GS}^k \\;\\; \\text{(column of n)}, \\qquad \
-         v\\, \\rho_{GS}^k \\;\\; \\text{(two bodies, exactly)}",
-        "residual",
-    );
-    document
-        .text(format!("which is to fall from $v = 9.81/60$ m/s to {} m/s.", readable(TARGET, 1)));
-    document.table("rates_sweeps", sweeps(systems));
-    let pairs: Vec<&System> = systems.iter().filter(|s| !s.errors.is_empty()).collect();
-    if !pairs.is_empty() {
-        document.figure(figure(&pairs));
+impl View for Plan {
+    const TITLE: &'static str = "Rates that can be worked out by hand";
+
+    fn show(&self, findings: &[System], document: &mut Document) {
         document.text(
-            "An engine that stops after a fixed number of sweeps, 4 or 10 say, has done next to \
-             nothing about a ratio of 100: it goes on with 96 % and 91 % of the error. Heavy bodies \
-             that sink into light ones need no further cause, though they may have one.",
+            "Put $n$ equal bodies on each other, without friction, and let them fall for one step. Only \
+             the lowest contact closes at once; the others learn of it row by row. In units of one mass \
+             the matrix has 2 on the diagonal (1 in the first row, which belongs to the ground) and −1 \
+             beside it. Its eigenvectors are cosines, so the rate of every splitting method is known:",
         );
+        document.equation(
+            "\\rho_J = \\cos\\frac{\\pi}{2n}, \\quad \\rho_{GS} = \\rho_J^2, \\quad \
+             \\omega^* = \\frac{2}{1 + \\sin(\\pi/2n)}, \\quad \\rho(\\omega^*) = \\omega^* - 1",
+            "Young 1950",
+        );
+        document.text(
+            "For a tall column $1 - \\rho_{GS} \\approx (\\pi/2n)^2$: twice as many bodies, four times as \
+             many sweeps. Two bodies are enough to make it as bad as one likes, if the upper one is $r$ \
+             times as heavy as the lower one. Gauss-Seidel on the two rows is $x_1 \\leftarrow v + x_2$, \
+             $x_2 \\leftarrow x_1 r / (1 + r)$ with $v = g\\,dt$; so, of the error, a sweep leaves",
+        );
+        document.equation("\\rho_{GS} = \\frac{r}{1 + r}", "two bodies");
+        document.table("rates_contraction", contraction(findings));
+        document.text(
+            "How many sweeps is that? The *rule of thumb* is $\\ln\\varepsilon / \\ln\\rho$ for a \
+             reduction by $\\varepsilon$. It assumes that all of the error is of the slowest kind. At \
+             the start, $x = 0$, only a part of it is. Projecting the start on the slowest eigenvector \
+             leaves, after $k$ sweeps, a natural residual $\\max_i |x_i - \\Pi(x_i - w_i)|$ of",
+        );
+        document.equation(
+            "\\frac{2}{n}\\, v\\, \\rho_{GS}^k \\;\\; \\text{(column of n)}, \\qquad \
+             v\\, \\rho_{GS}^k \\;\\; \\text{(two bodies, exactly)}",
+            "residual",
+        );
+        document.text(format!(
+            "which is to fall from $v = 9.81/60$ m/s to {} m/s.",
+            readable(TARGET, 1)
+        ));
+        document.table("rates_sweeps", sweeps(findings));
+        let pairs: Vec<&System> = findings.iter().filter(|s| !s.errors.is_empty()).collect();
+        if !pairs.is_empty() {
+            document.figure(figure(&pairs));
+            document.text(
+                "An engine that stops after a fixed number of sweeps, 4 or 10 say, has done next to \
+                 nothing about a ratio of 100: it goes on with 96 % and 91 % of the error. Heavy bodies \
+                 that sink into light ones need no further cause, though they may have one.",
+            );
+        }
+    }
+
+    fn outcome(&self, findings: &[System]) -> Outcome {
+        let agree = findings.iter().filter(|system| system.sweeps.agree()).count();
+        let all = findings.len();
+        let says = format!("{agree} of {all} columns take as many sweeps as predicted");
+        Outcome { good: agree == all, says }
     }
 }
 
@@ -98,7 +107,7 @@ fn contraction(systems: &[System]) -> Table {
             Column::words("slope"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -142,7 +151,7 @@ fn sweeps(systems: &[System]) -> Table {
             Column::words("agreement"),
         ],
         rows: systems.iter().map(sweep_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

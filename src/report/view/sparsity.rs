@@ -1,35 +1,35 @@
 //! Where J and A have entries.
 
-use super::Document;
+use super::{Document, View};
 use crate::plot::Spy;
-use crate::report::study::sparsity::Patterns;
+use crate::report::study::sparsity::{Patterns, Plan};
 
-pub(super) fn section(document: &mut Document, patterns: &[Patterns]) {
-    if patterns.is_empty() {
-        return;
-    }
-    document.open("sparsity", "Why the matrices are mostly empty");
-    document.text(
-        "A row of $J$ has entries only for the one or two bodies it joins, and two rows of \
-         $A = J M^{-1} J^T$ feel each other only if they share a moving body. The larger the scene, \
-         the emptier its $A$ (the chapter's Figure 13); a solver that touches stored entries only \
-         does work in proportion to the contacts, not to their square.",
-    );
-    for scene in patterns {
-        let figures = [
-            ("jacobian", "J", (scene.rows, scene.columns), &scene.jacobian),
-            ("matrix", "A = J M⁻¹ Jᵀ", (scene.rows, scene.rows), &scene.matrix),
-        ];
-        let step = scene.step;
-        for (kind, name, size, places) in figures {
-            let id = format!("sparsity_{}_{kind}", scene.scene);
-            let caption = format!(
-                "{name} in step {step}: {}",
-                crate::report::page::markup::literal(&scene.title)
-            );
-            let title = format!("{name}: {}", scene.scene);
-            if let Ok(spy) = Spy::new(id, title, caption, size, places.iter().copied()) {
-                document.figure(spy);
+impl View for Plan {
+    const TITLE: &'static str = "Why the matrices are mostly empty";
+
+    fn show(&self, findings: &[Patterns], document: &mut Document) {
+        document.text(
+            "A row of $J$ has entries only for the one or two bodies it joins, and two rows of \
+             $A = J M^{-1} J^T$ feel each other only if they share a moving body. The larger the scene, \
+             the emptier its $A$ (the chapter's Figure 13); a solver that touches stored entries only \
+             does work in proportion to the contacts, not to their square.",
+        );
+        for scene in findings {
+            let figures = [
+                ("jacobian", "J", (scene.rows, scene.columns), &scene.jacobian),
+                ("matrix", "A = J M⁻¹ Jᵀ", (scene.rows, scene.rows), &scene.matrix),
+            ];
+            let step = scene.step;
+            for (kind, name, size, places) in figures {
+                let id = format!("sparsity_{}_{kind}", scene.scene);
+                let caption = format!(
+                    "{name} in step {step}: {}",
+                    crate::report::page::markup::literal(&scene.title)
+                );
+                let title = format!("{name}: {}", scene.scene);
+                if let Ok(spy) = Spy::new(id, title, caption, size, places.iter().copied()) {
+                    document.figure(spy);
+                }
             }
         }
     }

@@ -1,28 +1,36 @@
 //! Closed forms beside measured numbers.
 
-use super::Document;
+use super::{Document, Outcome, View};
 use crate::plot::number::significant;
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::verification::{Criterion, ORDER_SLACK, Row};
+use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row};
 
-pub(super) fn section(document: &mut Document, rows: &[Row]) {
-    if rows.is_empty() {
-        return;
+impl View for Plan {
+    const TITLE: &'static str = "Numbers that are known without a computer";
+
+    fn show(&self, findings: &[Vec<Row>], document: &mut Document) {
+        let rows = &findings.concat();
+        let failed = rows.iter().filter(|row| !row.passes()).count();
+        document.text(format!(
+            "Before any solver is compared: does the simulation get right what can be worked out by \
+             hand? {} of {} numbers do what they must. A number that the step length spoils must come \
+             right at the order that theory gives: each time the step is halved its error shrinks to \
+             $2^{{-p}}$ of what it was, and the observed order may be off by {ORDER_SLACK} at most. All \
+             other numbers must be right at every step length.",
+            rows.len() - failed,
+            rows.len()
+        ));
+        document.text(formulas(rows));
+        document.table("closed_forms", table(rows));
+        document.text(tolerances(rows));
     }
-    let failed = rows.iter().filter(|row| !row.passes()).count();
-    document.open("closed-forms", "Numbers that are known without a computer");
-    document.text(format!(
-        "Before any solver is compared: does the simulation get right what can be worked out by \
-         hand? {} of {} numbers do what they must. A number that the step length spoils must come \
-         right at the order that theory gives: each time the step is halved its error shrinks to \
-         $2^{{-p}}$ of what it was, and the observed order may be off by {ORDER_SLACK} at most. All \
-         other numbers must be right at every step length.",
-        rows.len() - failed,
-        rows.len()
-    ));
-    document.text(formulas(rows));
-    document.table("closed_forms", table(rows));
-    document.text(tolerances(rows));
+
+    fn outcome(&self, findings: &[Vec<Row>]) -> Outcome {
+        let rows = || findings.iter().flatten();
+        let (passed, all) = (rows().filter(|row| row.passes()).count(), rows().count());
+        let says = format!("{passed} of {all} closed forms as theory says");
+        Outcome { good: passed == all, says }
+    }
 }
 
 /// Each formula once.
@@ -81,7 +89,7 @@ pub fn table(rows: &[Row]) -> Table {
             .into(),
         columns: head.into_iter().chain(measured).chain(tail).collect(),
         rows: rows.iter().map(|row| cells(row, levels)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

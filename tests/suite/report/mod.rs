@@ -3,6 +3,7 @@ mod families;
 mod friction;
 mod page;
 mod rates;
+mod reference;
 mod sliding;
 mod standard;
 mod storage;

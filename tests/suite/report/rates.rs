@@ -1,9 +1,17 @@
 //! Benchmarks 4.3: the published rates and sweeps.
 
+use lcplab::error::Result;
 use lcplab::report::page::{Mark, Table};
-use lcplab::report::study::rates::{Method, System, run};
+use lcplab::report::study::Study;
+use lcplab::report::study::rates::{Method, Plan, System};
+use lcplab::report::view::Document;
 
 use super::standard;
+
+fn run(bodies: &[usize], ratios: &[f64]) -> Result<Vec<System>> {
+    let plan = Plan { bodies: bodies.to_vec(), ratios: ratios.to_vec() };
+    (0..plan.tasks().len()).map(|task| Ok(plan.run(task)?.0)).collect()
+}
 
 /// n, then ρ_J, ρ_GS, ω*, ρ(ω*), and the sweeps of Gauss-Seidel to 1e-8.
 const COLUMNS: [(usize, [f64; 4], usize); 5] = [
@@ -91,12 +99,14 @@ fn the_table_flags_the_best_omega_and_whatever_else_disagrees() {
         let note = |row: &usize| table.rows[*row].last().unwrap().mark == Mark::Note;
         (0..table.rows.len()).filter(note).collect()
     };
-    let mut results = standard::results(1);
-    assert_eq!(flagged(&standard::table(&results, "rates_contraction")), [2]);
-    assert!(flagged(&standard::table(&results, "rates_sweeps")).is_empty());
-    let column = &mut results.rates[0];
+    let plan = Plan { bodies: vec![5], ratios: vec![10.0] };
+    let mut systems: Vec<System> = (0..2).map(|k| plan.run(k).unwrap().0).collect();
+    let table = |systems: &[System], name| standard::table(&Document::of(&plan, systems), name);
+    assert_eq!(flagged(&table(&systems, "rates_contraction")), [2]);
+    assert!(flagged(&table(&systems, "rates_sweeps")).is_empty());
+    let column = &mut systems[0];
     column.rates[1].measured = column.rates[1].measured.map(|rate| rate.powf(0.98));
     column.sweeps.measured = column.sweeps.measured.map(|sweeps| sweeps + 4);
-    assert_eq!(flagged(&standard::table(&results, "rates_contraction")), [1, 2]);
-    assert_eq!(flagged(&standard::table(&results, "rates_sweeps")), [0]);
+    assert_eq!(flagged(&table(&systems, "rates_contraction")), [1, 2]);
+    assert_eq!(flagged(&table(&systems, "rates_sweeps")), [0]);
 }

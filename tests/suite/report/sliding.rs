@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
 use lcplab::report::study::friction::Model;
 use lcplab::report::study::slider;
 use lcplab::report::study::sliding::{Figure, run};
+use lcplab::report::view;
 
 use super::standard;
 
@@ -93,7 +94,7 @@ fn a_coefficient_that_is_none_is_an_error() {
 
 #[test]
 fn the_table_has_a_row_a_model_and_all_agree() {
-    let table = standard::table(&standard::results(1), "friction_block");
+    let table = standard::table(&view::document(&standard::results(1)).unwrap(), "friction_block");
     let column = table.columns.iter().position(|column| column.title == "agreement").unwrap();
     assert_eq!(table.rows.len(), Model::ALL.len());
     assert!(table.rows.iter().all(|row| row[column].text == "agrees"));
@@ -134,7 +135,7 @@ fn the_way_to_the_stop_is_the_one_that_small_steps_of_the_law_take() {
 
 #[test]
 fn the_block_of_the_scene_stops_there_under_every_model_and_all_answers_are_accepted() {
-    let table = standard::table(&standard::results(1), "friction_paths");
+    let table = standard::table(&view::document(&standard::results(1)).unwrap(), "friction_paths");
     let column = table.columns.iter().position(|column| column.title == "agreement").unwrap();
     assert_eq!(table.rows.len(), Model::ALL.len());
     for row in &table.rows {

@@ -1,8 +1,13 @@
 use indicatif::ProgressBar;
+use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::Experiment;
+use lcplab::report::kind::KINDS;
 use lcplab::report::page::Table;
-use lcplab::report::results::Results;
+use lcplab::report::results::{Part, Results};
+use lcplab::report::study::comparison::{Sample, thinned};
+use lcplab::report::study::convergence;
+use lcplab::report::view::Document;
 use lcplab::report::{methods, run, view, write};
 use lcplab::solver::{ALL, Method};
 
@@ -10,16 +15,51 @@ use lcplab::solver::{ALL, Method};
 const SMALL: &str = r#"
 title = "small"
 lead = "A *small* report."
+
+[[section]]
+title = "Words alone"
+text = "With $x^2$."
+
+[[section]]
+study = "comparison"
 solvers = ["pgs", "dantzig"]
-comparison = [{ scene = "fig7", steps = 2 }, { scene = "incline", steps = 3 }]
-cross_check = [{ scene = "fig7", step = 1 }]
-convergence = [{ scene = "chain", step = 20, omegas = [1.0, 1.5] }]
-rates = { bodies = [5], ratios = [10.0] }
-worst_cases = { sizes = [2, 4] }
-friction = { mu = 0.5, push = 3.0 }
-merits = [{ scene = "stack", step = 1 }]
-sparsity = [{ scene = "stack", step = 1 }]
-drift = [{ scene = "pendulum", duration = 0.1 }]
+scenes = [{ scene = "fig7", steps = 2 }, { scene = "incline", steps = 3 }]
+
+[[section]]
+study = "cross-check"
+scenes = [{ scene = "fig7", step = 1 }]
+
+[[section]]
+study = "convergence"
+title = "Slopes"
+text = "Look at the slopes."
+scenes = [{ scene = "chain", step = 20, omegas = [1.0, 1.5] }]
+
+[[section]]
+study = "rates"
+bodies = [5]
+ratios = [10.0]
+
+[[section]]
+study = "worst-cases"
+sizes = [2, 4]
+
+[[section]]
+study = "sliding"
+mu = 0.5
+push = 3.0
+
+[[section]]
+study = "merits"
+scenes = [{ scene = "stack", step = 1 }]
+
+[[section]]
+study = "sparsity"
+scenes = [{ scene = "stack", step = 1 }]
+
+[[section]]
+study = "drift"
+scenes = [{ scene = "pendulum", duration = 0.1 }]
 "#;
 
 pub fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
@@ -32,13 +72,17 @@ pub fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
 pub fn results(threads: usize) -> Results {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let experiment = experiment(SMALL).unwrap();
-    pool.install(|| run::run(&experiment, &ProgressBar::hidden())).unwrap()
+    pool.install(|| run_all(&experiment))
 }
 
-/// The table of these results whose file has this name.
-pub fn table(results: &Results, name: &str) -> Table {
-    let tables = view::document(results).tables;
-    tables.into_iter().find(|(id, _)| id == name).expect("a table of that name").1
+/// The results of all its tasks, saved nowhere.
+pub fn run_all(experiment: &Experiment) -> Results {
+    run::run(experiment, None, &ProgressBar::hidden(), &|_| Ok(())).unwrap()
+}
+
+/// The document's table whose file has this name.
+pub fn table(document: &Document, name: &str) -> Table {
+    document.tables.iter().find(|(id, _)| id == name).expect("a table of that name").1.clone()
 }
 
 #[test]
@@ -58,7 +102,7 @@ fn results_survive_their_file_and_give_the_same_page() {
     let text = serde_json::to_string(&results).unwrap();
     let back: Results = serde_json::from_str(&text).unwrap();
     assert_eq!(back, results);
-    let page = |results| view::document(results).page.render().unwrap();
+    let page = |results| view::document(results).unwrap().page.render().unwrap();
     assert_eq!(page(&back), page(&results));
 }
 
@@ -86,12 +130,12 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
 #[test]
 fn no_claim_is_refuted() {
     let results = results(2);
-    assert!(results.is_good(), "{}", results.summary());
+    assert!(results.is_good().unwrap(), "{}", results.summary().unwrap());
 }
 
 #[test]
 fn measured_slopes_are_the_spectral_radii_on_the_chain() {
-    for curve in &results(2).convergence[0].curves {
+    for curve in &results(2).findings::<convergence::Plan>().unwrap()[0].curves {
         let (predicted, measured) = (curve.predicted_rate.unwrap(), curve.measured_rate.unwrap());
         assert!((measured.ln() / predicted.ln() - 1.0).abs() < 0.1, "ω = {}", curve.omega);
     }
@@ -99,13 +143,103 @@ fn measured_slopes_are_the_spectral_radii_on_the_chain() {
 
 #[test]
 fn a_bad_report_file_is_refused_with_its_line() {
-    let wrong = experiment(&SMALL.replace("lead =", "leed =")).unwrap_err().to_string();
+    let message = |text: &str| experiment(text).err().expect("a defect").to_string();
+    let wrong = message(&SMALL.replace("lead =", "leed ="));
     assert!(wrong.contains("line 3: unknown field `leed`"), "{wrong}");
-    let missing =
-        experiment("title = \"t\"\nlead = \"\"\nsparsity = [{ scene = \"moon\", step = 1 }]")
-            .unwrap();
-    let error = run::run(&missing, &ProgressBar::hidden()).unwrap_err().to_string();
-    assert!(error.starts_with("there is no scene file or shipped scene named \"moon\""), "{error}");
+    let wrong = message(&SMALL.replace("bodies =", "bodys ="));
+    let line =
+        1 + SMALL[..SMALL.find("[[section]]\nstudy = \"rates\"").unwrap()].matches('\n').count();
+    let place = format!("section 5, from line {line}: rates: unknown field `bodys`");
+    assert!(wrong.contains(&place), "{wrong}");
+    let wrong = message(&SMALL.replace("\"rates\"", "\"rate\""));
+    assert!(wrong.contains("there is no study named \"rate\"; there are verification"), "{wrong}");
+    let head = "title = \"t\"\nlead = \"\"\n[[section]]\n";
+    let wrong = message(&format!("{head}title = \"words\"\nsize = 1"));
+    assert!(wrong.ends_with("has \"size\" but no study that it could belong to"), "{wrong}");
+    assert!(message(head).ends_with("needs a title, or a study"), "{}", message(head));
+}
+
+#[test]
+fn a_task_that_fails_is_a_row_with_its_reason_and_the_others_go_on() {
+    let text = SMALL.replace("\"pendulum\", duration = 0.1", "\"moon\", duration = 0.1");
+    let results = run_all(&experiment(&text).unwrap());
+    assert!(results.is_complete() && !results.is_good().unwrap());
+    let reason = "there is no scene file or shipped scene named \"moon\"";
+    let said = format!("drift, moon: failed: {reason}");
+    assert!(results.summary().unwrap().contains(&said), "{}", results.summary().unwrap());
+    let document = view::document(&results).unwrap();
+    let rows = table(&document, "drift_failures").rows;
+    assert!(rows.len() == 1 && rows[0][0].text == "moon" && rows[0][1].text.starts_with(reason));
+    assert_eq!(table(&document, "rates_sweeps").rows.len(), 2);
+}
+
+#[test]
+fn a_run_goes_on_where_another_one_stopped() {
+    let experiment = experiment(SMALL).unwrap();
+    let whole = run_all(&experiment);
+    let mut stopped = whole.clone();
+    stopped.sections[3].tasks[0].finding = None;
+    // A finding that a run from the start would never make shows that it was not made again.
+    let marked = serde_json::json!({"marked": true});
+    stopped.sections[4].tasks[1].finding = Some(marked.clone());
+    let go_on = |earlier: &Results| {
+        run::run(&experiment, Some(earlier), &ProgressBar::hidden(), &|_| Ok(())).unwrap()
+    };
+    let resumed = go_on(&stopped);
+    assert_eq!(resumed.sections[3], whole.sections[3]);
+    assert_eq!(resumed.sections[4].tasks[1].finding, Some(marked));
+    // Other settings, or another version, have other findings.
+    stopped.sections[4].settings["bodies"] = serde_json::json!([6]);
+    assert_eq!(go_on(&stopped).sections[4], whole.sections[4]);
+    stopped.version = "0.0.0".into();
+    assert_eq!(go_on(&stopped).sections, whole.sections);
+}
+
+#[test]
+fn results_that_cannot_be_saved_are_reported_before_anything_runs() {
+    let full = |_: &Results| Err(Error::invalid("results.json", "disk", "is full"));
+    let progress = ProgressBar::hidden();
+    let message = run::run(&experiment(SMALL).unwrap(), None, &progress, &full).unwrap_err();
+    assert_eq!(message.to_string(), "results.json: disk: is full");
+    assert_eq!(progress.position(), 0);
+}
+
+#[test]
+fn every_kind_of_study_is_known_by_a_name_of_its_own() {
+    let names: std::collections::BTreeSet<_> = KINDS.iter().map(|kind| kind.name).collect();
+    assert_eq!(names.len(), KINDS.len());
+}
+
+#[test]
+fn a_thinned_motion_keeps_its_ends_and_its_extremes() {
+    let sample = |k: usize| {
+        let peak = |at: usize| if k == at { 1.0 } else { 0.0 };
+        Sample {
+            time: k as f64,
+            energy: peak(777) - peak(1234),
+            drift: peak(501),
+            penetration: 0.0,
+        }
+    };
+    let thinned = thinned(&(0..=2000).map(sample).collect::<Vec<_>>());
+    let times: Vec<f64> = thinned.iter().map(|sample| sample.time).collect();
+    assert!(times.is_sorted() && times.len() <= 210, "{}", times.len());
+    for kept in [0.0, 501.0, 777.0, 1234.0, 2000.0] {
+        assert!(times.contains(&kept), "{kept}");
+    }
+}
+
+#[test]
+fn one_section_can_be_run_alone() {
+    let alone = experiment(SMALL).unwrap().only("rates").unwrap();
+    let results = run_all(&alone);
+    assert_eq!(results.sections, [results_of("rates")]);
+    let message = experiment(SMALL).unwrap().only("rate").err().unwrap().to_string();
+    assert!(message.starts_with("there is no section named \"rate\"; there are words-alone"));
+}
+
+fn results_of(id: &str) -> Part {
+    results(1).sections.into_iter().find(|part| part.id == id).unwrap()
 }
 
 #[test]

@@ -1,18 +1,18 @@
 use std::collections::HashSet;
 
-use indicatif::ProgressBar;
 use lcplab::report::results::Results;
 use lcplab::report::study::storage::claims::Verdict;
-use lcplab::report::study::storage::{Study, memory, search};
-use lcplab::report::{run, view};
+use lcplab::report::study::storage::{Finding, Plan, memory, search};
+use lcplab::report::view;
 
-use super::standard::experiment;
+use super::standard::{experiment, run_all};
 
 /// The study on matrices that take milliseconds.
 const SMALL: &str = r#"
 title = "storage"
 lead = "Small."
-[storage]
+[[section]]
+study = "storage"
 size = 20
 fills = [1.0, 10.0, 100.0]
 entries = [10, 100]
@@ -21,14 +21,17 @@ structures = [{ scene = "stack", step = 1 }, { scene = "net", step = 1 }]
 steps = { scene = "fig7", steps = 3 }
 factors = [{ scene = "chain", step = 1 }, { scene = "stack", step = 1 }]
 pictures = { only = ["fig7", "free_fall", "bricard"] }
+[[section]]
+title = "Limits"
+text = "Many."
 "#;
 
 fn results() -> Results {
-    run::run(&experiment(SMALL).unwrap(), &ProgressBar::hidden()).unwrap()
+    run_all(&experiment(SMALL).unwrap())
 }
 
-fn study() -> Study {
-    results().storage.unwrap()
+fn study() -> Finding {
+    results().findings::<Plan>().unwrap().remove(0)
 }
 
 #[test]
@@ -39,17 +42,21 @@ fn all_but_the_times_are_the_same_in_every_run() {
 #[test]
 fn a_report_on_storages_is_a_page_of_its_own() {
     let results = results();
-    assert!(results.is_good());
-    let structures = &results.storage.as_ref().unwrap().structures;
+    assert!(results.is_good().unwrap());
+    let structures = &results.findings::<Plan>().unwrap()[0].structures;
     assert!(structures.iter().all(|structure| structure.agree == Some(true)));
-    assert!(!results.summary().contains("closed forms"));
+    assert!(!results.summary().unwrap().contains("closed forms"));
     let text = serde_json::to_string(&results).unwrap();
     let back: Results = serde_json::from_str(&text).unwrap();
-    let document = view::document(&results);
-    assert_eq!(view::document(&back).page.render().unwrap(), document.page.render().unwrap());
+    let document = view::document(&results).unwrap();
+    assert_eq!(
+        view::document(&back).unwrap().page.render().unwrap(),
+        document.page.render().unwrap()
+    );
     let sections: Vec<&str> = document.page.sections.iter().map(|s| s.id.as_str()).collect();
     assert_eq!(sections.first(), Some(&"claims"));
-    assert_eq!(sections.last(), Some(&"limits"));
+    assert!(sections.contains(&"limits"));
+    assert_eq!(sections.last(), Some(&"times"));
     // Each has a CSV of its own.
     let figures = document.figures.iter().map(|figure| figure.id().to_string());
     let names: Vec<String> =

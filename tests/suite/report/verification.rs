@@ -1,10 +1,9 @@
 //! Every closed form at the fast size, and that the page can fail.
 
-use indicatif::ProgressBar;
-use lcplab::report::study::verification::{Criterion, Row, Sample, Size, names, run};
-use lcplab::report::{self, view};
+use lcplab::report::study::verification::{Criterion, Plan, Row, Sample, Size, names, run};
+use lcplab::report::view;
 
-use super::standard::experiment;
+use super::standard::{experiment, run_all};
 
 #[test]
 fn every_closed_form_comes_out_at_its_order() {
@@ -72,15 +71,17 @@ fn a_case_that_does_not_exist_is_refused_with_those_that_do() {
 
 #[test]
 fn the_page_sets_every_formula_and_shows_every_row() {
-    let text = "title = \"t\"\nlead = \"l\"\nverification = \"fast\"\nsolvers = []\n";
+    let text =
+        "title = \"t\"\nlead = \"l\"\n[[section]]\nstudy = \"verification\"\nsize = \"fast\"\n";
     let experiment = experiment(text).unwrap();
-    let results = report::run::run(&experiment, &ProgressBar::hidden()).unwrap();
-    assert!(results.is_good(), "{}", results.summary());
-    let document = view::document(&results);
+    let results = run_all(&experiment);
+    assert!(results.is_good().unwrap(), "{}", results.summary().unwrap());
+    let document = view::document(&results).unwrap();
     let (_, table) = document.tables.iter().find(|(id, _)| id == "closed_forms").unwrap();
-    assert_eq!(table.rows.len(), results.verification.len());
+    let rows = results.findings::<Plan>().unwrap().concat();
+    assert_eq!(table.rows.len(), rows.len());
     let html = document.page.render().unwrap(); // LaTeX that cannot be set is an error
-    for row in &results.verification {
+    for row in &rows {
         assert!(html.contains(&format!("<em>{}</em>, ", row.case)), "{}", row.case);
     }
 }

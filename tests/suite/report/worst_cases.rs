@@ -1,7 +1,9 @@
 //! Benchmarks 4.2: one LCP, five costs.
 
 use lcplab::report::page::Mark;
-use lcplab::report::study::worst_cases::{Law, run};
+use lcplab::report::study::Study;
+use lcplab::report::study::worst_cases::{Finding, Law, Plan, run};
+use lcplab::report::view::Document;
 
 use super::standard;
 
@@ -58,13 +60,15 @@ fn a_size_that_the_library_does_not_have_is_an_error() {
 
 #[test]
 fn the_table_says_where_a_count_is_not_the_formula() {
-    let mut results = standard::results(1);
-    let marks = |results: &_| {
-        let rows = standard::table(results, "worst_cases").rows;
+    let plan = Plan { sizes: vec![2, 4] };
+    let mut study = plan.run(0).unwrap().0;
+    let marks = |study: &Finding| {
+        let document = Document::of(&plan, std::slice::from_ref(study));
+        let rows = standard::table(&document, "worst_cases").rows;
         let bad = |cell: &&lcplab::report::page::Cell| cell.mark == Mark::Bad;
         rows[0].iter().filter(bad).map(|cell| cell.text.clone()).collect::<Vec<_>>()
     };
-    assert!(marks(&results).is_empty());
-    results.worst_cases.as_mut().unwrap().cases[0].costs = vec![None, Some(7)];
-    assert_eq!(marks(&results), ["failed", "7", "differs"]);
+    assert!(marks(&study).is_empty());
+    study.cases[0].costs = vec![None, Some(7)];
+    assert_eq!(marks(&study), ["failed", "7", "differs"]);
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::Result;
 use crate::formulation::Problem;
 use crate::plot::Raster;
-use crate::report::experiment::AtStep;
+use crate::report::study::settings::AtStep;
 use crate::storage::{Graph, Ordering};
 
 /// Cells along the side of a picture.

@@ -14,21 +14,74 @@ pub mod time;
 
 use serde::{Deserialize, Serialize};
 
-use super::{at_level, problem_of};
+use super::settings::{AtStep, Stepped};
+use super::{Study, at_level, problem_of};
 use crate::error::Result;
 use crate::formulation::Problem;
-use crate::report::experiment::{AtStep, Storage as Task};
 use crate::scene::{Formulation, Scene};
 use crate::simulation::Simulation;
-use crate::solver::{Options, Settings, by_name};
+use crate::solver::{self, Options, by_name};
 use crate::storage::Entry;
 
 /// The seed of all random places.
 const SEED: u64 = 42;
 
+/// What is measured of storages.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// Rows and columns of the matrix that is filled at random places.
+    pub size: usize,
+    /// How much of it is filled (%).
+    pub fills: Vec<f64>,
+    /// Searches among so many entries.
+    pub entries: Vec<usize>,
+    /// Stacks of so many cubes, assembled and swept.
+    pub stacks: Vec<usize>,
+    /// Scenes whose J, M⁻¹ and A are kept in every storage.
+    #[serde(default)]
+    pub structures: Vec<AtStep>,
+    /// A scene whose steps are assembled over and over.
+    #[serde(default)]
+    pub steps: Option<Stepped>,
+    /// Scenes whose A is factored.
+    #[serde(default)]
+    pub factors: Vec<AtStep>,
+    /// The patterns of the shipped scenes.
+    #[serde(default)]
+    pub pictures: Option<Pictures>,
+}
+
+/// The shipped scenes' patterns.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pictures {
+    /// These scenes alone; all without it.
+    #[serde(default)]
+    pub only: Vec<String>,
+    /// Scenes that are shown in a later step than the first.
+    #[serde(default)]
+    pub later: Vec<AtStep>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "storage";
+    const ALONE: bool = true;
+    type Finding = Finding;
+    type Times = time::Times;
+
+    fn tasks(&self) -> Vec<String> {
+        vec!["all".into()]
+    }
+
+    fn run(&self, _: usize) -> Result<(Finding, time::Times)> {
+        Ok((run(self)?, time::run(self)?))
+    }
+}
+
 /// What was found out about storages.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Study {
+pub struct Finding {
     /// Rows and columns of the matrix that is filled.
     pub size: usize,
     /// Its memory in each storage by fill.
@@ -51,7 +104,7 @@ pub struct Study {
 ///
 /// # Errors
 /// A scene that cannot be loaded, or numbers that make no matrix.
-pub fn run(task: &Task) -> Result<Study> {
+pub fn run(task: &Plan) -> Result<Finding> {
     let memory = memory::run(task.size, &task.fills)?;
     let search = search::run(&task.entries)?;
     let structures = each(&task.structures, structure::run)?;
@@ -59,14 +112,7 @@ pub fn run(task: &Task) -> Result<Study> {
     let factors = each(&task.factors, factor::run)?;
     let pictures = pictures::run(&task.pictures)?;
     let claims = claims::run(&memory, &search, &structures)?;
-    Ok(Study { size: task.size, memory, search, structures, steps, factors, claims, pictures })
-}
-
-impl Study {
-    /// Whether the storages agreed on every matrix that was assembled in them.
-    pub fn agrees(&self) -> bool {
-        self.structures.iter().all(|structure| structure.agree != Some(false))
-    }
+    Ok(Finding { size: task.size, memory, search, structures, steps, factors, claims, pictures })
 }
 
 /// Runs a study on the problem of each scene's step.
@@ -84,13 +130,13 @@ fn problem(task: &AtStep) -> Result<Option<Problem>> {
         scene = at_level(&scene, Formulation::Velocity);
     }
     if task.step > 1 {
-        return Ok(problem_of(&scene, task.step));
+        return problem_of(&scene, task.step).map(Some);
     }
     first_problem(scene)
 }
 
 fn first_problem(scene: Scene) -> Result<Option<Problem>> {
-    let settings = Settings { max_iterations: 1, ..Settings::default() };
+    let settings = solver::Settings { max_iterations: 1, ..solver::Settings::default() };
     let solver = by_name("pgs", &Options { settings, ..Options::default() })?;
     let step = Simulation::new(scene, solver).step().ok();
     Ok(step.and_then(|mut step| step.solves.pop()).map(|solve| solve.problem))

@@ -3,10 +3,10 @@
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::problem;
+use super::{Pictures as Task, problem};
 use crate::error::Result;
 use crate::plot::Raster;
-use crate::report::experiment::{AtStep, Pictures as Task};
+use crate::report::study::settings::AtStep;
 use crate::scene::catalogue::SHIPPED;
 
 /// Cells along the side of a picture.

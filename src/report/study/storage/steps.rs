@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::formulation::Factors;
-use crate::report::experiment::Stepped;
 use crate::report::study::scene_simulation;
+use crate::report::study::settings::Stepped;
 use crate::scene::Scene;
 use crate::storage::{ALL, Kind, Storage, Workspace, triple_product};
 

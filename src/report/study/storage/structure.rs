@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::formulation::{Factors, Problem};
-use crate::report::experiment::AtStep;
+use crate::report::study::settings::AtStep;
 use crate::storage::{ALL, CompressedRows, Entry, Storage, Workspace, triple_product};
 
 /// The matrices of a scene.

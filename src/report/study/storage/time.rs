@@ -6,11 +6,10 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 
 use super::structure::assembled;
-use super::{SEED, first_problem, scattered, shuffled};
+use super::{Plan as Task, SEED, first_problem, scattered, shuffled};
 use crate::error::Result;
 use crate::formulation::{Factors, Problem};
 use crate::lcp::{Lcp, Matrix};
-use crate::report::experiment::Storage as Task;
 use crate::scene::Scene;
 use crate::storage::{ALL, Entry, Kind, Storage, Tree, Workspace, sweep, triple_product};
 

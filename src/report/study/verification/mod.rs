@@ -26,10 +26,41 @@ mod rotation;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use crate::error::{Error, Result};
 
 /// How far an observed order may lie from the derived one.
 pub const ORDER_SLACK: f64 = 0.1;
+
+/// The known numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// How many step lengths.
+    pub size: Size,
+    /// These cases alone, by name; all without it.
+    #[serde(default = "all_cases")]
+    pub cases: Vec<String>,
+}
+
+/// The names of all cases.
+fn all_cases() -> Vec<String> {
+    names().into_iter().map(String::from).collect()
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "verification";
+    type Finding = Vec<Row>;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.cases.clone()
+    }
+
+    fn run(&self, task: usize) -> Result<(Vec<Row>, ())> {
+        Ok((run(self.size, Some(&self.cases[task]))?, ()))
+    }
+}
 
 /// How much is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -137,10 +168,10 @@ impl Row {
 }
 
 /// The rows of a case.
-type Study = fn(Size) -> Result<Vec<Row>>;
+type Case = fn(Size) -> Result<Vec<Row>>;
 
 /// The cases by name, in the order of the page.
-const CASES: &[(&str, Study)] = &[
+const CASES: &[(&str, Case)] = &[
     ("free-fall", free::fall),
     ("pendulum", pendulum::swing),
     ("pendulum-tension", pendulum::tension),

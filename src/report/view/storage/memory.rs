@@ -4,11 +4,11 @@ use super::super::Document;
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
-use crate::report::study::storage::Study;
+use crate::report::study::storage::Finding;
 use crate::report::study::storage::memory::Memory;
 use crate::report::study::storage::search::Search;
 
-pub(super) fn section(document: &mut Document, study: &Study) {
+pub(super) fn section(document: &mut Document, study: &Finding) {
     document.open("memory", "Memory by fill: Table 1 again");
     let size = study.size;
     document.text(format!(
@@ -28,7 +28,7 @@ pub(super) fn section(document: &mut Document, study: &Study) {
     document.figure(figure(study));
 }
 
-fn table(study: &Study) -> Table {
+fn table(study: &Finding) -> Table {
     let shown = [0.1, 1.0, 10.0, 50.0, 100.0];
     let mut columns = vec![Column::words("storage")];
     columns.extend(shown.map(|fill| Column::numbers(format!("{} %", readable(fill, 3)), "bytes")));
@@ -55,11 +55,11 @@ fn table(study: &Study) -> Table {
                 .into(),
         columns,
         rows: study.memory.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
-fn figure(study: &Study) -> Lines {
+fn figure(study: &Finding) -> Lines {
     let series = |memory: &Memory| {
         let points = memory.points.iter().map(|p| (p.fill, p.bytes as f64)).collect();
         Series::measured(memory.storage.clone(), points)
@@ -119,7 +119,7 @@ pub(super) fn search(document: &mut Document, searches: &[Search]) {
             Column::numbers("looks", ""),
         ],
         rows: searches.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     };
     document.table("storage_search", table);
     document.figure(looks(searches));

@@ -5,30 +5,52 @@ mod memory;
 mod structures;
 mod times;
 
-pub(super) use times::section as times;
-
-use super::Document;
+use super::{Document, Outcome, View};
 use crate::plot::number::{count, readable};
 use crate::plot::{Small, Spies};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::storage::Study;
 use crate::report::study::storage::claims::{Claim, Verdict};
 use crate::report::study::storage::pictures::Picture;
+use crate::report::study::storage::time::Times;
+use crate::report::study::storage::{Finding, Plan};
 
 /// Pictures in a figure, and side by side.
 const PICTURES: usize = 20;
 const ACROSS: usize = 5;
 
-pub(super) fn sections(document: &mut Document, study: &Study) {
-    claims(document, &study.claims);
-    memory::section(document, study);
-    memory::search(document, &study.search);
-    structures::structures(document, &study.structures);
-    if let Some(steps) = &study.steps {
-        structures::steps(document, steps);
+impl View for Plan {
+    const TITLE: &'static str = "How to keep a sparse matrix";
+
+    fn show(&self, findings: &[Finding], document: &mut Document) {
+        for study in findings {
+            claims(document, &study.claims);
+            memory::section(document, study);
+            memory::search(document, &study.search);
+            structures::structures(document, &study.structures);
+            if let Some(steps) = &study.steps {
+                structures::steps(document, steps);
+            }
+            factors::section(document, &study.factors);
+            pictures(document, &study.pictures);
+        }
     }
-    factors::section(document, &study.factors);
-    pictures(document, &study.pictures);
+
+    fn show_times(&self, times: &[Times], document: &mut Document) {
+        times.iter().for_each(|times| times::section(document, times));
+    }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let asked = || findings.iter().flat_map(|f| &f.structures).filter_map(|s| s.agree);
+        let (agree, all) = (asked().filter(|agree| *agree).count(), asked().count());
+        let claims = || findings.iter().flat_map(|study| &study.claims);
+        let says = format!(
+            "{agree} of {all} scenes have the same A in every storage; {} of the chapter's {} claims \
+             on storage hold as they stand",
+            claims().filter(|claim| claim.holds()).count(),
+            claims().count(),
+        );
+        Outcome { good: agree == all, says }
+    }
 }
 
 fn claims(document: &mut Document, claims: &[Claim]) {
@@ -59,7 +81,7 @@ fn claims(document: &mut Document, claims: &[Claim]) {
             Column::words("erratum"),
         ],
         rows: claims.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     };
     document.table("storage_claims", table);
 }
@@ -101,20 +123,4 @@ fn note(picture: &Picture) -> String {
         return format!("no rows{step}");
     }
     format!("{}², {} %{step}", count(raster.rows), readable(raster.fill(), 2))
-}
-
-/// What the report does not show.
-pub(super) fn limits(document: &mut Document) {
-    document.open("limits", "What this report does not show");
-    document.text(
-        "- Bytes are those asked for. An allocator adds its own, 8 to 16 bytes a piece as a rule, which \
-         hits maps hardest, and memory in many pieces is scattered.\n\
-         - A sorted map's bytes are counted for entries that were set in ascending order; another order \
-         splits its nodes elsewhere and moves the number by up to a quarter.\n\
-         - Random places are the worst case for block rows: in a J, whose rows fill whole blocks, they \
-         are the smallest.\n\
-         - Times are of one thread, one matrix at a time, in a warm cache, through a call that is not \
-         known at compile time: what small sizes show is mostly that call.\n\
-         - The chapter's lists and maps hold numbers of 4 bytes; here all hold 8.",
-    );
 }

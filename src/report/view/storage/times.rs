@@ -6,7 +6,6 @@ use crate::report::page::{Cell, Column, Table};
 use crate::report::study::storage::time::{Time, Times};
 
 pub(in super::super) fn section(document: &mut Document, times: &Times) {
-    document.open("storage_times", "Times of the storages, on this machine");
     document.text(
         "These differ from run to run and from machine to machine: compare shapes, not digits. To find an \
          entry is cheap in all storages but the list and the tree that was filled in order, which the \
@@ -88,6 +87,6 @@ fn table(times: &[Time]) -> Table {
             Column::numbers("sweep", "µs"),
         ],
         rows: times.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

@@ -1,79 +1,84 @@
 //! The models of friction on a block that is pushed from all sides, and on a rod.
 
-use super::Document;
+use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::friction::{Answer, Model};
 use crate::report::study::slider::Path;
-use crate::report::study::sliding::{Figure, SHOWN, Slide, Study};
+use crate::report::study::sliding::{Figure, Finding, Plan, SHOWN, Slide};
 
 /// Measured and expected numbers may differ by this much (parts, degrees, N s, m/s).
 const AGREES: f64 = 1e-3;
 /// The direction of the push in the table (degrees).
 const TABLE: f64 = 30.0;
 
-pub(super) fn section(document: &mut Document, study: &Study) {
-    document.open("friction", "Four models of friction, pushed from all sides");
-    document.text(
-        "Coulomb's law says: a contact that sticks holds with any force up to $\\mu x_n$; one that \
-         slides rubs with exactly $\\mu x_n$, straight against the slip $w_t$.",
-    );
-    document.equation(
-        "|x_t| \\le \\mu x_n, \\qquad w_t \\ne 0 \\Rightarrow x_t = -\\mu x_n \\frac{w_t}{|w_t|}",
-        "Coulomb",
-    );
-    document.text(
-        "That is a disc in the plane of the two tangents $t_1$, $t_2$, and a disc is not linear. \
-         Solvers replace it:\n\n\
-         - **Frozen box**: each tangent has bounds of its own, $\\pm\\mu$ times the normal impulse \
-         that there would be *without* friction. A square of fixed size.\n\
-         - **Coupled box**: the same square, with the present $x_n$. The scenes of this report do \
-         this, and so does Open Dynamics Engine.\n\
-         - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one unknown \
-         more for each corner, solved by Lemke's method.\n\
-         - **Cone**: the disc itself. *Associated*, as a convex problem, which pays for convexity by \
-         lifting what slides; or *Coulomb*, with nothing given up.\n\n\
-         A block of 1 kg lies on the floor and is pushed along it. It is pressed so that \
-         $\\mu x_n = 1$ N s. Its rows do not feel each other ($A$ is the identity), and so friction is \
-         the point of the model's figure (square, polygon or disc) that is nearest to the push. \
-         Everything below can be drawn with ruler and compasses; lines are that drawing, markers are \
-         what the solvers found.",
-    );
-    document.figure(direction_figure(study));
-    document.text(
-        "Friction that should point straight against the slip snaps to a corner of the box or of \
-         the polygon instead. A crate that is dragged at 30° to the tangents veers off to one side; \
-         dragged along a tangent it does not. And a floor has no tangents: the program chose them.",
-    );
-    document.figure(grip_figure(study));
-    document.text(
-        "The reach of the figure is how hard one may push before the block moves: too hard across \
-         the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too softly across the edges of a \
-         polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, 8, 16.",
-    );
-    document.table("friction_block", block_table(study));
-    document.text(
-        "On the block the two boxes do the same, as do the two cones but for the lifting. A rod on \
-         two feet tells them apart: its middle is above the ground, so friction at the feet tips it, \
-         and one foot is pressed harder than without friction, the other more lightly. The frozen \
-         box knows nothing of that: it rubs too weakly at the one and too strongly at the other, \
-         there perhaps by more than the $\\sqrt{2}$ of a square of the right size. With more corners \
-         the polygons come near Coulomb's law; the boxes do not.",
-    );
-    document.table("friction_rod", rod_table(study));
-    document.text(
-        "What a model does to one problem, it does in every step. A block of the scene *sliding* starts \
-         at 30° to $t_1$ with 3 m/s. Coulomb's law stops it on the straight line, after \
-         $v^2 / (2 \\mu g)$. Under a figure with corners, friction is the corner nearest to the slip; \
-         the slip turns away from it to the middle of an edge, and goes on from there: towards $t_1$ \
-         on the box, towards the diagonal on the polygon with four corners.",
-    );
-    document.figure(path_figure(study));
-    document.table("friction_paths", path_table(study));
+impl View for Plan {
+    const TITLE: &'static str = "Four models of friction, pushed from all sides";
+
+    fn show(&self, findings: &[Finding], document: &mut Document) {
+        for study in findings {
+            document.text(
+                "Coulomb's law says: a contact that sticks holds with any force up to $\\mu x_n$; one that \
+                 slides rubs with exactly $\\mu x_n$, straight against the slip $w_t$.",
+            );
+            document.equation(
+                "|x_t| \\le \\mu x_n, \\qquad w_t \\ne 0 \\Rightarrow x_t = -\\mu x_n \\frac{w_t}{|w_t|}",
+                "Coulomb",
+            );
+            document.text(
+                "That is a disc in the plane of the two tangents $t_1$, $t_2$, and a disc is not linear. \
+                 Solvers replace it:\n\n\
+                 - **Frozen box**: each tangent has bounds of its own, $\\pm\\mu$ times the normal impulse \
+                 that there would be *without* friction. A square of fixed size.\n\
+                 - **Coupled box**: the same square, with the present $x_n$. The scenes of this report do \
+                 this, and so does Open Dynamics Engine.\n\
+                 - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one unknown \
+                 more for each corner, solved by Lemke's method.\n\
+                 - **Cone**: the disc itself. *Associated*, as a convex problem, which pays for convexity by \
+                 lifting what slides; or *Coulomb*, with nothing given up.\n\n\
+                 A block of 1 kg lies on the floor and is pushed along it. It is pressed so that \
+                 $\\mu x_n = 1$ N s. Its rows do not feel each other ($A$ is the identity), and so friction is \
+                 the point of the model's figure (square, polygon or disc) that is nearest to the push. \
+                 Everything below can be drawn with ruler and compasses; lines are that drawing, markers are \
+                 what the solvers found.",
+            );
+            document.figure(direction_figure(study));
+            document.text(
+                "Friction that should point straight against the slip snaps to a corner of the box or of \
+                 the polygon instead. A crate that is dragged at 30° to the tangents veers off to one side; \
+                 dragged along a tangent it does not. And a floor has no tangents: the program chose them.",
+            );
+            document.figure(grip_figure(study));
+            document.text(
+                "The reach of the figure is how hard one may push before the block moves: too hard across \
+                 the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too softly across the edges of a \
+                 polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, 8, 16.",
+            );
+            document.table("friction_block", block_table(study));
+            document.text(
+                "On the block the two boxes do the same, as do the two cones but for the lifting. A rod on \
+                 two feet tells them apart: its middle is above the ground, so friction at the feet tips it, \
+                 and one foot is pressed harder than without friction, the other more lightly. The frozen \
+                 box knows nothing of that: it rubs too weakly at the one and too strongly at the other, \
+                 there perhaps by more than the $\\sqrt{2}$ of a square of the right size. With more corners \
+                 the polygons come near Coulomb's law; the boxes do not.",
+            );
+            document.table("friction_rod", rod_table(study));
+            document.text(
+                "What a model does to one problem, it does in every step. A block of the scene *sliding* starts \
+                 at 30° to $t_1$ with 3 m/s. Coulomb's law stops it on the straight line, after \
+                 $v^2 / (2 \\mu g)$. Under a figure with corners, friction is the corner nearest to the slip; \
+                 the slip turns away from it to the middle of an edge, and goes on from there: towards $t_1$ \
+                 on the box, towards the diagonal on the polygon with four corners.",
+            );
+            document.figure(path_figure(study));
+            document.table("friction_paths", path_table(study));
+        }
+    }
 }
 
-fn path_figure(study: &Study) -> Lines {
+fn path_figure(study: &Finding) -> Lines {
     let path = |model: &Model| {
         let paths = study.paths.iter().filter(|path| path.model == *model);
         let points = paths.flat_map(|path| path.points.iter().map(|&[x, y]| (x, y)));
@@ -97,7 +102,7 @@ fn path_figure(study: &Study) -> Lines {
     }
 }
 
-fn path_table(study: &Study) -> Table {
+fn path_table(study: &Finding) -> Table {
     Table {
         title: "Where the block stops".into(),
         how_to_read: "Places along $t_1$ and $t_2$; the expected ones come from the figure alone, for \
@@ -121,7 +126,7 @@ fn path_table(study: &Study) -> Table {
             Column::words("agreement"),
         ],
         rows: study.paths.iter().map(path_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -157,7 +162,7 @@ fn against(v: [f64; 3]) -> f64 {
     f64::atan2(0.0 - v[2], 0.0 - v[1]).to_degrees()
 }
 
-fn direction_figure(study: &Study) -> Lines {
+fn direction_figure(study: &Finding) -> Lines {
     let measured = |model: &Model| {
         let slides = study.slides.iter().filter(|slide| slide.answer.model == *model);
         let contacts = slides.flat_map(|slide| slide.answer.contacts.first());
@@ -201,7 +206,7 @@ fn stairs(model: Model) -> Vec<(f64, f64)> {
     points
 }
 
-fn grip_figure(study: &Study) -> Lines {
+fn grip_figure(study: &Finding) -> Lines {
     let measured = |model: &Model| {
         let grips = study.grips.iter().filter(|grip| grip.model == *model);
         Series::points(short(*model), grips.map(|grip| (grip.degrees, grip.measured)).collect())
@@ -225,7 +230,7 @@ fn grip_figure(study: &Study) -> Lines {
     }
 }
 
-fn block_table(study: &Study) -> Table {
+fn block_table(study: &Finding) -> Table {
     let slides = study.slides.iter().filter(|slide| slide.degrees == TABLE);
     Table {
         title: format!("The block, pushed with {} N s at 30°", readable(study.push, 3)),
@@ -250,7 +255,7 @@ fn block_table(study: &Study) -> Table {
             Column::numbers("Coulomb residual", ""),
         ],
         rows: slides.map(block_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -276,7 +281,7 @@ fn block_cells(slide: &Slide) -> Vec<Cell> {
     cells
 }
 
-fn rod_table(study: &Study) -> Table {
+fn rod_table(study: &Finding) -> Table {
     let exact = study.rod.iter().find(|answer| answer.model == Model::CoulombCone);
     Table {
         title: "The rod on two feet".into(),
@@ -299,7 +304,7 @@ fn rod_table(study: &Study) -> Table {
             Column::numbers("Coulomb residual", ""),
         ],
         rows: study.rod.iter().map(|answer| rod_cells(answer, exact)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
