@@ -14,14 +14,8 @@ use super::style::{self, FAINT_INK, INK, TEXT};
 use super::{Figure, csv};
 
 /// Cividis from its dark end to its pale one.
-const SHADES: [(u8, u8, u8); 6] = [
-    (0, 32, 77),
-    (49, 68, 107),
-    (102, 105, 112),
-    (149, 143, 120),
-    (203, 186, 105),
-    (255, 234, 70),
-];
+const SHADES: [(u8, u8, u8); 6] =
+    [(0, 32, 77), (49, 68, 107), (102, 105, 112), (149, 143, 120), (203, 186, 105), (255, 234, 70)];
 /// Steps of the scale.
 const STEPS: usize = 30;
 /// Decades below the largest value that have shades of their own.
@@ -257,7 +251,9 @@ impl Shaded {
             }
         }
         let drawn = paths.iter().enumerate().filter(|(_, path)| !path.is_empty());
-        drawn.map(|(k, path)| format!("<path fill=\"{}\" d=\"{path}\"/>\n", hex(shade(k)))).collect()
+        drawn
+            .map(|(k, path)| format!("<path fill=\"{}\" d=\"{path}\"/>\n", hex(shade(k))))
+            .collect()
     }
 }
 

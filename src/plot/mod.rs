@@ -15,6 +15,7 @@ mod line;
 mod marker;
 pub mod number;
 pub mod plane;
+mod points;
 pub mod profile;
 mod raster;
 pub mod scene;

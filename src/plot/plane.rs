@@ -183,8 +183,7 @@ impl Path {
                 .try_for_each(|run| plane.draw(&PathElement::new(run, stroke(color, style::THIN))))
         });
         canvas.layer("class=\"points\"", |layer| {
-            apart(&places)
-                .try_for_each(|place| disc(layer, place, DOT, color.filled()))
+            apart(&places).try_for_each(|place| disc(layer, place, DOT, color.filled()))
         });
         let Some((first, last)) = places.first().zip(places.last()) else { return };
         canvas.layer("class=\"ends\"", |layer| {

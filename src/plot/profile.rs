@@ -255,12 +255,7 @@ impl Legend {
             canvas.layer(&dashes(look.dash), |layer| {
                 layer.draw(&PathElement::new(ends, stroke(RGBColor(r, g, b), style::LINE)))
             });
-            draw_markers(
-                canvas,
-                &[(x + SAMPLE / 2.0, y)],
-                look.marker,
-                RGBColor(r, g, b),
-            );
+            draw_markers(canvas, &[(x + SAMPLE / 2.0, y)], look.marker, RGBColor(r, g, b));
             canvas.text((x + SAMPLE + 8.0, y + 5.0), Anchor::Start, TEXT, INK, label);
         }
     }

@@ -143,8 +143,7 @@ pub enum Group {
 
 impl Group {
     /// All of them.
-    pub const ALL: [Group; 4] =
-        [Group::Sweeps, Group::FirstOrder, Group::Newton, Group::Pivoting];
+    pub const ALL: [Group; 4] = [Group::Sweeps, Group::FirstOrder, Group::Newton, Group::Pivoting];
 
     /// The family of a registered solver.
     pub fn of(solver: &str) -> Option<Group> {

@@ -151,8 +151,8 @@ const RESOLUTION: f64 = 2e-3;
 fn apart(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let size = |at: fn(&(f64, f64)) -> f64| {
         let values = points.iter().map(at).filter(|value| value.is_finite());
-        let (lo, hi) = values
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)));
+        let (lo, hi) =
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)));
         f64::max(hi - lo, f64::MIN_POSITIVE)
     };
     let (wide, high) = (size(|p| p.0), size(|p| p.1));

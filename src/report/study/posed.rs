@@ -53,7 +53,8 @@ impl Source {
         match self {
             Source::Scene(AtStep { scene, step }) => format!("{scene}, step {step}"),
             Source::Family(OfFamily { family, values }) => {
-                let values: Vec<String> = values.iter().map(|(k, v)| format!("{k} = {v}")).collect();
+                let values: Vec<String> =
+                    values.iter().map(|(k, v)| format!("{k} = {v}")).collect();
                 if values.is_empty() {
                     family.clone()
                 } else {
@@ -78,9 +79,7 @@ impl Source {
                     values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
                 Ok(library::by_name(family)?.generate(&values)?.lcp)
             }
-            Source::Stack(stack) => {
-                Ok(problem_of(&stack.scene()?, 1)?.lcp)
-            }
+            Source::Stack(stack) => Ok(problem_of(&stack.scene()?, 1)?.lcp),
         }
     }
 }

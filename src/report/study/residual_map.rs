@@ -13,9 +13,7 @@ use super::Study;
 use super::posed::column;
 use crate::error::{Error, Result};
 use crate::lcp::Lcp;
-use crate::solver::{
-    Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings, Solver, Start,
-};
+use crate::solver::{Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings, Solver, Start};
 
 /// Which column, and how long it is looked at.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

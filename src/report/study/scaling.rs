@@ -93,6 +93,9 @@ impl Study for Plan {
         let rate = (PI / (2.0 * n)).cos().powi(2);
         let gauss_seidel = (self.tolerance * n * n).ln() / rate.ln();
         let best_sor = self.tolerance.ln() / (omega - 1.0).ln();
-        Ok((Column { bodies, gauss_seidel, best_sor, attempts }, Seconds { bodies, solvers: seconds }))
+        Ok((
+            Column { bodies, gauss_seidel, best_sor, attempts },
+            Seconds { bodies, solvers: seconds },
+        ))
     }
 }

@@ -4,7 +4,7 @@ use super::attempt::{anchor, iterations_in_words, section_id};
 use super::{Document, View};
 use crate::plot::Axis;
 use crate::plot::plane::{Path, Plane};
-use crate::report::study::plane::{Row, Plan};
+use crate::report::study::plane::{Plan, Row};
 
 impl View for Plan {
     const TITLE: &'static str = "One row on its way to the law";

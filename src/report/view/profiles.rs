@@ -6,7 +6,7 @@ use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::attempt::{Attempt, Group, Outcome};
-use crate::report::study::profiles::{Cost, Profile, Plan, Tried, costs, profiles};
+use crate::report::study::profiles::{Cost, Plan, Profile, Tried, costs, profiles};
 
 /// A failure: solver, tolerance, reason; and the families where it happened.
 type Failures = Vec<((String, usize, String), Vec<String>)>;
@@ -35,7 +35,10 @@ impl View for Plan {
         document.table("profiles_cost", iteration_costs());
         document.table("profiles_solvers", self.by_solver(tried, &solvers));
         for (k, tolerance) in self.tolerances.iter().enumerate() {
-            document.table(&format!("profiles_families_{}", k + 1), matrix(tried, &solvers, k, *tolerance));
+            document.table(
+                &format!("profiles_families_{}", k + 1),
+                matrix(tried, &solvers, k, *tolerance),
+            );
         }
         document.table("profiles_failures", self.failures(tried));
     }
@@ -110,7 +113,9 @@ impl Plan {
         let mut text = format!("At {} ", tolerance(self.tolerances[last]));
         text += &match all.is_empty() {
             true => "no solver solved everything it attempted. ".to_string(),
-            false => format!("{} solved everything they attempted (so many problems). ", listed(&all)),
+            false => {
+                format!("{} solved everything they attempted (so many problems). ", listed(&all))
+            }
         };
         if let (Some((most, profile)), Some((cheapest, best))) = (most, cheapest) {
             let solved = (share(profile) * profile.attempted as f64).round();
@@ -148,8 +153,9 @@ impl Plan {
                     Cell::count(refuted).marked(if refuted == 0 { Mark::Plain } else { Mark::Bad }),
                     Cell::count(attempted - claimed),
                     Cell::text(semidefinite(tried, solver, k)),
-                    Cell::count(false_claims(tried, solver, k))
-                        .marked(if false_claims(tried, solver, k) == 0 { Mark::Plain } else { Mark::Note }),
+                    Cell::count(false_claims(tried, solver, k)).marked(
+                        if false_claims(tried, solver, k) == 0 { Mark::Plain } else { Mark::Note },
+                    ),
                 ]);
             }
         }

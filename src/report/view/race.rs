@@ -6,7 +6,7 @@ use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
 use crate::report::study::attempt::{Group, Outcome};
-use crate::report::study::race::{Clock, Mark, Race, Runner, Plan};
+use crate::report::study::race::{Clock, Mark, Plan, Race, Runner};
 
 /// A residual of exactly 0 has no place on a logarithmic axis; it is drawn here.
 const LEAST: f64 = 1e-17;
@@ -117,9 +117,10 @@ fn by_second(clock: &Clock) -> Lines {
     Lines {
         id: id(&clock.problem, "seconds"),
         title: format!("{}: residual by time", clock.problem),
-        caption: "The same runs by the clock, stop tests included and the time for looking at iterates \
+        caption:
+            "The same runs by the clock, stop tests included and the time for looking at iterates \
                   taken off. On a machine that does other things too."
-            .into(),
+                .into(),
         x: Axis::log("time", "ms"),
         panels: vec![Panel { y: Axis::log("scaled residual", ""), series: curves.collect() }],
     }
@@ -139,9 +140,10 @@ fn table(race: &Race) -> Table {
     };
     Table {
         title: format!("{}: what it took to {}", race.problem, tolerance(race.tolerance)),
-        how_to_read: "*judge*: what came of the claim, or why there was none. *multiplications*: only of \
+        how_to_read:
+            "*judge*: what came of the claim, or why there was none. *multiplications*: only of \
                       those that solved it."
-            .into(),
+                .into(),
         columns: vec![
             Column::words("solver"),
             Column::words("judge"),

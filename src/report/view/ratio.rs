@@ -25,7 +25,10 @@ impl View for Plan {
              a little more in each sweep, and what a sweep leaves of the error is, for two bodies of mass \
              ratio r without friction,",
         );
-        document.equation("\\rho = \\frac{r}{1 + r}, \\qquad 1 - \\rho \\approx \\frac{1}{r}", "two bodies");
+        document.equation(
+            "\\rho = \\frac{r}{1 + r}, \\qquad 1 - \\rho \\approx \\frac{1}{r}",
+            "two bodies",
+        );
         document.text(
             "Ten times the ratio, about ten times the sweeps. For a stack of boxes ρ is the largest eigenvalue \
              below 1 of the iteration matrix, and between two precisions lie",
@@ -387,13 +390,15 @@ impl Plan {
         let pgs = stack.tried.iter().find(|tried| tried.solver() == "pgs");
         let first = pgs.and_then(|tried| Some((tried.attempts.first()?, *tried.missing.first()?)));
         match (first, self.tolerances.first()) {
-            (Some((attempt, Some(missing))), Some(first)) if attempt.outcome.is_solved() => format!(
-                "A looser precision is no way out: at {} *pgs* stops after {}, with {} % of the weight \
+            (Some((attempt, Some(missing))), Some(first)) if attempt.outcome.is_solved() => {
+                format!(
+                    "A looser precision is no way out: at {} *pgs* stops after {}, with {} % of the weight \
                  not carried. ",
-                tolerance(*first),
-                iterations_in_words("pgs", attempt.iterations),
-                readable(100.0 * missing, 2)
-            ),
+                    tolerance(*first),
+                    iterations_in_words("pgs", attempt.iterations),
+                    readable(100.0 * missing, 2)
+                )
+            }
             _ => String::new(),
         }
     }

@@ -6,7 +6,7 @@ use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column as Head, Mark, Table};
 use crate::report::study::posed::BLOW;
-use crate::report::study::relaxation::{Column, Point, Plan, young};
+use crate::report::study::relaxation::{Column, Plan, Point, young};
 use crate::solver::theory;
 
 /// An eigenvalue is the formula's up to this: at ω* the matrix is defective, and half of the digits go.
@@ -164,7 +164,8 @@ fn words(column: &Column) -> String {
         let point = column.points.iter().find(|point| point.omega == at)?;
         point.sweeps.map(|sweeps| (at, sweeps))
     };
-    let fastest = column.points.iter().filter_map(|p| Some((p.omega, p.sweeps?))).min_by_key(|p| p.1);
+    let fastest =
+        column.points.iter().filter_map(|p| Some((p.omega, p.sweeps?))).min_by_key(|p| p.1);
     match (counted(1.0), counted(column.best), fastest) {
         (Some((_, plain)), Some((_, best)), Some((omega, least))) => format!(
             "On the column of {} Gauss-Seidel takes {} and SOR with ω\\* = {} takes {best}: {} times \

@@ -5,7 +5,7 @@ use super::{Document, Outcome, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column as Head, Mark, Table};
 use crate::report::study::attempt::Attempt;
-use crate::report::study::scaling::{Column, Seconds, Plan};
+use crate::report::study::scaling::{Column, Plan, Seconds};
 
 /// Predicted and counted sweeps of Gauss-Seidel that differ by this part are the same.
 const SAME: f64 = 0.05;
@@ -35,7 +35,8 @@ impl View for Plan {
         let pgs = columns.iter().filter_map(|column| Some((column, of(column, "pgs")?)));
         let agrees: Vec<bool> = pgs.map(|(column, attempt)| column.agrees(attempt)).collect();
         let agree = agrees.iter().filter(|agrees| **agrees).count();
-        let says = format!("{agree} of {} columns take pgs as many sweeps as predicted", agrees.len());
+        let says =
+            format!("{agree} of {} columns take pgs as many sweeps as predicted", agrees.len());
         Outcome { good: agree == agrees.len(), says }
     }
 
@@ -50,7 +51,8 @@ impl View for Plan {
         document.figure(Lines {
             id: "scaling_seconds".into(),
             title: format!("Time to a scaled residual of {}", tolerance(self.tolerance)),
-            caption: "The same solves by the clock, on a machine that does other things too.".into(),
+            caption: "The same solves by the clock, on a machine that does other things too."
+                .into(),
             x: Axis::log("bodies n", ""),
             panels: vec![Panel {
                 y: Axis::log("time", "ms"),
@@ -150,7 +152,8 @@ impl Plan {
             let slopes = slopes.map(|s| s.map_or(Cell::text("–"), |s| Cell::number(s, 2)));
             [Cell::text(solver)].into_iter().chain(counts).chain(slopes).collect()
         };
-        let heads = columns.iter().map(|column| Head::numbers(format!("n = {}", column.bodies), ""));
+        let heads =
+            columns.iter().map(|column| Head::numbers(format!("n = {}", column.bodies), ""));
         let slopes = ["iterations ~ n^", "multiplications ~ n^"].map(|t| Head::numbers(t, ""));
         Table {
             title: "Iterations by size, and how they grow".into(),
@@ -182,7 +185,8 @@ fn gauss_seidel(columns: &[Column]) -> Table {
     };
     Table {
         title: "Sweeps of Gauss-Seidel by size, predicted and counted".into(),
-        how_to_read: "*predicted* by the formula above; they agree if they are the same to 5 %.".into(),
+        how_to_read: "*predicted* by the formula above; they agree if they are the same to 5 %."
+            .into(),
         columns: vec![
             Head::numbers("bodies", ""),
             Head::numbers("predicted", "sweeps"),

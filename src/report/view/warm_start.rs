@@ -5,7 +5,7 @@ use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::warm_start::{Pair, Run, Plan};
+use crate::report::study::warm_start::{Pair, Plan, Run};
 
 impl View for Plan {
     const TITLE: &'static str = "What a warm start saves";

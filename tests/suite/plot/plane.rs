@@ -22,7 +22,8 @@ fn segments(figure: &Plane) -> (usize, usize) {
     let law = svg.split("class=\"law\"").nth(1).unwrap().split("</g>").next().unwrap();
     let points = law.split("points=\"").skip(1).map(|line| line.split('"').next().unwrap());
     let corners = points.map(|points| {
-        let place = |pair: &str| -> Vec<f64> { pair.split(',').map(|v| v.parse().unwrap()).collect() };
+        let place =
+            |pair: &str| -> Vec<f64> { pair.split(',').map(|v| v.parse().unwrap()).collect() };
         points.split_whitespace().map(place).collect::<Vec<_>>()
     });
     corners.fold((0, 0), |(level, upright), corners| {

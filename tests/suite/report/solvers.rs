@@ -168,7 +168,8 @@ fn work_is_what_the_formulas_say() {
     }
     let mut b = vec![0.0; n];
     b[0] = -1.0;
-    let lcp = Lcp::new(Matrix::sparse(n, &entries), b, vec![0.0; n], vec![f64::INFINITY; n]).unwrap();
+    let lcp =
+        Lcp::new(Matrix::sparse(n, &entries), b, vec![0.0; n], vec![f64::INFINITY; n]).unwrap();
     let work = |name: &'static str| {
         let mut work = Work::of(name, &lcp);
         let solver = solver::by_name(name, &Options::default()).unwrap();
@@ -258,8 +259,7 @@ fn two_bodies_carry_their_load_as_fast_as_theory_says() {
 /// whoever stops there must not claim a solution.
 #[test]
 fn a_residual_that_is_small_because_the_load_is_large_is_not_claimed() {
-    let plan: ratio::Plan =
-        settings("boxes = 2\nratios = [1e4]\nabout = 1e4\nsolvers = [\"pgs\"]");
+    let plan: ratio::Plan = settings("boxes = 2\nratios = [1e4]\nabout = 1e4\nsolvers = [\"pgs\"]");
     let found = only(&plan);
     assert_eq!(found.tried[0].attempts[0].outcome, Outcome::Withdrawn);
     assert!(found.tried[0].missing[0].unwrap() > 0.5);
