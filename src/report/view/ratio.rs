@@ -210,7 +210,7 @@ impl Plan {
                 .iter()
                 .flat_map(|stack| stack.tried.iter().filter_map(move |tried| row(stack, tried)))
                 .collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 
@@ -283,7 +283,7 @@ impl Plan {
                 Column::numbers("missing", "of the weight"),
             ],
             rows: rows.collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 

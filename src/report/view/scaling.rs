@@ -163,7 +163,7 @@ impl Plan {
                 .into(),
             columns: [Head::words("solver")].into_iter().chain(heads).chain(slopes).collect(),
             rows: self.solvers.iter().map(row).collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 }
@@ -194,6 +194,6 @@ fn gauss_seidel(columns: &[Column]) -> Table {
             Head::words("agreement"),
         ],
         rows: columns.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
