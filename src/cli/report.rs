@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::lesson::Program;
+use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
 
+use super::pdf::Browser;
 use super::{Outcome, bar, print};
 use crate::handout::ALL;
 
@@ -21,7 +23,7 @@ const HANDOUT: &Program = &ALL[0];
 Example:
   lcplab report                # writes reports/standard/index.html
   lcplab report chapter        # the chapter, walked through with everything computed
-  lcplab report storage        # the chapter's sparse matrices, measured
+  lcplab report storage --pdf  # the chapter's sparse matrices, measured; and report.pdf
   lcplab report mine.toml --out mine
   lcplab report --section convergence          # one section of the standard report
   lcplab report --redraw reports/standard      # the page again, nothing is solved
@@ -49,12 +51,18 @@ pub struct Report {
     /// Start over even if an interrupted run has left results to go on from
     #[arg(long)]
     fresh: bool,
+    /// Difference of numbers that --compare lets pass, whatever their size
+    #[arg(long, default_value_t = 0.0, requires = "compare")]
+    absolute: f64,
     /// Folder of the report; reports/NAME without it
     #[arg(long)]
     out: Option<PathBuf>,
     /// Threads to use; the results are the same for any number
     #[arg(long)]
     threads: Option<usize>,
+    /// Print the page to report.pdf beside it too, by a Chromium or Chrome that is on the PATH
+    #[arg(long, conflicts_with = "compare")]
+    pdf: bool,
 }
 
 impl Report {
@@ -62,6 +70,16 @@ impl Report {
         if let [old, new] = &self.compare[..] {
             return self.changes(old, new);
         }
+        let browser = self.pdf.then(Browser::find).transpose()?;
+        let (outcome, page) = self.page()?;
+        if let Some(browser) = browser {
+            print(&format!("{}\n", browser.print(&page)?.display()))?;
+        }
+        Ok(outcome)
+    }
+
+    /// Writes the page; returns how the report came out, and the page's path.
+    fn page(&self) -> Result<(Outcome, PathBuf)> {
         if let Some(folder) = &self.redraw {
             return redraw(folder);
         }
@@ -89,8 +107,9 @@ impl Report {
     }
 
     fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
+        let tolerance = Tolerance { relative: self.tolerance, absolute: self.absolute };
         let changes =
-            difference::between(&difference::read(old)?, &difference::read(new)?, self.tolerance);
+            difference::between(&difference::read(old)?, &difference::read(new)?, tolerance);
         if changes.is_empty() {
             print("no difference\n")?;
             return Ok(Outcome::Good);
@@ -100,18 +119,18 @@ impl Report {
     }
 
     /// The report `chapter`: a notebook in the order of the chapter, run and written as one page.
-    fn handout(&self) -> Result<Outcome> {
+    fn handout(&self) -> Result<(Outcome, PathBuf)> {
         let folder = self.out.clone().unwrap_or_else(|| ["reports", HANDOUT.name].iter().collect());
         let page = HANDOUT.page(&HANDOUT.run()?)?.render()?;
         let path = folder.join("index.html");
         write::file(&path, &page)?;
         print(&format!("{}\n", path.display()))?;
-        Ok(Outcome::Good)
+        Ok((Outcome::Good, path))
     }
 }
 
 /// The page of results that were found before.
-fn redraw(folder: &Path) -> Result<Outcome> {
+fn redraw(folder: &Path) -> Result<(Outcome, PathBuf)> {
     let path = folder.join(write::RESULTS);
     let results: Results = serde_json::from_value(difference::read(&path)?).map_err(|cause| {
         Error::invalid(path.display().to_string(), "results", cause.to_string())
@@ -120,10 +139,10 @@ fn redraw(folder: &Path) -> Result<Outcome> {
 }
 
 /// Writes the page and prints the summary.
-fn shown(results: &Results, folder: &Path) -> Result<Outcome> {
+fn shown(results: &Results, folder: &Path) -> Result<(Outcome, PathBuf)> {
     let page = write::document(&view::document(results)?, folder)?;
     print(&format!("{}\n{}\n", results.summary()?, page.display()))?;
-    Ok(if results.is_good()? { Outcome::Good } else { Outcome::Refuted })
+    Ok((if results.is_good()? { Outcome::Good } else { Outcome::Refuted }, page))
 }
 
 /// What a run that did not come to its end has left; nothing if there is none, or it is not readable.

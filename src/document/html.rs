@@ -48,6 +48,6 @@ fn table(table: &super::Table) -> Table {
         how_to_read: left_out,
         columns: table.columns.iter().enumerate().map(column).collect(),
         rows: table.rows.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

@@ -30,7 +30,7 @@ pub trait Show {
 impl<F: Figure> Show for F {
     fn outputs(&self) -> Result<Vec<Output>> {
         let picture =
-            Picture { svg: self.svg(), caption: self.caption().into(), files: Vec::new() };
+            Picture { svg: self.svg(), caption: self.caption().into(), ..Picture::default() };
         Ok(vec![Output::Block(Block::Figure(picture))])
     }
 }

@@ -3,8 +3,9 @@
 use plotters::prelude::*;
 
 use super::axis::{Axis, Scale};
-use super::canvas::{Anchor, Canvas, Frame, fine, stroke};
+use super::canvas::{Anchor, Canvas, Frame, escape, fine, stroke};
 use super::number::readable;
+use super::points;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT};
 use super::{Figure, csv};
 
@@ -85,10 +86,19 @@ impl Figure for Bars {
             )
         });
         let mut description = format!("{}: ", self.x.heading());
+        canvas.raw(&points::panel(&frame, &self.x, None));
         for (k, bar) in self.bars.iter().enumerate() {
             let middle = TOP + PITCH * (k as f64 + 0.5);
             let (from, _) = frame.place((start, 0.0));
-            let to = self.x.scale.position(bar.value).map_or(from, |at| frame.place((at, 0.0)).0);
+            let end = self.x.scale.position(bar.value).map(|at| frame.place((at, 0.0)).0);
+            let to = end.unwrap_or(from);
+            // Where the bar lies, as a share of the frame's height from below.
+            let up = 1.0 - (k as f64 + 0.5) / self.bars.len() as f64;
+            canvas.raw(&format!(
+                "<g class=\"series\" data-series=\"{}\" data-points=\"{}\">\n",
+                escape(&bar.name),
+                points::listed(&[((bar.value, up), end.map(|x| (x, middle)))])
+            ));
             let (r, g, b) = style::style(&bar.name).color;
             canvas.layer("class=\"bar\"", |layer| {
                 let corners = [
@@ -97,12 +107,14 @@ impl Figure for Bars {
                 ];
                 layer.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled()))
             });
+            canvas.raw("</g>\n");
             let amount = readable(bar.value, 3);
             canvas.text((left - 10.0, middle + 5.0), Anchor::End, TEXT, INK, &bar.name);
             let beside = (from.max(to) + 8.0, middle + 5.0);
             canvas.text(beside, Anchor::Start, TEXT, FAINT_INK, &amount);
             description += &format!("{} {amount}; ", bar.name);
         }
+        canvas.raw("</g>\n");
         for tick in &ticks {
             let (x, _) = frame.place((tick.at, 0.0));
             canvas.text((x, bottom + 19.0), Anchor::Middle, TEXT, FAINT_INK, &tick.label);

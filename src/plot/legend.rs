@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use plotters::prelude::*;
 
-use super::canvas::{Anchor, Canvas, dashes, fine, stroke};
-use super::line::{Lines, Look, RIGHT};
+use super::canvas::{Anchor, Canvas, dashes, escape, fine, stroke};
+use super::line::{Lines, Look, RIGHT, ROW};
 use super::marker::{draw_markers, draw_zeros};
 use super::style::{self, FAINT_INK, INK, Marker, Style, TEXT, THEORY, width};
 
@@ -78,7 +78,7 @@ impl<'a> Legend<'a> {
             if x + length > RIGHT && x > style::EDGE {
                 (x, row) = (style::EDGE, row + 1);
             }
-            entries.push((name, (x, 53.0 + 22.0 * row as f64)));
+            entries.push((name, (x, 53.0 + ROW * row as f64)));
             x += length + 20.0;
         }
         Legend { rows: if entries.is_empty() { 0 } else { row + 1 }, entries, looks }
@@ -86,19 +86,40 @@ impl<'a> Legend<'a> {
 
     pub fn draw(&self, canvas: &mut Canvas) {
         for (name, (x, y)) in &self.entries {
-            let at = (x + Self::SAMPLE + 8.0, y + 5.0);
-            canvas.text(at, Anchor::Start, TEXT, INK, name);
+            let middle = (x + Self::SAMPLE / 2.0, *y);
             let Some(drawn) = self.looks.get(name) else {
-                draw_zeros(canvas, &[(x + Self::SAMPLE / 2.0, *y)], FAINT_INK);
+                draw_zeros(canvas, &[middle], FAINT_INK);
+                self.name(canvas, name, middle);
                 continue;
             };
+            canvas.raw(&self.opening(name));
             let ends = [(*x, *y), (x + Self::SAMPLE, *y)].map(|(x, y)| (fine(x), fine(y)));
             if drawn.width > 0.0 {
                 canvas.layer(&dashes(drawn.dash), |layer| {
                     layer.draw(&PathElement::new(ends, stroke(drawn.color, drawn.width)))
                 });
             }
-            drawn.mark(canvas, &[(x + Self::SAMPLE / 2.0, *y)]);
+            drawn.mark(canvas, &[middle]);
+            self.name(canvas, name, middle);
+            canvas.raw("</g>\n");
         }
     }
+
+    fn name(&self, canvas: &mut Canvas, name: &str, (middle, y): (f64, f64)) {
+        let at = (middle + Self::SAMPLE / 2.0 + 8.0, y + 5.0);
+        canvas.text(at, Anchor::Start, TEXT, INK, name);
+    }
+
+    /// The group of an entry, with the curve that it belongs to if it is that curve's theory.
+    fn opening(&self, name: &str) -> String {
+        let of = self.entries.iter().map(|(other, _)| *other).find(|other| belongs(name, other));
+        let of = of.map_or(String::new(), |of| format!(" data-of=\"{}\"", escape(of)));
+        format!("<g class=\"entry\" data-series=\"{}\"{of}>\n", escape(name))
+    }
+}
+
+/// Whether a name says that it is the theory of a curve: `theory, NAME` or `theory, NAME: …`.
+fn belongs(theory: &str, curve: &str) -> bool {
+    let rest = theory.strip_prefix("theory, ").and_then(|rest| rest.strip_prefix(curve));
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(':'))
 }

@@ -10,11 +10,15 @@ use super::cut::cut;
 use super::legend::{Drawn, Legend};
 use super::marker::{draw_zeros, marker_places};
 use super::number::{count, readable};
+use super::points;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT, width};
 use super::{Figure, csv};
 
 /// Where the plots end, in px.
 pub(super) const RIGHT: f64 = style::WIDTH - 12.0;
+
+/// Height of a line of the legend in px.
+pub(super) const ROW: f64 = 24.0;
 
 /// Curves over a common x axis; several panels are stacked.
 #[derive(Debug, Clone)]
@@ -76,7 +80,8 @@ impl Series {
         Series { name: name.into(), points, look: Look::Points }
     }
 
-    /// A predicted curve.
+    /// A predicted curve. One called `theory, NAME`, or `theory, NAME: …`, belongs to the curve NAME:
+    /// on a page they are shown and hidden together.
     pub fn theory(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Series { name: name.into(), points, look: Look::Theory }
     }
@@ -102,7 +107,7 @@ impl Figure for Lines {
 
     fn svg(&self) -> String {
         let legend = Legend::new(self);
-        let header = 44.0 + 22.0 * legend.rows as f64;
+        let header = 44.0 + ROW * legend.rows as f64;
         let plot = if self.panels.len() < 2 { 340.0 } else { 190.0 };
         let pitch = plot + 44.0;
         let footer = 36.0;
@@ -127,7 +132,9 @@ impl Figure for Lines {
             let last = k + 1 == self.panels.len();
             draw_grid(&mut canvas, &frame, &columns, rows, last);
             canvas.text((style::EDGE, top - 12.0), Anchor::Start, TEXT, INK, &panel.y.heading());
+            canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
             self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
+            canvas.raw("</g>\n");
             if last {
                 let middle = (left + RIGHT) / 2.0;
                 let at = (middle, frame.bottom + 42.0);
@@ -196,13 +203,16 @@ impl Lines {
         let (measured, others): (Vec<&Series>, Vec<&Series>) =
             panel.series.iter().partition(|series| series.look.is_measured());
         for series in others {
+            canvas.raw(&format!("<g class=\"series\" data-series=\"{}\">\n", escape(&series.name)));
             self.draw_line(canvas, frame, panel, series, &looks[series.name.as_str()]);
+            canvas.raw("</g>\n");
         }
         for (k, series) in measured.into_iter().enumerate() {
             let drawn = &looks[series.name.as_str()];
             canvas.raw(&format!(
-                "<g class=\"series\" data-series=\"{0}\"><title>{0}</title>\n",
-                escape(&series.name)
+                "<g class=\"series\" data-series=\"{0}\" data-points=\"{1}\"><title>{0}</title>\n",
+                escape(&series.name),
+                points::listed(&self.places(frame, panel, series))
             ));
             let shown = self.draw_line(canvas, frame, panel, series, drawn);
             match series.look {
@@ -247,6 +257,21 @@ impl Lines {
             })
         });
         runs.into_iter().flatten().map(|point| frame.place(point)).collect()
+    }
+
+    /// The points of a curve with their places in px; a zero without one lies on the frame.
+    fn places(
+        &self,
+        frame: &Frame,
+        panel: &Panel,
+        series: &Series,
+    ) -> Vec<((f64, f64), Option<(f64, f64)>)> {
+        let place = |&(x, y): &(f64, f64)| {
+            let zero = (y == 0.0).then_some(frame.y.0);
+            let at = (self.x.scale.position(x)?, panel.y.scale.position(y).or(zero)?);
+            Some(frame.place(at))
+        };
+        series.points.iter().map(|point| (*point, place(point))).collect()
     }
 
     /// Where on x a curve is exactly zero although its axis has no place for zero.

@@ -82,7 +82,10 @@ impl Spy {
             readable(self.fill(), 3)
         );
         if block > 1 {
-            let _ = write!(text, ";  a cell is {block} × {block} entries, darker is denser");
+            let _ = write!(
+                text,
+                ";  a cell is {block} × {block} entries, the stronger its colour the denser"
+            );
         }
         text
     }

@@ -406,8 +406,11 @@ fn compare_shows_the_solvers_asked_for_side_by_side() {
         Some(0)
     );
     let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
-    let names: Vec<_> =
-        page.split("<h4>").skip(1).map(|rest| rest.split('<').next().unwrap()).collect();
+    let names: Vec<_> = page
+        .split("<p class=\"take\">")
+        .skip(1)
+        .map(|rest| rest.split('<').next().unwrap())
+        .collect();
     assert_eq!(names, ["pgs, velocity, 1 sweep", "dantzig, velocity"]);
     for (name, reason) in [("pgs:0", "is no number of sweeps"), ("magic", "magic")] {
         let output = run(&[&all[..], &["--show", name]].concat());
@@ -561,4 +564,20 @@ fn a_model_goes_with_solvers_and_families_that_take_it() {
     let of = |key: &str| runs.iter().map(|run| run[key].as_str().unwrap()).collect::<Vec<_>>();
     assert_eq!(of("solver"), ["cone-pgs", "apgd"]);
     assert_eq!(of("formulation"), ["velocity", "velocity"]); // the other level does not know it
+}
+
+#[test]
+fn a_report_is_not_begun_if_nothing_can_print_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
+    command.args(["report", "chapter", "--pdf", "--out"]).arg(path.join("out")).env("PATH", path);
+    let output = command.output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(
+        err(&output),
+        "--pdf: PATH: has none of chromium, chromium-browser, google-chrome, one of which prints the \
+         page\n"
+    );
+    assert!(!path.join("out").exists());
 }

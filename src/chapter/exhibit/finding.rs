@@ -87,7 +87,7 @@ impl Finding {
     /// With these curves as its picture.
     pub fn plot(mut self, lines: &Lines) -> Self {
         let caption = lines.caption().into();
-        self.picture = Some(Picture { svg: lines.svg(), caption, files: Vec::new() });
+        self.picture = Some(Picture { svg: lines.svg(), caption, ..Picture::default() });
         self
     }
 

@@ -52,7 +52,13 @@ impl Renderer {
     pub fn blocks(&self, text: &str) -> Result<String, String> {
         let mut out = String::new();
         push_html(&mut out, self.events(text)?.into_iter());
-        Ok(out)
+        // No tag is the text's own, so these are those of tables. A wide one scrolls in a frame.
+        let frame = "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\">";
+        let out = out.replace("<table>", &format!("{frame}<table>"));
+        let out = out.replace("</table>", "</table></div>");
+        Ok(out
+            .replace("<th>", "<th scope=\"col\">")
+            .replace("<th style", "<th scope=\"col\" style"))
     }
 
     /// Text within a line.

@@ -5,11 +5,13 @@
 //! "how to read" may carry [`markup`]. The same page gives the same bytes.
 
 pub mod markup;
+mod origin;
 mod player;
 mod render;
 
 use crate::plot;
 use crate::plot::number::significant;
+pub use origin::Origin;
 pub use player::{Player, SPEEDS, speed};
 
 /// A document.
@@ -84,6 +86,8 @@ pub struct Picture {
     pub caption: String,
     /// Files behind it: the name of the link and its address, relative to the page.
     pub files: Vec<(String, String)>,
+    /// How it was obtained.
+    pub origin: Option<Origin>,
 }
 
 impl Picture {
@@ -94,6 +98,7 @@ impl Picture {
             svg: plot.svg(),
             caption: plot.caption().into(),
             files: vec![("data (CSV)".into(), file("csv")), ("picture (SVG)".into(), file("svg"))],
+            origin: None,
         }
     }
 }
@@ -111,6 +116,8 @@ pub struct Table {
     pub rows: Vec<Vec<Cell>>,
     /// Files behind it, as for a [`Picture`].
     pub files: Vec<(String, String)>,
+    /// How it was obtained.
+    pub origin: Option<Origin>,
 }
 
 /// A column of a table.

@@ -1,5 +1,39 @@
 "use strict";
-// Sorts a table by a column; the page reads the same without it.
+// Light and dark, the contents list, and tables sorted by a column; the page reads the same without.
+const root = document.documentElement;
+root.classList.add("live");
+
+{ // The button turns the colours; until then the reader's own preference holds.
+  const button = document.querySelector(".theme"), prefers = matchMedia("(prefers-color-scheme: dark)");
+  const dark = () => (root.dataset.theme ?? (prefers.matches ? "dark" : "light")) === "dark";
+  const told = () => button.setAttribute("aria-pressed", dark());
+  button.addEventListener("click", () => { root.dataset.theme = dark() ? "light" : "dark"; told(); });
+  prefers.addEventListener("change", told);
+  button.hidden = false;
+  told();
+}
+
+{ // Beside the text if there is room, else folded; the section being read is marked.
+  const list = document.querySelector(".bar details"), room = matchMedia("(min-width: 75rem)");
+  const fold = () => { list.open = room.matches; };
+  const links = new Map([...list.querySelectorAll("a")].map((a) => [a.getAttribute("href").slice(1), a]));
+  room.addEventListener("change", fold);
+  fold();
+  list.addEventListener("click", (event) => { if (event.target.closest("a") && !room.matches) fold(); });
+  list.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || room.matches) return;
+    fold();
+    list.querySelector("summary").focus();
+  });
+  const seen = new Set();
+  const watch = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) seen[isIntersecting ? "add" : "delete"](target.id);
+    const now = [...links.keys()].find((id) => seen.has(id));
+    for (const [id, a] of links) id === now ? a.setAttribute("aria-current", "true") : a.removeAttribute("aria-current");
+  }, { rootMargin: "-15% 0px -60% 0px" });
+  for (const section of document.querySelectorAll("main > section")) watch.observe(section);
+}
+
 for (const table of document.querySelectorAll("figure.table table")) {
   const heads = [...table.tHead.rows[0].cells];
   const key = (row, column) => {

@@ -3,6 +3,7 @@
 
 use askama::Template;
 
+use super::Origin;
 use super::markup::html;
 use crate::plot::Figure;
 use crate::plot::scene::{Film, Measure, Pane};
@@ -16,6 +17,8 @@ pub struct Player {
     pub caption: String,
     /// Files behind it: the name of the link and its address, relative to the page.
     pub files: Vec<(String, String)>,
+    /// How it was obtained.
+    pub origin: Option<Origin>,
 }
 
 /// Playing speeds: seconds of motion in a second.
@@ -39,7 +42,6 @@ pub fn speed(duration: f64) -> f64 {
 #[template(path = "player.html")]
 struct View<'a> {
     number: usize,
-    id: &'a str,
     player: &'a Player,
     caption: String,
     columns: usize,
@@ -63,7 +65,6 @@ pub(super) fn rendered(
     let own = speed(times.last().copied().unwrap_or(0.0));
     let view = View {
         number,
-        id: &film.id,
         player,
         caption,
         columns: film.columns(),

@@ -12,6 +12,9 @@ const FONT: &[u8] = include_bytes!("../assets/lcplab-math.woff2");
 /// A cell of more characters than this is broken into lines.
 const LONG: usize = 28;
 
+/// A table of more rows than this scrolls in a frame of its own beneath its heads.
+const TALL: usize = 40;
+
 #[derive(Template)]
 #[template(path = "page.html")]
 struct Document<'a> {
@@ -20,8 +23,9 @@ struct Document<'a> {
     /// Each section with its blocks as HTML.
     sections: Vec<(&'a Section, Vec<String>)>,
     font: String,
-    style: [&'static str; 2],
-    script: [&'static str; 2],
+    style: [&'static str; 3],
+    dark: &'static str,
+    script: [&'static str; 3],
 }
 
 #[derive(Template)]
@@ -53,8 +57,8 @@ impl Page {
         let lead = writer.checked("lead", |markup| markup.blocks(&self.lead));
         let sections = self.sections.iter().enumerate();
         let sections = sections.map(|(k, section)| (section, writer.section(k, section))).collect();
-        let plays = |part: &'static str| if writer.plays { part } else { "" };
-        let (style, script) = (plays(include_str!("player.css")), plays(include_str!("player.js")));
+        let only = |used, part: &'static str| if used { part } else { "" };
+        let (plots, plays) = (writer.plots, writer.plays);
         let defects = self.ids_checked(writer.defects);
         defects.into_result(format!("page {:?}", self.title))?;
         finished(&Document {
@@ -62,8 +66,17 @@ impl Page {
             lead,
             sections,
             font: base64(FONT),
-            style: [include_str!("page.css"), style],
-            script: [include_str!("page.js"), script],
+            style: [
+                include_str!("page.css"),
+                only(plots, include_str!("plot.css")),
+                only(plays, include_str!("player.css")),
+            ],
+            dark: include_str!("dark.css"),
+            script: [
+                include_str!("page.js"),
+                only(plots, include_str!("plot.js")),
+                only(plays, include_str!("player.js")),
+            ],
         })
     }
 
@@ -89,7 +102,8 @@ struct Writer {
     markup: Renderer,
     defects: Defects,
     figures: usize,
-    /// Whether there is a film.
+    /// Whether there is a picture, and a film.
+    plots: bool,
     plays: bool,
     tables: usize,
 }
@@ -129,6 +143,7 @@ impl Writer {
 
     fn figure(&mut self, place: &str, figure: &Picture) -> String {
         self.figures += 1;
+        self.plots = true;
         let caption = self.checked(place, |markup| markup.inline(&figure.caption));
         let number = self.figures;
         self.checked(place, |_| written(&FigureView { number, figure, caption }))

@@ -110,11 +110,7 @@ pub(super) fn ground_force(scene: &Scene, step: &Step) -> f64 {
 }
 
 /// The sum of the normal forces (N) between some pairs of bodies in a step.
-fn normal_forces(
-    scene: &Scene,
-    step: &Step,
-    between: impl Fn([Option<usize>; 2]) -> bool,
-) -> f64 {
+fn normal_forces(scene: &Scene, step: &Step, between: impl Fn([Option<usize>; 2]) -> bool) -> f64 {
     let Some(solve) = deciding(step) else { return 0.0 };
     let rows = solve.problem.assembly.rows.iter().zip(&solve.solution.x);
     let chosen = rows.filter(|(row, _)| row.kind == Kind::Normal && between(row.bodies));
@@ -161,7 +157,11 @@ fn first_step(scene: &Scene, solver: &str, sweeps: Option<usize>) -> Result<Step
 }
 
 /// The direct solver and PGS with these sweeps; `forces` reads a step.
-fn paths(scene: &Scene, sweeps: &[usize], forces: impl Fn(&Step) -> Vec<f64> + Sync) -> Result<Vec<Path>> {
+fn paths(
+    scene: &Scene,
+    sweeps: &[usize],
+    forces: impl Fn(&Step) -> Vec<f64> + Sync,
+) -> Result<Vec<Path>> {
     let direct = [("dantzig", None)].into_iter();
     let all: Vec<_> = direct.chain(sweeps.iter().map(|&k| ("pgs", Some(k)))).collect();
     let path = |&(solver, sweeps): &(&str, Option<usize>)| {

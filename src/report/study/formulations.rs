@@ -133,7 +133,8 @@ impl Study for Plan {
         let outcomes: Vec<_> =
             case.ways()?.par_iter().map(|way| case.run(way)).collect::<Result<_>>()?;
         let base = Variation::of(&case.scene, &case.change);
-        let mut takes: Vec<Take> = outcomes.iter().filter_map(|(_, take, _)| take.clone()).collect();
+        let mut takes: Vec<Take> =
+            outcomes.iter().filter_map(|(_, take, _)| take.clone()).collect();
         takes.sort_by_key(|take| case.film.iter().position(|name| *name == take.name));
         let times = outcomes.iter().map(|(run, _, seconds)| (run.name.clone(), *seconds)).collect();
         let title = base.scene()?.title;

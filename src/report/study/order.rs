@@ -142,8 +142,7 @@ fn methods() -> Vec<(String, Formulation, Integrator)> {
     let other = |name: &str, integrator| {
         (format!("acceleration, {name}"), Formulation::Acceleration, integrator)
     };
-    let others =
-        [other("midpoint", Integrator::ImplicitMidpoint), other("RK4", Integrator::Rk4)];
+    let others = [other("midpoint", Integrator::ImplicitMidpoint), other("RK4", Integrator::Rk4)];
     Formulation::FAMILIES.into_iter().map(family).chain(others).collect()
 }
 

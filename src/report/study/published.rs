@@ -81,8 +81,10 @@ impl Study for Plan {
     fn run(&self, task: usize) -> Result<(Finding, ())> {
         let family = library::by_name(&self.problems[task])?;
         let problem = family.generate(&[])?;
-        let boxed: Vec<Method> =
-            methods::all().into_iter().filter(|method| matches!(method, Method::Boxed(_))).collect();
+        let boxed: Vec<Method> = methods::all()
+            .into_iter()
+            .filter(|method| matches!(method, Method::Boxed(_)))
+            .collect();
         let mut solvers = families::run(&[family], &[], &boxed, &Options::default(), 1);
         solvers.iter_mut().for_each(|row| row.seconds = 0.0);
         let solutions = problem.extra.get("expected").map(|expected| &expected["solutions"]);

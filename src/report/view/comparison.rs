@@ -87,7 +87,7 @@ pub fn table(comparison: &Comparison) -> Table {
             .into(),
         columns,
         rows,
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -130,7 +130,7 @@ fn timings(times: &[Timing]) -> Table {
             Column::numbers("time a step", "ms"),
         ],
         rows: times.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

@@ -73,7 +73,7 @@ fn slope(curve: &Curve) -> Option<Series> {
         let value = middle.natural_residual * rate.powf(k as f64 - middle.iteration as f64);
         (k as f64, value)
     };
-    let name = format!("theory ω = {}: ρ = {rate:.4}", curve.omega);
+    let name = format!("theory, {}: ρ = {rate:.4}", name(curve.omega));
     Some(Series::theory(name, vec![at(curve.records[0].iteration), at(last.iteration)]))
 }
 
@@ -97,7 +97,7 @@ fn table(studies: &[Finding]) -> Table {
             Column::words("agreement"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

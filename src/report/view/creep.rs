@@ -56,9 +56,10 @@ fn figure(findings: &[&Finding]) -> Lines {
 fn table(findings: &[&Finding]) -> Table {
     Table {
         title: "Creep by family".into(),
-        how_to_read: "The speed at the end of the run. It agrees if it is within 1 % of the formula, or, \
+        how_to_read:
+            "The speed at the end of the run. It agrees if it is within 1 % of the formula, or, \
                       where the formula is 0, below 10⁻⁶ m/s."
-            .into(),
+                .into(),
         columns: vec![
             Column::words("family"),
             Column::numbers("d", "N s/m"),

@@ -69,7 +69,7 @@ fn table(checks: &[CrossCheck]) -> Table {
             Column::words("verdict on QP"),
         ],
         rows: checks.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -128,7 +128,7 @@ fn objectives(checks: &[CrossCheck]) -> Table {
             Column::numbers("− Gauss", ""),
         ],
         rows: checks.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -165,7 +165,7 @@ fn wrenches(checks: &[CrossCheck]) -> Table {
             Column::numbers("difference", ""),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

@@ -96,6 +96,6 @@ fn table(studies: &[Finding]) -> Table {
             Column::words("trouble"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

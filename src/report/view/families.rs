@@ -33,7 +33,7 @@ pub fn table(rows: &[Row]) -> Table {
             Column::words("why not"),
         ],
         rows: rows.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

@@ -14,7 +14,12 @@ impl Document {
     pub fn film(&mut self, film: Film, caption: &str) {
         self.open("film", "The motion");
         let caption = format!("{caption} {HOW}");
-        self.add(Block::Player(Box::new(Player { film, caption, files: Vec::new() })));
+        self.add(Block::Player(Box::new(Player {
+            film,
+            caption,
+            files: Vec::new(),
+            origin: None,
+        })));
     }
 }
 

@@ -54,7 +54,8 @@ fn panel(heading: String, finding: &Finding) -> Panel {
     let points = |forces: &[f64]| {
         forces.iter().enumerate().map(|(k, force)| ((k + 1) as f64, *force)).collect::<Vec<_>>()
     };
-    let measured = finding.paths.iter().map(|p| Series::measured(p.name.clone(), points(&p.forces)));
+    let measured =
+        finding.paths.iter().map(|p| Series::measured(p.name.clone(), points(&p.forces)));
     let theory = Series::theory("theory: the weight carried", points(&finding.expected));
     Panel { y: Axis::linear(heading, "N"), series: measured.chain([theory]).collect() }
 }
@@ -69,9 +70,10 @@ fn column_figure<'a>(findings: impl Iterator<Item = &'a Finding>) -> Lines {
     Lines {
         id: "force_path_columns".into(),
         title: "The force through a column of balls".into(),
-        caption: "Contact 1 is the ground's. A curve below the dashed line lets its balls fall: they \
+        caption:
+            "Contact 1 is the ground's. A curve below the dashed line lets its balls fall: they \
                   are carried in part only. Sweeps go from the ground up."
-            .into(),
+                .into(),
         x: Axis::linear("contact, from the ground up", ""),
         panels: findings.map(panel).collect(),
     }
@@ -91,7 +93,8 @@ fn pair_figure<'a>(findings: impl Iterator<Item = &'a Finding>) -> Lines {
     Lines {
         id: "force_path_pairs".into(),
         title: "What is left out of the force between two balls".into(),
-        caption: "The upper ball is r times as heavy as the lower one. Lines are $\\rho_{GS}^k$.".into(),
+        caption: "The upper ball is r times as heavy as the lower one. Lines are $\\rho_{GS}^k$."
+            .into(),
         x: Axis::log("sweeps k", ""),
         panels: vec![Panel { y: Axis::log("part of the force left out", ""), series }],
     }

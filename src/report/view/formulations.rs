@@ -4,7 +4,7 @@ use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table, markup};
 use crate::report::study::comparison::Sample;
-use crate::report::study::formulations::{Case, Finding, Run, Plan, Times};
+use crate::report::study::formulations::{Case, Finding, Plan, Run, Times};
 
 impl View for Plan {
     const TITLE: &'static str = "One scene, every family of methods";
@@ -140,8 +140,7 @@ fn cells(case: &Case, run: &Run) -> Vec<Cell> {
         Cell::number(history.passes as f64 / history.steps.max(1) as f64, 3),
         Cell::count(history.unsolved),
     ];
-    let measures =
-        [history.gain, history.loss, 1e3 * history.drift, 1e3 * history.penetration];
+    let measures = [history.gain, history.loss, 1e3 * history.drift, 1e3 * history.penetration];
     cells.extend(measures.map(tiny));
     cells.push(outcome);
     cells

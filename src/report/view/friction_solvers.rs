@@ -42,7 +42,8 @@ impl View for Plan {
         let rows = || findings.iter().flatten();
         let sum = |of: fn(&Row) -> usize| rows().map(of).sum::<usize>();
         let (claimed, refuted) = (sum(|row| row.claimed), sum(|row| row.refuted_claims));
-        let says = format!("{claimed} problems with friction claimed solved, {refuted} claims refuted");
+        let says =
+            format!("{claimed} problems with friction claimed solved, {refuted} claims refuted");
         Outcome { good: !rows().any(Row::is_wrong), says }
     }
 }

@@ -36,9 +36,8 @@ impl View for Plan {
 
 /// The names of the accounts that matter in a run, with their places.
 fn used(finding: &Finding) -> Vec<(usize, &str)> {
-    let most = |k: usize| {
-        finding.books.iter().map(|book| book.accounts[k].abs()).fold(0.0, f64::max)
-    };
+    let most =
+        |k: usize| finding.books.iter().map(|book| book.accounts[k].abs()).fold(0.0, f64::max);
     let names = finding.accounts.iter().map(String::as_str).enumerate();
     names.filter(|&(k, _)| most(k) > SMALL * finding.turnover).collect()
 }
@@ -48,9 +47,9 @@ fn figure(finding: &Finding) -> Lines {
         finding.books.iter().map(|book| (book.time, value(book))).collect::<Vec<_>>()
     };
     let total = curve(&|book| book.kinetic + book.potential);
-    let accounts = used(finding).into_iter().map(|(k, name)| {
-        Series::measured(name, curve(&|book| book.accounts[k]))
-    });
+    let accounts = used(finding)
+        .into_iter()
+        .map(|(k, name)| Series::measured(name, curve(&|book| book.accounts[k])));
     let sum = Series::reference("their sum", curve(&|book| book.accounts.iter().sum()));
     let bottom: Vec<Series> = accounts.chain([sum]).collect();
     Lines {
@@ -97,9 +96,9 @@ fn table(findings: &[Finding]) -> Table {
         };
         let mut cells = vec![Cell::text(&finding.run.title)];
         cells.push(last.map_or(Cell::text("–"), |book| small(book.kinetic + book.potential)));
-        cells.extend(shown.iter().map(|&k| {
-            last.map_or(Cell::text("–"), |book| small(book.accounts[k]))
-        }));
+        cells.extend(
+            shown.iter().map(|&k| last.map_or(Cell::text("–"), |book| small(book.accounts[k]))),
+        );
         cells.push(Cell::number(finding.remainder, 2));
         cells.push(Cell::number(finding.turnover, 3));
         cells.push(match (&finding.ending, finding.remainder <= ROUNDING * finding.turnover) {

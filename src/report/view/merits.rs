@@ -75,6 +75,6 @@ fn table(study: &Run) -> Table {
             Column::numbers("at the end", ""),
         ],
         rows: study.curves.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

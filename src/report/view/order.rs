@@ -1,8 +1,8 @@
 //! Errors over the length of the step, with reference slopes and fitted orders.
 
 use super::{Document, Outcome, View};
-use crate::plot::{Axis, Lines, Panel, Series};
 use crate::plot::number::significant;
+use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::expected_order::Expected;
 use crate::report::study::order::{Curve, Finding, Plan, Problem, ROUNDING, SLACK};
@@ -173,9 +173,8 @@ fn reasons(findings: &[Finding]) -> String {
             None => lines.push((reason, vec![&curve.method])),
         }
     }
-    let line = |(reason, methods): &(String, Vec<&str>)| {
-        format!("- {reason} ({})", methods.join(", "))
-    };
+    let line =
+        |(reason, methods): &(String, Vec<&str>)| format!("- {reason} ({})", methods.join(", "));
     let lines: Vec<String> = lines.iter().map(line).collect();
     format!("Why:\n\n{}", lines.join("\n"))
 }

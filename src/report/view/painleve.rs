@@ -61,7 +61,8 @@ fn figure(findings: &[&Finding]) -> Lines {
     };
     let critical = findings.first().map_or(f64::NAN, |finding| finding.critical);
     let top = findings.iter().map(|f| f.impulse).fold(1.0, f64::max);
-    let border = |from: f64, to: f64| Series::reference("μ*", vec![(critical, from), (critical, to)]);
+    let border =
+        |from: f64, to: f64| Series::reference("μ*", vec![(critical, from), (critical, to)]);
     Lines {
         id: "painleve".into(),
         title: "The normal force and impulse of the first step".into(),

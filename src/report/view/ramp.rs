@@ -29,7 +29,8 @@ impl View for Plan {
     fn outcome(&self, findings: &[Vec<Finding>]) -> Outcome {
         let boxes = || findings.iter().flatten().flat_map(|finding| &finding.boxes);
         let agree = boxes().filter(|slid| agrees(slid)).count();
-        let says = format!("{agree} of {} boxes on the ramp move as the formula says", boxes().count());
+        let says =
+            format!("{agree} of {} boxes on the ramp move as the formula says", boxes().count());
         Outcome { good: true, says }
     }
 }
@@ -74,9 +75,10 @@ fn speeds(findings: &[&Finding]) -> Lines {
     Lines {
         id: "ramp_creep".into(),
         title: format!("The box that just sticks, μ = {}", readable(mu, 4)),
-        caption: "Its speed must stay 0. What creeps has friction that needs some slip before it holds, \
+        caption:
+            "Its speed must stay 0. What creeps has friction that needs some slip before it holds, \
                   or sweeps that end early."
-            .into(),
+                .into(),
         x: Axis::linear("time", "s"),
         panels: vec![Panel {
             y: Axis::linear("speed down the ramp", "mm/s"),
@@ -92,7 +94,8 @@ fn table(findings: &[&Finding]) -> Table {
         boxes.iter().map(|slid| Column::numbers(format!("μ = {}", readable(slid.mu, 3)), "m/s²")),
     );
     let expected = boxes.iter().map(|slid| Cell::number(slid.expected, 5));
-    let mut rows = vec![[Cell::text("*theory*".replace('*', ""))].into_iter().chain(expected).collect()];
+    let mut rows =
+        vec![[Cell::text("*theory*".replace('*', ""))].into_iter().chain(expected).collect()];
     rows.extend(findings.iter().map(|finding| {
         let name = match &finding.ending {
             Some(why) => Cell::text(format!("{}: {why}", finding.name)).marked(Mark::Bad),

@@ -107,7 +107,7 @@ fn contraction(systems: &[System]) -> Table {
             Column::words("slope"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -151,7 +151,7 @@ fn sweeps(systems: &[System]) -> Table {
             Column::words("agreement"),
         ],
         rows: systems.iter().map(sweep_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

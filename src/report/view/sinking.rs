@@ -4,7 +4,7 @@ use super::{Document, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::sinking::{Finding, Run, Plan};
+use crate::report::study::sinking::{Finding, Plan, Run};
 
 /// A stack that is squeezed by more than this (mm) has visibly sunk.
 const VISIBLE: f64 = 10.0;

@@ -126,7 +126,7 @@ fn path_table(study: &Finding) -> Table {
             Column::words("agreement"),
         ],
         rows: study.paths.iter().map(path_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -255,7 +255,7 @@ fn block_table(study: &Finding) -> Table {
             Column::numbers("Coulomb residual", ""),
         ],
         rows: slides.map(block_cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -304,7 +304,7 @@ fn rod_table(study: &Finding) -> Table {
             Column::numbers("Coulomb residual", ""),
         ],
         rows: study.rod.iter().map(|answer| rod_cells(answer, exact)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

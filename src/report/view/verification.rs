@@ -89,7 +89,7 @@ pub fn table(rows: &[Row]) -> Table {
             .into(),
         columns: head.into_iter().chain(measured).chain(tail).collect(),
         rows: rows.iter().map(|row| cells(row, levels)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

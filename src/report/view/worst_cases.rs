@@ -68,7 +68,7 @@ fn figure(study: &Finding) -> Lines {
     };
     let theory = |case: &Case| {
         let points = study.sizes.iter().map(|&n| (f64::from(n), case.law.cost(n) as f64));
-        Series::theory(format!("theory {}", case.law), points.collect())
+        Series::theory(format!("theory, {}: {}", case.solver, case.law), points.collect())
     };
     Lines {
         id: "worst_cases".into(),
@@ -102,7 +102,7 @@ fn table(study: &Finding) -> Table {
             .into(),
         columns,
         rows: study.cases.iter().map(|case| cells(study, case)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

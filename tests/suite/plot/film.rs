@@ -50,7 +50,7 @@ fn numbers(changes: &Value, count: usize) -> Vec<f64> {
 }
 
 fn page(film: Film) -> String {
-    let player = Player { film, caption: "A *film*.".into(), files: Vec::new() };
+    let player = Player { film, caption: "A *film*.".into(), files: Vec::new(), origin: None };
     let blocks = vec![Block::Player(Box::new(player))];
     let section = Section { id: "one".into(), title: "One".into(), blocks };
     Page { sections: vec![section], ..Page::default() }.render().unwrap()

@@ -37,7 +37,7 @@ pub(super) fn section(document: &mut Document, factors: &[Factor]) {
             Column::numbers("work", ""),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     };
     document.table("storage_factors", table);
     let panel = |(factor, own): (&Factor, &Ordered)| Small {

@@ -55,7 +55,7 @@ fn table(study: &Finding) -> Table {
                 .into(),
         columns,
         rows: study.memory.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -119,7 +119,7 @@ pub(super) fn search(document: &mut Document, searches: &[Search]) {
             Column::numbers("looks", ""),
         ],
         rows: searches.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     };
     document.table("storage_search", table);
     document.figure(looks(searches));

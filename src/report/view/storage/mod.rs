@@ -81,7 +81,7 @@ fn claims(document: &mut Document, claims: &[Claim]) {
             Column::words("erratum"),
         ],
         rows: claims.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     };
     document.table("storage_claims", table);
 }

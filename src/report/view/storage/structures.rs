@@ -73,7 +73,7 @@ fn sizes(
         ),
         columns,
         rows,
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -121,7 +121,7 @@ pub(super) fn steps(document: &mut Document, steps: &Steps) {
             Column::numbers("kept, warm", ""),
         ],
         rows: steps.counts.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     };
     document.table("storage_steps", table);
 }

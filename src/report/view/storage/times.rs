@@ -87,6 +87,6 @@ fn table(times: &[Time]) -> Table {
             Column::numbers("sweep", "µs"),
         ],
         rows: times.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

@@ -1,8 +1,12 @@
 //! Pages: self-contained, escaped, and every fault named with its place.
 
+mod contrast;
+mod sample;
+mod valid;
+
 use lcplab::plot::{Axis, Figure, Lines};
 use lcplab::report::page::markup::literal;
-use lcplab::report::page::{Block, Cell, Column, Mark, Page, Picture, Section, Table};
+use lcplab::report::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
 
 fn page(blocks: Vec<Block>) -> Page {
     let section = Section { id: "one".into(), title: "One".into(), blocks };
@@ -50,6 +54,7 @@ fn text_is_escaped_everywhere() {
         columns: vec![Column { unit: evil.into(), ..Column::words(evil) }],
         rows: vec![vec![Cell::text(evil)]],
         files: vec![(evil.into(), "a\" onclick=\"b".into())],
+        origin: Some(Origin { scene: evil.into(), settings: evil.into(), command: evil.into() }),
     };
     let mut page = page(vec![
         Block::Text(evil.into()),
@@ -105,7 +110,7 @@ fn a_page_fetches_nothing_and_is_the_same_twice() {
     let html = page.render().unwrap();
     assert_eq!(html, page.render().unwrap());
     assert!(html.contains(&plot.svg()) && html.contains("href=\"figures/empty.csv\""));
-    assert!(html.contains("<html lang=\"en\">") && html.contains("<main id=\"content\">"));
+    assert!(html.contains("<html lang=\"en\">") && html.contains("<main id=\"content\""));
     let outside = html.replace("http://www.w3.org/2000/svg", "");
     for fetch in ["http:", "https:", "src=\"", "@import", "<link rel=\"stylesheet"] {
         assert!(!outside.contains(fetch), "{fetch}");
@@ -131,5 +136,5 @@ fn a_table_shows_short_numbers_and_keeps_full_ones() {
     let html = main_part(&page(vec![Block::Table(table)]));
     assert!(html.contains("<td class=\"number\" data-value=\"0.3333333333333333\">0.33</td>"));
     assert!(html.contains("<td class=\"bad\">lemke</td>"));
-    assert!(html.contains("<b>Table 1. Residuals.</b>"));
+    assert!(html.contains("<a class=\"self\" href=\"#table-1\">Table 1.</a> <b>Residuals.</b>"));
 }

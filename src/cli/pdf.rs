@@ -1,0 +1,59 @@
+//! A page as PDF, printed by a browser that is on the machine: what is seen is what is printed.
+
+use std::env::{self, consts::EXE_SUFFIX};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{self, Command};
+
+use lcplab::error::{Error, Result};
+
+/// The names under which the browser is looked for.
+const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+
+/// A browser that can print.
+pub struct Browser(PathBuf);
+
+impl Browser {
+    /// The first one on the PATH.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn find() -> Result<Self> {
+        let path = env::var_os("PATH").unwrap_or_default();
+        let places = env::split_paths(&path);
+        let programs =
+            places.flat_map(|at| NAMES.map(|name| at.join(format!("{name}{EXE_SUFFIX}"))));
+        programs.into_iter().find(|program| program.is_file()).map(Browser).ok_or_else(|| {
+            let reason = format!("has none of {}, one of which prints the page", NAMES.join(", "));
+            Error::invalid("--pdf", "PATH", reason)
+        })
+    }
+
+    /// Prints a page to `report.pdf` beside it; returns the path of that.
+    ///
+    /// # Errors
+    /// If the page cannot be read, or the browser does not print it.
+    pub fn print(&self, page: &Path) -> Result<PathBuf> {
+        let (pdf, part) =
+            (page.with_file_name("report.pdf"), page.with_file_name("report.pdf.part"));
+        let address = page.canonicalize().map_err(|cause| Error::file(page, &cause))?;
+        let profile = env::temp_dir().join(format!("lcplab-print-{}", process::id()));
+        // Without a sandbox, as it may be the superuser who prints; the page is ours and fetches nothing.
+        let output = Command::new(&self.0)
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"])
+            .arg(format!("--user-data-dir={}", profile.display()))
+            .arg(format!("--print-to-pdf={}", part.display()))
+            .arg(address)
+            .output()
+            .map_err(|cause| Error::file(&self.0, &cause))?;
+        // What it leaves behind is of no use, and no harm.
+        let _ = fs::remove_dir_all(&profile);
+        if !part.is_file() {
+            let said = String::from_utf8_lossy(&output.stderr);
+            let last = said.trim().lines().last().unwrap_or("it said nothing").to_string();
+            return Err(Error::invalid(self.0.display().to_string(), "print", last));
+        }
+        fs::rename(&part, &pdf).map_err(|cause| Error::file(&pdf, &cause))?;
+        Ok(pdf)
+    }
+}

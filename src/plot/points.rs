@@ -1,0 +1,73 @@
+//! What a script on a page needs to say what a point of a figure is, as attributes of the markup.
+//!
+//! ```text
+//! <g class="panel" data-frame="left right top bottom"              px
+//!    data-x="log 0 3" data-y="linear -1 1"                         scale, positions at the edges
+//!    data-x-name="sweep" data-x-unit="" data-y-name="drift" data-y-unit="m">
+//!   <g class="series" data-series="pgs" data-points="1 0.25 2 0.125">      x y x y …
+//! ```
+//!
+//! A position is a value, or its decimal logarithm. The picture is complete without any of this.
+
+use super::axis::{Axis, Scale};
+use super::canvas::{Frame, escape};
+use super::csv;
+
+/// A curve of more points than this lists one for each so many px along it.
+const ALL: usize = 400;
+const APART: f64 = 2.0;
+/// Significant digits of x and y.
+const DIGITS: (usize, usize) = (6, 4);
+
+/// Opens the group of one plot; an axis without a name (that of bars) is not spoken of.
+pub(super) fn panel(frame: &Frame, x: &Axis, y: Option<&Axis>) -> String {
+    let scale = |axis: &Axis, (lo, hi): (f64, f64)| {
+        let word = if axis.scale == Scale::Log { "log" } else { "linear" };
+        format!("{word} {} {}", csv::number(lo), csv::number(hi))
+    };
+    let words = |name: char, axis: &Axis| {
+        let (label, unit) = (escape(&axis.label), escape(&axis.unit));
+        format!(" data-{name}-name=\"{label}\" data-{name}-unit=\"{unit}\"")
+    };
+    let Frame { left, right, top, bottom, .. } = frame;
+    format!(
+        "<g class=\"panel\" data-frame=\"{left:.1} {right:.1} {top:.1} {bottom:.1}\" \
+         data-x=\"{}\" data-y=\"{}\"{}{}>\n",
+        scale(x, frame.x),
+        y.map_or("linear 0 1".into(), |y| scale(y, frame.y)),
+        words('x', x),
+        y.map_or(String::new(), |y| words('y', y))
+    )
+}
+
+/// The points of a curve with their places in px, if they have one: all of a short curve; of a long
+/// one the first in each stretch across, the lowest and the highest.
+pub(super) fn listed(points: &[((f64, f64), Option<(f64, f64)>)]) -> String {
+    let placed: Vec<_> =
+        points.iter().filter_map(|(point, at)| at.map(|at| (*point, at))).collect();
+    let by_height = |a: &&usize, b: &&usize| placed[**a].1.1.total_cmp(&placed[**b].1.1);
+    let indices: Vec<usize> = (0..placed.len()).collect();
+    let mut kept: Vec<usize> = match placed.len() {
+        0..=ALL => indices.clone(),
+        _ => {
+            let stretch = |i: &usize| (placed[*i].1.0 / APART).floor();
+            indices.chunk_by(|a, b| stretch(a) == stretch(b)).map(|group| group[0]).collect()
+        }
+    };
+    kept.extend(
+        indices.iter().min_by(by_height).into_iter().chain(indices.iter().max_by(by_height)),
+    );
+    kept.sort_unstable();
+    kept.dedup();
+    let pair = |i: usize| {
+        let (x, y) = placed[i].0;
+        format!("{} {}", rounded(x, DIGITS.0), rounded(y, DIGITS.1))
+    };
+    kept.into_iter().map(pair).collect::<Vec<_>>().join(" ")
+}
+
+/// The value with so many significant digits, as short as can be.
+fn rounded(value: f64, digits: usize) -> String {
+    let near = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
+    csv::number(if f64::is_finite(near) { near } else { value })
+}

@@ -1,0 +1,65 @@
+//! Nothing is wider than the screen, and the contents list is within reach.
+
+use serde_json::json;
+
+use super::{WIDTHS, sample, written};
+
+/// What sticks out of the page although no frame around it scrolls.
+const OUTSIDE: &str = "
+const width = document.documentElement.clientWidth;
+return [width, document.documentElement.scrollWidth];";
+
+#[test]
+fn no_page_scrolls_sideways_on_desk_or_phone() {
+    let pages = [
+        sample(),
+        written(&["report", "chapter"], "index.html"),
+        written(&["lesson", "4"], "04_sweeping.html"),
+        written(&["simulate", "stack", "--steps", "5"], "index.html"),
+        written(&["compare", "pendulum", "--steps", "3", "--solver", "dantzig"], "index.html"),
+    ];
+    for (k, page) in pages.iter().enumerate() {
+        for width in WIDTHS {
+            let seen = page.seen(width, OUTSIDE);
+            let (room, needed) = (seen[0].as_u64().unwrap(), seen[1].as_u64().unwrap());
+            assert!(needed <= room && room <= width.into(), "page {k} at {width} px: {seen}");
+        }
+    }
+}
+
+#[test]
+fn a_wide_table_scrolls_in_its_own_frame() {
+    let seen = sample().seen(
+        390,
+        "const frame = find('#table-2 .scroll');
+        return [frame.scrollWidth > frame.clientWidth + 100, frame.tabIndex, frame.scrollHeight > frame.clientHeight];",
+    );
+    assert_eq!(seen, json!([true, 0, true]));
+}
+
+#[test]
+fn the_contents_fold_on_a_phone_and_stay_beside_the_text_on_a_desk() {
+    let script = "
+        const list = find('.bar details'), bar = find('.bar');
+        scrollTo({ top: 3000, behavior: 'instant' });
+        const box = bar.getBoundingClientRect(), views = [list.open, box.top >= 0 && box.bottom <= innerHeight];
+        find('summary', list).click(); await wait(10); views.push(list.open);
+        find('a', list).click(); await wait(10); views.push(list.open, location.hash);
+        return views;";
+    let (desk, phone) = (sample().seen(1280, script), sample().seen(390, script));
+    assert_eq!(desk, json!([true, true, false, false, "#words"]));
+    assert_eq!(phone, json!([false, true, true, false, "#words"]));
+}
+
+#[test]
+fn what_can_be_focused_shows_it() {
+    let seen = sample().seen(
+        1280,
+        "const told = (node) => { node.focus({ focusVisible: true }); return getComputedStyle(node).outlineStyle; };
+        const skip = find('.skip'), place = () => skip.getBoundingClientRect().left;
+        const away = place() < 0;
+        skip.focus();
+        return [away, place() >= 0, told(find('.theme')), told(find('#table-1 th button')), told(find('#table-1 .scroll'))];",
+    );
+    assert_eq!(seen, json!([true, true, "solid", "solid", "solid"]));
+}

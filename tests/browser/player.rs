@@ -1,0 +1,64 @@
+//! The film plays, stops, steps, and goes where it is told to.
+
+use serde_json::json;
+
+use super::sample;
+
+/// The film and its instant: a hundred steps in eleven instants.
+const FILM: &str = "
+const film = find('figure.player'), part = (name) => find(name, film);
+const now = () => [Number(part('.scrub').value), part('.clock').textContent.split('step ')[1]];
+const stage = () => part('.bodies').innerHTML;
+";
+
+fn seen(script: &str) -> serde_json::Value {
+    sample().seen(1280, &format!("{FILM}{script}"))
+}
+
+#[test]
+fn it_plays_until_it_is_stopped_and_ends_at_the_end() {
+    let found = seen(
+        "const play = part('.play'), label = () => play.getAttribute('aria-label');
+        const start = [now(), label()], still = stage();
+        part('.speed').value = '0.25'; // a second of motion, four seconds long
+        play.click();
+        await wait(2000);
+        const middle = [now()[0], label(), stage() !== still];
+        play.click();
+        const stopped = now()[0];
+        await wait(3000);
+        const later = [now()[0] - stopped, label()];
+        play.click();
+        await wait(9000);
+        return [start, middle, later, [now(), label()]];",
+    );
+    let middle = found[1][0].as_i64().unwrap();
+    assert!((4..=6).contains(&middle), "{found}: half way after half the time");
+    assert_eq!(
+        found,
+        json!([[[0, "0"], "Play"], [middle, "Pause", true], [0, "Play"], [[10, "100"], "Play"],])
+    );
+}
+
+#[test]
+fn buttons_and_keys_step() {
+    let found = seen(
+        "const screen = part('.screen'), seen = [];
+        for (const name of ['.on', '.on', '.back']) { part(name).click(); seen.push(now()); }
+        for (const key of ['ArrowRight', 'End', 'ArrowLeft', 'Home', 'ArrowLeft']) { press(screen, key); seen.push(now()); }
+        return seen;",
+    );
+    let steps = [1, 2, 1, 2, 10, 9, 0, 0].map(|k| json!([k, (10 * k).to_string()]));
+    assert_eq!(found, json!(steps));
+}
+
+#[test]
+fn the_slider_moves_the_bodies() {
+    let found = seen(
+        "const before = stage(), range = part('.scrub');
+        range.value = 7;
+        range.dispatchEvent(new Event('input', { bubbles: true }));
+        return [now(), stage() !== before, range.getAttribute('aria-valuetext') === part('.clock').textContent];",
+    );
+    assert_eq!(found, json!([[7, "70"], true, true]));
+}

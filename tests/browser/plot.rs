@@ -1,0 +1,142 @@
+//! Plots say the number of the point that is pointed at, and show and hide curves.
+
+use serde_json::json;
+
+use super::sample;
+
+/// Moves the pointer to the k-th corner of a curve as it is drawn; what the tip says then.
+const POINT: &str = "
+const tip = () => (find('.tip').hidden ? null : all('.tip > *').map((line) => line.textContent));
+const svg = (id) => find(`#${id}-desc`).ownerSVGElement;
+const at = (picture, x, y) => {
+  const spot = new DOMPoint(x, y).matrixTransform(picture.getScreenCTM());
+  picture.dispatchEvent(new PointerEvent('pointermove', { clientX: spot.x, clientY: spot.y, bubbles: true }));
+  return tip();
+};
+const corner = (picture, name, k, panel = 0) => {
+  const line = all(`.series[data-series=\"${name}\"] polyline`, picture)[panel];
+  const [x, y] = line.getAttribute('points').split(' ')[k].split(',').map(Number);
+  return at(picture, x / 10, y / 10);
+};
+";
+
+fn seen(script: &str) -> serde_json::Value {
+    sample().seen(1280, &format!("{POINT}{script}"))
+}
+
+#[test]
+fn the_tip_says_the_nearest_point_with_its_units() {
+    let found = seen(
+        "const picture = svg('halving');
+        return [corner(picture, 'pgs', 3), corner(picture, 'dantzig', 1), corner(picture, 'pgs', 8), at(picture, 650, 160)];",
+    );
+    assert_eq!(
+        found,
+        json!([
+            ["pgs", "sweep 3", "residual 0.125 m/s"],
+            ["dantzig", "sweep 1", "residual 0.01 m/s"],
+            ["pgs", "sweep 8", "residual 0.003906 m/s"],
+            null, // nothing is near
+        ])
+    );
+}
+
+#[test]
+fn stacked_panels_have_points_of_their_own() {
+    let found = seen(
+        "const picture = svg('growth');
+        const ends = [0, 1].map((panel) => corner(picture, 'velocity, dt/2', 0, panel));
+        const last = (panel) => {
+          const line = all('.series[data-series=\"velocity, dt/2\"] polyline', picture)[panel];
+          return corner(picture, 'velocity, dt/2', line.getAttribute('points').split(' ').length - 1, panel);
+        };
+        return [...ends, last(0), last(1)];",
+    );
+    // Both curves start in one point; the first of them answers.
+    let start = |axis: &str| json!(["velocity, dt", "time 0 s", axis]);
+    assert_eq!(
+        found,
+        json!([
+            start("energy 0 J"),
+            start("drift 0 m"),
+            ["velocity, dt/2", "time 10 s", "energy 2000 J"],
+            ["velocity, dt/2", "time 10 s", "drift −2×10⁻⁶ m"],
+        ])
+    );
+}
+
+#[test]
+fn bars_say_their_amount_all_along() {
+    let found = seen(
+        "const picture = svg('times'), boxes = all('.series rect', picture).map((bar) => bar.getBoundingClientRect());
+        return boxes.flatMap((box) => [0.1, 0.9].map((part) => {
+          const spot = { clientX: box.left + part * box.width, clientY: box.top + box.height / 2, bubbles: true };
+          picture.dispatchEvent(new PointerEvent('pointermove', spot));
+          return tip();
+        }));",
+    );
+    let (pgs, lemke) = (json!(["pgs", "time 3.25 ms"]), json!(["lemke", "time 0.5 ms"]));
+    assert_eq!(found, json!([pgs, pgs, lemke, lemke]));
+}
+
+#[test]
+fn keys_lead_along_a_curve_and_from_curve_to_curve() {
+    let found = seen(
+        "const field = find('.field', svg('halving')), told = () => field.getAttribute('aria-valuetext');
+        const keys = ['ArrowRight', 'ArrowRight', 'ArrowDown', 'ArrowUp', 'End', 'Home', 'Escape'];
+        const words = keys.map((key) => { press(field, key); return told(); });
+        return [words, tip(), field.getAttribute('role'), field.tabIndex];",
+    );
+    let words = [
+        "pgs, sweep 0, residual 1 m/s",
+        "pgs, sweep 1, residual 0.5 m/s",
+        "dantzig, sweep 1, residual 0.01 m/s",
+        "pgs, sweep 1, residual 0.5 m/s",
+        "pgs, sweep 9, residual 0 m/s", // has no place on the axis, and is shown on the frame
+        "pgs, sweep 0, residual 1 m/s",
+        "pgs, sweep 0, residual 1 m/s",
+    ];
+    assert_eq!(found, json!([words, null, "slider", 0]));
+}
+
+#[test]
+fn the_legend_hides_a_curve_and_its_theory_and_shows_them_again() {
+    let found = seen(
+        "const picture = svg('halving');
+        const names = ['pgs', 'theory, pgs: halved', 'dantzig', 'theory, dantzig', 'tolerance'];
+        const group = (kind, name) => find(`.${kind}[data-series=\"${name}\"]`, picture);
+        const look = () => names.map((name) => [shown(group('series', name)), group('entry', name).getAttribute('aria-pressed')]);
+        const views = [look()], entry = group('entry', 'pgs');
+        entry.dispatchEvent(new MouseEvent('click', { bubbles: true })); views.push(look());
+        const hidden = corner(picture, 'pgs', 3);
+        press(entry, 'Enter'); views.push(look());
+        press(group('entry', 'theory, pgs: halved'), ' '); views.push(look());
+        return [views, hidden, entry.getAttribute('role'), entry.tabIndex];",
+    );
+    let (on, off) = (json!([true, "true"]), json!([false, "false"]));
+    assert_eq!(
+        found,
+        json!([
+            [
+                [on, on, on, on, on],
+                [off, off, on, on, on],
+                [on, on, on, on, on],
+                [on, off, on, on, on],
+            ],
+            null,
+            "button",
+            0
+        ])
+    );
+}
+
+#[test]
+fn a_curve_is_hidden_in_all_panels() {
+    let found = seen(
+        "const picture = svg('growth');
+        press(find('.entry[data-series=\"velocity, dt\"]', picture), 'Enter');
+        return all('.series', picture).map((group) => [group.dataset.series, shown(group)]);",
+    );
+    let pair = [json!(["velocity, dt", false]), json!(["velocity, dt/2", true])];
+    assert_eq!(found, json!([pair[0], pair[1], pair[0], pair[1]]));
+}

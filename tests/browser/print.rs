@@ -1,0 +1,57 @@
+//! Print: pages come out, without what only a screen can use.
+
+use std::fs;
+use std::process::Command;
+
+use serde_json::json;
+
+use super::driver::chromium;
+use super::sample;
+
+/// The pages of a PDF document.
+fn pages(pdf: &[u8]) -> usize {
+    assert!(pdf.starts_with(b"%PDF-"));
+    String::from_utf8_lossy(pdf).matches("/Type /Page\n").count()
+}
+
+#[test]
+fn a_page_prints() {
+    let folder = tempfile::tempdir().unwrap();
+    let (page, pdf) = (folder.path().join("index.html"), folder.path().join("out.pdf"));
+    fs::write(&page, sample().0).unwrap();
+    let to = format!("--print-to-pdf={}", pdf.display());
+    chromium(folder.path(), &[&to, "--no-pdf-header-footer"], &page);
+    let count = pages(&fs::read(&pdf).unwrap());
+    // Six figures, of which two fit on a sheet, a table of sixty rows and a page of words.
+    assert!((5..=12).contains(&count), "{count} pages");
+}
+
+#[test]
+fn a_report_is_printed_beside_its_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
+    let output = command.args(["report", "chapter", "--pdf", "--out"]).arg(folder.path()).output();
+    let output = output.unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(String::from_utf8_lossy(&output.stdout).ends_with("report.pdf\n"));
+    assert!(pages(&fs::read(folder.path().join("report.pdf")).unwrap()) > 20);
+    let names = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
+    let mut names: Vec<_> = names.map(|name| name.into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, ["index.html", "report.pdf"]);
+}
+
+#[test]
+fn buttons_are_not_printed_and_heads_are_repeated() {
+    // The rules for print, applied to the screen.
+    let mut page = sample();
+    page.0 = page.0.replace("@media print", "@media all");
+    let seen = page.seen(
+        1280,
+        "const gone = ['.theme', '.bar', '.skip', '.anchor', '.file', '.screen', '.tabs', '.origin summary'];
+        return [gone.filter((name) => all(name).some(shown)), getComputedStyle(find('thead')).display,
+          getComputedStyle(find('figure.plot')).breakInside, all('.stills').every(shown),
+          find('.origin dl').getBoundingClientRect().height > 0];",
+    );
+    assert_eq!(seen, json!([[], "table-header-group", "avoid", true, true]));
+}
