@@ -95,7 +95,7 @@ fn table(findings: &[&Finding]) -> Table {
     );
     let expected = boxes.iter().map(|slid| Cell::number(slid.expected, 5));
     let mut rows =
-        vec![[Cell::text("*theory*".replace('*', ""))].into_iter().chain(expected).collect()];
+        vec![[Cell::text("theory")].into_iter().chain(expected).collect()];
     rows.extend(findings.iter().map(|finding| {
         let name = match &finding.ending {
             Some(why) => Cell::text(format!("{}: {why}", finding.name)).marked(Mark::Bad),
