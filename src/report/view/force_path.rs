@@ -110,7 +110,8 @@ fn pair_figure<'a>(findings: impl Iterator<Item = &'a Finding>) -> Lines {
     Lines {
         id: "force_path_pairs".into(),
         title: "What is left out of the force between two balls".into(),
-        caption: "The upper ball is r times as heavy as the lower one. Lines are $\\rho_{GS}^k$."
+        caption: "The upper ball is r times as heavy as the lower one. Lines are $\\rho_{GS}^k$. \
+                  Sweeps end early once the answer is within the solver's tolerance."
             .into(),
         x: Axis::log("sweeps k", ""),
         panels: vec![Panel { y: Axis::log("part of the force left out", ""), series }],
