@@ -82,7 +82,7 @@ fn table(findings: &[&Finding]) -> Table {
             Column::words("agreement"),
         ],
         rows: findings.iter().map(|finding| cells(finding)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
