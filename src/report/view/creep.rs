@@ -35,7 +35,8 @@ impl View for Plan {
     fn outcome(&self, findings: &[Vec<Finding>]) -> Outcome {
         let all = || findings.iter().flatten();
         let agree = all().filter(|finding| agrees(finding)).count();
-        let says = format!("{agree} of {} boxes creep as the formula says, or not at all", all().count());
+        let says =
+            format!("{agree} of {} boxes creep as the formula says, or not at all", all().count());
         Outcome { good: agree == all().count(), says }
     }
 }

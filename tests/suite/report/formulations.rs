@@ -80,7 +80,8 @@ fn a_film_survives_as_plain_data() {
     let text = serde_json::to_string(&footage).unwrap();
     let back: Footage = serde_json::from_str(&text).unwrap();
     assert_eq!(back, footage);
-    let (film, was) = (back.film().unwrap(), Film::new("film", &scene.scene().unwrap(), vec![take]));
+    let (film, was) =
+        (back.film().unwrap(), Film::new("film", &scene.scene().unwrap(), vec![take]));
     assert_eq!(film.times(), was.times());
     for (now, then) in film.takes[0].shots.iter().zip(&was.takes[0].shots) {
         for (a, b) in now.frame.states.iter().zip(&then.frame.states) {

@@ -9,7 +9,8 @@ use super::standard::{experiment, run_all, table};
 
 #[test]
 fn solutions_are_the_published_fractions_and_lemkes_path_is_as_long() {
-    let plan = Plan { problems: ["cps-2", "cps-3", "ortiz", "pang-perturbed"].map(Into::into).into() };
+    let plan =
+        Plan { problems: ["cps-2", "cps-3", "ortiz", "pang-perturbed"].map(Into::into).into() };
     let found: Vec<_> = (0..4).map(|k| plan.run(k).unwrap().0).collect();
     assert_eq!(found[0].solutions, [["0", "1", "3"]]);
     assert_eq!(found[1].solutions.len(), 3);

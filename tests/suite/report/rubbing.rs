@@ -66,7 +66,9 @@ fn every_claim_on_friction_problems_is_accepted() {
     let (found, times) = plan.run(0).unwrap();
     let pairs: Vec<_> =
         found.iter().map(|row| (row.model.as_deref().unwrap(), row.solver.as_str())).collect();
-    assert!(pairs.contains(&("polygon-4", "lemke")) && pairs.contains(&("coulomb-cone", "cone-pgs")));
+    assert!(
+        pairs.contains(&("polygon-4", "lemke")) && pairs.contains(&("coulomb-cone", "cone-pgs"))
+    );
     assert!(found.iter().all(|row| row.claimed == row.accepted && row.seconds == 0.0));
     assert_eq!(times.len(), found.len());
     assert!(plan.outcome(&[found]).good);
