@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::lcp::friction::Model;
 use crate::lcp::library;
 use crate::report::methods;
-use crate::solver::Options;
+use crate::solver::{Method, Options};
 
 /// Problem families with friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -16,6 +16,12 @@ use crate::solver::Options;
 pub struct Plan {
     /// The families.
     pub families: Vec<String>,
+    /// The models of friction, by name.
+    #[serde(default = "models")]
+    pub models: Vec<String>,
+    /// The methods, by name; all without it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub solvers: Vec<String>,
     /// How many problems of each family that has a seed.
     #[serde(default = "seeds")]
     pub seeds: u32,
@@ -23,6 +29,10 @@ pub struct Plan {
 
 fn seeds() -> u32 {
     3
+}
+
+fn models() -> Vec<String> {
+    Model::ALL.iter().map(ToString::to_string).collect()
 }
 
 /// Wall time of a method on a family under a model.
@@ -50,7 +60,12 @@ impl Study for Plan {
     fn run(&self, task: usize) -> Result<(Vec<Row>, Vec<Times>)> {
         let family = library::by_name(&self.families[task])?;
         let options = Options::default();
-        let mut rows = families::run(&[family], &Model::ALL, &methods::all(), &options, self.seeds);
+        let models: Vec<Model> = self.models.iter().map(|m| m.parse()).collect::<Result<_>>()?;
+        let wanted = |method: &Method| {
+            self.solvers.is_empty() || self.solvers.iter().any(|name| name == method.name())
+        };
+        let methods: Vec<Method> = methods::all().into_iter().filter(wanted).collect();
+        let mut rows = families::run(&[family], &models, &methods, &options, self.seeds);
         let times = rows.iter_mut().map(|row| Times {
             family: row.family.clone(),
             model: row.model.clone().unwrap_or_default(),

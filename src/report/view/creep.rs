@@ -1,6 +1,6 @@
 //! How fast a box creeps that should stick.
 
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::creep::{Finding, Plan};
@@ -31,6 +31,20 @@ impl View for Plan {
         document.figure(figure(&all));
         document.table("creep", table(&all));
     }
+
+    fn outcome(&self, findings: &[Vec<Finding>]) -> Outcome {
+        let all = || findings.iter().flatten();
+        let agree = all().filter(|finding| agrees(finding)).count();
+        let says =
+            format!("{agree} of {} boxes creep as the formula says, or not at all", all().count());
+        Outcome { good: agree == all().count(), says }
+    }
+}
+
+/// Whether the box is as fast as the formula says.
+fn agrees(finding: &Finding) -> bool {
+    let apart = (finding.speed - finding.expected).abs();
+    finding.ending.is_none() && apart <= AGREES * finding.expected + REST
 }
 
 fn figure(findings: &[&Finding]) -> Lines {
@@ -78,9 +92,7 @@ fn cells(finding: &Finding) -> Vec<Cell> {
     let (speed, expected) = (finding.speed, finding.expected);
     let verdict = match &finding.ending {
         Some(why) => Cell::text(why).marked(Mark::Bad),
-        None if (speed - expected).abs() <= AGREES * expected + REST => {
-            Cell::text("agrees").marked(Mark::Good)
-        }
+        None if agrees(finding) => Cell::text("agrees").marked(Mark::Good),
         None if expected == 0.0 => Cell::text("creeps").marked(Mark::Note),
         None => Cell::text("differs").marked(Mark::Bad),
     };

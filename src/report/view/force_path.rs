@@ -1,6 +1,6 @@
 //! The force through a column, a pair of balls and a chain, contact by contact and joint by joint.
 
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -8,6 +8,8 @@ use crate::report::study::force_path::{Finding, Line, Path, Plan};
 
 /// A measured remainder may differ from the predicted one by this part.
 const AGREES: f64 = 1e-6;
+/// Below this part nothing is left out that a solver would go on for.
+const CONVERGED: f64 = 1e-7;
 
 impl View for Plan {
     const TITLE: &'static str = "The way of a force through a stack and along a chain";
@@ -47,6 +49,21 @@ impl View for Plan {
         }
         document.table("force_path", table(findings));
     }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let paths = || findings.iter().flat_map(|f| f.paths.iter().map(move |path| (f, path)));
+        let known: Vec<bool> = paths().filter_map(|(f, path)| agrees(f, path)).collect();
+        let held = known.iter().filter(|held| **held).count();
+        let says = format!("{held} of {} forces between two balls as predicted", known.len());
+        Outcome { good: held == known.len(), says }
+    }
+}
+
+/// Whether as much is left out as theory says, where it says something. Sweeps end early once the
+/// answer is within the tolerance.
+fn agrees(finding: &Finding, path: &Path) -> Option<bool> {
+    let (left, predicted) = (finding.left_out(path), finding.predicted(path)?);
+    Some((left - predicted).abs() <= AGREES * predicted + CONVERGED)
 }
 
 /// Force over contact or joint, theory among the curves.
@@ -93,7 +110,8 @@ fn pair_figure<'a>(findings: impl Iterator<Item = &'a Finding>) -> Lines {
     Lines {
         id: "force_path_pairs".into(),
         title: "What is left out of the force between two balls".into(),
-        caption: "The upper ball is r times as heavy as the lower one. Lines are $\\rho_{GS}^k$."
+        caption: "The upper ball is r times as heavy as the lower one. Lines are $\\rho_{GS}^k$. \
+                  Sweeps end early once the answer is within the solver's tolerance."
             .into(),
         x: Axis::log("sweeps k", ""),
         panels: vec![Panel { y: Axis::log("part of the force left out", ""), series }],
@@ -140,9 +158,9 @@ fn cells(finding: &Finding, path: &Path) -> Vec<Cell> {
     let support = |forces: &[f64]| forces.first().copied().unwrap_or(f64::NAN);
     let (left, predicted) = (finding.left_out(path), finding.predicted(path));
     let shown = if left < 1e-9 { 0.0 } else { left };
-    let agreement = match predicted {
-        Some(p) if (left - p).abs() <= AGREES * p + 1e-9 => Cell::text("agrees").marked(Mark::Good),
-        Some(_) => Cell::text("differs").marked(Mark::Bad),
+    let agreement = match agrees(finding, path) {
+        Some(true) => Cell::text("agrees").marked(Mark::Good),
+        Some(false) => Cell::text("differs").marked(Mark::Bad),
         None if left <= 1e-6 => Cell::text("all is carried").marked(Mark::Good),
         None => Cell::text("–"),
     };

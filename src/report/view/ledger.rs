@@ -1,6 +1,6 @@
 //! The books of energy: every gain and loss with its cause.
 
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -32,6 +32,17 @@ impl View for Plan {
         }
         document.table("ledger", table(findings));
     }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let balanced = findings.iter().filter(|finding| balances(finding)).count();
+        let says = format!("{balanced} of {} books balance", findings.len());
+        Outcome { good: balanced == findings.len(), says }
+    }
+}
+
+/// Whether nothing but rounding is missing in the books.
+fn balances(finding: &Finding) -> bool {
+    finding.ending.is_none() && finding.remainder <= ROUNDING * finding.turnover
 }
 
 /// The names of the accounts that matter in a run, with their places.
@@ -101,7 +112,7 @@ fn table(findings: &[Finding]) -> Table {
         );
         cells.push(Cell::number(finding.remainder, 2));
         cells.push(Cell::number(finding.turnover, 3));
-        cells.push(match (&finding.ending, finding.remainder <= ROUNDING * finding.turnover) {
+        cells.push(match (&finding.ending, balances(finding)) {
             (Some(why), _) => Cell::text(why).marked(Mark::Bad),
             (None, true) => Cell::text("balance").marked(Mark::Good),
             (None, false) => Cell::text("do not balance").marked(Mark::Bad),

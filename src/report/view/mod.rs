@@ -30,6 +30,7 @@ mod sinking;
 mod sliding;
 mod sparsity;
 mod storage;
+mod summary;
 mod verification;
 mod warm_start;
 mod worst_cases;
@@ -112,6 +113,9 @@ pub fn document(results: &Results) -> Result<Document> {
             failures(&mut document, part);
             let origin = origin(&results.name, part);
             document.page.sections[first..].iter_mut().for_each(|shown| shown.obtained(&origin));
+        }
+        if part.summary {
+            summary::show(results, &mut document)?;
         }
         if part.times {
             times(&mut document, &experiment, results)?;

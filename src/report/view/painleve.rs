@@ -25,8 +25,9 @@ impl View for Plan {
             "and that is negative beyond $\\mu^*$ = {}: the harder the ground pushes, the faster the end \
              sinks in. At *acceleration* level there is then no solution, and a vector proves it in exact \
              arithmetic. At *velocity* level there is one: within a single step the end is stopped as if it \
-             had hit something, by an impulse of many times the weight. Nothing did hit it. That is why \
-             rigid bodies with dry friction are stepped with impulses.",
+             had hit something, by an impulse several times as large as that of the weight. Nothing did hit \
+             it. It is as much as it takes to end the slip, so that more friction changes it no more. That is \
+             why rigid bodies with dry friction are stepped with impulses.",
             readable(first.critical, 4)
         ));
         document.figure(figure(&all));

@@ -94,8 +94,7 @@ fn table(findings: &[&Finding]) -> Table {
         boxes.iter().map(|slid| Column::numbers(format!("μ = {}", readable(slid.mu, 3)), "m/s²")),
     );
     let expected = boxes.iter().map(|slid| Cell::number(slid.expected, 5));
-    let mut rows =
-        vec![[Cell::text("*theory*".replace('*', ""))].into_iter().chain(expected).collect()];
+    let mut rows = vec![[Cell::text("theory")].into_iter().chain(expected).collect()];
     rows.extend(findings.iter().map(|finding| {
         let name = match &finding.ending {
             Some(why) => Cell::text(format!("{}: {why}", finding.name)).marked(Mark::Bad),

@@ -1,9 +1,14 @@
 mod difference;
 mod families;
+mod force_path;
+mod formulations;
 mod friction;
+mod ledger;
 mod page;
+mod published;
 mod rates;
 mod reference;
+mod rubbing;
 mod sliding;
 mod solvers;
 mod standard;
