@@ -305,7 +305,7 @@ fn setting(task: &Task, path: &str) -> Cell {
 fn cell(record: &Record, measure: &Measure) -> Cell {
     match record.finding.as_ref().and_then(|finding| finding.get(measure.name)) {
         None => Cell::text("–"),
-        Some(value) if value.fract() == 0.0 && value >= 0.0 && value < 1e9 => {
+        Some(value) if value.fract() == 0.0 && (0.0..1e9).contains(&value) => {
             Cell::count(value as usize)
         }
         Some(value) => Cell::number(value, 4),

@@ -5,6 +5,7 @@ mod page;
 mod rates;
 mod reference;
 mod sliding;
+mod solvers;
 mod standard;
 mod storage;
 mod sweep;
