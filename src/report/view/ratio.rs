@@ -249,7 +249,7 @@ impl Plan {
                 .flat_map(|solver| (0..self.tolerances.len()).map(move |k| (solver, k)))
                 .map(|(solver, k)| row(solver, k))
                 .collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 
