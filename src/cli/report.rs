@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::lesson::Program;
+use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
@@ -50,6 +51,9 @@ pub struct Report {
     /// Start over even if an interrupted run has left results to go on from
     #[arg(long)]
     fresh: bool,
+    /// Difference of numbers that --compare lets pass, whatever their size
+    #[arg(long, default_value_t = 0.0, requires = "compare")]
+    absolute: f64,
     /// Folder of the report; reports/NAME without it
     #[arg(long)]
     out: Option<PathBuf>,
@@ -103,8 +107,9 @@ impl Report {
     }
 
     fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
+        let tolerance = Tolerance { relative: self.tolerance, absolute: self.absolute };
         let changes =
-            difference::between(&difference::read(old)?, &difference::read(new)?, self.tolerance);
+            difference::between(&difference::read(old)?, &difference::read(new)?, tolerance);
         if changes.is_empty() {
             print("no difference\n")?;
             return Ok(Outcome::Good);

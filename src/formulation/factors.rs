@@ -3,6 +3,7 @@
 use nalgebra::{Matrix6, Vector6};
 
 use crate::assembly::{Assembly, Block};
+use crate::solver::kernel::impulses::Row;
 use crate::storage::{BlockRows, Entry, Factored, Result, Storage, WIDTH};
 
 /// The factors of A = J M⁻¹ Jᵀ with six columns a moving body; a point mass leaves its last three empty.
@@ -65,6 +66,42 @@ impl Factors {
         j.load(&self.jacobian)?;
         Factored::new(j, &self.inverse_masses)
     }
+
+    /// The bodies, one for each six columns.
+    pub fn bodies(&self) -> usize {
+        self.inverse_masses.len()
+    }
+
+    /// The rows of Ĵ = J L with M⁻¹ = L Lᵀ, so that A = Ĵ Ĵᵀ: for sweeps that never form A.
+    pub fn scaled_rows(&self) -> Vec<Row> {
+        let roots: Vec<_> = self.inverse_masses.iter().map(root).collect();
+        let mut rows = vec![Row { bodies: [0; 2], jacobian: [[0.0; WIDTH]; 2] }; self.rows];
+        for (row, entries) in self.jacobian.chunk_by(|a, b| a.0 == b.0).map(|e| (e[0].0, e)) {
+            for (side, part) in entries.chunk_by(|a, b| a.1 / WIDTH == b.1 / WIDTH).enumerate() {
+                let body = part[0].1 / WIDTH;
+                let mut j = Vector6::zeros();
+                part.iter().for_each(|&(_, column, value)| j[column % WIDTH] = value);
+                rows[row].bodies[side..].fill(body);
+                rows[row].jacobian[side] = (roots[body].transpose() * j).into();
+            }
+        }
+        rows
+    }
+}
+
+/// L with M⁻¹ = L Lᵀ, lower triangular; a column of zeros where M⁻¹ has none but zeros.
+fn root(inverse_mass: &Matrix6<f64>) -> Matrix6<f64> {
+    let mut l = Matrix6::zeros();
+    for j in 0..WIDTH {
+        let left =
+            |i: usize| inverse_mass[(i, j)] - (0..j).map(|k| l[(i, k)] * l[(j, k)]).sum::<f64>();
+        let pivot = left(j).max(0.0).sqrt();
+        if pivot > 0.0 {
+            let column: Vec<f64> = (j..WIDTH).map(|i| left(i) / pivot).collect();
+            (j..WIDTH).zip(column).for_each(|(i, value)| l[(i, j)] = value);
+        }
+    }
+    l
 }
 
 fn jacobian(assembly: &Assembly) -> Vec<Entry> {

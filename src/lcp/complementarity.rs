@@ -18,6 +18,12 @@ pub trait Complementarity: Sized {
     /// The largest dimensionless residual, 0 exactly at the solutions.
     fn scaled_residual(&self, x: &[f64]) -> f64;
 
+    /// Whether that is at most the tolerance; `first` is a hint where to look first, and kept from one
+    /// look to the next.
+    fn is_within(&self, x: &[f64], tolerance: f64, _first: &mut usize) -> bool {
+        self.scaled_residual(x) <= tolerance
+    }
+
     /// Whether neither K nor w's shift depends on x.
     fn is_frozen(&self) -> bool;
 
@@ -49,6 +55,10 @@ impl Complementarity for Lcp {
 
     fn scaled_residual(&self, x: &[f64]) -> f64 {
         merit::scaled_residual(self, x)
+    }
+
+    fn is_within(&self, x: &[f64], tolerance: f64, first: &mut usize) -> bool {
+        merit::is_within(self, x, tolerance, first)
     }
 
     fn is_frozen(&self) -> bool {

@@ -57,9 +57,12 @@ impl RowTerms {
             magnitude += (a * x).abs();
         }
         let scale = row_scale(lcp, i);
+        if SAFE.contains(&magnitude) {
+            return RowTerms { w: w.value(), magnitude, scale, exponent: 0 };
+        }
         let largest = products().filter_map(|(a, x)| exponent(a, x)).max();
         match largest {
-            Some(largest) if !SAFE.contains(&magnitude) && x.iter().all(|x| x.is_finite()) => {
+            Some(largest) if x.iter().all(|x| x.is_finite()) => {
                 let (mut w, mut magnitude) = (S::default(), 0.0);
                 for (a, x) in products() {
                     let (a, x) = shifted(a, x, -largest);
@@ -126,10 +129,23 @@ pub fn row_scale(lcp: &Lcp, i: usize) -> f64 {
 /// max_i r_i, the dimensionless residual that every stop test and the judge use
 /// ([`RowTerms::scaled_residual`]); ∞ if x is not finite.
 pub fn scaled_residual(lcp: &Lcp, x: &[f64]) -> f64 {
-    worst(lcp.len(), |i| {
-        let (lo, hi) = lcp.bounds(i, x);
-        RowTerms::at(lcp, i, x).scaled_residual(x[i], lo, hi)
-    })
+    worst(lcp.len(), |i| row_residual(lcp, i, x))
+}
+
+/// r_i.
+fn row_residual(lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
+    let (lo, hi) = lcp.bounds(i, x);
+    RowTerms::at(lcp, i, x).scaled_residual(x[i], lo, hi)
+}
+
+/// Whether max_i r_i is at most the tolerance. The rows are looked at from `first` on, where the last
+/// look found one that is not: while it is not, nothing else needs to be computed.
+pub fn is_within(lcp: &Lcp, x: &[f64], tolerance: f64, first: &mut usize) -> bool {
+    let n = lcp.len();
+    let is_outside = |&i: &usize| !(row_residual(lcp, i, x) <= tolerance);
+    let outside = (0..n).map(|k| (*first + k) % n).find(is_outside);
+    *first = outside.unwrap_or(*first);
+    outside.is_none()
 }
 
 /// max_i |x_i − Π(x_i − w_i)|: zero exactly at the solutions; it mixes the units of x and w.

@@ -42,11 +42,13 @@ pub struct Change {
 impl Change {
     /// |new − old| over the larger of both sizes; 1 for what is not two numbers.
     pub fn relative(&self) -> f64 {
+        self.numbers().map_or(1.0, |(old, new)| (new - old).abs() / old.abs().max(new.abs()))
+    }
+
+    /// Old and new, if they are numbers.
+    fn numbers(&self) -> Option<(f64, f64)> {
         let number = |value: &Option<Value>| value.as_ref().and_then(Value::as_f64);
-        match (number(&self.old), number(&self.new)) {
-            (Some(old), Some(new)) => (new - old).abs() / old.abs().max(new.abs()),
-            _ => 1.0,
-        }
+        number(&self.old).zip(number(&self.new))
     }
 
     /// The change as a table's row: place, old, new, relative change.
@@ -104,12 +106,31 @@ pub fn read(path: &Path) -> Result<Value> {
     })
 }
 
-/// All changes from old to new results, numbers only where they differ by more than `tolerance`
-/// relative to their size.
-pub fn between(old: &Value, new: &Value, tolerance: f64) -> Vec<Change> {
+/// By how much two numbers may differ and still count as the same.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tolerance {
+    /// Relative to the larger of both sizes.
+    pub relative: f64,
+    /// In whatever unit they have.
+    pub absolute: f64,
+}
+
+impl Tolerance {
+    fn passes(self, change: &Change) -> bool {
+        match change.numbers() {
+            Some((old, new)) => {
+                (new - old).abs() <= self.absolute + self.relative * old.abs().max(new.abs())
+            }
+            None => false,
+        }
+    }
+}
+
+/// All changes from old to new results, numbers only where they differ by more than the tolerance.
+pub fn between(old: &Value, new: &Value, tolerance: Tolerance) -> Vec<Change> {
     let mut changes = Vec::new();
     compare(&mut changes, "", Some(&outcome(old)), Some(&outcome(new)));
-    changes.retain(|change| change.relative() > tolerance);
+    changes.retain(|change| !tolerance.passes(change));
     changes
 }
 

@@ -25,11 +25,15 @@ use super::kind::{self, AnyStudy};
 use super::results::Results;
 use crate::error::{Defects, Error, Result};
 
+macro_rules! shipped {
+    ($($name:literal)*) => {
+        &[$(($name, include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/", $name, ".toml")))),*]
+    };
+}
+
 /// The reports that lcplab ships, by name.
-pub const SHIPPED: [(&str, &str); 2] = [
-    ("standard", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/standard.toml"))),
-    ("storage", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/storage.toml"))),
-];
+pub const SHIPPED: &[(&str, &str)] =
+    shipped!["standard" "solvers" "formulations" "friction" "verification" "storage"];
 
 /// A report's description.
 pub struct Experiment {

@@ -6,6 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::layout;
 use super::results::Results;
 use super::view::{self, Document, FILES};
 use crate::error::{Error, Result};
@@ -28,9 +29,9 @@ pub fn report(results: &Results, folder: &Path) -> Result<PathBuf> {
 /// # Errors
 /// If it cannot be written.
 pub fn results(results: &Results, folder: &Path) -> Result<()> {
-    let json = serde_json::to_string_pretty(results)
+    let json = layout::json(results)
         .map_err(|cause| Error::invalid(RESULTS, "results", cause.to_string()))?;
-    file(&folder.join(RESULTS), &(json + "\n"))
+    file(&folder.join(RESULTS), &json)
 }
 
 /// Writes a document's page, figures and tables; returns the path of the page.

@@ -17,9 +17,11 @@
 //!
 //! It is solved twice with one factorisation (Mehrotra 1992): first for μ = 0, to see how far that
 //! would get, say to μ'; then for (μ'/μ)³ μ, with the error dρ dz of the first step taken off r.
-//! Ten to thirty iterations whatever the size and the condition of A, n³/3 each, for symmetric
-//! semidefinite A; singular is no difficulty, as the bounds add to the diagonal (rows without
-//! bounds get 10⁻¹² a_ii). Where solutions are not unique it finds one in their middle.
+//! Ten to thirty iterations whatever the size and the condition of A, for symmetric semidefinite A;
+//! singular is no difficulty, as the bounds add to the diagonal (rows without bounds get
+//! 10⁻¹² a_ii). Each factorises a matrix with the pattern of A, within its
+//! envelope (envelope.rs): n³/6 products for a dense A, n b²/2 where rows reach no farther
+//! than b. Where solutions are not unique it finds one in their middle.
 //!
 //! Rows at a bound end beside it, by about μ/w_i: the answer is as exact as the tolerance and no
 //! more. A start is only used where it lies well inside. A not symmetric, or no Cholesky factor:
@@ -28,8 +30,7 @@
 
 use std::ops::ControlFlow;
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-
+use super::envelope::Envelope;
 use super::iterate::iterate;
 use super::metric::Metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
@@ -41,8 +42,8 @@ const STAY_INSIDE: f64 = 0.995;
 const REGULARISATION: f64 = 1e-12;
 /// Steps shorter than this do not count as progress.
 const SHORTEST: f64 = 1e-10;
-/// Above this many rows the dense factor would not fit.
-const MAX_ROWS: usize = 8_000;
+/// The factor may have this many entries, a quarter of a gigabyte.
+const MAX_ENTRIES: usize = 32_000_000;
 
 /// Mehrotra's predictor-corrector method.
 #[derive(Debug, Clone, Default)]
@@ -58,19 +59,18 @@ impl Solver for InteriorPoint {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if lcp.len() > MAX_ROWS {
-            let reason = "a dense factor of more than 8000 rows";
-            return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
-        }
         let metric = match Metric::of_symmetric(lcp) {
             Ok(metric) => metric,
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
-        let a = lcp.matrix().to_dense();
+        let Some(room) = Envelope::of(lcp.matrix(), MAX_ENTRIES) else {
+            let reason = "a factor of more than 32 million entries";
+            return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+        };
         frozen::solve(lcp, x, &self.settings, |lcp, x, first| {
             let mut path = None; // a start that is a solution must not be moved inside
             iterate(lcp, x, first, &self.settings, observer, |x| {
-                path.get_or_insert_with(|| Path::from_inside(lcp, &metric, &a, x)).step(x)
+                path.get_or_insert_with(|| Path::from_inside(lcp, &metric, &room, x)).step(x)
             })
         })
     }
@@ -91,13 +91,13 @@ struct Bound {
 struct Path<'a> {
     lcp: &'a Lcp,
     metric: &'a Metric,
-    a: &'a DMatrix<f64>,
     bounds: Vec<Bound>,
+    factor: Envelope,
 }
 
 /// A change of x, with the changes of the rooms and pushes.
 struct Direction {
-    x: DVector<f64>,
+    x: Vec<f64>,
     room: Vec<f64>,
     push: Vec<f64>,
 }
@@ -105,7 +105,7 @@ struct Direction {
 impl<'a> Path<'a> {
     /// Moves x inside its bounds and chooses the pushes such that every ρ z is the energy
     /// e = Σ b_i² / a_ii; distances are measured by √(e / a_ii).
-    fn from_inside(lcp: &'a Lcp, metric: &'a Metric, a: &'a DMatrix<f64>, x: &mut [f64]) -> Self {
+    fn from_inside(lcp: &'a Lcp, metric: &'a Metric, room: &Envelope, x: &mut [f64]) -> Self {
         let energy: f64 = (0..x.len()).map(|i| lcp.b()[i].powi(2) / metric.diagonal[i]).sum();
         let energy = if energy > 0.0 { energy } else { 1.0 };
         let mut bounds = Vec::new();
@@ -120,20 +120,21 @@ impl<'a> Path<'a> {
                 }
             }
         }
-        Path { lcp, metric, a, bounds }
+        Path { lcp, metric, bounds, factor: room.clone() }
     }
 
     fn step(&mut self, x: &mut [f64]) -> ControlFlow<Status, Event> {
-        let Some(factor) = self.matrix().cholesky() else {
+        if !self.factorise() {
             let reason = "A is not positive semidefinite";
             return ControlFlow::Break(Status::OutsideClass { reason });
-        };
+        }
+        let w = self.lcp.w(x);
         let product: Vec<f64> = self.bounds.iter().map(|k| k.room * k.push).collect();
-        let predictor = self.direction(x, &factor, product.iter().map(|p| -p).collect());
+        let predictor = self.direction(&w, product.iter().map(|p| -p).collect());
         let target = self.target(&product, &predictor);
         let second_order = predictor.room.iter().zip(&predictor.push).map(|(r, z)| r * z);
         let r = product.iter().zip(second_order).map(|(p, e)| target - p - e).collect();
-        let corrector = self.direction(x, &factor, r);
+        let corrector = self.direction(&w, r);
         let length = (STAY_INSIDE * self.longest(&corrector)).min(1.0);
         if !(length > SHORTEST) || corrector.x.iter().any(|d| !d.is_finite()) {
             return ControlFlow::Break(Status::Stalled);
@@ -149,33 +150,26 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(Event::Step)
     }
 
-    /// A + Σ_k z_k/ρ_k, with a unit row for a pinned x.
-    fn matrix(&self) -> DMatrix<f64> {
-        let mut matrix = self.a.clone();
+    /// The factors of A + Σ_k z_k/ρ_k, with a unit row for a pinned x; false if there are none.
+    fn factorise(&mut self) -> bool {
+        let mut added: Vec<f64> = self.metric.diagonal.iter().map(|d| REGULARISATION * d).collect();
         for k in &self.bounds {
-            matrix[(k.row, k.row)] += k.push / k.room;
+            added[k.row] += k.push / k.room;
         }
-        for i in 0..matrix.nrows() {
-            matrix[(i, i)] += REGULARISATION * self.metric.diagonal[i];
-            if self.is_pinned(i) {
-                matrix.row_mut(i).fill(0.0);
-                matrix.column_mut(i).fill(0.0);
-                matrix[(i, i)] = 1.0;
-            }
-        }
-        matrix
+        self.factor.factor(self.lcp.matrix(), &added, |i| is_pinned(self.lcp, i))
     }
 
     /// The solution of the linear equations for these r_k.
-    fn direction(&self, x: &[f64], factor: &Cholesky<f64, Dyn>, r: Vec<f64>) -> Direction {
-        let mut rhs = -DVector::from_vec(self.lcp.w(x));
+    fn direction(&self, w: &[f64], r: Vec<f64>) -> Direction {
+        let mut rhs: Vec<f64> = w.iter().map(|w| -w).collect();
         for (k, r) in self.bounds.iter().zip(&r) {
             rhs[k.row] += k.sign * (k.push + r / k.room);
         }
-        for i in (0..x.len()).filter(|&i| self.is_pinned(i)) {
+        for i in (0..rhs.len()).filter(|&i| is_pinned(self.lcp, i)) {
             rhs[i] = 0.0;
         }
-        let dx = factor.solve(&rhs);
+        self.factor.solve(&mut rhs);
+        let dx = rhs;
         let room: Vec<f64> = self.bounds.iter().map(|k| k.sign * dx[k.row]).collect();
         let changes = self.bounds.iter().zip(r.iter().zip(&room));
         let push = changes.map(|(k, (r, room))| (r - k.push * room) / k.room).collect();
@@ -204,8 +198,8 @@ impl<'a> Path<'a> {
         let pushes = self.bounds.iter().zip(&direction.push).map(|(k, d)| until(k.push, *d));
         rooms.chain(pushes).fold(f64::INFINITY, f64::min)
     }
+}
 
-    fn is_pinned(&self, i: usize) -> bool {
-        self.lcp.lo()[i] == self.lcp.hi()[i]
-    }
+fn is_pinned(lcp: &Lcp, i: usize) -> bool {
+    lcp.lo()[i] == lcp.hi()[i]
 }

@@ -43,7 +43,8 @@ pub(super) fn iterate_in_parts(
 ) -> Solution {
     let Settings { tolerance, max_iterations, check_every } = *settings;
     let lcp = problem.lcp();
-    let is_solved = |x: &[f64]| problem.scaled_residual(x) <= tolerance;
+    let mut last_outside = 0;
+    let mut is_solved = |x: &[f64]| problem.is_within(x, tolerance, &mut last_outside);
     let is_finite = |x: &[f64]| x.iter().all(|x| x.is_finite());
     let start = x.clone();
     let (mut before, mut last_finite, mut event) = (x.clone(), x.clone(), Event::Start);

@@ -21,6 +21,7 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
+mod boxes;
 mod contact;
 mod friction;
 mod hard;
@@ -179,6 +180,7 @@ pub fn all() -> impl Iterator<Item = &'static dyn Family> {
         manufactured::FAMILIES,
         hard::FAMILIES,
         contact::FAMILIES,
+        boxes::FAMILIES,
         friction::FAMILIES,
         painleve::FAMILIES,
     ];

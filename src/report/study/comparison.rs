@@ -46,7 +46,10 @@ impl Study for Plan {
         let solvers: Vec<Entry> =
             self.solvers.iter().map(|name| entry(name).copied()).collect::<Result<_>>()?;
         let scene = Scene::load(&task.scene)?;
-        Ok(compare(&scene, &solvers, task.steps, &ProgressBar::hidden()))
+        let (mut comparison, timings) =
+            compare(&scene, &solvers, task.steps, &ProgressBar::hidden());
+        comparison.runs.iter_mut().for_each(|run| run.motion = thinned(&run.motion));
+        Ok((comparison, timings))
     }
 }
 
@@ -109,6 +112,29 @@ pub struct Sample {
     pub drift: f64,
     /// Deepest overlap (m).
     pub penetration: f64,
+}
+
+/// About so many samples of a motion are kept.
+const KEPT: usize = 200;
+
+/// Samples at equal distances, the last one, and those at which a measure is largest or smallest, so
+/// that the extremes are still those of all samples.
+pub fn thinned(samples: &[Sample]) -> Vec<Sample> {
+    let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
+    let length = samples.len().div_ceil(KEPT).max(1);
+    let mut kept = vec![false; samples.len()];
+    for first in (0..samples.len()).step_by(length) {
+        kept[first] = true;
+    }
+    for measure in measures {
+        let by_size =
+            |a: &usize, b: &usize| measure(&samples[*a]).total_cmp(&measure(&samples[*b]));
+        for extreme in [(0..samples.len()).min_by(by_size), (0..samples.len()).max_by(by_size)] {
+            extreme.into_iter().for_each(|k| kept[k] = true);
+        }
+    }
+    kept.last_mut().into_iter().for_each(|last| *last = true);
+    samples.iter().zip(kept).filter_map(|(sample, kept)| kept.then_some(*sample)).collect()
 }
 
 impl From<&Motion> for Sample {

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
-use super::comparison::Sample;
+use super::comparison::{Sample, thinned};
 use super::settings::Timed;
 use super::{STEPPER, Study, at_level, scene_options};
 use crate::error::Result;
@@ -59,7 +59,7 @@ pub struct Curve {
     pub division: usize,
     /// The step (s).
     pub dt: f64,
-    /// The motion after each step, the start first.
+    /// The motion from the start to the last step, [`thinned`].
     pub samples: Vec<Sample>,
     /// Why it ended early, if it did.
     pub failure: Option<String>,
@@ -100,7 +100,7 @@ fn curve(scene: &Scene, division: usize, duration: f64) -> (Curve, f64) {
     };
     let recording =
         Simulation::new(scene.clone(), solver).run(steps, |_| ControlFlow::Continue(()));
-    curve.samples = recording.motion.iter().map(Sample::from).collect();
+    curve.samples = thinned(&recording.motion.iter().map(Sample::from).collect::<Vec<_>>());
     curve.failure = recording.failure.map(|failure| failure.to_string());
     (curve, recording.motion.iter().map(|motion| motion.kinetic).fold(0.0, f64::max))
 }

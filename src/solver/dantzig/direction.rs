@@ -11,7 +11,7 @@ use crate::solver::Status;
 const RELATIVE_ZERO: f64 = 1e-13;
 /// dᵀA d below this part of (Σ √a_jj |d_j|)² counts as zero, as does Δw_j beside the product of two
 /// such sums: so much the rounding of A and of its factor, some ten units in the last place, can do.
-const ROUNDING: f64 = 2e-15;
+pub(super) const ROUNDING: f64 = 2e-15;
 /// A part of a null direction below this part of its largest counts as zero.
 const NULL_ROUNDING: f64 = 1e-11;
 /// dᵀw counts as zero below this part of the terms that the w_j are summed from.
@@ -56,7 +56,7 @@ impl Run<'_> {
     }
 
     /// √a_jj, which has the unit of √(x w) / x_j.
-    fn root(&self, j: usize) -> f64 {
+    pub(super) fn root(&self, j: usize) -> f64 {
         self.lcp.matrix().diagonal(j).max(0.0).sqrt()
     }
 

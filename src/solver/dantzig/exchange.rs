@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::blocking::Block;
-use super::direction::Direction;
+use super::direction::{Direction, ROUNDING};
 use super::{Run, Side};
 use crate::solver::Status;
 use crate::solver::elimination::difference;
@@ -37,11 +37,12 @@ impl Run<'_> {
         match (self.side[row], side) {
             (Side::Free, _) => {
                 let k = self.free.iter().position(|&j| j == row).expect("a free row is in C");
+                let dependents = self.dependents(k);
                 self.free.remove(k);
                 self.factor.remove(k);
                 self.w[row] = 0.0;
                 self.put(row, side);
-                return self.wake_idle();
+                return self.wake(&dependents);
             }
             (_, Side::Free) => {
                 let d = if row == i { direction } else { self.direction(row)? };
@@ -62,15 +63,33 @@ impl Run<'_> {
         self.put(row, Side::Free);
     }
 
+    /// The idle rows that depend on the row at position k of C, so that one of them can take its place.
+    ///
+    /// Row j is the sum of the rows of C times A_CC⁻¹ A_Cj. With z = A_CC⁻¹ e_k its part of row k is
+    /// zᵀA_Cj, and once k is gone its Schur complement is (zᵀA_Cj)² / z_k ≤ (zᵀA_Cj)² a_kk.
+    fn dependents(&self, k: usize) -> Vec<usize> {
+        let mut z = vec![0.0; self.free.len()];
+        z[k] = 1.0;
+        self.factor.solve(&mut z);
+        let mut of_row = vec![0.0; self.x.len()];
+        for (&j, z) in self.free.iter().zip(&z) {
+            of_row[j] = *z;
+        }
+        let part = |j: usize| {
+            let terms = self.lcp.matrix().row(j).iter().map(|(c, a)| a * of_row[c]);
+            terms.sum::<f64>() * self.root(self.free[k])
+        };
+        let idle = (0..self.side.len()).filter(|&j| self.side[j] == Side::Idle);
+        idle.filter(|&j| part(j).powi(2) > ROUNDING * self.root(j).powi(2)).collect()
+    }
+
     /// After a row has left C, lets the idle row that no longer depends on C enter in its place.
-    fn wake_idle(&mut self) -> ControlFlow<Status> {
-        for row in 0..self.side.len() {
-            if self.side[row] == Side::Idle {
-                let direction = self.direction(row)?;
-                if direction.schur > 0.0 {
-                    self.enter(row, direction);
-                    break;
-                }
+    fn wake(&mut self, dependents: &[usize]) -> ControlFlow<Status> {
+        for &row in dependents {
+            let direction = self.direction(row)?;
+            if direction.schur > 0.0 {
+                self.enter(row, direction);
+                break;
             }
         }
         ControlFlow::Continue(())

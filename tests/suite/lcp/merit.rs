@@ -1,8 +1,9 @@
 use lcplab::lcp::friction::{ConeProblem, Law, merit as cone};
 use lcplab::lcp::merit;
 use lcplab::solver::{Dantzig, Solver, Start};
+use proptest::prelude::*;
 
-use crate::common::{chain, contacts, pushed_mass};
+use crate::common::{cases, chain, contacts, manufactured, pushed_mass};
 
 #[test]
 fn each_measure_is_its_definition() {
@@ -60,4 +61,29 @@ fn oblique_slip_tells_the_cone_from_the_box() {
     assert!(cone::rr9118(&problem, &disc) < 1e-15 && merit::siconos(&coupled, &disc) > 0.1);
     assert!(cone::rr9118(&problem, &square) > 0.1 && merit::siconos(&coupled, &square) < 1e-15);
     assert!(merit::dart(&coupled, &disc) > 0.1 && merit::dart(&coupled, &square) < 1e-15);
+}
+
+proptest! {
+    #![proptest_config(cases(100))]
+
+    #[test]
+    fn a_look_that_stops_at_the_first_row_outside_sees_what_a_whole_one_sees(
+        m in manufactured(5, 3, 0.0),
+        x in proptest::collection::vec(-2.0..2.0f64, 5),
+        start in 0..7usize,
+    ) {
+        let residual = merit::scaled_residual(&m.lcp, &x);
+        for tolerance in [0.5 * residual, residual.next_down(), residual, 2.0 * residual] {
+            let mut first = start;
+            let within = merit::is_within(&m.lcp, &x, tolerance, &mut first);
+            prop_assert_eq!(within, residual <= tolerance);
+            if !within {
+                let terms = merit::RowTerms::at(&m.lcp, first, &x);
+                let (lo, hi) = m.lcp.bounds(first, &x);
+                prop_assert!(terms.scaled_residual(x[first], lo, hi) > tolerance);
+            }
+        }
+        let mut first = start;
+        prop_assert!(!merit::is_within(&m.lcp, &[f64::NAN; 5], 1.0, &mut first));
+    }
 }

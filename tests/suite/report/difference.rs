@@ -1,10 +1,14 @@
 //! What changed between two results files.
 
-use lcplab::report::difference::{between, table};
+use lcplab::report::difference::{Tolerance, between, table};
 use serde_json::json;
 
 fn places(old: &serde_json::Value, new: &serde_json::Value, tolerance: f64) -> Vec<String> {
-    between(old, new, tolerance).into_iter().map(|change| change.place).collect()
+    between(old, new, relative(tolerance)).into_iter().map(|change| change.place).collect()
+}
+
+fn relative(relative: f64) -> Tolerance {
+    Tolerance { relative, absolute: 0.0 }
 }
 
 #[test]
@@ -20,7 +24,7 @@ fn a_row_is_found_by_its_name_wherever_it_stands() {
 fn circumstances_are_no_difference() {
     let old = json!({"machine": {"seconds": 3}, "version": "1", "x": 1});
     let new = json!({"machine": {"seconds": 4}, "version": "2", "x": 1});
-    assert!(between(&old, &new, 0.0).is_empty());
+    assert!(between(&old, &new, relative(0.0)).is_empty());
 }
 
 #[test]
@@ -34,11 +38,18 @@ fn a_tolerance_lets_the_last_bits_pass_and_nothing_else() {
 
 #[test]
 fn what_has_gone_and_what_has_come_is_said() {
-    let changes = between(&json!({"a": 1}), &json!({"b": [1, 2]}), 0.0);
+    let changes = between(&json!({"a": 1}), &json!({"b": [1, 2]}), relative(0.0));
     let rows: Vec<Vec<String>> = table(&changes)
         .rows
         .into_iter()
         .map(|row| row.into_iter().map(|cell| cell.text).collect())
         .collect();
     assert_eq!(rows, [["a", "1", "–", "1"], ["b", "–", "2 entries", "1"]]);
+}
+
+#[test]
+fn an_absolute_tolerance_lets_residuals_near_rounding_pass() {
+    let (old, new) = (json!({"residual": 1e-17}), json!({"residual": 4e-17}));
+    assert!(between(&old, &new, Tolerance { relative: 0.0, absolute: 1e-9 }).is_empty());
+    assert_eq!(between(&old, &new, relative(1e-6)).len(), 1);
 }

@@ -3,8 +3,9 @@ use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::kind::KINDS;
-use lcplab::report::page::Table;
+use lcplab::report::page::{Block, Picture, Table};
 use lcplab::report::results::{Part, Results};
+use lcplab::report::study::comparison::{Sample, thinned};
 use lcplab::report::study::convergence;
 use lcplab::report::view::Document;
 use lcplab::report::{methods, run, view, write};
@@ -207,6 +208,40 @@ fn results_that_cannot_be_saved_are_reported_before_anything_runs() {
 fn every_kind_of_study_is_known_by_a_name_of_its_own() {
     let names: std::collections::BTreeSet<_> = KINDS.iter().map(|kind| kind.name).collect();
     assert_eq!(names.len(), KINDS.len());
+}
+
+#[test]
+fn a_thinned_motion_keeps_its_ends_and_its_extremes() {
+    let sample = |k: usize| {
+        let peak = |at: usize| if k == at { 1.0 } else { 0.0 };
+        Sample {
+            time: k as f64,
+            energy: peak(777) - peak(1234),
+            drift: peak(501),
+            penetration: 0.0,
+        }
+    };
+    let thinned = thinned(&(0..=2000).map(sample).collect::<Vec<_>>());
+    let times: Vec<f64> = thinned.iter().map(|sample| sample.time).collect();
+    assert!(times.is_sorted() && times.len() <= 210, "{}", times.len());
+    for kept in [0.0, 501.0, 777.0, 1234.0, 2000.0] {
+        assert!(times.contains(&kept), "{kept}");
+    }
+}
+
+#[test]
+fn every_figure_and_table_says_how_it_was_obtained() {
+    let document = view::document(&results(2)).unwrap();
+    let section = document.page.sections.iter().find(|section| section.id == "rates").unwrap();
+    for block in &section.blocks {
+        let (Block::Figure(Picture { origin, .. }) | Block::Table(Table { origin, .. })) = block
+        else {
+            continue;
+        };
+        let origin = origin.as_ref().expect("an origin");
+        assert_eq!(origin.settings, "bodies = [5]; ratios = [10.0]");
+        assert_eq!(origin.command, "lcplab report small.toml --section rates");
+    }
 }
 
 #[test]

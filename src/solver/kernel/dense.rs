@@ -1,0 +1,274 @@
+//! Sweeps over a dense A, by rows and by columns.
+//!
+//! ```text
+//! by rows:      w_i = Σ_j a_ij x_j + b_i,   x_i ← Π_i(x_i − ω w_i / a_ii)
+//! by columns:   x_i ← Π_i(x_i − ω w_i / a_ii),   w ← w + δ_i A_i,   δ_i the change of x_i
+//! ```
+//!
+//! By rows, all n² entries are read whatever happens, so reading them is all that it should cost.
+//! A sum of n terms is a chain of n/8 additions to the same eight lanes, which takes longer than the
+//! reading; four rows at a time have four chains. Their sums are taken at the old x and corrected by
+//! what the rows before them in the four have changed:
+//!
+//! ```text
+//! w_(i+r) = Σ_j a_(i+r)j x_j + b_(i+r) + Σ_(q<r) a_(i+r)(i+q) δ_(i+q)
+//! ```
+//!
+//! By columns, a row costs nothing but a look where x_i stays at its bound: for symmetric A only, whose
+//! columns are rows. w collects rounding, so it is made anew every [`RENEWED`] sweeps.
+//!
+//! For bounds that follow another row, [`Pgs`](crate::solver::Pgs).
+
+use super::lanes::{Lanes, Width, Work, sum};
+use crate::lcp::{Lcp, Matrix, dot};
+use crate::solver::Status;
+use crate::solver::metric::Metric;
+
+/// Sweeps by columns after which w is computed from x.
+pub const RENEWED: usize = 64;
+
+/// Rows of which the sums are taken together.
+const TOGETHER: usize = 4;
+
+/// What both forms need of a problem.
+#[derive(Debug, Clone)]
+struct Dense<'a> {
+    lcp: &'a Lcp,
+    /// A, row by row.
+    a: &'a [f64],
+    diagonal: Vec<f64>,
+    omega: f64,
+    width: Width,
+}
+
+impl<'a> Dense<'a> {
+    fn of(lcp: &'a Lcp, omega: f64, width: Width) -> Result<Self, Status> {
+        let Matrix::Dense(transposed) = lcp.matrix() else {
+            return Err(Status::OutsideClass { reason: "A is not dense" });
+        };
+        if lcp.coupling().is_some() {
+            return Err(Status::OutsideClass { reason: "rows are coupled" });
+        }
+        let diagonal = Metric::of(lcp)?.diagonal;
+        Ok(Dense { lcp, a: transposed.as_slice(), diagonal, omega, width })
+    }
+
+    fn row(&self, i: usize) -> &'a [f64] {
+        let n = self.diagonal.len();
+        &self.a[i * n..(i + 1) * n]
+    }
+
+    /// Π_i(x_i − ω w_i / a_ii)
+    #[inline(always)]
+    fn updated(&self, i: usize, x: f64, w: f64) -> f64 {
+        (x - self.omega * w / self.diagonal[i]).max(self.lcp.lo()[i]).min(self.lcp.hi()[i])
+    }
+}
+
+/// Projected SOR by rows.
+///
+/// ```
+/// use lcplab::lcp::{Lcp, Matrix};
+/// use lcplab::solver::kernel::{Width, dense::Rows};
+///
+/// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
+/// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let mut x = [0.0; 2];
+/// Rows::of(&lcp, 1.0, Width::widest()).expect("a positive diagonal").sweep(&mut x);
+/// assert_eq!(x, [0.5, 0.0]);
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Rows<'a>(Dense<'a>);
+
+impl<'a> Rows<'a> {
+    /// The sweeps for this problem with relaxation ω, 0 < ω < 2.
+    ///
+    /// # Errors
+    /// [`Status::ZeroDiagonal`]; [`Status::OutsideClass`] if A is not dense or rows are coupled.
+    pub fn of(lcp: &'a Lcp, omega: f64, width: Width) -> Result<Self, Status> {
+        Ok(Rows(Dense::of(lcp, omega, width)?))
+    }
+
+    /// One sweep over all rows.
+    ///
+    /// # Panics
+    /// If x has not n entries.
+    pub fn sweep(&self, x: &mut [f64]) {
+        assert_eq!(x.len(), self.0.lcp.len(), "one x a row");
+        self.0.width.run(RowSweep { dense: &self.0, x });
+    }
+}
+
+struct RowSweep<'a> {
+    dense: &'a Dense<'a>,
+    x: &'a mut [f64],
+}
+
+impl Work for RowSweep<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        let RowSweep { dense, x } = self;
+        let n = x.len();
+        let mut i = 0;
+        while i + TOGETHER <= n {
+            let mut rows = [&dense.a[..0]; TOGETHER];
+            for r in 0..TOGETHER {
+                rows[r] = dense.row(i + r);
+            }
+            let mut w = products::<V>(rows, x);
+            let mut change = [0.0; TOGETHER];
+            for r in 0..TOGETHER {
+                for q in 0..r {
+                    w[r] += rows[r][i + q] * change[q];
+                }
+                let updated = dense.updated(i + r, x[i + r], w[r] + dense.lcp.b()[i + r]);
+                change[r] = updated - x[i + r];
+                x[i + r] = updated;
+            }
+            i += TOGETHER;
+        }
+        for i in i..n {
+            x[i] = dense.updated(i, x[i], dot(dense.row(i), x) + dense.lcp.b()[i]);
+        }
+    }
+}
+
+/// The products of four rows with x: in one pass if there are registers enough, else one by one, which
+/// is the same to the bit.
+#[inline(always)]
+fn products<V: Lanes>(rows: [&[f64]; TOGETHER], x: &[f64]) -> [f64; TOGETHER] {
+    if V::WIDE {
+        return dots::<V, TOGETHER>(rows, x);
+    }
+    let [a, b, c, d] = rows;
+    [dot(a, x), dot(b, x), dot(c, x), dot(d, x)]
+}
+
+/// [`dot`](crate::lcp::dot) of several rows with the same x, bit by bit.
+#[inline(always)]
+fn dots<V: Lanes, const R: usize>(rows: [&[f64]; R], x: &[f64]) -> [f64; R] {
+    let (x_blocks, x_tail) = x.as_chunks::<8>();
+    let (count, start) = (x_blocks.len(), x.len() - x_tail.len());
+    let mut blocks = [x_blocks; R];
+    for r in 0..R {
+        blocks[r] = &rows[r].as_chunks::<8>().0[..count];
+    }
+    let mut lanes = [V::splat(0.0); R];
+    for k in 0..count {
+        let x = V::load(&x_blocks[k]);
+        for r in 0..R {
+            lanes[r] = lanes[r] + V::load(&blocks[r][k]) * x;
+        }
+    }
+    let mut dots = [0.0; R];
+    for r in 0..R {
+        let mut tail = 0.0;
+        for j in start..x.len() {
+            tail += rows[r][j] * x[j];
+        }
+        dots[r] = sum(lanes[r].to_array()) + tail;
+    }
+    dots
+}
+
+/// Projected SOR by columns.
+#[derive(Debug, Clone)]
+pub struct Columns<'a> {
+    dense: Dense<'a>,
+    /// A x + b, kept up to date.
+    w: Vec<f64>,
+    sweeps: usize,
+}
+
+impl<'a> Columns<'a> {
+    /// The sweeps for this problem with relaxation ω, 0 < ω < 2.
+    ///
+    /// # Errors
+    /// [`Status::ZeroDiagonal`]; [`Status::OutsideClass`] if A is not dense or not symmetric, or rows
+    /// are coupled.
+    pub fn of(lcp: &'a Lcp, omega: f64, width: Width) -> Result<Self, Status> {
+        if !lcp.matrix().is_symmetric() {
+            return Err(Status::OutsideClass { reason: "A is not symmetric" });
+        }
+        Ok(Columns { dense: Dense::of(lcp, omega, width)?, w: Vec::new(), sweeps: 0 })
+    }
+
+    /// One sweep over all rows, from the x that the last one left; returns how many x changed.
+    ///
+    /// # Panics
+    /// If x has not n entries.
+    pub fn sweep(&mut self, x: &mut [f64]) -> usize {
+        assert_eq!(x.len(), self.dense.lcp.len(), "one x a row");
+        if self.sweeps.is_multiple_of(RENEWED) {
+            self.w = self.dense.lcp.w(x);
+        }
+        self.sweeps += 1;
+        self.dense.width.run(ColumnSweep { dense: &self.dense, x, w: &mut self.w })
+    }
+}
+
+struct ColumnSweep<'a> {
+    dense: &'a Dense<'a>,
+    x: &'a mut [f64],
+    w: &'a mut [f64],
+}
+
+impl Work for ColumnSweep<'_> {
+    type Output = usize;
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) -> usize {
+        let ColumnSweep { dense, x, w } = self;
+        let mut changed = 0;
+        for i in 0..x.len() {
+            let updated = dense.updated(i, x[i], w[i]);
+            if updated != x[i] {
+                add::<V>(updated - x[i], dense.row(i), w);
+                x[i] = updated;
+                changed += 1;
+            }
+        }
+        changed
+    }
+}
+
+/// y ← y + factor · x
+#[inline(always)]
+fn add<V: Lanes>(factor: f64, x: &[f64], y: &mut [f64]) {
+    let ((x_blocks, x_tail), (y_blocks, y_tail)) = (x.as_chunks::<8>(), y.as_chunks_mut::<8>());
+    let lanes = V::splat(factor);
+    for k in 0..x_blocks.len().min(y_blocks.len()) {
+        (V::load(&y_blocks[k]) + lanes * V::load(&x_blocks[k])).store(&mut y_blocks[k]);
+    }
+    for k in 0..x_tail.len().min(y_tail.len()) {
+        y_tail[k] += factor * x_tail[k];
+    }
+}
+
+/// The sum of all numbers, as fast as they can be read: what a sweep by rows costs at the least.
+pub fn read(numbers: &[f64], width: Width) -> f64 {
+    width.run(Read(numbers))
+}
+
+struct Read<'a>(&'a [f64]);
+
+impl Work for Read<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) -> f64 {
+        let (fours, rest) = self.0.as_chunks::<{ 8 * TOGETHER }>();
+        let mut lanes = [V::splat(0.0); TOGETHER];
+        for four in fours {
+            let blocks = four.as_chunks::<8>().0;
+            for k in 0..TOGETHER {
+                lanes[k] = lanes[k] + V::load(&blocks[k]);
+            }
+        }
+        let [a, b, c, d] = lanes;
+        sum(((a + b) + (c + d)).to_array()) + rest.iter().sum::<f64>()
+    }
+}

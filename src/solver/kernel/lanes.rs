@@ -1,0 +1,259 @@
+//! Eight numbers at a time: the one file with `unsafe`.
+//!
+//! A kernel is written once, over [`Lanes`]: eight `f64` with elementwise operations. [`Width::run`]
+//! compiles it for each set of instructions and picks one when it runs, because the compiler's default
+//! target knows no more than SSE2. All do the same IEEE operations in the same order, lane by lane, and
+//! none fuses a product with a sum, so the bits are the same on every processor.
+//!
+//! # Why this is sound
+//! - AVX instructions are reached only through [`Avx2`] and [`Avx512`]. Both types are private to this
+//!   file, and only `with_avx2` and `with_avx512` name them, which are called after the processor was
+//!   asked whether it has the instructions.
+//! - Loads and stores go through `&[f64; 8]`, by instructions that ask for no alignment.
+#![allow(unsafe_code)]
+
+use std::ops::{Add, Mul, Sub};
+
+/// Eight numbers, and what is done to each.
+pub(super) trait Lanes:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
+    /// Whether four sums at a time fit in the registers.
+    const WIDE: bool;
+    fn load(from: &[f64; 8]) -> Self;
+    fn store(self, to: &mut [f64; 8]);
+    /// The larger of both, `other` if neither is.
+    fn max(self, other: Self) -> Self;
+    /// The smaller of both, `other` if neither is.
+    fn min(self, other: Self) -> Self;
+
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Self::load(&[value; 8])
+    }
+
+    #[inline(always)]
+    fn to_array(self) -> [f64; 8] {
+        let mut array = [0.0; 8];
+        self.store(&mut array);
+        array
+    }
+}
+
+/// The sum of eight lanes, in the order of [`dot`](crate::lcp::dot).
+#[inline(always)]
+pub(super) fn sum([a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
+}
+
+/// Something to do with lanes of any kind; `run` must be `#[inline(always)]`, and so must all that it
+/// calls with them, or it is compiled without the instructions.
+pub(super) trait Work {
+    type Output;
+    fn run<V: Lanes>(self) -> Self::Output;
+}
+
+/// With which instructions a kernel runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Width {
+    /// What the compiler makes of arrays: 128 bits at a time on x86-64.
+    Portable,
+    /// 256 bits at a time.
+    Avx2,
+    /// 512 bits at a time.
+    Avx512,
+}
+
+impl Width {
+    /// Those that this processor has.
+    pub fn available() -> impl Iterator<Item = Width> {
+        [Width::Portable, Width::Avx2, Width::Avx512].into_iter().filter(|width| width.is_here())
+    }
+
+    /// The widest that this processor has.
+    pub fn widest() -> Width {
+        Width::available().last().unwrap_or(Width::Portable)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    fn is_here(self) -> bool {
+        match self {
+            Width::Portable => true,
+            Width::Avx2 => is_x86_feature_detected!("avx2"),
+            Width::Avx512 => is_x86_feature_detected!("avx512f"),
+        }
+    }
+
+    #[cfg(not(target_arch = "x86_64"))]
+    fn is_here(self) -> bool {
+        self == Width::Portable
+    }
+
+    /// Does the work with these instructions, or portably where the processor lacks them.
+    pub(super) fn run<W: Work>(self, work: W) -> W::Output {
+        #[cfg(target_arch = "x86_64")]
+        if self.is_here() {
+            // SAFETY: the processor has just been asked.
+            match self {
+                Width::Portable => {}
+                Width::Avx2 => return unsafe { x86::with_avx2(work) },
+                Width::Avx512 => return unsafe { x86::with_avx512(work) },
+            }
+        }
+        work.run::<Portable>()
+    }
+}
+
+/// An array.
+#[derive(Clone, Copy)]
+struct Portable([f64; 8]);
+
+impl Portable {
+    #[inline(always)]
+    fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        for k in 0..8 {
+            self.0[k] = f(self.0[k], other.0[k]);
+        }
+        self
+    }
+}
+
+impl Lanes for Portable {
+    const WIDE: bool = false;
+
+    #[inline(always)]
+    fn load(from: &[f64; 8]) -> Self {
+        Portable(*from)
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [f64; 8]) {
+        *to = self.0;
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a > b { a } else { b })
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a < b { a } else { b })
+    }
+}
+
+macro_rules! operators {
+    ($lanes:ty, $($operator:ident $name:ident $body:expr),*) => {
+        $(impl $operator for $lanes {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                $body(self, other)
+            }
+        })*
+    };
+}
+
+operators!(Portable,
+    Add add |a: Portable, b| a.zip(b, |a, b| a + b),
+    Sub sub |a: Portable, b| a.zip(b, |a, b| a - b),
+    Mul mul |a: Portable, b| a.zip(b, |a, b| a * b));
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use std::arch::x86_64::*;
+    use std::ops::{Add, Mul, Sub};
+
+    use super::{Lanes, Work};
+
+    #[target_feature(enable = "avx2")]
+    pub(super) fn with_avx2<W: Work>(work: W) -> W::Output {
+        work.run::<Avx2>()
+    }
+
+    #[target_feature(enable = "avx512f")]
+    pub(super) fn with_avx512<W: Work>(work: W) -> W::Output {
+        work.run::<Avx512>()
+    }
+
+    /// Two registers of four.
+    #[derive(Clone, Copy)]
+    struct Avx2(__m256d, __m256d);
+
+    /// One register of eight.
+    #[derive(Clone, Copy)]
+    struct Avx512(__m512d);
+
+    // SAFETY, of all below: see the head of the file.
+
+    macro_rules! by_halves {
+        ($intrinsic:ident) => {
+            |a: Avx2, b: Avx2| unsafe { Avx2($intrinsic(a.0, b.0), $intrinsic(a.1, b.1)) }
+        };
+    }
+
+    macro_rules! at_once {
+        ($intrinsic:ident) => {
+            |a: Avx512, b: Avx512| unsafe { Avx512($intrinsic(a.0, b.0)) }
+        };
+    }
+
+    operators!(Avx2, Add add by_halves!(_mm256_add_pd), Sub sub by_halves!(_mm256_sub_pd),
+        Mul mul by_halves!(_mm256_mul_pd));
+    operators!(Avx512, Add add at_once!(_mm512_add_pd), Sub sub at_once!(_mm512_sub_pd),
+        Mul mul at_once!(_mm512_mul_pd));
+
+    impl Lanes for Avx2 {
+        const WIDE: bool = true;
+
+        #[inline(always)]
+        fn load(from: &[f64; 8]) -> Self {
+            let (low, high) = from.split_at(4);
+            unsafe { Avx2(_mm256_loadu_pd(low.as_ptr()), _mm256_loadu_pd(high.as_ptr())) }
+        }
+
+        #[inline(always)]
+        fn store(self, to: &mut [f64; 8]) {
+            let (low, high) = to.split_at_mut(4);
+            unsafe {
+                _mm256_storeu_pd(low.as_mut_ptr(), self.0);
+                _mm256_storeu_pd(high.as_mut_ptr(), self.1);
+            }
+        }
+
+        #[inline(always)]
+        fn max(self, other: Self) -> Self {
+            by_halves!(_mm256_max_pd)(self, other)
+        }
+
+        #[inline(always)]
+        fn min(self, other: Self) -> Self {
+            by_halves!(_mm256_min_pd)(self, other)
+        }
+    }
+
+    impl Lanes for Avx512 {
+        const WIDE: bool = true;
+
+        #[inline(always)]
+        fn load(from: &[f64; 8]) -> Self {
+            unsafe { Avx512(_mm512_loadu_pd(from.as_ptr())) }
+        }
+
+        #[inline(always)]
+        fn store(self, to: &mut [f64; 8]) {
+            unsafe { _mm512_storeu_pd(to.as_mut_ptr(), self.0) }
+        }
+
+        #[inline(always)]
+        fn max(self, other: Self) -> Self {
+            at_once!(_mm512_max_pd)(self, other)
+        }
+
+        #[inline(always)]
+        fn min(self, other: Self) -> Self {
+            at_once!(_mm512_min_pd)(self, other)
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! The sweeps of Gauss-Seidel once more, for speed: same updates, other loops.
+//!
+//! [`Pgs`](super::Pgs) is a sweep as it is defined, and what the lessons show. A processor would rather
+//! have eight numbers at a time, memory in the order it lies in, and no result that waits for the last
+//! one. The kernels here are arranged so; tests hold each against the plain sweep.
+//!
+//! | kernel | a sweep costs | what it gains |
+//! | --- | --- | --- |
+//! | [`dense::Rows`] | n² entries read | four rows at a time, their four sums independent |
+//! | [`dense::Columns`] | n entries for each x that changes | rows that stay at a bound are skipped |
+//! | [`impulses::RowByRow`] | 12 entries a row, A never formed | the plain form of the two below |
+//! | [`impulses::PairByPair`] | the same, and one Gram matrix a pair | velocities stay in registers |
+//! | [`impulses::EightPairs`] | 12 entries a row | eight pairs of a colour at once, one a lane |
+//!
+//! They take x from sweep to sweep and test for no end: [`iterate`](super) and its stop test stay with
+//! the solvers. [`Width`] says with which instructions they run; the bits are the same with all.
+
+pub mod dense;
+pub mod impulses;
+mod lanes;
+
+pub use lanes::Width;

@@ -1,0 +1,162 @@
+use lcplab::formulation::{Factors, Problem};
+use lcplab::lcp::{Coupling, Lcp, Matrix};
+use lcplab::scene::Scene;
+use lcplab::simulation::Simulation;
+use lcplab::solver::Status;
+use lcplab::solver::kernel::Width;
+use lcplab::solver::kernel::impulses::{EightPairs, PairByPair, Row, RowByRow, System};
+use lcplab::solver::{Options, Settings, by_name};
+
+use super::{assert_close, plain, reordered};
+use crate::common::INF;
+
+const SWEEPS: usize = 20;
+
+/// The LCP of a step, with what it is made of; friction rows follow their normals.
+fn step(scene: Scene) -> Problem {
+    let settings = Settings { max_iterations: 30, ..Settings::default() };
+    let pgs = by_name("pgs", &Options { settings, ..Options::default() }).unwrap();
+    let mut simulation = Simulation::new(scene, pgs);
+    let mut steps = (0..3).map(|_| simulation.step().unwrap());
+    steps.next_back().unwrap().solves.remove(0).problem
+}
+
+fn generated(kind: &str) -> Problem {
+    let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
+    let text =
+        format!("generate = {{ {kind} }}\n[contact]\nfriction = 0.5\nmargin = 0.01\n{ground}");
+    step(Scene::from_toml("pile.toml", &text).unwrap())
+}
+
+/// Three rings of twelve cubes, each on two others.
+fn tower() -> Problem {
+    generated("kind = \"circular_tower\", count = 36, ring = 12, size = 1, mass = 1")
+}
+
+fn stack() -> Problem {
+    generated("kind = \"stack\", count = 6, size = 1, mass = 1")
+}
+
+/// A problem with its rows of Ĵ, with friction that follows the normal force and with frozen friction.
+fn cases(problem: &Problem) -> [(Factors, Lcp); 2] {
+    let lcp = &problem.lcp;
+    let load: Vec<f64> = (0..lcp.len()).map(|i| 0.01 * (1 + i % 5) as f64).collect();
+    [lcp.clone(), lcp.frozen_at(&load)].map(|lcp| (Factors::of(&problem.assembly), lcp))
+}
+
+/// What a kernel has after some sweeps.
+fn swept<K>(mut kernel: K, sweep: impl Fn(&mut K), x: impl Fn(&K) -> Vec<f64>) -> Vec<f64> {
+    (0..SWEEPS).for_each(|_| sweep(&mut kernel));
+    x(&kernel)
+}
+
+#[test]
+fn the_scaled_rows_make_a() {
+    for problem in [tower(), stack(), step(Scene::load("ragdoll").unwrap())] {
+        let rows = Factors::of(&problem.assembly).scaled_rows();
+        let dense = |row: &Row| {
+            let mut j = vec![0.0; problem.assembly.blocks.len() * 6];
+            for (body, part) in row.bodies.iter().zip(&row.jacobian) {
+                part.iter().enumerate().for_each(|(k, value)| j[6 * body + k] += value);
+            }
+            j
+        };
+        let j: Vec<Vec<f64>> = rows.iter().map(dense).collect();
+        for i in 0..rows.len() {
+            for k in 0..rows.len() {
+                let a: f64 = j[i].iter().zip(&j[k]).map(|(a, b)| a * b).sum();
+                let expected = problem.lcp.matrix().entry(i, k);
+                let size = problem.lcp.matrix().diagonal(i).max(1e-3);
+                assert!((a - expected).abs() < 1e-12 * size, "{i} {k}: {a} for {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn row_by_row_and_pair_by_pair_sweep_as_the_assembled_matrix_does() {
+    for problem in [tower(), stack()] {
+        for (factors, lcp) in cases(&problem) {
+            let rows = factors.scaled_rows();
+            let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
+            let expected = plain(&lcp, 1.0, SWEEPS);
+            let x = swept(RowByRow::new(&system), RowByRow::sweep, |k| k.x().to_vec());
+            assert_close(&x, &expected, 1e-12);
+            let pairs = PairByPair::new(&system, Width::widest()).unwrap();
+            assert_close(&swept(pairs, PairByPair::sweep, PairByPair::x), &expected, 1e-12);
+        }
+    }
+}
+
+#[test]
+fn eight_pairs_sweep_as_the_assembled_matrix_does_in_their_order() {
+    for problem in [tower(), stack()] {
+        for (factors, lcp) in cases(&problem) {
+            let rows = factors.scaled_rows();
+            let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
+            let kernel = EightPairs::new(&system, Width::widest()).unwrap();
+            let order = kernel.order();
+            let expected = plain(&reordered(&lcp, &order), 1.0, SWEEPS);
+            let x = swept(kernel, EightPairs::sweep, EightPairs::x);
+            let found: Vec<f64> = order.iter().map(|&i| x[i]).collect();
+            assert_close(&found, &expected, 1e-12);
+        }
+    }
+}
+
+#[test]
+fn all_of_a_tower_of_equal_pairs_is_swept_in_every_order() {
+    let problem = tower();
+    let factors = Factors::of(&problem.assembly);
+    let rows = factors.scaled_rows();
+    let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
+    let mut order = EightPairs::new(&system, Width::Portable).unwrap().order();
+    assert_ne!(order, (0..rows.len()).collect::<Vec<_>>());
+    order.sort_unstable();
+    assert_eq!(order, (0..rows.len()).collect::<Vec<_>>());
+}
+
+#[test]
+fn the_bits_are_the_same_with_all_instructions() {
+    let problem = tower();
+    for (factors, lcp) in cases(&problem) {
+        let rows = factors.scaled_rows();
+        let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
+        let run = |width| {
+            let pairs = PairByPair::new(&system, width).unwrap();
+            let eight = EightPairs::new(&system, width).unwrap();
+            let pairs = swept(pairs, PairByPair::sweep, PairByPair::x);
+            [pairs, swept(eight, EightPairs::sweep, EightPairs::x)]
+        };
+        let portable = run(Width::Portable);
+        for width in Width::available() {
+            assert_eq!(run(width), portable, "{width:?}");
+        }
+    }
+}
+
+#[test]
+fn rows_between_other_bodies_cannot_bound_a_pair() {
+    // Row 1 slides on body 1, bounded by what presses on body 0.
+    let row =
+        |body| Row { bodies: [body; 2], jacobian: [[1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 6]] };
+    let rows = [row(0), row(1)];
+    let identity = Matrix::sparse(2, &[(0, 0, 1.0), (1, 1, 1.0)]);
+    let lcp = Lcp::new(identity, vec![-2.0, -3.0], vec![0.0, -INF], vec![INF; 2]).unwrap();
+    let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
+    let lcp = lcp.with_coupling(coupling).unwrap();
+    let system = System::new(2, &rows, &lcp).unwrap();
+    assert!(PairByPair::new(&system, Width::widest()).is_none());
+    assert!(EightPairs::new(&system, Width::widest()).is_none());
+    let mut by_rows = RowByRow::new(&system);
+    by_rows.sweep();
+    assert_eq!(by_rows.x(), [2.0, 1.0]); // 1 = μ · 2
+}
+
+#[test]
+fn a_row_of_zeros_is_refused() {
+    let rows = [Row { bodies: [0; 2], jacobian: [[0.0; 6]; 2] }];
+    let zero = Matrix::sparse(1, &[]);
+    let lcp = Lcp::new(zero, vec![-1.0], vec![0.0], vec![INF]).unwrap();
+    assert_eq!(System::new(1, &rows, &lcp).unwrap_err(), Status::ZeroDiagonal { row: 0 });
+}
