@@ -74,7 +74,7 @@ pub fn plan_table(sweep: &Sweep, plan: &Plan, rows: usize) -> Table {
         how_to_read: more,
         columns: columns.map(|title| Column::numbers(title, "")).collect(),
         rows: plan.tasks.iter().take(rows).map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -242,6 +242,7 @@ fn optima(curves: &Curves) -> Option<Table> {
         ],
         rows,
         files: vec![("data (CSV)".into(), format!("{FILES}/optimum.csv"))],
+        ..Table::default()
     })
 }
 
@@ -287,6 +288,7 @@ fn results_table(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Table {
             ("results (JSON)".into(), "results.json".into()),
             ("times (CSV)".into(), "times.csv".into()),
         ],
+        ..Table::default()
     }
 }
 

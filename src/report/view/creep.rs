@@ -69,7 +69,7 @@ fn table(findings: &[&Finding]) -> Table {
             Column::words("agreement"),
         ],
         rows: findings.iter().map(|finding| cells(finding)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

@@ -128,7 +128,7 @@ fn table(findings: &[Finding]) -> Table {
             Column::words("agreement"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

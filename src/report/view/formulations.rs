@@ -40,7 +40,7 @@ impl View for Plan {
                 Column::numbers("a step", "ms"),
             ],
             rows: rows.collect(),
-            files: Vec::new(),
+            ..Table::default()
         };
         document.table("formulations_times", table);
     }
@@ -119,7 +119,7 @@ fn table(finding: &Finding) -> Table {
             Column::words("outcome"),
         ],
         rows: finding.runs.iter().map(|run| cells(&finding.case, run)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

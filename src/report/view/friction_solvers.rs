@@ -33,7 +33,7 @@ impl View for Plan {
                 Column::numbers("time", "ms"),
             ],
             rows: times.iter().flatten().map(cells).collect(),
-            files: Vec::new(),
+            ..Table::default()
         };
         document.table("friction_solvers_times", table);
     }
@@ -68,7 +68,7 @@ fn table<'a>(rows: impl Iterator<Item = &'a Row>) -> Table {
             Column::words("why not"),
         ],
         rows: rows.map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

@@ -116,6 +116,6 @@ fn table(findings: &[Finding]) -> Table {
             .into(),
         columns,
         rows: findings.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

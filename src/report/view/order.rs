@@ -120,7 +120,7 @@ fn table(findings: &[Finding]) -> Table {
             Column::words("verdict"),
         ],
         rows: curves(findings).map(|(problem, curve)| cells(problem, curve)).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

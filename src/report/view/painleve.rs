@@ -124,6 +124,6 @@ fn table(findings: &[&Finding]) -> Table {
             Column::words("agreement"),
         ],
         rows: findings.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

@@ -184,7 +184,7 @@ impl Plan {
                 Column::numbers("no solution", ""),
             ],
             rows,
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 
@@ -212,7 +212,7 @@ impl Plan {
                 Column::words("which"),
             ],
             rows: gathered(tried).into_iter().map(row).collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 }
@@ -329,7 +329,7 @@ fn matrix(tried: &[Tried], solvers: &[String], k: usize, value: f64) -> Table {
             .into(),
         columns: heads.into_iter().chain(solvers_heads).collect(),
         rows: tried.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -365,6 +365,6 @@ fn iteration_costs() -> Table {
             Column::words("multiplications"),
         ],
         rows: rows.map(row).into(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

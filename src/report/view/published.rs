@@ -80,7 +80,7 @@ fn problems(findings: &[Finding]) -> Table {
             Column::words("source"),
         ],
         rows: findings.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
@@ -107,7 +107,7 @@ fn verdicts(findings: &[Finding]) -> Table {
             .into(),
         columns,
         rows: solvers.iter().map(cells).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

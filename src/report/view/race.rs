@@ -152,6 +152,6 @@ fn table(race: &Race) -> Table {
             Column::numbers("scaled residual", ""),
         ],
         rows: race.runners.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

@@ -117,6 +117,6 @@ fn table(findings: &[&Finding]) -> Table {
         ),
         columns,
         rows,
-        files: Vec::new(),
+        ..Table::default()
     }
 }

@@ -209,7 +209,7 @@ impl Plan {
                 .iter()
                 .flat_map(|stack| stack.tried.iter().filter_map(move |tried| row(stack, tried)))
                 .collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 
@@ -250,7 +250,7 @@ impl Plan {
                 Column::numbers("missing", "of the weight"),
             ],
             rows: rows.collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 

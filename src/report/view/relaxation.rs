@@ -129,7 +129,7 @@ impl Plan {
                 Head::words("count"),
             ],
             rows: rows.collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 }

@@ -162,7 +162,7 @@ impl Plan {
                 .into(),
             columns: [Head::words("solver")].into_iter().chain(heads).chain(slopes).collect(),
             rows: self.solvers.iter().map(row).collect(),
-            files: Vec::new(),
+            ..Table::default()
         }
     }
 }
@@ -193,6 +193,6 @@ fn gauss_seidel(columns: &[Column]) -> Table {
             Head::words("agreement"),
         ],
         rows: columns.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }

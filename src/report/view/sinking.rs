@@ -78,7 +78,7 @@ fn table(findings: &[Finding]) -> Table {
             Column::words("outcome"),
         ],
         rows: rows.collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 

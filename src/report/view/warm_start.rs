@@ -102,7 +102,7 @@ fn table(runs: &[Run]) -> Table {
             Column::words("ended early"),
         ],
         rows: runs.iter().map(row).collect(),
-        files: Vec::new(),
+        ..Table::default()
     }
 }
 
