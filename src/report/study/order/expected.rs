@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::order::Problem;
+use super::Problem;
 use crate::scene::{Formulation, Integrator};
 
 /// What an error must do.
