@@ -11,6 +11,7 @@
 //! answer; but news travels one row at a time, so tall stacks and large mass ratios need thousands of
 //! sweeps ([`theory`] says how many). [`pgs`] (and SOR, symmetric SOR and colours, by [`order`]),
 //! [`jacobi`], [`block_pgs`]; [`code6`] is the chapter's listing as printed, which is something else.
+//! The same sweeps arranged for speed are [`kernel`]s.
 //!
 //! **Pivoting.** A solution is known once it is known which rows are at which bound. Pivoting methods
 //! guess that set, look for a row that contradicts, and exchange it; they end after finitely many

@@ -21,7 +21,7 @@ use crate::solver::{Event, Iterate, Observer};
 /// newton, fischer-newton            a step         5/3 n³       a sweep where it takes one: s + n
 /// dantzig                           a pivot        f n
 /// lemke                             a pivot        N (N + 2)
-/// murty, block-pivoting             an exchange    f³/3 + f² + s
+/// murty, block-pivoting             an exchange    f³/3 + f² + s   and once for the first active set
 /// enumeration                       a set          n³/3         of fractions
 /// ```
 ///
@@ -68,6 +68,10 @@ impl<'a> Work<'a> {
         let (n, s, pairs) = (self.lcp.len() as f64, self.stored, self.pairs);
         let free = || merit::free_rows(self.lcp, x) as f64;
         match (self.solver, event) {
+            ("murty" | "block-pivoting", _) => {
+                let f = free();
+                f.powi(3) / 3.0 + f * f + s
+            }
             (_, Event::Start) => 0.0,
             ("ssor", _) => 2.0 * (s + n),
             ("block-pgs", _) => s + 10.0 * n,
@@ -78,10 +82,6 @@ impl<'a> Work<'a> {
             ("newton" | "fischer-newton", Event::Step) => 5.0 / 3.0 * n.powi(3),
             ("dantzig", _) => free() * n,
             ("lemke", _) => pairs * (pairs + 2.0),
-            ("murty" | "block-pivoting", _) => {
-                let f = free();
-                f.powi(3) / 3.0 + f * f + s
-            }
             ("enumeration", _) => n.powi(3) / 3.0,
             _ => s + n,
         }

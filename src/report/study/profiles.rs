@@ -218,14 +218,17 @@ pub fn profiles(costs: &[Vec<Cost>]) -> Vec<Profile> {
     (0..solvers).map(profile).collect()
 }
 
-/// The costs of the problems that have a solution, at the tolerance of this number: multiplications,
-/// at least one.
+/// The costs of the problems that have a solution, at the tolerance of this number: multiplications, at
+/// least one a row.
 pub fn costs(tried: &[Tried], tolerance: usize) -> Vec<Vec<Cost>> {
     let solvable = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
-    let cost = |attempt: &Attempt| match &attempt.outcome {
-        outcome if outcome.is_solved() => Cost::Solved(attempt.work.max(1.0)),
+    let cost = |rows: usize, attempt: &Attempt| match &attempt.outcome {
+        outcome if outcome.is_solved() => Cost::Solved(attempt.work.max(rows as f64)),
         outcome if outcome.is_attempt() => Cost::Failed,
         _ => Cost::NotTried,
     };
-    solvable.map(|problem| problem.attempts[tolerance].iter().map(cost).collect()).collect()
+    let costs = |problem: &Posed| {
+        problem.attempts[tolerance].iter().map(|attempt| cost(problem.rows, attempt)).collect()
+    };
+    solvable.map(costs).collect()
 }

@@ -392,7 +392,7 @@ impl Range {
     /// The numbers, to twelve digits, so that they read as they are meant; whole ones if all are.
     fn values(&self) -> std::result::Result<Vec<Value>, String> {
         let Range { from, to, count, spacing } = *self;
-        if !(from.is_finite() && to.is_finite()) || !(2..=100_000).contains(&count) {
+        if !(from.is_finite() && to.is_finite() && (2..=100_000).contains(&count)) {
             return Err("needs finite numbers and a count from 2 to 100000".into());
         }
         if matches!(spacing, Spacing::Log) && !(from > 0.0 && to > 0.0) {

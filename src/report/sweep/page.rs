@@ -2,13 +2,13 @@
 //! Nothing is solved here.
 
 use super::collect::{Collection, words};
-use super::file::{REPEAT, Sweep};
+use super::file::{REPEAT, SUBJECT, Sweep};
 use super::folder::Record;
 use super::measure::{MEASURES, Measure};
-use super::plan::{Plan, Task};
+use super::plan::{Plan, Task, plain};
 use crate::plot::number::readable;
 use crate::plot::{Axis, Figure, Lines, Panel, Scale, Series};
-use crate::report::page::{Block, Cell, Column, Mark, Page, Picture, Section, Table};
+use crate::report::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
 use crate::report::view::{Document, FILES};
 
 /// More curves than this no eye can follow.
@@ -44,6 +44,8 @@ pub fn document(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Document
     }
     let table = results_table(sweep, plan, collection);
     sections.push(section("results", "All results", vec![Block::Table(table.clone())]));
+    let origin = origin(sweep);
+    sections.iter_mut().for_each(|section| section.obtained(&origin));
     let page = Page {
         title: sweep.title.clone(),
         lead: sweep.text.trim().to_string(),
@@ -95,8 +97,9 @@ struct Curve<'a> {
 fn curves<'a>(sweep: &Sweep, plan: &Plan, collection: &'a Collection) -> Option<Curves<'a>> {
     let is_number = |path: &&String| plan.tasks.iter().all(|task| task.number(path).is_some());
     let first = plan.axes.iter().filter(|path| *path != REPEAT).find(is_number)?;
-    let others: Vec<&String> =
-        plan.axes.iter().filter(|path| *path != first && *path != REPEAT).collect();
+    let zipped = sweep.axes.iter().find(|axis| axis.paths.contains(first))?;
+    let is_other = |path: &&String| !zipped.paths.contains(path) && *path != REPEAT;
+    let others: Vec<&String> = plan.axes.iter().filter(is_other).collect();
     let mut curves: Vec<Curve> = Vec::new();
     for (task, record) in &collection.done {
         let parts = others.iter().map(|path| match task.number(path) {
@@ -242,7 +245,7 @@ fn optima(curves: &Curves) -> Option<Table> {
         ],
         rows,
         files: vec![("data (CSV)".into(), format!("{FILES}/optimum.csv"))],
-        origin: None,
+        ..Table::default()
     })
 }
 
@@ -288,7 +291,7 @@ fn results_table(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Table {
             ("results (JSON)".into(), "results.json".into()),
             ("times (CSV)".into(), "times.csv".into()),
         ],
-        origin: None,
+        ..Table::default()
     }
 }
 
@@ -302,10 +305,22 @@ fn setting(task: &Task, path: &str) -> Cell {
 fn cell(record: &Record, measure: &Measure) -> Cell {
     match record.finding.as_ref().and_then(|finding| finding.get(measure.name)) {
         None => Cell::text("–"),
-        Some(value) if value.fract() == 0.0 && value >= 0.0 && value < 1e9 => {
+        Some(value) if value.fract() == 0.0 && (0.0..1e9).contains(&value) => {
             Cell::count(value as usize)
         }
         Some(value) => Cell::number(value, 4),
+    }
+}
+
+/// How all of it was obtained.
+fn origin(sweep: &Sweep) -> Origin {
+    let fixed = sweep.settings.iter().filter(|(path, _)| !SUBJECT[..2].contains(&path.as_str()));
+    let subjects = SUBJECT[..2].iter().flat_map(|kind| sweep.values_of(kind));
+    let words = |values: Vec<String>| values.join(", ");
+    Origin {
+        scene: words(subjects.map(plain).collect()),
+        settings: words(fixed.map(|(path, value)| format!("{path} = {}", plain(value))).collect()),
+        command: format!("lcplab sweep run {0}; lcplab sweep collect {0}", sweep.name),
     }
 }
 
@@ -315,7 +330,6 @@ fn facts(plan: &Plan, collection: &Collection) -> Vec<(String, String)> {
         ("sweep".into(), plan.sweep.clone()),
         ("plan".into(), plan.hash.clone()),
         ("tasks".into(), format!("{} of {}", collection.done.len(), plan.tasks.len())),
-        ("reproduce".into(), format!("lcplab sweep run {0}; lcplab sweep collect {0}", plan.sweep)),
     ];
     if collection.impossible() > 0 {
         facts.push(("impossible points".into(), collection.impossible().to_string()));

@@ -109,7 +109,7 @@ impl Task {
 }
 
 /// A value as text: 1 and 1.0 are the same.
-fn plain(value: &Value) -> String {
+pub(super) fn plain(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
         Value::Integer(number) => number.to_string(),

@@ -37,6 +37,15 @@ pub(super) fn iterations_in_words(solver: &str, iterations: usize) -> String {
     format!("{} {unit}", count(iterations))
 }
 
+/// Two digits of a large number, in a form that can be read aloud: `12 000`, `1.2×10⁸`.
+pub(super) fn rough(value: f64) -> String {
+    if !(10.0..1e6).contains(&value) {
+        return readable(value, 2);
+    }
+    let unit = 10f64.powf(value.log10().floor() - 1.0);
+    count(((value / unit).round() * unit).round() as usize)
+}
+
 /// `a, b and c`; empty for nothing.
 pub(super) fn listed<S: AsRef<str>>(names: &[S]) -> String {
     match names {

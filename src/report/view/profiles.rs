@@ -21,7 +21,7 @@ impl View for Plan {
         document.text(
             "Every solver has a try at every problem, at each precision, from $x = 0$. What it says is \
              not for it is no attempt. *Solved* means: it claims a solution and the judge accepts it. The \
-             cost is counted in multiplications, which are the same on every machine. A performance \
+             cost is counted in multiplications, at least one a row: they are the same on every machine. A performance \
              profile compares problem by problem: with the cost $t_{ps}$ of solver s on problem p, ∞ if \
              it did not solve it,",
         );
@@ -346,7 +346,7 @@ fn iteration_costs() -> Table {
         ("newton, fischer-newton", "step", "5/3 n³"),
         ("dantzig", "pivot", "f n"),
         ("lemke", "pivot", "N (N + 2)"),
-        ("murty, block-pivoting", "exchange", "f³/3 + f² + s"),
+        ("murty, block-pivoting", "exchange", "f³/3 + f² + s, and once before the first"),
         ("enumeration", "active set", "n³/3, of fractions"),
     ];
     let row = |(solver, iteration, cost): (&str, &str, &str)| {

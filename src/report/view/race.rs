@@ -82,8 +82,8 @@ fn by_iteration(race: &Race) -> Lines {
         title: format!("{}: residual by iteration", race.problem),
         caption: format!(
             "{} rows; SOR with ω = {}. Second-order methods fall off a cliff after a few steps. Sweeps \
-             take the easy part of the error away at once and then crawl: the load is still settling on \
-             the boxes below it.",
+             take the rough part of the error away at once and then crawl: what is left is smooth, and a \
+             row sees its neighbours only.",
             count(race.rows),
             readable(race.omega, 3)
         ),

@@ -109,7 +109,8 @@ impl Plan {
             caption: "Sweeps of Gauss-Seidel lie on the steeper dashed line: four times as many for \
                       twice the bodies. SOR with the best ω and the methods with memory follow the \
                       other one. A flat line is no free lunch: its iterations are dearer the larger \
-                      the column, see the next figure."
+                      the column, see the next figure. Curves that coincide hide each other; the table \
+                      has them all."
                 .into(),
             x: Axis::log("bodies n", ""),
             panels: vec![Panel { y: Axis::log("iterations", ""), series }],

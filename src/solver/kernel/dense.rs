@@ -143,8 +143,11 @@ fn products<V: Lanes>(rows: [&[f64]; TOGETHER], x: &[f64]) -> [f64; TOGETHER] {
     if V::WIDE {
         return dots::<V, TOGETHER>(rows, x);
     }
-    let [a, b, c, d] = rows;
-    [dot(a, x), dot(b, x), dot(c, x), dot(d, x)]
+    let mut products = [0.0; TOGETHER];
+    for r in 0..TOGETHER {
+        products[r] = dot(rows[r], x);
+    }
+    products
 }
 
 /// [`dot`](crate::lcp::dot) of several rows with the same x, bit by bit.
@@ -238,13 +241,14 @@ impl Work for ColumnSweep<'_> {
 /// y ← y + factor · x
 #[inline(always)]
 fn add<V: Lanes>(factor: f64, x: &[f64], y: &mut [f64]) {
-    let ((x_blocks, x_tail), (y_blocks, y_tail)) = (x.as_chunks::<8>(), y.as_chunks_mut::<8>());
+    let (x_blocks, x_tail) = x.as_chunks::<8>();
+    let (y_blocks, y_tail) = y.as_chunks_mut::<8>();
     let lanes = V::splat(factor);
-    for k in 0..x_blocks.len().min(y_blocks.len()) {
-        (V::load(&y_blocks[k]) + lanes * V::load(&x_blocks[k])).store(&mut y_blocks[k]);
+    for (y, x) in y_blocks.iter_mut().zip(x_blocks) {
+        (V::load(y) + lanes * V::load(x)).store(y);
     }
-    for k in 0..x_tail.len().min(y_tail.len()) {
-        y_tail[k] += factor * x_tail[k];
+    for (y, x) in y_tail.iter_mut().zip(x_tail) {
+        *y += factor * x;
     }
 }
 

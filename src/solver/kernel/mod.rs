@@ -12,8 +12,8 @@
 //! | [`impulses::PairByPair`] | the same, and one Gram matrix a pair | velocities stay in registers |
 //! | [`impulses::EightPairs`] | 12 entries a row | eight pairs of a colour at once, one a lane |
 //!
-//! They take x from sweep to sweep and test for no end: [`iterate`](super) and its stop test stay with
-//! the solvers. [`Width`] says with which instructions they run; the bits are the same with all.
+//! They take x from sweep to sweep and do not ask whether it solves anything: stop tests stay with the
+//! solvers. [`Width`] says with which instructions they run; the bits are the same with all.
 
 pub mod dense;
 pub mod impulses;

@@ -178,19 +178,20 @@ impl Work for Sweep<'_> {
 #[inline(always)]
 fn sweep_rows<V: Lanes>(pair: &mut Pair, mut w: [V; PARTS]) -> PerRow {
     let mut changes = [[0.0; 8]; PARTS];
-    let mut next = [[0.0; 8]; PARTS];
-    for r in 0..pair.rows.len().min(MOST) {
-        for part in 0..PARTS {
-            w[part].store(&mut next[part]);
-        }
-        let (lo, hi) = pair.bounds(r);
-        let before = pair.x.as_flattened()[r];
-        let after = (before - next.as_flattened()[r] * pair.inverse[r]).max(lo).min(hi);
-        pair.x.as_flattened_mut()[r] = after;
-        changes.as_flattened_mut()[r] = after - before;
-        let change = V::splat(after - before);
-        for part in 0..PARTS {
-            w[part] = w[part] + V::load(&pair.gram[r][part]) * change;
+    for part in 0..PARTS {
+        let first = 8 * part;
+        for lane in 0..pair.rows.len().saturating_sub(first).min(8) {
+            let r = first + lane;
+            let next = w[part].to_array()[lane];
+            let (lo, hi) = pair.bounds(r);
+            let before = pair.x[part][lane];
+            let after = (before - next * pair.inverse[r]).max(lo).min(hi);
+            pair.x[part][lane] = after;
+            changes[part][lane] = after - before;
+            let change = V::splat(after - before);
+            for rest in part..PARTS {
+                w[rest] = w[rest] + V::load(&pair.gram[r][rest]) * change;
+            }
         }
     }
     changes

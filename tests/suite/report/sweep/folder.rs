@@ -109,7 +109,7 @@ fn an_impossible_point_is_a_row_with_its_reason_and_the_rest_goes_on() {
     assert!(reason(2).starts_with("chain: generate.links: invalid value"), "{}", reason(2));
     assert!(reason(3).starts_with("chain: generate.links: invalid type"), "{}", reason(3));
     assert_eq!(reason(4), "chain: solver.omega: must lie between 0 and 2, is 2.5");
-    assert!(csv.lines().nth(4).unwrap().contains("impossible,none,chain: solver.omega"), "{csv}");
+    assert!(csv.lines().nth(4).unwrap().contains("impossible,none,\"chain: solver.omega"), "{csv}");
 }
 
 #[test]
@@ -156,4 +156,28 @@ fn the_commands_plan_run_and_collect() {
     assert!(times.starts_with("task,seconds,machine\n1,"));
     fs::write(&file, SMALL.replace("8.0", "9.0")).unwrap();
     assert_eq!(sweep("collect", &[]).status.code(), Some(2));
+}
+
+#[test]
+fn the_page_has_a_curve_for_each_value_beside_the_axis_across() {
+    let text = "scene = 'pendulum'\nmeasure = ['drift', 'iterations']\n\
+                [axes]\nstep.formulation = ['velocity', 'acceleration']\n\
+                [zip]\nstep.dt = [0.02, 0.01]\nsteps = [2, 4]";
+    let (sweep, path) = (sweep(text), tempfile::tempdir().unwrap());
+    run_all(&sweep, path.path());
+    let folder = Folder::new(path.path(), &sweep).unwrap();
+    let (collection, [_, _, page]) = collected(&sweep, &folder);
+    let names = ["drift", "iterations"];
+    assert!(names.iter().all(|name| page.contains(&format!("data/{name}.csv"))), "both are drawn");
+    let curves = fs::read_to_string(path.path().join("data/drift.csv")).unwrap();
+    for (task, record) in &collection.done {
+        let drift =
+            lcplab::plot::csv::number(record.finding.as_ref().unwrap().get("drift").unwrap());
+        let row = |line: &&str| {
+            let parts = [task.shown("step.formulation"), task.shown("step.dt"), drift.clone()];
+            parts.iter().all(|part| line.contains(part))
+        };
+        assert_eq!(curves.lines().filter(row).count(), 1, "task {} in\n{curves}", task.task);
+    }
+    assert_eq!(curves.lines().count(), 1 + 4);
 }
