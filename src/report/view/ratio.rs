@@ -1,8 +1,7 @@
 //! Stacks with a heavy load: sweeps beside theory, and who got there at what cost.
 
 use super::attempt::{
-    iterations, iterations_in_words, listed, outcome, rough, section_id, tolerance,
-    work,
+    iterations, iterations_in_words, listed, outcome, rough, section_id, tolerance, work,
 };
 use super::{Document, Outcome, View};
 use crate::plot::number::{count, readable};
@@ -227,7 +226,8 @@ impl Plan {
             let tried = stacks.iter().filter_map(|stack| stack.tried.get(solver)?.attempts.get(k));
             let name = stacks.first().map_or("", |stack| stack.tried[solver].solver());
             let value = self.tolerances[k];
-            let head = [Cell::text(name), Cell { value: Some(value), ..Cell::text(tolerance(value)) }];
+            let head =
+                [Cell::text(name), Cell { value: Some(value), ..Cell::text(tolerance(value)) }];
             head.into_iter().chain(tried.map(cell)).collect()
         };
         let what = match system {
@@ -237,7 +237,8 @@ impl Plan {
             }
         };
         let heads = [Column::words("solver"), Column::numbers("precision", "")];
-        let ratios = stacks.iter().map(|s| Column::numbers(format!("r = {}", readable(s.ratio, 3)), ""));
+        let ratios =
+            stacks.iter().map(|s| Column::numbers(format!("r = {}", readable(s.ratio, 3)), ""));
         Table {
             title: what,
             how_to_read: "Sweeps, steps or pivots of those that solved it by the judge's word, and why the \
@@ -382,7 +383,11 @@ impl Plan {
             ))
         };
         let told: Vec<String> = ["pgs", "dantzig"].into_iter().filter_map(told).collect();
-        if told.is_empty() { String::new() } else { format!("The reason: {}. ", told.join(", while ")) }
+        if told.is_empty() {
+            String::new()
+        } else {
+            format!("The reason: {}. ", told.join(", while "))
+        }
     }
 
     /// What the first precision is worth.
