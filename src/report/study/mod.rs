@@ -9,7 +9,6 @@ pub mod convergence;
 pub mod creep;
 pub mod cross_check;
 pub mod drift;
-pub mod expected_order;
 pub mod families;
 pub mod film;
 pub mod footage;

@@ -130,7 +130,7 @@ fn cells(case: &Case, run: &Run) -> Vec<Cell> {
         None if shown(case, run) < history.samples.len() => {
             Cell::text("its energy is wrong").marked(Mark::Bad)
         }
-        None => Cell::text("to the end").marked(Mark::Good),
+        None => Cell::text("to the end"),
     };
     let mut cells = vec![
         Cell::text(&run.name),

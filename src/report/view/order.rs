@@ -4,8 +4,9 @@ use super::{Document, Outcome, View};
 use crate::plot::number::significant;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::expected_order::Expected;
-use crate::report::study::order::{Curve, Finding, Plan, Problem, ROUNDING, SLACK};
+use crate::report::study::order::{
+    Curve, Expected, Finding, Plan, Problem, ROUNDING, SLACK, Sample,
+};
 
 impl View for Plan {
     const TITLE: &'static str = "Error against the length of the step";
@@ -125,7 +126,7 @@ fn table(findings: &[Finding]) -> Table {
 }
 
 fn cells(problem: Problem, curve: &Curve) -> Vec<Cell> {
-    let error = |sample: Option<&crate::report::study::order::Sample>| {
+    let error = |sample: Option<&Sample>| {
         sample.map_or(Cell::text("–"), |sample| match sample.error {
             error if error <= ROUNDING => Cell { value: Some(error), ..Cell::text("rounding") },
             error => Cell::number(error, 2),

@@ -13,8 +13,8 @@ impl View for Plan {
         document.text(
             "Small problems that others have published, most of them to break solvers: solutions that are \
              not unique, matrices that are not symmetric, ties, paths that end on a ray. All solutions are \
-             known as fractions, from exact enumeration. Two of the problems have none, and a solver that \
-             claims one there is wrong.",
+             known as fractions, from exact enumeration. Where none exists, a solver that claims one is \
+             wrong.",
         );
         document.table("published", problems(findings));
         document.table("published_verdicts", verdicts(findings));

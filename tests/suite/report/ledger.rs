@@ -1,9 +1,8 @@
 //! Books of energy with closed forms, and orders of errors.
 
 use lcplab::report::study::Study;
-use lcplab::report::study::expected_order::Expected;
 use lcplab::report::study::ledger::{Finding, Plan};
-use lcplab::report::study::order::{self, Curve, Problem, Sample};
+use lcplab::report::study::order::{self, Curve, Expected, Problem, Sample};
 use lcplab::report::view::View;
 
 fn books(scene: &str, duration: f64) -> Finding {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::order::Problem;
+use super::Problem;
 use crate::scene::{Formulation, Integrator};
 
 /// What an error must do.
@@ -55,7 +55,7 @@ pub(super) fn expected(
     match problem {
         Problem::Fall if euler => order(1.0, KICK),
         Problem::Fall => exact("a parabola, which methods of second order follow exactly"),
-        Problem::Swing if !euler => of_stages(quantity, integrator),
+        Problem::Swing if !euler => of_stages(integrator),
         Problem::Swing => of_pendulum(quantity, family),
         Problem::Bounce => of_bounce(family, euler),
         Problem::Slide => of_slide(family, euler),
@@ -63,14 +63,9 @@ pub(super) fn expected(
 }
 
 /// A pendulum under methods with stages.
-fn of_stages(quantity: &str, integrator: Integrator) -> Expected {
+fn of_stages(integrator: Integrator) -> Expected {
     let power = if integrator == Integrator::Rk4 { 4.0 } else { 2.0 };
-    match (quantity, integrator) {
-        ("energy", Integrator::Rk4) => {
-            open("each step loses h⁶ on a linear swing, h⁵ where forces are not linear")
-        }
-        _ => order(power, "the order of the integrator: rows are accelerations, no more"),
-    }
+    order(power, "the order of the integrator: rows are accelerations, no more")
 }
 
 /// A pendulum under steps with one kick.
