@@ -116,8 +116,10 @@ impl Canvas {
         self.body.push_str(markup);
     }
 
-    /// The document, with its title and description for those who do not see it.
+    /// The document, with its title and description for those who do not see it; without a title it
+    /// is called by its description.
     pub fn finish(self, id: &str, title: &str, description: &str) -> String {
+        let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" \

@@ -576,7 +576,7 @@ fn a_report_is_not_begun_if_nothing_can_print_it() {
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(
         err(&output),
-        "--pdf: PATH: has none of chromium, chromium-browser, google-chrome, one of which prints the \
+        "error: --pdf: PATH: has none of chromium, chromium-browser, google-chrome, one of which prints the \
          page\n"
     );
     assert!(!path.join("out").exists());
