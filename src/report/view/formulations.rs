@@ -102,7 +102,7 @@ fn table(finding: &Finding) -> Table {
     Table {
         title: format!("{}: the families", finding.title),
         how_to_read: "Largest values over the run. *passes*: pivots of the solver, or sweeps over all rows, a step; \
-                      a pivot of a direct method and a sweep cost about the same. *unsolved*: LCPs that the \
+                      for a dense $A$ a pivot and a sweep cost about the same. *unsolved*: LCPs that the \
                       solver gave up."
             .into(),
         columns: vec![
