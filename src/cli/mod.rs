@@ -13,6 +13,7 @@ mod pdf;
 mod problem;
 mod report;
 mod scene;
+mod sweep;
 mod verify;
 
 use std::process::ExitCode;
@@ -32,6 +33,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Report(report::Report),
+    Sweep(sweep::Sweep),
     Solve(problem::Solve),
     Judge(problem::Judge),
     Problems(library::Problems),
@@ -60,6 +62,7 @@ enum Outcome {
 pub fn run() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Report(command) => command.run(),
+        Command::Sweep(command) => command.run(),
         Command::Solve(command) => command.run(),
         Command::Judge(command) => command.run(),
         Command::Problems(command) => command.run(),

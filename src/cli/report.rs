@@ -6,7 +6,8 @@ use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::lesson::Program;
 use lcplab::report::difference::Tolerance;
-use lcplab::report::experiment::Experiment;
+use lcplab::report::experiment::{Experiment, SHIPPED};
+use lcplab::report::kind::KINDS;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
 
@@ -36,6 +37,9 @@ pub struct Report {
     /// A report file, or the name of a shipped report
     #[arg(default_value = "standard")]
     report: String,
+    /// List the shipped reports and the kinds of studies that a report file can ask for
+    #[arg(long, conflicts_with_all = ["redraw", "compare"])]
+    list: bool,
     /// Draw the page of a folder with results.json again
     #[arg(long, value_name = "FOLDER", conflicts_with = "compare")]
     redraw: Option<PathBuf>,
@@ -67,6 +71,9 @@ pub struct Report {
 
 impl Report {
     pub fn run(&self) -> Result<Outcome> {
+        if self.list {
+            return list();
+        }
         if let [old, new] = &self.compare[..] {
             return self.changes(old, new);
         }
@@ -127,6 +134,20 @@ impl Report {
         print(&format!("{}\n", path.display()))?;
         Ok((Outcome::Good, path))
     }
+}
+
+/// What can be run, and what a report file can ask for.
+fn list() -> Result<Outcome> {
+    let mut text = "reports\n".to_string();
+    for (name, _) in SHIPPED {
+        text += &format!("  {name:<17} {}\n", Experiment::load(name)?.title);
+    }
+    text += &format!("  {:<17} {}\n\nstudies\n", HANDOUT.name, "the chapter, everything computed");
+    for kind in KINDS {
+        text += &format!("  {:<17} {}\n", kind.name, kind.title);
+    }
+    print(&text)?;
+    Ok(Outcome::Good)
 }
 
 /// The page of results that were found before.

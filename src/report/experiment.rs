@@ -25,11 +25,15 @@ use super::kind::{self, AnyStudy};
 use super::results::Results;
 use crate::error::{Defects, Error, Result};
 
+macro_rules! shipped {
+    ($($name:literal)*) => {
+        &[$(($name, include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/", $name, ".toml")))),*]
+    };
+}
+
 /// The reports that lcplab ships, by name.
-pub const SHIPPED: [(&str, &str); 2] = [
-    ("standard", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/standard.toml"))),
-    ("storage", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/reports/storage.toml"))),
-];
+pub const SHIPPED: &[(&str, &str)] =
+    shipped!["standard" "solvers" "formulations" "friction" "verification" "storage"];
 
 /// A report's description.
 pub struct Experiment {
@@ -53,6 +57,8 @@ pub struct Section {
     pub text: String,
     /// Whether what differs from machine to machine stands here.
     pub times: bool,
+    /// Whether the outcomes of all studies stand here.
+    pub summary: bool,
     /// The study; none in a section of words alone.
     pub study: Option<Box<dyn AnyStudy>>,
 }
@@ -98,7 +104,8 @@ impl Experiment {
                 None => None,
             };
             let (id, title, text) = (part.id.clone(), part.title.clone(), part.text.clone());
-            Ok(Section { id, title, text, times: part.times, study })
+            let (times, summary) = (part.times, part.summary);
+            Ok(Section { id, title, text, times, summary, study })
         };
         Ok(Experiment {
             name: results.name.clone(),
@@ -150,27 +157,29 @@ struct Head {
     text: String,
     #[serde(default)]
     times: bool,
+    #[serde(default)]
+    summary: bool,
 }
 
 fn section(mut table: toml::Table) -> std::result::Result<Section, String> {
     let words = |error: toml::de::Error| error.message().to_string();
     let mut head = toml::Table::new();
-    for key in ["study", "title", "text", "times"] {
+    for key in ["study", "title", "text", "times", "summary"] {
         head.extend(table.remove(key).map(|value| (key.to_string(), value)));
     }
-    let Head { study, title, text, times } = head.try_into().map_err(words)?;
+    let Head { study, title, text, times, summary } = head.try_into().map_err(words)?;
     let Some(name) = study else {
         if let Some(key) = table.keys().next() {
             return Err(format!("has {key:?} but no study that it could belong to"));
         }
         let title = title.ok_or("needs a title, or a study")?;
-        return Ok(Section { id: anchor(&title), title, text, times, study: None });
+        return Ok(Section { id: anchor(&title), title, text, times, summary, study: None });
     };
     let kind = kind::by_name(&name).map_err(|error| error.to_string())?;
     let settings = serde_json::to_value(&table).map_err(|error| error.to_string())?;
     let study = (kind.read)(&settings).map_err(|error| format!("{name}: {error}"))?;
     let title = title.unwrap_or_else(|| kind.title.into());
-    Ok(Section { id: name, title, text, times, study: Some(study) })
+    Ok(Section { id: name, title, text, times, summary, study: Some(study) })
 }
 
 fn read(name: &str, settings: &Value) -> Result<Box<dyn AnyStudy>> {

@@ -3,10 +3,7 @@
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::study::{
-    Study, comparison, convergence, cross_check, drift, merits, rates, sliding, sparsity, storage,
-    verification, worst_cases,
-};
+use super::study::{self, Study};
 use super::view::{Document, Outcome, View};
 use crate::error::{Error, Result};
 
@@ -21,18 +18,37 @@ pub struct Kind {
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 11] = [
-    kind::<verification::Plan>(),
-    kind::<comparison::Plan>(),
-    kind::<cross_check::Plan>(),
-    kind::<convergence::Plan>(),
-    kind::<rates::Plan>(),
-    kind::<worst_cases::Plan>(),
-    kind::<sliding::Plan>(),
-    kind::<merits::Plan>(),
-    kind::<sparsity::Plan>(),
-    kind::<drift::Plan>(),
-    kind::<storage::Plan>(),
+pub const KINDS: &[Kind] = &[
+    kind::<study::verification::Plan>(),
+    kind::<study::comparison::Plan>(),
+    kind::<study::cross_check::Plan>(),
+    kind::<study::convergence::Plan>(),
+    kind::<study::rates::Plan>(),
+    kind::<study::worst_cases::Plan>(),
+    kind::<study::sliding::Plan>(),
+    kind::<study::merits::Plan>(),
+    kind::<study::sparsity::Plan>(),
+    kind::<study::drift::Plan>(),
+    kind::<study::storage::Plan>(),
+    kind::<study::profiles::Plan>(),
+    kind::<study::ratio::Plan>(),
+    kind::<study::relaxation::Plan>(),
+    kind::<study::scaling::Plan>(),
+    kind::<study::warm_start::Plan>(),
+    kind::<study::residual_map::Plan>(),
+    kind::<study::plane::Plan>(),
+    kind::<study::race::Plan>(),
+    kind::<study::formulations::Plan>(),
+    kind::<study::sinking::Plan>(),
+    kind::<study::force_path::Plan>(),
+    kind::<study::order::Plan>(),
+    kind::<study::ledger::Plan>(),
+    kind::<study::footage::Plan>(),
+    kind::<study::ramp::Plan>(),
+    kind::<study::creep::Plan>(),
+    kind::<study::painleve::Plan>(),
+    kind::<study::friction_solvers::Plan>(),
+    kind::<study::published::Plan>(),
 ];
 
 const fn kind<S: View + 'static>() -> Kind {

@@ -15,6 +15,7 @@ pub mod recording;
 pub mod results;
 pub mod run;
 pub mod study;
+pub mod sweep;
 pub mod text;
 pub mod view;
 pub mod write;

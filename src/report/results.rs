@@ -41,6 +41,9 @@ pub struct Part {
     /// Whether what differs from machine to machine stands here.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub times: bool,
+    /// Whether the outcomes of all studies stand here.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub summary: bool,
     /// The kind of study; none in a section of words alone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub study: Option<String>,
@@ -192,7 +195,8 @@ impl Results {
         Ok(lines.join("\n"))
     }
 
-    fn outcomes(&self) -> Result<Vec<(String, super::view::Outcome)>> {
+    /// How each study came out, by the id of its section.
+    pub(super) fn outcomes(&self) -> Result<Vec<(String, super::view::Outcome)>> {
         let experiment = Experiment::of(self)?;
         let studied = experiment.sections.iter().zip(&self.sections);
         let outcomes = studied.filter_map(|(section, part)| {
@@ -217,6 +221,7 @@ impl Part {
             title: section.title.clone(),
             text: section.text.clone(),
             times: section.times,
+            summary: section.summary,
             study: study.map(|study| study.name().to_string()),
             settings: study.map(|study| study.settings()).unwrap_or_default(),
             tasks: study

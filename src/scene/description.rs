@@ -24,6 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use super::generate::Generator;
 use super::settings::{Contacts, Solver, Step};
+use crate::error::Result;
 
 /// A scene as it is written down. [`Scene::new`](super::Scene::new) makes a scene of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -47,6 +48,17 @@ pub struct Description {
     pub bodies: Vec<Body>,
     /// The constraints; contacts are found, not written.
     pub constraints: Vec<Constraint>,
+}
+
+impl Description {
+    /// The description in a text in the scene format, as it is written: whether it makes a scene is
+    /// what [`Scene::new`](super::Scene::new) finds out. `path` stands in the messages.
+    ///
+    /// # Errors
+    /// One error with every defect, each with its line.
+    pub fn from_toml(path: &str, text: &str) -> Result<Self> {
+        super::file::description(path, text)
+    }
 }
 
 impl Default for Description {

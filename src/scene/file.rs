@@ -19,15 +19,30 @@ pub fn schema() -> serde_json::Value {
 }
 
 pub(super) fn parse(path: &str, text: &str) -> Result<Scene> {
-    let table = DeTable::parse(text).map_err(|error| {
+    let table = table(path, text)?;
+    let source = Source { text, root: table.get_ref() };
+    let description = described(path, &table, &source)?;
+    Scene::new(path, &description).map_err(|error| source.with_lines(error))
+}
+
+/// The description as it is written; whether it makes a scene is not looked at.
+pub(super) fn description(path: &str, text: &str) -> Result<Description> {
+    let table = table(path, text)?;
+    described(path, &table, &Source { text, root: table.get_ref() })
+}
+
+fn table<'a>(path: &str, text: &'a str) -> Result<Spanned<DeTable<'a>>> {
+    DeTable::parse(text).map_err(|error| {
         let line = error.span().map_or(1, |span| line_at(text, span.start));
         Error::invalid(path, format!("line {line}"), error.message())
-    })?;
-    let source = Source { text, root: table.get_ref() };
+    })
+}
+
+fn described(path: &str, table: &Spanned<DeTable<'_>>, source: &Source<'_>) -> Result<Description> {
     let mut defects = Defects::default();
-    let description = read(table.clone(), &source, &mut defects);
+    let description = read(table.clone(), source, &mut defects);
     defects.into_result(path)?;
-    Scene::new(path, &description).map_err(|error| source.with_lines(error))
+    Ok(description)
 }
 
 /// The description, as far as it can be read: one defect a body, a constraint or a section.

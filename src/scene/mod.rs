@@ -31,6 +31,26 @@ use crate::body::{Body, State};
 use crate::constraint::Constraint;
 use crate::error::{Defects, Error, Result};
 
+/// The path and the text of a scene file, or of a shipped scene.
+///
+/// # Errors
+/// A file that cannot be read; a name that is neither a file nor shipped.
+pub fn text(path_or_name: &str) -> Result<(String, String)> {
+    let path = Path::new(path_or_name);
+    if path.exists() {
+        let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
+        return Ok((path_or_name.into(), text));
+    }
+    match catalogue::text(path_or_name) {
+        Some(text) => Ok((format!("{path_or_name}.toml"), text.into())),
+        None => Err(Error::Unknown {
+            kind: "scene file or shipped scene",
+            name: path_or_name.into(),
+            known: catalogue::SHIPPED.iter().map(|shipped| shipped.name.into()).collect(),
+        }),
+    }
+}
+
 /// A valid scene.
 #[derive(Debug, Clone)]
 pub struct Scene {
@@ -94,19 +114,8 @@ impl Scene {
     /// # Ok::<(), lcplab::error::Error>(())
     /// ```
     pub fn load(path_or_name: &str) -> Result<Scene> {
-        let path = Path::new(path_or_name);
-        if path.exists() {
-            let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
-            return Scene::from_toml(path_or_name, &text);
-        }
-        match catalogue::text(path_or_name) {
-            Some(text) => Scene::from_toml(&format!("{path_or_name}.toml"), text),
-            None => Err(Error::Unknown {
-                kind: "scene file or shipped scene",
-                name: path_or_name.into(),
-                known: catalogue::SHIPPED.iter().map(|shipped| shipped.name.into()).collect(),
-            }),
-        }
+        let (path, text) = text(path_or_name)?;
+        Scene::from_toml(&path, &text)
     }
 
     /// Whether the step, contact and solver settings can be used, after a change to them.

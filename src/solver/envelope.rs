@@ -13,7 +13,7 @@ use crate::lcp::{Matrix, dot};
 
 /// The factors, or before the first factorisation room for them.
 #[derive(Debug, Clone)]
-pub(super) struct Envelope {
+pub struct Envelope {
     /// The column in which each row begins.
     first: Vec<usize>,
     /// Where row r of L lies in `lower`: r − first_r entries, without the unit diagonal.
@@ -24,7 +24,7 @@ pub(super) struct Envelope {
 
 impl Envelope {
     /// Room for the factors of a symmetric matrix; `None` if they have more entries than `most`.
-    pub(super) fn of(matrix: &Matrix, most: usize) -> Option<Self> {
+    pub fn of(matrix: &Matrix, most: usize) -> Option<Self> {
         let n = matrix.len();
         let begin = |r: usize| {
             let nonzero = matrix.row(r).iter().find(|&(_, a)| a != 0.0);
@@ -42,7 +42,7 @@ impl Envelope {
 
     /// The factors of A + diag(added), with rows and columns of the unit matrix where `is_unit`;
     /// false if a pivot is not positive.
-    pub(super) fn factor(
+    pub fn factor(
         &mut self,
         matrix: &Matrix,
         added: &[f64],
@@ -83,7 +83,7 @@ impl Envelope {
     }
 
     /// The solution z of L D Lᵀ z = rhs, in place.
-    pub(super) fn solve(&self, rhs: &mut [f64]) {
+    pub fn solve(&self, rhs: &mut [f64]) {
         let row = |r: usize| (self.first[r], &self.lower[self.starts[r]..self.starts[r + 1]]);
         for r in 0..rhs.len() {
             let (first, l) = row(r);
@@ -99,34 +99,5 @@ impl Envelope {
                 *rhs -= l * z; // rhs ← L⁻ᵀ rhs, by rows of L
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Envelope;
-    use crate::lcp::Matrix;
-
-    #[test]
-    fn the_factors_solve_the_system_and_a_unit_row_stands_apart() {
-        // Rows 0 and 3 touch, 1 stands alone, 2 touches 3; 1 is added to each diagonal entry.
-        let entries =
-            [(0, 0, 3.0), (0, 3, 1.0), (1, 1, 4.0), (2, 2, 2.0), (2, 3, -1.0), (3, 3, 5.0)];
-        let mirrored = entries.iter().filter(|e| e.0 != e.1).map(|&(i, j, a)| (j, i, a));
-        let matrix =
-            Matrix::sparse(4, &entries.iter().copied().chain(mirrored).collect::<Vec<_>>());
-        let mut factor = Envelope::of(&matrix, 3).unwrap();
-        assert!(factor.factor(&matrix, &[1.0; 4], |_| false));
-        let mut z = [4.0 + 4.0, 10.0, 9.0 - 4.0, 1.0 - 3.0 + 24.0]; // (A + 1) (1, 2, 3, 4)
-        factor.solve(&mut z);
-        for (z, expected) in z.iter().zip([1.0, 2.0, 3.0, 4.0]) {
-            assert!((z - expected).abs() < 1e-14, "{z}");
-        }
-        assert!(factor.factor(&matrix, &[1.0; 4], |i| i == 3));
-        let mut z = [4.0, 5.0, 3.0, 7.0];
-        factor.solve(&mut z);
-        assert_eq!(z, [1.0, 1.0, 1.0, 7.0]);
-        assert!(!factor.factor(&matrix, &[-4.0; 4], |_| false)); // a negative pivot
-        assert!(Envelope::of(&matrix, 2).is_none()); // row 3 reaches from 0 to 2
     }
 }

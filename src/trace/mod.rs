@@ -3,7 +3,9 @@
 mod convergence;
 mod path;
 mod provenance;
+mod work;
 
 pub use convergence::{Convergence, Record};
 pub use path::Path;
 pub use provenance::Provenance;
+pub use work::Work;

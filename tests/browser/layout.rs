@@ -59,7 +59,7 @@ fn what_can_be_focused_shows_it() {
         const skip = find('.skip'), place = () => skip.getBoundingClientRect().left;
         const away = place() < 0;
         skip.focus();
-        return [away, place() >= 0, told(find('.theme')), told(find('#table-1 th button')), told(find('#table-1 .scroll'))];",
+        return [away, place() >= 0, told(find('.theme')), told(find('#table-1 th span')), told(find('#table-1 .scroll'))];",
     );
     assert_eq!(seen, json!([true, true, "solid", "solid", "solid"]));
 }

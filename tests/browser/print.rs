@@ -47,7 +47,7 @@ fn buttons_are_not_printed_and_heads_are_repeated() {
     let mut page = sample();
     page.0 = page.0.replace("@media print", "@media all");
     let seen = page.seen(
-        1280,
+        700, // of a sheet
         "const gone = ['.theme', '.bar', '.skip', '.anchor', '.file', '.screen', '.tabs', '.origin summary'];
         return [gone.filter((name) => all(name).some(shown)), getComputedStyle(find('thead')).display,
           getComputedStyle(find('figure.plot')).breakInside, all('.stills').every(shown),

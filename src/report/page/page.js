@@ -48,11 +48,16 @@ for (const table of document.querySelectorAll("figure.table table")) {
     return a.localeCompare(b, "en", { numeric: true });
   };
   heads.forEach((head, column) => {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.title = "Sort by this column";
+    // No <button>: its words would be missing where print repeats the heads.
+    const button = document.createElement("span");
+    for (const [name, value] of [["role", "button"], ["tabindex", 0], ["title", "Sort by this column"]]) button.setAttribute(name, value);
     button.append(...head.childNodes);
     head.append(button);
+    button.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      button.click();
+    });
     button.addEventListener("click", () => {
       const up = head.getAttribute("aria-sort") !== "ascending";
       for (const other of heads) other.removeAttribute("aria-sort");

@@ -15,6 +15,9 @@ const LONG: usize = 28;
 /// A table of more rows than this scrolls in a frame of its own beneath its heads.
 const TALL: usize = 40;
 
+/// A table of more columns than this is printed smaller.
+const WIDE: usize = 9;
+
 #[derive(Template)]
 #[template(path = "page.html")]
 struct Document<'a> {

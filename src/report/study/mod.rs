@@ -3,21 +3,44 @@
 //!
 //! A [`Study`] is a list of tasks that do not depend on each other.
 
+pub mod attempt;
 pub mod comparison;
 pub mod convergence;
+pub mod creep;
 pub mod cross_check;
 pub mod drift;
 pub mod families;
 pub mod film;
+pub mod footage;
+pub mod force_path;
+pub mod formulations;
 pub mod friction;
+pub mod friction_solvers;
+pub mod history;
+pub mod ledger;
 pub mod merits;
+pub mod order;
+pub mod painleve;
+pub mod plane;
+pub mod posed;
+pub mod profiles;
+pub mod published;
+pub mod race;
+pub mod ramp;
 pub mod rates;
+pub mod ratio;
+pub mod relaxation;
+pub mod residual_map;
+pub mod scaling;
 pub mod settings;
+pub mod sinking;
 pub mod slider;
 pub mod sliding;
 pub mod sparsity;
 pub mod storage;
+pub mod variation;
 pub mod verification;
+pub mod warm_start;
 pub mod worst_cases;
 
 use serde::Serialize;

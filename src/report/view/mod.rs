@@ -1,17 +1,38 @@
 //! Results as pages: tables, figures and what to see in them. Nothing is solved here.
 
+mod attempt;
 mod comparison;
 mod convergence;
+mod creep;
 mod cross_check;
 mod drift;
 mod families;
 mod film;
+mod footage;
+mod force_path;
+mod formulations;
+mod friction_solvers;
+mod ledger;
 mod merits;
+mod order;
+mod painleve;
+mod plane;
+mod profiles;
+mod published;
+mod race;
+mod ramp;
 mod rates;
+mod ratio;
+mod relaxation;
+mod residual_map;
+mod scaling;
+mod sinking;
 mod sliding;
 mod sparsity;
 mod storage;
+mod summary;
 mod verification;
+mod warm_start;
 mod worst_cases;
 
 pub use comparison::{alike, document as comparison_document, table as comparison_table};
@@ -22,8 +43,8 @@ pub use verification::table as verification_table;
 
 use serde_json::Value;
 
-use super::experiment::Experiment;
-use super::page::{Block, Cell, Column, Mark, Page, Picture, Section, Table};
+use super::experiment::{Experiment, SHIPPED};
+use super::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
 use super::results::{Part, Results, Task};
 use super::study::Study;
 use crate::error::Result;
@@ -87,8 +108,14 @@ pub fn document(results: &Results) -> Result<Document> {
             document.text(&part.text);
         }
         if let Some(study) = &section.study {
+            let first = document.page.sections.len() - 1;
             study.show(&part.findings().collect::<Vec<_>>(), &mut document)?;
             failures(&mut document, part);
+            let origin = origin(&results.name, part);
+            document.page.sections[first..].iter_mut().for_each(|shown| shown.obtained(&origin));
+        }
+        if part.summary {
+            summary::show(results, &mut document)?;
         }
         if part.times {
             times(&mut document, &experiment, results)?;
@@ -100,6 +127,17 @@ pub fn document(results: &Results) -> Result<Document> {
     }
     document.page.sections.retain(|section| !section.blocks.is_empty());
     Ok(document)
+}
+
+/// How to obtain a section's findings again.
+fn origin(report: &str, part: &Part) -> Origin {
+    let file = if SHIPPED.iter().any(|(name, _)| *name == report) { "" } else { ".toml" };
+    let tasks: Vec<&str> = part.tasks.iter().map(|task| task.name.as_str()).collect();
+    Origin {
+        scene: tasks.join(", "),
+        settings: toml::to_string(&part.settings).unwrap_or_default().trim().replace('\n', "; "),
+        command: format!("lcplab report {report}{file} --section {}", part.id),
+    }
 }
 
 /// What differs from machine to machine, study by study.

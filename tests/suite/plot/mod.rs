@@ -1,7 +1,10 @@
 //! Figures: nothing is lost in the data, nothing panics, the same bytes each time.
 
 mod film;
+mod heat;
 mod line;
+mod plane;
+mod profile;
 mod scene;
 mod spy;
 mod style;

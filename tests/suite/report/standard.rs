@@ -3,7 +3,7 @@ use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::kind::KINDS;
-use lcplab::report::page::Table;
+use lcplab::report::page::{Block, Picture, Table};
 use lcplab::report::results::{Part, Results};
 use lcplab::report::study::comparison::{Sample, thinned};
 use lcplab::report::study::convergence;
@@ -226,6 +226,21 @@ fn a_thinned_motion_keeps_its_ends_and_its_extremes() {
     assert!(times.is_sorted() && times.len() <= 210, "{}", times.len());
     for kept in [0.0, 501.0, 777.0, 1234.0, 2000.0] {
         assert!(times.contains(&kept), "{kept}");
+    }
+}
+
+#[test]
+fn every_figure_and_table_says_how_it_was_obtained() {
+    let document = view::document(&results(2)).unwrap();
+    let section = document.page.sections.iter().find(|section| section.id == "rates").unwrap();
+    for block in &section.blocks {
+        let (Block::Figure(Picture { origin, .. }) | Block::Table(Table { origin, .. })) = block
+        else {
+            continue;
+        };
+        let origin = origin.as_ref().expect("an origin");
+        assert_eq!(origin.settings, "bodies = [5]; ratios = [10.0]");
+        assert_eq!(origin.command, "lcplab report small.toml --section rates");
     }
 }
 

@@ -6,6 +6,7 @@ mod dantzig;
 mod differential;
 mod every;
 mod extremes;
+mod factorizations;
 mod first_order;
 mod interior_point;
 mod jacobi;

@@ -1,0 +1,156 @@
+//! `sweep`: one scene or problem family at every point of a grid of settings.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use lcplab::error::Result;
+use lcplab::report::sweep::{Folder, Sweep as File, collect, plan_table};
+use lcplab::report::text;
+
+use super::{Outcome, bar, print};
+
+/// Rows of the plan that are printed.
+const SHOWN: usize = 40;
+
+/// Sweep over parameters, as a list of independent tasks
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab sweep plan omega        # a shipped sweep, or a file: what would be done
+  lcplab sweep run omega         # on all cores; goes on where it was interrupted
+  lcplab sweep collect omega     # sweeps/omega/results.csv, results.json and index.html
+
+Tasks can be run one by one, on many machines, in any order (sweep run FILE --task K); workflow/ has
+the same for Snakemake, and so for clusters. What is collected is the same to the bit; times are apart,
+in times.csv. A point that is impossible is a row with its reason. Exit code 1 if a claim is refuted or
+results are missing, 2 for bad input.")]
+pub struct Sweep {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Debug, Subcommand)]
+enum Action {
+    Plan(Plan),
+    Run(Run),
+    Collect(Collect),
+}
+
+/// Number the tasks and write plan.json
+#[derive(Debug, Args)]
+struct Plan {
+    #[command(flatten)]
+    place: Place,
+    /// Print the plan as JSON, and write nothing
+    #[arg(long)]
+    json: bool,
+}
+
+/// Run the tasks that have no results yet, or one of them
+#[derive(Debug, Args)]
+struct Run {
+    #[command(flatten)]
+    place: Place,
+    /// The number of one task, to be done even if its result is there
+    #[arg(long)]
+    task: Option<usize>,
+    /// Threads to use; the results are the same for any number
+    #[arg(long)]
+    threads: Option<usize>,
+}
+
+/// Put the results together: tables and a page
+#[derive(Debug, Args)]
+struct Collect {
+    #[command(flatten)]
+    place: Place,
+}
+
+/// A sweep and where its results are.
+#[derive(Debug, Args)]
+struct Place {
+    /// A sweep file, or the name of a shipped sweep
+    sweep: String,
+    /// Folder of the results; sweeps/NAME without it
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+impl Place {
+    fn open(&self) -> Result<(File, Folder)> {
+        let sweep = File::load(&self.sweep)?;
+        let usual = || Path::new("sweeps").join(&sweep.name);
+        let folder = Folder::new(&self.out.clone().unwrap_or_else(usual), &sweep)?;
+        Ok((sweep, folder))
+    }
+}
+
+impl Sweep {
+    pub fn run(&self) -> Result<Outcome> {
+        match &self.action {
+            Action::Plan(plan) => plan.run(),
+            Action::Run(run) => run.run(),
+            Action::Collect(collect) => collect.run(),
+        }
+    }
+}
+
+impl Plan {
+    fn run(&self) -> Result<Outcome> {
+        if self.json {
+            let plan = File::load(&self.place.sweep)?.plan()?;
+            print(&format!("{}\n", serde_json::json!(plan)))?;
+            return Ok(Outcome::Good);
+        }
+        let (sweep, folder) = self.place.open()?;
+        let path = folder.write_plan()?;
+        print(&text::table(&plan_table(&sweep, folder.plan(), SHOWN)))?;
+        print(&format!("{}\n", path.display()))?;
+        Ok(Outcome::Good)
+    }
+}
+
+impl Run {
+    fn run(&self) -> Result<Outcome> {
+        let (_, folder) = self.place.open()?;
+        if let Some(task) = self.task {
+            let record = folder.run_one(task)?;
+            let refuted = record.finding.and_then(|finding| finding.get("refuted"));
+            return Ok(if refuted > Some(0.0) { Outcome::Refuted } else { Outcome::Good });
+        }
+        if let Some(threads) = self.threads {
+            // Fails only if the pool exists already, which nothing before this has made.
+            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+        }
+        let plan = folder.plan();
+        let progress = bar(plan.tasks.len() as u64, &plan.sweep);
+        let done = folder.run_missing(&progress)?;
+        progress.finish_and_clear();
+        let all = plan.tasks.len();
+        print(&format!("{done} of {all} tasks run, {} were done before\n", all - done))?;
+        Ok(Outcome::Good)
+    }
+}
+
+impl Collect {
+    fn run(&self) -> Result<Outcome> {
+        let (sweep, folder) = self.place.open()?;
+        let collection = collect(&sweep, &folder)?;
+        let (done, missing) = (collection.done.len(), collection.missing.len());
+        print(&format!(
+            "{done} of {} tasks collected, {} impossible, {} claims refuted\n{}\n",
+            done + missing,
+            collection.impossible(),
+            collection.refuted(),
+            folder.path().join("index.html").display(),
+        ))?;
+        if missing > 0 {
+            let numbers = collection.missing.iter().take(20).map(ToString::to_string);
+            let numbers = numbers.collect::<Vec<_>>().join(", ");
+            let more = if missing > 20 { ", …" } else { "" };
+            eprintln!("error: {missing} tasks have no results: {numbers}{more}");
+        }
+        let good = missing == 0 && collection.refuted() == 0;
+        Ok(if good { Outcome::Good } else { Outcome::Refuted })
+    }
+}

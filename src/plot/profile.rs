@@ -1,0 +1,262 @@
+//! Performance profiles, many methods in a grid of panels: a line of panels a group of methods, a
+//! column a precision. In each panel the methods of the other groups are pale behind its own.
+
+use plotters::prelude::*;
+
+use super::axis::{Axis, Scale};
+use super::canvas::{Anchor, Canvas, Frame, dashes, fine, stroke};
+use super::cut::cut;
+use super::marker::{draw_markers, marker_places};
+use super::number::readable;
+use super::style::{self, FAINT_INK, GRID, INK, TEXT};
+use super::{Figure, csv};
+
+const TOP: f64 = 46.0;
+const HEIGHT: f64 = 130.0;
+const LEFT: f64 = 54.0;
+const GAP: f64 = 26.0;
+const SAMPLE: f64 = 30.0;
+const LINE: f64 = 20.0;
+const PALE: RGBColor = RGBColor(214, 217, 222);
+
+/// Step functions in a grid of panels.
+#[derive(Debug, Clone)]
+pub struct Profiles {
+    /// See [`Figure::id`].
+    pub id: String,
+    /// See [`Figure::title`].
+    pub title: String,
+    /// See [`Figure::caption`].
+    pub caption: String,
+    /// The ratio τ ≥ 1, logarithmic.
+    pub x: Axis,
+    /// The share of problems, from 0 to 1.
+    pub y: Axis,
+    /// What the columns are, from left to right.
+    pub columns: Vec<String>,
+    /// From top to bottom.
+    pub groups: Vec<Group>,
+}
+
+/// A line of panels.
+#[derive(Debug, Clone)]
+pub struct Group {
+    /// What its methods are.
+    pub name: String,
+    /// One a method.
+    pub curves: Vec<Curve>,
+}
+
+/// The profiles of one method.
+#[derive(Debug, Clone)]
+pub struct Curve {
+    /// The method; it decides the colour ([`style::style`]).
+    pub name: String,
+    /// The steps (τ, share), τ rising, and the number of problems that share is of; one a column.
+    pub columns: Vec<(Vec<(f64, f64)>, usize)>,
+}
+
+impl Curve {
+    /// The name with the numbers of problems: `pgs (40)`, or `pgs (40, 38)` where they differ.
+    fn label(&self) -> String {
+        let mut counts: Vec<String> = self.columns.iter().map(|(_, n)| n.to_string()).collect();
+        counts.dedup();
+        format!("{} ({})", self.name, counts.join(", "))
+    }
+}
+
+impl Profiles {
+    /// The decimal logarithms of 1 and of the largest τ of all.
+    fn range(&self) -> (f64, f64) {
+        let steps = self.groups.iter().flat_map(|group| &group.curves).flat_map(|c| &c.columns);
+        let taus = steps.flat_map(|(steps, _)| steps).map(|(tau, _)| tau.log10());
+        let most = taus.filter(|log| log.is_finite()).fold(0.5, f64::max);
+        (-0.02 * most, 1.05 * most)
+    }
+}
+
+/// The corners of a step function over positions, from its left end to `right`.
+fn corners(steps: &[(f64, f64)], (left, right): (f64, f64)) -> Vec<(f64, f64)> {
+    let mut share = 0.0;
+    let mut corners = vec![(left, 0.0)];
+    for (tau, next) in steps {
+        let at = tau.log10();
+        corners.extend([(at, share), (at, *next)]);
+        share = *next;
+    }
+    corners.push((right, share));
+    corners
+}
+
+impl Figure for Profiles {
+    fn id(&self) -> &str {
+        &self.id
+    }
+
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    fn svg(&self) -> String {
+        let across = self.columns.len().max(1) as f64;
+        let width = (style::WIDTH - 2.0 * style::EDGE + GAP) / across - GAP - LEFT;
+        let legends: Vec<_> = self.groups.iter().map(Legend::of).collect();
+        let heads: Vec<f64> = legends.iter().map(|l| 30.0 + LINE * l.lines as f64 + 22.0).collect();
+        let total: f64 = heads.iter().map(|head| head + HEIGHT + 28.0).sum();
+        let mut canvas = Canvas::new(TOP + total + 30.0);
+        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        let x = self.range();
+        let mut top = TOP;
+        for (k, (group, legend)) in self.groups.iter().zip(&legends).enumerate() {
+            legend.draw(&mut canvas, group, top);
+            let above = top + heads[k];
+            for (c, column) in self.columns.iter().enumerate() {
+                let left = style::EDGE + LEFT + (width + LEFT + GAP) * c as f64;
+                let (right, bottom) = (left + width, above + HEIGHT);
+                let frame = Frame { x, y: (0.0, 1.04), left, right, top: above, bottom };
+                self.draw_panel(&mut canvas, &frame, k, c);
+                canvas.text((left, above - 7.0), Anchor::Start, TEXT, FAINT_INK, column);
+            }
+            let (x, y) = (style::EDGE + 12.0, above + HEIGHT / 2.0);
+            canvas.raw(&format!("<g transform=\"rotate(-90 {x:.1} {y:.1})\">"));
+            canvas.text((x, y), Anchor::Middle, 12.0, FAINT_INK, &self.y.heading());
+            canvas.raw("</g>\n");
+            top = above + HEIGHT + 28.0;
+        }
+        let middle = (style::WIDTH / 2.0, top + 14.0);
+        canvas.text(middle, Anchor::Middle, TEXT, INK, &self.x.heading());
+        canvas.finish(&self.id, &self.title, &self.description())
+    }
+
+    /// One record a step: column, method, problems, τ, share.
+    fn csv(&self) -> String {
+        let mut out = String::new();
+        let heads = ["panel", "method", "problems", &self.x.heading(), &self.y.heading()];
+        csv::record(&mut out, heads);
+        for curve in self.groups.iter().flat_map(|group| &group.curves) {
+            for (column, (steps, problems)) in self.columns.iter().zip(&curve.columns) {
+                for (tau, share) in steps {
+                    let numbers = [problems.to_string(), csv::number(*tau), csv::number(*share)];
+                    let words = [column.clone(), curve.name.clone()];
+                    csv::record(&mut out, words.into_iter().chain(numbers));
+                }
+            }
+        }
+        out
+    }
+}
+
+impl Profiles {
+    fn description(&self) -> String {
+        let end = |steps: &[(f64, f64)]| steps.last().map_or(0.0, |(_, share)| *share);
+        let start = |steps: &[(f64, f64)]| {
+            steps.iter().take_while(|(tau, _)| *tau <= 1.0).last().map_or(0.0, |(_, share)| *share)
+        };
+        let mut text = String::new();
+        for (c, column) in self.columns.iter().enumerate() {
+            let curves = self.groups.iter().flat_map(|group| &group.curves);
+            let words: Vec<String> = curves
+                .filter_map(|curve| Some((&curve.name, curve.columns.get(c)?)))
+                .map(|(name, (steps, problems))| {
+                    let (start, end) = (readable(start(steps), 2), readable(end(steps), 2));
+                    format!("{name} from {start} to {end} of {problems}")
+                })
+                .collect();
+            text += &format!("{column}: {}. ", words.join("; "));
+        }
+        text.trim().into()
+    }
+
+    fn draw_panel(&self, canvas: &mut Canvas, frame: &Frame, own: usize, column: usize) {
+        let columns = self.x.scale.ticks(frame.x, 6);
+        let rows = Scale::Linear.ticks((0.0, 1.0), 4);
+        canvas.layer("class=\"grid\"", |layer| {
+            let plane = frame.plane(layer);
+            let upright = columns.iter().map(|tick| [(tick.at, 0.0), (tick.at, frame.y.1)]);
+            let level = rows.iter().map(|tick| [(frame.x.0, tick.at), (frame.x.1, tick.at)]);
+            upright
+                .chain(level)
+                .try_for_each(|ends| plane.draw(&PathElement::new(ends, stroke(GRID, 1.0))))
+        });
+        for tick in &rows {
+            let (_, y) = frame.place((frame.x.0, tick.at));
+            canvas.text((frame.left - 6.0, y + 4.0), Anchor::End, 12.0, FAINT_INK, &tick.label);
+        }
+        for tick in &columns {
+            let (x, _) = frame.place((tick.at, 0.0));
+            let at = (x, frame.bottom + 16.0);
+            canvas.text(at, Anchor::Middle, 12.0, FAINT_INK, &tick.label);
+        }
+        let draw = |canvas: &mut Canvas, curve: &Curve, color, width, dash: &[u32]| {
+            let Some((steps, _)) = curve.columns.get(column) else { return };
+            let runs = cut(&corners(steps, frame.x), frame.x, frame.y);
+            canvas.layer(&dashes(dash), |layer| {
+                let plane = frame.plane(layer);
+                runs.into_iter()
+                    .try_for_each(|run| plane.draw(&PathElement::new(run, stroke(color, width))))
+            });
+        };
+        for (k, group) in self.groups.iter().enumerate() {
+            for curve in group.curves.iter().filter(|_| k != own) {
+                draw(canvas, curve, PALE, 1.0, &[]);
+            }
+        }
+        let group = &self.groups[own];
+        for (k, (curve, look)) in group.curves.iter().zip(group.looks()).enumerate() {
+            let (r, g, b) = look.color;
+            draw(canvas, curve, RGBColor(r, g, b), style::LINE, look.dash);
+            let Some((steps, _)) = curve.columns.get(column) else { continue };
+            let places = corners(steps, frame.x).into_iter().map(|point| frame.place(point));
+            let inside = places.filter(|(x, _)| *x < frame.right - 1.0).collect::<Vec<_>>();
+            let spots = marker_places(&inside, frame.left, k);
+            draw_markers(canvas, &spots, look.marker, RGBColor(r, g, b));
+        }
+    }
+}
+
+impl Group {
+    fn looks(&self) -> Vec<style::Style> {
+        let names: Vec<&str> = self.curves.iter().map(|curve| curve.name.as_str()).collect();
+        style::styles(&names)
+    }
+}
+
+/// The names above a line of panels, and their places.
+struct Legend {
+    entries: Vec<(String, (f64, f64))>,
+    lines: usize,
+}
+
+impl Legend {
+    fn of(group: &Group) -> Self {
+        let (mut x, mut line) = (style::EDGE, 0);
+        let mut entries = Vec::new();
+        for label in group.curves.iter().map(Curve::label) {
+            let length = SAMPLE + 8.0 + style::width(&label, TEXT);
+            if x + length > style::WIDTH - style::EDGE && x > style::EDGE {
+                (x, line) = (style::EDGE, line + 1);
+            }
+            entries.push((label, (x, LINE * line as f64)));
+            x += length + 18.0;
+        }
+        Legend { entries, lines: line + 1 }
+    }
+
+    fn draw(&self, canvas: &mut Canvas, group: &Group, top: f64) {
+        canvas.text((style::EDGE, top + 16.0), Anchor::Start, 15.0, INK, &group.name);
+        for ((label, (x, y)), look) in self.entries.iter().zip(group.looks()) {
+            let y = top + 34.0 + y;
+            let (r, g, b) = look.color;
+            let ends = [(*x, y), (x + SAMPLE, y)].map(|(x, y)| (fine(x), fine(y)));
+            canvas.layer(&dashes(look.dash), |layer| {
+                layer.draw(&PathElement::new(ends, stroke(RGBColor(r, g, b), style::LINE)))
+            });
+            draw_markers(canvas, &[(x + SAMPLE / 2.0, y)], look.marker, RGBColor(r, g, b));
+            canvas.text((x + SAMPLE + 8.0, y + 5.0), Anchor::Start, TEXT, INK, label);
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! One solver's go at one problem: what it claims, what the judge says, what it cost.
+
+use std::time::Instant;
+
+use serde::{Deserialize, Serialize};
+
+use crate::certificate::{Demand, Verdict, judge};
+use crate::error::Result;
+use crate::lcp::{Lcp, merit};
+use crate::solver::{self, ALL, Entry, Options, Settings, Solution, Start, Status};
+use crate::trace::Work;
+
+/// Problems of up to this many rows are proved exactly, as `lcplab judge` does.
+const PROVED: usize = 150;
+
+/// What came of an attempt.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// Claimed, and the judge proves that an exact solution has this active set.
+    Proved,
+    /// Claimed, and the judge finds x within the tolerance.
+    Accepted,
+    /// Claimed, and the judge does not: this must not happen.
+    Refuted,
+    /// The residual is within the tolerance, but the answer is hardly better than x = 0: the solver
+    /// takes its claim back. A loose tolerance invites this where masses are far apart.
+    Withdrawn,
+    /// Not claimed, for this reason.
+    Failed(String),
+    /// The solver says that it is not made for the problem: no attempt.
+    Outside(String),
+}
+
+impl Outcome {
+    /// What came of a solve: a claim is judged by this tolerance.
+    pub fn of(solution: &Solution, lcp: &Lcp, tolerance: f64) -> Outcome {
+        let demand = Demand { tolerance, prove_up_to: PROVED };
+        let is_within = || merit::scaled_residual(lcp, &solution.x) <= tolerance;
+        match &solution.status {
+            Status::Solved => match judge(lcp, &solution.x, &demand).verdict {
+                Verdict::Proved { .. } => Outcome::Proved,
+                Verdict::WithinTolerance => Outcome::Accepted,
+                Verdict::NotASolution { .. } => Outcome::Refuted,
+            },
+            Status::Diverged if is_within() => Outcome::Withdrawn,
+            Status::OutsideClass { reason } => Outcome::Outside((*reason).to_string()),
+            status => Outcome::Failed(status.to_string()),
+        }
+    }
+
+    /// Whether the solver claims a solution and the judge agrees.
+    pub fn is_solved(&self) -> bool {
+        matches!(self, Outcome::Proved | Outcome::Accepted)
+    }
+
+    /// Whether the solver took the problem on.
+    pub fn is_attempt(&self) -> bool {
+        !matches!(self, Outcome::Outside(_))
+    }
+
+    /// Whether the solver says that it has a solution.
+    pub fn is_claim(&self) -> bool {
+        matches!(self, Outcome::Proved | Outcome::Accepted | Outcome::Refuted)
+    }
+
+    /// In a word or two, or the reason.
+    pub fn words(&self) -> &str {
+        match self {
+            Outcome::Proved => "proved",
+            Outcome::Accepted => "within tolerance",
+            Outcome::Refuted => "claimed, refuted",
+            Outcome::Withdrawn => "within tolerance, yet hardly better than x = 0: no claim",
+            Outcome::Failed(reason) | Outcome::Outside(reason) => reason,
+        }
+    }
+}
+
+/// A solver on a problem, from x = 0.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Attempt {
+    /// The solver.
+    pub solver: String,
+    /// What came of it.
+    pub outcome: Outcome,
+    /// Sweeps, steps or pivots.
+    pub iterations: usize,
+    /// Multiplications ([`Work`]).
+    pub work: f64,
+}
+
+/// An attempt with what is not stored of it.
+pub struct Attempted {
+    /// The attempt.
+    pub attempt: Attempt,
+    /// The answer.
+    pub x: Vec<f64>,
+    /// Wall time of the solve (s).
+    pub seconds: f64,
+}
+
+/// The options of an attempt to this tolerance with at most so many iterations.
+pub fn options(tolerance: f64, max_iterations: usize) -> Options {
+    let settings = Settings { tolerance, max_iterations, ..Settings::default() };
+    Options { settings, ..Options::default() }
+}
+
+/// Lets a solver try a problem, and has the answer judged by the tolerance it was asked for.
+pub fn attempt(entry: &Entry, lcp: &Lcp, options: &Options) -> Attempted {
+    let mut work = Work::of(entry.name, lcp);
+    let start = Instant::now();
+    let solution = (entry.build)(options).solve(lcp, &Start::default(), &mut work);
+    let seconds = start.elapsed().as_secs_f64();
+    let outcome = Outcome::of(&solution, lcp, options.settings.tolerance);
+    let (iterations, work) = (solution.iterations, work.multiplications);
+    let attempt = Attempt { solver: entry.name.to_string(), outcome, iterations, work };
+    Attempted { attempt, x: solution.x, seconds }
+}
+
+/// The solvers of these names, all registered ones if there are none.
+///
+/// # Errors
+/// If there is none of a name.
+pub fn entries(names: &[String]) -> Result<Vec<Entry>> {
+    if names.is_empty() {
+        return Ok(ALL.to_vec());
+    }
+    names.iter().map(|name| solver::entry(name).copied()).collect()
+}
+
+/// The four families of methods that [`solver`] describes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Group {
+    /// Row by row.
+    Sweeps,
+    /// Products with A and nothing else.
+    FirstOrder,
+    /// A linear system a step.
+    Newton,
+    /// From one active set to the next.
+    Pivoting,
+}
+
+impl Group {
+    /// All of them.
+    pub const ALL: [Group; 4] = [Group::Sweeps, Group::FirstOrder, Group::Newton, Group::Pivoting];
+
+    /// The family of a registered solver.
+    pub fn of(solver: &str) -> Option<Group> {
+        Some(match solver {
+            "pgs" | "sor" | "ssor" | "red-black" | "jacobi" | "block-pgs" => Group::Sweeps,
+            "nncg" | "mprgp" | "apgd" | "spectral" | "admm" => Group::FirstOrder,
+            "newton" | "fischer-newton" | "interior-point" => Group::Newton,
+            "dantzig" | "lemke" | "murty" | "block-pivoting" | "enumeration" => Group::Pivoting,
+            _ => return None,
+        })
+    }
+
+    /// What its methods are called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Group::Sweeps => "Sweeps",
+            Group::FirstOrder => "First-order methods",
+            Group::Newton => "Newton and interior point",
+            Group::Pivoting => "Pivoting",
+        }
+    }
+
+    /// What an iteration of its methods is.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Group::Sweeps => "sweeps",
+            Group::FirstOrder | Group::Newton => "steps",
+            Group::Pivoting => "pivots",
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! A scene moved in several ways, as plain data that a film can be made of without solving again.
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use toml::Table;
+
+use super::variation::Variation;
+use super::{Study, history};
+use crate::body::{Pose, State};
+use crate::error::Result;
+use crate::plot::scene::{Film, Force, Frame, Origin, Shot, Take};
+use crate::simulation::Motion;
+
+/// A film as a section of its own.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// A name without spaces, unique in the report.
+    pub name: String,
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// Fields of the scene that are changed in every take.
+    #[serde(default, skip_serializing_if = "Table::is_empty")]
+    pub change: Table,
+    /// Simulated time (s).
+    pub duration: f64,
+    /// Instants kept of each take.
+    #[serde(default = "shots")]
+    pub shots: usize,
+    /// The takes.
+    pub takes: Vec<Way>,
+    /// What to see, a sentence or two.
+    pub caption: String,
+}
+
+/// A way to step a scene: a name, and the fields that make it so.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Way {
+    /// What it is called; what stands after a comma varies the name before it.
+    pub name: String,
+    /// The fields of the scene that are changed.
+    #[serde(default, skip_serializing_if = "Table::is_empty")]
+    pub change: Table,
+}
+
+/// Instants of a take that are enough to see a motion.
+pub(super) fn shots() -> usize {
+    61
+}
+
+/// A film as numbers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Footage {
+    /// A name without spaces.
+    pub id: String,
+    /// What moves.
+    pub scene: Variation,
+    /// How it moved.
+    pub reels: Vec<Reel>,
+}
+
+/// One way in which it moved.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Reel {
+    /// Its name.
+    pub name: String,
+    /// Why it ended early, if it did.
+    pub ending: Option<String>,
+    /// Its instants.
+    pub stills: Vec<Still>,
+}
+
+/// An instant.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Still {
+    /// The number of the step.
+    pub step: usize,
+    /// The time (s).
+    pub time: f64,
+    /// Kinetic energy, potential energy (J), drift (m), angular drift (rad), penetration (m).
+    pub measures: [f64; 5],
+    /// p (m) and q of each body.
+    pub poses: Vec<[f64; 7]>,
+    /// Origin, point (m) and force (N) of each force.
+    pub forces: Vec<(u8, [f64; 6])>,
+}
+
+/// What exerts a force, by its number in a still.
+const ORIGINS: [Origin; 3] = [Origin::Normal, Origin::Friction, Origin::Constraint];
+
+impl Footage {
+    /// Takes of a scene.
+    pub fn of(id: impl Into<String>, scene: Variation, takes: &[Take]) -> Self {
+        Footage { id: id.into(), scene, reels: takes.iter().map(Reel::of).collect() }
+    }
+
+    /// The film.
+    ///
+    /// # Errors
+    /// If the scene is no longer there.
+    pub fn film(&self) -> Result<Film> {
+        let scene = self.scene.scene()?;
+        let takes = self.reels.iter().map(Reel::take).collect();
+        Ok(Film::new(self.id.clone(), &scene, takes))
+    }
+}
+
+impl Reel {
+    fn of(take: &Take) -> Self {
+        let stills = take.shots.iter().map(Still::of).collect();
+        Reel { name: take.name.clone(), ending: take.ending.clone(), stills }
+    }
+
+    fn take(&self) -> Take {
+        let shots = self.stills.iter().map(Still::shot).collect();
+        Take { name: self.name.clone(), shots, ending: self.ending.clone() }
+    }
+}
+
+impl Still {
+    fn of(shot: &Shot) -> Self {
+        let Shot { frame, motion } = shot;
+        let pose = |state: &State| {
+            let (p, q) = (state.pose.p, state.pose.q.quaternion().coords);
+            [p.x, p.y, p.z, q.w, q.x, q.y, q.z].map(rounded)
+        };
+        let force = |force: &Force| {
+            let (p, f) = (force.point, force.force);
+            let origin = ORIGINS.iter().position(|origin| *origin == force.origin).unwrap_or(0);
+            (origin as u8, [p.x, p.y, p.z, f.x, f.y, f.z].map(rounded))
+        };
+        let Motion { kinetic, potential, drift, angular_drift, penetration, .. } = *motion;
+        Still {
+            step: motion.step,
+            time: motion.time,
+            measures: [kinetic, potential, drift, angular_drift, penetration].map(rounded),
+            poses: frame.states.iter().map(pose).collect(),
+            forces: frame.forces.iter().map(force).collect(),
+        }
+    }
+
+    fn shot(&self) -> Shot {
+        let state = |&[x, y, z, w, i, j, k]: &[f64; 7]| State {
+            pose: Pose {
+                p: Vector3::new(x, y, z),
+                q: UnitQuaternion::new_normalize(Quaternion::new(w, i, j, k)),
+            },
+            ..State::WORLD
+        };
+        let force = |&(origin, [x, y, z, fx, fy, fz]): &(u8, [f64; 6])| Force {
+            point: Vector3::new(x, y, z),
+            force: Vector3::new(fx, fy, fz),
+            origin: ORIGINS[usize::from(origin).min(2)],
+        };
+        let [kinetic, potential, drift, angular_drift, penetration] = self.measures;
+        Shot {
+            frame: Frame {
+                time: self.time,
+                states: self.poses.iter().map(state).collect(),
+                forces: self.forces.iter().map(force).collect(),
+            },
+            motion: Motion {
+                step: self.step,
+                time: self.time,
+                kinetic,
+                potential,
+                linear_momentum: Vector3::zeros(),
+                angular_momentum: Vector3::zeros(),
+                drift,
+                angular_drift,
+                penetration,
+            },
+        }
+    }
+}
+
+/// Six significant digits: more than an eye can tell apart.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "film";
+    type Finding = Footage;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        vec![self.name.clone()]
+    }
+
+    fn run(&self, _: usize) -> Result<(Self::Finding, ())> {
+        let base = Variation::of(&self.scene, &self.change);
+        let take = |way: &Way| {
+            let scene = base.and(&way.change).scene()?;
+            Ok(history::filmed(&scene, self.duration, (&way.name, self.shots), |_| ())?.1)
+        };
+        let takes: Vec<Take> = self.takes.par_iter().map(take).collect::<Result<_>>()?;
+        Ok((Footage::of(self.name.clone(), base, &takes), ()))
+    }
+}

@@ -1,0 +1,78 @@
+//! What friction costs: the library's problems with friction under each model, by every method that takes it.
+
+use serde::{Deserialize, Serialize};
+
+use super::Study;
+use super::families::{self, Row};
+use crate::error::Result;
+use crate::lcp::friction::Model;
+use crate::lcp::library;
+use crate::report::methods;
+use crate::solver::{Method, Options};
+
+/// Problem families with friction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The families.
+    pub families: Vec<String>,
+    /// The models of friction, by name.
+    #[serde(default = "models")]
+    pub models: Vec<String>,
+    /// The methods, by name; all without it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub solvers: Vec<String>,
+    /// How many problems of each family that has a seed.
+    #[serde(default = "seeds")]
+    pub seeds: u32,
+}
+
+fn seeds() -> u32 {
+    3
+}
+
+fn models() -> Vec<String> {
+    Model::ALL.iter().map(ToString::to_string).collect()
+}
+
+/// Wall time of a method on a family under a model.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Times {
+    /// The family.
+    pub family: String,
+    /// The model.
+    pub model: String,
+    /// The solver.
+    pub solver: String,
+    /// Seconds a problem.
+    pub seconds: f64,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "friction-solvers";
+    type Finding = Vec<Row>;
+    type Times = Vec<Times>;
+
+    fn tasks(&self) -> Vec<String> {
+        self.families.clone()
+    }
+
+    fn run(&self, task: usize) -> Result<(Vec<Row>, Vec<Times>)> {
+        let family = library::by_name(&self.families[task])?;
+        let options = Options::default();
+        let models: Vec<Model> = self.models.iter().map(|m| m.parse()).collect::<Result<_>>()?;
+        let wanted = |method: &Method| {
+            self.solvers.is_empty() || self.solvers.iter().any(|name| name == method.name())
+        };
+        let methods: Vec<Method> = methods::all().into_iter().filter(wanted).collect();
+        let mut rows = families::run(&[family], &models, &methods, &options, self.seeds);
+        let times = rows.iter_mut().map(|row| Times {
+            family: row.family.clone(),
+            model: row.model.clone().unwrap_or_default(),
+            solver: row.solver.clone(),
+            seconds: std::mem::take(&mut row.seconds) / row.problems.max(1) as f64,
+        });
+        let times = times.collect();
+        Ok((rows, times))
+    }
+}

@@ -1,0 +1,127 @@
+//! Where the energy of a motion goes, summed over its steps: the accounts of the simulation's ledger.
+//!
+//! ```text
+//! change of kinetic + potential energy = Σ accounts + remainder
+//! ```
+//!
+//! The remainder is measured, and rounding unless something is forgotten.
+
+use serde::{Deserialize, Serialize};
+use toml::Table;
+
+use super::variation::Variation;
+use super::{Study, history};
+use crate::error::Result;
+use crate::plot::scene::instants;
+use crate::simulation::Ledger;
+
+/// Runs whose energy is accounted for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The runs.
+    pub runs: Vec<Run>,
+}
+
+/// A scene stepped in one way.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Run {
+    /// A name without spaces, unique in the report.
+    pub name: String,
+    /// The heading of its figure.
+    pub title: String,
+    /// What to see in it, a sentence or two.
+    pub text: String,
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// Fields of the scene that are changed.
+    #[serde(default, skip_serializing_if = "Table::is_empty")]
+    pub change: Table,
+    /// Simulated time (s).
+    pub duration: f64,
+}
+
+/// The accounts of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Finding {
+    /// The run.
+    pub run: Run,
+    /// The names of the accounts.
+    pub accounts: Vec<String>,
+    /// The books at some instants, the start and the end among them.
+    pub books: Vec<Book>,
+    /// The largest sum of remainders at any time (J).
+    pub remainder: f64,
+    /// The largest energy that was moved: kinetic energy, or a change of the potential one (J).
+    pub turnover: f64,
+    /// Why it ended early, if it did.
+    pub ending: Option<String>,
+}
+
+/// What had happened to the energy by one instant (J).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Book {
+    /// The time (s).
+    pub time: f64,
+    /// The change of kinetic energy since the start.
+    pub kinetic: f64,
+    /// The change of potential energy since the start.
+    pub potential: f64,
+    /// Each account since the start; gains are positive.
+    pub accounts: Vec<f64>,
+}
+
+/// Instants that are kept.
+const KEPT: usize = 121;
+
+impl Book {
+    fn new(time: f64, [kinetic, potential]: [f64; 2], sum: &Ledger) -> Self {
+        let accounts = sum.accounts().iter().map(|(_, work)| *work).collect();
+        Book { time, kinetic, potential, accounts }
+    }
+
+    /// What no account explains (J).
+    pub fn remainder(&self) -> f64 {
+        self.kinetic + self.potential - self.accounts.iter().sum::<f64>()
+    }
+}
+
+impl Run {
+    fn audit(&self) -> Result<Finding> {
+        let scene = Variation::of(&self.scene, &self.change).scene()?;
+        let start = crate::simulation::Motion::of(&scene, &scene.states, 0);
+        let kept = instants((self.duration / scene.step.dt).round() as usize, KEPT);
+        let mut sum = Ledger::default();
+        let mut books = vec![Book::new(0.0, [0.0; 2], &sum)];
+        let (mut remainder, mut turnover) = (0.0f64, start.kinetic);
+        let history = history::run(&scene, self.duration, |step| {
+            sum = sum + step.ledger;
+            let motion = &step.motion;
+            let changes = [motion.kinetic - start.kinetic, motion.potential - start.potential];
+            let book = Book::new(motion.time, changes, &sum);
+            remainder = remainder.max(book.remainder().abs());
+            turnover = turnover.max(motion.kinetic).max(changes[1].abs());
+            if kept.binary_search(&step.number).is_ok() {
+                books.push(book);
+            }
+        })?;
+        let accounts = sum.accounts().iter().map(|(name, _)| name.to_string()).collect();
+        let (run, ending) = (self.clone(), history.ending);
+        Ok(Finding { run, accounts, books, remainder, turnover, ending })
+    }
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "ledger";
+    type Finding = Finding;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.runs.iter().map(|run| run.name.clone()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Finding, ())> {
+        Ok((self.runs[task].audit()?, ()))
+    }
+}

@@ -1,0 +1,109 @@
+//! What theory says of an error as the step gets shorter, and why.
+
+use serde::{Deserialize, Serialize};
+
+use super::Problem;
+use crate::scene::{Formulation, Integrator};
+
+/// What an error must do.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Expected {
+    /// It shrinks like dt to this power; with 0 it stays.
+    Order {
+        /// The power.
+        order: f64,
+        /// Why.
+        because: String,
+    },
+    /// It is rounding at every step length.
+    Exact {
+        /// Why.
+        because: String,
+    },
+    /// Nothing is claimed.
+    Open {
+        /// Why not.
+        because: String,
+    },
+}
+
+fn order(order: f64, because: &str) -> Expected {
+    Expected::Order { order, because: because.into() }
+}
+
+fn exact(because: &str) -> Expected {
+    Expected::Exact { because: because.into() }
+}
+
+fn open(because: &str) -> Expected {
+    Expected::Open { because: because.into() }
+}
+
+const KICK: &str = "a kick, then a move with the new speed: the parabola is missed by g t h/2";
+const SPRING: &str = "a spring's stretch is its load over its stiffness, at any step length";
+const SWEPT: &str = "its sweeps are counted, not run to an end";
+
+/// What a quantity of a problem must do under a family and integrator.
+pub(super) fn expected(
+    problem: Problem,
+    quantity: &str,
+    family: Formulation,
+    integrator: Integrator,
+) -> Expected {
+    let euler = family != Formulation::Acceleration || integrator == Integrator::SemiImplicitEuler;
+    match problem {
+        Problem::Fall if euler => order(1.0, KICK),
+        Problem::Fall => exact("a parabola, which methods of second order follow exactly"),
+        Problem::Swing if !euler => of_stages(integrator),
+        Problem::Swing => of_pendulum(quantity, family),
+        Problem::Bounce => of_bounce(family, euler),
+        Problem::Slide => of_slide(family, euler),
+    }
+}
+
+/// A pendulum under methods with stages.
+fn of_stages(integrator: Integrator) -> Expected {
+    let power = if integrator == Integrator::Rk4 { 4.0 } else { 2.0 };
+    order(power, "the order of the integrator: rows are accelerations, no more")
+}
+
+/// A pendulum under steps with one kick.
+fn of_pendulum(quantity: &str, family: Formulation) -> Expected {
+    use Formulation::{GaussSeidel, Penalty, Soft, SplitImpulse, Xpbd};
+    match (quantity, family) {
+        ("length of the rod", SplitImpulse | GaussSeidel | Xpbd) => {
+            exact("the rod is corrected along itself, in which its length is linear")
+        }
+        ("length of the rod", Penalty) => order(0.0, SPRING),
+        (_, Soft) => open("its springs get stiffer with the step, up to 60 Hz"),
+        (_, Penalty) => open("first order, until the error of its springs is reached, which stays"),
+        ("length of the rod", _) => {
+            order(1.0, "each step leaves the circle along its tangent, by (v dt)²/2l")
+        }
+        _ => order(1.0, "semi-implicit Euler, of first order"),
+    }
+}
+
+fn of_bounce(family: Formulation, euler: bool) -> Expected {
+    use Formulation::{Acceleration, GaussSeidel, SequentialImpulses, SplitImpulse, Velocity};
+    match family {
+        Velocity | SplitImpulse | GaussSeidel | SequentialImpulses => {
+            order(1.0, "a fall of whole steps, half a step too fast at its end")
+        }
+        Acceleration if !euler => exact("the ball touches the ground at the end of a step"),
+        Formulation::Penalty => order(0.0, "damping decides how it bounces; e is not looked at"),
+        _ => open("it bounces from below the ground, by a part of a step that is not smooth in dt"),
+    }
+}
+
+fn of_slide(family: Formulation, euler: bool) -> Expected {
+    use Formulation::{Acceleration, GaussSeidel, SplitImpulse, Velocity};
+    match family {
+        Velocity | SplitImpulse | GaussSeidel => order(1.0, KICK),
+        Acceleration if euler => order(1.0, KICK),
+        Acceleration => exact("a constant acceleration, which methods of second order follow"),
+        Formulation::SequentialImpulses => open(SWEPT),
+        _ => open("the box settles on its springs or sweeps before it slides steadily"),
+    }
+}

@@ -1,0 +1,140 @@
+//! The LCPs that studies of solvers are about, as settings: a step of a scene, a problem of the
+//! library, or a stack with a heavy load on top.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::problem_of;
+use super::settings::AtStep;
+use crate::error::Result;
+use crate::lcp::{Lcp, library};
+use crate::scene::Scene;
+
+/// g dt (m/s): the speed that bodies gain in a step of 1/60 s.
+pub const BLOW: f64 = 9.81 / 60.0;
+
+/// Where an LCP comes from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Source {
+    /// A step of a scene.
+    Scene(AtStep),
+    /// A problem of the library.
+    Family(OfFamily),
+    /// Boxes with a load on top.
+    Stack(Loaded),
+}
+
+/// A problem of the library.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OfFamily {
+    /// The family.
+    pub family: String,
+    /// Its parameters; the others have their defaults.
+    #[serde(default)]
+    pub values: BTreeMap<String, f64>,
+}
+
+/// Equal boxes on the ground with friction, and on top of them one that is heavier.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Loaded {
+    /// How many boxes, the heavy one among them: at least 2.
+    pub boxes: usize,
+    /// The mass of the heavy one, in masses of the others.
+    pub ratio: f64,
+}
+
+impl Source {
+    /// A name that tells it from the others.
+    pub fn name(&self) -> String {
+        match self {
+            Source::Scene(AtStep { scene, step }) => format!("{scene}, step {step}"),
+            Source::Family(OfFamily { family, values }) => {
+                let values: Vec<String> =
+                    values.iter().map(|(k, v)| format!("{k} = {v}")).collect();
+                if values.is_empty() {
+                    family.clone()
+                } else {
+                    format!("{family}, {}", values.join(", "))
+                }
+            }
+            Source::Stack(Loaded { boxes, ratio }) => format!("{boxes} boxes, ratio {ratio}"),
+        }
+    }
+
+    /// The problem.
+    ///
+    /// # Errors
+    /// If there is no such scene, step or family.
+    pub fn lcp(&self) -> Result<Lcp> {
+        match self {
+            Source::Scene(AtStep { scene, step }) => {
+                Ok(problem_of(&Scene::load(scene)?, *step)?.lcp)
+            }
+            Source::Family(OfFamily { family, values }) => {
+                let values: Vec<(&str, f64)> =
+                    values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+                Ok(library::by_name(family)?.generate(&values)?.lcp)
+            }
+            Source::Stack(stack) => Ok(problem_of(&stack.scene()?, 1)?.lcp),
+        }
+    }
+}
+
+impl Loaded {
+    /// The scene, at rest, boxes of 1 kg and 1 m.
+    ///
+    /// # Errors
+    /// If it cannot be: fewer than two boxes, or a mass that is not positive.
+    pub fn scene(&self) -> Result<Scene> {
+        let below = self.boxes.saturating_sub(1);
+        let text = format!(
+            r#"
+title = "{} boxes, the top one of {} kg"
+
+[generate]
+kind = "stack"
+count = {below}
+size = 1
+mass = 1
+
+[step]
+dt = 0.016666666666666666
+count = 1
+
+[contact]
+friction = 0.5
+
+[[bodies]]
+name = "ground"
+fixed = true
+shape = {{ plane = [0, 0, 1] }}
+
+[[bodies]]
+name = "load"
+shape = {{ box = [1, 1, 1] }}
+mass = {}
+position = [0, 0, {}]
+"#,
+            self.boxes,
+            self.ratio,
+            self.ratio,
+            below as f64 + 0.5
+        );
+        Scene::from_toml("the loaded stack", &text)
+    }
+}
+
+/// The library's frictionless column of bodies, the top one so many times as heavy as the others,
+/// after a step of free fall.
+///
+/// # Errors
+/// If the library makes no such column.
+pub fn column(bodies: usize, ratio: f64) -> Result<Lcp> {
+    let lcp = library::by_name("stack")?.generate(&[("n", bodies as f64), ("ratio", ratio)])?.lcp;
+    let b = lcp.b().iter().map(|b| b * BLOW).collect();
+    lcp.with_b(b)
+}

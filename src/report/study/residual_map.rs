@@ -1,0 +1,131 @@
+//! Where the error is: the residual of each row after each sweep, in a column of bodies on the ground.
+//!
+//! All bodies fall at the same speed, so at first only the lowest contact closes: the others do not
+//! know yet. In a sweep from the ground up each row sees the new impulse of the row below, and the news
+//! reaches the top at once, weaker by half a row; from the top down it climbs one row a sweep.
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+use serde::{Deserialize, Serialize};
+
+use super::Study;
+use super::posed::column;
+use crate::error::{Error, Result};
+use crate::lcp::Lcp;
+use crate::solver::{Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings, Solver, Start};
+
+/// Which column, and how long it is looked at.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// The number of bodies.
+    pub bodies: usize,
+    /// The mass of the top body, in masses of the others.
+    #[serde(default = "one")]
+    pub ratio: f64,
+    /// The number of sweeps.
+    pub sweeps: usize,
+    /// What sweeps.
+    #[serde(default = "all")]
+    pub methods: Vec<Method>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn all() -> Vec<Method> {
+    vec![Method::Up, Method::Down, Method::BestSor, Method::Jacobi]
+}
+
+/// A way to sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// Gauss-Seidel from the ground up, the natural order.
+    Up,
+    /// Gauss-Seidel from the top down.
+    Down,
+    /// SOR from the ground up with the ω that is optimal for equal bodies.
+    BestSor,
+    /// Jacobi without damping: all rows at once.
+    Jacobi,
+}
+
+/// The residuals of one method.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Map {
+    /// How the column was swept.
+    pub method: Method,
+    /// ω, 1 for all but SOR.
+    pub omega: f64,
+    /// |x_i − Π(x_i − w_i)| (m/s) by row from the ground up; in each by sweep, the start first.
+    pub residuals: Vec<Vec<f64>>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "residual-map";
+    type Finding = Map;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.methods.iter().map(|method| method.name().to_string()).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Map, ())> {
+        if self.sweeps == 0 {
+            return Err(Error::invalid("residual-map", "sweeps", "must be at least 1, is 0"));
+        }
+        let lcp = column(self.bodies, self.ratio)?;
+        let method = self.methods[task];
+        let omega = match method {
+            Method::BestSor => 2.0 / (1.0 + (PI / (2 * self.bodies) as f64).sin()),
+            _ => 1.0,
+        };
+        let mut watch = Watch { lcp: &lcp, residuals: vec![Vec::new(); lcp.len()] };
+        self.solver(method, omega).solve(&lcp, &Start::default(), &mut watch);
+        Ok((Map { method, omega, residuals: watch.residuals }, ()))
+    }
+}
+
+impl Method {
+    /// In a few words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Up => "PGS from the ground up",
+            Method::Down => "PGS from the top down",
+            Method::BestSor => "SOR from the ground up, ω*",
+            Method::Jacobi => "Jacobi, all rows at once",
+        }
+    }
+}
+
+impl Plan {
+    fn solver(&self, method: Method, omega: f64) -> Box<dyn Solver> {
+        let max_iterations = self.sweeps;
+        let settings = Settings { tolerance: 0.0, max_iterations, check_every: max_iterations };
+        match method {
+            Method::Up | Method::BestSor => {
+                Box::new(Pgs { omega, order: Order::Natural, settings })
+            }
+            Method::Down => Box::new(Pgs { omega, order: Order::Reverse, settings }),
+            Method::Jacobi => Box::new(Jacobi { damping: Damping::Factor(1.0), settings }),
+        }
+    }
+}
+
+struct Watch<'a> {
+    lcp: &'a Lcp,
+    residuals: Vec<Vec<f64>>,
+}
+
+impl Observer for Watch<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        let (lcp, x) = (self.lcp, iterate.x);
+        for (i, row) in self.residuals.iter_mut().enumerate() {
+            row.push((x[i] - lcp.project(i, x[i] - lcp.row_w(i, x), x)).abs());
+        }
+        ControlFlow::Continue(())
+    }
+}

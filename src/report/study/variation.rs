@@ -1,0 +1,76 @@
+//! A scene with some of its fields changed, so that a report file says in a line what it varies.
+//!
+//! ```
+//! use lcplab::report::study::variation::Variation;
+//!
+//! let variation: Variation = toml::from_str(
+//!     "scene = 'stack'
+//!      change = { generate = { count = 3 }, step = { dt = 0.02 } }",
+//! )?;
+//! let scene = variation.scene()?;
+//! assert_eq!((scene.bodies.len(), scene.step.dt), (4, 0.02)); // the ground counts
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
+
+use crate::error::{Error, Result};
+use crate::scene::{Scene, catalogue};
+
+/// A scene and what is different in it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Variation {
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// Fields of the scene format that replace those of the scene; a list replaces the whole list.
+    #[serde(default, skip_serializing_if = "Table::is_empty")]
+    pub change: Table,
+}
+
+impl Variation {
+    /// A scene with these fields changed.
+    pub fn of(scene: &str, change: &Table) -> Self {
+        Variation { scene: scene.into(), change: change.clone() }
+    }
+
+    /// The same with more fields changed.
+    pub fn and(&self, change: &Table) -> Self {
+        let mut all = self.change.clone();
+        merge(&mut all, change);
+        Variation { scene: self.scene.clone(), change: all }
+    }
+
+    /// The scene.
+    ///
+    /// # Errors
+    /// If there is no such scene, or the changed one is none.
+    pub fn scene(&self) -> Result<Scene> {
+        let scene = Scene::load(&self.scene)?;
+        if self.change.is_empty() {
+            return Ok(scene);
+        }
+        let path = Path::new(&self.scene);
+        let text = match catalogue::text(&self.scene) {
+            Some(text) if !path.exists() => text.to_string(),
+            _ => std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?,
+        };
+        let invalid = |reason: String| Error::invalid(&self.scene, "change", reason);
+        let mut table: Table = text.parse().map_err(|cause| invalid(format!("{cause}")))?;
+        merge(&mut table, &self.change);
+        let text = toml::to_string(&table).map_err(|cause| invalid(cause.to_string()))?;
+        Scene::from_toml(&format!("{}.toml", scene.name), &text)
+    }
+}
+
+fn merge(into: &mut Table, change: &Table) {
+    for (key, value) in change {
+        match (into.get_mut(key), value) {
+            (Some(Value::Table(old)), Value::Table(new)) => merge(old, new),
+            _ => drop(into.insert(key.clone(), value.clone())),
+        }
+    }
+}

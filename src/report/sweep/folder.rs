@@ -1,0 +1,175 @@
+//! The folder of a sweep's results: the plan, and one file a task, each written whole or not at all.
+
+use std::path::{Path, PathBuf};
+
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use serde_json::Value as Json;
+
+use super::file::Sweep;
+use super::measure::{self, Finding};
+use super::plan::{Plan, Task};
+use super::theory::Theory;
+use crate::error::{Error, Result};
+use crate::report::write;
+
+/// A folder with the plan and the results of a sweep.
+#[derive(Debug, Clone)]
+pub struct Folder {
+    path: PathBuf,
+    plan: Plan,
+    theory: Option<Theory>,
+}
+
+/// What is kept of a task.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// The number of the task.
+    pub task: usize,
+    /// The hash of the plan that it belongs to.
+    pub plan: String,
+    /// What was found.
+    pub finding: Option<Finding>,
+    /// Why nothing could be found: the settings make no scene or problem.
+    pub reason: Option<String>,
+    /// What differs from machine to machine.
+    pub machine: Machine,
+}
+
+/// Where and how fast a task was done.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Machine {
+    /// System and processor.
+    pub platform: String,
+    /// Wall time of stepping and solving (s).
+    pub seconds: f64,
+}
+
+impl Folder {
+    /// The folder of a sweep, which need not exist yet.
+    ///
+    /// # Errors
+    /// If it holds another plan, or a scene of the sweep cannot be read.
+    pub fn new(path: &Path, sweep: &Sweep) -> Result<Self> {
+        let plan = sweep.plan()?;
+        let file = path.join("plan.json");
+        if let Some(found) = read(&file)? {
+            check(&file, found["hash"].as_str().unwrap_or("none"), &plan.hash)?;
+        }
+        Ok(Folder { path: path.into(), plan, theory: sweep.theory })
+    }
+
+    /// The plan.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes the plan.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write_plan(&self) -> Result<PathBuf> {
+        let path = self.path.join("plan.json");
+        write::file(&path, &pretty(&self.plan)?)?;
+        Ok(path)
+    }
+
+    /// Does one task, whether its result is there or not, and keeps the result.
+    ///
+    /// # Errors
+    /// If there is no such task, or its result cannot be written. A task whose settings make no
+    /// problem is none: the reason is its result.
+    pub fn run_one(&self, number: usize) -> Result<Record> {
+        let task = self.plan.tasks.iter().find(|task| task.task == number).ok_or_else(|| {
+            let reason = format!("there is no task {number}, only 1 to {}", self.plan.tasks.len());
+            Error::invalid(&self.plan.sweep, "--task", reason)
+        })?;
+        self.run_task(task)
+    }
+
+    /// Does all tasks without a result, on the threads of rayon's pool; says how many those were.
+    ///
+    /// # Errors
+    /// If a result cannot be written, or one that is there belongs to another plan.
+    pub fn run_missing(&self, progress: &ProgressBar) -> Result<usize> {
+        self.write_plan()?;
+        let mut missing = Vec::new();
+        for task in &self.plan.tasks {
+            if self.record(task.task)?.is_none() {
+                missing.push(task);
+            }
+        }
+        progress.set_length(self.plan.tasks.len() as u64);
+        progress.set_position((self.plan.tasks.len() - missing.len()) as u64);
+        let run = |task: &&Task| self.run_task(task).map(|_| progress.inc(1));
+        missing.par_iter().try_for_each(run)?;
+        Ok(missing.len())
+    }
+
+    /// The result of a task, if it is there.
+    ///
+    /// # Errors
+    /// If it cannot be read, or belongs to another plan.
+    pub fn record(&self, number: usize) -> Result<Option<Record>> {
+        let path = self.file(number);
+        let Some(found) = read(&path)? else { return Ok(None) };
+        let record: Record =
+            serde_json::from_value(found).map_err(|cause| unreadable(&path, &cause))?;
+        check(&path, &record.plan, &self.plan.hash)?;
+        Ok(Some(record))
+    }
+
+    fn run_task(&self, task: &Task) -> Result<Record> {
+        let (finding, reason, seconds) = match measure::run(task, self.theory) {
+            Ok((finding, seconds)) => (Some(finding), None, seconds),
+            Err(reason) => (None, Some(reason.to_string()), 0.0),
+        };
+        let platform = format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH);
+        let machine = Machine { platform, seconds };
+        let plan = self.plan.hash.clone();
+        let record = Record { task: task.task, plan, finding, reason, machine };
+        write::file(&self.file(task.task), &pretty(&record)?)?;
+        Ok(record)
+    }
+
+    fn file(&self, number: usize) -> PathBuf {
+        self.path.join("tasks").join(format!("{number}.json"))
+    }
+}
+
+/// The JSON of a file; `None` if there is no such file.
+fn read(path: &Path) -> Result<Option<Json>> {
+    match std::fs::read_to_string(path) {
+        Ok(text) => serde_json::from_str(&text).map(Some).map_err(|cause| unreadable(path, &cause)),
+        Err(cause) if cause.kind() == std::io::ErrorKind::NotFound => Ok(None),
+        Err(cause) => Err(Error::file(path, &cause)),
+    }
+}
+
+fn check(path: &Path, found: &str, wanted: &str) -> Result<()> {
+    if found == wanted {
+        return Ok(());
+    }
+    let reason = format!(
+        "belongs to plan {found}, and the sweep is now plan {wanted}: its file, a scene or lcplab \
+         has changed; take another folder, or delete this one"
+    );
+    Err(Error::File { path: path.display().to_string(), reason })
+}
+
+fn unreadable(path: &Path, cause: &serde_json::Error) -> Error {
+    Error::File { path: path.display().to_string(), reason: format!("is no result: {cause}") }
+}
+
+/// Indented JSON with a line feed at the end.
+pub(super) fn pretty(value: &impl Serialize) -> Result<String> {
+    let json = serde_json::to_string_pretty(value);
+    json.map(|json| json + "\n")
+        .map_err(|cause| Error::invalid("sweep", "results", cause.to_string()))
+}

@@ -1,0 +1,289 @@
+//! What is measured at a point: claims, verdicts and residuals of its solves, and how a scene moved.
+
+use std::time::Instant;
+
+use dashu_ratio::RBig;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value as Json};
+
+use super::plan::Task;
+use super::subject::Subject;
+use super::theory::Theory;
+use crate::certificate::{Demand, FrictionCertificate, Verdict, judge};
+use crate::error::Result;
+use crate::lcp::Lcp;
+use crate::lcp::file::{Problem, as_number, number};
+use crate::report::answer::status_word;
+use crate::report::methods;
+use crate::report::study::{scene_options, scene_simulation};
+use crate::scene::Scene;
+use crate::simulation::{Motion, Step};
+use crate::solver::{Solution, Start, Status};
+
+/// A number that is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Measure {
+    /// Its name in files.
+    pub name: &'static str,
+    /// Its unit; empty if there is none.
+    pub unit: &'static str,
+    /// What it is.
+    pub about: &'static str,
+}
+
+const fn measure(name: &'static str, unit: &'static str, about: &'static str) -> Measure {
+    Measure { name, unit, about }
+}
+
+/// All measures, in the order of tables.
+pub const MEASURES: [Measure; 14] = [
+    measure("iterations", "", "sweeps or pivots in all"),
+    measure("rows", "", "rows of the largest LCP"),
+    measure("steps", "", "steps taken"),
+    measure("solves", "", "LCPs solved"),
+    measure("claimed", "", "LCPs that the solver claims to have solved"),
+    measure("accepted", "", "answers that the judge accepts"),
+    measure("refuted", "", "claims that the judge refutes"),
+    measure("scaled_residual", "", "the worst scaled residual of all answers"),
+    measure("error", "", "max |x − x*| / max |x*|, where x* is known"),
+    measure("energy_change", "J", "the largest departure of the energy from its start"),
+    measure("drift", "m", "the largest error of a joint"),
+    measure("penetration", "m", "the deepest overlap"),
+    measure("predicted", "", "what the closed form says"),
+    measure("optimum", "", "where the closed form has its least"),
+];
+
+/// What was found at a point; the same on every machine.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Finding {
+    /// `solved`, or the solver's word on the last LCP that it did not solve; `no LCP` where none was
+    /// posed.
+    pub status: String,
+    /// The judge's word on the worst answer.
+    pub verdict: String,
+    /// Why it ended early, or what was not solved.
+    pub trouble: Option<String>,
+    /// The measures, those that mean something here.
+    pub values: Map<String, Json>,
+}
+
+impl Finding {
+    /// A measure, if it was taken.
+    pub fn get(&self, name: &str) -> Option<f64> {
+        self.values.get(name).and_then(as_number)
+    }
+
+    fn put(&mut self, name: &str, value: f64) {
+        self.values.insert(name.into(), number(value));
+    }
+}
+
+/// Solves a task and has every answer judged; the second value is the wall time of stepping and
+/// solving (s).
+///
+/// # Errors
+/// If the task's settings make no scene or problem, or name no solver.
+pub fn run(task: &Task, theory: Option<Theory>) -> Result<(Finding, f64)> {
+    match Subject::of(task)? {
+        Subject::Scene(scene, steps) => simulate(task, &scene, steps, theory),
+        Subject::Problem(problem, settings) => solve(task, &problem, &settings, theory),
+    }
+}
+
+fn simulate(
+    task: &Task,
+    scene: &Scene,
+    steps: usize,
+    theory: Option<Theory>,
+) -> Result<(Finding, f64)> {
+    let mut simulation = scene_simulation(scene)?;
+    let demand = Demand { tolerance: scene.solver.tolerance, prove_up_to: 0 };
+    let mut tally = Tally::default();
+    let mut course = Course::from(simulation.motion());
+    let (mut seconds, mut last) = (0.0, None);
+    for _ in 0..steps {
+        let start = Instant::now();
+        let step = simulation.step();
+        seconds += start.elapsed().as_secs_f64();
+        match step {
+            Ok(step) => {
+                tally.step(&step, &demand);
+                course.add(&step.motion);
+                last = step.solves.into_iter().next_back().map(|solve| solve.problem.lcp).or(last);
+            }
+            Err(failure) => {
+                tally.fail(failure.to_string());
+                break;
+            }
+        }
+    }
+    let mut finding = tally.finding();
+    finding.put("steps", course.steps as f64);
+    finding.put("energy_change", course.energy_change);
+    finding.put("drift", course.drift);
+    finding.put("penetration", course.penetration);
+    predict(&mut finding, task, theory, last.as_ref(), scene);
+    Ok((finding, seconds))
+}
+
+fn solve(
+    task: &Task,
+    problem: &Problem,
+    settings: &Scene,
+    theory: Option<Theory>,
+) -> Result<(Finding, f64)> {
+    let options = scene_options(settings);
+    let solver = (methods::entry(&settings.solver.name)?.build)(&options);
+    let start = Instant::now();
+    let solution = solver.solve(&problem.lcp, &Start::default(), &mut ());
+    let seconds = start.elapsed().as_secs_f64();
+    let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
+    let certificate = judge(&problem.lcp, &solution.x, &demand).into();
+    let mut tally = Tally::default();
+    tally.add(problem.lcp.len(), &solution, &certificate, None);
+    let mut finding = tally.finding();
+    if let Some(exact) = only_solution(problem) {
+        let size = exact.iter().fold(0.0, |size, x| f64::max(size, x.abs()));
+        let off = exact.iter().zip(&solution.x).map(|(exact, x)| (x - exact).abs());
+        finding.put("error", off.fold(0.0, f64::max) / size);
+    }
+    predict(&mut finding, task, theory, Some(&problem.lcp), settings);
+    Ok((finding, seconds))
+}
+
+fn predict(
+    finding: &mut Finding,
+    task: &Task,
+    theory: Option<Theory>,
+    lcp: Option<&Lcp>,
+    scene: &Scene,
+) {
+    let (Some(theory), Some(lcp)) = (theory, lcp) else { return };
+    let iterations = finding.get("iterations").unwrap_or(0.0);
+    let Some(prediction) = theory.predict(task, lcp, &scene.solver, iterations) else { return };
+    finding.put("predicted", prediction.value);
+    if let Some(optimum) = prediction.optimum {
+        finding.put("optimum", optimum);
+    }
+}
+
+/// Claims and verdicts of many solves.
+#[derive(Default)]
+struct Tally {
+    rows: usize,
+    solves: usize,
+    claimed: usize,
+    accepted: usize,
+    refuted: usize,
+    iterations: usize,
+    worst: f64,
+    status: Option<&'static str>,
+    verdict: Option<Verdict>,
+    trouble: Option<String>,
+}
+
+impl Tally {
+    fn step(&mut self, step: &Step, demand: &Demand) {
+        for solve in &step.solves {
+            let rows = solve.problem.lcp.len();
+            self.add(rows, &solve.solution, &solve.judged(demand), Some(step.number));
+        }
+    }
+
+    fn add(
+        &mut self,
+        rows: usize,
+        solution: &Solution,
+        certificate: &FrictionCertificate,
+        step: Option<usize>,
+    ) {
+        let claims = solution.status == Status::Solved;
+        let holds = certificate.verdict.is_solution();
+        self.rows = self.rows.max(rows);
+        self.solves += 1;
+        self.claimed += usize::from(claims);
+        self.accepted += usize::from(holds);
+        self.refuted += usize::from(claims && !holds);
+        self.iterations += solution.iterations;
+        self.worst = self.worst.max(certificate.scaled_residual);
+        if self.verdict.is_none_or(|verdict| rank(&certificate.verdict) > rank(&verdict)) {
+            self.verdict = Some(certificate.verdict);
+        }
+        if !claims {
+            let place = step.map(|step| format!("step {step}: ")).unwrap_or_default();
+            self.status = Some(status_word(&solution.status));
+            self.trouble = Some(format!("{place}{}", solution.status));
+        }
+    }
+
+    fn fail(&mut self, reason: String) {
+        self.status = Some("failed");
+        self.trouble = Some(reason);
+    }
+
+    fn finding(self) -> Finding {
+        let usual = if self.solves > 0 { "solved" } else { "no LCP" };
+        let mut finding = Finding {
+            status: self.status.unwrap_or(usual).into(),
+            verdict: self.verdict.map_or("none", |verdict| verdict.word()).into(),
+            trouble: self.trouble,
+            values: Map::new(),
+        };
+        for (name, count) in [
+            ("iterations", self.iterations),
+            ("rows", self.rows),
+            ("solves", self.solves),
+            ("claimed", self.claimed),
+            ("accepted", self.accepted),
+            ("refuted", self.refuted),
+        ] {
+            finding.values.insert(name.into(), count.into());
+        }
+        finding.put("scaled_residual", self.worst);
+        finding
+    }
+}
+
+fn rank(verdict: &Verdict) -> u8 {
+    match verdict {
+        Verdict::Proved { .. } => 0,
+        Verdict::WithinTolerance => 1,
+        Verdict::NotASolution { .. } => 2,
+    }
+}
+
+/// How a scene moved.
+struct Course {
+    steps: usize,
+    start: f64,
+    energy_change: f64,
+    drift: f64,
+    penetration: f64,
+}
+
+impl From<Motion> for Course {
+    fn from(motion: Motion) -> Self {
+        let (start, Motion { drift, penetration, .. }) = (motion.energy(), motion);
+        Course { steps: 0, start, energy_change: 0.0, drift, penetration }
+    }
+}
+
+impl Course {
+    fn add(&mut self, motion: &Motion) {
+        let change = motion.energy() - self.start;
+        self.steps += 1;
+        self.drift = self.drift.max(motion.drift);
+        self.penetration = self.penetration.max(motion.penetration);
+        if change.abs() > self.energy_change.abs() {
+            self.energy_change = change;
+        }
+    }
+}
+
+/// The solution of a problem that is known to have no other one.
+fn only_solution(problem: &Problem) -> Option<Vec<f64>> {
+    let expected = problem.extra.get("expected")?;
+    let [Json::Array(x)] = expected["solutions"].as_array()?.as_slice() else { return None };
+    let exact = |x: &Json| Some(x.as_str()?.parse::<RBig>().ok()?.to_f64().value());
+    (expected["complete"] == true).then(|| x.iter().map(exact).collect())?
+}

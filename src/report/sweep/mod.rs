@@ -1,0 +1,58 @@
+//! Parameter sweeps: a scene or a problem family at every point of a grid of settings.
+//!
+//! A sweep file ([`Sweep`]) says what varies; its [`Plan`] numbers the points. Each is a task that
+//! needs no other one, on whichever thread or machine ([`measure`](mod@measure)); a [`Folder`] keeps
+//! their results, and [`collect`] puts them together, the same bits however they were found.
+//!
+//! ```toml
+//! title = "A block on a slope"
+//! text = "What the page says above the figures."
+//! scene = "incline"               # a shipped scene or a file; or: family = "stack"
+//! steps = 50                      # of a scene; its own count without it
+//! measure = ["drift", "iterations"] # what is drawn; all that is measured is recorded
+//! seed = 1                        # of all that is random
+//! repeat = 3                      # every point so often, with seeds of their own
+//!
+//! [set]                           # the same in all tasks
+//! solver.name = "sor"
+//!
+//! [axes]                          # every combination of these; the first one is drawn across
+//! solver.omega = { from = 1.0, to = 1.9, count = 10 }
+//! bodies.block.mass = { from = 1.0, to = 100.0, count = 3, spacing = "log" }
+//! step.formulation = ["velocity", "acceleration"]
+//!
+//! [zip]                           # lists of one length that go together, as one more axis
+//! step.dt = [0.01, 0.005]
+//! step.count = [50, 100]
+//!
+//! [labels]                        # what settings are called on the page
+//! solver.omega = "ω"
+//! ```
+//!
+//! `scale = "linear"` or `"log"` spreads the measures on their axis, which else depends on the values;
+//! `theory` names a closed form to draw beside them ([`Theory`]).
+//!
+//! A setting is the path of a field of the scene file: of lists the item's number from 0 or its name,
+//! or neither if there is one item. Of a family it is a parameter, or a field of `solver` as scenes
+//! have it. `scene`, `family` and `steps` may be axes themselves. A family's problem is solved once,
+//! from 0.
+//!
+//! What is random draws from a seed of the task, which follows from `seed`, the repetition, and the
+//! settings that make the problem: tasks that differ in `solver` or `step` alone get the same problem.
+
+mod collect;
+mod file;
+mod folder;
+pub mod measure;
+mod page;
+mod plan;
+mod subject;
+mod theory;
+
+pub use collect::{Collection, collect};
+pub use file::{Axis, Sweep};
+pub use folder::{Folder, Machine, Record};
+pub use measure::Finding;
+pub use page::{document, plan_table};
+pub use plan::{Plan, Task};
+pub use theory::Theory;

@@ -1,0 +1,28 @@
+//! Films made of what was kept of a motion.
+
+use super::{Document, View};
+use crate::report::page::{Block, Player};
+use crate::report::study::footage::{Footage, Plan};
+
+impl Document {
+    /// Adds a film made of what was kept.
+    pub(super) fn footage(&mut self, footage: &Footage, caption: &str) {
+        match footage.film() {
+            Ok(film) => {
+                let (caption, files) = (caption.into(), Vec::new());
+                self.add(Block::Player(Box::new(Player { film, caption, files, origin: None })));
+            }
+            Err(error) => self.text(format!("The film cannot be shown: {error}.")),
+        }
+    }
+}
+
+impl View for Plan {
+    const TITLE: &'static str = "The motion";
+
+    fn show(&self, findings: &[Footage], document: &mut Document) {
+        for footage in findings {
+            document.footage(footage, &self.caption);
+        }
+    }
+}

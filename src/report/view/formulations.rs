@@ -1,0 +1,153 @@
+//! The families of methods side by side, scene by scene.
+
+use super::{Document, View};
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Mark, Table, markup};
+use crate::report::study::comparison::Sample;
+use crate::report::study::formulations::{Case, Finding, Plan, Run, Times};
+
+impl View for Plan {
+    const TITLE: &'static str = "One scene, every family of methods";
+
+    fn show(&self, findings: &[Finding], document: &mut Document) {
+        for finding in findings {
+            let case = &finding.case;
+            let title = markup::literal(&finding.title);
+            document.text(format!("**{title}.** {}", case.text));
+            document.figure(figure(finding));
+            document.table(&format!("formulations_{}", case.name), table(finding));
+            if let Some(footage) = &finding.footage {
+                let caption = "The same scene, the same instants. Arrows are forces, where the \
+                               family has them; what lies far outside is no longer drawn.";
+                document.footage(footage, caption);
+            }
+        }
+    }
+
+    fn show_times(&self, times: &[Times], document: &mut Document) {
+        let row = |case: &str, (name, seconds): &(String, f64)| {
+            vec![Cell::text(case), Cell::text(name), Cell::number(1e3 * seconds, 3)]
+        };
+        let rows = times.iter().flat_map(|t| t.step_seconds.iter().map(|step| row(&t.case, step)));
+        let table = Table {
+            title: "What a step of each family takes".into(),
+            how_to_read: "Mean over the run, measuring energy and errors included; runs share the \
+                          processor, so these are upper bounds."
+                .into(),
+            columns: vec![
+                Column::words("scene"),
+                Column::words("family"),
+                Column::numbers("a step", "ms"),
+            ],
+            rows: rows.collect(),
+            ..Table::default()
+        };
+        document.table("formulations_times", table);
+    }
+}
+
+/// How many of the samples are shown: up to the first whose energy is out of bounds.
+fn shown(case: &Case, run: &Run) -> usize {
+    let limit = case.energy_limit.unwrap_or(f64::INFINITY);
+    let changes = run.history.energy_changes();
+    changes.iter().position(|(_, change)| !(change.abs() <= limit)).unwrap_or(changes.len())
+}
+
+fn figure(finding: &Finding) -> Lines {
+    let case = &finding.case;
+    let panel = |label: &str, unit: &str, curve: &dyn Fn(&Run) -> Vec<(f64, f64)>| {
+        let curves = finding.runs.iter().map(|run| {
+            let mut points = curve(run);
+            points.truncate(shown(case, run));
+            (run, points)
+        });
+        let curves: Vec<_> = curves.collect();
+        let broken = |run: &Run| {
+            run.history.ending.is_some() || shown(case, run) < run.history.samples.len()
+        };
+        let ends = curves.iter().filter(|(run, _)| broken(run));
+        let ends: Vec<_> = ends.filter_map(|(_, points)| points.last().copied()).collect();
+        let mut series: Vec<Series> =
+            curves.into_iter().map(|(run, p)| Series::measured(run.name.clone(), p)).collect();
+        if !ends.is_empty() {
+            series.push(Series::points("broken off", ends));
+        }
+        Panel { y: Axis::linear(label, unit), series }
+    };
+    let any = |measure: fn(&Run) -> f64| finding.runs.iter().any(|run| measure(run) > 0.0);
+    let energy = panel("energy change", "J", &|run| run.history.energy_changes());
+    let mut panels = vec![energy];
+    if any(|run| run.history.drift) {
+        let drift = |run: &Run| run.history.curve(|s: &Sample| 1e3 * s.drift);
+        panels.push(panel("constraint drift", "mm", &drift));
+    }
+    if any(|run| run.history.penetration) {
+        let depth = |run: &Run| run.history.curve(|s: &Sample| 1e3 * s.penetration);
+        panels.push(panel("penetration", "mm", &depth));
+    }
+    let cut = case.energy_limit.map_or(String::new(), |limit| {
+        let limit = crate::plot::number::readable(limit, 3);
+        format!(" A curve breaks off where the run ended, or its energy changed by over {limit} J.")
+    });
+    Lines {
+        id: format!("formulations_{}", case.name),
+        title: finding.title.clone(),
+        caption: format!("Energy over that at the start, and the largest errors.{cut}"),
+        x: Axis::linear("time", "s"),
+        panels,
+    }
+}
+
+fn table(finding: &Finding) -> Table {
+    Table {
+        title: format!("{}: the families", finding.title),
+        how_to_read: "Largest values over the run. *passes*: pivots of the solver, or sweeps over all rows, a step; \
+                      a pivot of a direct method and a sweep cost about the same. *unsolved*: LCPs that the \
+                      solver gave up."
+            .into(),
+        columns: vec![
+            Column::words("family"),
+            Column::words("solver"),
+            Column::numbers("steps", ""),
+            Column::numbers("rows", ""),
+            Column::numbers("passes", "a step"),
+            Column::numbers("unsolved", ""),
+            Column::numbers("energy gain", "J"),
+            Column::numbers("energy loss", "J"),
+            Column::numbers("drift", "mm"),
+            Column::numbers("penetration", "mm"),
+            Column::words("outcome"),
+        ],
+        rows: finding.runs.iter().map(|run| cells(&finding.case, run)).collect(),
+        ..Table::default()
+    }
+}
+
+fn cells(case: &Case, run: &Run) -> Vec<Cell> {
+    let history = &run.history;
+    let outcome = match &history.ending {
+        Some(why) => Cell::text(why).marked(Mark::Bad),
+        None if shown(case, run) < history.samples.len() => {
+            Cell::text("its energy is wrong").marked(Mark::Bad)
+        }
+        None => Cell::text("to the end"),
+    };
+    let mut cells = vec![
+        Cell::text(&run.name),
+        Cell::text(run.solver.clone().unwrap_or("none".into())),
+        Cell::count(history.steps),
+        Cell::count(history.rows),
+        Cell::number(history.passes as f64 / history.steps.max(1) as f64, 3),
+        Cell::count(history.unsolved),
+    ];
+    let measures = [history.gain, history.loss, 1e3 * history.drift, 1e3 * history.penetration];
+    cells.extend(measures.map(tiny));
+    cells.push(outcome);
+    cells
+}
+
+/// Two digits; what is rounding is 0.
+fn tiny(value: f64) -> Cell {
+    let shown = if value.abs() < 1e-9 { 0.0 } else { value };
+    Cell { value: Some(value), ..Cell::number(shown, 2) }
+}

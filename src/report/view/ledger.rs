@@ -1,0 +1,132 @@
+//! The books of energy: every gain and loss with its cause.
+
+use super::{Document, Outcome, View};
+use crate::plot::number::readable;
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::ledger::{Finding, Plan};
+
+/// Accounts below this part of the energy that was moved are not drawn.
+const SMALL: f64 = 1e-6;
+/// A remainder up to this part of the energy that was moved is rounding.
+const ROUNDING: f64 = 1e-9;
+
+impl View for Plan {
+    const TITLE: &'static str = "Where the energy goes";
+
+    fn show(&self, findings: &[Finding], document: &mut Document) {
+        document.text(
+            "Every impulse does work, and the work of an impulse at fixed places is known exactly. So \
+             each step's change of energy can be put into accounts: what a blow takes, what a bounce \
+             gives back, what friction rubs away, what the feedback of errors puts in, and what the \
+             integrator makes of a force that changes within a step.",
+        );
+        document.equation(
+            "\\Delta E = \\sum_{\\text{rows}} \\tfrac12 x_i (J u + J u^+)_i + \\Delta E_{\\text{integrator}} \
+             + \\dots, \\qquad \\text{remainder} = \\Delta E - \\textstyle\\sum \\text{accounts}",
+            "books of a step",
+        );
+        for finding in findings {
+            document.text(format!("**{}.** {}", finding.run.title, finding.run.text));
+            document.figure(figure(finding));
+        }
+        document.table("ledger", table(findings));
+    }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let balanced = findings.iter().filter(|finding| balances(finding)).count();
+        let says = format!("{balanced} of {} books balance", findings.len());
+        Outcome { good: balanced == findings.len(), says }
+    }
+}
+
+/// Whether nothing but rounding is missing in the books.
+fn balances(finding: &Finding) -> bool {
+    finding.ending.is_none() && finding.remainder <= ROUNDING * finding.turnover
+}
+
+/// The names of the accounts that matter in a run, with their places.
+fn used(finding: &Finding) -> Vec<(usize, &str)> {
+    let most =
+        |k: usize| finding.books.iter().map(|book| book.accounts[k].abs()).fold(0.0, f64::max);
+    let names = finding.accounts.iter().map(String::as_str).enumerate();
+    names.filter(|&(k, _)| most(k) > SMALL * finding.turnover).collect()
+}
+
+fn figure(finding: &Finding) -> Lines {
+    let curve = |value: &dyn Fn(&crate::report::study::ledger::Book) -> f64| {
+        finding.books.iter().map(|book| (book.time, value(book))).collect::<Vec<_>>()
+    };
+    let total = curve(&|book| book.kinetic + book.potential);
+    let accounts = used(finding)
+        .into_iter()
+        .map(|(k, name)| Series::measured(name, curve(&|book| book.accounts[k])));
+    let sum = Series::reference("their sum", curve(&|book| book.accounts.iter().sum()));
+    let bottom: Vec<Series> = accounts.chain([sum]).collect();
+    Lines {
+        id: format!("ledger_{}", finding.run.name),
+        title: finding.run.title.clone(),
+        caption: format!(
+            "Above: what the energy is. Below: where its change came from; gains are positive. The sum \
+             of the accounts is the change in the panel above, to {} J.",
+            readable(finding.remainder, 2)
+        ),
+        x: Axis::linear("time", "s"),
+        panels: vec![
+            Panel {
+                y: Axis::linear("change since the start", "J"),
+                series: vec![
+                    Series::measured("kinetic", curve(&|book| book.kinetic)),
+                    Series::measured("potential", curve(&|book| book.potential)),
+                    Series::measured("kinetic + potential", total),
+                ],
+            },
+            Panel { y: Axis::linear("by cause", "J"), series: bottom },
+        ],
+    }
+}
+
+fn table(findings: &[Finding]) -> Table {
+    let names: Vec<String> = findings.first().map_or(Vec::new(), |f| f.accounts.clone());
+    let matters = |k: &usize| {
+        findings.iter().any(|finding| used(finding).iter().any(|(other, _)| other == k))
+    };
+    let shown: Vec<usize> = (0..names.len()).filter(matters).collect();
+    let mut columns = vec![Column::words("run"), Column::numbers("change", "J")];
+    columns.extend(shown.iter().map(|&k| Column::numbers(names[k].clone(), "J")));
+    columns.extend([
+        Column::numbers("remainder", "J"),
+        Column::numbers("energy moved", "J"),
+        Column::words("books"),
+    ]);
+    let cells = |finding: &Finding| {
+        let last = finding.books.last();
+        let small = |x: f64| {
+            let shown = if x.abs() <= ROUNDING * finding.turnover { 0.0 } else { x };
+            Cell { value: Some(x), ..Cell::number(shown, 3) }
+        };
+        let mut cells = vec![Cell::text(&finding.run.title)];
+        cells.push(last.map_or(Cell::text("–"), |book| small(book.kinetic + book.potential)));
+        cells.extend(
+            shown.iter().map(|&k| last.map_or(Cell::text("–"), |book| small(book.accounts[k]))),
+        );
+        cells.push(Cell::number(finding.remainder, 2));
+        cells.push(Cell::number(finding.turnover, 3));
+        cells.push(match (&finding.ending, balances(finding)) {
+            (Some(why), _) => Cell::text(why).marked(Mark::Bad),
+            (None, true) => Cell::text("balance").marked(Mark::Good),
+            (None, false) => Cell::text("do not balance").marked(Mark::Bad),
+        });
+        cells
+    };
+    Table {
+        title: "The books of each run".into(),
+        how_to_read: "*change*: of kinetic plus potential energy from start to end; the accounts add up \
+                      to it. *remainder*: the largest that was missing at any time. *energy moved*: the \
+                      largest kinetic energy, or change of the potential one."
+            .into(),
+        columns,
+        rows: findings.iter().map(cells).collect(),
+        ..Table::default()
+    }
+}

@@ -1,0 +1,370 @@
+//! Problem families × solvers, and performance profiles.
+
+use super::attempt::{listed, tolerance};
+use super::{Document, Outcome as Verdict, View};
+use crate::plot::Axis;
+use crate::plot::profile::{Curve, Group as Line, Profiles};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::attempt::{Attempt, Group, Outcome};
+use crate::report::study::profiles::{Cost, Plan, Profile, Tried, costs, profiles};
+
+/// A failure: solver, tolerance, reason; and the families where it happened.
+type Failures = Vec<((String, usize, String), Vec<String>)>;
+
+impl View for Plan {
+    const TITLE: &'static str = "All solvers on all families";
+
+    fn show(&self, tried: &[Tried], document: &mut Document) {
+        let Some(first) = tried.iter().flat_map(|family| &family.problems).next() else { return };
+        let solvers: Vec<String> =
+            first.attempts[0].iter().map(|attempt| attempt.solver.clone()).collect();
+        document.text(
+            "Every solver has a try at every problem, at each precision, from $x = 0$. What it says is \
+             not for it is no attempt. *Solved* means: it claims a solution and the judge accepts it. The \
+             cost is counted in multiplications, at least one a row: they are the same on every machine. A performance \
+             profile compares problem by problem: with the cost $t_{ps}$ of solver s on problem p, ∞ if \
+             it did not solve it,",
+        );
+        document.equation(
+            "r_{ps} = \\frac{t_{ps}}{\\min_s t_{ps}}, \\qquad \\rho_s(\\tau) = \\frac{|\\{p \\in P_s : \
+             r_{ps} \\le \\tau\\}|}{|P_s|}, \\qquad P_s = \\text{the problems that s attempted}",
+            "Dolan & Moré 2002",
+        );
+        document.figure(self.figure(tried, &solvers));
+        document.text(self.words(tried, &solvers));
+        document.table("profiles_cost", iteration_costs());
+        document.table("profiles_solvers", self.by_solver(tried, &solvers));
+        for (k, tolerance) in self.tolerances.iter().enumerate() {
+            document.table(
+                &format!("profiles_families_{}", k + 1),
+                matrix(tried, &solvers, k, *tolerance),
+            );
+        }
+        document.table("profiles_failures", self.failures(tried));
+    }
+
+    fn outcome(&self, tried: &[Tried]) -> Verdict {
+        let all = |of| count(tried, None, None, of);
+        let refuted = all(|attempt| attempt.outcome == Outcome::Refuted);
+        let says = format!(
+            "{} attempts, {} claimed solved, {} accepted by the judge, {refuted} claims refuted",
+            all(|attempt| attempt.outcome.is_attempt()),
+            all(|attempt| attempt.outcome.is_claim()),
+            all(|attempt| attempt.outcome.is_solved()),
+        );
+        Verdict { good: refuted == 0, says }
+    }
+}
+
+impl Plan {
+    fn figure(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
+        let by_tolerance: Vec<Vec<Profile>> =
+            (0..self.tolerances.len()).map(|k| profiles(&costs(tried, k))).collect();
+        let curve = |solver: usize| Curve {
+            name: solvers[solver].clone(),
+            columns: by_tolerance
+                .iter()
+                .map(|profiles| (profiles[solver].steps.clone(), profiles[solver].attempted))
+                .collect(),
+        };
+        let group = |group: Option<Group>| Line {
+            name: group.map_or("Others", Group::name).into(),
+            curves: (0..solvers.len())
+                .filter(|solver| Group::of(&solvers[*solver]) == group)
+                .map(curve)
+                .collect(),
+        };
+        let groups = Group::ALL.into_iter().map(Some).chain([None]).map(group);
+        let precision = |value: &f64| format!("scaled residual {}", tolerance(*value));
+        Profiles {
+            id: "performance_profiles".into(),
+            title: "Performance profiles".into(),
+            caption: "A curve is the share of the problems its solver attempted (how many: in brackets, \
+                      one number a precision where they differ) that it solves within τ times the cheapest \
+                      solver's multiplications. Far left: how often it is the cheapest. Far right: how \
+                      often it succeeds at all. Steep and high is good. The other groups are pale behind. Sweeps and \
+                      Newton's method do not look whether A is symmetric: they attempt problems that they \
+                      are not made for, and lose them."
+                .into(),
+            x: Axis::log("τ: at most so many times the cheapest", ""),
+            y: Axis::linear("share solved", ""),
+            columns: self.tolerances.iter().map(precision).collect(),
+            groups: groups.filter(|group| !group.curves.is_empty()).collect(),
+        }
+    }
+
+    /// Who solved all that it attempted, and who was cheapest, at the last precision.
+    fn words(&self, tried: &[Tried], solvers: &[String]) -> String {
+        let Some(last) = self.tolerances.len().checked_sub(1) else { return String::new() };
+        let costs = costs(tried, last);
+        let profiles = profiles(&costs);
+        let share = |profile: &Profile| profile.steps.last().map_or(0.0, |(_, share)| *share);
+        let named = || solvers.iter().zip(&profiles);
+        let all: Vec<String> = named()
+            .filter(|(_, profile)| profile.attempted > 0 && share(profile) == 1.0)
+            .map(|(solver, profile)| format!("*{solver}* ({})", profile.attempted))
+            .collect();
+        let most = named().max_by_key(|(_, profile)| {
+            (share(profile) * profile.attempted as f64).round() as usize
+        });
+        let cheapest = named().max_by(|(_, a), (_, b)| at_one(a).total_cmp(&at_one(b)));
+        let refuted = count(tried, None, None, |attempt| attempt.outcome == Outcome::Refuted);
+        let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
+        let mut text = format!("At {} ", tolerance(self.tolerances[last]));
+        text += &match all.is_empty() {
+            true => "no solver solved everything it attempted. ".to_string(),
+            false => {
+                format!("{} solved everything they attempted (so many problems). ", listed(&all))
+            }
+        };
+        if let (Some((most, profile)), Some((cheapest, best))) = (most, cheapest) {
+            let solved = (share(profile) * profile.attempted as f64).round();
+            text += &format!(
+                "Most problems were solved by *{most}*: {solved} of the {} it attempted. The cheapest \
+                 most often, on {:.0} % of its problems, was *{cheapest}*. ",
+                profile.attempted,
+                100.0 * at_one(best)
+            );
+        }
+        text + &format!(
+            "Problems that nobody solved: {unsolved} of {}. Claims that the judge refutes, at all \
+             precisions: {refuted}.",
+            costs.len()
+        )
+    }
+
+    fn by_solver(&self, tried: &[Tried], solvers: &[String]) -> Table {
+        let mut rows = Vec::new();
+        for solver in solvers {
+            for (k, value) in self.tolerances.iter().enumerate() {
+                let count = |of: fn(&Attempt) -> bool| count(tried, Some(solver), Some(k), of);
+                let attempted = count(|attempt| attempt.outcome.is_attempt());
+                let claimed = count(|attempt| attempt.outcome.is_claim());
+                let refuted = count(|attempt| attempt.outcome == Outcome::Refuted);
+                let solved = count(|attempt| attempt.outcome.is_solved());
+                rows.push(vec![
+                    Cell::text(solver),
+                    Cell { value: Some(*value), ..Cell::text(tolerance(*value)) },
+                    Cell::count(attempted),
+                    Cell::count(count(|attempt| !attempt.outcome.is_attempt())),
+                    Cell::count(claimed),
+                    Cell::count(solved),
+                    Cell::count(count(|attempt| attempt.outcome == Outcome::Proved)),
+                    Cell::count(refuted).marked(if refuted == 0 { Mark::Plain } else { Mark::Bad }),
+                    Cell::count(attempted - claimed),
+                    Cell::text(semidefinite(tried, solver, k)),
+                    Cell::count(false_claims(tried, solver, k)).marked(
+                        if false_claims(tried, solver, k) == 0 { Mark::Plain } else { Mark::Note },
+                    ),
+                ]);
+            }
+        }
+        Table {
+            title: "Solvers on all problems of the families".into(),
+            how_to_read: "*attempted*: the solver took the problem on; *outside*: it says that the \
+                          problem is not for it. *claimed* is its own word, *accepted* and *proved* the \
+                          judge's on these claims; *refuted* must be 0. *failed*: attempted, not claimed; \
+                          the table of failures has the reasons. *semidefinite*: accepted, of the \
+                          problems that Dantzig's method takes on, which are the symmetric semidefinite \
+                          ones: those of contacts. *no solution*: accepted answers to \
+                          problems that have none, possible only where the precision cannot tell them \
+                          from ones that do."
+                .into(),
+            columns: vec![
+                Column::words("solver"),
+                Column::numbers("precision", ""),
+                Column::numbers("attempted", ""),
+                Column::numbers("outside", ""),
+                Column::numbers("claimed", ""),
+                Column::numbers("accepted", ""),
+                Column::numbers("proved", ""),
+                Column::numbers("refuted", ""),
+                Column::numbers("failed", ""),
+                Column::numbers("semidefinite", ""),
+                Column::numbers("no solution", ""),
+            ],
+            rows,
+            ..Table::default()
+        }
+    }
+
+    fn failures(&self, tried: &[Tried]) -> Table {
+        let row = |((solver, k, reason), families): ((String, usize, String), Vec<String>)| {
+            let value = self.tolerances[k];
+            vec![
+                Cell::text(solver),
+                Cell { value: Some(value), ..Cell::text(tolerance(value)) },
+                Cell::text(reason),
+                Cell::count(families.len()),
+                Cell::text(families.join(", ")),
+            ]
+        };
+        Table {
+            title: "Failures, with their reasons".into(),
+            how_to_read: "Each attempt that ended without an accepted claim, by solver and reason. A \
+                          family stands in brackets where no solution exists: failing there is right."
+                .into(),
+            columns: vec![
+                Column::words("solver"),
+                Column::numbers("precision", ""),
+                Column::words("reason"),
+                Column::numbers("families", ""),
+                Column::words("which"),
+            ],
+            rows: gathered(tried).into_iter().map(row).collect(),
+            ..Table::default()
+        }
+    }
+}
+
+fn is_solved(cost: &Cost) -> bool {
+    matches!(cost, Cost::Solved(_))
+}
+
+/// The share of its problems on which a solver is the cheapest.
+fn at_one(profile: &Profile) -> f64 {
+    profile.steps.first().filter(|(tau, _)| *tau <= 1.0).map_or(0.0, |(_, share)| *share)
+}
+
+/// How many attempts of a solver at a precision (of all without one) are so.
+fn count(
+    tried: &[Tried],
+    solver: Option<&str>,
+    tolerance: Option<usize>,
+    of: fn(&Attempt) -> bool,
+) -> usize {
+    let problems = tried.iter().flat_map(|family| &family.problems);
+    let chosen = problems.flat_map(|problem| {
+        let at = |k: &usize| tolerance.is_none_or(|wanted| wanted == *k);
+        problem.attempts.iter().enumerate().filter(move |(k, _)| at(k)).flat_map(|(_, tried)| tried)
+    });
+    let by = |attempt: &&Attempt| solver.is_none_or(|solver| solver == attempt.solver);
+    chosen.filter(by).filter(|attempt| of(attempt)).count()
+}
+
+/// Accepted answers to problems without solution.
+fn false_claims(tried: &[Tried], solver: &str, tolerance: usize) -> usize {
+    let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| p.impossible);
+    let attempts = problems.flat_map(|problem| &problem.attempts[tolerance]);
+    attempts.filter(|a| a.solver == solver && a.outcome.is_solved()).count()
+}
+
+/// `19 of 19`: accepted, of the solvable problems that Dantzig's method attempts.
+fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> String {
+    let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
+    let of = |attempts: &[Attempt], name: &str| attempts.iter().find(|a| a.solver == name).cloned();
+    let fit = problems.filter(|problem| {
+        let dantzig = of(&problem.attempts[tolerance], "dantzig");
+        dantzig.is_some_and(|attempt| attempt.outcome.is_attempt())
+    });
+    let solved: Vec<bool> = fit
+        .filter_map(|problem| of(&problem.attempts[tolerance], solver))
+        .map(|attempt| attempt.outcome.is_solved())
+        .collect();
+    format!("{} of {}", solved.iter().filter(|solved| **solved).count(), solved.len())
+}
+
+/// The attempts without an accepted claim, gathered by solver, precision and reason.
+fn gathered(tried: &[Tried]) -> Failures {
+    let mut failures: Failures = Vec::new();
+    for family in tried {
+        for problem in &family.problems {
+            for (k, attempts) in problem.attempts.iter().enumerate() {
+                let failed = |attempt: &&Attempt| {
+                    attempt.outcome.is_attempt() && !attempt.outcome.is_solved()
+                };
+                for attempt in attempts.iter().filter(failed) {
+                    let reason = attempt.outcome.words().to_string();
+                    let key = (attempt.solver.clone(), k, reason);
+                    let name = match problem.impossible {
+                        true => format!("({})", family.family),
+                        false => family.family.clone(),
+                    };
+                    match failures.iter_mut().find(|(found, _)| *found == key) {
+                        Some((_, families)) if families.contains(&name) => {}
+                        Some((_, families)) => families.push(name),
+                        None => failures.push((key, vec![name])),
+                    }
+                }
+            }
+        }
+    }
+    failures.sort_by(|(a, _), (b, _)| a.cmp(b));
+    failures
+}
+
+/// One line a family, one column a solver, at one precision.
+fn matrix(tried: &[Tried], solvers: &[String], k: usize, value: f64) -> Table {
+    let row = |family: &Tried| {
+        let cells = solvers.iter().map(|solver| {
+            let attempts = family.problems.iter().flat_map(|problem| {
+                problem.attempts[k].iter().filter(|attempt| attempt.solver == *solver)
+            });
+            let attempts: Vec<&Attempt> = attempts.collect();
+            let impossible = family.problems.iter().any(|problem| problem.impossible);
+            let attempted = attempts.iter().filter(|a| a.outcome.is_attempt()).count();
+            let solved = attempts.iter().filter(|a| a.outcome.is_solved()).count();
+            let proved = attempts.iter().filter(|a| a.outcome == Outcome::Proved).count();
+            match (attempted, solved) {
+                (0, _) => Cell::text("·"),
+                (_, 0) if impossible => Cell::text("none").marked(Mark::Plain),
+                (n, s) if impossible => Cell::text(format!("{s}/{n}")).marked(Mark::Note),
+                (n, s) if s < n => Cell::text(format!("{s}/{n}")).marked(Mark::Note),
+                (n, _) if proved == n => Cell::text("proved").marked(Mark::Good),
+                (_, _) => Cell::text("yes").marked(Mark::Good),
+            }
+        });
+        let rows = family.problems.iter().map(|problem| problem.rows).max().unwrap_or(0);
+        let head = [Cell::text(&family.family), Cell::count(rows)];
+        head.into_iter().chain(cells).collect()
+    };
+    let heads = [Column::words("family"), Column::numbers("rows", "")];
+    let solvers_heads = solvers.iter().map(Column::words);
+    Table {
+        title: format!("Families and solvers at {}", tolerance(value)),
+        how_to_read: "*proved*: every problem of the family claimed, accepted, and proved to have an exact \
+                      solution with this active set; *yes*: claimed and accepted; a fraction: so many of \
+                      those attempted; ·: not for this solver; *none*: no solution exists and none was \
+                      claimed."
+            .into(),
+        columns: heads.into_iter().chain(solvers_heads).collect(),
+        rows: tried.iter().map(row).collect(),
+        ..Table::default()
+    }
+}
+
+/// The formulas of [`Work`](crate::trace::Work).
+fn iteration_costs() -> Table {
+    let rows = [
+        ("pgs, sor, red-black, jacobi", "sweep", "s + n"),
+        ("ssor", "sweep", "2 (s + n)"),
+        ("block-pgs", "sweep", "s + 10 n"),
+        ("nncg", "step", "s + 5 n"),
+        ("apgd, spectral, mprgp", "step", "2 s + 5 n"),
+        ("admm", "step", "n², and n³/6 once"),
+        ("interior-point", "step", "n³/6 + 2 n² + s"),
+        ("newton, fischer-newton", "step", "5/3 n³"),
+        ("dantzig", "pivot", "f n"),
+        ("lemke", "pivot", "N (N + 2)"),
+        ("murty, block-pivoting", "exchange", "f³/3 + f² + s, and once before the first"),
+        ("enumeration", "active set", "n³/3, of fractions"),
+    ];
+    let row = |(solver, iteration, cost): (&str, &str, &str)| {
+        vec![Cell::text(solver), Cell::text(iteration), Cell::text(cost)]
+    };
+    Table {
+        title: "What an iteration is taken to cost".into(),
+        how_to_read: "Multiplications, the leading term of each method: n rows, s stored entries of A, f \
+                      rows between their bounds, N = n plus the rows with two finite bounds. Stop tests, \
+                      line searches and additions are left out, and that a factorisation might use the \
+                      zeros of A."
+            .into(),
+        columns: vec![
+            Column::words("solver"),
+            Column::words("iteration"),
+            Column::words("multiplications"),
+        ],
+        rows: rows.map(row).into(),
+        ..Table::default()
+    }
+}

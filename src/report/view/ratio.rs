@@ -1,0 +1,433 @@
+//! Stacks with a heavy load: sweeps beside theory, and who got there at what cost.
+
+use super::attempt::{
+    iterations, iterations_in_words, listed, outcome, rough, section_id, tolerance, work,
+};
+use super::{Document, Outcome, View};
+use crate::plot::number::{count, readable};
+use crate::plot::{Axis, Bar, Bars, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::attempt::{Attempt, Group, Outcome as Came};
+use crate::report::study::ratio::{Plan, Stack, System, Tried};
+use crate::solver::theory;
+
+/// Predicted and counted sweeps between two precisions that differ by this part are the same.
+const SAME: f64 = 0.03;
+
+impl View for Plan {
+    const TITLE: &'static str = "Which solver for a stack with a heavy load on top";
+
+    fn show(&self, stacks: &[Stack], document: &mut Document) {
+        document.text(
+            "Put a heavy body on a light one. In each sweep Gauss-Seidel stops the light body against the \
+             ground, then the heavy one against the light one, which gives way; so the light one carries \
+             a little more in each sweep, and what a sweep leaves of the error is, for two bodies of mass \
+             ratio r without friction,",
+        );
+        document.equation(
+            "\\rho = \\frac{r}{1 + r}, \\qquad 1 - \\rho \\approx \\frac{1}{r}",
+            "two bodies",
+        );
+        document.text(
+            "Ten times the ratio, about ten times the sweeps. For a stack of boxes ρ is the largest eigenvalue \
+             below 1 of the iteration matrix, and between two precisions lie",
+        );
+        document.equation(
+            "k = \\frac{\\ln(\\varepsilon_2/\\varepsilon_1)}{\\ln\\rho} \\text{ sweeps}",
+            "whatever the start",
+        );
+        let id = section_id(document);
+        document.figure(self.figure(&id, stacks));
+        if let Some(stack) = self.chosen(stacks) {
+            document.figure(self.bars(&id, stack));
+            document.text(self.words(stack, stacks));
+            document.table(&format!("{id}_chosen"), self.details(stack));
+        }
+        document.table(&format!("{id}_theory"), self.theory(stacks));
+        for (system, word) in [(System::TwoBodies, "two"), (System::Boxes, "boxes")] {
+            let of_system: Vec<&Stack> = stacks.iter().filter(|s| s.system == system).collect();
+            if !of_system.is_empty() {
+                document.table(&format!("{id}_{word}"), self.table(system, &of_system));
+            }
+        }
+    }
+
+    fn outcome(&self, stacks: &[Stack]) -> Outcome {
+        let attempts = || stacks.iter().flat_map(|s| &s.tried).flat_map(|tried| &tried.attempts);
+        let refuted = attempts().filter(|attempt| attempt.outcome == Came::Refuted).count();
+        let agrees = |stack: &Stack| -> Vec<bool> {
+            stack.tried.iter().filter_map(|tried| self.agrees(stack.system, tried)).collect()
+        };
+        let gaps: Vec<bool> = stacks.iter().flat_map(agrees).collect();
+        let agree = gaps.iter().filter(|agrees| **agrees).count();
+        let says = format!(
+            "{agree} of {} numbers of sweeps as theory allows, {refuted} claims refuted",
+            gaps.len()
+        );
+        Outcome { good: refuted == 0 && agree == gaps.len(), says }
+    }
+}
+
+impl Tried {
+    fn solver(&self) -> &str {
+        self.attempts.first().map_or("", |attempt| &attempt.solver)
+    }
+
+    /// The attempt at the last precision.
+    fn last(&self) -> Option<&Attempt> {
+        self.attempts.last()
+    }
+}
+
+impl Plan {
+    fn name(&self, stack: &Stack) -> String {
+        let system = match stack.system {
+            System::TwoBodies => "two bodies".to_string(),
+            System::Boxes => format!("{} boxes", self.boxes),
+        };
+        format!("{system}, r = {}", readable(stack.ratio, 3))
+    }
+
+    /// Sweeps between the first and the last precision: predicted and counted. A claim that was taken
+    /// back took as many to get there.
+    fn gap(&self, tried: &Tried) -> Option<(f64, usize)> {
+        let (first, last) = (tried.attempts.first()?, tried.attempts.last()?);
+        let (coarse, fine) = (self.tolerances.first()?, self.tolerances.last()?);
+        let reached = |a: &Attempt| a.outcome.is_solved() || a.outcome == Came::Withdrawn;
+        if tried.attempts.len() < 2 || !reached(first) || !reached(last) {
+            return None;
+        }
+        let predicted = theory::sweeps_to(fine / coarse, tried.rate?);
+        Some((predicted, last.iterations.saturating_sub(first.iterations)))
+    }
+
+    /// Whether theory holds: for two bodies the same number but for a few sweeps or 3 %, for boxes no more.
+    fn agrees(&self, system: System, tried: &Tried) -> Option<bool> {
+        let (predicted, counted) = self.gap(tried)?;
+        let slack = f64::max(4.5, SAME * predicted);
+        let over = counted as f64 - predicted;
+        Some(over <= slack && (system == System::Boxes || over >= -slack))
+    }
+
+    fn figure(&self, id: &str, stacks: &[Stack]) -> Lines {
+        let epsilon = self.tolerances.last().copied().unwrap_or(0.0);
+        let panel = |system: System, label: &str, theory_name: &str| {
+            let of_system: Vec<&Stack> = stacks.iter().filter(|s| s.system == system).collect();
+            let solvers: Vec<&str> = of_system
+                .first()
+                .map(|stack| stack.tried.iter().map(Tried::solver).collect())
+                .unwrap_or_default();
+            let curve = |solver: &&str| {
+                let point = |stack: &&Stack| {
+                    let tried = stack.tried.iter().find(|tried| tried.solver() == *solver)?;
+                    let attempt = tried.last().filter(|attempt| attempt.outcome.is_solved())?;
+                    Some((stack.ratio, attempt.iterations as f64))
+                };
+                Series::measured(*solver, of_system.iter().filter_map(point).collect())
+            };
+            let shown = |solver: &&&str| SHOWN.contains(*solver);
+            let mut series: Vec<Series> = solvers.iter().filter(shown).map(curve).collect();
+            let prediction = |stack: &&Stack| {
+                let pgs = stack.tried.iter().find(|tried| tried.solver() == "pgs")?;
+                // Of two bodies the residual at the start is known too.
+                let share = match system {
+                    System::TwoBodies => 2.0 * (1.0 + stack.ratio),
+                    System::Boxes => 1.0,
+                };
+                Some((stack.ratio, theory::sweeps_to(share * epsilon, pgs.rate?)))
+            };
+            let predicted: Vec<_> = of_system.iter().filter_map(prediction).collect();
+            series.push(Series::theory(theory_name, predicted));
+            Panel { y: Axis::log(label, ""), series }
+        };
+        Lines {
+            id: format!("{id}_iterations"),
+            title: format!("Iterations to {} against the mass ratio", tolerance(epsilon)),
+            caption: format!(
+                "Above two bodies, below {} boxes with friction, the top one r times as heavy. Sweeps grow \
+                 with r: for two bodies along the dashed line, $k = \\ln(2(1 + r)\\varepsilon) / \\ln\\rho$, \
+                 for boxes at most as $\\ln\\varepsilon / \\ln\\rho$. A point that is missing is a failure \
+                 (see the tables). The lines that stay low do not care for the ratio: what they pay for it is the \
+                 price of their iterations, in the bars below.",
+                self.boxes
+            ),
+            x: Axis::log("mass ratio r", ""),
+            panels: vec![
+                panel(System::TwoBodies, "iterations, two bodies", "pgs, theory"),
+                panel(System::Boxes, "iterations, boxes", "pgs, theory: at most"),
+            ],
+        }
+    }
+
+    fn theory(&self, stacks: &[Stack]) -> Table {
+        let (coarse, fine) = match (self.tolerances.first(), self.tolerances.last()) {
+            (Some(coarse), Some(fine)) => (*coarse, *fine),
+            _ => (0.0, 0.0),
+        };
+        let row = |stack: &Stack, tried: &Tried| {
+            let rate = tried.rate?;
+            let closed = match (stack.system, tried.solver()) {
+                (System::TwoBodies, "pgs") => Cell::number(stack.ratio / (1.0 + stack.ratio), 7),
+                _ => Cell::text("–"),
+            };
+            let gap = self.gap(tried);
+            Some(vec![
+                Cell::text(self.name(stack)),
+                Cell::text(tried.solver()),
+                closed,
+                Cell::number(rate, 7),
+                gap.map_or(Cell::text("–"), |(k, _)| Cell::count(k.round() as usize)),
+                gap.map_or(Cell::text("not solved"), |(_, counted)| Cell::count(counted)),
+                match self.agrees(stack.system, tried) {
+                    Some(true) if stack.system == System::Boxes => {
+                        Cell::text("no more").marked(Mark::Good)
+                    }
+                    Some(true) => Cell::text("agrees").marked(Mark::Good),
+                    Some(false) => Cell::text("differs").marked(Mark::Note),
+                    None => Cell::text("–"),
+                },
+            ])
+        };
+        Table {
+            title: format!("Sweeps from {} to {}, predicted and counted", tolerance(coarse), tolerance(fine)),
+            how_to_read: "*closed form*: r/(1 + r). *eigenvalue*: the contraction computed from the \
+                          iteration matrix with every row free, as all are in a stack at rest. *agreement*: \
+                          for two bodies the same to 3 % or a few sweeps; for boxes no more than predicted, \
+                          for the slowest component of the error, in which the load rocks, has little \
+                          share in a load that was put down straight."
+                .into(),
+            columns: vec![
+                Column::words("stack"),
+                Column::words("solver"),
+                Column::numbers("closed form", ""),
+                Column::numbers("eigenvalue", ""),
+                Column::numbers("predicted", "sweeps"),
+                Column::numbers("counted", "sweeps"),
+                Column::words("agreement"),
+            ],
+            rows: stacks
+                .iter()
+                .flat_map(|stack| stack.tried.iter().filter_map(move |tried| row(stack, tried)))
+                .collect(),
+            ..Table::default()
+        }
+    }
+
+    /// One line a solver and precision, one column a ratio.
+    fn table(&self, system: System, stacks: &[&Stack]) -> Table {
+        let solvers = stacks.first().map_or(0, |stack| stack.tried.len());
+        let cell = |attempt: &Attempt| match &attempt.outcome {
+            came if came.is_solved() => iterations(attempt),
+            Came::Outside(_) => Cell::text("not for it"),
+            Came::Withdrawn => Cell::text("taken back").marked(Mark::Note),
+            other => outcome(other),
+        };
+        let row = |solver: usize, k: usize| {
+            let tried = stacks.iter().filter_map(|stack| stack.tried.get(solver)?.attempts.get(k));
+            let name = stacks.first().map_or("", |stack| stack.tried[solver].solver());
+            let value = self.tolerances[k];
+            let head =
+                [Cell::text(name), Cell { value: Some(value), ..Cell::text(tolerance(value)) }];
+            head.into_iter().chain(tried.map(cell)).collect()
+        };
+        let what = match system {
+            System::TwoBodies => "Two bodies, the upper one heavier: iterations".to_string(),
+            System::Boxes => {
+                format!("{} boxes with friction, the top one heavier: iterations", self.boxes)
+            }
+        };
+        let heads = [Column::words("solver"), Column::numbers("precision", "")];
+        let ratios =
+            stacks.iter().map(|s| Column::numbers(format!("r = {}", readable(s.ratio, 3)), ""));
+        Table {
+            title: what,
+            how_to_read: "Sweeps, steps or pivots of those that solved it by the judge's word, and why the \
+                          others did not. *taken back*: the scaled residual is within the precision, but \
+                          the answer is hardly better than x = 0, and the solver makes no claim."
+                .into(),
+            columns: heads.into_iter().chain(ratios).collect(),
+            rows: (0..solvers)
+                .flat_map(|solver| (0..self.tolerances.len()).map(move |k| (solver, k)))
+                .map(|(solver, k)| row(solver, k))
+                .collect(),
+            ..Table::default()
+        }
+    }
+
+    /// All that came out for one stack.
+    fn details(&self, stack: &Stack) -> Table {
+        let rows = stack.tried.iter().flat_map(|tried| {
+            let each = tried.attempts.iter().zip(&tried.missing).zip(&self.tolerances);
+            each.map(|((attempt, missing), value)| {
+                vec![
+                    Cell::text(&attempt.solver),
+                    Cell { value: Some(*value), ..Cell::text(tolerance(*value)) },
+                    outcome(&attempt.outcome),
+                    iterations(attempt),
+                    work(attempt),
+                    missing.map_or(Cell::text("–"), |part| Cell::number(part, 2)),
+                ]
+            })
+        });
+        Table {
+            title: format!("{}: all solvers", self.name(stack)),
+            how_to_read: "*judge*: what came of the claim, or why there was none. *missing*: the part of \
+                          the weight that the ground does not carry in the last iterate, solved or not; a \
+                          small residual does not make it small where the masses differ."
+                .into(),
+            columns: vec![
+                Column::words("solver"),
+                Column::numbers("precision", ""),
+                Column::words("judge"),
+                Column::numbers("iterations", ""),
+                Column::numbers("multiplications", ""),
+                Column::numbers("missing", "of the weight"),
+            ],
+            rows: rows.collect(),
+            ..Table::default()
+        }
+    }
+
+    /// The stack of boxes that the words are about.
+    fn chosen<'a>(&self, stacks: &'a [Stack]) -> Option<&'a Stack> {
+        stacks.iter().find(|s| s.system == System::Boxes && s.ratio == self.about)
+    }
+
+    fn bars(&self, id: &str, stack: &Stack) -> Bars {
+        let bars = by_cost(stack)
+            .into_iter()
+            .map(|attempt| Bar { name: attempt.solver.clone(), value: attempt.work })
+            .collect();
+        let epsilon = self.tolerances.last().copied().unwrap_or(0.0);
+        Bars {
+            id: format!("{id}_work"),
+            title: format!("{}: multiplications to {}", self.name(stack), tolerance(epsilon)),
+            caption: "Those that solved it, the cheapest on top; each step of the axis is a factor of ten. \
+                      The bars are the leading terms of the methods, no times."
+                .into(),
+            x: Axis::log("multiplications", ""),
+            bars,
+        }
+    }
+
+    /// What came out for the chosen stack, in words.
+    fn words(&self, stack: &Stack, stacks: &[Stack]) -> String {
+        let solved = by_cost(stack);
+        let last = self.tolerances.last().copied().unwrap_or(0.0);
+        let mut text = format!(
+            "**So, which solver for {} boxes with a mass ratio of {}?** ",
+            self.boxes,
+            readable(stack.ratio, 3)
+        );
+        let proved = solved.iter().filter(|attempt| attempt.outcome == Came::Proved).count();
+        text += &format!(
+            "{} of {} solvers solved it to {}, all of these accepted by the judge, {proved} proved. ",
+            solved.len(),
+            stack.tried.iter().filter_map(Tried::last).filter(|a| a.outcome.is_attempt()).count(),
+            tolerance(last)
+        );
+        let cheapest = |group: Group| {
+            solved.iter().find(|attempt| Group::of(&attempt.solver) == Some(group)).copied()
+        };
+        let best: Vec<String> = Group::ALL.into_iter().filter_map(cheapest).map(cost).collect();
+        if !best.is_empty() {
+            text += &format!("The cheapest of each kind: {}. ", listed(&best));
+        }
+        if let (Some(sweeps), Some(least)) = (cheapest(Group::Sweeps), solved.first())
+            && sweeps.solver != least.solver
+        {
+            text += &format!(
+                "So *{}* is the choice: the best of the sweeps, *{}*, needs {} times its \
+                 multiplications. ",
+                least.solver,
+                sweeps.solver,
+                rough(sweeps.work / least.work)
+            );
+        }
+        text += &self.growth(stack, stacks);
+        text += &self.loose(stack);
+        let failed: Vec<String> = stack
+            .tried
+            .iter()
+            .filter_map(Tried::last)
+            .filter(|attempt| !attempt.outcome.is_solved())
+            .map(|attempt| format!("*{}* ({})", attempt.solver, attempt.outcome.words()))
+            .collect();
+        text + &match failed.is_empty() {
+            true => "Nobody failed.".to_string(),
+            false => format!("Without an answer: {}.", listed(&failed)),
+        }
+    }
+
+    /// Why: how the sweeps of Gauss-Seidel and the pivots of Dantzig's method grow with the ratio.
+    fn growth(&self, stack: &Stack, stacks: &[Stack]) -> String {
+        let even = stacks
+            .iter()
+            .filter(|s| s.system == stack.system && s.ratio < stack.ratio)
+            .min_by(|a, b| a.ratio.total_cmp(&b.ratio));
+        let Some(even) = even else { return String::new() };
+        let times = |solver: &str| {
+            let of = |stack: &Stack| {
+                let tried = stack.tried.iter().find(|tried| tried.solver() == solver)?;
+                Some(tried.last().filter(|attempt| attempt.outcome.is_solved())?.iterations)
+            };
+            Some((of(even)?, of(stack)?))
+        };
+        let told = |solver: &str| {
+            let (before, after) = times(solver)?;
+            Some(format!(
+                "*{solver}* takes {} at r = {} and {} here",
+                iterations_in_words(solver, before),
+                readable(even.ratio, 3),
+                count(after)
+            ))
+        };
+        let told: Vec<String> = ["pgs", "dantzig"].into_iter().filter_map(told).collect();
+        if told.is_empty() {
+            String::new()
+        } else {
+            format!("The reason: {}. ", told.join(", while "))
+        }
+    }
+
+    /// What the first precision is worth.
+    fn loose(&self, stack: &Stack) -> String {
+        let pgs = stack.tried.iter().find(|tried| tried.solver() == "pgs");
+        let first = pgs.and_then(|tried| Some((tried.attempts.first()?, *tried.missing.first()?)));
+        match (first, self.tolerances.first()) {
+            (Some((attempt, Some(missing))), Some(first)) if attempt.outcome.is_solved() => {
+                format!(
+                    "A looser precision is no way out: at {} *pgs* stops after {}, with {} % of the weight \
+                 not carried. ",
+                    tolerance(*first),
+                    iterations_in_words("pgs", attempt.iterations),
+                    readable(100.0 * missing, 2)
+                )
+            }
+            _ => String::new(),
+        }
+    }
+}
+
+/// The solvers in the figure; the tables have all.
+const SHOWN: [&str; 8] =
+    ["pgs", "sor", "nncg", "apgd", "mprgp", "interior-point", "newton", "dantzig"];
+
+/// The attempts at the last precision that solved it, the cheapest first.
+fn by_cost(stack: &Stack) -> Vec<&Attempt> {
+    let last = stack.tried.iter().filter_map(Tried::last);
+    let mut solved: Vec<&Attempt> = last.filter(|attempt| attempt.outcome.is_solved()).collect();
+    solved.sort_by(|a, b| a.work.total_cmp(&b.work));
+    solved
+}
+
+/// `*dantzig* with 60 pivots (12 000 multiplications, proved)`.
+fn cost(attempt: &Attempt) -> String {
+    format!(
+        "*{}* with {} ({} multiplications, {})",
+        attempt.solver,
+        iterations_in_words(&attempt.solver, attempt.iterations),
+        rough(attempt.work),
+        attempt.outcome.words()
+    )
+}

@@ -1,0 +1,112 @@
+//! How deep a stack with a heavy top sinks, by solver and mass ratio.
+
+use super::{Document, View};
+use crate::plot::number::readable;
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::sinking::{Finding, Plan, Run};
+
+/// A stack that is squeezed by more than this (mm) has visibly sunk.
+const VISIBLE: f64 = 10.0;
+/// A stack whose top has moved by more than this (m) has fallen over.
+const FALLEN: f64 = 0.5;
+
+impl View for Plan {
+    const TITLE: &'static str = "Why a stack with a heavy top sinks";
+
+    fn show(&self, findings: &[Finding], document: &mut Document) {
+        document.text(format!(
+            "{} cubes of 1 m stand on each other; the top one is $r$ times as heavy as the others. The \
+             ground must carry all of them, but a sweep hands a load down only little by little, and \
+             less the lighter the cubes are that must pass it on. What is not yet handed on when the \
+             sweeps end is not carried, and what is not carried falls. A start from the impulses of \
+             the step before (*warm*) lets the sweeps go on where they stopped; without it (*from 0*) \
+             every step makes the same mistake again. Errors of position are fed back \
+             ($\\beta = 0.2$) in all runs.",
+            self.boxes
+        ));
+        document.figure(figure(self, findings));
+        document.table("sinking", table(findings));
+        for finding in findings {
+            if let Some(footage) = &finding.footage {
+                let caption = format!(
+                    "The stack with a top {} times as heavy, by each solver at the same instants.",
+                    readable(finding.ratio, 4)
+                );
+                document.footage(footage, &caption);
+            }
+        }
+    }
+}
+
+fn figure(settings: &Plan, findings: &[Finding]) -> Lines {
+    let curve = |run: &Run| {
+        Series::measured(run.name.clone(), run.history.curve(|sample| 1e3 * sample.penetration))
+    };
+    let panel = |finding: &Finding| Panel {
+        y: Axis::linear(format!("penetration, r = {}", readable(finding.ratio, 4)), "mm"),
+        series: finding.runs.iter().map(curve).collect(),
+    };
+    Lines {
+        id: "sinking".into(),
+        title: format!("Deepest overlap in a stack of {}", settings.boxes),
+        caption: "From above: heavier and heavier tops. Mind the scales.".into(),
+        x: Axis::linear("time", "s"),
+        panels: findings.iter().map(panel).collect(),
+    }
+}
+
+fn table(findings: &[Finding]) -> Table {
+    let rows = findings.iter().flat_map(|f| f.runs.iter().map(move |run| cells(f.ratio, run)));
+    Table {
+        title: "Who carries the heavy top".into(),
+        how_to_read: format!(
+            "*carried*: the force of the ground, in parts of the weight of all cubes; it should be 1 in \
+             every step. *sweeps*: or pivots, mean over the steps. *top*: where the heavy cube is at the end. *sinks*: the deepest overlap is over \
+             {} mm.",
+            readable(VISIBLE, 2)
+        ),
+        columns: vec![
+            Column::numbers("r", ""),
+            Column::words("solver"),
+            Column::numbers("sweeps", "a step"),
+            Column::numbers("carried, first step", ""),
+            Column::numbers("carried, last step", ""),
+            Column::numbers("deepest overlap", "mm"),
+            Column::numbers("top came down", "mm"),
+            Column::numbers("and aside", "mm"),
+            Column::words("outcome"),
+        ],
+        rows: rows.collect(),
+        ..Table::default()
+    }
+}
+
+fn cells(ratio: f64, run: &Run) -> Vec<Cell> {
+    let history = &run.history;
+    let outcome = match &history.ending {
+        Some(why) => Cell::text(why).marked(Mark::Bad),
+        None if run.top.iter().any(|way| way.abs() > FALLEN) => {
+            Cell::text("falls over").marked(Mark::Bad)
+        }
+        None if 1e3 * history.penetration > VISIBLE => Cell::text("sinks").marked(Mark::Bad),
+        None => Cell::text("stands").marked(Mark::Good),
+    };
+    vec![
+        Cell::number(ratio, 4),
+        Cell::text(&run.name),
+        Cell::number(history.passes as f64 / history.steps.max(1) as f64, 3),
+        Cell::number(run.carried[0], 3),
+        Cell::number(run.carried[1], 3),
+        depth(history.penetration),
+        depth(run.top[0]),
+        depth(run.top[1]),
+        outcome,
+    ]
+}
+
+/// In mm; what is rounding is 0.
+fn depth(metres: f64) -> Cell {
+    let shown = if metres.abs() < 1e-9 { 0.0 } else { 1e3 * metres };
+    Cell { value: Some(1e3 * metres), ..Cell::number(shown, 3) }
+}

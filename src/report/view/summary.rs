@@ -1,0 +1,34 @@
+//! How every study of a report came out, in one table.
+
+use super::Document;
+use crate::error::Result;
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::results::Results;
+
+/// A row each study that has something to say, or of which a task failed.
+pub(super) fn show(results: &Results, document: &mut Document) -> Result<()> {
+    let outcomes = results.outcomes()?;
+    let rows = outcomes.iter().filter_map(|(id, outcome)| {
+        let part = results.sections.iter().find(|part| part.id == *id)?;
+        let failed = part.tasks.iter().filter(|task| task.failure.is_some()).count();
+        let says = match failed {
+            0 => outcome.says.clone(),
+            _ => format!("{} {failed} of {} tasks failed.", outcome.says, part.tasks.len()),
+        };
+        let verdict = match outcome.good && failed == 0 {
+            true => Cell::text("as it should").marked(Mark::Good),
+            false => Cell::text("NOT as it should").marked(Mark::Bad),
+        };
+        let row = vec![Cell::text(&part.title), Cell::text(says.trim()), verdict];
+        (!says.is_empty()).then_some(row)
+    });
+    let table = Table {
+        title: "All of it in one table".into(),
+        how_to_read: "A row a section; what is behind the numbers stands there.".into(),
+        columns: vec![Column::words("section"), Column::words("result"), Column::words("outcome")],
+        rows: rows.collect(),
+        ..Table::default()
+    };
+    document.table("summary", table);
+    Ok(())
+}

@@ -1,0 +1,106 @@
+//! Families side by side, their films, and scenes with changed fields.
+
+use lcplab::plot::scene::{Film, Take};
+use lcplab::report::page::Mark;
+use lcplab::report::study::footage::{self, Footage};
+use lcplab::report::study::formulations::{Case, Finding, Plan};
+use lcplab::report::study::variation::Variation;
+use lcplab::report::study::{Study, scene_simulation};
+use lcplab::report::view::Document;
+use lcplab::scene::Formulation;
+
+use super::standard;
+
+fn finding(text: &str) -> Finding {
+    let case: Case = toml::from_str(text).unwrap();
+    Plan { cases: vec![case] }.run(0).unwrap().0
+}
+
+fn variation(text: &str) -> Variation {
+    toml::from_str(text).unwrap()
+}
+
+#[test]
+fn a_variation_changes_the_fields_it_names_and_no_others() {
+    let plain = variation("scene = 'stack'").scene().unwrap();
+    let changed = "scene = 'stack'\nchange = { step = { dt = 0.02 }, generate = { count = 2 } }";
+    let changed = variation(changed).scene().unwrap();
+    assert_eq!((changed.step.dt, changed.bodies.len()), (0.02, 3));
+    assert_eq!((changed.step.alpha, changed.title), (plain.step.alpha, plain.title));
+}
+
+#[test]
+fn a_variation_that_is_no_scene_is_refused() {
+    let refused = |text: &str| variation(text).scene().unwrap_err().to_string();
+    let wrong = refused("scene = 'stack'\nchange = { step = { dt = -1.0 } }");
+    assert!(wrong.contains("step.dt: must be positive, is -1"), "{wrong}");
+    let wrong = refused("scene = 'stack'\nchange = { stop = { dt = 1.0 } }");
+    assert!(wrong.contains("stop"), "{wrong}");
+    assert!(refused("scene = 'moon'").contains("moon"));
+}
+
+#[test]
+fn every_family_that_knows_the_scene_has_a_run_and_its_own_name() {
+    let found = finding("name = 'p'\ntext = ''\nscene = 'pendulum'\nduration = 0.05");
+    let names: Vec<&str> = found.runs.iter().map(|run| run.name.as_str()).collect();
+    assert_eq!(names, Formulation::FAMILIES.map(Formulation::name));
+    assert!(found.runs.iter().all(|run| run.history.steps == 5 && run.history.ending.is_none()));
+}
+
+#[test]
+fn an_explicit_spring_explodes_just_above_its_longest_step() {
+    // Explicit (kick, move) steps of a spring without damping are stable for h < 2/ω: h = 1 ms in
+    // eight substeps, m = 1 kg, so k < 4·10⁶ N/m.
+    let stiff = |k: f64| {
+        format!(
+            "name = 'k'\ntext = ''\nscene = 'pendulum'\nduration = 0.2\nenergy_limit = 10.0\n\
+             change = {{ step = {{ dt = 0.008 }} }}\n\
+             also = [{{ name = 'penalty, k', change = {{ step = {{ formulation = 'penalty', \
+             penalty = {{ stiffness = {k:?}, damping = 0.0 }} }} }} }}]"
+        )
+    };
+    for (k, explodes) in [(3.9e6, false), (4.1e6, true)] {
+        let found = finding(&stiff(k));
+        let run = found.runs.last().unwrap();
+        let wrong = run.history.ending.is_some() || run.history.gain > 10.0;
+        assert_eq!(wrong, explodes, "k = {k}: {} J", run.history.gain);
+        let plan = Plan { cases: vec![found.case.clone()] };
+        let table = standard::table(&Document::of(&plan, &[found]), "formulations_k");
+        let outcome = table.rows.last().unwrap().last().unwrap();
+        assert_eq!(outcome.mark == Mark::Bad, explodes);
+    }
+}
+
+#[test]
+fn a_film_survives_as_plain_data() {
+    let scene = variation("scene = 'double_pendulum'");
+    let mut simulation = scene_simulation(&scene.scene().unwrap()).unwrap();
+    let take = Take::of("velocity", &mut simulation, 20, 6);
+    let footage = Footage::of("film", scene.clone(), std::slice::from_ref(&take));
+    let text = serde_json::to_string(&footage).unwrap();
+    let back: Footage = serde_json::from_str(&text).unwrap();
+    assert_eq!(back, footage);
+    let (film, was) =
+        (back.film().unwrap(), Film::new("film", &scene.scene().unwrap(), vec![take]));
+    assert_eq!(film.times(), was.times());
+    for (now, then) in film.takes[0].shots.iter().zip(&was.takes[0].shots) {
+        for (a, b) in now.frame.states.iter().zip(&then.frame.states) {
+            assert!((a.pose.p - b.pose.p).norm() < 1e-5);
+        }
+        assert_eq!(now.frame.forces.len(), then.frame.forces.len());
+    }
+}
+
+#[test]
+fn a_film_section_shows_its_takes_side_by_side() {
+    let plan: footage::Plan = toml::from_str(
+        "name = 'f'\nscene = 'pendulum'\nduration = 0.1\nshots = 3\ncaption = 'Look.'\n\
+         takes = [{ name = 'velocity' },\n\
+         { name = 'acceleration', change = { step = { formulation = 'acceleration' } } }]",
+    )
+    .unwrap();
+    let found = plan.run(0).unwrap().0;
+    assert_eq!(found.reels.iter().map(|reel| reel.stills.len()).collect::<Vec<_>>(), [3, 3]);
+    let page = Document::of(&plan, &[found]).page.render().unwrap();
+    assert!(page.contains("acceleration") && page.contains("Look."));
+}

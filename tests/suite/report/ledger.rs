@@ -1,0 +1,77 @@
+//! Books of energy with closed forms, and orders of errors.
+
+use lcplab::report::study::Study;
+use lcplab::report::study::ledger::{Finding, Plan};
+use lcplab::report::study::order::{self, Curve, Expected, Problem, Sample};
+use lcplab::report::view::View;
+
+fn books(scene: &str, duration: f64) -> Finding {
+    let run = format!(
+        "[[runs]]\nname = 'r'\ntitle = 'r'\ntext = ''\nscene = '{scene}'\nduration = {duration:?}"
+    );
+    let plan: Plan = toml::from_str(&run).unwrap();
+    let found = plan.run(0).unwrap().0;
+    assert!(plan.outcome(std::slice::from_ref(&found)).good);
+    found
+}
+
+fn account(finding: &Finding, name: &str) -> f64 {
+    let k = finding.accounts.iter().position(|account| account == name).unwrap();
+    finding.books.last().unwrap().accounts[k]
+}
+
+#[test]
+fn what_semi_implicit_euler_loses_in_a_fall_stands_under_the_integrator() {
+    // z is too low by g t dt/2, so the energy by m g² t dt/2: m = 3 kg, t = 1 s, dt = 0.01 s.
+    let found = books("free_fall", 1.0);
+    let lost = -0.5 * 3.0 * 9.81 * 9.81 * 0.01;
+    assert!((account(&found, "integrator") - lost).abs() < 1e-9);
+    let last = found.books.last().unwrap();
+    assert!((last.kinetic + last.potential - lost).abs() < 1e-9);
+}
+
+#[test]
+fn a_block_that_slides_to_rest_loses_its_energy_to_friction_alone() {
+    let found = books("sliding", 1.0);
+    assert!((account(&found, "friction") + 0.5 * 2.0 * 9.0).abs() < 1e-6);
+    assert!(account(&found, "contact").abs() < 1e-9 && account(&found, "bias").abs() < 1e-9);
+}
+
+fn curve(error: impl Fn(f64) -> f64) -> Curve {
+    let steps = [0.08, 0.04, 0.02, 0.01];
+    Curve {
+        quantity: "place".into(),
+        unit: "m".into(),
+        method: "velocity".into(),
+        errors: steps.map(|dt| Sample { dt, error: error(dt) }).to_vec(),
+        expected: Expected::Order { order: 2.0, because: String::new() },
+    }
+}
+
+#[test]
+fn the_order_of_a_power_is_its_exponent() {
+    let square = curve(|dt| 3.0 * dt * dt);
+    let (slope, spread) = square.fitted().unwrap();
+    assert!((slope - 2.0).abs() < 1e-12 && spread < 1e-12);
+    assert!((square.observed().unwrap() - 2.0).abs() < 1e-12);
+    assert_eq!(square.holds(), Some(true));
+}
+
+#[test]
+fn an_error_that_stays_passes_for_no_order() {
+    let constant = curve(|dt| 1e-3 + dt * dt * 1e-3);
+    assert_eq!(constant.holds(), Some(false));
+    assert!(constant.fitted().unwrap().0 < 0.01);
+    assert_eq!(curve(|_| f64::NAN).holds(), Some(false));
+}
+
+#[test]
+fn errors_of_all_families_shrink_as_derived() {
+    use Problem::{Fall, Slide, Swing};
+    let plan = order::Plan { problems: vec![Fall, Swing, Slide], halvings: 3 };
+    let findings: Vec<_> = (0..3).map(|k| plan.run(k).unwrap().0).collect();
+    let wrong = findings.iter().flat_map(|finding| &finding.curves);
+    let wrong: Vec<_> = wrong.filter(|curve| curve.holds() == Some(false)).collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(plan.outcome(&findings).good);
+}

@@ -1,0 +1,25 @@
+//! Sweeps: what a file says, what is planned, how it is run, and what closed forms say of the results.
+
+mod file;
+mod folder;
+mod theory;
+
+use lcplab::report::sweep::{Finding, Folder, Sweep, Task};
+
+/// A sweep of a text.
+fn sweep(text: &str) -> Sweep {
+    Sweep::from_toml("test.toml", text).unwrap()
+}
+
+/// Every point of a sweep with what was found there.
+fn found(text: &str) -> Vec<(Task, Finding)> {
+    let (sweep, folder) = (sweep(text), tempfile::tempdir().unwrap());
+    let folder = Folder::new(folder.path(), &sweep).unwrap();
+    let tasks = folder.plan().tasks.clone();
+    let one = |task: Task| {
+        let record = folder.run_one(task.task).unwrap();
+        assert_eq!(record.reason, None);
+        (task, record.finding.unwrap())
+    };
+    tasks.into_iter().map(one).collect()
+}
