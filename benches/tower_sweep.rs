@@ -10,7 +10,7 @@ use lcplab::lcp::{Lcp, merit};
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::kernel::Width;
-use lcplab::solver::kernel::impulses::{EightPairs, PairByPair, RowByRow, System};
+use lcplab::solver::kernel::impulses::{EightPairs, RowByRow, System};
 use lcplab::solver::{Options, Settings, by_name};
 use measure::{Contender, interleaved, timed};
 
@@ -87,15 +87,6 @@ fn kinds<'a>(system: &'a System<'a>, lcp: &'a Lcp) -> Vec<Sweeps<'a>> {
         kind("rows of A, assembled".into(), vec![0.0; lcp.len()], assembled, Vec::clone),
         kind("row by row".into(), RowByRow::new(system), RowByRow::sweep, |k| k.x().to_vec()),
     ];
-    for width in Width::available() {
-        let pairs = PairByPair::new(system, width).expect("friction within pairs");
-        kinds.push(kind(
-            format!("pair by pair, {width:?}"),
-            pairs,
-            PairByPair::sweep,
-            PairByPair::x,
-        ));
-    }
     for width in Width::available() {
         let eight = EightPairs::new(system, width).expect("friction within pairs");
         kinds.push(kind(

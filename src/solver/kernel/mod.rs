@@ -8,9 +8,8 @@
 //! | --- | --- | --- |
 //! | [`dense::Rows`] | n² entries read | four rows at a time, their four sums independent |
 //! | [`dense::Columns`] | n entries for each x that changes | rows that stay at a bound are skipped |
-//! | [`impulses::RowByRow`] | 12 entries a row, A never formed | the plain form of the two below |
-//! | [`impulses::PairByPair`] | the same, and one Gram matrix a pair | velocities stay in registers |
-//! | [`impulses::EightPairs`] | 12 entries a row | eight pairs of a colour at once, one a lane |
+//! | [`impulses::RowByRow`] | 12 entries a row, A never formed | the plain form of the next |
+//! | [`impulses::EightPairs`] | the same | eight pairs of a colour at once, one a lane |
 //!
 //! They take x from sweep to sweep and do not ask whether it solves anything: stop tests stay with the
 //! solvers. [`Width`] says with which instructions they run; the bits are the same with all.

@@ -36,7 +36,7 @@ pub(super) fn colours(system: &System) -> Option<Vec<Colour>> {
 }
 
 /// Which row of the pair bounds each of its rows.
-pub(super) fn within(system: &System, pair: &Range<usize>) -> Option<Vec<Option<usize>>> {
+fn within(system: &System, pair: &Range<usize>) -> Option<Vec<Option<usize>>> {
     let of_row = |i: usize| match system.follows(i) {
         None => Some(None),
         Some((normal, _)) if pair.contains(&normal) => Some(Some(normal - pair.start)),

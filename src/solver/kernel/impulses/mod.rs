@@ -12,20 +12,17 @@
 //! scaled, the same twelve numbers serve w and v, so a sweep reads half of what J and M⁻¹Jᵀ
 //! ([`storage::Factored`](crate::storage::Factored)) hold.
 //!
-//! [`RowByRow`] waits for each row's sum before the next begins: 65 cycles a row, all of them latency.
-//! [`PairByPair`] loads the velocities of two bodies once for all rows between them. [`EightPairs`] takes
-//! eight pairs that share no body at once; for that the pairs are sorted by colour, and another order
-//! needs another number of sweeps (more, for tall stacks).
+//! [`RowByRow`] waits for each row's sum before the next begins: some 60 cycles a row, nearly all of them
+//! latency. [`EightPairs`] takes eight pairs of bodies that share none at once; for that the pairs are
+//! sorted by colour, and another order needs another number of sweeps (more, for tall stacks).
 //!
 //! Compliance (γ on A's diagonal) is not in these sweeps.
 
 mod colour;
 mod octet;
-mod pairs;
 mod rows;
 
 pub use octet::EightPairs;
-pub use pairs::PairByPair;
 pub use rows::RowByRow;
 
 use crate::lcp::Lcp;

@@ -4,7 +4,7 @@ use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::Status;
 use lcplab::solver::kernel::Width;
-use lcplab::solver::kernel::impulses::{EightPairs, PairByPair, Row, RowByRow, System};
+use lcplab::solver::kernel::impulses::{EightPairs, Row, RowByRow, System};
 use lcplab::solver::{Options, Settings, by_name};
 
 use super::{assert_close, plain, reordered};
@@ -74,7 +74,7 @@ fn the_scaled_rows_make_a() {
 }
 
 #[test]
-fn row_by_row_and_pair_by_pair_sweep_as_the_assembled_matrix_does() {
+fn row_by_row_sweeps_as_the_assembled_matrix_does() {
     for problem in [tower(), stack()] {
         for (factors, lcp) in cases(&problem) {
             let rows = factors.scaled_rows();
@@ -82,8 +82,6 @@ fn row_by_row_and_pair_by_pair_sweep_as_the_assembled_matrix_does() {
             let expected = plain(&lcp, 1.0, SWEEPS);
             let x = swept(RowByRow::new(&system), RowByRow::sweep, |k| k.x().to_vec());
             assert_close(&x, &expected, 1e-12);
-            let pairs = PairByPair::new(&system, Width::widest()).unwrap();
-            assert_close(&swept(pairs, PairByPair::sweep, PairByPair::x), &expected, 1e-12);
         }
     }
 }
@@ -123,10 +121,8 @@ fn the_bits_are_the_same_with_all_instructions() {
         let rows = factors.scaled_rows();
         let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
         let run = |width| {
-            let pairs = PairByPair::new(&system, width).unwrap();
             let eight = EightPairs::new(&system, width).unwrap();
-            let pairs = swept(pairs, PairByPair::sweep, PairByPair::x);
-            [pairs, swept(eight, EightPairs::sweep, EightPairs::x)]
+            swept(eight, EightPairs::sweep, EightPairs::x)
         };
         let portable = run(Width::Portable);
         for width in Width::available() {
@@ -146,7 +142,6 @@ fn rows_between_other_bodies_cannot_bound_a_pair() {
     let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
     let lcp = lcp.with_coupling(coupling).unwrap();
     let system = System::new(2, &rows, &lcp).unwrap();
-    assert!(PairByPair::new(&system, Width::widest()).is_none());
     assert!(EightPairs::new(&system, Width::widest()).is_none());
     let mut by_rows = RowByRow::new(&system);
     by_rows.sweep();
