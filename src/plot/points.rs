@@ -40,19 +40,30 @@ pub(super) fn panel(frame: &Frame, x: &Axis, y: Option<&Axis>) -> String {
     )
 }
 
-/// The points of a curve with their places in px, if they have one: all of a short curve, the first
-/// in each stretch across of a long one.
+/// The points of a curve with their places in px, if they have one: all of a short curve; of a long
+/// one the first in each stretch across, the lowest and the highest.
 pub(super) fn listed(points: &[((f64, f64), Option<(f64, f64)>)]) -> String {
     let placed: Vec<_> =
         points.iter().filter_map(|(point, at)| at.map(|at| (*point, at))).collect();
-    let stretch = |(_, at): &((f64, f64), (f64, f64))| (at.0 / APART).floor();
-    let short = placed.len() <= ALL;
-    let groups = placed.chunk_by(|a, b| !short && stretch(a) == stretch(b));
-    let pair = |group: &[((f64, f64), (f64, f64))]| {
-        let (x, y) = group[0].0;
+    let by_height = |a: &&usize, b: &&usize| placed[**a].1.1.total_cmp(&placed[**b].1.1);
+    let indices: Vec<usize> = (0..placed.len()).collect();
+    let mut kept: Vec<usize> = match placed.len() {
+        0..=ALL => indices.clone(),
+        _ => {
+            let stretch = |i: &usize| (placed[*i].1.0 / APART).floor();
+            indices.chunk_by(|a, b| stretch(a) == stretch(b)).map(|group| group[0]).collect()
+        }
+    };
+    kept.extend(
+        indices.iter().min_by(by_height).into_iter().chain(indices.iter().max_by(by_height)),
+    );
+    kept.sort_unstable();
+    kept.dedup();
+    let pair = |i: usize| {
+        let (x, y) = placed[i].0;
         format!("{} {}", rounded(x, DIGITS.0), rounded(y, DIGITS.1))
     };
-    groups.map(pair).collect::<Vec<_>>().join(" ")
+    kept.into_iter().map(pair).collect::<Vec<_>>().join(" ")
 }
 
 /// The value with so many significant digits, as short as can be.
