@@ -302,7 +302,7 @@ impl Plan {
         Bars {
             id: format!("{id}_work"),
             title: format!("{}: multiplications to {}", self.name(stack), tolerance(epsilon)),
-            caption: "Those that solved it, the cheapest on top; each step of the axis is a factor of ten. \
+            caption: "Those that solved it, the cheapest on top; the axis is logarithmic. \
                       The bars are the leading terms of the methods, no times."
                 .into(),
             x: Axis::log("multiplications", ""),
