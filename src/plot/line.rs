@@ -10,7 +10,7 @@ use super::cut::cut;
 use super::legend::{Drawn, Legend};
 use super::marker::{draw_zeros, marker_places};
 use super::number::{count, readable};
-use super::points;
+use super::points::{self, Placed};
 use super::style::{self, FAINT_INK, GRID, INK, TEXT, width};
 use super::{Figure, csv};
 
@@ -260,12 +260,7 @@ impl Lines {
     }
 
     /// The points of a curve with their places in px; a zero without one lies on the frame.
-    fn places(
-        &self,
-        frame: &Frame,
-        panel: &Panel,
-        series: &Series,
-    ) -> Vec<((f64, f64), Option<(f64, f64)>)> {
+    fn places(&self, frame: &Frame, panel: &Panel, series: &Series) -> Vec<Placed> {
         let place = |&(x, y): &(f64, f64)| {
             let zero = (y == 0.0).then_some(frame.y.0);
             let at = (self.x.scale.position(x)?, panel.y.scale.position(y).or(zero)?);

@@ -40,9 +40,12 @@ pub(super) fn panel(frame: &Frame, x: &Axis, y: Option<&Axis>) -> String {
     )
 }
 
-/// The points of a curve with their places in px, if they have one: all of a short curve; of a long
+/// A point of a curve, and its place in px if it has one.
+pub(super) type Placed = ((f64, f64), Option<(f64, f64)>);
+
+/// The points of a curve: all of a short curve; of a long
 /// one the first in each stretch across, the lowest and the highest.
-pub(super) fn listed(points: &[((f64, f64), Option<(f64, f64)>)]) -> String {
+pub(super) fn listed(points: &[Placed]) -> String {
     let placed: Vec<_> =
         points.iter().filter_map(|(point, at)| at.map(|at| (*point, at))).collect();
     let by_height = |a: &&usize, b: &&usize| placed[**a].1.1.total_cmp(&placed[**b].1.1);

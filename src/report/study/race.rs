@@ -149,7 +149,8 @@ fn run(entry: &Entry, lcp: &Lcp, options: &Options) -> (Runner, (String, Vec<(f6
     if Group::of(entry.name) == Some(Group::Pivoting) {
         (marks, times) = (Vec::new(), Vec::new());
     } else if marks.last().is_some_and(|mark| mark.iteration == end.iteration) {
-        (marks.pop(), times.pop());
+        marks.pop();
+        times.pop();
     }
     marks.push(end);
     times.push(seconds);

@@ -80,7 +80,7 @@ impl Study for Plan {
 
     fn run(&self, task: usize) -> Result<(Run, ())> {
         let (Stepped { scene, steps }, solver) = self.pairs()[task];
-        let entry = entries(&[solver.clone()])?[0];
+        let entry = entries(std::slice::from_ref(solver))?[0];
         let mut scene = Scene::load(scene)?;
         scene.solver.tolerance = self.tolerance;
         scene.solver.max_iterations = self.max_iterations;

@@ -121,7 +121,7 @@ fn faults(html: &str, folder: &Path) -> Vec<String> {
         match element.name.as_str() {
             "svg" if !inside(k, "svg") && element.get("aria-hidden") != Some("true") => {
                 let told = |name| children(k, name).iter().any(|e| !e.text.trim().is_empty());
-                if !element.has_words("aria-label") && !(told("title") && told("desc")) {
+                if !(element.has_words("aria-label") || told("title") && told("desc")) {
                     wrong("has neither title and desc nor a label".into());
                 }
             }
@@ -149,7 +149,8 @@ fn faults(html: &str, folder: &Path) -> Vec<String> {
             _ => {}
         }
     }
-    let count = |name: &str| elements.iter().filter(|e| e.name == name && e.parent != None).count();
+    let count =
+        |name: &str| elements.iter().filter(|e| e.name == name && e.parent.is_some()).count();
     for name in ["h1", "main", "nav"] {
         if count(name) != 1 {
             faults.push(format!("{} <{name}>", count(name)));
