@@ -1,6 +1,6 @@
 //! Our answers beside two independent ones.
 
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::certificate::cross_check::max_difference;
 use crate::plot::number::significant;
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -42,6 +42,19 @@ impl View for Plan {
             );
             document.table("wrenches", wrenches(checks));
         }
+    }
+
+    fn outcome(&self, findings: &[Vec<CrossCheck>]) -> Outcome {
+        let checks = || findings.iter().flatten();
+        let solves =
+            |check: &&CrossCheck| ["proved", "within_tolerance"].contains(&&*check.verdict);
+        let accepted = checks().filter(solves).count();
+        let apart = checks().map(|check| check.u_difference).fold(0.0, f64::max);
+        let all = checks().count();
+        let apart = significant(apart, 2);
+        let says =
+            format!("{accepted} of {all} answers accepted, motions {apart} from the reference's");
+        Outcome { good: accepted == all, says }
     }
 }
 
