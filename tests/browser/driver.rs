@@ -30,7 +30,8 @@ const find = (name, within = document) => within.querySelector(name);
 const all = (name, within = document) => [...within.querySelectorAll(name)];
 const wait = (ms) => new Promise((done) => setTimeout(done, ms));
 const press = (node, key) => node.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
-const shown = (node) => node.checkVisibility();
+// Computed styles: checkVisibility does not see what changed since a frame was last drawn.
+const shown = (node) => !node || (getComputedStyle(node).display !== 'none' && shown(node.parentElement));
 ";
 
 /// A page and the folder that its copies are put into.

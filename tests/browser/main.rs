@@ -1,7 +1,7 @@
 //! Pages as readers use them: clicks, keys and print, in headless Chromium.
 //!
 //! ```text
-//! cargo test --features browser --test browser
+//! cargo test --test browser
 //! ```
 
 mod driver;

@@ -43,9 +43,9 @@ fn a_report_is_printed_beside_its_page() {
 
 #[test]
 fn buttons_are_not_printed_and_heads_are_repeated() {
-    // The rules for print, applied to the screen.
+    // The rules for print, applied to the screen, and those for the screen not.
     let mut page = sample();
-    page.0 = page.0.replace("@media print", "@media all");
+    page.0 = page.0.replace("@media print", "@media all").replace("@media screen", "@media print");
     let seen = page.seen(
         700, // of a sheet
         "const gone = ['.theme', '.bar', '.skip', '.anchor', '.file', '.screen', '.tabs', '.origin summary'];
