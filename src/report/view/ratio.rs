@@ -6,7 +6,7 @@ use super::attempt::{
 use super::{Document, Outcome, View};
 use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Block, Cell, Column, Mark, Table};
 use crate::report::study::attempt::{Attempt, Group, Outcome as Came};
 use crate::report::study::ratio::{Plan, Stack, System, Tried};
 use crate::solver::theory;
@@ -18,6 +18,9 @@ impl View for Plan {
     const TITLE: &'static str = "Which solver for a stack with a heavy load on top";
 
     fn show(&self, stacks: &[Stack], document: &mut Document) {
+        if let Some(stack) = self.chosen(stacks) {
+            document.add(Block::Note(self.words(stack, stacks)));
+        }
         document.text(
             "Put a heavy body on a light one. In each sweep Gauss-Seidel stops the light body against the \
              ground, then the heavy one against the light one, which gives way; so the light one carries \
@@ -40,7 +43,6 @@ impl View for Plan {
         document.figure(self.figure(&id, stacks));
         if let Some(stack) = self.chosen(stacks) {
             document.figure(self.bars(&id, stack));
-            document.text(self.words(stack, stacks));
             document.table(&format!("{id}_chosen"), self.details(stack));
         }
         document.table(&format!("{id}_theory"), self.theory(stacks));
@@ -315,7 +317,7 @@ impl Plan {
         let solved = by_cost(stack);
         let last = self.tolerances.last().copied().unwrap_or(0.0);
         let mut text = format!(
-            "**So, which solver for {} boxes with a mass ratio of {}?** ",
+            "**Which solver for {} boxes with a mass ratio of {}?** ",
             self.boxes,
             readable(stack.ratio, 3)
         );

@@ -1,7 +1,7 @@
 use indicatif::ProgressBar;
 use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
-use lcplab::report::experiment::Experiment;
+use lcplab::report::experiment::{Experiment, SHIPPED};
 use lcplab::report::kind::KINDS;
 use lcplab::report::page::{Block, Picture, Table};
 use lcplab::report::results::{Part, Results};
@@ -9,6 +9,7 @@ use lcplab::report::study::comparison::{Sample, thinned};
 use lcplab::report::study::convergence;
 use lcplab::report::view::Document;
 use lcplab::report::{methods, run, view, write};
+use lcplab::scene::catalogue::SHIPPED as SHIPPED_SCENES;
 use lcplab::solver::{ALL, Method};
 
 /// Every study once, on scenes that take milliseconds.
@@ -287,5 +288,28 @@ fn the_readme_lists_every_method_and_the_models_it_takes() {
             names => names.join(", "),
         };
         assert!(row.ends_with(&format!("| {solvers} |")), "{model}: {solvers}\n{row}");
+    }
+}
+
+#[test]
+fn the_report_on_scenes_shows_all_but_the_tower() {
+    let report = Experiment::load("scenes").unwrap();
+    let studies = report.sections.iter().filter_map(|section| section.study.as_ref());
+    let mut shown: Vec<String> = studies
+        .map(|study| study.settings()["scene"].as_str().expect("a film's scene").to_string())
+        .collect();
+    shown.push("tower".into());
+    shown.sort();
+    let mut shipped: Vec<&str> = SHIPPED_SCENES.iter().map(|scene| scene.name).collect();
+    shipped.sort();
+    assert_eq!(shown, shipped);
+}
+
+#[test]
+fn every_shipped_report_can_be_read_and_has_a_row_in_the_readme() {
+    for (name, _) in SHIPPED {
+        let report = Experiment::load(name).unwrap();
+        assert!(report.sections.iter().any(|section| section.study.is_some()), "{name}");
+        assert!(include_str!("../../../README.md").contains(&format!("\n| `{name}` |")), "{name}");
     }
 }
