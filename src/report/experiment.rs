@@ -33,7 +33,7 @@ macro_rules! shipped {
 
 /// The reports that lcplab ships, by name.
 pub const SHIPPED: &[(&str, &str)] =
-    shipped!["standard" "solvers" "formulations" "friction" "verification" "storage"];
+    shipped!["standard" "solvers" "formulations" "friction" "verification" "storage" "performance"];
 
 /// A report's description.
 pub struct Experiment {
