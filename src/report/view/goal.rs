@@ -57,7 +57,7 @@ fn row(goal: &Goal) -> Vec<Cell> {
         Some(share) => {
             Cell::text(format!("no, by a factor of {}", readable(share, 3))).marked(Mark::Note)
         }
-        None => Cell::text("nothing to be timed").marked(Mark::Note),
+        None => Cell::text("no: not all was solved").marked(Mark::Note),
     };
     vec![
         Cell::text(&goal.what),

@@ -61,7 +61,8 @@ pub struct Goal {
     pub columns: f64,
     /// A sweep over a scene's contacts (ns a row): at most.
     pub row: f64,
-    /// The time of the natural order in that of eight pairs, to the last of the tolerances: at least.
+    /// The time of the natural order over that of eight pairs, to the smallest of the tolerances
+    /// that both reach: at least.
     pub faster: f64,
 }
 
@@ -206,7 +207,7 @@ struct Form<'a> {
 }
 
 /// The name of the sweep as it is defined.
-pub const PLAIN: &str = "as defined";
+const PLAIN: &str = "as defined";
 
 /// The sweep as it is defined, over the rows of A in this order.
 fn plain<'a>(lcp: &'a Lcp, order: &'a [usize]) -> Box<dyn Sweeper + 'a> {
