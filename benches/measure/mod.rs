@@ -1,50 +1,35 @@
-//! Times side by side: in each round every contender has its turn, so that whatever else the machine
-//! does meets all of them alike. Medians and the best of all rounds; `--test` makes one round.
+//! A study of the library as a benchmark: it runs, and its tables are printed.
 
-use std::time::Instant;
+use lcplab::report::page::{Cell, Table};
+use lcplab::report::view::{Document, View};
 
-/// Something to be timed.
-pub struct Contender<'a> {
-    pub name: String,
-    /// Runs once and says how many seconds of it count.
-    pub run: Box<dyn FnMut() -> f64 + 'a>,
+/// Whether each benchmark is only to run once.
+pub fn is_test() -> bool {
+    std::env::args().any(|argument| argument == "--test")
 }
 
-impl<'a> Contender<'a> {
-    pub fn new(name: impl Into<String>, run: impl FnMut() -> f64 + 'a) -> Self {
-        Contender { name: name.into(), run: Box::new(run) }
-    }
+/// Runs the study's tasks one after the other, then prints what was found out and the times.
+pub fn print<S: View>(study: &S) {
+    let run = |task| study.run(task).unwrap_or_else(|error| panic!("{error}"));
+    let (findings, times): (Vec<_>, Vec<_>) = (0..study.tasks().len()).map(run).unzip();
+    let mut document = Document::of(study, &findings);
+    study.show_times(&times, &mut document);
+    document.tables.iter().for_each(|(_, table)| markdown(table));
+    assert!(study.outcome(&findings).good, "{}", study.outcome(&findings).says);
 }
 
-/// Seconds of one run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Time {
-    pub median: f64,
-    pub best: f64,
-}
-
-/// The times of all contenders, after so many rounds and one to warm up.
-pub fn interleaved(rounds: usize, contenders: &mut [Contender<'_>]) -> Vec<Time> {
-    let rounds = if std::env::args().any(|argument| argument == "--test") { 1 } else { rounds };
-    let mut seconds = vec![Vec::new(); contenders.len()];
-    for round in 0..=rounds {
-        for (contender, seconds) in contenders.iter_mut().zip(&mut seconds) {
-            let elapsed = (contender.run)();
-            if round > 0 {
-                seconds.push(elapsed);
-            }
-        }
-    }
-    let time = |mut all: Vec<f64>| {
-        all.sort_by(f64::total_cmp);
-        Time { median: all[all.len() / 2], best: all[0] }
+fn markdown(table: &Table) {
+    println!("\n{}\n", table.title);
+    let heading = |title: &str, unit: &str| match unit {
+        "" => title.to_string(),
+        unit => format!("{title} ({unit})"),
     };
-    seconds.into_iter().map(time).collect()
+    row(table.columns.iter().map(|column| heading(&column.title, &column.unit)));
+    row(table.columns.iter().map(|_| "---".to_string()));
+    let text = |cell: &Cell| cell.text.clone();
+    table.rows.iter().for_each(|cells| row(cells.iter().map(text)));
 }
 
-/// How long this takes.
-pub fn timed(work: impl FnOnce()) -> f64 {
-    let start = Instant::now();
-    work();
-    start.elapsed().as_secs_f64()
+fn row(cells: impl Iterator<Item = String>) {
+    println!("| {} |", cells.collect::<Vec<_>>().join(" | "));
 }

@@ -19,6 +19,15 @@ pub fn box_qp(lcp: &Lcp) -> Option<Reference> {
 
 /// [`box_qp`] with a limit on clarabel's iterations.
 pub fn box_qp_within(lcp: &Lcp, max_iterations: usize) -> Option<Reference> {
+    Some(program(lcp)?.solve_within(max_iterations))
+}
+
+/// [`box_qp`] to another tolerance on gap and feasibility: 1e-8 is what clarabel asks of itself.
+pub fn box_qp_to(lcp: &Lcp, tolerance: f64) -> Option<Reference> {
+    Some(program(lcp)?.solve_to(tolerance, MAX_ITERATIONS))
+}
+
+fn program(lcp: &Lcp) -> Option<Program> {
     if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
         return None;
     }
@@ -26,5 +35,5 @@ pub fn box_qp_within(lcp: &Lcp, max_iterations: usize) -> Option<Reference> {
     for i in 0..lcp.len() {
         program.bound(i, lcp.lo()[i], lcp.hi()[i]);
     }
-    Some(program.solve_within(max_iterations))
+    Some(program)
 }

@@ -9,7 +9,7 @@ mod cone_qp;
 mod gauss;
 mod program;
 
-pub use box_qp::{box_qp, box_qp_within};
+pub use box_qp::{box_qp, box_qp_to, box_qp_within};
 pub use cone_qp::{cone_qp, cone_qp_within};
 pub use gauss::gauss;
 

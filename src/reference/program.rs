@@ -84,6 +84,10 @@ impl Program {
     }
 
     pub(super) fn solve_within(self, max_iterations: usize) -> Reference {
+        self.solve_to(TOLERANCE, max_iterations)
+    }
+
+    pub(super) fn solve_to(self, tolerance: f64, max_iterations: usize) -> Reference {
         let n = self.linear.len();
         let p = csc(n, n, self.quadratic.into_iter());
         let mut cones = vec![
@@ -100,9 +104,9 @@ impl Program {
         let settings = DefaultSettingsBuilder::default()
             .verbose(false)
             .max_iter(u32::try_from(max_iterations).unwrap_or(u32::MAX))
-            .tol_gap_abs(TOLERANCE)
-            .tol_gap_rel(TOLERANCE)
-            .tol_feas(TOLERANCE)
+            .tol_gap_abs(tolerance)
+            .tol_gap_rel(tolerance)
+            .tol_feas(tolerance)
             .build();
         let solver = settings.map_err(|e| e.to_string()).and_then(|settings| {
             DefaultSolver::new(&p, &self.linear, &g, &h, &cones, settings)

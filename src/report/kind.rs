@@ -49,6 +49,8 @@ pub const KINDS: &[Kind] = &[
     kind::<study::painleve::Plan>(),
     kind::<study::friction_solvers::Plan>(),
     kind::<study::published::Plan>(),
+    kind::<study::singular::Plan>(),
+    kind::<study::sweep_speed::Plan>(),
 ];
 
 const fn kind<S: View + 'static>() -> Kind {

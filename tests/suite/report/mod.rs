@@ -5,6 +5,7 @@ mod formulations;
 mod friction;
 mod ledger;
 mod page;
+mod performance;
 mod published;
 mod rates;
 mod reference;

@@ -1,0 +1,72 @@
+//! A dense problem: eigenvalues 1/n, 2/n, …, 1, and half of the rows free.
+
+use std::hint::black_box;
+
+use super::{COUNTED, Checked, Finding, Form, On, Plan, Started, Times, clocked};
+use crate::error::Result;
+use crate::lcp::{Lcp, Matrix, library};
+use crate::report::study::timing::{Contender, timed};
+use crate::solver::kernel::Width;
+use crate::solver::kernel::dense::{Columns, Rows, read};
+
+/// The name of the form by rows.
+pub const ROWS: &str = "by rows";
+/// The name of the form by columns.
+pub const COLUMNS: &str = "by columns";
+
+pub(super) fn measure(plan: &Plan, problem: String, n: usize) -> Result<(Finding, Times)> {
+    let (a, lcp) = posed(n)?;
+    let order: Vec<usize> = (0..n).collect();
+    let forms = [Form::plain(&lcp, &order), by_rows(&lcp, &order), by_columns(&lcp, &order)];
+    let checked: Result<Vec<Checked>> = forms.iter().map(|form| form.checked(&lcp)).collect();
+    let finding = Finding {
+        problem: problem.clone(),
+        rows: n,
+        stored: lcp.matrix().stored(),
+        tolerances: Vec::new(),
+        forms: checked?,
+    };
+    let one_read = Contender::new(|| {
+        let once = |_| _ = black_box(read(black_box(&a), Width::widest()));
+        timed(|| (0..COUNTED).for_each(once))
+    });
+    let (others, runs) = clocked(plan, &forms, &finding, vec![one_read]);
+    let read = others.first().copied();
+    Ok((finding, Times { problem, rows: n, read, tolerances: Vec::new(), runs }))
+}
+
+/// The entries of A once more, and the problem.
+fn posed(n: usize) -> Result<(Vec<f64>, Lcp)> {
+    let lcp = library::by_name("pd")?.generate(&[("n", n as f64)])?.lcp;
+    let dense = lcp.matrix().to_dense();
+    let matrix = Matrix::from(dense.as_view());
+    let lcp = Lcp::new(matrix, lcp.b().to_vec(), lcp.lo().to_vec(), lcp.hi().to_vec())?;
+    Ok((dense.as_slice().to_vec(), lcp))
+}
+
+fn by_rows<'a>(lcp: &'a Lcp, order: &[usize]) -> Form<'a> {
+    let start = move |width| -> Started<'a> {
+        let rows = Rows::of(lcp, 1.0, width)?;
+        let sweep = move |x: &mut [f64]| rows.sweep(x);
+        Ok(Box::new(On { x: vec![0.0; lcp.len()], sweep }))
+    };
+    form(ROWS, order, start)
+}
+
+fn by_columns<'a>(lcp: &'a Lcp, order: &[usize]) -> Form<'a> {
+    let start = move |width| -> Started<'a> {
+        let mut columns = Columns::of(lcp, 1.0, width)?;
+        let sweep = move |x: &mut [f64]| _ = columns.sweep(x);
+        Ok(Box::new(On { x: vec![0.0; lcp.len()], sweep }))
+    };
+    form(COLUMNS, order, start)
+}
+
+fn form<'a>(
+    name: &'static str,
+    order: &[usize],
+    start: impl Fn(Width) -> Started<'a> + 'a,
+) -> Form<'a> {
+    let widths = Width::available().collect();
+    Form { name, widths, order: order.to_vec(), start: Box::new(start) }
+}
