@@ -32,12 +32,12 @@ impl View for Plan {
             "two bodies",
         );
         document.text(
-            "Ten times the ratio, about ten times the sweeps. For a stack of boxes ρ is the largest eigenvalue \
+            "For large r, ten times the ratio takes ten times the sweeps. For a stack of boxes ρ is the largest eigenvalue \
              below 1 of the iteration matrix, and between two precisions lie",
         );
         document.equation(
             "k = \\frac{\\ln(\\varepsilon_2/\\varepsilon_1)}{\\ln\\rho} \\text{ sweeps}",
-            "whatever the start",
+            "at the slowest rate",
         );
         let id = section_id(document);
         document.figure(self.figure(&id, stacks));
@@ -148,8 +148,8 @@ impl Plan {
             caption: format!(
                 "Above two bodies, below {} boxes with friction, the top one r times as heavy. Sweeps grow \
                  with r: for two bodies along the dashed line, $k = \\ln(2(1 + r)\\varepsilon) / \\ln\\rho$, \
-                 for boxes at most as $\\ln\\varepsilon / \\ln\\rho$. A point that is missing is a failure \
-                 (see the tables). The lines that stay low do not care for the ratio: what they pay for it is the \
+                 for boxes at most as $\\ln\\varepsilon / \\ln\\rho$. Shown are the best of each kind; a point that is \
+                 missing is a failure (see the tables), and one may hide under another. The lines that stay low do not care for the ratio: what they pay for it is the \
                  price of their iterations, in the bars below.",
                 self.boxes
             ),

@@ -19,7 +19,8 @@ impl View for Plan {
             "{} cubes of 1 m stand on each other; the top one is $r$ times as heavy as the others. The \
              ground must carry all of them, but a sweep hands a load down only little by little, and \
              less the lighter the cubes are that must pass it on. What is not yet handed on when the \
-             sweeps end is not carried, and what is not carried falls. A start from the impulses of \
+             sweeps end is not carried, and what is not carried falls. Overlap is pushed out again (β), and \
+             a light cube under a heavy one too hard: the stack is thrown. A start from the impulses of \
              the step before (*warm*) lets the sweeps go on where they stopped; without it (*from 0*) \
              every step makes the same mistake again. Errors of position are fed back \
              ($\\beta = 0.2$) in all runs.",
@@ -30,7 +31,8 @@ impl View for Plan {
         for finding in findings {
             if let Some(footage) = &finding.footage {
                 let caption = format!(
-                    "The stack with a top {} times as heavy, by each solver at the same instants.",
+                    "The stack with a top {} times as heavy, by each solver at the same instants. Play it: a load that is \
+                     carried stays where it is.",
                     readable(finding.ratio, 4)
                 );
                 document.footage(footage, &caption);
@@ -50,7 +52,8 @@ fn figure(settings: &Plan, findings: &[Finding]) -> Lines {
     Lines {
         id: "sinking".into(),
         title: format!("Deepest overlap in a stack of {}", settings.boxes),
-        caption: "From above: heavier and heavier tops. Mind the scales.".into(),
+        caption: "One panel a mass ratio, the heaviest load at the bottom; mind the scales. A stack that is carried \
+                  stays at 0.".into(),
         x: Axis::linear("time", "s"),
         panels: findings.iter().map(panel).collect(),
     }
@@ -63,7 +66,7 @@ fn table(findings: &[Finding]) -> Table {
         how_to_read: format!(
             "*carried*: the force of the ground, in parts of the weight of all cubes; it should be 1 in \
              every step. *sweeps*: or pivots, mean over the steps. *top*: where the heavy cube is at the end. *sinks*: the deepest overlap is over \
-             {} mm.",
+             {} mm; *is thrown up*: the top ends higher than it began by more than that.",
             readable(VISIBLE, 2)
         ),
         columns: vec![
@@ -89,6 +92,7 @@ fn cells(ratio: f64, run: &Run) -> Vec<Cell> {
         None if run.top.iter().any(|way| way.abs() > FALLEN) => {
             Cell::text("falls over").marked(Mark::Bad)
         }
+        None if -1e3 * run.top[0] > VISIBLE => Cell::text("is thrown up").marked(Mark::Bad),
         None if 1e3 * history.penetration > VISIBLE => Cell::text("sinks").marked(Mark::Bad),
         None => Cell::text("stands").marked(Mark::Good),
     };

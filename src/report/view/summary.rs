@@ -23,7 +23,7 @@ pub(super) fn show(results: &Results, document: &mut Document) -> Result<()> {
         (!says.is_empty()).then_some(row)
     });
     let table = Table {
-        title: "All of it in one table".into(),
+        title: "The checks, section by section".into(),
         how_to_read: "A row a section; what is behind the numbers stands there.".into(),
         columns: vec![Column::words("section"), Column::words("result"), Column::words("outcome")],
         rows: rows.collect(),
