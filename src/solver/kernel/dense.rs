@@ -253,7 +253,7 @@ fn add<V: Lanes>(factor: f64, x: &[f64], y: &mut [f64]) {
 }
 
 /// The sum of all numbers: one pass over memory, beside which sweeps are timed. It is a yardstick and
-/// no lower bound, for its additions wait for each other; a sweep by rows can take less.
+/// no lower bound: a sweep by rows has been measured to take less.
 pub fn read(numbers: &[f64], width: Width) -> f64 {
     width.run(Read(numbers))
 }
