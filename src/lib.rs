@@ -37,6 +37,10 @@
 
 pub mod error;
 
+pub mod memory;
+
+pub mod file;
+
 pub mod body;
 
 pub mod constraint;

@@ -48,13 +48,13 @@ pub struct Explain {
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     from: Option<u64>,
     /// How many steps of a scene are explained; 1 without it
-    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     steps: Option<u64>,
     /// Largest scaled residual that counts as solved
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Relaxation factor of sor, above 0 and below 2
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     omega: Option<f64>,
     #[command(flatten)]
     writing: Writing,

@@ -8,6 +8,7 @@ use lcplab::report::study::families;
 use lcplab::report::{methods, text, view};
 use lcplab::solver::Method;
 
+use super::limits::Limits;
 use super::options::SolverArgs;
 use super::{Outcome, print};
 
@@ -32,7 +33,7 @@ pub struct CompareSolvers {
     #[arg(long)]
     model: Vec<Model>,
     /// Problems of each family that has a seed: the seeds 1 to this
-    #[arg(long, default_value_t = 3)]
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     seeds: u32,
     /// Print one JSON object
     #[arg(long)]
@@ -42,7 +43,7 @@ pub struct CompareSolvers {
 }
 
 impl CompareSolvers {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         let families: Vec<&dyn Family> = match self.families.as_slice() {
             [] => library::all().collect(),
             names => names.iter().map(|name| library::by_name(name)).collect::<Result<_>>()?,
@@ -61,8 +62,11 @@ impl CompareSolvers {
         let models = if self.model.is_empty() { &Model::ALL } else { self.model.as_slice() };
         let methods = self.methods()?;
         let options = self.settings.options(&methods)?;
-        let rows = families::run(&families, models, &methods, &options, self.seeds);
-        if rows.is_empty() {
+        let stop = limits.stop();
+        let rows = families::run(&families, models, &methods, &options, self.seeds, stop);
+        let stopped = stop.reason();
+        limits.over();
+        if rows.is_empty() && stopped.is_none() {
             let reason = "no solver that is named takes any of these families, so modelled";
             return Err(Error::invalid("options", "--solver", reason));
         }
@@ -72,7 +76,11 @@ impl CompareSolvers {
             print(&text::table(&view::families_table(&rows)))?;
         }
         let wrong = rows.iter().any(families::Row::is_wrong);
-        Ok(if wrong { Outcome::Refuted } else { Outcome::Good })
+        Ok(match stopped {
+            Some(reason) => Outcome::Stopped(reason),
+            None if wrong => Outcome::Refuted,
+            None => Outcome::Good,
+        })
     }
 
     /// The methods of these names, of boxes and of cones; all methods without names.

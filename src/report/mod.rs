@@ -16,6 +16,7 @@ pub mod results;
 pub mod run;
 pub mod study;
 pub mod sweep;
+mod tasks;
 pub mod text;
 pub mod view;
 pub mod write;

@@ -35,6 +35,7 @@ use super::iterate::iterate;
 use super::metric::Metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// The part of the way to the nearest bound that a step may use.
 const STAY_INSIDE: f64 = 0.995;
@@ -63,6 +64,10 @@ impl Solver for InteriorPoint {
             Ok(metric) => metric,
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
+        let entries = Envelope::entries(lcp.matrix());
+        if let Some(status) = self.settings.refusal(Memory::numbers(entries).times(2)) {
+            return Solution::new(lcp, x, status, 0); // the room and its copy that is filled
+        }
         let Some(room) = Envelope::of(lcp.matrix(), MAX_ENTRIES) else {
             let reason = "a factor of more than 32 million entries";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);

@@ -40,6 +40,7 @@ use super::{
     frozen, pivoting,
 };
 use crate::lcp::{Lcp, merit};
+use crate::memory::Memory;
 
 /// A pivot below this part of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;
@@ -63,7 +64,7 @@ impl Solver for Lemke {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if let Some(status) = pivoting::at_once(lcp, &x, &self.settings, observer) {
+        if let Some(status) = pivoting::at_once(lcp, &x, tableaux(lcp), &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
         frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
@@ -263,6 +264,16 @@ impl<'a> Path<'a> {
         let better = |a: &Vec<f64>, b: &Vec<f64>| residual(a).total_cmp(&residual(b));
         candidates.into_iter().flatten().min_by(better).unwrap_or_default() // the first of equals
     }
+}
+
+/// Room for three tableaux: the first, the one that is pivoted, and one to make that anew. A row with
+/// two bounds has two rows in them, and a coupled one has two bounds.
+fn tableaux(lcp: &Lcp) -> Memory {
+    let is_coupled = |i: usize| lcp.coupling().is_some_and(|coupling| coupling.index(i).is_some());
+    let is_boxed =
+        |&i: &usize| is_coupled(i) || (lcp.lo()[i].is_finite() && lcp.hi()[i].is_finite());
+    let rows = lcp.len() + (0..lcp.len()).filter(is_boxed).count();
+    Memory::square(rows + 1).times(3)
 }
 
 /// Keeps the rows whose key is least, ties included.

@@ -68,6 +68,7 @@ mod settings;
 mod solution;
 pub mod spectral;
 mod standard_form;
+mod stop;
 pub mod theory;
 
 pub use admm::Admm;
@@ -95,6 +96,7 @@ pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};
 pub use spectral::Spectral;
 pub use standard_form::Variable;
+pub use stop::{Reason, Stop, Watched};
 
 use crate::lcp::{Complementarity, Lcp};
 

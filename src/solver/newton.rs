@@ -39,6 +39,7 @@ use super::iterate::iterate;
 use super::metric::Metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status};
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// Halvings of a step before a sweep is taken instead.
 const HALVINGS: i32 = 12;
@@ -84,6 +85,9 @@ impl Solver for Newton {
         if lcp.len() > MAX_ROWS {
             let reason = "a dense Jacobian of more than 2000 rows";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+        }
+        if let Some(status) = self.settings.refusal(Memory::square(lcp.len()).times(4)) {
+            return Solution::new(lcp, x, status, 0); // the 2n × n least-squares problem and its factors
         }
         let metric = match Metric::of(lcp) {
             Ok(metric) => metric,

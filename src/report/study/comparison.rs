@@ -14,7 +14,7 @@ use crate::formulation::friction_model;
 use crate::lcp::friction::Model;
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
-use crate::solver::{ALL, CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, entry};
+use crate::solver::{ALL, CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, Stop, entry};
 
 /// Scenes stepped by solvers at both levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -180,22 +180,23 @@ pub fn compare(
 ) -> (Comparison, Vec<Timing>) {
     let cones = CONES.iter().copied().map(Method::Cone);
     let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
-    compare_families(scene, &Formulation::LEVELS, &methods, steps, progress)
+    compare_families(scene, &Formulation::LEVELS, &methods, steps, progress, &Stop::default())
 }
 
 /// The same by these families and methods: those of the methods that take the scene's model of
 /// friction, and one run each for families that solve no LCP. A family that does not know the model
-/// is left out.
+/// is left out. When it is time to stop, a run ends with the steps that it has taken.
 pub fn compare_families(
     scene: &Scene,
     families: &[Formulation],
     methods: &[Method],
     steps: usize,
     progress: &ProgressBar,
+    stop: &Stop,
 ) -> (Comparison, Vec<Timing>) {
     let pairs = contenders(scene, families, methods);
     let run = |&(formulation, solver): &(Formulation, Method)| {
-        let result = run(&at_level(scene, formulation), &solver, steps);
+        let result = run(&at_level(scene, formulation), &solver, steps, stop);
         progress.inc(1);
         result
     };
@@ -233,7 +234,7 @@ pub fn contenders(
     able.flat_map(|&family| of(family).into_iter().map(move |method| (family, method))).collect()
 }
 
-fn run(scene: &Scene, solver: &Method, steps: usize) -> (Run, Timing) {
+fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timing) {
     let formulation = scene.step.formulation.name().to_string();
     let mut run = Run {
         formulation: formulation.clone(),
@@ -250,20 +251,20 @@ fn run(scene: &Scene, solver: &Method, steps: usize) -> (Run, Timing) {
         motion: Vec::new(),
     };
     let simulation = simulation_by(scene, solver);
-    let seconds = step_through(simulation, steps, &mut run);
+    let seconds = step_through(simulation, steps, stop, &mut run);
     let (scene, solver) = (scene.name.clone(), solver.name().to_string());
     let timing = Timing { scene, formulation, solver, steps: run.steps, seconds };
     (run, timing)
 }
 
 /// Takes the steps; returns the seconds spent on them.
-fn step_through(mut simulation: Simulation, steps: usize, run: &mut Run) -> f64 {
+fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut Run) -> f64 {
     let tolerance = simulation.scene().solver.tolerance;
     run.motion.push(Sample::from(&simulation.motion()));
     let mut seconds = 0.0;
     for _ in 0..steps {
         let start = Instant::now();
-        let step = simulation.step();
+        let step = simulation.step_before(stop);
         seconds += start.elapsed().as_secs_f64();
         match step {
             Ok(step) => run.record(&step, tolerance),

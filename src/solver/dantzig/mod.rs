@@ -43,10 +43,11 @@ use super::{
     frozen,
 };
 use crate::lcp::{Lcp, merit};
+use crate::memory::Memory;
 
 /// Rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 20;
-/// Above this many rows the dense factor would not fit.
+/// Above this many rows a dense factor takes too long.
 const MAX_ROWS: usize = 8_000;
 
 /// Dantzig's pivoting method with an updated L D Lᵀ factorisation.
@@ -66,6 +67,9 @@ impl Solver for Dantzig {
         if lcp.len() > MAX_ROWS {
             let reason = "a dense factor of more than 8000 rows";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+        }
+        if let Some(status) = self.settings.refusal(Memory::square(lcp.len())) {
+            return Solution::new(lcp, x, status, 0); // two triangles: a factor, and one made anew
         }
         if !lcp.matrix().is_symmetric() {
             let reason = "A is not symmetric";
