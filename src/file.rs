@@ -94,6 +94,8 @@ fn folder_of(path: &Path) -> PathBuf {
 
 /// What the operating system said, without the temporary file's name.
 fn plain(cause: io::Error) -> io::Error {
-    let inner = cause.get_ref().and_then(|wrapped| wrapped.source()).map(ToString::to_string);
-    inner.map_or(cause, io::Error::other)
+    match cause.raw_os_error() {
+        Some(_) => cause,
+        None => cause.kind().into(),
+    }
 }

@@ -11,12 +11,14 @@ use std::time::Duration;
 
 use clap::Args;
 use lcplab::memory::Memory;
+use lcplab::report::aside::GRACE;
 use lcplab::solver::{Reason, Stop};
 
 use super::{code, say};
 
-/// What cannot be cut short, such as a factorisation, has so much time to come to its end.
-const GRACE: Duration = Duration::from_secs(2);
+/// How long after the limit a command that asks is still waited for: it waits itself for what cannot
+/// be cut short, such as a factorisation, and then has to write.
+const PATIENCE: Duration = GRACE.saturating_mul(2);
 
 /// How long a command may take.
 #[derive(Debug, Args)]
@@ -62,13 +64,15 @@ impl Limits {
     /// ends at once.
     pub fn stop(&self) -> &Stop {
         self.asks.store(true, Ordering::Relaxed);
-        let stop = self.stop.clone();
+        let (stop, mut was_asked) = (self.stop.clone(), false);
         // Without a handler Ctrl-C ends at once.
         let _ = ctrlc::set_handler(move || {
-            if stop.raise() {
+            if was_asked {
                 process::exit(code(Reason::Interrupted).into());
             }
+            was_asked = true;
             say("stopping; Ctrl-C again ends at once");
+            stop.raise();
         });
         &self.stop
     }
@@ -83,7 +87,7 @@ impl Limits {
 fn guard(limit: Duration, asks: &AtomicBool, is_over: &AtomicBool) {
     thread::sleep(limit);
     if asks.load(Ordering::Relaxed) {
-        thread::sleep(GRACE);
+        thread::sleep(PATIENCE);
     }
     if !is_over.load(Ordering::Relaxed) {
         let reason = Reason::TimeLimit(limit);

@@ -21,7 +21,7 @@ mod verify;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use lcplab::error::{Error, Result};
 use lcplab::solver::Reason;
 
@@ -147,7 +147,8 @@ fn say(line: &str) {
 fn bar(length: u64, message: &str) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(length).with_style(style).with_message(message.to_string())
+    let bar = ProgressBar::new(length).with_style(style).with_message(message.to_string());
+    bar.with_finish(ProgressFinish::AndClear) // also where an error ends the work
 }
 
 /// A number of threads.

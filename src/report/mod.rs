@@ -3,6 +3,7 @@
 //! [`write`](mod@write) puts it on disk; [`difference`] says what changed between two runs.
 
 pub mod answer;
+pub mod aside;
 pub mod clarabel;
 pub mod difference;
 pub mod experiment;

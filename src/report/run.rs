@@ -46,7 +46,7 @@ pub fn run(
         Some(study.run(task))
     };
     let mut saved = Instant::now();
-    Tasks { together, alone }.run(stop, work, |(section, task), ended| {
+    Tasks { together, alone, grace: Duration::ZERO }.run(stop, work, |(section, task), ended| {
         if let Some(ended) = ended {
             results.note(section, task, ended);
         }

@@ -49,9 +49,9 @@ impl Stop {
         Stop { deadline, ..Stop::default() }
     }
 
-    /// Raises the flag; says whether it was raised before.
-    pub fn raise(&self) -> bool {
-        self.raised.swap(true, Ordering::Relaxed)
+    /// Raises the flag.
+    pub fn raise(&self) {
+        self.raised.store(true, Ordering::Relaxed);
     }
 
     /// Why to stop, if it is time to.

@@ -70,8 +70,10 @@ impl Compare {
         let progress = bar(contenders.len() as u64, &scene.name);
         let stop = limits.stop();
         let (comparison, timings) =
-            comparison::compare_families(&scene, &families, &solvers, steps, &progress, stop);
-        let stopped = stop.reason().filter(|_| comparison.runs.iter().any(|run| run.steps < steps));
+            comparison::compare_families(&scene, &families, &solvers, steps, &progress, stop)?;
+        let is_whole = comparison.runs.len() == contenders.len()
+            && comparison.runs.iter().all(|run| run.steps == steps);
+        let stopped = stop.reason().filter(|_| !is_whole);
         limits.over();
         progress.finish_and_clear();
         if self.json {

@@ -40,9 +40,11 @@ impl Export {
             match simulation.step_before(stop) {
                 Ok(step) => last = step.solves.into_iter().next_back(),
                 Err(failure) => {
+                    if let Some(reason) = failure.cause.stopped() {
+                        return Ok(Outcome::Stopped(reason));
+                    }
                     say(&format!("error: {}: {failure}", scene.name));
-                    let stopped = failure.cause.stopped().map(Outcome::Stopped);
-                    return Ok(stopped.unwrap_or(Outcome::Refuted));
+                    return Ok(Outcome::Refuted);
                 }
             }
         }

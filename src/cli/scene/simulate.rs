@@ -7,10 +7,12 @@ use lcplab::error::Result;
 use lcplab::file;
 use lcplab::plot::Figure;
 use lcplab::plot::scene::{Film, Frame, Strip, Take, instants};
+use lcplab::report::aside::{Aside, GRACE};
 use lcplab::report::recording::Record;
 use lcplab::report::view;
 use lcplab::scene::Scene;
-use lcplab::simulation::{Failure, Simulation, Step};
+use lcplab::simulation::{Cause, Failure, Simulation, Step};
+use lcplab::solver::Stop;
 
 use super::SceneArgs;
 use crate::cli::limits::Limits;
@@ -49,7 +51,7 @@ pub struct Simulate {
 impl Simulate {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         let scene = self.scene.load()?;
-        let mut simulation = self.scene.simulation(&scene)?;
+        let simulation = self.scene.simulation(&scene)?;
         let steps = self.steps.unwrap_or(scene.step.count);
         let mut record = Record::start(&scene, &simulation);
         if self.out.is_some() {
@@ -60,47 +62,73 @@ impl Simulate {
             instants: self.instants(steps, self.frames as usize),
             take: Take::start(scene.solver.name.clone(), &simulation),
             frames: vec![Frame::start(&scene)],
+            last: Frame::start(&scene),
         };
-        let progress = bar(steps as u64, &scene.name);
-        let (stop, mut failure) = (limits.stop(), None);
-        for _ in 0..steps {
-            match simulation.step_before(stop) {
-                Ok(step) => {
-                    record.add(&step);
-                    camera.look(&scene, &step);
-                    progress.inc(1);
-                }
-                Err(why) => {
-                    camera.end(&simulation, &why);
-                    failure = Some(why);
-                    break;
-                }
-            }
-            if let Err(full) = scene.memory.check(recorded(record.steps()), record.memory()) {
-                record.cut(&full.to_string());
-                break;
-            }
-        }
+        let failure = self.record(steps, simulation, limits.stop(), &mut record, &mut camera);
         limits.over();
-        progress.finish_and_clear();
         if let Some(failure) = &failure {
             record.end(failure);
-        }
-        if let Some(folder) = &self.out {
-            record.write(folder)?;
-            let Camera { take, frames, .. } = camera;
-            let page = view::simulation_page(Film::new("film", &scene, vec![take]), &record);
-            file::write(&folder.join("index.html"), &page.render()?)?;
-            let strip = Strip::new(&scene, frames);
-            let strip = if self.forces { strip.with_forces() } else { strip };
-            file::write(&folder.join("frames.svg"), &strip.svg())?;
+            camera.end(failure);
         }
         print(&if self.json { format!("{}\n", record.summary()) } else { record.text() })?;
+        self.write(&scene, &record, camera)?;
         Ok(match failure.and_then(|failure| failure.cause.stopped()) {
             Some(reason) => Outcome::Stopped(reason),
             None if record.is_good() => Outcome::Good,
             None => Outcome::Refuted,
         })
+    }
+
+    /// Records the steps; returns why they ended early. They are taken on a thread of their own: one
+    /// that cannot be cut short in time is left behind, and those before it are not lost.
+    fn record(
+        &self,
+        steps: usize,
+        mut simulation: Simulation,
+        stop: &Stop,
+        record: &mut Record,
+        camera: &mut Camera,
+    ) -> Option<Failure> {
+        let scene = simulation.scene().clone();
+        let (progress, asked) = (bar(steps as u64, &scene.name), stop.clone());
+        let taken = Aside::begin(stop, GRACE, move |sender| {
+            for _ in 0..steps {
+                let step = simulation.step_before(&asked);
+                let is_last = step.is_err();
+                if sender.send(step).is_err() || is_last {
+                    break;
+                }
+            }
+        });
+        for step in taken {
+            match step {
+                Ok(step) => {
+                    record.add(&step);
+                    camera.look(&scene, &step);
+                    progress.inc(1);
+                }
+                Err(failure) => return Some(failure),
+            }
+            let what = || format!("the record of {} steps", record.steps());
+            if let Err(full) = scene.memory.check(what(), record.memory()) {
+                record.cut(&full.to_string());
+                return None;
+            }
+        }
+        let (step, time) = (record.steps() + 1, camera.last.time);
+        let is_left_behind = record.steps() < steps;
+        is_left_behind.then(|| Failure { step, time, cause: Cause::Stopped(stop.reason()) })
+    }
+
+    /// Writes the folder, if one is wanted.
+    fn write(&self, scene: &Scene, record: &Record, camera: Camera) -> Result<()> {
+        let Some(folder) = &self.out else { return Ok(()) };
+        record.write(folder)?;
+        let page = view::simulation_page(Film::new("film", scene, vec![camera.take]), record);
+        file::write(&folder.join("index.html"), &page.render()?)?;
+        let strip = Strip::new(scene, camera.frames);
+        let strip = if self.forces { strip.with_forces() } else { strip };
+        file::write(&folder.join("frames.svg"), &strip.svg())
     }
 
     /// The steps after which to look; none if no picture is wanted.
@@ -120,6 +148,8 @@ struct Camera {
     instants: Vec<usize>,
     take: Take,
     frames: Vec<Frame>,
+    /// The last instant, without forces.
+    last: Frame,
 }
 
 impl Camera {
@@ -130,14 +160,12 @@ impl Camera {
         if self.instants.binary_search(&step.number).is_ok() {
             self.frames.push(Frame::after(scene, step));
         }
+        self.last.time = step.motion.time;
+        self.last.states.clone_from(&step.states);
     }
 
-    fn end(&mut self, simulation: &Simulation, why: &Failure) {
+    fn end(&mut self, why: &Failure) {
         self.take.end(Some(why));
-        self.frames.push(Frame::now(simulation));
+        self.frames.push(self.last.clone());
     }
-}
-
-fn recorded(steps: usize) -> String {
-    format!("the record of {steps} steps")
 }

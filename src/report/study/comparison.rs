@@ -1,5 +1,6 @@
 //! One scene, stepped by every solver, at both levels or by any family, each answer judged.
 
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 use indicatif::ProgressBar;
@@ -12,6 +13,8 @@ use crate::certificate::Demand;
 use crate::error::Result;
 use crate::formulation::friction_model;
 use crate::lcp::friction::Model;
+use crate::report::aside::GRACE;
+use crate::report::tasks::Tasks;
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
 use crate::solver::{ALL, CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, Stop, entry};
@@ -180,12 +183,22 @@ pub fn compare(
 ) -> (Comparison, Vec<Timing>) {
     let cones = CONES.iter().copied().map(Method::Cone);
     let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
-    compare_families(scene, &Formulation::LEVELS, &methods, steps, progress, &Stop::default())
+    let pairs = contenders(scene, &Formulation::LEVELS, &methods);
+    let runs = pairs.par_iter().map(|&(formulation, solver)| {
+        let ended = run(&at_level(scene, formulation), &solver, steps, &Stop::default());
+        progress.inc(1);
+        ended
+    });
+    of_runs(scene, steps, runs.collect())
 }
 
 /// The same by these families and methods: those of the methods that take the scene's model of
 /// friction, and one run each for families that solve no LCP. A family that does not know the model
-/// is left out. When it is time to stop, a run ends with the steps that it has taken.
+/// is left out. When it is time to stop, runs end with the steps that they have taken, and no more
+/// begin.
+///
+/// # Errors
+/// If there are no threads to run on.
 pub fn compare_families(
     scene: &Scene,
     families: &[Formulation],
@@ -193,14 +206,24 @@ pub fn compare_families(
     steps: usize,
     progress: &ProgressBar,
     stop: &Stop,
-) -> (Comparison, Vec<Timing>) {
-    let pairs = contenders(scene, families, methods);
-    let run = |&(formulation, solver): &(Formulation, Method)| {
-        let result = run(&at_level(scene, formulation), &solver, steps, stop);
-        progress.inc(1);
-        result
+) -> Result<(Comparison, Vec<Timing>)> {
+    let pairs: Vec<_> = contenders(scene, families, methods).into_iter().enumerate().collect();
+    let (own, asked) = (scene.clone(), stop.clone());
+    let work = move |&(_, (formulation, solver)): &(usize, (Formulation, Method))| {
+        run(&at_level(&own, formulation), &solver, steps, &asked)
     };
-    let (runs, timings) = pairs.par_iter().map(run).unzip();
+    let mut ended = BTreeMap::new();
+    Tasks { together: pairs, alone: Vec::new(), grace: GRACE }.run(stop, work, |(k, _), run| {
+        ended.insert(k, run);
+        progress.inc(1);
+        Ok(())
+    })?;
+    Ok(of_runs(scene, steps, ended.into_values().collect()))
+}
+
+/// The comparison of these runs.
+fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Comparison, Vec<Timing>) {
+    let (runs, timings) = ended.into_iter().unzip();
     let comparison = Comparison {
         scene: scene.name.clone(),
         title: scene.title.clone(),

@@ -1,6 +1,7 @@
 //! The folder of a sweep's results: the plan, and one file a task, each written whole or not at all.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use indicatif::ProgressBar;
 use serde::{Deserialize, Serialize};
@@ -113,7 +114,7 @@ impl Folder {
         progress.set_length(self.plan.tasks.len() as u64);
         progress.set_position((self.plan.tasks.len() - missing.len()) as u64);
         let (folder, mut done) = (self.clone(), 0);
-        let tasks = Tasks { together: missing, alone: Vec::new() };
+        let tasks = Tasks { together: missing, alone: Vec::new(), grace: Duration::ZERO };
         tasks.run(
             stop,
             move |task| folder.done(task),

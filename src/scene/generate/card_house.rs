@@ -32,7 +32,8 @@ const PITCH: f64 = 1.1;
 impl Structure for CardHouse {
     fn bodies(&self) -> usize {
         let n = self.levels;
-        n.saturating_mul(n.saturating_add(1)) + n.saturating_mul(n.saturating_sub(1)) / 2
+        let upright = n.saturating_mul(n.saturating_add(1));
+        upright.saturating_add(n.saturating_mul(n.saturating_sub(1)) / 2)
     }
 
     fn numbers(&self) -> Vec<(&'static str, f64)> {
