@@ -14,6 +14,7 @@ mod problem;
 mod report;
 mod scene;
 mod sweep;
+mod trial;
 mod verify;
 
 use std::process::ExitCode;
@@ -49,6 +50,7 @@ enum Command {
     Lesson(lesson::Lesson),
     Exercise(lesson::Answer),
     Verify(verify::Verify),
+    Trial(trial::Challenge),
 }
 
 /// How a command ended, other than by bad input.
@@ -78,6 +80,7 @@ pub fn run() -> ExitCode {
         Command::Lesson(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Verify(command) => command.run(),
+        Command::Trial(command) => command.run(),
     };
     match result {
         Ok(Outcome::Good) => ExitCode::SUCCESS,
