@@ -43,7 +43,7 @@ pub const KINDS: &[Kind] = &[
     Kind {
         name: "copies",
         about: "every row twice, the copies up to 10⁻⁹ apart",
-        make: |random| contacts(random).doubled(random),
+        make: |random| contacts_of(random, 3).doubled(random),
     },
     Kind {
         name: "nearly-singular",
@@ -98,9 +98,6 @@ impl Random {
         list[self.whole(0, list.len() as i64 - 1) as usize]
     }
 
-    fn rows(&mut self) -> usize {
-        self.whole(1, 5) as usize
-    }
 }
 
 /// A problem under way.
@@ -205,7 +202,12 @@ impl Numbers {
 /// JJᵀ of a J with one to n columns of whole numbers; b in the range of J for two thirds of the
 /// problems, so that a solution exists whatever the rank.
 fn contacts(random: &mut Random) -> Numbers {
-    let n = random.rows();
+    contacts_of(random, 5)
+}
+
+/// The same with so many rows at most.
+fn contacts_of(random: &mut Random, most: i64) -> Numbers {
+    let n = random.whole(1, most) as usize;
     let columns = random.whole(1, n as i64) as usize;
     let j: Vec<Vec<f64>> =
         (0..n).map(|_| (0..columns).map(|_| random.number(2)).collect()).collect();
@@ -243,7 +245,7 @@ fn dominant(random: &mut Random) -> Numbers {
 }
 
 fn any(random: &mut Random) -> Numbers {
-    let n = random.rows();
+    let n = random.whole(1, 5) as usize;
     let a = (0..n).map(|_| (0..n).map(|_| random.number(3)).collect()).collect();
     let b = (0..n).map(|_| random.number(3)).collect();
     Numbers::new(a, b)
