@@ -57,7 +57,8 @@ impl Challenge {
 
     fn words(&self, record: &Record) -> String {
         let mut words = text::table(&table(record));
-        words += &format!("{} problems of {} kinds, seed {}", record.problems, KINDS.len(), self.seed);
+        words +=
+            &format!("{} problems of {} kinds, seed {}", record.problems, KINDS.len(), self.seed);
         let lied: usize = record.tallies.iter().map(|tally| tally.lied).sum();
         words += &format!(": {lied} untrue claims\n");
         for tally in &record.tallies {

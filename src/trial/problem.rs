@@ -97,7 +97,6 @@ impl Random {
     fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
         list[self.whole(0, list.len() as i64 - 1) as usize]
     }
-
 }
 
 /// A problem under way.

@@ -7,13 +7,8 @@ use std::path::{Path, PathBuf};
 
 /// Modules by row; physics left, numbers right, both from row 5 on.
 const PHYSICS: [&[&str]; 5] = [&["error"], &["body"], &["constraint"], &["scene"], &["assembly"]];
-const NUMBERS: [&[&str]; 5] = [
-    &["error"],
-    &["lcp"],
-    &["solver", "reference", "storage"],
-    &["certificate"],
-    &["trial"],
-];
+const NUMBERS: [&[&str]; 5] =
+    [&["error"], &["lcp"], &["solver", "reference", "storage"], &["certificate"], &["trial"]];
 const BOTH: [&[&str]; 8] = [
     &["formulation"],
     &["simulation"],
