@@ -45,8 +45,8 @@ pub fn prove(lcp: &Lcp, x: &[f64], w: &[f64]) -> Option<Proof> {
             Side::Free => x[i].clamp(lcp.lo()[i], lcp.hi()[i]),
         })
         .collect();
-    if !fixed.iter().all(|x| x.is_finite()) {
-        return None; // a w beyond all numbers has pushed its row to a bound at infinity
+    if fixed.iter().any(|x| !x.is_finite()) {
+        return None; // w_i/s_i is too large for a number, and the bound on that side infinite
     }
     let free: Vec<usize> = (0..lcp.len()).filter(|&i| sides[i] == Side::Free).collect();
     let (rows, unknowns) = independent(lcp, &free);

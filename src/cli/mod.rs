@@ -16,6 +16,7 @@ mod report;
 mod scene;
 mod shell;
 mod sweep;
+mod trial;
 mod verify;
 
 use std::process::ExitCode;
@@ -64,6 +65,7 @@ enum Command {
     Lesson(lesson::Lesson),
     Exercise(lesson::Answer),
     Verify(verify::Verify),
+    Trial(trial::Challenge),
     #[command(hide = true)]
     Completions(shell::Completions),
     #[command(name = "man", hide = true)]
@@ -120,6 +122,7 @@ pub fn run() -> ExitCode {
         Command::Lesson(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Verify(command) => command.run(),
+        Command::Trial(command) => command.run(&limits),
         Command::Completions(command) => command.run(),
         Command::Manual(command) => command.run(),
     };

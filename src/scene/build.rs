@@ -224,7 +224,10 @@ fn build_state(
 
 fn turn(rotation: &Rotation) -> Option<UnitQuaternion<f64>> {
     let about = |axis: Vector3<f64>, degrees: f64| {
-        degrees.is_finite().then(|| UnitQuaternion::from_scaled_axis(axis * degrees.to_radians()))
+        // The sine of libm has the same bits on every platform.
+        let (sin, cos) = libm::sincos(0.5 * degrees.to_radians());
+        let q = Quaternion::from_parts(cos, axis * sin);
+        degrees.is_finite().then(|| UnitQuaternion::new_unchecked(q))
     };
     match *rotation {
         Rotation::X(degrees) => about(Vector3::x(), degrees),
