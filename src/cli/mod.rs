@@ -1,6 +1,7 @@
 //! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
 
 mod chapter;
+mod convert;
 mod diagnose;
 mod explain;
 mod families;
@@ -21,10 +22,21 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use lcplab::error::{Error, Result};
+use lcplab::lcp::exchange;
+use lcplab::lcp::file::Problem;
 
 /// Solve, judge and compare contact problems of rigid bodies.
 #[derive(Debug, Parser)]
 #[command(name = "lcplab", version, max_term_width = 100, arg_required_else_help = true)]
+#[command(after_help = "\
+Example:
+  lcplab report                              # the standard report
+  lcplab simulate stack
+  lcplab export stack --step 50 --out stack.json; lcplab solve stack.json
+  lcplab solve problem.mtx                   # a problem from elsewhere
+  lcplab convert stack.json stack.npz        # and one for elsewhere
+
+Each command has --help with an example.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -38,6 +50,7 @@ enum Command {
     Judge(problem::Judge),
     Problems(library::Problems),
     Generate(library::Generate),
+    Convert(convert::Convert),
     Scenes(scene::Scenes),
     Simulate(scene::Simulate),
     Compare(scene::Compare),
@@ -67,6 +80,7 @@ pub fn run() -> ExitCode {
         Command::Judge(command) => command.run(),
         Command::Problems(command) => command.run(),
         Command::Generate(command) => command.run(),
+        Command::Convert(command) => command.run(),
         Command::Scenes(command) => command.run(),
         Command::Simulate(command) => command.run(),
         Command::Compare(command) => command.run(),
@@ -86,6 +100,20 @@ pub fn run() -> ExitCode {
             eprintln!("error: {error}");
             ExitCode::from(2)
         }
+    }
+}
+
+/// The problem of a file, in the format that its ending says; JSON by default.
+fn read_problem(path: &std::path::Path) -> Result<Problem> {
+    let problem = exchange::read(path, None)?;
+    warn(&problem);
+    Ok(problem)
+}
+
+/// Says what was ignored while a problem was read.
+fn warn(problem: &Problem) {
+    for warning in &problem.warnings {
+        eprintln!("warning: {warning}");
     }
 }
 

@@ -14,7 +14,7 @@ use lcplab::solver::{Method, default_for};
 
 use super::friction::{Friction, model};
 use super::options::SolverArgs;
-use super::{Outcome, print};
+use super::{Outcome, print, read_problem};
 
 /// Rows up to which `judge` and `solve --exact` prove.
 const PROVED_ROWS: usize = 150;
@@ -28,11 +28,12 @@ Example:
   echo '{\"A\": {\"dense\": [[2, -1], [-1, 2]]}, \"b\": [-1, 2]}' | lcplab solve - --solver dantzig
   lcplab generate pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
   lcplab generate stack | lcplab solve - --solver pgs --order shuffled --seed 7
+  lcplab solve problem.mtx        # and problem_b.mtx beside it; any format of `convert --list`
 
 A problem with friction rows is solved as it stands, as a coupled box, unless --model, the key
 \"model\" of the file or a solver for cones says otherwise. Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Solve {
-    /// The problem as JSON; - reads standard input
+    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
     /// The name of a solver; without it dantzig for symmetric A, lemke for any other, and for a model
     /// of friction the one that fits
@@ -101,7 +102,7 @@ Example:
 
 Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Judge {
-    /// The problem as JSON; - reads standard input
+    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
     /// Any JSON object with a key "x"
     answer: PathBuf,
@@ -144,14 +145,6 @@ impl Judge {
 
 fn outcome(certificate: &Certificate) -> Outcome {
     if certificate.verdict.is_solution() { Outcome::Good } else { Outcome::Refuted }
-}
-
-fn read_problem(path: &std::path::Path) -> Result<Problem> {
-    let problem = Problem::read(path)?;
-    for warning in &problem.warnings {
-        eprintln!("warning: {warning}");
-    }
-    Ok(problem)
 }
 
 fn title(problem: &Problem) -> String {
