@@ -17,12 +17,22 @@ pub const WRITTEN_BY_HAND: Memory = Memory::bytes(100_000_000);
 /// # Errors
 /// If it cannot be read, is larger than `most`, or is not UTF-8.
 pub fn read(path: &Path, most: Memory) -> Result<String> {
-    let text = match path == Path::new("-") {
+    let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "is not UTF-8 text");
+    let text = String::from_utf8(read_bytes(path, most)?).map_err(not_text);
+    text.map_err(|cause| Error::file(path, &cause))
+}
+
+/// Reads a file of any kind, or standard input for the path `-`.
+///
+/// # Errors
+/// If it cannot be read or is larger than `most`.
+pub fn read_bytes(path: &Path, most: Memory) -> Result<Vec<u8>> {
+    let bytes = match path == Path::new("-") {
         true => read_from(io::stdin().lock(), most),
         false => File::open(path).and_then(|file| read_from(file, most)),
     };
-    match text.map_err(|cause| Error::file(path, &cause))? {
-        Some(text) => Ok(text),
+    match bytes.map_err(|cause| Error::file(path, &cause))? {
+        Some(bytes) => Ok(bytes),
         None => Err(Error::File {
             path: path.display().to_string(),
             reason: format!("has more than {most}, the most that is read"),
@@ -30,11 +40,11 @@ pub fn read(path: &Path, most: Memory) -> Result<String> {
     }
 }
 
-/// All text; nothing if it is longer than `most`.
-fn read_from(source: impl Read, most: Memory) -> io::Result<Option<String>> {
-    let mut text = String::new();
-    source.take(most.in_bytes().saturating_add(1)).read_to_string(&mut text)?;
-    Ok((text.len() as u64 <= most.in_bytes()).then_some(text))
+/// All bytes; nothing if there are more than `most`.
+fn read_from(source: impl Read, most: Memory) -> io::Result<Option<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    source.take(most.in_bytes().saturating_add(1)).read_to_end(&mut bytes)?;
+    Ok((bytes.len() as u64 <= most.in_bytes()).then_some(bytes))
 }
 
 /// Writes a file, with the folders above it, under a temporary name that is then changed: a reader, or
@@ -42,11 +52,12 @@ fn read_from(source: impl Read, most: Memory) -> io::Result<Option<String>> {
 ///
 /// # Errors
 /// If it cannot be written; then what was there before is still there.
-pub fn write(path: &Path, text: &str) -> Result<()> {
+pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<()> {
+    let bytes = text.as_ref();
     let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
     let written = match is_special {
-        true => fs::write(path, text),
-        false => replace(path, |part| part.write_all(text.as_bytes())),
+        true => fs::write(path, bytes),
+        false => replace(path, |part| part.write_all(bytes)),
     };
     written.map_err(|cause| Error::file(path, &plain(cause)))
 }

@@ -1,6 +1,7 @@
 //! The commands, one a file, and their [exit codes](Outcome::code).
 
 mod chapter;
+mod convert;
 mod diagnose;
 mod explain;
 mod families;
@@ -24,6 +25,9 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use lcplab::error::{Error, Result};
+use lcplab::lcp::exchange;
+use lcplab::lcp::file::Problem;
+use lcplab::memory::Memory;
 use lcplab::solver::Reason;
 
 use limits::{Limits, TimeLimit};
@@ -32,13 +36,20 @@ use limits::{Limits, TimeLimit};
 #[derive(Debug, Parser)]
 #[command(name = "lcplab", version, max_term_width = 100, arg_required_else_help = true)]
 #[command(after_help = "\
+Example:
+  lcplab report                              # the standard report
+  lcplab simulate stack
+  lcplab export stack --step 50 --out stack.json; lcplab solve stack.json
+  lcplab solve problem.mtx                   # a problem from elsewhere
+  lcplab convert stack.json stack.npz        # and one for elsewhere
+
 Exit codes:
   0    good: solved, accepted, written
   1    not good: refuted, failed or diverged, a row that misses, or stopped by the time limit
   2    bad input or usage, or a file that cannot be read or written
   130  stopped by Ctrl-C
 
-After 1 and 130 what was computed is written.")]
+After 1 and 130 what was computed is written. Each command has --help with an example.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -54,6 +65,7 @@ enum Command {
     Judge(problem::Judge),
     Problems(library::Problems),
     Generate(library::Generate),
+    Convert(convert::Convert),
     Scenes(scene::Scenes),
     Simulate(scene::Simulate),
     Compare(scene::Compare),
@@ -111,6 +123,7 @@ pub fn run() -> ExitCode {
         Command::Judge(command) => command.run(),
         Command::Problems(command) => command.run(),
         Command::Generate(command) => command.run(),
+        Command::Convert(command) => command.run(),
         Command::Scenes(command) => command.run(),
         Command::Simulate(command) => command.run(&limits),
         Command::Compare(command) => command.run(&limits),
@@ -144,6 +157,20 @@ pub fn run() -> ExitCode {
 fn say(line: &str) {
     use std::io::Write;
     let _ = writeln!(std::io::stderr().lock(), "{line}");
+}
+
+/// The problem of a file, in the format that its ending says; JSON by default.
+fn read_problem(path: &std::path::Path, most: Memory) -> Result<Problem> {
+    let problem = exchange::read_within(path, None, most)?;
+    warn(&problem);
+    Ok(problem)
+}
+
+/// Says what was ignored while a problem was read.
+fn warn(problem: &Problem) {
+    for warning in &problem.warnings {
+        say(&format!("warning: {warning}"));
+    }
 }
 
 /// A progress bar on a terminal, nothing in a pipe.

@@ -16,7 +16,7 @@ use lcplab::solver::{Method, Reason, Settings, Start, Status, default_for};
 use super::friction::{Friction, model};
 use super::limits::{Limits, MemoryLimit};
 use super::options::SolverArgs;
-use super::{Outcome, print, say};
+use super::{Outcome, print, read_problem, say};
 
 /// Rows up to which `judge` and `solve --exact` prove.
 const PROVED_ROWS: usize = 150;
@@ -32,11 +32,12 @@ Example:
   echo '{\"A\": {\"dense\": [[2, -1], [-1, 2]]}, \"b\": [-1, 2]}' | lcplab solve - --solver dantzig
   lcplab generate pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
   lcplab generate stack | lcplab solve - --solver pgs --order shuffled --seed 7
+  lcplab solve problem.mtx        # and problem_b.mtx beside it; any format of `convert --list`
 
 A problem with friction rows is solved as it stands, as a coupled box, unless --model, the key
 \"model\" of the file or a solver for cones says otherwise. Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Solve {
-    /// The problem as JSON; - reads standard input
+    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
     /// The name of a solver; without it dantzig for symmetric A, lemke for any other, and for a model
     /// of friction the one that fits
@@ -110,7 +111,7 @@ Example:
 
 Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Judge {
-    /// The problem as JSON; - reads standard input
+    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
     /// Any JSON object with a key "x"
     answer: PathBuf,
@@ -162,14 +163,6 @@ pub fn outcome(verdict: &Verdict, stopped: Option<Reason>) -> Outcome {
         None if verdict.is_solution() => Outcome::Good,
         None => Outcome::Refuted,
     }
-}
-
-fn read_problem(path: &std::path::Path, most: Memory) -> Result<Problem> {
-    let problem = Problem::read_within(path, most)?;
-    for warning in &problem.warnings {
-        say(&format!("warning: {warning}"));
-    }
-    Ok(problem)
 }
 
 fn title(problem: &Problem) -> String {

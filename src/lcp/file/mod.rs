@@ -33,13 +33,15 @@ mod matrix;
 mod parts;
 mod value;
 
+pub(super) use matrix::Entries;
+pub(super) use parts::Parts;
 pub use value::{as_number, number};
 
 use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use parts::{Parts, frozen_at, model};
+use parts::{frozen_at, model};
 use value::numbers;
 
 use super::friction::{FrictionProblem, Model};

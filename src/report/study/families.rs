@@ -94,8 +94,19 @@ pub fn run(
     seeds: u32,
     stop: &Stop,
 ) -> Vec<Row> {
-    let problems: Vec<(&str, Vec<Problem>)> =
-        families.iter().map(|family| (family.name(), instances(*family, seeds))).collect();
+    let named = |family: &&dyn Family| (family.name().to_string(), instances(*family, seeds));
+    run_on(&families.iter().map(named).collect::<Vec<_>>(), models, methods, options, stop)
+}
+
+/// Runs each method on the problems of each name that it takes; on problems with friction under each
+/// of the models.
+pub fn run_on(
+    problems: &[(String, Vec<Problem>)],
+    models: &[Model],
+    methods: &[Method],
+    options: &Options,
+    stop: &Stop,
+) -> Vec<Row> {
     let posings: Vec<Posing> =
         problems.iter().flat_map(|(family, problems)| posings(family, problems, models)).collect();
     let pairs: Vec<(&Posing, &Method)> = posings
@@ -107,7 +118,8 @@ pub fn run(
     pairs.par_iter().filter_map(row).collect()
 }
 
-fn instances(family: &dyn Family, seeds: u32) -> Vec<Problem> {
+/// The problems of a family: one a seed, or one where the family has none.
+pub fn instances(family: &dyn Family, seeds: u32) -> Vec<Problem> {
     let seeded = family.parameters().iter().any(|parameter| parameter.name == "seed");
     let problem = |seed: u32| family.generate(&[("seed", f64::from(seed))]).ok();
     if seeded {

@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::{GOOD, err, out, run, run_with};
 
 /// A unit mass slides along t1: pressed with 2 N s, pushed with 3, μ = ½. Coulomb: x = (2, 1, 0).
-fn pushed() -> String {
+pub fn pushed() -> String {
     out(&run(&["generate", "pushed-mass", "--set", "degrees=0"]))
 }
 

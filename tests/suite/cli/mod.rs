@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod compare_solvers;
+mod convert;
 mod document;
 mod exit_code;
 mod friction;
