@@ -17,5 +17,7 @@
 pub mod dense;
 pub mod impulses;
 mod lanes;
+pub(in crate::solver) mod panels;
+pub(in crate::solver) mod rows;
 
 pub use lanes::Width;
