@@ -36,13 +36,7 @@ pub(super) enum Curvature {
 impl Metric {
     /// The measure, if the diagonal is positive wherever x can move.
     pub(super) fn of(lcp: &Lcp) -> Result<Metric, Status> {
-        let entry = |row: usize| match lcp.matrix().diagonal(row) {
-            d if d > 0.0 => Ok(d),
-            _ if lcp.lo()[row] == lcp.hi()[row] => Ok(1.0),
-            _ => Err(Status::ZeroDiagonal { row }),
-        };
-        let diagonal = (0..lcp.len()).map(entry).collect::<Result<_, _>>()?;
-        Ok(Metric::with_diagonal(lcp, diagonal))
+        Ok(Metric::with_diagonal(lcp, diagonal(lcp)?))
     }
 
     fn with_diagonal(lcp: &Lcp, diagonal: Vec<f64>) -> Metric {
@@ -91,6 +85,16 @@ impl Metric {
             c => Curvature::Positive(c),
         }
     }
+}
+
+/// D, if it is positive wherever x can move.
+pub(super) fn diagonal(lcp: &Lcp) -> Result<Vec<f64>, Status> {
+    let entry = |row: usize| match lcp.matrix().diagonal(row) {
+        d if d > 0.0 => Ok(d),
+        _ if lcp.lo()[row] == lcp.hi()[row] => Ok(1.0),
+        _ => Err(Status::ZeroDiagonal { row }),
+    };
+    (0..lcp.len()).map(entry).collect()
 }
 
 /// uᵀ A v.

@@ -1,5 +1,6 @@
 mod dense;
 mod impulses;
+mod table;
 
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::solver::{Pgs, Settings};
