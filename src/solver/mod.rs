@@ -68,6 +68,7 @@ mod rational;
 mod registry;
 mod settings;
 mod solution;
+pub mod sparse_factor;
 pub mod spectral;
 mod standard_form;
 mod stop;
