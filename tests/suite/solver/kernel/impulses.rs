@@ -80,7 +80,7 @@ fn row_by_row_sweeps_as_the_assembled_matrix_does() {
             let rows = factors.scaled_rows();
             let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
             let expected = plain(&lcp, 1.0, SWEEPS);
-            let x = swept(RowByRow::new(&system), RowByRow::sweep, |k| k.x().to_vec());
+            let x = swept(RowByRow::new(&system), |k| k.sweep(&system), |k| k.x().to_vec());
             assert_close(&x, &expected, 1e-12);
         }
     }
@@ -142,9 +142,10 @@ fn rows_between_other_bodies_cannot_bound_a_pair() {
     let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
     let lcp = lcp.with_coupling(coupling).unwrap();
     let system = System::new(2, &rows, &lcp).unwrap();
-    assert!(EightPairs::new(&system, Width::widest()).is_none());
+    let refused = EightPairs::new(&system, Width::widest()).unwrap_err();
+    assert!(matches!(refused, Status::OutsideClass { .. }), "{refused}");
     let mut by_rows = RowByRow::new(&system);
-    by_rows.sweep();
+    by_rows.sweep(&system);
     assert_eq!(by_rows.x(), [2.0, 1.0]); // 1 = μ · 2
 }
 
