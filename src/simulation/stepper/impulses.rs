@@ -31,6 +31,13 @@ impl Impulses {
         if self.bounced.x.is_empty() { &self.first.x } else { &self.bounced.x }
     }
 
+    /// Nothing is known of a step before; the memory stays.
+    pub fn forget(&mut self) {
+        self.contacts.clear();
+        self.first.x.clear();
+        self.bounced.x.clear();
+    }
+
     /// Sweeps over the rows, and again for J u⁺ = −e J u⁻ in those that push and approached fast.
     pub fn solve(
         &mut self,

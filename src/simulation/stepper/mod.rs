@@ -125,6 +125,13 @@ impl Stepper {
         })
     }
 
+    /// Back to the start; the memory stays.
+    pub fn restart(&mut self) {
+        self.states.clone_from(&self.scene.states);
+        self.impulses.forget();
+        self.steps = 0;
+    }
+
     /// The scene; its states are those at the start.
     pub fn scene(&self) -> &Scene {
         &self.scene
