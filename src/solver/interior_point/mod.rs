@@ -80,15 +80,15 @@ impl Solver for InteriorPoint {
 
 impl InteriorPoint {
     /// The same with the factors of A = Ĵ Ĵᵀ at hand: each step is solved for velocities, six a body, which
-    /// is less work than for rows wherever bodies have more than a few rows. A itself is only asked whether
-    /// x solves the problem.
+    /// is less work than for rows wherever bodies have more than a few rows. The problem's own A is only asked
+    /// whether x solves it.
     pub fn solve_factored(
         &self,
-        system: &System<'_>,
+        lcp: &Lcp,
+        system: &System,
         start: &Start<'_>,
         observer: &mut dyn Observer,
     ) -> Solution {
-        let lcp = system.lcp();
         let x = start.point(lcp);
         match Velocities::of(system, MAX_ENTRIES) {
             Some(mut velocities) => self.follow(lcp, x, &mut velocities, observer),

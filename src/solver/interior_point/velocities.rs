@@ -20,7 +20,7 @@ use crate::solver::sparse_factor::{Pattern, SparseFactor, minimum_degree, patter
 
 /// K, its factors, and where its blocks lie.
 pub(super) struct Velocities<'a> {
-    system: &'a System<'a>,
+    system: &'a System,
     pairs: Vec<Pair>,
     /// The entries of K's blocks, column by column.
     values: Vec<f64>,
@@ -49,7 +49,7 @@ struct Block {
 
 impl<'a> Velocities<'a> {
     /// Room for the factors; `None` if they have more entries than `most`.
-    pub(super) fn of(system: &'a System<'a>, most: usize) -> Option<Self> {
+    pub(super) fn of(system: &'a System, most: usize) -> Option<Self> {
         let touching = touching(system);
         let order = minimum_degree(&pattern(touching.iter().map(|below| below.iter().copied())));
         let order: Vec<usize> = order.into_iter().flat_map(components).collect();
