@@ -25,7 +25,8 @@
 //!  "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}
 //! ```
 //!
-//! Other keys are ignored with a warning. Memory is bounded by the size of the file: n is checked
+//! Other programs' files are read and written by [`exchange`](super::exchange). Other keys are ignored
+//! with a warning. Memory is bounded by the size of the file: n is checked
 //! against the length of b before anything of that size is made.
 
 mod matrix;
