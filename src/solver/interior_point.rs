@@ -156,7 +156,7 @@ impl<'a> Path<'a> {
         for k in &self.bounds {
             added[k.row] += k.push / k.room;
         }
-        self.factor.factor(self.lcp.matrix(), &added, |i| is_pinned(self.lcp, i))
+        self.factor.factor(self.lcp.matrix(), &added, |i| is_pinned(self.lcp, i)).is_ok()
     }
 
     /// The solution of the linear equations for these r_k.

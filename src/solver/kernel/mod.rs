@@ -17,5 +17,7 @@
 pub mod dense;
 pub mod impulses;
 mod lanes;
+mod terms;
 
 pub use lanes::Width;
+pub use terms::terms;
