@@ -80,7 +80,7 @@ impl Equations for Rows<'_> {
     fn factor(&mut self, added: &[f64], pinned: &[bool]) -> bool {
         let matrix = self.lcp.matrix();
         match &mut self.factor {
-            Factor::Envelope(envelope) => envelope.factor(matrix, added, |i| pinned[i]),
+            Factor::Envelope(envelope) => envelope.factor(matrix, added, |i| pinned[i]).is_ok(),
             Factor::Reordered(factor) => {
                 let mut values = Vec::with_capacity(factor.pattern().compute_nnz());
                 for i in 0..matrix.len() {
