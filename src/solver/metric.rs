@@ -84,8 +84,8 @@ impl Metric {
     }
 }
 
-/// d_i, if they are positive wherever x can move.
-fn diagonal(lcp: &Lcp) -> Result<Vec<f64>, Status> {
+/// D, if it is positive wherever x can move.
+pub(super) fn diagonal(lcp: &Lcp) -> Result<Vec<f64>, Status> {
     let entry = |row: usize| match lcp.matrix().diagonal(row) {
         d if d > 0.0 => Ok(d),
         _ if lcp.lo()[row] == lcp.hi()[row] => Ok(1.0),

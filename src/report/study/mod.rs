@@ -5,6 +5,7 @@
 
 pub mod attempt;
 pub mod comparison;
+pub mod contest;
 pub mod convergence;
 pub mod creep;
 pub mod cross_check;
@@ -37,6 +38,7 @@ pub mod singular;
 pub mod sinking;
 pub mod slider;
 pub mod sliding;
+pub mod sparse_speed;
 pub mod sparsity;
 pub mod storage;
 pub mod sweep_speed;
@@ -85,6 +87,7 @@ pub fn scene_options(scene: &Scene) -> Options {
     let settings = Settings {
         tolerance: scene.solver.tolerance,
         max_iterations: scene.solver.max_iterations,
+        memory: scene.memory,
         ..Settings::default()
     };
     let order = match scene.solver.order {

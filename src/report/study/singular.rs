@@ -5,26 +5,21 @@
 //! Both sides must arrive: a solver's claim is judged, and clarabel is asked for no more than it needs
 //! to reach the same scaled residual, 1e-8 of gap and feasibility at first.
 
-use std::time::Instant;
-
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use super::attempt::{Attempted, Outcome, attempt, entries};
-use super::timing::{Contender, Time, interleaved, timed};
+use super::attempt::entries;
+use super::contest::{Answer, Tried, clocked};
+use super::timing::Time;
 use crate::error::{Error, Result};
-use crate::lcp::{Lcp, Matrix, library, merit};
-use crate::reference::{Reference, box_qp_to};
-use crate::solver::{Entry, Options, Settings, Solution, Start, Status};
+use crate::lcp::{Lcp, Matrix, library};
+use crate::reference::box_qp_to;
+use crate::solver::{Entry, Options, Settings, Start};
 
 /// The name of the yardstick.
 pub const YARDSTICK: &str = "clarabel";
-/// What clarabel is asked for, one after the other, until its residual is as small as ours must be.
-const ASKED: [f64; 3] = [1e-8, 1e-10, 1e-12];
 /// A run longer than this (s) is not repeated.
 const LONG: f64 = 0.1;
-/// More rounds say nothing new.
-const MOST_ROUNDS: usize = 101;
 
 /// Which stacks and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -71,20 +66,6 @@ pub struct Finding {
     pub asked: f64,
     /// Clarabel first, then the solvers.
     pub answers: Vec<Answer>,
-}
-
-/// An answer.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
-    /// The solver.
-    pub solver: String,
-    /// What came of it.
-    pub outcome: Outcome,
-    /// Of its x.
-    #[serde(with = "crate::report::results::number")]
-    pub residual: f64,
-    /// Steps or pivots.
-    pub iterations: usize,
 }
 
 /// The clock on a problem; only of answers that the judge accepts.
@@ -147,11 +128,15 @@ impl Study for Plan {
         let (problem, lcp) = (stack.name(), stack.lcp()?);
         let settings = Settings { tolerance: self.tolerance, ..Settings::default() };
         let options = Options { settings, ..Options::default() };
-        let (asked, yardstick) = by_clarabel(&lcp, self.tolerance)?;
+        let refused = || Error::invalid(Self::NAME, YARDSTICK, "no quadratic program over a box");
+        let ask = |asked| box_qp_to(&lcp, asked);
+        let yardstick =
+            Tried::yardstick(YARDSTICK, &lcp, self.tolerance, ask).ok_or_else(refused)?;
+        let asked = yardstick.asked.unwrap_or_default();
         let entries = entries(&self.solvers)?;
         let ours = entries.iter().map(|entry| by(entry, &lcp, &options));
         let tried: Vec<Tried> = [yardstick].into_iter().chain(ours).collect();
-        let (solvers, failed) = self.clocked(&tried);
+        let (solvers, failed) = clocked(&tried, self.seconds, LONG);
         let answers = tried.into_iter().map(|tried| tried.answer).collect();
         let rows = lcp.len();
         Ok((
@@ -161,79 +146,10 @@ impl Study for Plan {
     }
 }
 
-/// An answer and how to obtain it again.
-struct Tried<'a> {
-    answer: Answer,
-    /// What the first run took (s).
-    once: f64,
-    again: Box<dyn Fn() + 'a>,
-}
-
-impl Plan {
-    /// The times of those whose answer is accepted, in turns, and the names of the others.
-    fn clocked(&self, tried: &[Tried]) -> (Vec<(String, Time)>, Vec<String>) {
-        let (good, bad): (Vec<&Tried>, Vec<&Tried>) =
-            tried.iter().partition(|tried| tried.answer.outcome.is_solved());
-        let quick = || good.iter().filter(|tried| tried.once <= LONG);
-        let a_round: f64 = quick().map(|tried| tried.once).sum();
-        let rounds = ((self.seconds / a_round) as usize).min(MOST_ROUNDS);
-        let mut contenders: Vec<Contender> =
-            quick().map(|tried| Contender::new(|| timed(|| (tried.again)()))).collect();
-        let mut times = interleaved(rounds, &mut contenders).into_iter();
-        let time = |tried: &&Tried| {
-            let once = Time { median: tried.once, best: tried.once };
-            let time = if tried.once <= LONG { times.next().unwrap_or(once) } else { once };
-            (tried.answer.solver.clone(), time)
-        };
-        let names = bad.into_iter().map(|tried| tried.answer.solver.clone()).collect();
-        (good.iter().map(time).collect(), names)
-    }
-}
-
 fn by<'a>(entry: &Entry, lcp: &'a Lcp, options: &Options) -> Tried<'a> {
-    let Attempted { attempt, x, seconds } = attempt(entry, lcp, options);
     let solver = (entry.build)(options);
-    Tried {
-        answer: Answer {
-            solver: attempt.solver,
-            outcome: attempt.outcome,
-            residual: merit::scaled_residual(lcp, &x),
-            iterations: attempt.iterations,
-        },
-        once: seconds,
-        again: Box::new(move || drop(solver.solve(lcp, &Start::default(), &mut ()))),
-    }
-}
-
-/// Clarabel's answer, asked for no more than it needs to be within the tolerance.
-fn by_clarabel(lcp: &Lcp, tolerance: f64) -> Result<(f64, Tried<'_>)> {
-    let ask = |asked: f64| -> Result<(f64, Reference, f64)> {
-        let start = Instant::now();
-        let reference = box_qp_to(lcp, asked).ok_or_else(|| {
-            Error::invalid(Plan::NAME, YARDSTICK, "no quadratic program over a box")
-        })?;
-        Ok((asked, reference, start.elapsed().as_secs_f64()))
-    };
-    let is_there = |reference: &Reference| {
-        reference.solved && merit::scaled_residual(lcp, &reference.point) <= tolerance
-    };
-    let mut last = ask(ASKED[0])?;
-    for asked in &ASKED[1..] {
-        if !is_there(&last.1) {
-            last = ask(*asked)?;
-        }
-    }
-    let (asked, reference, once) = last;
-    let status = if is_there(&reference) { Status::Solved } else { Status::Inaccurate };
-    let iterations = reference.iterations;
-    let claim = Solution::new(lcp, reference.point, status, iterations);
-    let answer = Answer {
-        solver: YARDSTICK.into(),
-        outcome: Outcome::of(&claim, lcp, tolerance),
-        residual: merit::scaled_residual(lcp, &claim.x),
-        iterations,
-    };
-    Ok((asked, Tried { answer, once, again: Box::new(move || drop(box_qp_to(lcp, asked))) }))
+    let run = move || solver.solve(lcp, &Start::default(), &mut ());
+    Tried::of(entry.name, lcp, options.settings.tolerance, run)
 }
 
 impl Stack {

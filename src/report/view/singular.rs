@@ -6,7 +6,8 @@ use super::{Document, Outcome as Verdict, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::attempt::Outcome;
-use crate::report::study::singular::{Answer, Finding, Plan, Times, YARDSTICK};
+use crate::report::study::contest::Answer;
+use crate::report::study::singular::{Finding, Plan, Times, YARDSTICK};
 
 impl View for Plan {
     const TITLE: &'static str = "Right where contacts are redundant";
