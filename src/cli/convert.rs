@@ -69,5 +69,7 @@ fn description(format: &Format) -> String {
     let Format { name, about, carries, trap, .. } = format;
     let endings = format.endings.join(", ");
     let only = if format.write.is_some() { "" } else { "; only read" };
-    format!("{name:<14} {about}\n  files    *{endings}{only}\n  carries  {carries}\n  trap     {trap}\n")
+    format!(
+        "{name:<14} {about}\n  files    *{endings}{only}\n  carries  {carries}\n  trap     {trap}\n"
+    )
 }

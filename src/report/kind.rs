@@ -53,6 +53,7 @@ pub const KINDS: &[Kind] = &[
     kind::<study::sweep_speed::Plan>(),
     kind::<study::direct_speed::Plan>(),
     kind::<study::peers::Plan>(),
+    kind::<study::sparse_speed::Plan>(),
 ];
 
 const fn kind<S: View + 'static>() -> Kind {

@@ -23,17 +23,16 @@ pub struct Envelope {
 }
 
 impl Envelope {
-    /// Room for the factors of a symmetric matrix; `None` if they have more entries than `most`.
-    pub fn of(matrix: &Matrix, most: usize) -> Option<Self> {
+    /// Room for the factors of a symmetric matrix.
+    pub fn of(matrix: &Matrix) -> Self {
         let n = matrix.len();
         let first: Vec<usize> = (0..n).map(|r| begin(matrix, r)).collect();
         let mut starts = vec![0];
         for r in 0..n {
             starts.push(starts[r] + r - first[r]);
         }
-        let entries = starts[n];
-        let room = || Envelope { first, starts, lower: vec![0.0; entries], diagonal: vec![0.0; n] };
-        (entries <= most).then(room)
+        let lower = vec![0.0; starts[n]];
+        Envelope { first, starts, lower, diagonal: vec![0.0; n] }
     }
 
     /// How many entries the factors have below the diagonal.

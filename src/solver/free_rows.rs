@@ -46,9 +46,10 @@ impl FreeRows {
     /// Those of this problem's matrix, none solved yet.
     pub(super) fn of(lcp: &Lcp) -> Self {
         let matrix = Arc::clone(lcp.shared_matrix());
-        let envelope = || Envelope::of(&matrix, matrix.len().pow(2) / ENVELOPE_PART);
+        let most = matrix.len().pow(2) / ENVELOPE_PART;
         let factor = match matrix.is_symmetric() {
-            true => envelope().map_or_else(|| Factor::Cholesky(Cholesky::default()), Factor::Envelope),
+            true if Envelope::entries(&matrix) <= most => Factor::Envelope(Envelope::of(&matrix)),
+            true => Factor::Cholesky(Cholesky::default()),
             false => Factor::Lu(None),
         };
         FreeRows { matrix, factor, free: None }

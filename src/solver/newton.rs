@@ -187,12 +187,7 @@ impl Run<'_> {
     }
 
     /// The least-squares solution of J d = −H, √ν d = 0, in the variables √a_ii x_i.
-    fn least_squares_direction(
-        &self,
-        x: &[f64],
-        rows: &[Row],
-        square: f64,
-    ) -> Option<Vec<f64>> {
+    fn least_squares_direction(&self, x: &[f64], rows: &[Row], square: f64) -> Option<Vec<f64>> {
         let n = x.len();
         let root: Vec<f64> = (0..n).map(|i| self.diagonal[i].sqrt()).collect();
         let start: f64 = (0..n).map(|i| (self.lcp.b()[i] / root[i]).powi(2)).sum();

@@ -11,6 +11,7 @@
 //! have the same rows are kept together as dense blocks (*supernodes*), if L is large enough for that to pay.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::perm::PermRef;
 use faer::sparse::linalg::amd;
 use faer::sparse::linalg::cholesky::{
@@ -23,7 +24,7 @@ use faer::{Conj, MatMut, Par, Side};
 /// Where the entries of a lower triangle are, column by column.
 pub type Pattern = SymbolicSparseColMat<usize>;
 
-/// The factors of a matrix, or before the first factorisation room for them.
+/// The factors of a matrix, or before the first factorisation where their entries will be.
 pub struct SparseFactor {
     pattern: Pattern,
     symbolic: SymbolicCholesky<usize>,
@@ -57,12 +58,11 @@ pub fn minimum_degree(pattern: &Pattern) -> Vec<usize> {
 }
 
 impl SparseFactor {
-    /// Room for the factors of matrices with entries in these places, rows to be eliminated in this order;
-    /// `None` if the factors have more entries than `most`.
+    /// The factors of matrices with entries in these places, rows to be eliminated in this order.
     ///
     /// # Panics
-    /// If `order` is no permutation of the rows.
-    pub fn of(pattern: Pattern, order: &[usize], most: usize) -> Option<Self> {
+    /// If `order` is no permutation of the rows, or the factors have more entries than indices can count.
+    pub fn of(pattern: Pattern, order: &[usize]) -> Self {
         let n = pattern.ncols();
         let mut place = vec![0; n];
         order.iter().enumerate().for_each(|(k, &row)| place[row] = k);
@@ -72,14 +72,10 @@ impl SparseFactor {
             SymmetricOrdering::Custom(PermRef::new_checked(order, &place, n)),
             CholeskySymbolicParams::default(),
         )
-        .ok()?;
-        if symbolic.len_val() > most {
-            return None;
-        }
+        .expect("as many entries as indices can count");
         let numeric = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
         let memory = numeric.or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
-        let lower = vec![0.0; symbolic.len_val()];
-        Some(SparseFactor { pattern, symbolic, lower, memory: MemBuffer::new(memory) })
+        SparseFactor { pattern, symbolic, lower: Vec::new(), memory: MemBuffer::new(memory) }
     }
 
     /// The places.
@@ -88,35 +84,36 @@ impl SparseFactor {
     }
 
     /// The number of entries of L.
-    pub fn stored(&self) -> usize {
-        self.lower.len()
+    pub fn entries(&self) -> usize {
+        self.symbolic.len_val()
     }
 
     /// Factorises the matrix with these values in the places of the pattern; false if a pivot is not
     /// positive.
     pub fn factor(&mut self, values: &[f64]) -> bool {
-        let matrix = SparseColMatRef::new(self.pattern.as_ref(), values);
-        let stack = MemStack::new(&mut self.memory);
-        let (none, plain) = (Default::default(), Default::default());
-        self.symbolic
-            .factorize_numeric_llt(
-                &mut self.lower,
-                matrix,
-                Side::Lower,
-                none,
-                Par::Seq,
-                stack,
-                plain,
-            )
-            .is_ok()
+        self.lower.resize(self.entries(), 0.0);
+        let factors = self.symbolic.factorize_numeric_llt(
+            &mut self.lower,
+            SparseColMatRef::new(self.pattern.as_ref(), values),
+            Side::Lower,
+            LltRegularization::default(), // none
+            Par::Seq,
+            MemStack::new(&mut self.memory),
+            Default::default(),
+        );
+        factors.is_ok()
     }
 
-    /// The solution z of K z = rhs, in place.
+    /// The solution z of K z = rhs, in place, once K has been factorised.
     pub fn solve(&mut self, rhs: &mut [f64]) {
         let n = rhs.len();
         let rhs = MatMut::from_column_major_slice_mut(rhs, n, 1);
         let stack = MemStack::new(&mut self.memory);
-        LltRef::new(&self.symbolic, &self.lower)
-            .solve_in_place_with_conj(Conj::No, rhs, Par::Seq, stack);
+        LltRef::new(&self.symbolic, &self.lower).solve_in_place_with_conj(
+            Conj::No,
+            rhs,
+            Par::Seq,
+            stack,
+        );
     }
 }

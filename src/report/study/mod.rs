@@ -5,6 +5,7 @@
 
 pub mod attempt;
 pub mod comparison;
+pub mod contest;
 pub mod convergence;
 pub mod creep;
 pub mod cross_check;
@@ -39,6 +40,7 @@ pub mod singular;
 pub mod sinking;
 pub mod slider;
 pub mod sliding;
+pub mod sparse_speed;
 pub mod sparsity;
 pub mod storage;
 pub mod sweep_speed;

@@ -32,6 +32,7 @@ mod scaling;
 mod singular;
 mod sinking;
 mod sliding;
+mod sparse_speed;
 mod sparsity;
 mod storage;
 mod summary;

@@ -59,7 +59,8 @@ impl Run<'_> {
         lengths.extend(self.bound.iter().map(|&j| self.distance_to_zero(j, sign * d.delta_w[j])));
         let free = || self.free.iter().zip(&d.free);
         lengths.extend(free().map(|(&j, d)| self.distance_to_bound(j, sign * d).0));
-        let least = lengths.iter().fold(f64::INFINITY, |least, &l| if l < least { l } else { least });
+        let least =
+            lengths.iter().fold(f64::INFINITY, |least, &l| if l < least { l } else { least });
         let together = least.max(0.0) * (1.0 + TIE);
         let first = lengths.iter().position(|&length| length <= together && length < f64::INFINITY);
         let (rows_at_bound, block) = (self.bound.len(), |k: usize, row, side| {

@@ -19,21 +19,25 @@
 //! would get, say to μ'; then for (μ'/μ)³ μ, with the error dρ dz of the first step taken off r.
 //! Ten to thirty iterations whatever the size and the condition of A, for symmetric semidefinite A;
 //! singular is no difficulty, as the bounds add to the diagonal (rows without bounds get
-//! 10⁻¹² a_ii). Each factorises a matrix with the pattern of A, within its
-//! envelope (envelope.rs): n³/6 products for a dense A, n b²/2 where rows reach no farther
-//! than b. Where solutions are not unique it finds one in their middle.
+//! 10⁻¹² a_ii; without any bounds a single iteration is Cholesky's method). Each factorises a matrix with
+//! the pattern of A: n³/6 products for a dense A, n b²/2 where rows reach no farther than b. With the
+//! factors of A = J M⁻¹ Jᵀ at hand ([`InteriorPoint::solve_factored`]) the rows are eliminated instead, and
+//! what is factorised has six rows a body. Where solutions are not unique it finds one in their
+//! middle.
 //!
 //! Rows at a bound end beside it, by about μ/w_i: the answer is as exact as the tolerance and no
 //! more. A start is only used where it lies well inside. A not symmetric, or no Cholesky factor:
 //! `OutsideClass`; steps that have shrunk to nothing: `Stalled`. Coupled rows: see
 //! [`frozen`].
 
-mod equations;
 mod path;
+mod rows;
+mod step;
 mod velocities;
 
-use equations::{Equations, Rows};
 use path::Path;
+use rows::Rows;
+use step::StepEquations;
 use velocities::Velocities;
 
 use super::iterate::iterate;
@@ -43,11 +47,10 @@ use super::{Observer, Settings, Solution, Solver, Start, Status, frozen};
 use crate::lcp::Lcp;
 use crate::memory::Memory;
 
-/// The factor may have this many entries, a quarter of a gigabyte.
+/// The factor may have this many entries: with more it takes too long.
 const MAX_ENTRIES: usize = 32_000_000;
-/// What it is where it has more.
-const TOO_LARGE: Status =
-    Status::OutsideClass { reason: "a factor of more than 32 million entries" };
+/// a_ii and Ĵ_i Ĵ_iᵀ agree to this part of them.
+const SAME: f64 = 1e-9;
 
 /// Mehrotra's predictor-corrector method.
 #[derive(Debug, Clone, Default)]
@@ -63,17 +66,11 @@ impl Solver for InteriorPoint {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        let diagonal = match diagonal_of_symmetric(lcp) {
-            Ok(diagonal) => diagonal,
-            Err(status) => return Solution::new(lcp, x, status, 0),
-        };
-        let least = Memory::numbers(Rows::least_entries(lcp)).times(2); // the room and its copy that is filled
-        if let Some(status) = self.settings.refusal(least) {
-            return Solution::new(lcp, x, status, 0);
-        }
-        match Rows::of(lcp, diagonal, MAX_ENTRIES) {
-            Some(mut rows) => self.follow(lcp, x, &mut rows, observer),
-            None => Solution::new(lcp, x, TOO_LARGE, 0),
+        let rows = diagonal_of_symmetric(lcp)
+            .and_then(|diagonal| Rows::of(lcp, diagonal, |entries| self.fit(entries)));
+        match rows {
+            Ok(mut rows) => self.follow(lcp, x, &mut rows, observer),
+            Err(status) => Solution::new(lcp, x, status, 0),
         }
     }
 }
@@ -90,9 +87,25 @@ impl InteriorPoint {
         observer: &mut dyn Observer,
     ) -> Solution {
         let x = start.point(lcp);
-        match Velocities::of(system, MAX_ENTRIES) {
-            Some(mut velocities) => self.follow(lcp, x, &mut velocities, observer),
-            None => Solution::new(lcp, x, TOO_LARGE, 0),
+        if !has_factors(lcp, system) {
+            let reason = "A is not the product of these factors";
+            return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+        }
+        match Velocities::of(system, |entries| self.fit(entries)) {
+            Ok(mut velocities) => self.follow(lcp, x, &mut velocities, observer),
+            Err(status) => Solution::new(lcp, x, status, 0),
+        }
+    }
+
+    /// Whether factors may have so many entries.
+    fn fit(&self, entries: usize) -> Result<(), Status> {
+        match self.settings.refusal(Memory::numbers(entries)) {
+            Some(status) => Err(status),
+            None if entries > MAX_ENTRIES => {
+                let reason = "a factor of more than 32 million entries";
+                Err(Status::OutsideClass { reason })
+            }
+            None => Ok(()),
         }
     }
 
@@ -101,7 +114,7 @@ impl InteriorPoint {
         &self,
         lcp: &Lcp,
         x: Vec<f64>,
-        equations: &mut impl Equations,
+        equations: &mut impl StepEquations,
         observer: &mut dyn Observer,
     ) -> Solution {
         frozen::solve(lcp, x, &self.settings, |lcp, x, first| {
@@ -112,4 +125,14 @@ impl InteriorPoint {
             })
         })
     }
+}
+
+/// Whether A has the diagonal of Ĵ Ĵᵀ; compliance, for one, is not in it.
+fn has_factors(lcp: &Lcp, system: &System) -> bool {
+    let matrix = lcp.matrix();
+    let are_as_many = system.rows().len() == matrix.len();
+    are_as_many && (0..matrix.len()).all(|i| {
+        let a = system.diagonal(i);
+        (a - matrix.diagonal(i)).abs() <= SAME * a
+    })
 }

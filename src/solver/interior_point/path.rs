@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::equations::Equations;
+use super::step::{LEAST, StepEquations};
 use crate::lcp::Lcp;
 use crate::solver::{Event, Status};
 
@@ -40,7 +40,7 @@ struct Direction {
 impl<'a> Path<'a> {
     /// Moves x inside its bounds and chooses the pushes such that every ρ z is the energy
     /// e = Σ b_i² / a_ii; distances are measured by √(e / a_ii).
-    pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl Equations, x: &mut [f64]) -> Self {
+    pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl StepEquations, x: &mut [f64]) -> Self {
         let pinned: Vec<bool> = (0..x.len()).map(|i| lcp.lo()[i] == lcp.hi()[i]).collect();
         let energy: f64 = (0..x.len()).map(|i| lcp.b()[i].powi(2) / equations.diagonal(i)).sum();
         let energy = if energy > 0.0 { energy } else { 1.0 };
@@ -62,7 +62,7 @@ impl<'a> Path<'a> {
     /// Moves x along the path, by Newton's method on the equations of the path.
     pub(super) fn step(
         &mut self,
-        equations: &mut impl Equations,
+        equations: &mut impl StepEquations,
         x: &mut [f64],
     ) -> ControlFlow<Status, Event> {
         if !self.factorise(equations) {
@@ -85,18 +85,21 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(Event::Step)
     }
 
-    /// The factors of A + Σ_k z_k/ρ_k, with a unit row for a pinned x; false if there are none.
-    fn factorise<E: Equations>(&self, equations: &mut E) -> bool {
-        let least = |i: usize| E::LEAST * equations.diagonal(i);
-        let mut added: Vec<f64> = (0..self.lcp.len()).map(least).collect();
+    /// The factors of A + Σ_k z_k/ρ_k; false if there are none.
+    fn factorise<E: StepEquations>(&self, equations: &mut E) -> bool {
+        let mut added = vec![0.0; self.pinned.len()];
         for k in &self.bounds {
             added[k.row] += k.push / k.room;
+        }
+        for (i, added) in added.iter_mut().enumerate() {
+            let least = if *added > 0.0 { LEAST } else { E::UNBOUNDED };
+            *added += least * equations.diagonal(i);
         }
         equations.factor(&added, &self.pinned)
     }
 
     /// The predictor, corrected.
-    fn direction(&self, equations: &mut impl Equations, x: &[f64]) -> Direction {
+    fn direction(&self, equations: &mut impl StepEquations, x: &[f64]) -> Direction {
         let w = equations.w(x);
         let product: Vec<f64> = self.bounds.iter().map(|k| k.room * k.push).collect();
         let predictor = self.towards(equations, &w, product.iter().map(|p| -p).collect());
@@ -110,7 +113,7 @@ impl<'a> Path<'a> {
     }
 
     /// The solution of the linear equations for these r_k.
-    fn towards(&self, equations: &mut impl Equations, w: &[f64], r: Vec<f64>) -> Direction {
+    fn towards(&self, equations: &mut impl StepEquations, w: &[f64], r: Vec<f64>) -> Direction {
         let mut rhs: Vec<f64> = w.iter().map(|w| -w).collect();
         for (k, r) in self.bounds.iter().zip(&r) {
             rhs[k.row] += k.sign * (k.push + r / k.room);

@@ -8,13 +8,14 @@
 //!
 //! The matrix on the right, K, has six rows a body however many contacts meet there, and a block for each two
 //! bodies that share a row: a pile of 700 cubes has 4200 equations in place of one for each of its
-//! 24 000 rows. K is positive definite, with no eigenvalue below 1. The other end is 1/D: a row without
-//! bounds has D = 0 but for what is added, so more is added here than by rows; that is taken back from
-//! iteration to iteration, because w is computed anew.
+//! 24 000 rows. K is positive definite, with no eigenvalue below 1. Its largest ones grow with 1/D, and D
+//! is no more than what is added where a row has no bounds; there 10⁻⁸ a_ii is added, and an iteration or two
+//! take back what that does to x.
 
 use std::ops::Range;
 
-use super::equations::Equations;
+use super::step::StepEquations;
+use crate::solver::Status;
 use crate::solver::kernel::impulses::{System, WIDTH};
 use crate::solver::sparse_factor::{Pattern, SparseFactor, minimum_degree, pattern};
 
@@ -48,18 +49,22 @@ struct Block {
 }
 
 impl<'a> Velocities<'a> {
-    /// Room for the factors; `None` if they have more entries than `most`.
-    pub(super) fn of(system: &'a System, most: usize) -> Option<Self> {
+    /// Room for the factors, if so many entries fit.
+    pub(super) fn of(
+        system: &'a System,
+        fit: impl Fn(usize) -> Result<(), Status>,
+    ) -> Result<Self, Status> {
         let touching = touching(system);
         let order = minimum_degree(&pattern(touching.iter().map(|below| below.iter().copied())));
         let order: Vec<usize> = order.into_iter().flat_map(components).collect();
-        let factor = SparseFactor::of(in_components(&touching), &order, most)?;
+        let factor = SparseFactor::of(in_components(&touching), &order);
+        fit(factor.entries())?;
         let values = vec![0.0; factor.pattern().compute_nnz()];
         let starts = factor.pattern().col_ptr();
         let diagonal = (0..order.len()).map(|c| starts[c] + c % WIDTH).collect();
         let pairs = system.pairs().map(|rows| Pair::of(system, rows, &touching, starts)).collect();
         let inverse = vec![0.0; system.rows().len()];
-        Some(Velocities { system, pairs, values, diagonal, factor, inverse })
+        Ok(Velocities { system, pairs, values, diagonal, factor, inverse })
     }
 
     /// K = 1 + Ĵᵀ D⁻¹ Ĵ.
@@ -86,8 +91,8 @@ impl<'a> Velocities<'a> {
     }
 }
 
-impl Equations for Velocities<'_> {
-    const LEAST: f64 = 1e-8;
+impl StepEquations for Velocities<'_> {
+    const UNBOUNDED: f64 = 1e-8;
 
     fn diagonal(&self, i: usize) -> f64 {
         self.system.diagonal(i)
@@ -106,7 +111,8 @@ impl Equations for Velocities<'_> {
     }
 
     fn solve(&mut self, r: &mut [f64]) {
-        let scaled: Vec<f64> = r.iter().zip(&self.inverse).map(|(r, inverse)| r * inverse).collect();
+        let scaled: Vec<f64> =
+            r.iter().zip(&self.inverse).map(|(r, inverse)| r * inverse).collect();
         let mut v = self.system.transposed_product(&scaled); // Ĵᵀ D⁻¹ r
         self.factor.solve(&mut v);
         let back = self.system.product(&v); // Ĵ v

@@ -143,7 +143,8 @@ fn add_run<V: Lanes>(run: Run, factor: f64, sum: &mut [f64]) {
 fn add<V: Lanes, const R: usize>(rows: [&[f64]; R], factors: [f64; R], sum: &mut [f64]) {
     let (blocks, tail) = sum.as_chunks_mut::<8>();
     let (count, start) = (blocks.len(), 8 * blocks.len());
-    let (mut row_blocks, mut lanes) = ([&rows[0].as_chunks::<8>().0[..count]; R], [V::splat(0.0); R]);
+    let (mut row_blocks, mut lanes) =
+        ([&rows[0].as_chunks::<8>().0[..count]; R], [V::splat(0.0); R]);
     for r in 0..R {
         row_blocks[r] = &rows[r].as_chunks::<8>().0[..count];
         lanes[r] = V::splat(factors[r]);

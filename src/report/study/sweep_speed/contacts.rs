@@ -67,7 +67,7 @@ pub(super) fn measure(plan: &Plan, problem: String, at: &AtStep) -> Result<(Find
 
 /// The first problem of the step, after steps by a few sweeps each: direct methods take too long on
 /// a tower.
-fn posed(at: &AtStep) -> Result<Problem> {
+pub(in crate::report::study) fn posed(at: &AtStep) -> Result<Problem> {
     let settings = Settings { max_iterations: ON_THE_WAY, ..Settings::default() };
     let pgs = by_name("pgs", &Options { settings, ..Options::default() })?;
     let mut simulation = Simulation::new(Scene::load(&at.scene)?, pgs);
