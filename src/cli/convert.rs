@@ -6,7 +6,8 @@ use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::lcp::exchange::{self, ALL, Format};
 
-use super::{Outcome, print, warn};
+use super::limits::MemoryLimit;
+use super::{Outcome, print, say, warn};
 
 /// Write a problem file in another format, or list the formats
 #[derive(Debug, Args)]
@@ -36,6 +37,8 @@ pub struct Convert {
     /// List the formats
     #[arg(long, exclusive = true)]
     list: bool,
+    #[command(flatten)]
+    memory: MemoryLimit,
 }
 
 impl Convert {
@@ -46,7 +49,7 @@ impl Convert {
             print(&ALL.iter().map(description).collect::<String>())?;
             return Ok(Outcome::Good);
         };
-        let problem = exchange::read(source, from)?;
+        let problem = exchange::read_within(source, from, self.memory.max_memory)?;
         warn(&problem);
         let notes = if target == Path::new("-") {
             let output = exchange::encode(&problem, to.unwrap_or(&exchange::JSON))?;
@@ -57,7 +60,7 @@ impl Convert {
         } else {
             exchange::write(&problem, target, to)?
         };
-        notes.iter().for_each(|note| eprintln!("note: {note}"));
+        notes.iter().for_each(|note| say(&format!("note: {note}")));
         Ok(Outcome::Good)
     }
 }
@@ -66,5 +69,7 @@ fn description(format: &Format) -> String {
     let Format { name, about, carries, trap, .. } = format;
     let endings = format.endings.join(", ");
     let only = if format.write.is_some() { "" } else { "; only read" };
-    format!("{name:<14} {about}\n  files    *{endings}{only}\n  carries  {carries}\n  trap     {trap}\n")
+    format!(
+        "{name:<14} {about}\n  files    *{endings}{only}\n  carries  {carries}\n  trap     {trap}\n"
+    )
 }

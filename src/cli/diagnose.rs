@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use clap::Args;
+use lcplab::memory::Memory;
 use lcplab::diagnosis::{problem, scene};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::exchange;
@@ -46,7 +47,7 @@ impl Diagnose {
                 let reason = "is for scenes, this is a problem";
                 return Err(Error::invalid(&self.input, "--step", reason));
             }
-            (true, None) => problem(&read_problem(Path::new(&self.input))?)?,
+            (true, None) => problem(&read_problem(Path::new(&self.input), Memory::default())?)?,
             (false, step) => scene(&Scene::load(&self.input)?, step.unwrap_or(1) as usize)?,
         };
         if !self.json {

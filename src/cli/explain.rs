@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
+use lcplab::memory::Memory;
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
@@ -48,13 +49,13 @@ pub struct Explain {
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     from: Option<u64>,
     /// How many steps of a scene are explained; 1 without it
-    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     steps: Option<u64>,
     /// Largest scaled residual that counts as solved
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Relaxation factor of sor, above 0 and below 2
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     omega: Option<f64>,
     #[command(flatten)]
     writing: Writing,
@@ -91,7 +92,7 @@ impl Explain {
                 ));
             }
         }
-        let read = read_problem(Path::new(&self.input))?;
+        let read = read_problem(Path::new(&self.input), Memory::default())?;
         let name = self.solver.as_deref().unwrap_or_else(|| default_for(&read.lcp));
         problem(&read, &self.method(name, Options::default())?)
     }

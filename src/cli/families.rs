@@ -12,6 +12,7 @@ use lcplab::report::study::families;
 use lcplab::report::{methods, text, view};
 use lcplab::solver::Method;
 
+use super::limits::Limits;
 use super::options::SolverArgs;
 use super::{Outcome, print, read_problem};
 
@@ -37,7 +38,7 @@ pub struct CompareSolvers {
     #[arg(long)]
     model: Vec<Model>,
     /// Problems of each family that has a seed: the seeds 1 to this
-    #[arg(long, default_value_t = 3)]
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     seeds: u32,
     /// Print one JSON object
     #[arg(long)]
@@ -47,7 +48,7 @@ pub struct CompareSolvers {
 }
 
 impl CompareSolvers {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         let mut problems = self.problems()?;
         if !self.model.is_empty() {
             problems.retain(|(_, problems)| problems.iter().any(|p| p.friction().is_some()));
@@ -62,9 +63,12 @@ impl CompareSolvers {
         let models = if self.model.is_empty() { &Model::ALL } else { self.model.as_slice() };
         let methods = self.methods()?;
         let options = self.settings.options(&methods)?;
-        let mut rows = families::run_on(&problems, models, &methods, &options);
+        let stop = limits.stop();
+        let mut rows = families::run_on(&problems, models, &methods, &options, stop);
         rows.retain(|row| row.problems > 0); // a file may not say at what to freeze a box
-        if rows.is_empty() {
+        let stopped = stop.reason();
+        limits.over();
+        if rows.is_empty() && stopped.is_none() {
             let reason = "no solver that is named takes any of these families, so modelled";
             return Err(Error::invalid("options", "--solver", reason));
         }
@@ -74,7 +78,11 @@ impl CompareSolvers {
             print(&text::table(&view::families_table(&rows)))?;
         }
         let wrong = rows.iter().any(families::Row::is_wrong);
-        Ok(if wrong { Outcome::Refuted } else { Outcome::Good })
+        Ok(match stopped {
+            Some(reason) => Outcome::Stopped(reason),
+            None if wrong => Outcome::Refuted,
+            None => Outcome::Good,
+        })
     }
 
     /// The problems of each family or file.
@@ -84,7 +92,7 @@ impl CompareSolvers {
             return Ok(library::all().map(|f| (f.name().to_string(), named(f))).collect());
         }
         let of = |name: &String| match Path::new(name) {
-            path if exchange::is_problem(path) => Ok((name.clone(), vec![read_problem(path)?])),
+            path if exchange::is_problem(path) => Ok((name.clone(), vec![read_problem(path, self.settings.memory())?])),
             _ => Ok((name.clone(), named(library::by_name(name)?))),
         };
         self.families.iter().map(of).collect()

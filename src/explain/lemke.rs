@@ -8,7 +8,7 @@ use super::units::with_unit;
 use crate::document::notation::{bracketed, indexed, plain};
 use crate::document::{Block, Formula, SHOWN, Section, Table};
 use crate::lcp::Lcp;
-use crate::solver::{Iterate, Observer, Part, Solution, Tableau, Variable};
+use crate::solver::{Iterate, Leaving, Observer, Part, Solution, Tableau, Variable};
 
 pub(super) struct Tableaux<'a> {
     reading: &'a Reading<'a>,

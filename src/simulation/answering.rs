@@ -124,6 +124,7 @@ pub(super) fn settings(scene: &Scene) -> Settings {
     Settings {
         tolerance: scene.solver.tolerance,
         max_iterations: scene.solver.max_iterations,
+        memory: scene.memory,
         ..Settings::default()
     }
 }

@@ -6,32 +6,88 @@
 //!
 //! A *pivot* lets one basic and one nonbasic variable change places. Pivoting methods start from
 //! w = b + A x, where w is basic, and exchange until c says what they want to hear: with all
-//! nonbasic variables at 0, c is the value of the basic ones.
+//! nonbasic variables at 0, c is the value of the basic ones. A variable v of limited range can be
+//! *mirrored*: the distance v' from the other end takes its place, v = range − v'.
 
 use super::elimination::difference;
+use super::kernel::{Width, table::Table};
+use super::variable::{Place, Places, Variable};
 
 /// An entry below this part of the largest that it was is zero.
 const RELATIVE_ZERO: f64 = 1e-12;
 
 /// v_B = c + T v_N.
 #[derive(Debug, Clone)]
-pub(super) struct Dictionary<V> {
-    /// The basic variables, one a row.
-    pub(super) basic: Vec<V>,
-    /// The nonbasic variables, one a column.
-    pub(super) nonbasic: Vec<V>,
+pub(super) struct Dictionary {
+    basic: Vec<Variable>,
+    nonbasic: Vec<Variable>,
+    places: Places,
     /// c.
-    pub(super) constant: Vec<f64>,
+    constant: Vec<f64>,
     /// The largest terms that each constant was ever summed from, which is what its rounding errors
     /// are proportional to.
-    pub(super) terms: Vec<f64>,
+    terms: Vec<f64>,
     /// A constant below this part of those terms is zero, not only one that cancels in a single sum.
     pub(super) forgives: f64,
-    /// T, by rows.
-    pub(super) rows: Vec<Vec<f64>>,
+    /// T.
+    table: Table,
 }
 
-impl<V: Copy + PartialEq> Dictionary<V> {
+impl Dictionary {
+    /// The dictionary with T = 0.
+    pub(super) fn new(
+        basic: Vec<Variable>,
+        nonbasic: Vec<Variable>,
+        constant: Vec<f64>,
+        terms: Vec<f64>,
+    ) -> Self {
+        let places = Places::of(&basic, &nonbasic);
+        let table = Table::zeros(basic.len(), nonbasic.len(), Width::widest());
+        Dictionary { basic, nonbasic, places, constant, terms, forgives: 0.0, table }
+    }
+
+    /// Gives an entry a value.
+    pub(super) fn set(&mut self, r: usize, c: usize, value: f64) {
+        self.table.set(r, c, value);
+    }
+
+    /// The basic variables, one a row.
+    pub(super) fn basic(&self) -> &[Variable] {
+        &self.basic
+    }
+
+    /// The nonbasic variables, one a column.
+    pub(super) fn nonbasic(&self) -> &[Variable] {
+        &self.nonbasic
+    }
+
+    /// c.
+    pub(super) fn constant(&self) -> &[f64] {
+        &self.constant
+    }
+
+    /// T_rc.
+    pub(super) fn entry(&self, r: usize, c: usize) -> f64 {
+        self.table.entry(r, c)
+    }
+
+    /// Column c of T: how fast the basic variables change while that of column c grows at rate 1.
+    pub(super) fn column(&self, c: usize) -> Vec<f64> {
+        self.table.column(c)
+    }
+
+    /// T by rows.
+    pub(super) fn rows(&self) -> Vec<Vec<f64>> {
+        let entry = |r| move |c| self.table.entry(r, c);
+        (0..self.basic.len()).map(|r| (0..self.nonbasic.len()).map(entry(r)).collect()).collect()
+    }
+
+    /// An entry beside the largest of its row.
+    pub(super) fn part_of_row(&mut self, r: usize, c: usize) -> f64 {
+        let largest = self.table.row(r).fold(0.0, |largest, entry| f64::max(largest, entry.abs()));
+        self.table.entry(r, c).abs() / largest
+    }
+
     /// Exchanges the basic variable of row r and the nonbasic one of column c; T_rc must not be 0.
     ///
     /// ```text
@@ -39,25 +95,55 @@ impl<V: Copy + PartialEq> Dictionary<V> {
     /// ```
     pub(super) fn pivot(&mut self, r: usize, c: usize) {
         std::mem::swap(&mut self.basic[r], &mut self.nonbasic[c]);
-        let mut row = std::mem::take(&mut self.rows[r]);
-        let pivot = std::mem::replace(&mut row[c], -1.0);
-        row.iter_mut().for_each(|entry| *entry /= -pivot);
-        let (constant, terms) = (-self.constant[r] / pivot, self.terms[r] / pivot.abs());
-        for i in 0..self.rows.len() {
-            if i == r || self.rows[i][c] == 0.0 {
-                continue;
-            }
-            let factor = std::mem::take(&mut self.rows[i][c]);
-            for (entry, &new) in self.rows[i].iter_mut().zip(&row) {
-                *entry = difference(*entry, -factor * new);
-            }
-            self.constant[i] = difference(self.constant[i], -factor * constant);
-            self.terms[i] = self.terms[i].max(factor.abs() * terms);
-            if self.constant[i].abs() <= self.forgives * self.terms[i] {
-                self.constant[i] = 0.0;
-            }
+        self.places.put(self.basic[r], Place::Row(r));
+        self.places.put(self.nonbasic[c], Place::Column(c));
+        let column = self.table.pivot(r, c);
+        let pivot = column[r];
+        (self.constant[r], self.terms[r]) = (-self.constant[r] / pivot, self.terms[r] / pivot.abs());
+        let (constant, terms) = (self.constant[r], self.terms[r]);
+        for i in (0..column.len()).filter(|&i| i != r && column[i] != 0.0) {
+            self.add(i, column[i] * constant, column[i].abs() * terms);
         }
-        (self.rows[r], self.constant[r], self.terms[r]) = (row, constant, terms);
+    }
+
+    /// c_i ← c_i + change, which has been summed from such terms.
+    fn add(&mut self, i: usize, change: f64, terms: f64) {
+        self.constant[i] = difference(self.constant[i], -change);
+        self.terms[i] = self.terms[i].max(terms);
+        if self.constant[i].abs() <= self.forgives * self.terms[i] {
+            self.constant[i] = 0.0;
+        }
+    }
+
+    /// Puts range − v' in the place of the nonbasic variable v of column c; v' is at 0 from now on.
+    pub(super) fn mirror_column(&mut self, c: usize, range: f64) {
+        let column = self.table.column(c);
+        for i in (0..column.len()).filter(|&i| column[i] * range != 0.0) {
+            let change = column[i] * range;
+            self.add(i, change, change.abs());
+        }
+        self.table.negate_column(c);
+        self.rename(self.nonbasic[c], Place::Column(c));
+    }
+
+    /// Puts range − v' in the place of the basic variable v of row r.
+    pub(super) fn mirror_row(&mut self, r: usize, range: f64) {
+        self.constant[r] = -self.constant[r];
+        self.add(r, range, range.abs());
+        self.table.negate_row(r);
+        self.rename(self.basic[r], Place::Row(r));
+    }
+
+    /// Gives a variable the name of its mirror image, and the place.
+    fn rename(&mut self, variable: Variable, place: Place) {
+        let mirrored = variable.mirrored();
+        match place {
+            Place::Row(r) => self.basic[r] = mirrored,
+            Place::Column(c) => self.nonbasic[c] = mirrored,
+            Place::Nowhere => {}
+        }
+        self.places.put(variable, Place::Nowhere);
+        self.places.put(mirrored, place);
     }
 
     /// Exchanges these basic variables for these nonbasic ones, the largest entry first, until all
@@ -65,81 +151,94 @@ impl<V: Copy + PartialEq> Dictionary<V> {
     /// with the largest that it was on the way.
     pub(super) fn exchange(
         &mut self,
-        is_leaving: impl Fn(V) -> bool,
-        is_entering: impl Fn(V) -> bool,
+        is_leaving: impl Fn(Variable) -> bool,
+        is_entering: impl Fn(Variable) -> bool,
     ) {
-        let mut largest = self.rows.clone();
+        let mut rows: Vec<usize> = (0..self.basic.len()).collect();
+        let mut columns: Vec<usize> = (0..self.nonbasic.len()).collect();
+        let mut largest = vec![0.0f64; rows.len() * columns.len()];
         loop {
-            for (seen, now) in largest.iter_mut().flatten().zip(self.rows.iter().flatten()) {
-                *seen = seen.abs().max(now.abs());
-            }
-            let rows = (0..self.basic.len()).filter(|&r| is_leaving(self.basic[r]));
-            let columns: Vec<usize> =
-                (0..self.nonbasic.len()).filter(|&c| is_entering(self.nonbasic[c])).collect();
-            let size = |&(r, c): &(usize, usize)| self.rows[r][c].abs();
-            let pivot = rows
-                .flat_map(|r| columns.iter().map(move |&c| (r, c)))
-                .filter(|at| size(at) > RELATIVE_ZERO * largest[at.0][at.1])
-                .max_by(|a, b| size(a).total_cmp(&size(b)));
-            match pivot {
-                Some((r, c)) => self.pivot(r, c),
-                None => break,
-            }
-        }
-        for r in 0..self.basic.len() {
-            for c in 0..self.nonbasic.len() {
-                if is_leaving(self.basic[r]) && is_entering(self.nonbasic[c]) {
-                    self.rows[r][c] = 0.0;
+            rows.retain(|&r| is_leaving(self.basic[r]));
+            columns.retain(|&c| is_entering(self.nonbasic[c]));
+            self.table.settle();
+            let (mut pivot, mut size) = (None, 0.0);
+            for &r in &rows {
+                for &c in &columns {
+                    let now = self.table.entry(r, c).abs();
+                    let seen = &mut largest[r * self.nonbasic.len() + c];
+                    *seen = seen.max(now);
+                    if now > RELATIVE_ZERO * *seen && now >= size {
+                        (pivot, size) = (Some((r, c)), now);
+                    }
                 }
             }
+            let Some((r, c)) = pivot else { break };
+            self.pivot(r, c);
+        }
+        for (&r, &c) in rows.iter().flat_map(|r| columns.iter().map(move |c| (r, c))) {
+            self.table.set(r, c, 0.0);
         }
     }
 
+    /// The dictionary of some of these equations and variables, or their opposites, in this order.
+    pub(super) fn selection(&self, rows: &[Taken], columns: &[Taken]) -> Self {
+        let name = |taken: &Taken| taken.name;
+        let mut selection = Dictionary::new(
+            rows.iter().map(name).collect(),
+            columns.iter().map(name).collect(),
+            rows.iter().map(|row| row.sign * self.constant[row.index]).collect(),
+            rows.iter().map(|row| self.terms[row.index]).collect(),
+        );
+        for (r, row) in rows.iter().enumerate() {
+            for (c, column) in columns.iter().enumerate() {
+                let entry = self.table.entry(row.index, column.index);
+                selection.set(r, c, row.sign * column.sign * entry);
+            }
+        }
+        selection
+    }
+
     /// The value of a variable while all nonbasic ones are 0.
-    pub(super) fn value(&self, variable: V) -> f64 {
+    pub(super) fn value(&self, variable: Variable) -> f64 {
         self.row_of(variable).map_or(0.0, |r| self.constant[r])
     }
 
     /// How fast a variable changes while the nonbasic one of column c grows at rate 1.
-    pub(super) fn rate(&self, variable: V, c: usize) -> f64 {
-        match self.row_of(variable) {
-            Some(r) => self.rows[r][c],
-            None if self.nonbasic[c] == variable => 1.0,
-            None => 0.0,
+    pub(super) fn rate(&self, variable: Variable, c: usize) -> f64 {
+        match self.places.get(variable) {
+            Place::Row(r) => self.table.entry(r, c),
+            Place::Column(column) => f64::from(column == c),
+            Place::Nowhere => 0.0,
         }
+    }
+
+    /// Whether there is a variable of this name.
+    pub(super) fn has(&self, variable: Variable) -> bool {
+        self.places.get(variable) != Place::Nowhere
     }
 
     /// The row of a basic variable.
-    pub(super) fn row_of(&self, variable: V) -> Option<usize> {
-        self.basic.iter().position(|&v| v == variable)
+    pub(super) fn row_of(&self, variable: Variable) -> Option<usize> {
+        match self.places.get(variable) {
+            Place::Row(r) => Some(r),
+            _ => None,
+        }
     }
 
     /// The column of a nonbasic variable.
-    pub(super) fn column_of(&self, variable: V) -> Option<usize> {
-        self.nonbasic.iter().position(|&v| v == variable)
-    }
-
-    /// Adds a nonbasic variable with these entries in its column.
-    pub(super) fn add_column(&mut self, variable: V, entry: impl Fn(usize) -> f64) {
-        self.nonbasic.push(variable);
-        for (r, row) in self.rows.iter_mut().enumerate() {
-            row.push(entry(r));
+    pub(super) fn column_of(&self, variable: Variable) -> Option<usize> {
+        match self.places.get(variable) {
+            Place::Column(c) => Some(c),
+            _ => None,
         }
     }
+}
 
-    /// Adds an equation for a basic variable.
-    pub(super) fn add_row(&mut self, variable: V, constant: f64, row: Vec<f64>) {
-        self.basic.push(variable);
-        self.constant.push(constant);
-        self.terms.push(constant.abs());
-        self.rows.push(row);
-    }
-
-    /// Fixes a nonbasic variable at 0 for good.
-    pub(super) fn drop_column(&mut self, c: usize) {
-        self.nonbasic.remove(c);
-        for row in &mut self.rows {
-            row.remove(c);
-        }
-    }
+/// A row or column of another dictionary, or its opposite, with a new name.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Taken {
+    pub(super) name: Variable,
+    pub(super) index: usize,
+    /// 1, or −1 for the opposite.
+    pub(super) sign: f64,
 }

@@ -4,8 +4,10 @@
 //! difference a − b that cancels to a 1e-13th of its terms *is* zero, whatever the size of a and b.
 //! Scaling a row or a column by a power of two changes no decision.
 
+use super::kernel::rank_one::add_multiple;
+
 /// A difference below this part of its terms is zero.
-const RELATIVE_ZERO: f64 = 1e-13;
+pub(super) const RELATIVE_ZERO: f64 = 1e-13;
 
 /// a − b, exactly 0 where only rounding is left of it.
 pub fn difference(a: f64, b: f64) -> f64 {
@@ -40,9 +42,7 @@ impl Lu {
             let top = &top[k];
             for row in below.iter_mut().filter(|row| row[k] != 0.0) {
                 row[k] /= top[k];
-                for j in k + 1..n {
-                    row[j] = difference(row[j], row[k] * top[j]); // row ← row − l_k top
-                }
+                add_multiple(-row[k], &top[k + 1..], &mut row[k + 1..]); // row ← row − l_k top
             }
         }
         Ok(Lu { order, rows })

@@ -26,11 +26,7 @@ impl Envelope {
     /// Room for the factors of a symmetric matrix; `None` if they have more entries than `most`.
     pub fn of(matrix: &Matrix, most: usize) -> Option<Self> {
         let n = matrix.len();
-        let begin = |r: usize| {
-            let nonzero = matrix.row(r).iter().find(|&(_, a)| a != 0.0);
-            nonzero.map_or(r, |(column, _)| column.min(r))
-        };
-        let first: Vec<usize> = (0..n).map(begin).collect();
+        let first: Vec<usize> = (0..n).map(|r| begin(matrix, r)).collect();
         let mut starts = vec![0];
         for r in 0..n {
             starts.push(starts[r] + r - first[r]);
@@ -38,6 +34,11 @@ impl Envelope {
         let entries = starts[n];
         let room = || Envelope { first, starts, lower: vec![0.0; entries], diagonal: vec![0.0; n] };
         (entries <= most).then(room)
+    }
+
+    /// How many entries the factors have below the diagonal.
+    pub fn entries(matrix: &Matrix) -> usize {
+        (0..matrix.len()).map(|r| r - begin(matrix, r)).sum()
     }
 
     /// The factors of A + diag(added), with rows and columns of the unit matrix where `is_unit`;
@@ -100,4 +101,10 @@ impl Envelope {
             }
         }
     }
+}
+
+/// The column of the first nonzero entry of row r, r at most.
+fn begin(matrix: &Matrix, r: usize) -> usize {
+    let nonzero = matrix.row(r).iter().find(|&(_, a)| a != 0.0);
+    nonzero.map_or(r, |(column, _)| column.min(r))
 }

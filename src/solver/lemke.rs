@@ -33,21 +33,21 @@
 use std::ops::ControlFlow;
 
 use super::active_set::{ROUNDING, claim};
-use super::dictionary::Dictionary;
-use super::standard_form::{StandardForm, Variable};
+use super::elimination::difference;
+use super::ratio_test::{Blocking, Candidate, least};
+use super::standard_form::{FORGIVEN, StandardForm};
 use super::{
-    Event, Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, Tableau,
-    frozen, pivoting,
+    Event, Fallback, Iterate, Leaving, Observer, Part, Settings, Solution, Solver, Start, Status,
+    Tableau, Variable, frozen, pivoting,
 };
 use crate::lcp::{Lcp, merit};
+use crate::memory::Memory;
 
 /// A pivot below this part of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;
 /// A path of more pivots may be followed a second time; then the tableau is made anew after each so
 /// many pivots.
 const PIVOTS_TO_RENEWAL: usize = 50;
-/// Two ratios that differ by less than this part of them are tied.
-const TIE: f64 = 1e-12;
 
 /// Lemke's method with lexicographic ties.
 #[derive(Debug, Clone, Default)]
@@ -63,7 +63,7 @@ impl Solver for Lemke {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if let Some(status) = pivoting::at_once(lcp, &x, &self.settings, observer) {
+        if let Some(status) = pivoting::at_once(lcp, &x, tableaux(lcp), &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
         frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
@@ -86,8 +86,8 @@ impl Solver for Lemke {
 struct Path<'a> {
     lcp: &'a Lcp,
     form: StandardForm,
-    /// The tableau before the first pivot. The columns of its basic variables are B⁻¹.
-    first: Dictionary<Variable>,
+    /// The variables that were basic before the first pivot.
+    first: Vec<Variable>,
     renews: bool,
     /// Whether some pivot may have been nothing but rounding.
     is_doubtful: bool,
@@ -100,16 +100,14 @@ impl<'a> Path<'a> {
     /// The start of the path, after so many pivots on other ones.
     fn new(lcp: &'a Lcp, pivots: usize) -> Self {
         let mut form = StandardForm::of(lcp);
-        let cover: Vec<f64> = form.dictionary.basic.iter().map(|&v| form.cover(lcp, v)).collect();
-        form.dictionary.add_column(Variable::Cover, |r| cover[r]);
-        let (x, first) = (form.x(lcp), form.dictionary.clone());
         form.dictionary.forgives = 0.0;
+        let (x, first) = (form.x(lcp), form.dictionary.basic()[..form.pairs].to_vec());
         Path { lcp, form, first, renews: false, is_doubtful: false, x, pivots }
     }
 
     /// The same, with a fresh tableau now and then and generous zeros.
     fn with_renewals(mut self) -> Self {
-        self.form.dictionary.forgives = self.first.forgives;
+        self.form.dictionary.forgives = FORGIVEN;
         Path { renews: true, ..self }
     }
 
@@ -128,20 +126,20 @@ impl<'a> Path<'a> {
     /// Pivots until the covering variable has left again.
     fn follow(&mut self, limit: usize, observer: &mut dyn Observer) -> ControlFlow<Status> {
         let start = self.pivots;
-        if self.form.dictionary.constant[..self.form.pairs].iter().all(|&c| c >= 0.0) {
+        if self.form.dictionary.constant()[..self.form.pairs].iter().all(|&c| c >= 0.0) {
             return ControlFlow::Continue(());
         }
         let mut entering = Variable::Cover;
-        let mut leaving = self.lexicographic_minimum(|r| self.cover(r));
         loop {
-            let column = self.form.dictionary.column_of(entering);
+            let column = self.form.column(entering);
             let Some(c) = column else { return ControlFlow::Break(Status::Stalled) };
+            let leaving = self.leaving(c);
             self.tell(Some(c), leaving, observer);
-            let Some(r) = leaving else { return ControlFlow::Break(self.ray(c)) };
+            let Some(leaving) = leaving else { return ControlFlow::Break(self.ray(c)) };
             if self.pivots >= limit {
                 return ControlFlow::Break(Status::IterationLimit);
             }
-            let left = self.pivot(r, c, observer)?;
+            let left = self.pivot(leaving, c, observer)?;
             if left == Variable::Cover {
                 self.tell(None, None, observer);
                 return ControlFlow::Continue(());
@@ -150,20 +148,20 @@ impl<'a> Path<'a> {
                 self.renew();
             }
             entering = left.partner();
-            let column = self.form.dictionary.column_of(entering);
-            leaving = column.and_then(|c| self.blocking(c));
         }
     }
 
     /// Tells an observer that asks of the tableau, and of what will enter and leave.
-    fn tell(&self, entering: Option<usize>, leaving: Option<usize>, observer: &mut dyn Observer) {
+    fn tell(&self, entering: Option<usize>, leaving: Option<Leaving>, observer: &mut dyn Observer) {
         if observer.asks_for_parts() {
             let d = &self.form.dictionary;
+            let range = |&v: &Variable| self.form.range(self.lcp, v);
             observer.part(&Part::Tableau(Tableau {
-                basic: &d.basic,
-                nonbasic: &d.nonbasic,
-                constant: &d.constant,
-                rows: &d.rows,
+                basic: d.basic(),
+                nonbasic: d.nonbasic(),
+                constant: d.constant(),
+                rows: &d.rows(),
+                ranges: &d.basic().iter().map(range).collect::<Vec<_>>(),
                 pairs: self.form.pairs,
                 entering,
                 leaving,
@@ -174,13 +172,24 @@ impl<'a> Path<'a> {
     /// One pivot; returns the variable that has become zero.
     fn pivot(
         &mut self,
-        r: usize,
+        leaving: Leaving,
         c: usize,
         observer: &mut dyn Observer,
     ) -> ControlFlow<Status, Variable> {
-        let (entering, left) = (self.form.dictionary.nonbasic[c], self.form.dictionary.basic[r]);
-        self.is_doubtful |= self.part_of_row(r, c) <= DOUBTFUL;
-        self.form.dictionary.pivot(r, c);
+        let d = &mut self.form.dictionary;
+        let entering = d.nonbasic()[c];
+        let left = match leaving {
+            Leaving::Basic(r) => {
+                self.is_doubtful |= d.part_of_row(r, c) <= DOUBTFUL;
+                d.pivot(r, c);
+                d.nonbasic()[c]
+            }
+            Leaving::Mirrored => {
+                let range = self.form.range(self.lcp, entering);
+                self.form.dictionary.mirror_column(c, range);
+                entering.mirrored()
+            }
+        };
         self.pivots += 1;
         let x = self.form.x(self.lcp);
         if x.iter().any(|x| !x.is_finite()) {
@@ -196,52 +205,68 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(left)
     }
 
-    /// e_r, while the covering variable is nonbasic.
-    fn cover(&self, r: usize) -> f64 {
-        self.form.cover(self.lcp, self.form.dictionary.basic[r])
+    /// The variable that becomes zero first when that of column c grows; the covering variable grows
+    /// until no other one is negative.
+    fn leaving(&mut self, c: usize) -> Option<Leaving> {
+        let is_cover = self.form.dictionary.nonbasic()[c] == Variable::Cover;
+        let candidates = if is_cover { self.lifted(c) } else { self.candidates(c) };
+        match least(candidates, &self.form.dictionary, &self.first)? {
+            Blocking::Row(r) => Some(Leaving::Basic(r)),
+            Blocking::Mirrored(r) => {
+                let range = self.form.range(self.lcp, self.form.dictionary.basic()[r]);
+                self.form.dictionary.mirror_row(r, range);
+                Some(Leaving::Basic(r))
+            }
+            Blocking::Entering => Some(Leaving::Mirrored),
+        }
+    }
+
+    /// The rows that the covering variable lifts.
+    fn lifted(&self, c: usize) -> Vec<Candidate> {
+        let (value, weight) = (self.form.dictionary.constant(), self.form.dictionary.column(c));
+        let row = |r| Candidate { blocking: Blocking::Row(r), value: value[r], weight: weight[r] };
+        (0..self.form.pairs).map(row).collect()
+    }
+
+    /// What may become zero when the variable of column c grows.
+    fn candidates(&mut self, c: usize) -> Vec<Candidate> {
+        let mut rate = self.form.dictionary.column(c);
+        if self.renews {
+            for (r, rate) in rate.iter_mut().enumerate() {
+                if self.form.dictionary.part_of_row(r, c) <= DOUBTFUL {
+                    *rate = 0.0;
+                }
+            }
+        }
+        let d = &self.form.dictionary;
+        let mut candidates = Vec::new();
+        let mut add = |blocking, value, weight| {
+            candidates.push(Candidate { blocking, value, weight });
+        };
+        for r in 0..self.form.pairs {
+            let (value, range) = (d.constant()[r], self.form.range(self.lcp, d.basic()[r]));
+            if rate[r] < 0.0 {
+                add(Blocking::Row(r), value, -rate[r]);
+            } else if rate[r] > 0.0 && range.is_finite() {
+                add(Blocking::Mirrored(r), difference(range, value), rate[r]);
+            }
+        }
+        let range = self.form.range(self.lcp, d.nonbasic()[c]);
+        if range.is_finite() {
+            add(Blocking::Entering, range, 1.0);
+        }
+        candidates
     }
 
     /// Makes the tableau of the present basis anew from the first one.
     fn renew(&mut self) {
         let now = &self.form.dictionary;
-        let mut renewed = self.first.clone();
-        renewed.exchange(|v| now.column_of(v).is_some(), |v| now.row_of(v).is_some());
-        if renewed.basic.iter().all(|&v| now.row_of(v).is_some()) {
-            self.form.dictionary = renewed;
+        let mut renewed = StandardForm::of(self.lcp);
+        renewed.mirror_as(self.lcp, now);
+        renewed.dictionary.exchange(|v| now.column_of(v).is_some(), |v| now.row_of(v).is_some());
+        if renewed.dictionary.basic().iter().all(|&v| now.row_of(v).is_some()) {
+            self.form = renewed;
         }
-    }
-
-    /// The pair variable that becomes zero first when that of column c grows.
-    fn blocking(&self, c: usize) -> Option<usize> {
-        let is_zero = |r: usize| self.renews && self.part_of_row(r, c) <= DOUBTFUL;
-        let rate = |r: usize| self.form.dictionary.rows[r][c];
-        self.lexicographic_minimum(|r| if is_zero(r) { 0.0 } else { -rate(r) })
-    }
-
-    /// An entry of the tableau beside the largest of its row.
-    fn part_of_row(&self, r: usize, c: usize) -> f64 {
-        let row = &self.form.dictionary.rows[r];
-        row[c].abs() / row.iter().fold(0.0, |largest, entry| f64::max(largest, entry.abs()))
-    }
-
-    /// The row r with the lexicographically least (c_r, B⁻¹_r) / weight_r among positive weights.
-    fn lexicographic_minimum(&self, weight: impl Fn(usize) -> f64) -> Option<usize> {
-        let d = &self.form.dictionary;
-        let mut tied: Vec<usize> = (0..self.form.pairs).filter(|&r| weight(r) > 0.0).collect();
-        keep_least(&mut tied, |r| d.constant[r] / weight(r));
-        if let Some(&cover) = tied.iter().find(|&&r| d.basic[r] == Variable::Cover) {
-            return Some(cover);
-        }
-        for &v in &self.first.basic[..self.form.pairs] {
-            if tied.len() <= 1 {
-                break;
-            }
-            match d.column_of(v) {
-                Some(c) => keep_least(&mut tied, |r| -d.rows[r][c] / weight(r)),
-                None => keep_least(&mut tied, |r| f64::from(d.basic[r] == v) / weight(r)),
-            }
-        }
-        tied.first().copied()
     }
 
     fn ray(&self, c: usize) -> Status {
@@ -265,8 +290,7 @@ impl<'a> Path<'a> {
     }
 }
 
-/// Keeps the rows whose key is least, ties included.
-fn keep_least(rows: &mut Vec<usize>, key: impl Fn(usize) -> f64) {
-    let least = rows.iter().map(|&r| key(r)).fold(f64::INFINITY, f64::min);
-    rows.retain(|&r| key(r) - least <= TIE * key(r).abs().max(least.abs()));
+/// Room for three tableaux: the first, the one that is pivoted, and one to make that anew.
+fn tableaux(lcp: &Lcp) -> Memory {
+    Memory::square(lcp.len() + 2).times(3)
 }

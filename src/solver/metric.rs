@@ -36,13 +36,7 @@ pub(super) enum Curvature {
 impl Metric {
     /// The measure, if the diagonal is positive wherever x can move.
     pub(super) fn of(lcp: &Lcp) -> Result<Metric, Status> {
-        let entry = |row: usize| match lcp.matrix().diagonal(row) {
-            d if d > 0.0 => Ok(d),
-            _ if lcp.lo()[row] == lcp.hi()[row] => Ok(1.0),
-            _ => Err(Status::ZeroDiagonal { row }),
-        };
-        let diagonal = (0..lcp.len()).map(entry).collect::<Result<_, _>>()?;
-        Ok(Metric::with_diagonal(lcp, diagonal))
+        Ok(Metric::with_diagonal(lcp, diagonal(lcp)?))
     }
 
     fn with_diagonal(lcp: &Lcp, diagonal: Vec<f64>) -> Metric {
@@ -55,10 +49,7 @@ impl Metric {
 
     /// The same for methods that descend the objective: A must be symmetric too.
     pub(super) fn of_symmetric(lcp: &Lcp) -> Result<Metric, Status> {
-        if !lcp.matrix().is_symmetric() {
-            return Err(Status::OutsideClass { reason: "A is not symmetric" });
-        }
-        Metric::of(lcp)
+        Ok(Metric::with_diagonal(lcp, diagonal_of_symmetric(lcp)?))
     }
 
     /// The same for cones. A contact has one d for its three rows, so that its nearest point in the
@@ -90,6 +81,25 @@ impl Metric {
             c if c <= RELATIVE_ZERO * scale => Curvature::Flat,
             c => Curvature::Positive(c),
         }
+    }
+}
+
+/// D, if it is positive wherever x can move.
+pub(super) fn diagonal(lcp: &Lcp) -> Result<Vec<f64>, Status> {
+    let entry = |row: usize| match lcp.matrix().diagonal(row) {
+        d if d > 0.0 => Ok(d),
+        _ if lcp.lo()[row] == lcp.hi()[row] => Ok(1.0),
+        _ => Err(Status::ZeroDiagonal { row }),
+    };
+    (0..lcp.len()).map(entry).collect()
+}
+
+/// The same, if A is symmetric too.
+pub(super) fn diagonal_of_symmetric(lcp: &Lcp) -> Result<Vec<f64>, Status> {
+    if lcp.matrix().is_symmetric() {
+        diagonal(lcp)
+    } else {
+        Err(Status::OutsideClass { reason: "A is not symmetric" })
     }
 }
 

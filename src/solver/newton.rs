@@ -8,37 +8,49 @@
 //! ```
 //!
 //! vanish exactly at the solutions (a bound at infinity drops its φ; Billups 1995 for two finite
-//! ones), and no variable is doubled for the upper bounds. Each step solves for d
+//! ones), and no variable is doubled for the upper bounds. With J a generalised Jacobian at x, a step
+//! is a d that solves J d = −H, halved until |H| falls enough.
+//!
+//! For the minimum map row i of J is that of A where row i is free (F) and a unit row where it is at a
+//! bound: the step solves for the guessed active set, which is final once the guess is right. Where
+//! A_FF is symmetric and definite, that is a Cholesky factorisation:
 //!
 //! ```text
-//! (JᵀJ + ν I) d = −Jᵀ H,   J a generalised Jacobian at x,   ν = 10⁻¹⁰ |H|² / Σ b_i²/a_ii
+//! x_i + d_i = the bound of row i at a bound,   A_FF d_F = −w_F at x_F and these bounds
 //! ```
 //!
-//! and halves it until |H| falls enough. For the minimum map row i of J is that of A where row i is
-//! free and a unit row where it is at a bound: the step solves for the guessed active set, which is
-//! final once the guess is right. For Fischer-Burmeister |H|² has no kink, so that d always leads
-//! downhill and the limit solves the LCP if A is a P0 matrix, as semidefinite ones are. Near a
-//! solution both double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei &
-//! Kanzow 1996).
+//! For Fischer-Burmeister |H|² has no kink, so that d always leads downhill and the limit solves the
+//! LCP if A is a P0 matrix, as semidefinite ones are. Here J has all rows of A, and redundant contacts
+//! make it singular, as they do A_FF. Wherever there is no Cholesky factor the step is a least-squares
+//! solution, by QR:
 //!
-//! Redundant contacts make J singular. The term ν (Levenberg-Marquardt) then picks the least change
-//! of x, and since it vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001).
+//! ```text
+//! (JᵀJ + ν I) d = −Jᵀ H,   ν = 10⁻¹⁰ |H|² / Σ b_i²/a_ii
+//! ```
+//!
+//! The term ν (Levenberg-Marquardt) picks the least change of x if J is singular, and since it
+//! vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001). Near a solution both
+//! equations double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei & Kanzow 1996).
 //! Where no length of d reduces |H|, which happens at kinks of the minimum map, the step is a sweep
 //! of [`Pgs`](super::Pgs), and the observer is told so (`Sweep` for `Step`).
 //!
-//! |H|² is summed as Σ a_ii H_i², an energy. A step costs a dense least-squares problem, O(n³): A
-//! of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows are part of H,
-//! with their derivatives. `ZeroDiagonal` and `Diverged` as for PGS.
+//! |H|² is summed as Σ a_ii H_i², an energy. A step costs f³/6 products for f free rows by Cholesky and
+//! 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows
+//! are part of H, with their derivatives; a coupled row at a bound that moves needs QR. `ZeroDiagonal`
+//! and `Diverged` as for PGS.
 
 use std::ops::ControlFlow;
 
-use faer::Mat;
-use faer::prelude::SolveLstsq;
+use faer::linalg::solvers::Llt;
+use faer::prelude::{Solve, SolveLstsq};
+use faer::{Mat, Side};
 
+use super::equations::{Equations, Row};
 use super::iterate::iterate;
-use super::metric::Metric;
+use super::metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status};
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// Halvings of a step before a sweep is taken instead.
 const HALVINGS: i32 = 12;
@@ -49,18 +61,10 @@ const SUFFICIENT: f64 = 1e-4;
 const DAMPING: f64 = 1e-10;
 /// ν stays above this, so that a singular J keeps its least-squares problem solvable.
 const LEAST_DAMPING: f64 = 1e-28;
+/// A pivot that is at most this part of its diagonal entry may be rounding.
+const INDEPENDENT: f64 = 1e-10;
 /// Above this many rows the dense problem takes too long.
 const MAX_ROWS: usize = 2_000;
-
-/// The equations whose root is sought.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Equations {
-    /// The median of x − lo, w̃ and x − hi.
-    #[default]
-    MinimumMap,
-    /// φ(x − lo, −φ(hi − x, −w̃)).
-    FischerBurmeister,
-}
 
 /// Newton's method with line search on nonsmooth equations.
 #[derive(Debug, Clone, Default)]
@@ -85,51 +89,47 @@ impl Solver for Newton {
             let reason = "a dense Jacobian of more than 2000 rows";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
         }
-        let metric = match Metric::of(lcp) {
-            Ok(metric) => metric,
+        if let Some(status) = self.settings.refusal(Memory::square(lcp.len()).times(4)) {
+            return Solution::new(lcp, x, status, 0); // the 2n × n least-squares problem and its factors
+        }
+        let diagonal = match metric::diagonal(lcp) {
+            Ok(diagonal) => diagonal,
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
-        let run = Run { lcp, metric: &metric, equations: self.equations };
+        let run = Run { lcp, diagonal: &diagonal, equations: self.equations };
+        let mut known = None;
         iterate(lcp, x, 0, &self.settings, observer, |x| {
-            if let Some(next) = run.newton_step(x) {
+            let rows = known.take().unwrap_or_else(|| run.rows(x));
+            if let Some((next, rows)) = run.newton_step(x, &rows) {
                 x.copy_from_slice(&next);
+                known = Some(rows);
                 return ControlFlow::Continue(Event::Step);
             }
             for i in 0..x.len() {
-                x[i] = lcp.project(i, x[i] - lcp.row_w(i, x) / metric.diagonal[i], x);
+                x[i] = lcp.project(i, x[i] - lcp.row_w(i, x) / diagonal[i], x);
             }
             ControlFlow::Continue(Event::Sweep)
         })
     }
 }
 
-/// H_i with its derivatives by x_i, w̃_i, lo_i and hi_i.
-#[derive(Debug, Clone, Copy)]
-struct Row {
-    value: f64,
-    by_x: f64,
-    by_w: f64,
-    by_lo: f64,
-    by_hi: f64,
-}
-
 struct Run<'a> {
     lcp: &'a Lcp,
-    metric: &'a Metric,
+    diagonal: &'a [f64],
     equations: Equations,
 }
 
 impl Run<'_> {
-    /// x + λ d with the first λ = 1, ½, ¼, … that reduces |H|² enough, if any does.
-    fn newton_step(&self, x: &[f64]) -> Option<Vec<f64>> {
-        let rows = self.rows(x);
-        let square = self.square(&rows);
-        let d = self.direction(x, &rows, square)?;
+    /// x + λ d with the first λ = 1, ½, ¼, … that reduces |H|² enough, if any does, and H there.
+    fn newton_step(&self, x: &[f64], rows: &[Row]) -> Option<(Vec<f64>, Vec<Row>)> {
+        let square = self.square(rows);
+        let definite = self.active_set_direction(x, rows);
+        let d = definite.or_else(|| self.least_squares_direction(x, rows, square))?;
         let shorter = |k: i32| {
             let lambda = 0.5f64.powi(k);
             let next: Vec<f64> = x.iter().zip(&d).map(|(x, d)| x + lambda * d).collect();
-            let enough = (1.0 - SUFFICIENT * lambda) * square;
-            (self.square(&self.rows(&next)) <= enough).then_some(next)
+            let (enough, rows) = ((1.0 - SUFFICIENT * lambda) * square, self.rows(&next));
+            (self.square(&rows) <= enough).then_some((next, rows))
         };
         (0..=HALVINGS).find_map(shorter)
     }
@@ -137,24 +137,64 @@ impl Run<'_> {
     fn rows(&self, x: &[f64]) -> Vec<Row> {
         let row = |i: usize| {
             let (lo, hi) = self.lcp.bounds(i, x);
-            let w = self.lcp.row_w(i, x) / self.metric.diagonal[i];
-            match self.equations {
-                Equations::MinimumMap => minimum_map(x[i], w, lo, hi),
-                Equations::FischerBurmeister => fischer_burmeister(x[i], w, lo, hi),
-            }
+            self.equations.row(x[i], self.lcp.row_w(i, x) / self.diagonal[i], lo, hi)
         };
         (0..x.len()).map(row).collect()
     }
 
     /// Σ a_ii H_i².
     fn square(&self, rows: &[Row]) -> f64 {
-        rows.iter().enumerate().map(|(i, row)| self.metric.diagonal[i] * row.value.powi(2)).sum()
+        rows.iter().enumerate().map(|(i, row)| self.diagonal[i] * row.value.powi(2)).sum()
+    }
+
+    /// The solution of J d = −H for the minimum map, if A_FF is symmetric and definite and the bounds
+    /// stay where they are.
+    fn active_set_direction(&self, x: &[f64], rows: &[Row]) -> Option<Vec<f64>> {
+        let is_free = |i: &usize| rows[*i].by_w != 0.0;
+        let moves = |i: usize| self.bound_slope(i, x).is_some_and(|(_, slope)| slope != 0.0);
+        let (free, bound): (Vec<usize>, Vec<usize>) = (0..x.len()).partition(is_free);
+        if self.equations != Equations::MinimumMap || bound.iter().any(|&i| moves(i)) {
+            return None;
+        }
+        let mut d = vec![0.0; x.len()];
+        bound.iter().for_each(|&i| d[i] = -rows[i].value);
+        let factor = self.factor(&free)?;
+        let moved: Vec<f64> = x.iter().zip(&d).map(|(x, d)| x + d).collect();
+        let rhs = Mat::from_fn(free.len(), 1, |k, _| -self.lcp.row_w(free[k], &moved));
+        let solution = factor.solve(&rhs);
+        free.iter().enumerate().for_each(|(k, &i)| d[i] = solution[(k, 0)]);
+        d.iter().all(|d| d.is_finite()).then_some(d)
+    }
+
+    /// The Cholesky factor of A_FF, if it has one and no pivot that may be rounding.
+    fn factor(&self, free: &[usize]) -> Option<Llt<f64>> {
+        let mut place = vec![None; self.lcp.len()];
+        free.iter().enumerate().for_each(|(k, &i)| place[i] = Some(k));
+        let mut a = Mat::<f64>::zeros(free.len(), free.len());
+        for (column, &i) in free.iter().enumerate() {
+            for (j, entry) in self.lcp.matrix().row(i).iter() {
+                if let Some(row) = place[j] {
+                    a[(row, column)] = entry;
+                }
+            }
+        }
+        if a != a.transpose() {
+            return None;
+        }
+        let factor = a.llt(Side::Lower).ok()?;
+        let pivot = |k: usize| factor.L()[(k, k)].powi(2);
+        (0..free.len()).all(|k| pivot(k) > INDEPENDENT * a[(k, k)]).then_some(factor)
     }
 
     /// The least-squares solution of J d = −H, √ν d = 0, in the variables √a_ii x_i.
-    fn direction(&self, x: &[f64], rows: &[Row], square: f64) -> Option<Vec<f64>> {
+    fn least_squares_direction(
+        &self,
+        x: &[f64],
+        rows: &[Row],
+        square: f64,
+    ) -> Option<Vec<f64>> {
         let n = x.len();
-        let root: Vec<f64> = (0..n).map(|i| self.metric.diagonal[i].sqrt()).collect();
+        let root: Vec<f64> = (0..n).map(|i| self.diagonal[i].sqrt()).collect();
         let start: f64 = (0..n).map(|i| (self.lcp.b()[i] / root[i]).powi(2)).sum();
         let reduction = if start > 0.0 { (square / start).min(1.0) } else { 1.0 };
         let damping = (DAMPING * reduction).max(LEAST_DAMPING).sqrt(); // √ν
@@ -184,36 +224,4 @@ impl Run<'_> {
         let k = coupling.index(i)?;
         Some((k, if x[k] > 0.0 { coupling.mu(i) } else { 0.0 }))
     }
-}
-
-fn minimum_map(x: f64, w: f64, lo: f64, hi: f64) -> Row {
-    let row = |value, by_x, by_w, by_lo, by_hi| Row { value, by_x, by_w, by_lo, by_hi };
-    if w.min(x - lo) < x - hi {
-        row(x - hi, 1.0, 0.0, 0.0, -1.0)
-    } else if w < x - lo {
-        row(w, 0.0, 1.0, 0.0, 0.0)
-    } else {
-        row(x - lo, 1.0, 0.0, -1.0, 0.0)
-    }
-}
-
-fn fischer_burmeister(x: f64, w: f64, lo: f64, hi: f64) -> Row {
-    let [inner, p, q] = phi(hi - x, -w);
-    let [value, a, b] = phi(x - lo, -inner);
-    Row { value, by_x: a + b * p, by_w: b * q, by_lo: -a, by_hi: -b * p }
-}
-
-/// φ(a, b) = a + b − √(a² + b²) with its derivatives; at (0, 0) those of the diagonal a = b.
-fn phi(a: f64, b: f64) -> [f64; 3] {
-    if a == f64::INFINITY {
-        return [b, 0.0, 1.0];
-    }
-    let r = a.hypot(b);
-    if r == 0.0 {
-        let slope = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
-        return [0.0, slope, slope];
-    }
-    // a + b − r loses all digits where one of them is small and the other positive
-    let value = if a + b > 0.0 { 2.0 * a * b / (a + b + r) } else { a + b - r };
-    [value, 1.0 - a / r, 1.0 - b / r]
 }

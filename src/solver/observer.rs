@@ -146,10 +146,21 @@ pub struct Tableau<'a> {
     pub constant: &'a [f64],
     /// T by rows.
     pub rows: &'a [Vec<f64>],
+    /// How large the basic variables may become.
+    pub ranges: &'a [f64],
     /// So many of the first rows are variables that must not be negative.
     pub pairs: usize,
     /// The column of the variable that enters; `None` where the path has ended.
     pub entering: Option<usize>,
-    /// The row of the variable that leaves; `None` on a ray, or where the path has ended.
-    pub leaving: Option<usize>,
+    /// The variable that leaves; `None` on a ray, or where the path has ended.
+    pub leaving: Option<Leaving>,
+}
+
+/// The variable that becomes zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Leaving {
+    /// The basic one of this row.
+    Basic(usize),
+    /// The mirror image of the entering one, which has come to the end of its range.
+    Mirrored,
 }

@@ -2,19 +2,24 @@
 
 use super::{Event, Iterate, Observer, Settings, Status};
 use crate::lcp::{Lcp, merit};
+use crate::memory::Memory;
 
-/// Above this many rows a dense factor or tableau would not fit.
+/// Above this many rows a dense factor or tableau takes too long.
 pub(super) const MAX_ROWS: usize = 8_000;
 
-/// The status of a method that need not, or cannot, pivot at all.
+/// The status of a method that need not, or cannot, pivot at all, or would need too much memory.
 pub(super) fn at_once(
     lcp: &Lcp,
     x: &[f64],
+    needs: Memory,
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Option<Status> {
     if lcp.len() > MAX_ROWS {
         return Some(Status::OutsideClass { reason: "more than 8000 rows" });
+    }
+    if let Some(status) = settings.refusal(needs) {
+        return Some(status);
     }
     if observer.observe(&Iterate { iteration: 0, x, event: Event::Start }).is_break() {
         return Some(Status::Stopped);

@@ -5,6 +5,7 @@ use super::{
     Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen, pivoting,
 };
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// Which of the rows that are not satisfied change sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,7 +27,8 @@ pub(super) fn solve<R: FnMut(usize) -> Change>(
     rule: impl Fn() -> R,
 ) -> Solution {
     let x = start.point(lcp);
-    if let Some(status) = pivoting::at_once(lcp, &x, settings, observer) {
+    if let Some(status) = pivoting::at_once(lcp, &x, Memory::square(lcp.len()), settings, observer)
+    {
         return Solution::new(lcp, x, status, 0);
     }
     let is_pinned = |i: usize| lcp.lo()[i] == lcp.hi()[i];

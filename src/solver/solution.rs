@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// A solver's answer. There is no time in it: a solution is the same on every machine.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,6 +95,13 @@ pub enum Status {
     },
     /// All active sets were tried in exact arithmetic and none carries a solution; x is the start.
     NoSolution,
+    /// The method would take more memory than it may; x is the start.
+    TooLarge {
+        /// What it would take.
+        needs: Memory,
+        /// What it may take.
+        limit: Memory,
+    },
     /// The method is not made for this problem; x is the start.
     OutsideClass {
         /// Which property the problem lacks.
@@ -115,6 +123,9 @@ impl fmt::Display for Status {
             Status::Singular { row } => write!(f, "singular at row {row}"),
             Status::Ray { row, .. } => write!(f, "a ray: row {row} cannot be satisfied"),
             Status::NoSolution => write!(f, "no solution exists: no active set carries one"),
+            Status::TooLarge { needs, limit } => {
+                write!(f, "needs {needs}, above the limit of {limit}: --max-memory")
+            }
             Status::OutsideClass { reason } => write!(f, "outside the solver's class: {reason}"),
         }
     }

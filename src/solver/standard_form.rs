@@ -8,55 +8,26 @@
 //! free                x solved for in w = 0, and leaves the pairs
 //! ```
 //!
-//! v is the force with which the upper bound pushes back. Free rows are solved by elimination with
-//! complete pivoting, which puts the Schur complement of A in place of A. What is left of them when
-//! no pivot is left, because A is singular there, is split: x = y − v with 0 ≤ y ⟂ w ≥ 0 and
-//! 0 ≤ v ⟂ t = −w ≥ 0. None of this changes that A is positive semidefinite.
+//! v is the force with which the upper bound pushes back. A row bounded from both sides needs one
+//! equation and one column all the same. t is y seen from the other bound; and v is not 0 only where t
+//! is 0, so that y and hence w + v ≠ 0 or v ≠ 0 but never both: v is −w, seen from there.
+//! The dictionary has whichever of the two names must not be negative, and
+//! [mirrors](Dictionary::mirror_row) one into the other.
+//!
+//! Free rows are solved by elimination with complete pivoting, which puts the Schur complement of A
+//! in place of A. What is left of them when no pivot is left, because A is singular there, is split:
+//! x = y − v with 0 ≤ y ⟂ w ≥ 0 and 0 ≤ v ⟂ t = −w ≥ 0. None of this changes that A is positive
+//! semidefinite.
 
 use super::active_set::{ActiveSet, Side, unit};
-use super::dictionary::Dictionary;
+use super::dictionary::{Dictionary, Taken};
+use super::variable::Variable;
 use crate::lcp::{Lcp, merit::RowTerms};
 
 /// What a constant may lose to rounding in a block of exchanges, relative to its terms.
 pub(super) const FORGIVEN: f64 = 1e-11;
 /// Units of w that differ by more than this factor are far apart.
 const FAR_APART: f64 = 1024.0;
-
-/// A variable of Lemke's standard form; the number is the row of the boxed problem.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Variable {
-    /// y, the distance of x from its bound.
-    Y(usize),
-    /// The partner of y: w, −w or w + v.
-    W(usize),
-    /// v, the force of the other bound.
-    V(usize),
-    /// The partner of v: the distance of x from the other bound.
-    T(usize),
-    /// Lemke's covering variable.
-    Cover,
-}
-
-impl Variable {
-    /// The other one of its pair.
-    pub(super) fn partner(self) -> Self {
-        match self {
-            Variable::Y(i) => Variable::W(i),
-            Variable::W(i) => Variable::Y(i),
-            Variable::V(i) => Variable::T(i),
-            Variable::T(i) => Variable::V(i),
-            Variable::Cover => Variable::Cover,
-        }
-    }
-
-    /// The row of the boxed problem; none for the covering variable.
-    pub fn row(self) -> Option<usize> {
-        match self {
-            Variable::Y(i) | Variable::W(i) | Variable::V(i) | Variable::T(i) => Some(i),
-            Variable::Cover => None,
-        }
-    }
-}
 
 /// How a row of the boxed problem enters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,7 +59,7 @@ pub(super) struct StandardForm {
     base: Vec<f64>,
     sign: Vec<f64>,
     /// The equations; the first `pairs` rows are those of variables that must not be negative.
-    pub(super) dictionary: Dictionary<Variable>,
+    pub(super) dictionary: Dictionary,
     /// The number of pairs.
     pub(super) pairs: usize,
     /// Whether the rows have very different units.
@@ -96,7 +67,8 @@ pub(super) struct StandardForm {
 }
 
 impl StandardForm {
-    /// The standard form of a problem without coupling; the W and T are basic.
+    /// The standard form of a problem without coupling; the W are basic. The covering variable is in
+    /// the last column.
     pub(super) fn of(lcp: &Lcp) -> Self {
         let n = lcp.len();
         let kind: Vec<Kind> = (0..n).map(|i| Kind::of(lcp.lo()[i], lcp.hi()[i])).collect();
@@ -110,92 +82,96 @@ impl StandardForm {
         let sign: Vec<f64> =
             kind.iter().map(|&kind| if kind == Kind::Above { -1.0 } else { 1.0 }).collect();
         let rows: Vec<usize> = (0..n).filter(|&i| kind[i] != Kind::Pinned).collect();
-        let entry = |i: usize, j: usize| sign[i] * lcp.matrix().entry(i, j) * sign[j];
-        let dictionary = Dictionary {
-            basic: rows.iter().map(|&i| Variable::W(i)).collect(),
-            nonbasic: rows.iter().map(|&i| Variable::Y(i)).collect(),
-            constant: rows.iter().map(|&i| sign[i] * lcp.row_w(i, &base)).collect(),
-            terms: rows.iter().map(|&i| RowTerms::at(lcp, i, &base).magnitude).collect(),
-            forgives: FORGIVEN,
-            rows: rows.iter().map(|&i| rows.iter().map(|&j| entry(i, j)).collect()).collect(),
-        };
         let units = rows.iter().map(|&i| unit(lcp, i));
         let (least, most) = units.fold((f64::INFINITY, 0.0), |(l, m), u| (u.min(l), u.max(m)));
         let needs_units = most > FAR_APART * least;
-        let mut form = StandardForm { kind, base, sign, dictionary, pairs: 0, needs_units };
-        form.eliminate_free();
-        form.split_free();
-        form.add_upper_bounds(lcp);
-        form.put_pairs_first();
+        let dictionary = equations(lcp, &rows, &base, &sign);
+        let pairs = rows.len();
+        let mut form = StandardForm { kind, base, sign, dictionary, pairs, needs_units };
+        if form.kind.contains(&Kind::Free) {
+            form.eliminate_free();
+        }
+        form.add_cover(lcp);
         form
     }
 
-    /// Solves w = 0 for the free x, and drops their w.
+    /// Solves w = 0 for the free x, drops their w, splits the free x that no equation of a free row
+    /// contains any more, and puts those that are solved for below the pairs.
     fn eliminate_free(&mut self) {
-        let is_free = |i: usize| self.kind[i] == Kind::Free;
-        self.dictionary.exchange(
-            |v| matches!(v, Variable::W(i) if is_free(i)),
-            |v| matches!(v, Variable::Y(i) if is_free(i)),
-        );
-        for c in (0..self.dictionary.nonbasic.len()).rev() {
-            if matches!(self.dictionary.nonbasic[c], Variable::W(_)) {
-                self.dictionary.drop_column(c);
-            }
-        }
-    }
-
-    /// Splits the free x that no equation of a free row contains any more.
-    fn split_free(&mut self) {
-        let d = &mut self.dictionary;
         let is_free = |v: Variable| v.row().is_some_and(|i| self.kind[i] == Kind::Free);
-        let columns: Vec<usize> =
-            (0..d.nonbasic.len()).filter(|&c| is_free(d.nonbasic[c])).collect();
-        let rows: Vec<usize> = (0..d.basic.len())
-            .filter(|&r| matches!(d.basic[r], Variable::W(_)) && is_free(d.basic[r]))
-            .collect();
-        for (r, c) in rows.into_iter().zip(columns) {
-            let Variable::Y(i) = d.nonbasic[c] else { continue };
-            d.basic[r] = Variable::W(i); // any of the leftover equations will do
-            let column: Vec<f64> = d.rows.iter().map(|row| -row[c]).collect();
-            d.add_column(Variable::V(i), |r| column[r]);
-            let opposite = d.rows[r].iter().map(|entry| -entry).collect();
-            d.add_row(Variable::T(i), -d.constant[r], opposite);
-        }
-    }
-
-    fn add_upper_bounds(&mut self, lcp: &Lcp) {
         let d = &mut self.dictionary;
-        for i in (0..lcp.len()).filter(|&i| self.kind[i] == Kind::Both) {
-            let force_row = d.row_of(Variable::W(i));
-            d.add_column(Variable::V(i), |r| f64::from(Some(r) == force_row));
-            let distance = |&v: &Variable| if v == Variable::Y(i) { -1.0 } else { 0.0 };
-            let row = d.nonbasic.iter().map(distance).collect();
-            d.add_row(Variable::T(i), lcp.hi()[i] - lcp.lo()[i], row);
+        d.exchange(
+            |v| matches!(v, Variable::W(_)) && is_free(v),
+            |v| matches!(v, Variable::Y(_)) && is_free(v),
+        );
+        let take = |(index, &name): (usize, &Variable)| Taken { name, index, sign: 1.0 };
+        let of_basic = d.basic().iter().enumerate().map(take);
+        let (mut pairs, solved): (Vec<Taken>, Vec<Taken>) =
+            of_basic.partition(|row| matches!(row.name, Variable::W(_)));
+        let of_nonbasic = d.nonbasic().iter().enumerate().map(take);
+        let mut columns: Vec<Taken> =
+            of_nonbasic.filter(|column| !matches!(column.name, Variable::W(_))).collect();
+        let cover = columns.pop();
+        let left_rows: Vec<usize> = (0..pairs.len()).filter(|&r| is_free(pairs[r].name)).collect();
+        let left_columns: Vec<Taken> =
+            columns.iter().filter(|column| is_free(column.name)).copied().collect();
+        for (r, column) in left_rows.into_iter().zip(left_columns) {
+            let Variable::Y(i) = column.name else { continue };
+            pairs[r].name = Variable::W(i); // any of the leftover equations will do
+            pairs.push(Taken { name: Variable::T(i), sign: -1.0, ..pairs[r] });
+            columns.push(Taken { name: Variable::V(i), sign: -1.0, ..column });
         }
-    }
-
-    /// Puts the solved free x below the pairs.
-    fn put_pairs_first(&mut self) {
-        let d = &mut self.dictionary;
-        let is_pair = |&r: &usize| !matches!(d.basic[r], Variable::Y(_));
-        let (pairs, free): (Vec<usize>, Vec<usize>) = (0..d.basic.len()).partition(is_pair);
+        columns.extend(cover);
         self.pairs = pairs.len();
-        let order: Vec<usize> = pairs.into_iter().chain(free).collect();
-        d.basic = order.iter().map(|&r| d.basic[r]).collect();
-        d.constant = order.iter().map(|&r| d.constant[r]).collect();
-        d.terms = order.iter().map(|&r| d.terms[r]).collect();
-        d.rows = order.iter().map(|&r| std::mem::take(&mut d.rows[r])).collect();
+        pairs.extend(solved);
+        self.dictionary = d.selection(&pairs, &columns);
     }
 
-    /// How much the covering variable lifts this basic variable: 1 for all but distances to an upper
-    /// bound, which are not negative to begin with; or the row's unit of w, if the units differ so
-    /// much that the large would swallow the small.
-    pub(super) fn cover(&self, lcp: &Lcp, variable: Variable) -> f64 {
+    /// Lets the covering variable lift every basic one that may be negative by 1; or by the row's
+    /// unit of w, if the units differ so much that the large would swallow the small.
+    fn add_cover(&mut self, lcp: &Lcp) {
+        let d = &mut self.dictionary;
+        let last = d.nonbasic().len() - 1;
+        for r in 0..self.pairs {
+            let lift = match d.basic()[r].row() {
+                Some(i) if self.needs_units => unit(lcp, i),
+                _ => 1.0,
+            };
+            d.set(r, last, lift);
+        }
+    }
+
+    /// How far the variable can go from 0: ∞ but for the distances from two finite bounds.
+    pub(super) fn range(&self, lcp: &Lcp, variable: Variable) -> f64 {
         match variable {
-            Variable::T(i) if self.kind[i] != Kind::Free => 0.0,
-            Variable::W(i) | Variable::T(i) if self.needs_units => unit(lcp, i),
-            Variable::W(_) | Variable::T(_) => 1.0,
-            _ => 0.0,
+            Variable::Y(i) | Variable::T(i) if self.kind[i] == Kind::Both => {
+                lcp.hi()[i] - lcp.lo()[i]
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// The column of a nonbasic variable; it gets that name, if it goes by the one of its mirror image.
+    pub(super) fn column(&mut self, variable: Variable) -> Option<usize> {
+        let d = &mut self.dictionary;
+        d.column_of(variable).or_else(|| {
+            let is_boxed = variable.row().is_some_and(|i| self.kind[i] == Kind::Both);
+            let c = d.column_of(variable.mirrored()).filter(|_| is_boxed)?;
+            d.mirror_column(c, 0.0); // v = −w
+            Some(c)
+        })
+    }
+
+    /// Gives the variables the names that they have in another dictionary of this problem.
+    pub(super) fn mirror_as(&mut self, lcp: &Lcp, other: &Dictionary) {
+        for i in (0..self.kind.len()).filter(|&i| self.kind[i] == Kind::Both) {
+            let d = &mut self.dictionary;
+            if let (Some(c), true) = (d.column_of(Variable::Y(i)), other.has(Variable::T(i))) {
+                d.mirror_column(c, lcp.hi()[i] - lcp.lo()[i]);
+            }
+            if let (Some(r), true) = (d.row_of(Variable::W(i)), other.has(Variable::V(i))) {
+                d.mirror_row(r, 0.0);
+            }
         }
     }
 
@@ -205,6 +181,7 @@ impl StandardForm {
         let x = |i: usize| match self.kind[i] {
             Kind::Pinned => self.base[i],
             Kind::Free => d.value(Variable::Y(i)) - d.value(Variable::V(i)),
+            Kind::Both if !d.has(Variable::Y(i)) => lcp.hi()[i] - d.value(Variable::T(i)),
             _ => self.base[i] + self.sign[i] * d.value(Variable::Y(i)),
         };
         (0..self.kind.len()).map(|i| x(i).max(lcp.lo()[i]).min(lcp.hi()[i])).collect()
@@ -216,6 +193,7 @@ impl StandardForm {
         let rate = |i: usize| match self.kind[i] {
             Kind::Pinned => 0.0,
             Kind::Free => d.rate(Variable::Y(i), c) - d.rate(Variable::V(i), c),
+            Kind::Both => d.rate(Variable::Y(i), c) - d.rate(Variable::T(i), c),
             _ => self.sign[i] * d.rate(Variable::Y(i), c),
         };
         (0..self.kind.len()).map(rate).collect()
@@ -233,4 +211,25 @@ impl StandardForm {
         };
         ActiveSet((0..self.kind.len()).map(side).collect())
     }
+}
+
+/// w = b + A x in these rows as equations of their y, with a column of zeros for the covering variable.
+fn equations(lcp: &Lcp, rows: &[usize], base: &[f64], sign: &[f64]) -> Dictionary {
+    let mut column = vec![None; lcp.len()];
+    rows.iter().enumerate().for_each(|(c, &j)| column[j] = Some(c));
+    let mut dictionary = Dictionary::new(
+        rows.iter().map(|&i| Variable::W(i)).collect(),
+        rows.iter().map(|&i| Variable::Y(i)).chain([Variable::Cover]).collect(),
+        rows.iter().map(|&i| sign[i] * lcp.row_w(i, base)).collect(),
+        rows.iter().map(|&i| RowTerms::at(lcp, i, base).magnitude).collect(),
+    );
+    dictionary.forgives = FORGIVEN;
+    for (r, &i) in rows.iter().enumerate() {
+        for (j, a) in lcp.matrix().row(i).iter() {
+            if let Some(c) = column[j] {
+                dictionary.set(r, c, sign[i] * a * sign[j]);
+            }
+        }
+    }
+    dictionary
 }

@@ -99,7 +99,8 @@ fn blocks(files: &[Option<Input>; 3], [k, n]: [usize; 2]) -> Result<[Vec<Entry>;
         *block = entries(&file.text()?, &file.name())?;
     }
     let first = usize::from(blocks.iter().flatten().all(|(i, j, _)| *i > 0 && *j > 0));
-    for ((block, file), [rows, cols]) in blocks.iter_mut().zip(files).zip([[k, k], [n, k], [n, n]]) {
+    for ((block, file), [rows, cols]) in blocks.iter_mut().zip(files).zip([[k, k], [n, k], [n, n]])
+    {
         let fault = |reason: String| {
             let name = file.as_ref().map(Input::name).unwrap_or_default();
             Err(Error::invalid(name, "file", reason))
@@ -107,7 +108,9 @@ fn blocks(files: &[Option<Input>; 3], [k, n]: [usize; 2]) -> Result<[Vec<Entry>;
         for (i, j, value) in block.iter_mut() {
             (*i, *j) = (*i - first, *j - first);
             if *i >= rows || *j >= cols {
-                return fault(format!("has an entry at {i}, {j} (from 0), outside {rows} × {cols}"));
+                return fault(format!(
+                    "has an entry at {i}, {j} (from 0), outside {rows} × {cols}"
+                ));
             }
             if !value.is_finite() {
                 return fault(format!("has {value} at {i}, {j} (from 0)"));
@@ -173,8 +176,7 @@ impl Rows {
             let reason = format!("has {} numbers, b has {n}", friction.len());
             return Err(Error::invalid(input, "file", reason));
         }
-        let mut rows =
-            Rows { lo: vec![-f64::INFINITY; n], index: vec![None; n], mu: vec![0.0; n] };
+        let mut rows = Rows { lo: vec![-f64::INFINITY; n], index: vec![None; n], mu: vec![0.0; n] };
         let mut i = 0;
         while i < n {
             match friction[i..] {

@@ -1,28 +1,42 @@
 //! Where a problem is read from.
 
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result};
+use crate::file;
+use crate::memory::Memory;
 
 /// A file, with those that belong to it beside it, or standard input.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Input(PathBuf);
+pub struct Input {
+    path: PathBuf,
+    most: Memory,
+}
 
 impl Input {
-    /// The file at `path`; `-` is standard input.
-    pub fn new(path: &Path) -> Self {
-        Input(path.to_path_buf())
+    /// The file at `path`, of no more bytes than `most`; `-` is standard input.
+    pub fn new(path: &Path, most: Memory) -> Self {
+        Input { path: path.to_path_buf(), most }
+    }
+
+    /// Its path.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Its limit.
+    pub fn most(&self) -> Memory {
+        self.most
     }
 
     /// What messages call it.
     pub fn name(&self) -> String {
-        self.0.display().to_string()
+        self.path.display().to_string()
     }
 
     /// The name of the file without its ending.
     pub fn stem(&self) -> String {
-        match self.0.file_stem() {
+        match self.path.file_stem() {
             Some(stem) if !self.is_standard() => stem.to_string_lossy().into_owned(),
             _ => String::new(),
         }
@@ -33,13 +47,7 @@ impl Input {
     /// # Errors
     /// If it cannot be read.
     pub fn bytes(&self) -> Result<Vec<u8>> {
-        let mut bytes = Vec::new();
-        let read = if self.is_standard() {
-            std::io::stdin().read_to_end(&mut bytes).map(|_| ())
-        } else {
-            std::fs::read(&self.0).map(|file| bytes = file)
-        };
-        read.map(|()| bytes).map_err(|cause| Error::file(&self.0, &cause))
+        file::read_bytes(&self.path, self.most)
     }
 
     /// Everything in it as text.
@@ -56,16 +64,16 @@ impl Input {
 
     /// The file that goes with this one as its `part`: see [`beside`].
     pub(super) fn companion(&self, main: &str, part: &str) -> Input {
-        Input(beside(&self.0, main, part))
+        Input { path: beside(&self.path, main, part), most: self.most }
     }
 
     /// Whether there is such a file.
     pub(super) fn exists(&self) -> bool {
-        self.0.is_file()
+        self.path.is_file()
     }
 
     fn is_standard(&self) -> bool {
-        self.0 == Path::new("-")
+        self.path == Path::new("-")
     }
 }
 

@@ -91,9 +91,7 @@ fn header(words: &mut Words) -> Result<Header> {
     };
     let among = |word: &str, what: &str, known: &[&str]| match known.contains(&word) {
         true => Ok(()),
-        false => {
-            Err(words.fault(format!("{what} must be {}, is {word:?}", known.join(" or "))))
-        }
+        false => Err(words.fault(format!("{what} must be {}, is {word:?}", known.join(" or ")))),
     };
     among(format, "the format", &["coordinate", "array"])?;
     among(field, "the field", &["real", "integer"])?;

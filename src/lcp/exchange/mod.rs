@@ -55,6 +55,7 @@ use std::path::{Path, PathBuf};
 use super::file::Problem;
 use super::friction::Model;
 use crate::error::{Error, Result};
+use crate::memory::Memory;
 
 /// A format of problem files.
 #[derive(Debug, Clone, Copy)]
@@ -105,7 +106,7 @@ pub const JSON: Format = Format {
     carries: "everything",
     law: None,
     trap: "w = A x + b: the sign of b is that of Siconos, not of ODE and DART",
-    read: |input| Problem::parse(&input.text()?, &input.name()),
+    read: |input| Problem::read_within(input.path(), input.most()),
     write: Some(|problem| Ok(Output::of(format!("{}\n", problem.to_json())))),
 };
 
@@ -145,10 +146,18 @@ pub fn is_problem(path: &Path) -> bool {
 /// # Errors
 /// If the files cannot be read or have defects.
 pub fn read(path: &Path, format: Option<&Format>) -> Result<Problem> {
+    read_within(path, format, Memory::default())
+}
+
+/// The same with another limit on the memory that a file may take.
+///
+/// # Errors
+/// As [`read`], or if it needs more.
+pub fn read_within(path: &Path, format: Option<&Format>, most: Memory) -> Result<Problem> {
     let found = main_file(path);
     let path = found.as_deref().unwrap_or(path);
     let format = format.or_else(|| Format::of(path)).unwrap_or(&JSON);
-    (format.read)(&Input::new(path))
+    (format.read)(&Input::new(path, most))
 }
 
 /// Writes a problem, over several files where the format has several; returns what the reader of the

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use super::MATRIX;
 use super::input::beside;
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::file;
 
 /// The file of a problem, or several, in some format.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -28,13 +29,10 @@ impl Output {
     /// # Errors
     /// If a file cannot be written.
     pub fn save(&self, path: &Path) -> Result<()> {
-        let save = |path: &Path, bytes: &[u8]| {
-            std::fs::write(path, bytes).map_err(|cause| Error::file(path, &cause))
-        };
         for (part, text) in &self.parts {
-            save(&beside(path, MATRIX, part), text.as_bytes())?;
+            file::write(&beside(path, MATRIX, part), text)?;
         }
-        save(path, &self.main)
+        file::write(path, &self.main)
     }
 }
 

@@ -117,7 +117,9 @@ fn matrix(words: &mut Words, storage: usize, rows: usize) -> Result<Table> {
     match storage {
         0 => dense(words, rows, cols),
         1 => blocks(words, rows, cols),
-        _ => Err(words.fault(format!("storage {storage} is not read: only 0, dense, and 1, blocks"))),
+        _ => {
+            Err(words.fault(format!("storage {storage} is not read: only 0, dense, and 1, blocks")))
+        }
     }
 }
 
@@ -190,7 +192,8 @@ fn write(problem: &Problem) -> Result<Output> {
         Some(_) => {
             let arrangement = Arrangement::of(problem, "siconos")?;
             if let Some(i) = arrangement.equations().first() {
-                let reason = "belongs to no contact: a friction problem of Siconos has no other rows";
+                let reason =
+                    "belongs to no contact: a friction problem of Siconos has no other rows";
                 return Err(Error::invalid("siconos", format!("row {i}"), reason));
             }
             (arrangement.rows, Some(arrangement.mu))

@@ -74,9 +74,9 @@ impl<'a> Words<'a> {
     fn parse<T: FromStr>(&mut self, what: impl Display, kind: &str) -> Result<T> {
         match self.next() {
             None => Err(self.fault(format!("the file ends before {what}"))),
-            Some(word) => word.parse().map_err(|_| {
-                self.fault(format!("{what} must be {kind}, is {:?}", brief(word)))
-            }),
+            Some(word) => word
+                .parse()
+                .map_err(|_| self.fault(format!("{what} must be {kind}, is {:?}", brief(word)))),
         }
     }
 

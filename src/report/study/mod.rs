@@ -85,6 +85,7 @@ pub fn scene_options(scene: &Scene) -> Options {
     let settings = Settings {
         tolerance: scene.solver.tolerance,
         max_iterations: scene.solver.max_iterations,
+        memory: scene.memory,
         ..Settings::default()
     };
     let order = match scene.solver.order {

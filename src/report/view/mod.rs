@@ -176,7 +176,8 @@ fn failures(document: &mut Document, part: &Part) {
 }
 
 fn facts(results: &Results) -> Vec<(String, String)> {
-    vec![
+    let stopped = results.progress().map(|progress| ("stopped".into(), progress));
+    let facts = [
         ("lcplab".into(), results.version.clone()),
         ("libraries".into(), results.libraries.join(", ")),
         ("report".into(), results.name.clone()),
@@ -184,7 +185,8 @@ fn facts(results: &Results) -> Vec<(String, String)> {
         ("threads".into(), results.machine.threads.to_string()),
         ("wall time".into(), format!("{:.1} s", results.machine.seconds)),
         ("reproduce".into(), format!("lcplab report {}", results.name)),
-    ]
+    ];
+    facts.into_iter().chain(stopped).collect()
 }
 
 impl Document {

@@ -26,6 +26,9 @@ pub(super) trait Lanes:
     fn max(self, other: Self) -> Self;
     /// The smaller of both, `other` if neither is.
     fn min(self, other: Self) -> Self;
+    fn abs(self) -> Self;
+    /// 0 where the size is at most this.
+    fn zero_within(self, size: Self) -> Self;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -140,6 +143,16 @@ impl Lanes for Portable {
     fn min(self, other: Self) -> Self {
         self.zip(other, |a, b| if a < b { a } else { b })
     }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Portable(self.0.map(f64::abs))
+    }
+
+    #[inline(always)]
+    fn zero_within(self, size: Self) -> Self {
+        self.zip(size, |a, size| if a.abs() <= size { 0.0 } else { a })
+    }
 }
 
 macro_rules! operators {
@@ -188,7 +201,7 @@ mod x86 {
     // SAFETY, of all below: see the head of the file.
 
     macro_rules! by_halves {
-        ($intrinsic:ident) => {
+        ($intrinsic:expr) => {
             |a: Avx2, b: Avx2| unsafe { Avx2($intrinsic(a.0, b.0), $intrinsic(a.1, b.1)) }
         };
     }
@@ -231,6 +244,17 @@ mod x86 {
         fn min(self, other: Self) -> Self {
             by_halves!(_mm256_min_pd)(self, other)
         }
+
+        #[inline(always)]
+        fn abs(self) -> Self {
+            by_halves!(_mm256_andnot_pd)(Self::splat(-0.0), self)
+        }
+
+        #[inline(always)]
+        fn zero_within(self, size: Self) -> Self {
+            let is_larger = by_halves!(_mm256_cmp_pd::<_CMP_NLE_UQ>)(self.abs(), size);
+            by_halves!(_mm256_and_pd)(self, is_larger)
+        }
     }
 
     impl Lanes for Avx512 {
@@ -254,6 +278,19 @@ mod x86 {
         #[inline(always)]
         fn min(self, other: Self) -> Self {
             at_once!(_mm512_min_pd)(self, other)
+        }
+
+        #[inline(always)]
+        fn abs(self) -> Self {
+            unsafe { Avx512(_mm512_abs_pd(self.0)) }
+        }
+
+        #[inline(always)]
+        fn zero_within(self, size: Self) -> Self {
+            unsafe {
+                let is_larger = _mm512_cmp_pd_mask::<_CMP_NLE_UQ>(self.abs().0, size.0);
+                Avx512(_mm512_maskz_mov_pd(is_larger, self.0))
+            }
         }
     }
 }

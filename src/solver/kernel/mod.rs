@@ -1,8 +1,8 @@
-//! The sweeps of Gauss-Seidel once more, for speed: same updates, other loops.
+//! What takes the time, arranged for speed: same operations, other loops.
 //!
 //! [`Pgs`](super::Pgs) is a sweep as it is defined, and what the lessons show. A processor would rather
 //! have eight numbers at a time, memory in the order it lies in, and no result that waits for the last
-//! one. The kernels here are arranged so; tests hold each against the plain sweep.
+//! one. The kernels here are arranged so; tests hold each against the plain form.
 //!
 //! | kernel | a sweep costs | what it gains |
 //! | --- | --- | --- |
@@ -11,11 +11,18 @@
 //! | [`impulses::RowByRow`] | 12 entries a row, A never formed | the plain form of the next |
 //! | [`impulses::EightPairs`] | the same | eight pairs of a colour at once, one a lane |
 //!
-//! They take x from sweep to sweep and do not ask whether it solves anything: stop tests stay with the
-//! solvers. [`Width`] says with which instructions they run; the bits are the same with all.
+//! | kernel | a pivot costs | what it gains |
+//! | --- | --- | --- |
+//! | [`table::Table`] | n² entries read and written | eight pivots on one way through memory |
+//!
+//! They do not ask whether x solves anything: stop tests stay with the solvers. [`Width`] says with which instructions they run; the bits are the same with all.
 
 pub mod dense;
 pub mod impulses;
 mod lanes;
+pub(in crate::solver) mod panels;
+pub(super) mod rank_one;
+pub(in crate::solver) mod rows;
+pub mod table;
 
 pub use lanes::Width;

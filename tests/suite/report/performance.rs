@@ -91,7 +91,8 @@ fn sweeps_are_counted_until_the_residual_is_a_part_of_the_first() {
     let mut simulation = Simulation::new(Scene::load("stack").unwrap(), way);
     let lcp =
         (0..2).map(|_| simulation.step().unwrap()).last().unwrap().solves.remove(0).problem.lcp;
-    let settings = Settings { tolerance: 0.0, max_iterations: 2000, check_every: 2000 };
+    let settings =
+        Settings { tolerance: 0.0, max_iterations: 2000, check_every: 2000, ..Settings::default() };
     let iterates = iterates(&Pgs { settings, ..Pgs::default() }, &lcp);
     let first = merit::natural_residual(&lcp, &vec![0.0; lcp.len()]);
     for (part, counted) in [1e-1, 1e-2].into_iter().zip(&form.sweeps) {

@@ -1,4 +1,4 @@
-use lcplab::lcp::{Coupling, merit};
+use lcplab::lcp::{Coupling, Lcp, Matrix, merit};
 use lcplab::solver::{Equations, Newton, Pgs, Settings, Solver, Start, Status};
 use proptest::prelude::*;
 
@@ -87,6 +87,27 @@ fn friction_bounds_are_part_of_the_equations() {
 
 proptest! {
     #![proptest_config(cases(100))]
+
+    #[test]
+    fn cholesky_and_least_squares_take_the_same_steps(
+        m in manufactured(12, 12, 1.0), k in proptest::collection::vec(1..9i32, 12),
+    ) {
+        // Rows of A and b times different numbers: w̃ and so H and its Jacobian stay, A is symmetric no
+        // longer, and there is no Cholesky factor.
+        let n = m.lcp.len();
+        let row = |i: usize| f64::from(k[i]);
+        let a: Vec<f64> =
+            (0..n * n).map(|e| row(e / n) * m.lcp.matrix().entry(e / n, e % n)).collect();
+        let b = (0..n).map(|i| row(i) * m.lcp.b()[i]).collect();
+        let (lo, hi) = (m.lcp.lo().to_vec(), m.lcp.hi().to_vec());
+        let other = Lcp::new(Matrix::dense(n, &a), b, lo, hi).unwrap();
+        let [newton, _] = both();
+        let (here, there) = (iterates(&newton, &m.lcp), iterates(&newton, &other));
+        for (x, y) in here[1].iter().zip(&there[1]) {
+            prop_assert!((x - y).abs() < 1e-7 * (1.0 + x.abs()), "{:?} {:?}", here[1], there[1]);
+        }
+        prop_assert_eq!(newton.solve(&other, &Start::default(), &mut ()).status, Status::Solved);
+    }
 
     #[test]
     fn singular_problems_with_a_solution_are_solved(m in manufactured(8, 4, 0.0)) {

@@ -37,7 +37,8 @@ fn check_coupling(lcp: &Lcp, order: &Arrangement) -> Result<()> {
     let mut is_equation = vec![false; lcp.len()];
     order.equations().iter().for_each(|i| is_equation[*i] = true);
     for i in 0..lcp.len() {
-        for (j, a) in lcp.matrix().row(i).iter().filter(|(j, _)| is_equation[i] != is_equation[*j]) {
+        for (j, a) in lcp.matrix().row(i).iter().filter(|(j, _)| is_equation[i] != is_equation[*j])
+        {
             if lcp.matrix().entry(j, i) != a {
                 let reason = "is not A of the other triangle: FCLIB holds the coupling V once";
                 return Err(Error::invalid("fclib", format!("A[{i}][{j}]"), reason));
@@ -75,7 +76,8 @@ impl File {
         let integer = |value: usize| {
             i32::try_from(value).map_err(|_| fault(format!("{value} is beyond FCLIB's integers")))
         };
-        let integers = |values: Vec<usize>| values.into_iter().map(integer).collect::<Result<Vec<_>>>();
+        let integers =
+            |values: Vec<usize>| values.into_iter().map(integer).collect::<Result<Vec<_>>>();
         let entries = || columns.iter().flatten();
         self.add(&format!("{name}/nzmax"), &[integer(entries().count())?])?;
         self.add(&format!("{name}/m"), &[integer(rows.len())?])?;

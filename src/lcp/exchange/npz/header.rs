@@ -37,7 +37,8 @@ impl Header {
         }
         let mut text = vec![0; size];
         file.read_exact(&mut text).map_err(|cause| cause.to_string())?;
-        let text = String::from_utf8(text).map_err(|_| "has a head that is not text".to_string())?;
+        let text =
+            String::from_utf8(text).map_err(|_| "has a head that is not text".to_string())?;
         parse(&text).ok_or_else(|| format!("has a head that is none: {:?}", text.trim_end()))
     }
 

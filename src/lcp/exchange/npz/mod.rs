@@ -72,7 +72,8 @@ fn read(input: &Input) -> Result<Problem> {
     };
     let lcp = parts(table, vector, &name)?.into_lcp().map_err(|error| error.within(&name))?;
     let mut problem = Problem::new(input.stem(), lcp);
-    let is_known = |part: &&String| known.contains(&part.as_str()) || SPARSE.contains(&part.as_str());
+    let is_known =
+        |part: &&String| known.contains(&part.as_str()) || SPARSE.contains(&part.as_str());
     for part in archive.names().iter().filter(|part| !is_known(part) && **part != "_is_array") {
         problem.warnings.push(format!("{name}: unknown array {part:?} ignored"));
     }
@@ -89,9 +90,8 @@ fn sparse(arrays: &std::collections::HashMap<&str, Array>, input: &str) -> Resul
             Error::invalid(input, part, reason)
         })
     };
-    let whole = |part: &str| {
-        get(part)?.wholes().map_err(|reason| Error::invalid(input, part, reason))
-    };
+    let whole =
+        |part: &str| get(part)?.wholes().map_err(|reason| Error::invalid(input, part, reason));
     let format = get("format")?.text().map_err(|reason| Error::invalid(input, "format", reason))?;
     let fault = |part: &str, reason: String| Err(Error::invalid(input, part, reason));
     let [rows, cols] = whole("shape")?[..] else {
@@ -101,7 +101,9 @@ fn sparse(arrays: &std::collections::HashMap<&str, Array>, input: &str) -> Resul
     let (lines, across) = if format == "csc" { (cols, rows) } else { (rows, cols) };
     let (i, j) = match format.as_str() {
         "coo" => (whole("row")?, whole("col")?),
-        "csr" | "csc" => (unpacked(&whole("indptr")?, lines, data.len(), input)?, whole("indices")?),
+        "csr" | "csc" => {
+            (unpacked(&whole("indptr")?, lines, data.len(), input)?, whole("indices")?)
+        }
         _ => return fault("format", format!("must be csr, csc or coo, is {format:?}")),
     };
     if i.len() != data.len() || j.len() != data.len() {
@@ -144,8 +146,12 @@ impl<'a> Archive<'a> {
     }
 
     fn names(&self) -> Vec<String> {
-        let mut names: Vec<_> =
-            self.zip.file_names().flatten().map(|n| n.trim_end_matches(".npy").to_string()).collect();
+        let mut names: Vec<_> = self
+            .zip
+            .file_names()
+            .flatten()
+            .map(|n| n.trim_end_matches(".npy").to_string())
+            .collect();
         names.sort();
         names
     }

@@ -1,0 +1,229 @@
+//! The entries T of a dictionary v_B = c + T v_N, and pivots that wait for each other.
+//!
+//! A pivot at row r and column c solves row r for the variable of column c and puts it into all other
+//! rows. With f the column as it was, and ρ the new row,
+//!
+//! ```text
+//! ρ_j = −T_rj / T_rc,   ρ_c = 1 / T_rc
+//! T_ij ← T_ij + f_i ρ_j,   T_ic ← 0 + f_i ρ_c        i ≠ r
+//! ```
+//!
+//! Two operations an entry: a large table spends the time of a pivot on its way through memory. So
+//! f and ρ are put aside until eight pivots can be made on the way. A row or a column that is asked
+//! for meanwhile is brought up to date alone. Each entry sees the same operations in the same order
+//! as if no pivot waited, so the bits are the same; and a sum of which only rounding is left is 0, as in
+//! [`difference`].
+
+use super::lanes::{Lanes, Width, Work};
+use super::rank_one::{Block, add};
+use crate::solver::elimination::difference;
+
+/// Pivots that are made in one pass.
+const TOGETHER: usize = 8;
+
+/// T, by rows.
+#[derive(Debug, Clone)]
+pub struct Table {
+    rows: usize,
+    columns: usize,
+    /// Blocks to a row: an odd number, so that the entries of a column share no set of the cache.
+    blocks: usize,
+    entries: Vec<Block>,
+    waiting: Vec<Pivot>,
+    width: Width,
+}
+
+/// What a pivot adds: f_i ρ_j.
+#[derive(Debug, Clone)]
+struct Pivot {
+    /// f_i, 0 where nothing is to be added any more.
+    factors: Vec<Block>,
+    /// ρ_j.
+    row: Vec<Block>,
+}
+
+impl Table {
+    /// A table of zeros.
+    pub fn zeros(rows: usize, columns: usize, width: Width) -> Self {
+        let blocks = columns.div_ceil(8) | 1;
+        let entries = zeros(rows * blocks);
+        Table { rows, columns, blocks, entries, waiting: Vec::new(), width }
+    }
+
+    /// The number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The number of columns.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Gives an entry a value, whatever waits for it.
+    pub fn set(&mut self, r: usize, c: usize, value: f64) {
+        self.settle_row(r);
+        put(self.row_mut(r), c, value);
+    }
+
+    /// T_rc.
+    pub fn entry(&self, r: usize, c: usize) -> f64 {
+        let waiting = self.waiting.iter().map(|pivot| (get(&pivot.factors, r), get(&pivot.row, c)));
+        let due = waiting.filter(|&(factor, _)| factor != 0.0);
+        due.fold(self.stored(r, c), |entry, (factor, new)| difference(entry, -factor * new))
+    }
+
+    /// Row r.
+    pub fn row(&mut self, r: usize) -> impl Iterator<Item = f64> {
+        self.settle_row(r);
+        let row = &self.entries[r * self.blocks..(r + 1) * self.blocks];
+        row.iter().flat_map(|block| block.0).take(self.columns)
+    }
+
+    /// Column c.
+    pub fn column(&self, c: usize) -> Vec<f64> {
+        let mut column = zeros(self.rows.div_ceil(8));
+        for r in 0..self.rows {
+            put(&mut column, r, self.stored(r, c));
+        }
+        for pivot in &self.waiting {
+            let new = get(&pivot.row, c);
+            if new != 0.0 {
+                self.width.run(Add { factor: new, x: &pivot.factors, y: &mut column });
+            }
+        }
+        column.iter().flat_map(|block| block.0).take(self.rows).collect()
+    }
+
+    /// The pivot at row r and column c, where T is not 0; returns the column as it was.
+    pub fn pivot(&mut self, r: usize, c: usize) -> Vec<f64> {
+        let column = self.column(c);
+        self.clear_column(c);
+        self.settle_row(r);
+        let row = self.row_mut(r);
+        put(row, c, -1.0);
+        row.iter_mut().flat_map(|block| &mut block.0).for_each(|entry| *entry /= -column[r]);
+        let row = row.to_vec();
+        let mut factors = zeros(self.rows.div_ceil(8));
+        for i in (0..self.rows).filter(|&i| i != r) {
+            put(&mut factors, i, column[i]);
+        }
+        self.waiting.push(Pivot { factors, row });
+        if self.waiting.len() == TOGETHER {
+            self.settle();
+        }
+        column
+    }
+
+    /// Makes the pivots that wait.
+    pub fn settle(&mut self) {
+        self.settle_rows(0..self.rows);
+        self.waiting.clear();
+    }
+
+    /// T_rj ← −T_rj.
+    pub fn negate_row(&mut self, r: usize) {
+        self.settle_row(r);
+        let row = self.row_mut(r);
+        row.iter_mut().flat_map(|block| &mut block.0).for_each(|entry| *entry = -*entry);
+    }
+
+    /// T_ic ← −T_ic.
+    pub fn negate_column(&mut self, c: usize) {
+        for r in 0..self.rows {
+            let entry = -self.stored(r, c);
+            put(self.row_mut(r), c, entry);
+        }
+        for pivot in &mut self.waiting {
+            let entry = -get(&pivot.row, c);
+            put(&mut pivot.row, c, entry);
+        }
+    }
+
+    /// T_ic ← 0, whatever waits.
+    fn clear_column(&mut self, c: usize) {
+        for r in 0..self.rows {
+            put(self.row_mut(r), c, 0.0);
+        }
+        for pivot in &mut self.waiting {
+            put(&mut pivot.row, c, 0.0);
+        }
+    }
+
+    /// T_rc without the pivots that wait.
+    fn stored(&self, r: usize, c: usize) -> f64 {
+        get(&self.entries[r * self.blocks..], c)
+    }
+
+    fn row_mut(&mut self, r: usize) -> &mut [Block] {
+        &mut self.entries[r * self.blocks..(r + 1) * self.blocks]
+    }
+
+    fn settle_row(&mut self, r: usize) {
+        self.settle_rows(r..r + 1);
+    }
+
+    fn settle_rows(&mut self, rows: std::ops::Range<usize>) {
+        if self.waiting.is_empty() {
+            return;
+        }
+        let (blocks, width) = (self.blocks, self.width);
+        let entries = &mut self.entries[rows.start * blocks..rows.end * blocks];
+        width.run(Settle { rows, entries, blocks, waiting: &mut self.waiting });
+    }
+}
+
+/// Makes the pivots that wait for these rows.
+struct Settle<'a> {
+    rows: std::ops::Range<usize>,
+    entries: &'a mut [Block],
+    blocks: usize,
+    waiting: &'a mut [Pivot],
+}
+
+impl Work for Settle<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        for (r, row) in self.rows.zip(self.entries.chunks_exact_mut(self.blocks)) {
+            for pivot in self.waiting.iter_mut() {
+                let factor = get(&pivot.factors, r);
+                if factor != 0.0 {
+                    put(&mut pivot.factors, r, 0.0);
+                    add::<V>(factor, &pivot.row, row);
+                }
+            }
+        }
+    }
+}
+
+/// y ← y + f x.
+struct Add<'a> {
+    factor: f64,
+    x: &'a [Block],
+    y: &'a mut [Block],
+}
+
+impl Work for Add<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        add::<V>(self.factor, self.x, self.y);
+    }
+}
+
+fn zeros(blocks: usize) -> Vec<Block> {
+    vec![Block([0.0; 8]); blocks]
+}
+
+#[inline(always)]
+fn get(blocks: &[Block], k: usize) -> f64 {
+    blocks[k / 8].0[k % 8]
+}
+
+#[inline(always)]
+fn put(blocks: &mut [Block], k: usize, value: f64) {
+    blocks[k / 8].0[k % 8] = value;
+}

@@ -1,0 +1,85 @@
+//! The ratio test: which variable of a dictionary becomes zero first, and the lexicographic rule for
+//! ties.
+//!
+//! With the constants perturbed by (ε, ε², …), which stand for the variables that were basic at first,
+//! the constant of a row is the vector (c_r, B⁻¹_r), and no two ratios are the same:
+//!
+//! ```text
+//! B⁻¹_rv = −T_rv for a nonbasic v of the first basis,   1 for the basic one of row r,   else 0
+//! ```
+//!
+//! Ratios are compared as vectors, entry by entry until one row is left.
+
+use super::dictionary::Dictionary;
+use super::variable::Variable;
+
+/// Two ratios that differ by less than this part of them are tied.
+const TIE: f64 = 1e-12;
+
+/// What becomes zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Blocking {
+    /// The basic variable of this row.
+    Row(usize),
+    /// The distance of the basic variable of this row from its other end.
+    Mirrored(usize),
+    /// The distance of the entering variable from its other end.
+    Entering,
+}
+
+/// Something that becomes zero when the entering variable has come to value / weight.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Candidate {
+    pub(super) blocking: Blocking,
+    pub(super) value: f64,
+    /// Above 0.
+    pub(super) weight: f64,
+}
+
+/// The candidate with the lexicographically least ratio. The covering variable goes before all that
+/// are tied with it. `first` are the variables that were basic at first.
+pub(super) fn least(
+    mut tied: Vec<Candidate>,
+    d: &Dictionary,
+    first: &[Variable],
+) -> Option<Blocking> {
+    keep_least(&mut tied, |candidate| candidate.value);
+    let is_cover = |candidate: &&Candidate| match candidate.blocking {
+        Blocking::Row(r) => d.basic()[r] == Variable::Cover,
+        Blocking::Mirrored(_) | Blocking::Entering => false,
+    };
+    if let Some(cover) = tied.iter().find(is_cover) {
+        return Some(cover.blocking);
+    }
+    for &v in first {
+        if tied.len() <= 1 {
+            break;
+        }
+        keep_least(&mut tied, |candidate| match candidate.blocking {
+            Blocking::Row(r) => inverse(d, r, v),
+            Blocking::Mirrored(r) => -inverse(d, r, v),
+            Blocking::Entering => 0.0,
+        });
+    }
+    tied.first().map(|candidate| candidate.blocking)
+}
+
+/// B⁻¹_rv, whichever name v goes by.
+fn inverse(d: &Dictionary, r: usize, v: Variable) -> f64 {
+    let (name, sign) = if d.has(v) { (v, 1.0) } else { (v.mirrored(), -1.0) };
+    match d.column_of(name) {
+        Some(c) => -sign * d.entry(r, c),
+        None if d.basic()[r] == name => sign,
+        None => 0.0,
+    }
+}
+
+/// Keeps those whose part / weight is least, ties included.
+fn keep_least(tied: &mut Vec<Candidate>, part: impl Fn(&Candidate) -> f64) {
+    let ratios: Vec<f64> = tied.iter().map(|candidate| part(candidate) / candidate.weight).collect();
+    let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+    let mut ratios = ratios.into_iter();
+    tied.retain(|_| {
+        ratios.next().is_some_and(|ratio| ratio - least <= TIE * ratio.abs().max(least.abs()))
+    });
+}
