@@ -118,7 +118,8 @@ impl Results {
 
     /// How far it has come, if not to the end.
     pub(super) fn progress(&self) -> Option<String> {
-        let (over, all) = (self.tasks().filter(|task| task.is_over()).count(), self.tasks().count());
+        let (over, all) =
+            (self.tasks().filter(|task| task.is_over()).count(), self.tasks().count());
         (over < all).then(|| format!("{over} of {all} tasks done; the same command goes on"))
     }
 

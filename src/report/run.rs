@@ -46,18 +46,22 @@ pub fn run(
         Some(study.run(task))
     };
     let mut saved = Instant::now();
-    Tasks { together, alone, grace: Duration::ZERO }.run(stop, work, |(section, task), ended| {
-        if let Some(ended) = ended {
-            results.note(section, task, ended);
-        }
-        progress.inc(1);
-        if saved.elapsed() >= PAUSE {
-            // A disk that is full now may not be at the end, when a failure is reported.
-            let _ = save(&results);
-            saved = Instant::now();
-        }
-        Ok(())
-    })?;
+    Tasks { together, alone, grace: Duration::ZERO }.run(
+        stop,
+        work,
+        |(section, task), ended| {
+            if let Some(ended) = ended {
+                results.note(section, task, ended);
+            }
+            progress.inc(1);
+            if saved.elapsed() >= PAUSE {
+                // A disk that is full now may not be at the end, when a failure is reported.
+                let _ = save(&results);
+                saved = Instant::now();
+            }
+            Ok(())
+        },
+    )?;
     in_order(&mut results);
     results.machine.seconds = start.elapsed().as_secs_f64();
     Ok(results)
