@@ -57,7 +57,7 @@ impl FreeRows {
 
     /// Those that are kept, if they are of this problem's matrix: of the same one, not of an equal one.
     pub(super) fn kept<'a>(kept: &'a mut Option<Self>, lcp: &Lcp) -> &'a mut Self {
-        let is_same = |kept: &Self| Arc::ptr_eq(&equations.matrix, lcp.shared_matrix());
+        let is_same = |kept: &Self| Arc::ptr_eq(&kept.matrix, lcp.shared_matrix());
         *kept = kept.take().filter(is_same);
         kept.get_or_insert_with(|| FreeRows::of(lcp))
     }

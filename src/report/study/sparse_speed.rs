@@ -147,7 +147,8 @@ impl Study for Plan {
                 .map_err(|status| Error::invalid(Self::NAME, &*problem, status.to_string()))
         };
         let lcp = self.frozen(&posed.lcp, &system(&posed.lcp)?);
-        let tried = self.tried(&lcp, &system(&lcp)?, &rows);
+        let system = system(&lcp)?;
+        let tried = self.tried(&lcp, &system, &rows);
         let (solvers, failed) = clocked(&tried, self.seconds, LONG);
         let judged = |tried: Tried| Judged {
             natural: merit::natural_residual(&lcp, &tried.x),
@@ -169,12 +170,12 @@ impl Plan {
     /// The problem with friction bounds that are plausible, not those of a solution.
     fn frozen(&self, lcp: &Lcp, system: &System) -> Lcp {
         let mut kernel = RowByRow::new(system);
-        (0..self.sweeps).for_each(|_| kernel.sweep());
+        (0..self.sweeps).for_each(|_| kernel.sweep(system));
         lcp.frozen_at(kernel.x())
     }
 
     /// The answers, clarabel's first.
-    fn tried<'a>(&self, lcp: &'a Lcp, system: &'a System<'a>, rows: &[Row]) -> Vec<Tried<'a>> {
+    fn tried<'a>(&self, lcp: &'a Lcp, system: &'a System, rows: &[Row]) -> Vec<Tried<'a>> {
         let settings = Settings { tolerance: self.tolerance, ..Settings::default() };
         let ours = InteriorPoint { settings };
         let (jacobian, velocities) = (entries(rows), WIDTH * system.bodies());

@@ -176,8 +176,8 @@ fn a_start_that_is_a_solution_is_returned() {
     let solution = by_velocities(&factors, &lcp, 1e-9);
     let rows = factors.scaled_rows();
     let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
-    let start = Start { x: Some(&solution.x) };
-    let again = to(1e-9).solve_factored(lcp, &system, &start, &mut ());
+    let start = Start { x: Some(&solution.x), ..Start::default() };
+    let again = to(1e-9).solve_factored(&lcp, &system, &start, &mut ());
     assert_eq!((again.status, again.iterations), (Status::Solved, 0));
     assert_eq!(again.x, solution.x);
 }
@@ -203,7 +203,7 @@ fn what_would_take_too_much_memory_is_refused_in_both_forms() {
     let memory = lcplab::memory::Memory::bytes(1000);
     let short = InteriorPoint { settings: Settings { memory, ..Settings::default() } };
     let by_rows = short.solve(&lcp, &Start::default(), &mut ());
-    let by_velocities = short.solve_factored(lcp, &system, &Start::default(), &mut ());
+    let by_velocities = short.solve_factored(&lcp, &system, &Start::default(), &mut ());
     for solution in [by_rows, by_velocities] {
         assert!(matches!(solution.status, Status::TooLarge { .. }), "{}", solution.status);
     }
@@ -253,7 +253,7 @@ proptest! {
     #[test]
     fn any_rows_between_any_bodies_get_the_known_w((rows, lcp, w) in manufactured(4, 14)) {
         let system = System::new(4, &rows, &lcp).unwrap();
-        let solution = to(1e-9).solve_factored(lcp, &system, &Start::default(), &mut ());
+        let solution = to(1e-9).solve_factored(&lcp, &system, &Start::default(), &mut ());
         prop_assert_eq!(&solution.status, &Status::Solved);
         for (found, expected) in solution.w.iter().zip(&w) {
             prop_assert!((found - expected).abs() <= 1e-5, "{} for {}", found, expected);

@@ -45,7 +45,7 @@ fn contender(lcp: &Lcp, reading: Reading) -> Contender<'_> {
         Matrix::Dense(a) => a.as_slice(),
         Matrix::Sparse(_) => &[],
     };
-    let once = |_| _ = black_box(read(black_box(a), reading, Width::widest()));
+    let once = move |_| _ = black_box(read(black_box(a), reading, Width::widest()));
     Contender::new(move || {
         (0..BEFORE).for_each(once);
         timed(|| (0..COUNTED).for_each(once))
