@@ -23,6 +23,7 @@ pub use crate::scene::Formulation;
 pub use factors::Factors;
 pub use friction::{Posing, friction_model, with_friction_model};
 pub use sliding::Slide;
+pub(crate) use velocity::Bias;
 
 use crate::assembly::{Assembly, Row};
 use crate::body::State;

@@ -51,6 +51,8 @@ pub const KINDS: &[Kind] = &[
     kind::<study::published::Plan>(),
     kind::<study::singular::Plan>(),
     kind::<study::sweep_speed::Plan>(),
+    kind::<study::direct_speed::Plan>(),
+    kind::<study::peers::Plan>(),
     kind::<study::sparse_speed::Plan>(),
 ];
 

@@ -15,7 +15,7 @@ pub mod generate;
 mod joints;
 mod settings;
 
-pub use contacts::{ContactId, Feature, Found, contacts};
+pub use contacts::{ContactId, Detector, Feature, Found, contacts};
 pub use description::Description;
 pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;

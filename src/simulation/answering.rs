@@ -38,7 +38,7 @@ impl Solvers<'_> {
         x: &[f64],
         observer: &mut dyn Observer,
     ) -> (&'static str, Solution) {
-        let start = Start { x: Some(x) };
+        let start = Start::at(x);
         match posing.map(|posing| (posing.model, &posing.posed)) {
             None => self.boxed(&problem.lcp, &start, observer),
             Some((_, Posed::Boxed(lcp))) => self.boxed(lcp, &start, observer),

@@ -2,6 +2,9 @@
 //!
 //! A step finds the contacts, assembles, solves and moves, each family of methods in its own way
 //! (`family/`). Each solve starts from the x that rows of the same name had before.
+//!
+//! A [`Simulation`] keeps all that a step was made of, to be looked at. A [`Stepper`] keeps the memory and
+//! nothing else: the velocity level by sweeps, the same motion, many times faster.
 
 mod answering;
 mod conflict;
@@ -13,12 +16,14 @@ mod ledger;
 mod motion;
 mod record;
 mod solving;
+pub mod stepper;
 mod sweep;
 
 pub use laws::Laws;
 pub use ledger::Ledger;
 pub use motion::Motion;
 pub use record::{Cause, Failure, Recording, Solve, Step};
+pub use stepper::Stepper;
 
 use std::ops::ControlFlow;
 

@@ -40,14 +40,16 @@ impl Envelope {
         (0..matrix.len()).map(|r| r - begin(matrix, r)).sum()
     }
 
-    /// The factors of A + diag(added), with rows and columns of the unit matrix where `is_unit`;
-    /// false if a pivot is not positive.
+    /// The factors of A + diag(added), with rows and columns of the unit matrix where `is_unit`.
+    ///
+    /// # Errors
+    /// The first row whose pivot is not positive.
     pub fn factor(
         &mut self,
         matrix: &Matrix,
         added: &[f64],
         is_unit: impl Fn(usize) -> bool,
-    ) -> bool {
+    ) -> Result<(), usize> {
         for r in 0..self.diagonal.len() {
             let first = self.first[r];
             let (before, rest) = self.lower.split_at_mut(self.starts[r]);
@@ -75,11 +77,16 @@ impl Envelope {
                 }
             }
             if !(pivot > 0.0) {
-                return false;
+                return Err(r);
             }
             self.diagonal[r] = pivot;
         }
-        true
+        Ok(())
+    }
+
+    /// D, the pivots.
+    pub fn pivots(&self) -> &[f64] {
+        &self.diagonal
     }
 
     /// The solution z of L D Lᵀ z = rhs, in place.

@@ -80,7 +80,7 @@ pub(super) fn iterate_in_parts(
 }
 
 /// The solution x, unless the way to it from one of the points before shows that there is none.
-fn finish(
+pub(super) fn finish(
     problem: &impl Complementarity,
     before: [&[f64]; 2],
     x: Vec<f64>,

@@ -1,7 +1,8 @@
 //! What the pivoting methods have in common before their first pivot.
 
+use super::principal::Point;
 use super::{Event, Iterate, Observer, Settings, Status};
-use crate::lcp::{Lcp, merit};
+use crate::lcp::Lcp;
 use crate::memory::Memory;
 
 /// Above this many rows a dense factor or tableau takes too long.
@@ -15,14 +16,24 @@ pub(super) fn at_once(
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Option<Status> {
+    let is_solved = || Point::at(lcp, x.to_vec()).largest_residual(lcp) <= settings.tolerance;
+    begin(lcp, x, needs, settings, observer).or_else(|| is_solved().then_some(Status::Solved))
+}
+
+/// Shows the start to the observer; the status of a method that cannot begin.
+pub(super) fn begin(
+    lcp: &Lcp,
+    x: &[f64],
+    needs: Memory,
+    settings: &Settings,
+    observer: &mut dyn Observer,
+) -> Option<Status> {
     if lcp.len() > MAX_ROWS {
         return Some(Status::OutsideClass { reason: "more than 8000 rows" });
     }
     if let Some(status) = settings.refusal(needs) {
         return Some(status);
     }
-    if observer.observe(&Iterate { iteration: 0, x, event: Event::Start }).is_break() {
-        return Some(Status::Stopped);
-    }
-    (merit::scaled_residual(lcp, x) <= settings.tolerance).then_some(Status::Solved)
+    let start = Iterate { iteration: 0, x, event: Event::Start };
+    observer.observe(&start).is_break().then_some(Status::Stopped)
 }

@@ -38,6 +38,8 @@ impl Solution {
 pub enum Fallback {
     /// Block pivoting made no progress, and single rows were exchanged by Murty's rule.
     LeastIndex,
+    /// Proximal.
+    Proximal,
     /// Lemke's path ended at no solution and was followed once more with fresh tableaux.
     SecondPath,
     /// Sweeps of projected Gauss-Seidel took away what rounding Dantzig's method had left.
@@ -51,6 +53,7 @@ impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Fallback::LeastIndex => "least-index rule",
+            Fallback::Proximal => "proximal steps",
             Fallback::SecondPath => "second path",
             Fallback::Sweeps => "Gauss-Seidel sweeps",
             Fallback::Softened => "softened rows",

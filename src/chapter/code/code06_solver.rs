@@ -79,5 +79,5 @@ pub fn swept(
         Form::Printed => Box::new(Code6 { settings }),
         Form::Corrected => Box::new(Pgs { settings, ..Pgs::default() }),
     };
-    Ok(DVector::from_vec(solver.solve(&lcp, &Start { x: start }, &mut ()).x))
+    Ok(DVector::from_vec(solver.solve(&lcp, &Start { x: start, ..Start::default() }, &mut ()).x))
 }

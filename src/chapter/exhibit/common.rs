@@ -60,7 +60,7 @@ pub(super) fn sweeps(
     };
     let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
     let mut kept = Kept(Vec::new());
-    by_name(solver, &options)?.solve(lcp, &Start { x: Some(start) }, &mut kept);
+    by_name(solver, &options)?.solve(lcp, &Start::at(start), &mut kept);
     Ok(kept.0)
 }
 

@@ -1,25 +1,13 @@
 //! Redundant contacts: what an exact answer costs where A is singular. Stacks of cubes with a contact at
 //! each corner, with and without friction (its bounds frozen), as they are and with a little of
 //! the mean diagonal added to A, beside clarabel's interior point.
-//!
-//! Both sides must arrive: a solver's claim is judged, and clarabel is asked for no more than it needs
-//! to reach the same scaled residual, 1e-8 of gap and feasibility at first.
 
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use super::attempt::entries;
-use super::contest::{Answer, Tried, clocked};
-use super::timing::Time;
-use crate::error::{Error, Result};
+use super::trial::{Finding, Terms, Times, measure};
+use crate::error::Result;
 use crate::lcp::{Lcp, Matrix, library};
-use crate::reference::box_qp_to;
-use crate::solver::{Entry, Options, Settings, Start};
-
-/// The name of the yardstick.
-pub const YARDSTICK: &str = "clarabel";
-/// A run longer than this (s) is not repeated.
-const LONG: f64 = 0.1;
 
 /// Which stacks and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -55,49 +43,15 @@ impl Default for Plan {
     }
 }
 
-/// What came of a problem.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Finding {
-    /// The problem.
-    pub problem: String,
-    /// Its rows.
-    pub rows: usize,
-    /// The gap and feasibility that clarabel was asked for.
-    pub asked: f64,
-    /// Clarabel first, then the solvers.
-    pub answers: Vec<Answer>,
-}
-
-/// The clock on a problem; only of answers that the judge accepts.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Times {
-    /// The problem.
-    pub problem: String,
-    /// Its rows.
-    pub rows: usize,
-    /// By solver, clarabel first.
-    pub solvers: Vec<(String, Time)>,
-    /// Those without an answer.
-    pub failed: Vec<String>,
-}
-
-impl Times {
-    /// What clarabel took.
-    pub fn yardstick(&self) -> Option<Time> {
-        self.of(YARDSTICK)
-    }
-
-    /// What a solver took.
-    pub fn of(&self, solver: &str) -> Option<Time> {
-        self.solvers.iter().find(|(name, _)| name == solver).map(|(_, time)| *time)
-    }
-}
-
 /// A stack.
-struct Stack {
-    boxes: usize,
-    friction: f64,
-    compliance: f64,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stack {
+    /// How many cubes.
+    pub boxes: usize,
+    /// The coefficient of friction; 0 for normal rows alone.
+    pub friction: f64,
+    /// The part of the mean diagonal that is added to A.
+    pub compliance: f64,
 }
 
 impl Plan {
@@ -125,41 +79,25 @@ impl Study for Plan {
 
     fn run(&self, task: usize) -> Result<(Finding, Times)> {
         let stack = self.stacks().swap_remove(task);
-        let (problem, lcp) = (stack.name(), stack.lcp()?);
-        let settings = Settings { tolerance: self.tolerance, ..Settings::default() };
-        let options = Options { settings, ..Options::default() };
-        let refused = || Error::invalid(Self::NAME, YARDSTICK, "no quadratic program over a box");
-        let ask = |asked| box_qp_to(&lcp, asked);
-        let yardstick =
-            Tried::yardstick(YARDSTICK, &lcp, self.tolerance, ask).ok_or_else(refused)?;
-        let asked = yardstick.asked.unwrap_or_default();
-        let entries = entries(&self.solvers)?;
-        let ours = entries.iter().map(|entry| by(entry, &lcp, &options));
-        let tried: Vec<Tried> = [yardstick].into_iter().chain(ours).collect();
-        let (solvers, failed) = clocked(&tried, self.seconds, LONG);
-        let answers = tried.into_iter().map(|tried| tried.answer).collect();
-        let rows = lcp.len();
-        Ok((
-            Finding { problem: problem.clone(), rows, asked, answers },
-            Times { problem, rows, solvers, failed },
-        ))
+        let Plan { solvers, tolerance, seconds, .. } = self;
+        let terms = Terms { solvers, tolerance: *tolerance, seconds: *seconds };
+        measure(stack.name(), &stack.lcp()?, &terms)
     }
 }
 
-fn by<'a>(entry: &Entry, lcp: &'a Lcp, options: &Options) -> Tried<'a> {
-    let solver = (entry.build)(options);
-    let run = move || solver.solve(lcp, &Start::default(), &mut ());
-    Tried::of(entry.name, lcp, options.settings.tolerance, run)
-}
-
 impl Stack {
-    fn name(&self) -> String {
+    /// In a word and its number of cubes.
+    pub fn name(&self) -> String {
         let kind = if self.friction > 0.0 { "friction" } else { "stack" };
         let name = format!("{kind} {}", self.boxes);
         if self.compliance > 0.0 { format!("{name}, regularised") } else { name }
     }
 
-    fn lcp(&self) -> Result<Lcp> {
+    /// Its problem.
+    ///
+    /// # Errors
+    /// If a number is not in its range.
+    pub fn lcp(&self) -> Result<Lcp> {
         let given = [("boxes", self.boxes as f64), ("mu", self.friction)];
         let lcp = library::by_name("box-stack")?.generate(&given)?.lcp;
         if self.compliance > 0.0 { softened(&lcp, self.compliance) } else { Ok(lcp) }

@@ -191,7 +191,7 @@ impl Plan {
             let by_rows = move || ours.solve(lcp, &Start::default(), &mut ());
             tried.push(Tried::of(ROWS, lcp, self.tolerance, by_rows));
         }
-        let by_velocities = move || ours.solve_factored(system, &Start::default(), &mut ());
+        let by_velocities = move || ours.solve_factored(lcp, system, &Start::default(), &mut ());
         tried.push(Tried::of(VELOCITIES, lcp, self.tolerance, by_velocities));
         tried
     }

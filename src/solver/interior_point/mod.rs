@@ -77,17 +77,17 @@ impl Solver for InteriorPoint {
 
 impl InteriorPoint {
     /// The same with the factors of A = Ĵ Ĵᵀ at hand: each step is solved for velocities, six a body, which
-    /// is less work than for rows wherever bodies have more than a few. A itself is only asked whether
-    /// x solves the problem.
+    /// is less work than for rows wherever bodies have more than a few rows. The problem's own A is only asked
+    /// whether x solves it.
     pub fn solve_factored(
         &self,
-        system: &System<'_>,
+        lcp: &Lcp,
+        system: &System,
         start: &Start<'_>,
         observer: &mut dyn Observer,
     ) -> Solution {
-        let lcp = system.lcp();
         let x = start.point(lcp);
-        if !has_factors(system) {
+        if !has_factors(lcp, system) {
             let reason = "A is not the product of these factors";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
         }
@@ -128,9 +128,10 @@ impl InteriorPoint {
 }
 
 /// Whether A has the diagonal of Ĵ Ĵᵀ; compliance, for one, is not in it.
-fn has_factors(system: &System) -> bool {
-    let matrix = system.lcp().matrix();
-    (0..matrix.len()).all(|i| {
+fn has_factors(lcp: &Lcp, system: &System) -> bool {
+    let matrix = lcp.matrix();
+    let are_as_many = system.rows().len() == matrix.len();
+    are_as_many && (0..matrix.len()).all(|i| {
         let a = system.diagonal(i);
         (a - matrix.diagonal(i)).abs() <= SAME * a
     })

@@ -74,7 +74,7 @@ impl StepEquations for Rows<'_> {
     fn factor(&mut self, added: &[f64], pinned: &[bool]) -> bool {
         let matrix = self.lcp.matrix();
         match &mut self.factor {
-            Factor::Envelope(envelope) => envelope.factor(matrix, added, |i| pinned[i]),
+            Factor::Envelope(envelope) => envelope.factor(matrix, added, |i| pinned[i]).is_ok(),
             Factor::Reordered(factor) => factor.factor(&lower_triangle(matrix, added, pinned)),
         }
     }

@@ -21,7 +21,7 @@ use crate::solver::sparse_factor::{Pattern, SparseFactor, minimum_degree, patter
 
 /// K, its factors, and where its blocks lie.
 pub(super) struct Velocities<'a> {
-    system: &'a System<'a>,
+    system: &'a System,
     pairs: Vec<Pair>,
     /// The entries of K's blocks, column by column.
     values: Vec<f64>,
@@ -51,7 +51,7 @@ struct Block {
 impl<'a> Velocities<'a> {
     /// Room for the factors, if so many entries fit.
     pub(super) fn of(
-        system: &'a System<'a>,
+        system: &'a System,
         fit: impl Fn(usize) -> Result<(), Status>,
     ) -> Result<Self, Status> {
         let touching = touching(system);

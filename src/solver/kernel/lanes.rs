@@ -22,6 +22,9 @@ pub(super) trait Lanes:
     const WIDE: bool;
     fn load(from: &[f64; 8]) -> Self;
     fn store(self, to: &mut [f64; 8]);
+    /// Tells the processor that these are wanted soon, where it can be told.
+    #[inline(always)]
+    fn ask_for(_numbers: &[f64; 8]) {}
     /// The larger of both, `other` if neither is.
     fn max(self, other: Self) -> Self;
     /// The smaller of both, `other` if neither is.
@@ -200,6 +203,12 @@ mod x86 {
 
     // SAFETY, of all below: see the head of the file.
 
+    /// A prefetch reads nothing that a program can see, and here its address is a reference's.
+    #[inline(always)]
+    fn prefetch(numbers: &[f64; 8]) {
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(numbers.as_ptr().cast()) }
+    }
+
     macro_rules! by_halves {
         ($intrinsic:expr) => {
             |a: Avx2, b: Avx2| unsafe { Avx2($intrinsic(a.0, b.0), $intrinsic(a.1, b.1)) }
@@ -219,6 +228,11 @@ mod x86 {
 
     impl Lanes for Avx2 {
         const WIDE: bool = true;
+
+        #[inline(always)]
+        fn ask_for(numbers: &[f64; 8]) {
+            prefetch(numbers);
+        }
 
         #[inline(always)]
         fn load(from: &[f64; 8]) -> Self {
@@ -259,6 +273,11 @@ mod x86 {
 
     impl Lanes for Avx512 {
         const WIDE: bool = true;
+
+        #[inline(always)]
+        fn ask_for(numbers: &[f64; 8]) {
+            prefetch(numbers);
+        }
 
         #[inline(always)]
         fn load(from: &[f64; 8]) -> Self {

@@ -24,5 +24,7 @@ pub(in crate::solver) mod panels;
 pub(super) mod rank_one;
 pub(in crate::solver) mod rows;
 pub mod table;
+mod terms;
 
 pub use lanes::Width;
+pub use terms::terms;

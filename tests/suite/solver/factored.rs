@@ -45,7 +45,7 @@ fn to(tolerance: f64) -> InteriorPoint {
 fn by_velocities(factors: &Factors, lcp: &Lcp, tolerance: f64) -> Solution {
     let rows = factors.scaled_rows();
     let system = System::new(factors.bodies(), &rows, lcp).unwrap();
-    to(tolerance).solve_factored(&system, &Start::default(), &mut ())
+    to(tolerance).solve_factored(lcp, &system, &Start::default(), &mut ())
 }
 
 /// w is the same for all solutions, whatever x.
@@ -178,7 +178,7 @@ fn a_start_that_is_a_solution_is_returned() {
     let rows = factors.scaled_rows();
     let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
     let start = Start { x: Some(&solution.x) };
-    let again = to(1e-9).solve_factored(&system, &start, &mut ());
+    let again = to(1e-9).solve_factored(lcp, &system, &start, &mut ());
     assert_eq!((again.status, again.iterations), (Status::Solved, 0));
     assert_eq!(again.x, solution.x);
 }
@@ -204,7 +204,7 @@ fn what_would_take_too_much_memory_is_refused_in_both_forms() {
     let memory = lcplab::memory::Memory::bytes(1000);
     let short = InteriorPoint { settings: Settings { memory, ..Settings::default() } };
     let by_rows = short.solve(&lcp, &Start::default(), &mut ());
-    let by_velocities = short.solve_factored(&system, &Start::default(), &mut ());
+    let by_velocities = short.solve_factored(lcp, &system, &Start::default(), &mut ());
     for solution in [by_rows, by_velocities] {
         assert!(matches!(solution.status, Status::TooLarge { .. }), "{}", solution.status);
     }
@@ -254,7 +254,7 @@ proptest! {
     #[test]
     fn any_rows_between_any_bodies_get_the_known_w((rows, lcp, w) in manufactured(4, 14)) {
         let system = System::new(4, &rows, &lcp).unwrap();
-        let solution = to(1e-9).solve_factored(&system, &Start::default(), &mut ());
+        let solution = to(1e-9).solve_factored(lcp, &system, &Start::default(), &mut ());
         prop_assert_eq!(&solution.status, &Status::Solved);
         for (found, expected) in solution.w.iter().zip(&w) {
             prop_assert!((found - expected).abs() <= 1e-5, "{} for {}", found, expected);

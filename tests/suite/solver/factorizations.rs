@@ -42,17 +42,18 @@ fn the_factors_solve_the_system_and_a_unit_row_stands_apart() {
     let matrix = Matrix::sparse(4, &entries.iter().copied().chain(mirrored).collect::<Vec<_>>());
     assert_eq!(Envelope::entries(&matrix), 3); // row 3 reaches from 0 to 2
     let mut factor = Envelope::of(&matrix);
-    assert!(factor.factor(&matrix, &[1.0; 4], |_| false));
+    assert_eq!(factor.factor(&matrix, &[1.0; 4], |_| false), Ok(()));
     let mut z = [4.0 + 4.0, 10.0, 9.0 - 4.0, 1.0 - 3.0 + 24.0]; // (A + 1) (1, 2, 3, 4)
     factor.solve(&mut z);
     for (z, expected) in z.iter().zip([1.0, 2.0, 3.0, 4.0]) {
         assert!((z - expected).abs() < 1e-14, "{z}");
     }
-    assert!(factor.factor(&matrix, &[1.0; 4], |i| i == 3));
+    assert_eq!(factor.factor(&matrix, &[1.0; 4], |i| i == 3), Ok(()));
+    assert_eq!(factor.pivots()[3], 1.0);
     let mut z = [4.0, 5.0, 3.0, 7.0];
     factor.solve(&mut z);
     assert_eq!(z, [1.0, 1.0, 1.0, 7.0]);
-    assert!(!factor.factor(&matrix, &[-4.0; 4], |_| false)); // a negative pivot
+    assert_eq!(factor.factor(&matrix, &[-4.0; 4], |_| false), Err(0)); // a negative pivot
 }
 
 /// A grid of points, each tied to its neighbours and a little to the ground, numbered at random.

@@ -22,11 +22,10 @@
 //! for nz = −1, compressed rows for −2, else nz triplets. Names and texts are under `info/`.
 //!
 //! Traps: W may be unsymmetric in its last digits and is taken as it stands, not symmetrised. Of
-//! triplets, `fclib.h` says that `p` holds rows and `i` columns, while Siconos and FCLIB's merit
-//! functions hand them to CSparse, which means the opposite: `p` columns, `i` rows; CSparse's meaning is
-//! taken, and matters to V, H and G only. Contacts in the plane (`spacedim` 2) have one tangent, ours
-//! two: they are refused. Some collections store half of W with an attribute `symmetric_packed`: that is
-//! not FCLIB's format and is refused.
+//! triplets, `fclib.h` says that `p` holds rows and `i` columns, while Siconos hands them to CSparse,
+//! which means the opposite: `p` columns, `i` rows. CSparse's meaning is taken; it matters to V, H and G.
+//! Contacts in the plane (`spacedim` 2) have one tangent, ours two: they are refused. Some collections
+//! store half of W with an attribute `symmetric_packed`: that is not FCLIB's format and is refused.
 //!
 //! The feature `fclib` of the crate reads and writes HDF5 in pure Rust (`hdf5-reader`, `hdf5-writer`);
 //! without it both are refused. Written are local problems.

@@ -1,5 +1,6 @@
 //! No file makes a reader panic, hang or take more memory than it is worth.
 
+use std::io::{Cursor, Write};
 use std::path::Path;
 
 use lcplab::lcp::exchange::{self, ALL, Format};
@@ -56,6 +57,47 @@ fn sizes_are_not_believed() {
     assert!(message("siconos", &dense).contains("the file ends before M[1]"));
     let blocks = format!("{huge} 1 {huge} {huge} 1 1 1 {huge} {huge} 2 1 0 1 0 0 5");
     assert!(message("siconos", &blocks).contains("the file ends before block 0, number 1"));
+}
+
+/// An archive with one array, whose head says this shape.
+fn archive(shape: &str) -> Vec<u8> {
+    let dictionary = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}\n");
+    let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    zip.start_file("A.npy", zip::write::SimpleFileOptions::default()).unwrap();
+    zip.write_all(b"\x93NUMPY\x01\x00").unwrap();
+    zip.write_all(&(dictionary.len() as u16).to_le_bytes()).unwrap();
+    zip.write_all(dictionary.as_bytes()).unwrap();
+    zip.finish().unwrap().into_inner()
+}
+
+#[test]
+fn arrays_are_not_unpacked_beyond_their_limit() {
+    let message = |shape: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("p.npz");
+        std::fs::write(&path, archive(shape)).unwrap();
+        exchange::read(&path, None).unwrap_err().to_string()
+    };
+    let whole = |text: String| text.split_once("p.npz: ").unwrap().1.to_string();
+    assert_eq!(
+        whole(message("(100000, 100000)")),
+        "A: has the shape [100000, 100000], which is beyond 1 GiB"
+    );
+    assert!(message("(9999999999, 9999999999, 9999999999)").contains("beyond 1 GiB"));
+    assert_eq!(whole(message("(2, 2)")), "A: has 0 bytes, the shape [2, 2] needs 32");
+}
+
+#[test]
+fn empty_files_make_no_reader_panic() {
+    let folder = tempfile::tempdir().unwrap();
+    for part in ["H", "Cq", "E", "f", "b", "fric"] {
+        std::fs::write(folder.path().join(format!("dump_{part}.dat")), "").unwrap();
+    }
+    let _ = exchange::read(folder.path(), None);
+    for format in ALL {
+        read(b"", format.name, None);
+        read(b"0 0 0 0 0 0 0 0 0 0", format.name, None);
+    }
 }
 
 proptest! {
