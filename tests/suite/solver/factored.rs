@@ -148,7 +148,8 @@ fn rows_that_reach_far_are_reordered_and_the_known_solution_is_found() {
 fn a_pinned_row_stays_where_it_is_in_every_form() {
     let (lcp, expected) = scattered(-INF, INF);
     let pinned = |i: usize| i.is_multiple_of(3);
-    let bound = |open: f64| (0..lcp.len()).map(|i| if pinned(i) { expected[i] } else { open });
+    let x = &expected;
+    let bound = |open: f64| (0..lcp.len()).map(move |i| if pinned(i) { x[i] } else { open });
     let (lo, hi) = (bound(-INF).collect(), bound(INF).collect());
     let lcp = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lo, hi).unwrap();
     let solution = to(1e-11).solve(&lcp, &Start::default(), &mut ());
