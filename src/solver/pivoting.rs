@@ -19,5 +19,5 @@ pub(super) fn at_once(
     if observer.observe(&Iterate { iteration: 0, x, event: Event::Start }).is_break() {
         return Some(Status::Stopped);
     }
-    (merit::scaled_residual(lcp, x) <= settings.tolerance).then_some(Status::Solved)
+    merit::is_within(lcp, x, settings.tolerance, &mut 0).then_some(Status::Solved)
 }
