@@ -80,8 +80,8 @@ impl ActiveSet {
     /// The same with the free rows at a bound that are there, but for rounding.
     pub(super) fn tightened(&self, lcp: &Lcp, x: &[f64]) -> Self {
         let side = |i: usize| {
-            let terms = merit::RowTerms::at(lcp, i, x);
             let is_at = |bound: f64| {
+                let terms = merit::RowTerms::at(lcp, i, x);
                 terms.scale * (x[i] - bound).abs() <= ROUNDING * terms.magnitude // false for ∞
             };
             match self.0[i] {

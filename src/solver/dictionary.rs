@@ -46,9 +46,9 @@ impl Dictionary {
         Dictionary { basic, nonbasic, places, constant, terms, forgives: 0.0, table }
     }
 
-    /// Gives an entry a value.
-    pub(super) fn set(&mut self, r: usize, c: usize, value: f64) {
-        self.table.set(r, c, value);
+    /// Gives some entries (column, value) of a row other values.
+    pub(super) fn set(&mut self, r: usize, entries: impl Iterator<Item = (usize, f64)>) {
+        self.table.set(r, entries);
     }
 
     /// The basic variables, one a row.
@@ -116,6 +116,12 @@ impl Dictionary {
         }
     }
 
+    /// Gives the nonbasic variables these values and takes them into the constants.
+    pub(super) fn shift(&mut self, nonbasic: &[f64]) {
+        let change = self.table.product(nonbasic);
+        self.constant.iter_mut().zip(change).for_each(|(constant, change)| *constant += change);
+    }
+
     /// Puts range − v' in the place of the nonbasic variable v of column c; v' is at 0 from now on.
     pub(super) fn mirror_column(&mut self, c: usize, range: f64) {
         let column = self.table.column(c);
@@ -176,8 +182,8 @@ impl Dictionary {
             let Some((r, c)) = pivot else { break };
             self.pivot(r, c);
         }
-        for (&r, &c) in rows.iter().flat_map(|r| columns.iter().map(move |c| (r, c))) {
-            self.table.set(r, c, 0.0);
+        for r in rows {
+            self.table.set(r, columns.iter().map(|&c| (c, 0.0)));
         }
     }
 
@@ -191,10 +197,8 @@ impl Dictionary {
             rows.iter().map(|row| self.terms[row.index]).collect(),
         );
         for (r, row) in rows.iter().enumerate() {
-            for (c, column) in columns.iter().enumerate() {
-                let entry = self.table.entry(row.index, column.index);
-                selection.set(r, c, row.sign * column.sign * entry);
-            }
+            let entry = |taken: &Taken| row.sign * taken.sign * self.entry(row.index, taken.index);
+            selection.set(r, columns.iter().map(entry).enumerate());
         }
         selection
     }

@@ -137,7 +137,7 @@ impl StandardForm {
                 Some(i) if self.needs_units => unit(lcp, i),
                 _ => 1.0,
             };
-            d.set(r, last, lift);
+            d.set(r, [(last, lift)].into_iter());
         }
     }
 
@@ -187,6 +187,18 @@ impl StandardForm {
         (0..self.kind.len()).map(|i| x(i).max(lcp.lo()[i]).min(lcp.hi()[i])).collect()
     }
 
+    /// Solves once more for what is left of the w that should be 0 at this x: with them at 0, the basic
+    /// variables are where the table says, whose entries are the inverse of the equations.
+    pub(super) fn correct(&mut self, lcp: &Lcp, x: &[f64]) {
+        let left = |v: &Variable| match *v {
+            Variable::W(i) => -self.sign[i] * lcp.row_w(i, x),
+            Variable::V(i) if self.kind[i] == Kind::Both => lcp.row_w(i, x),
+            _ => 0.0,
+        };
+        let left: Vec<f64> = self.dictionary.nonbasic().iter().map(left).collect();
+        self.dictionary.shift(&left);
+    }
+
     /// How x moves while the nonbasic variable of column c grows at rate 1.
     pub(super) fn direction(&self, c: usize) -> Vec<f64> {
         let d = &self.dictionary;
@@ -225,11 +237,8 @@ fn equations(lcp: &Lcp, rows: &[usize], base: &[f64], sign: &[f64]) -> Dictionar
     );
     dictionary.forgives = FORGIVEN;
     for (r, &i) in rows.iter().enumerate() {
-        for (j, a) in lcp.matrix().row(i).iter() {
-            if let Some(c) = column[j] {
-                dictionary.set(r, c, sign[i] * a * sign[j]);
-            }
-        }
+        let entry = |(j, a): (usize, f64)| Some((column[j]?, sign[i] * a * sign[j]));
+        dictionary.set(r, lcp.matrix().row(i).iter().filter_map(entry));
     }
     dictionary
 }
