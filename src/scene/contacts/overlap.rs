@@ -74,7 +74,8 @@ fn corners(a: &Solid, b: &Solid, [face, other]: [usize; 2], rim: f64, out: &mut 
         let d = b.vertices[k] - vertex;
         (d - n * n.dot(&d)).norm() > 2.0 * rim
     };
-    let is_alone = |touch: &Touch| b.corners(other).iter().all(|&k| is_beside(k, &touch.anchors[1]));
+    let is_alone =
+        |touch: &Touch| b.corners(other).iter().all(|&k| is_beside(k, &touch.anchors[1]));
     let corners = a.corners(face).iter().filter_map(|&k| over(b, a, other, k, rim));
     out.extend(corners.filter(is_alone).map(Touch::swap));
 }

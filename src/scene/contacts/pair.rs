@@ -37,13 +37,7 @@ pub(super) fn touches(a: &Solid, b: &Solid, margin: f64, out: &mut Vec<Touch>) {
 }
 
 /// The overlap over the first face, of `a` and then of `b`, with at least this separation.
-fn over_face(
-    a: &Solid,
-    b: &Solid,
-    faces: [Option<FaceAxis>; 2],
-    least: f64,
-    out: &mut Vec<Touch>,
-) {
+fn over_face(a: &Solid, b: &Solid, faces: [Option<FaceAxis>; 2], least: f64, out: &mut Vec<Touch>) {
     let [of_a, of_b] = faces.map(|axis| axis.filter(|axis| axis.separation >= least));
     match (of_a, of_b) {
         (Some(axis), _) => overlap::touches(a, b, axis.face, out),

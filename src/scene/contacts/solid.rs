@@ -72,7 +72,8 @@ impl Solid {
 
     /// The bytes that its arrays hold; the polytope may be that of others too.
     pub fn bytes(&self) -> usize {
-        let points = self.vertices.capacity() + self.normals.capacity() + self.directions.capacity();
+        let points =
+            self.vertices.capacity() + self.normals.capacity() + self.directions.capacity();
         points * size_of::<Vector3<f64>>()
             + self.inwards.capacity() * size_of::<Option<[Vector3<f64>; 2]>>()
     }

@@ -185,10 +185,7 @@ impl Stepper {
     ///
     /// # Errors
     /// As [`step`](Stepper::step).
-    pub fn watched_step(
-        &mut self,
-        done: &mut dyn FnMut(Part),
-    ) -> std::result::Result<(), Failure> {
+    pub fn watched_step(&mut self, done: &mut dyn FnMut(Part)) -> std::result::Result<(), Failure> {
         let (step, time) = (self.steps + 1, self.time());
         self.advance(done).map_err(|cause| Failure { step, time, cause })
     }

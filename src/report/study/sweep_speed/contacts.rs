@@ -36,7 +36,9 @@ pub(super) fn measure(plan: &Plan, problem: String, at: &AtStep) -> Result<(Find
             name: ROW_BY_ROW,
             widths: Vec::new(),
             order: order.clone(),
-            start: Box::new(|_| Ok(Box::new(Rows { system: &system, kernel: RowByRow::new(&system) }))),
+            start: Box::new(|_| {
+                Ok(Box::new(Rows { system: &system, kernel: RowByRow::new(&system) }))
+            }),
         },
         Form {
             name: EIGHT_PAIRS,

@@ -11,7 +11,7 @@ use std::ops::Range;
 use super::colour::{Colouring, Pair};
 use super::velocities::Velocities;
 use super::{System, WIDTH, bytes};
-use crate::solver::kernel::lanes::Lanes;
+use crate::solver::kernel::lanes::{Lanes, prefetch};
 
 /// A thread's share of the octets: of each colour some.
 #[derive(Debug, Default)]
@@ -45,6 +45,9 @@ struct Rows {
     hi: [f64; 8],
     x: [f64; 8],
 }
+
+/// So many rows before they are needed they are asked for.
+const AHEAD: usize = 12;
 
 /// Bodies that are none, for the empty lanes of a share.
 pub(super) const NOBODIES: usize = 16;
@@ -125,8 +128,7 @@ impl Share {
         let mut first = 0;
         for &end in &*colours {
             for octet in &octets[first..end] {
-                let own = octet.rows.clone();
-                octet.sweep::<V>(&mut rows[own.clone()], &follows[own], v);
+                octet.sweep::<V>(rows, follows, v);
             }
             first = end;
             after_colour();
@@ -140,6 +142,13 @@ impl Share {
 }
 
 impl Rows {
+    /// Asks for all of it.
+    #[inline(always)]
+    fn prefetch(&self) {
+        self.jacobian.iter().for_each(prefetch);
+        [&self.inverse, &self.b, &self.lo, &self.hi, &self.x].into_iter().for_each(prefetch);
+    }
+
     fn put(&mut self, lane: usize, system: &System, i: usize, x: f64) {
         let (row, aim) = (&system.rows[i], &system.aims[i]);
         for (to, from) in self.jacobian.iter_mut().zip(row.jacobian.as_flattened()) {
@@ -164,8 +173,12 @@ impl Octet {
         let mut u = [V::splat(0.0); 2 * WIDTH];
         v.gather(&self.bodies[0], &mut u[..WIDTH]);
         v.gather(&self.bodies[1], &mut u[WIDTH..]);
-        for r in 0..rows.len() {
-            let (lo, hi) = bounds::<V>(rows, r, follows[r]);
+        let first = self.rows.start;
+        for r in self.rows.clone() {
+            if let Some(later) = rows.get(r + AHEAD) {
+                later.prefetch();
+            }
+            let (lo, hi) = bounds::<V>(rows, r, follows[r].map(|k| first + k));
             update(&mut rows[r], lo, hi, &mut u);
         }
         v.scatter(&u[..WIDTH], &self.bodies[0]);
