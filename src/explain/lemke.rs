@@ -68,7 +68,7 @@ impl<'a> Tableaux<'a> {
     }
 
     fn write(&mut self, own: &Tableau<'_>) {
-        let rows = chosen(own.pairs, own.leaving);
+        let rows = chosen(own.pairs, leaving_row(own));
         let columns = chosen(own.nonbasic.len(), own.entering);
         let heading = |&c: &usize| self.name(own.nonbasic[c]);
         let headings = ["basic", "value", "unit"].map(String::from).into_iter();
@@ -102,15 +102,26 @@ impl<'a> Tableaux<'a> {
 
     /// What is done in a tableau.
     fn step(&self, own: &Tableau<'_>) -> String {
-        match (own.entering.map(|c| own.nonbasic[c]), own.leaving.map(|r| own.basic[r])) {
-            (Some(entering), Some(leaving)) => {
-                format!("{} enters, {} leaves", self.name(entering), self.name(leaving))
+        match (own.entering.map(|c| own.nonbasic[c]), own.leaving) {
+            (Some(entering), Some(Leaving::Basic(r))) => {
+                format!("{} enters, {} leaves", self.name(entering), self.name(own.basic[r]))
+            }
+            (Some(entering), Some(Leaving::Mirrored)) => {
+                format!("{} enters and comes to the end of its range", self.name(entering))
             }
             (Some(entering), None) => {
                 format!("{} enters and nothing gets to 0, a ray", self.name(entering))
             }
             _ => "z is 0, the end".into(),
         }
+    }
+}
+
+/// The row of the variable that leaves, if it is a basic one.
+fn leaving_row(own: &Tableau<'_>) -> Option<usize> {
+    match own.leaving {
+        Some(Leaving::Basic(r)) => Some(r),
+        _ => None,
     }
 }
 
@@ -134,7 +145,7 @@ fn ratio(own: &Tableau<'_>, r: usize) -> String {
         return String::new();
     }
     let value = if covers { -value } else { value };
-    let mark = if own.leaving == Some(r) { " ←" } else { "" };
+    let mark = if leaving_row(own) == Some(r) { " ←" } else { "" };
     format!("{}/{} = {}{mark}", plain(value), bracketed(divisor), plain(value / divisor))
 }
 
