@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use clap::Args;
-use lcplab::memory::Memory;
 use lcplab::diagnosis::{problem, scene};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::exchange;
+use lcplab::memory::Memory;
 use lcplab::scene::Scene;
 
 use super::form::Writing;

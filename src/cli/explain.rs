@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use lcplab::memory::Memory;
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
 use lcplab::formulation::with_friction_model;
 use lcplab::lcp::exchange;
 use lcplab::lcp::friction::Model;
+use lcplab::memory::Memory;
 use lcplab::report::study::scene_options;
 use lcplab::scene::{Formulation, Scene};
 use lcplab::solver::{Options, default_for};

@@ -92,7 +92,9 @@ impl CompareSolvers {
             return Ok(library::all().map(|f| (f.name().to_string(), named(f))).collect());
         }
         let of = |name: &String| match Path::new(name) {
-            path if exchange::is_problem(path) => Ok((name.clone(), vec![read_problem(path, self.settings.memory())?])),
+            path if exchange::is_problem(path) => {
+                Ok((name.clone(), vec![read_problem(path, self.settings.memory())?]))
+            }
             _ => Ok((name.clone(), named(library::by_name(name)?))),
         };
         self.families.iter().map(of).collect()
