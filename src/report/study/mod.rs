@@ -45,11 +45,11 @@ pub mod sparsity;
 pub mod storage;
 pub mod sweep_speed;
 pub mod timing;
-pub mod trial;
 pub mod variation;
 pub mod verification;
 pub mod warm_start;
 pub mod worst_cases;
+pub mod yardstick;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

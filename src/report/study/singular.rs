@@ -5,7 +5,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use super::trial::{Finding, Terms, Times, measure};
+use super::yardstick::{Finding, Terms, Times, measure};
 use crate::error::Result;
 use crate::lcp::{Lcp, Matrix, library};
 

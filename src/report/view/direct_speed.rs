@@ -2,10 +2,10 @@
 
 use super::attempt::tolerance;
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome, View, trial};
+use super::{Document, Outcome, View, yardstick};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::study::direct_speed::{Bounds, Plan};
-use crate::report::study::trial::{Finding, Times, YARDSTICK};
+use crate::report::study::yardstick::{Finding, Times, YARDSTICK};
 
 impl View for Plan {
     const TITLE: &'static str = "Direct and Newton-like methods on definite problems";
@@ -18,7 +18,7 @@ impl View for Plan {
             self.condition,
             tolerance(self.tolerance)
         ));
-        document.table(Self::ID, trial::claims("Definite problems: what the judge says", findings));
+        document.table(Self::ID, yardstick::claims("Definite problems: what the judge says", findings));
     }
 
     fn show_times(&self, times: &[Times], document: &mut Document) {
@@ -27,11 +27,11 @@ impl View for Plan {
         document.table("direct_speed_goals", goals);
         document.figure(self.figure(times));
         let title = "Time to an answer of a definite problem";
-        document.table("direct_speed_times", trial::seconds(title, times));
+        document.table("direct_speed_times", yardstick::seconds(title, times));
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
-        trial::outcome("definite problems", findings)
+        yardstick::outcome("definite problems", findings)
     }
 }
 

@@ -37,10 +37,10 @@ mod sparsity;
 mod storage;
 mod summary;
 mod sweep_speed;
-mod trial;
 mod verification;
 mod warm_start;
 mod worst_cases;
+mod yardstick;
 
 pub use comparison::{alike, document as comparison_document, table as comparison_table};
 

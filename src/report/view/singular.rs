@@ -2,10 +2,10 @@
 
 use super::attempt::tolerance;
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome, View, trial};
+use super::{Document, Outcome, View, yardstick};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::study::singular::Plan;
-use crate::report::study::trial::{Finding, Times};
+use crate::report::study::yardstick::{Finding, Times};
 
 impl View for Plan {
     const TITLE: &'static str = "Right where contacts are redundant";
@@ -20,7 +20,7 @@ impl View for Plan {
             tolerance(self.tolerance)
         ));
         let title = "Redundant contacts: what the judge says";
-        document.table("singular", trial::claims(title, findings));
+        document.table("singular", yardstick::claims(title, findings));
     }
 
     fn show_times(&self, times: &[Times], document: &mut Document) {
@@ -29,11 +29,11 @@ impl View for Plan {
         let title = "Exact answers to redundant contacts: goals";
         document.table("singular_goals", goal::table(title, command, &goals));
         document.figure(self.figure(times));
-        document.table("singular_times", trial::seconds("Time to an exact answer", times));
+        document.table("singular_times", yardstick::seconds("Time to an exact answer", times));
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
-        trial::outcome("redundant contacts", findings)
+        yardstick::outcome("redundant contacts", findings)
     }
 }
 

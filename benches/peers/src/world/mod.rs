@@ -134,7 +134,8 @@ fn measured(name: &str, setting: &Setting) -> RecordedScene {
 
 fn engines() -> Vec<Engine> {
     vec![
-        ours::ENGINE,
+        ours::ROW_BY_ROW,
+        ours::EIGHT_PAIRS,
         rapier::ENGINE,
         #[cfg(has_ode)]
         crate::ode::ENGINE,

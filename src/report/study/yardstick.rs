@@ -1,5 +1,5 @@
-//! A trial: solvers and clarabel on one problem. Each answer is judged first; those that are right take
-//! turns under the clock, the others are named.
+//! Solvers beside clarabel on one problem. Each answer is judged first; those that are right take turns
+//! under the clock, the others are named.
 //!
 //! Both sides must arrive: clarabel is asked for no more than it needs to reach the same scaled
 //! residual, 1e-8 of gap and feasibility at first.
@@ -167,7 +167,7 @@ fn by_clarabel(lcp: &Lcp, tolerance: f64) -> Result<(f64, Tried<'_>)> {
     let ask = |asked: f64| -> Result<(f64, Reference, f64)> {
         let start = Instant::now();
         let reference = box_qp_to(lcp, asked).ok_or_else(|| {
-            Error::invalid("trial", YARDSTICK, "no quadratic program over a box")
+            Error::invalid("yardstick", YARDSTICK, "no quadratic program over a box")
         })?;
         Ok((asked, reference, start.elapsed().as_secs_f64()))
     };

@@ -1,10 +1,10 @@
-//! Trials of solvers beside clarabel: what the judge says, and the clock on what is right.
+//! Solvers beside clarabel: what the judge says, and the clock on what is right.
 
 use super::Outcome as Verdict;
 use super::attempt::tolerance;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::attempt::Outcome;
-use crate::report::study::trial::{Answer, Finding, Times, YARDSTICK};
+use crate::report::study::yardstick::{Answer, Finding, Times, YARDSTICK};
 
 /// Whether no claim was refuted, and how many answers were accepted.
 pub(super) fn outcome(to: &str, findings: &[Finding]) -> Verdict {
