@@ -8,7 +8,6 @@ use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::{Problem, number, read_answer};
 use lcplab::lcp::friction::Model;
-use lcplab::memory::Memory;
 use lcplab::report::answer::{Answer, bound, certificate_json, certificate_text};
 use lcplab::report::methods;
 use lcplab::solver::{Method, Reason, Settings, Start, Status, default_for};
@@ -16,7 +15,7 @@ use lcplab::solver::{Method, Reason, Settings, Start, Status, default_for};
 use super::friction::{Friction, model};
 use super::limits::{Limits, MemoryLimit};
 use super::options::SolverArgs;
-use super::{Outcome, print, read_problem, say};
+use super::{Outcome, print, read_problem};
 
 /// Rows up to which `judge` and `solve --exact` prove.
 const PROVED_ROWS: usize = 150;

@@ -84,7 +84,10 @@ pub fn claims(
     solvers: &[Box<dyn Solver>],
 ) -> Vec<(&'static str, Claim)> {
     let solve = |solver: &Box<dyn Solver>| {
-        (solver.name(), Claim::of(lcp, solver.solve(lcp, &Start { x: start, ..Start::default() }, &mut ())))
+        (
+            solver.name(),
+            Claim::of(lcp, solver.solve(lcp, &Start { x: start, ..Start::default() }, &mut ())),
+        )
     };
     let mut claims: Vec<(&'static str, Claim)> = solvers.iter().map(solve).collect();
     let truth = Truth::of(lcp, claims.iter().map(|(_, claim)| claim));

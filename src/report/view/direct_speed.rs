@@ -18,7 +18,8 @@ impl View for Plan {
             self.condition,
             tolerance(self.tolerance)
         ));
-        document.table(Self::ID, yardstick::claims("Definite problems: what the judge says", findings));
+        document
+            .table(Self::ID, yardstick::claims("Definite problems: what the judge says", findings));
     }
 
     fn show_times(&self, times: &[Times], document: &mut Document) {

@@ -26,11 +26,14 @@ impl View for Plan {
     }
 
     fn outcome(&self, recordings: &[Recording]) -> Outcome {
-        let ours =
-            || recordings.iter().flat_map(|r| &r.problems).flat_map(|p| &p.answers).filter(|a| a.ours);
+        let ours = || {
+            recordings.iter().flat_map(|r| &r.problems).flat_map(|p| &p.answers).filter(|a| a.ours)
+        };
         let answered = ours().filter(|answer| answer.time.is_some()).count();
-        let says =
-            format!("recorded beside other engines: {answered} of our {} runs answered", ours().count());
+        let says = format!(
+            "recorded beside other engines: {answered} of our {} runs answered",
+            ours().count()
+        );
         Outcome { good: true, says }
     }
 }

@@ -176,7 +176,8 @@ fn beside_a_read(dense: &[&Times]) -> Table {
                 Cell::number(time.best / read.best, 3),
             ]
         };
-        let first = cells(Cell::text("one read of A, the fastest way"), Cell::text("the widest"), read);
+        let first =
+            cells(Cell::text("one read of A, the fastest way"), Cell::text("the widest"), read);
         let runs =
             times.runs.iter().map(|run| cells(Cell::text(&run.form), instructions(run), run.sweep));
         [first].into_iter().chain(runs).collect()

@@ -11,8 +11,10 @@ pub(super) fn outcome(to: &str, findings: &[Finding]) -> Verdict {
     let ours = || findings.iter().flat_map(|f| &f.answers).filter(|a| a.solver != YARDSTICK);
     let solved = ours().filter(|answer| answer.outcome.is_solved()).count();
     let refuted = ours().filter(|answer| answer.outcome == Outcome::Refuted).count();
-    let says =
-        format!("{solved} of {} answers to {to} accepted, {refuted} claims refuted", ours().count());
+    let says = format!(
+        "{solved} of {} answers to {to} accepted, {refuted} claims refuted",
+        ours().count()
+    );
     Verdict { good: refuted == 0, says }
 }
 

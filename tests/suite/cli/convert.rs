@@ -14,7 +14,10 @@ fn problems_are_converted_and_taken_in_every_format() {
         assert_eq!((written.status.code(), err(&written).as_str()), (Some(0), ""), "{name}");
         let solved = run(&["solve", &path(name), "--json"]);
         let answer: Value = serde_json::from_str(&out(&solved)).unwrap();
-        assert_eq!((&answer["verdict"], &answer["x"]), (&"proved".into(), &serde_json::json!([0.5, 0.0])));
+        assert_eq!(
+            (&answer["verdict"], &answer["x"]),
+            (&"proved".into(), &serde_json::json!([0.5, 0.0]))
+        );
         assert_eq!(run(&["diagnose", &path(name)]).status.code(), Some(0));
     }
     let back = run(&["convert", &path("good"), "-"]); // the stem of good.mtx
@@ -34,6 +37,8 @@ fn what_a_format_cannot_carry_is_refused_or_named() {
     assert!(err(&refused).contains("qps: friction_index: is given"));
     let named = run_with(&pushed(), &["convert", "-", &path("pushed.npz")]);
     assert_eq!(err(&named), "note: left behind: source, frozen_at\n");
-    assert!(err(&run_with(GOOD, &["convert", "-", "-", "--to", "npz"])).contains("it needs a file"));
+    assert!(
+        err(&run_with(GOOD, &["convert", "-", "-", "--to", "npz"])).contains("it needs a file")
+    );
     assert!(out(&run(&["convert", "--list"])).contains("siconos        Siconos: "));
 }

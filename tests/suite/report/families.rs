@@ -2,17 +2,18 @@ use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
 use lcplab::report::methods;
 use lcplab::report::study::families::{KNOWN_FAILURES, Row, run};
+use lcplab::solver::Stop;
 use lcplab::solver::{Method, Options, by_name, entry};
 
 fn rows() -> Vec<Row> {
     let families: Vec<&dyn Family> = library::all().collect();
-    run(&families, &Model::ALL, &methods::all(), &Options::default(), 2)
+    run(&families, &Model::ALL, &methods::all(), &Options::default(), 2, &Stop::default())
 }
 
 fn rows_of(names: &[&str]) -> Vec<Row> {
     let families: Vec<&dyn Family> =
         names.iter().map(|name| library::by_name(name).unwrap()).collect();
-    run(&families, &Model::ALL, &methods::all(), &Options::default(), 3)
+    run(&families, &Model::ALL, &methods::all(), &Options::default(), 3, &Stop::default())
 }
 
 const FRICTION: [&str; 4] = ["pushed-mass", "pushed-rod", "friction-table", "friction-pile"];
@@ -55,7 +56,7 @@ fn dantzig_solves_every_symmetric_semidefinite_family_that_has_a_solution() {
     let families: Vec<&dyn Family> =
         names.iter().map(|name| library::by_name(name).unwrap()).collect();
     let dantzig = [Method::Boxed(*entry("dantzig").unwrap())];
-    for row in run(&families, &[], &dantzig, &Options::default(), 3) {
+    for row in run(&families, &[], &dantzig, &Options::default(), 3, &Stop::default()) {
         assert_eq!((row.claimed, row.accepted), (row.problems, row.problems), "{row:?}");
     }
 }

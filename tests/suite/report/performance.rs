@@ -4,10 +4,11 @@ use lcplab::lcp::merit;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::results::Results;
 use lcplab::report::study::attempt::Outcome;
-use lcplab::report::study::singular::{self, YARDSTICK};
+use lcplab::report::study::singular;
 use lcplab::report::study::sparse_speed;
 use lcplab::report::study::sweep_speed::{self, Checked, ROW_BY_ROW};
 use lcplab::report::study::timing::{Contender, Time, interleaved};
+use lcplab::report::study::yardstick::{Finding, YARDSTICK};
 use lcplab::report::view::{self, View};
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
@@ -126,9 +127,8 @@ fn every_time_of_a_redundant_problem_belongs_to_an_accepted_answer() {
             assert!(!solved || answer.residual <= 1e-9, "{answer:?}");
         }
     }
-    let dantzig = |f: &singular::Finding| {
-        f.answers.iter().any(|a| a.solver == "dantzig" && a.outcome.is_solved())
-    };
+    let dantzig =
+        |f: &Finding| f.answers.iter().any(|a| a.solver == "dantzig" && a.outcome.is_solved());
     assert!(findings.iter().all(dantzig));
 }
 

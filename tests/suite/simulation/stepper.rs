@@ -16,7 +16,12 @@ const SWEEPS: usize = 6;
 
 /// Gauss-Seidel that makes all its sweeps.
 fn pgs() -> Box<dyn Solver> {
-    let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
+    let settings = Settings {
+        tolerance: 0.0,
+        max_iterations: SWEEPS,
+        check_every: SWEEPS,
+        ..Settings::default()
+    };
     Box::new(Pgs { settings, ..Pgs::default() })
 }
 

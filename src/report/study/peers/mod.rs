@@ -5,9 +5,7 @@
 
 mod recording;
 
-pub use recording::{
-    Answer, Bounds, Engine, Library, Machine, Problem, Recording, Scene,
-};
+pub use recording::{Answer, Bounds, Engine, Library, Machine, Problem, Recording, Scene};
 
 use serde::{Deserialize, Serialize};
 
@@ -90,9 +88,8 @@ impl Recording {
     /// How many times as fast ours is, by the best of all rounds; none if either has no answer.
     pub fn faster(&self, goal: &Goal) -> Option<f64> {
         let problem = self.problems.iter().find(|problem| problem.name == goal.problem)?;
-        let ours = problem.best(|answer| {
-            answer.ours && goal.ours.is_none_or(|name| answer.contender == name)
-        });
+        let ours = problem
+            .best(|answer| answer.ours && goal.ours.is_none_or(|name| answer.contender == name));
         let peer = problem.best(|answer| !answer.ours && answer.contender.starts_with(goal.peer));
         Some(peer? / ours?)
     }

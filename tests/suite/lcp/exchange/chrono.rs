@@ -64,7 +64,11 @@ fn each_defect_has_its_file() {
     let without = message(|folder| std::fs::remove_file(folder.join("dump_fric.dat")).unwrap());
     assert!(without.starts_with("dump_fric.dat: file: is missing; write one"), "{without}");
     let cases = [
-        ("dump_fric.dat", "-2 0.5 -1 -2", "dump_fric.dat: number 1: must be -2, or mu followed by -1 and -1"),
+        (
+            "dump_fric.dat",
+            "-2 0.5 -1 -2",
+            "dump_fric.dat: number 1: must be -2, or mu followed by -1 and -1",
+        ),
         ("dump_fric.dat", "-2", "dump_fric.dat: file: has 1 numbers, b has 4"),
         ("dump_f.dat", "1 2 3", "dump_H.dat: file: has an entry at 3, 3 (from 0), outside 3 × 3"),
         ("dump_f.dat", "1 2 3 x", "dump_f.dat: line 1: number 3 must be a number, is \"x\""),

@@ -44,7 +44,10 @@ fn what_is_no_hdf5_is_refused() {
 #[test]
 fn only_contacts_and_equations_are_written() {
     let boxed = lcplab::lcp::library::by_name("manufactured").unwrap().generate(&[]).unwrap();
-    assert_eq!(refusal(&boxed, "fclib"), "fclib: friction_index: is missing: there are no contacts");
+    assert_eq!(
+        refusal(&boxed, "fclib"),
+        "fclib: friction_index: is missing: there are no contacts"
+    );
 }
 
 proptest! {

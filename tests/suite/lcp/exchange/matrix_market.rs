@@ -42,7 +42,9 @@ fn a_file_that_would_be_read_as_part_of_a_problem_is_not_left_beside_it() {
     std::fs::write(folder.path().join("p_mu.mtx"), "of an older problem").unwrap();
     let problem = exchange::read(&sample("scipy.mtx"), None).unwrap();
     let error = exchange::write(&problem, &path, None).unwrap_err().to_string();
-    assert!(error.ends_with("p_mu.mtx: file: is in the way: it would be read as part of the problem"));
+    assert!(
+        error.ends_with("p_mu.mtx: file: is in the way: it would be read as part of the problem")
+    );
     assert!(!path.exists());
 }
 
@@ -51,7 +53,10 @@ fn each_defect_has_its_line() {
     let file = |rest: &str| format!("%%MatrixMarket matrix coordinate real {rest}");
     let cases = [
         ("1 2 3", "p: line 1: must be %%MatrixMarket matrix, a format, a field and a symmetry"),
-        (&file("hermitian"), "p: line 1: the symmetry must be general or symmetric, is \"hermitian\""),
+        (
+            &file("hermitian"),
+            "p: line 1: the symmetry must be general or symmetric, is \"hermitian\"",
+        ),
         (&file("general\n% only comments"), "p: line 2: the file ends before the sizes"),
         (&file("general\n2 2"), "p: line 2: must be 3 sizes, is \"2 2\""),
         (&file("general\n2 2 1\n0 1 5"), "p: line 3: there is no row 0, column 1 in 2 × 2"),

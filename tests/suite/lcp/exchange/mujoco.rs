@@ -7,6 +7,7 @@ use lcplab::certificate::{Demand, Verdict, judge, judge_friction};
 use lcplab::lcp::exchange;
 use lcplab::lcp::file::read_answer;
 use lcplab::lcp::friction::{Model, Posed};
+use lcplab::memory::Memory;
 use lcplab::solver::{Options, Settings, Start, Status, by_name, cone_by_name};
 
 fn file(name: &str) -> PathBuf {
@@ -21,7 +22,8 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 #[test]
 fn with_pyramids_both_forces_are_proved_and_agree_to_a_piconewton() {
     let lcp = exchange::read(&file("mujoco_pyramidal.json"), None).unwrap().lcp;
-    let theirs = read_answer(&file("mujoco_pyramidal_answer.json"), lcp.len()).unwrap();
+    let theirs =
+        read_answer(&file("mujoco_pyramidal_answer.json"), lcp.len(), Memory::default()).unwrap();
     let dantzig = by_name("dantzig", &Options::default()).unwrap();
     let ours = dantzig.solve(&lcp, &Start::default(), &mut ()).x;
     for x in [&theirs, &ours] {
@@ -34,7 +36,9 @@ fn with_pyramids_both_forces_are_proved_and_agree_to_a_piconewton() {
 #[test]
 fn elliptic_cones_are_the_associated_model_and_not_coulombs_law() {
     let problem = exchange::read(&file("mujoco_elliptic.json"), None).unwrap();
-    let theirs = read_answer(&file("mujoco_elliptic_answer.json"), problem.lcp.len()).unwrap();
+    let theirs =
+        read_answer(&file("mujoco_elliptic_answer.json"), problem.lcp.len(), Memory::default())
+            .unwrap();
     let friction = problem.friction().unwrap().unwrap();
     let posed = |model: Model| model.pose(&friction, None).unwrap();
     let verdict = |model| judge_friction(&posed(model), &theirs, &Demand::default()).verdict;
