@@ -37,9 +37,8 @@ impl Cholesky {
         let mut memory = MemBuffer::new(need);
         let stack = MemStack::new(&mut memory);
         let (none, default) = (Default::default(), Default::default());
-        llt::factor::cholesky_in_place(lower, none, Par::Seq, stack, default).map_err(
-            |llt::factor::LltError::NonPositivePivot { index }| rows[index.min(f - 1)],
-        )?;
+        llt::factor::cholesky_in_place(lower, none, Par::Seq, stack, default)
+            .map_err(|llt::factor::LltError::NonPositivePivot { index }| rows[index.min(f - 1)])?;
         let is_zero = |&k: &usize| {
             let pivot = self.lower[k * (f + 1)].powi(2);
             !(pivot > RELATIVE_ZERO * diagonal[k])

@@ -24,8 +24,8 @@
 use std::ops::ControlFlow;
 
 use super::active_set::ROUNDING;
-use super::free_rows::FreeRows;
 use super::block_pivoting::rule;
+use super::free_rows::FreeRows;
 use super::principal::{Change, Point, Search};
 use super::{Event, Fallback, Solution, Status, iterate};
 use crate::lcp::Lcp;
@@ -118,17 +118,24 @@ impl Steps<'_> {
         let (_, soft, equations) = match soft.take().filter(|soft| soft.0 == exponent) {
             Some(same) => soft.insert(same),
             None => {
-                let problem = match lcp.softened(rho) { Ok(p) => p, Err(e) => return not_finite(e) };
+                let problem = match lcp.softened(rho) {
+                    Ok(p) => p,
+                    Err(e) => return not_finite(e),
+                };
                 let equations = FreeRows::of(&problem);
                 soft.insert((exponent, problem, equations))
             }
         };
         let b = |i: usize| lcp.b()[i] - rho * lcp.matrix().diagonal(i) * centre[i];
-        let problem = match soft.with_b((0..lcp.len()).map(b).collect()) { Ok(p) => p, Err(e) => return not_finite(e) };
+        let problem = match soft.with_b((0..lcp.len()).map(b).collect()) {
+            Ok(p) => p,
+            Err(e) => return not_finite(e),
+        };
         search.count_change()?;
         let then = if exponent < SAFE { Change::None } else { Change::Least };
         let (set, rule) = (search.set.clone(), rule(PATIENCE, then));
-        let end = search.run(&problem, |set| equations.point(&problem, set), rule, Some(Event::Step));
+        let end =
+            search.run(&problem, |set| equations.point(&problem, set), rule, Some(Event::Step));
         search.point = Point::at(lcp, std::mem::take(&mut search.point.x));
         if let ControlFlow::Break(Status::Stalled | Status::Singular { .. }) = end {
             search.set = set;
