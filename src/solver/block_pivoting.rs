@@ -12,11 +12,15 @@
 //! step on the equations min(x − lo, max(x − hi, w)) = 0 and finds the active set of most contact
 //! problems within ten exchanges, whatever n is; but it may cycle. Murty's rule does not on a
 //! P-matrix (see [`Murty`](super::Murty)), and each new least |H| lies below the last, so the two
-//! together always end there.
+//! together always end there. They may need very many single rows, though. So where A is symmetric,
+//! what blocks do not settle is left to proximal steps (proximal.rs); and so is a singular A_FF,
+//! as redundant contacts make it. Where A is not symmetric a singular A_FF is the end: `Singular`.
 //!
-//! An exchange factorises A_FF, O(f³). Observers see `Exchange` for a block and `Pivot` for a step
-//! of the safeguard, and the solution names it ([`Fallback`]). Where A_FF is singular, so that A is no P-matrix, the method ends with
-//! `Singular`. Coupled rows: see [`frozen`](super::frozen).
+//! An exchange factorises A_FF by what suits A (free_rows.rs), at most O(f³); the
+//! same free rows need no new factor, and [`Warm`](super::Warm) carries it to the next solve.
+//! Observers see `Exchange` for a block, `Pivot` for a single row and `Step` for a proximal step; the
+//! solution names what else than blocks had a part in it ([`Fallback`]). Coupled rows: see
+//! [`frozen`](super::frozen).
 
 use std::ops::ControlFlow;
 

@@ -38,7 +38,8 @@ impl Solution {
 pub enum Fallback {
     /// Block pivoting made no progress, and single rows were exchanged by Murty's rule.
     LeastIndex,
-    /// Proximal.
+    /// Block pivoting met a singular block or made no progress, and solved a sequence of regular
+    /// problems. Their fixed point solves the problem as it was posed; no row was softened.
     Proximal,
     /// Lemke's path ended at no solution and was followed once more with fresh tableaux.
     SecondPath,

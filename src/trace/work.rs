@@ -21,7 +21,8 @@ use crate::solver::{Event, Iterate, Observer};
 /// newton, fischer-newton            a step         5/3 n³       a sweep where it takes one: s + n
 /// dantzig                           a pivot        f n
 /// lemke                             a pivot        N (N + 2)
-/// murty, block-pivoting             an exchange    f³/3 + f² + s   and once for the first active set
+/// murty, block-pivoting             an exchange    f³/3 + f² + s   and once for the first active set;
+///                                                                  the most, where A is symmetric
 /// enumeration                       a set          n³/3         of fractions
 /// ```
 ///

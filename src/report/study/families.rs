@@ -64,8 +64,6 @@ pub const KNOWN_FAILURES: &[(&str, &str, &str)] = &[
     ("lemke", "cps-3", "A is not copositive-plus: a ray at once, though solutions exist"),
     ("murty", "cps-2", "the diagonal is 0: least-index pivoting needs positive principal minors"),
     ("murty", "cps-3", "the diagonal is 0: least-index pivoting needs positive principal minors"),
-    ("block-pivoting", "cps-1", "A is singular: block pivoting solves regular blocks only"),
-    ("block-pivoting", "table", "A is singular: block pivoting solves regular blocks only"),
     ("pgs", "cps-2", "the diagonal is 0: a sweep divides by it"),
 ];
 

@@ -21,4 +21,5 @@ mod piles;
 mod principal;
 mod singular;
 mod theory;
+mod warm;
 mod worst_cases;
