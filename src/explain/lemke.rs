@@ -40,7 +40,9 @@ impl<'a> Tableaux<'a> {
             section.say(
                 "Rows with other bounds than 0 and ∞ are brought into this form: y is the distance of x \
                  from its bound, v the force of the other bound and t the distance from that; rows \
-                 without bounds are solved for beforehand.",
+                 without bounds are solved for beforehand. Where both bounds are finite, t is y seen from the \
+                 other bound and v is −w: the tableau has one name of each pair, and y or t may not exceed \
+                 the distance of the bounds.",
             );
         }
         Tableaux { reading, section, tableaux: 0, rounds: 0, lcp }
@@ -68,7 +70,7 @@ impl<'a> Tableaux<'a> {
     }
 
     fn write(&mut self, own: &Tableau<'_>) {
-        let rows = chosen(own.pairs, own.leaving);
+        let rows = chosen(own.pairs, leaving_row(own));
         let columns = chosen(own.nonbasic.len(), own.entering);
         let heading = |&c: &usize| self.name(own.nonbasic[c]);
         let headings = ["basic", "value", "unit"].map(String::from).into_iter();
@@ -102,15 +104,26 @@ impl<'a> Tableaux<'a> {
 
     /// What is done in a tableau.
     fn step(&self, own: &Tableau<'_>) -> String {
-        match (own.entering.map(|c| own.nonbasic[c]), own.leaving.map(|r| own.basic[r])) {
-            (Some(entering), Some(leaving)) => {
-                format!("{} enters, {} leaves", self.name(entering), self.name(leaving))
+        match (own.entering.map(|c| own.nonbasic[c]), own.leaving) {
+            (Some(entering), Some(Leaving::Basic(r))) => {
+                format!("{} enters, {} leaves", self.name(entering), self.name(own.basic[r]))
+            }
+            (Some(entering), Some(Leaving::Mirrored)) => {
+                format!("{} enters and gets to the other bound", self.name(entering))
             }
             (Some(entering), None) => {
                 format!("{} enters and nothing gets to 0, a ray", self.name(entering))
             }
-            _ => "z is 0, the end".into(),
+            (None, _) => "z is 0, the end".into(),
         }
+    }
+}
+
+/// The row of the variable that leaves, if it has one.
+fn leaving_row(own: &Tableau<'_>) -> Option<usize> {
+    match own.leaving {
+        Some(Leaving::Basic(r)) => Some(r),
+        Some(Leaving::Mirrored) | None => None,
     }
 }
 
@@ -123,18 +136,20 @@ fn chosen(count: usize, wanted: Option<usize>) -> Vec<usize> {
     chosen
 }
 
-/// How far the entering variable can go before the variable of row r gets to 0; the covering one
-/// must go as far for it to be no longer negative.
+/// How far the entering variable can go before the variable of row r gets to 0, or to the end of its
+/// range if it rises; the covering one must go as far for it to be no longer negative.
 fn ratio(own: &Tableau<'_>, r: usize) -> String {
     let Some(c) = own.entering else { return String::new() };
-    let (value, rate) = (own.constant[r], own.rows[r][c]);
-    let covers = own.nonbasic[c] == Variable::Cover;
-    let divisor = if covers { rate } else { -rate };
+    let (value, rate, range) = (own.constant[r], own.rows[r][c], own.ranges[r]);
+    let (value, divisor) = match own.nonbasic[c] {
+        Variable::Cover => (-value, rate),
+        _ if rate > 0.0 && range.is_finite() => (range - value, rate),
+        _ => (value, -rate),
+    };
     if divisor <= 0.0 {
         return String::new();
     }
-    let value = if covers { -value } else { value };
-    let mark = if own.leaving == Some(r) { " ←" } else { "" };
+    let mark = if leaving_row(own) == Some(r) { " ←" } else { "" };
     format!("{}/{} = {}{mark}", plain(value), bracketed(divisor), plain(value / divisor))
 }
 
