@@ -40,6 +40,16 @@ pub enum Error {
         /// What is wrong with it.
         defects: Vec<Defect>,
     },
+    /// Something that would take more memory than it may.
+    #[error("{what} needs {}, above the limit of {}: --max-memory", size(*needs), size(*limit))]
+    TooLarge {
+        /// What it is, with the sizes that make it large.
+        what: String,
+        /// How much it would take (bytes).
+        needs: u64,
+        /// How much it may take (bytes).
+        limit: u64,
+    },
 }
 
 /// One thing that is wrong with an input.
@@ -139,4 +149,19 @@ fn list(input: &str, defects: &[Defect]) -> String {
         text += &format!("\n  and {} more", defects.len() - LISTED);
     }
     text
+}
+
+/// An amount of memory to three digits, such as 28.8 GB.
+pub(crate) fn size(bytes: u64) -> String {
+    let units = ["B", "kB", "MB", "GB", "TB", "PB", "EB"];
+    let (mut amount, mut unit) = (bytes as f64, 0);
+    while amount >= 999.5 {
+        (amount, unit) = (amount / 1000.0, unit + 1);
+    }
+    let places =
+        usize::from(unit > 0) * if amount < 9.995 { 2 } else { usize::from(amount < 99.95) };
+    let digits = format!("{amount:.places$}");
+    let digits =
+        if places > 0 { digits.trim_end_matches('0').trim_end_matches('.') } else { &digits };
+    format!("{digits} {}", units[unit])
 }

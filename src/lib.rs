@@ -31,11 +31,15 @@
 //!
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
 //! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
-//! [`formulation`]; [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
+//! [`formulation`]; [`trial`] asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
 //! [`explain`] derives a step line by line, [`diagnosis`] says why one cannot be taken, [`chapter`] shows
 //! what K&M print beside what holds, and [`lesson`] teaches it.
 
 pub mod error;
+
+pub mod memory;
+
+pub mod file;
 
 pub mod body;
 
@@ -60,6 +64,8 @@ pub mod formulation;
 pub mod simulation;
 
 pub mod trace;
+
+pub mod trial;
 
 pub mod plot;
 

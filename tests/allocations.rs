@@ -1,8 +1,10 @@
-//! What the storages say of their memory, beside what the allocator saw. A program of its own: it
-//! replaces the global allocator by one that counts, thread by thread.
+//! What the storages and the stepper say of their memory, beside what the allocator saw. A program of
+//! its own: it replaces the global allocator by one that counts, thread by thread.
 
 use allocation_counter::{AllocationInfo, measure};
 use lcplab::lcp::{Lcp, Matrix};
+use lcplab::scene::Scene;
+use lcplab::simulation::stepper::{Kernel, Stepper};
 use lcplab::storage::{ALL, Entry, Factored, Storage, Workspace, sweep, triple_product};
 use nalgebra::Matrix6;
 
@@ -116,5 +118,54 @@ fn sorted_maps_that_were_set_out_of_order_hold_about_what_they_say() {
         });
         let off = storage.bytes() as f64 / info.bytes_current as f64 - 1.0;
         assert!(off.abs() < 0.3, "{}: {off}", kind.name);
+    }
+}
+
+const KERNELS: [Kernel; 3] =
+    [Kernel::RowByRow, Kernel::EightPairs { threads: 1 }, Kernel::EightPairs { threads: 2 }];
+
+fn generated(kind: &str) -> Scene {
+    let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
+    let text =
+        format!("generate = {{ {kind} }}\n[contact]\nfriction = 0.5\nmargin = 0.01\n{ground}");
+    Scene::from_toml("pile.toml", &text).unwrap()
+}
+
+/// Boxes that stand, boxes that fall over, balls on nets, capsules and hulls, rods, bounces.
+fn scenes() -> Vec<Scene> {
+    let tower = generated("kind = \"circular_tower\", count = 70, ring = 14, size = 1, mass = 1");
+    let shipped = ["pyramid", "dominoes", "net", "sphere_net", "arch", "ball_chain", "cradle"];
+    shipped.into_iter().map(|name| Scene::load(name).unwrap()).chain([tower]).collect()
+}
+
+/// The second time along the same way: every list is as long as it ever gets.
+#[test]
+fn a_warm_step_of_a_scene_asks_for_no_memory() {
+    for scene in scenes() {
+        for kernel in KERNELS {
+            let mut stepper = Stepper::new(scene.clone(), 10, kernel).unwrap();
+            (0..20).for_each(|_| stepper.step().unwrap());
+            stepper.restart();
+            let warm = measure(|| (0..20).for_each(|_| stepper.step().unwrap()));
+            assert_eq!(warm.count_total, 0, "{} by {kernel:?}: {warm:?}", scene.name);
+        }
+    }
+}
+
+#[test]
+fn the_bytes_of_a_stepper_are_about_those_the_allocator_saw() {
+    let large = |scene: &Scene| scene.bodies.len() > 30;
+    for scene in scenes().into_iter().filter(large) {
+        for kernel in KERNELS {
+            let mut stepper = None;
+            let given = scene.clone();
+            let info = measure(|| {
+                let mut made = Stepper::new(given, 10, kernel).unwrap();
+                (0..3).for_each(|_| made.step().unwrap());
+                stepper = Some(made);
+            });
+            let part = stepper.unwrap().bytes() as f64 / info.bytes_current as f64;
+            assert!((0.8..1.2).contains(&part), "{} by {kernel:?}: {part}", scene.name);
+        }
     }
 }

@@ -45,6 +45,9 @@ pub fn prove(lcp: &Lcp, x: &[f64], w: &[f64]) -> Option<Proof> {
             Side::Free => x[i].clamp(lcp.lo()[i], lcp.hi()[i]),
         })
         .collect();
+    if fixed.iter().any(|x| !x.is_finite()) {
+        return None; // w_i/s_i is too large for a number, and the bound on that side infinite
+    }
     let free: Vec<usize> = (0..lcp.len()).filter(|&i| sides[i] == Side::Free).collect();
     let (rows, unknowns) = independent(lcp, &free);
     let dependent = free.iter().copied().find(|i| !unknowns.contains(i));

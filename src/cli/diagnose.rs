@@ -5,11 +5,12 @@ use std::path::Path;
 use clap::Args;
 use lcplab::diagnosis::{problem, scene};
 use lcplab::error::{Error, Result};
-use lcplab::lcp::file::Problem;
+use lcplab::lcp::exchange;
+use lcplab::memory::Memory;
 use lcplab::scene::Scene;
 
 use super::form::Writing;
-use super::{Outcome, print};
+use super::{Outcome, print, read_problem};
 
 /// Say why a scene or a problem cannot be solved, or not in one way only
 #[derive(Debug, Args)]
@@ -22,11 +23,11 @@ Example:
 
 Counted are rank, condition number and degrees of freedom; named are zero rows, dependent rows, rows
 that no forces satisfy, constraints without direction, drift and overlap, and what a wrong sign leaves in
-A. A name that ends in .json, or -, is a problem file. Exit code 0 if it can be solved, with remarks or
+A. A name that ends as those of problem files do (.json, .mtx, …: `convert --list`), or -, is one. Exit code 0 if it can be solved, with remarks or
 without, 1 if not, 2 for bad input.")]
 pub struct Diagnose {
-    /// A scene file, the name of a shipped scene, a problem as JSON (.json), or - for one from
-    /// standard input
+    /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
+    /// JSON from standard input
     input: String,
     /// The step of a scene at whose beginning it is examined, from 1; 1 without it
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
@@ -40,13 +41,13 @@ pub struct Diagnose {
 
 impl Diagnose {
     pub fn run(&self) -> Result<Outcome> {
-        let is_problem = self.input == "-" || self.input.ends_with(".json");
+        let is_problem = exchange::is_problem(Path::new(&self.input));
         let found = match (is_problem, self.step) {
             (true, Some(_)) => {
                 let reason = "is for scenes, this is a problem";
                 return Err(Error::invalid(&self.input, "--step", reason));
             }
-            (true, None) => problem(&Problem::read(Path::new(&self.input))?)?,
+            (true, None) => problem(&read_problem(Path::new(&self.input), Memory::default())?)?,
             (false, step) => scene(&Scene::load(&self.input)?, step.unwrap_or(1) as usize)?,
         };
         if !self.json {

@@ -7,14 +7,15 @@ use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
 use lcplab::formulation::with_friction_model;
-use lcplab::lcp::file::Problem;
+use lcplab::lcp::exchange;
 use lcplab::lcp::friction::Model;
+use lcplab::memory::Memory;
 use lcplab::report::study::scene_options;
 use lcplab::scene::{Formulation, Scene};
 use lcplab::solver::{Options, default_for};
 
-use super::Outcome;
 use super::form::Writing;
+use super::{Outcome, read_problem};
 
 /// Derive a time step of a scene, or the solution of a problem file, line by line
 #[derive(Debug, Args)]
@@ -27,12 +28,12 @@ Example:
   lcplab export stack | lcplab explain - --solver dantzig --format markdown
 
 Written are states, masses, forces, each row's c, J and J'u, the way from Newton's law to A and b, and
-every row, move or tableau of the solver, with units; at most 12 rows of each. A name that ends in
-.json, or -, is a problem and starts at A and b. Exit code 1 if the judge refutes an answer or a step
+every row, move or tableau of the solver, with units; at most 12 rows of each. A name that ends
+as those of problem files do (.json, .mtx, …: `convert --list`), or -, is a problem and starts at A and b. Exit code 1 if the judge refutes an answer or a step
 cannot be taken, 2 for bad input.")]
 pub struct Explain {
-    /// A scene file, the name of a shipped scene, a problem as JSON (.json), or - for one from
-    /// standard input
+    /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
+    /// JSON from standard input
     input: String,
     /// pgs, sor, dantzig or lemke; the scene's own, or dantzig, without it, lemke for an A that is not
     /// symmetric
@@ -48,13 +49,13 @@ pub struct Explain {
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     from: Option<u64>,
     /// How many steps of a scene are explained; 1 without it
-    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     steps: Option<u64>,
     /// Largest scaled residual that counts as solved
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Relaxation factor of sor, above 0 and below 2
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     omega: Option<f64>,
     #[command(flatten)]
     writing: Writing,
@@ -71,7 +72,7 @@ enum Level {
 
 impl Explain {
     pub fn run(&self) -> Result<Outcome> {
-        let is_problem = self.input == "-" || self.input.ends_with(".json");
+        let is_problem = exchange::is_problem(Path::new(&self.input));
         let document = if is_problem { self.of_problem()? } else { self.of_scene()? };
         self.writing.write(&document)
     }
@@ -91,7 +92,7 @@ impl Explain {
                 ));
             }
         }
-        let read = Problem::read(Path::new(&self.input))?;
+        let read = read_problem(Path::new(&self.input), Memory::default())?;
         let name = self.solver.as_deref().unwrap_or_else(|| default_for(&read.lcp));
         problem(&read, &self.method(name, Options::default())?)
     }

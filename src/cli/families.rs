@@ -1,15 +1,20 @@
 //! `compare-solvers`: the problem library × the solvers.
 
+use std::path::Path;
+
 use clap::Args;
 use lcplab::error::{Error, Result};
+use lcplab::lcp::exchange;
+use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
 use lcplab::report::study::families;
 use lcplab::report::{methods, text, view};
 use lcplab::solver::Method;
 
+use super::limits::Limits;
 use super::options::SolverArgs;
-use super::{Outcome, print};
+use super::{Outcome, print, read_problem};
 
 /// Solve the problem library with every solver, and judge every answer
 #[derive(Debug, Args)]
@@ -17,13 +22,14 @@ use super::{Outcome, print};
 Example:
   lcplab compare-solvers murty fathi stack --solver dantzig --solver lemke
   lcplab compare-solvers pushed-rod --model coulomb-cone --model polygon-16
+  lcplab compare-solvers problem.mtx          # a problem file, any format of `convert --list`
 
 Without names all families and all solvers run, clarabel among them as the reference. Families with
 friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and -16, associated-cone
 and coulomb-cone, each by the solvers that it fits. Exit code 1 if a claim is refuted, made of a problem
 that has no solution, or a failure that must happen does not.")]
 pub struct CompareSolvers {
-    /// Families that `problems` lists; all without one
+    /// Families that `problems` lists, or problem files; all families without one
     families: Vec<String>,
     /// A solver; may be given more than once
     #[arg(long)]
@@ -32,7 +38,7 @@ pub struct CompareSolvers {
     #[arg(long)]
     model: Vec<Model>,
     /// Problems of each family that has a seed: the seeds 1 to this
-    #[arg(long, default_value_t = 3)]
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     seeds: u32,
     /// Print one JSON object
     #[arg(long)]
@@ -42,16 +48,12 @@ pub struct CompareSolvers {
 }
 
 impl CompareSolvers {
-    pub fn run(&self) -> Result<Outcome> {
-        let families: Vec<&dyn Family> = match self.families.as_slice() {
-            [] => library::all().collect(),
-            names => names.iter().map(|name| library::by_name(name)).collect::<Result<_>>()?,
-        };
-        let families: Vec<&dyn Family> = match self.model.as_slice() {
-            [] => families,
-            _ => families.into_iter().filter(|family| has_friction(*family)).collect(),
-        };
-        if families.is_empty() {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+        let mut problems = self.problems()?;
+        if !self.model.is_empty() {
+            problems.retain(|(_, problems)| problems.iter().any(|p| p.friction().is_some()));
+        }
+        if problems.is_empty() {
             return Err(Error::invalid(
                 "options",
                 "--model",
@@ -61,8 +63,12 @@ impl CompareSolvers {
         let models = if self.model.is_empty() { &Model::ALL } else { self.model.as_slice() };
         let methods = self.methods()?;
         let options = self.settings.options(&methods)?;
-        let rows = families::run(&families, models, &methods, &options, self.seeds);
-        if rows.is_empty() {
+        let stop = limits.stop();
+        let mut rows = families::run_on(&problems, models, &methods, &options, stop);
+        rows.retain(|row| row.problems > 0); // a file may not say at what to freeze a box
+        let stopped = stop.reason();
+        limits.over();
+        if rows.is_empty() && stopped.is_none() {
             let reason = "no solver that is named takes any of these families, so modelled";
             return Err(Error::invalid("options", "--solver", reason));
         }
@@ -72,7 +78,26 @@ impl CompareSolvers {
             print(&text::table(&view::families_table(&rows)))?;
         }
         let wrong = rows.iter().any(families::Row::is_wrong);
-        Ok(if wrong { Outcome::Refuted } else { Outcome::Good })
+        Ok(match stopped {
+            Some(reason) => Outcome::Stopped(reason),
+            None if wrong => Outcome::Refuted,
+            None => Outcome::Good,
+        })
+    }
+
+    /// The problems of each family or file.
+    fn problems(&self) -> Result<Vec<(String, Vec<Problem>)>> {
+        let named = |family: &dyn Family| families::instances(family, self.seeds);
+        if self.families.is_empty() {
+            return Ok(library::all().map(|f| (f.name().to_string(), named(f))).collect());
+        }
+        let of = |name: &String| match Path::new(name) {
+            path if exchange::is_problem(path) => {
+                Ok((name.clone(), vec![read_problem(path, self.settings.memory())?]))
+            }
+            _ => Ok((name.clone(), named(library::by_name(name)?))),
+        };
+        self.families.iter().map(of).collect()
     }
 
     /// The methods of these names, of boxes and of cones; all methods without names.
@@ -86,8 +111,4 @@ impl CompareSolvers {
         }
         Ok(found)
     }
-}
-
-fn has_friction(family: &dyn Family) -> bool {
-    family.generate(&[]).is_ok_and(|problem| problem.friction().is_some())
 }

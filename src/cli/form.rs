@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use lcplab::document::{Document, Format};
 use lcplab::error::Result;
-use lcplab::report::write;
+use lcplab::file;
 
 use super::{Outcome, print};
 
@@ -37,7 +37,7 @@ impl Writing {
     pub fn write(&self, document: &Document) -> Result<Outcome> {
         let text = document.written(self.format())?;
         match &self.out {
-            Some(path) => write::file(path, &text)?,
+            Some(path) => file::write(path, &text)?,
             None => print(&text)?,
         }
         Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })

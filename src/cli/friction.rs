@@ -9,9 +9,11 @@ use lcplab::lcp::friction::{FrictionProblem, Model, Posed};
 use lcplab::report::answer::status_word;
 use lcplab::report::friction::Judged;
 use lcplab::report::methods;
-use lcplab::solver::{Method, Options};
+use lcplab::solver::{Method, Options, Status};
 use serde_json::{Map, Value, json};
 
+use super::limits::Limits;
+use super::problem::outcome;
 use super::{Outcome, print};
 
 /// A friction problem under the model it is solved and judged under.
@@ -53,10 +55,15 @@ impl Friction {
         options: &Options,
         demand: &Demand,
         json: bool,
+        limits: &Limits,
     ) -> Result<Outcome> {
-        let solution = method.solve(&self.posed, options, &mut ());
+        let stop = limits.stop();
+        let solution = method.solve(&self.posed, options, &mut stop.watch(&mut ()));
+        let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
+        limits.over();
         let judged = Judged::of(&self.problem, &self.posed, &solution.x, demand);
-        let (word, message) = (status_word(&solution.status), solution.status.to_string());
+        let word = status_word(&solution.status);
+        let message = stopped.map_or_else(|| solution.status.to_string(), |by| by.to_string());
         if json {
             let mut object = Map::new();
             object.insert("status".into(), json!(word));
@@ -71,7 +78,7 @@ impl Friction {
             let status = format!("status     {status}, {} iterations\n", solution.iterations);
             self.print_text(title, &(solver + &status), &judged)?;
         }
-        Ok(outcome(&judged))
+        Ok(outcome(&judged.certificate.verdict, stopped))
     }
 
     /// Judges an answer and prints the verdict.
@@ -82,7 +89,7 @@ impl Friction {
         } else {
             self.print_text(title, "", &judged)?;
         }
-        Ok(outcome(&judged))
+        Ok(outcome(&judged.certificate.verdict, None))
     }
 
     fn print_json(&self, mut object: Map<String, Value>, judged: &Judged) -> Result<()> {
@@ -96,8 +103,4 @@ impl Friction {
         let model = format!("model      {}, {contacts} contacts\n", self.model);
         print(&format!("{title}\n{model}{claim}{}", judged.text()))
     }
-}
-
-fn outcome(judged: &Judged) -> Outcome {
-    if judged.certificate.verdict.is_solution() { Outcome::Good } else { Outcome::Refuted }
 }

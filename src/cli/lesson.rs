@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use lcplab::error::{Error, Result};
+use lcplab::file;
 use lcplab::lesson::Program;
 use lcplab::lesson::exercise::{Exercise, exercises};
-use lcplab::report::write;
 
 use super::{Outcome, bar, print};
 use crate::lessons::ALL;
@@ -90,7 +90,7 @@ impl Lesson {
         let text =
             if self.ipynb { lesson.notebook(&record)? } else { lesson.page(&record)?.render()? };
         let path = folder.join(lesson.name).with_extension(kind);
-        write::file(&path, &text)?;
+        file::write(&path, &text)?;
         Ok(path)
     }
 }

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lcplab::error::Result;
+use lcplab::file;
 use lcplab::lcp::library::{self, Family};
-use lcplab::report::write;
 
 use super::{Outcome, print};
 
@@ -54,10 +54,10 @@ pub struct Generate {
     /// A family that `problems` lists
     name: String,
     /// The parameter n
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     n: Option<f64>,
     /// The seed of the random numbers
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     seed: Option<f64>,
     /// Any parameter, as NAME=VALUE
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
@@ -76,7 +76,7 @@ impl Generate {
         let problem = library::by_name(&self.name)?.generate(&values)?;
         let text = format!("{}\n", problem.to_json());
         match &self.out {
-            Some(path) => write::file(path, &text)?,
+            Some(path) => file::write(path, &text)?,
             None => print(&text)?,
         }
         Ok(Outcome::Good)

@@ -1,6 +1,7 @@
-//! The commands, one a file. Exit codes: 0 good, 1 refuted or failed, 2 bad input or usage.
+//! The commands, one a file, and their [exit codes](Outcome::code).
 
 mod chapter;
+mod convert;
 mod diagnose;
 mod explain;
 mod families;
@@ -8,26 +9,52 @@ mod form;
 mod friction;
 mod lesson;
 mod library;
+mod limits;
 mod options;
 mod pdf;
 mod problem;
 mod report;
 mod scene;
+mod shell;
 mod sweep;
+mod trial;
 mod verify;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use lcplab::error::{Error, Result};
+use lcplab::lcp::exchange;
+use lcplab::lcp::file::Problem;
+use lcplab::memory::Memory;
+use lcplab::solver::Reason;
+
+use limits::{Limits, TimeLimit};
 
 /// Solve, judge and compare contact problems of rigid bodies.
 #[derive(Debug, Parser)]
 #[command(name = "lcplab", version, max_term_width = 100, arg_required_else_help = true)]
+#[command(after_help = "\
+Example:
+  lcplab report                              # the standard report
+  lcplab simulate stack
+  lcplab export stack --step 50 --out stack.json; lcplab solve stack.json
+  lcplab solve problem.mtx                   # a problem from elsewhere
+  lcplab convert stack.json stack.npz        # and one for elsewhere
+
+Exit codes:
+  0    good: solved, accepted, written
+  1    not good: refuted, failed or diverged, a row that misses, or stopped by the time limit
+  2    bad input or usage, or a file that cannot be read or written
+  130  stopped by Ctrl-C
+
+After 1 and 130 what was computed is written. Each command has --help with an example.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    #[command(flatten)]
+    time: TimeLimit,
 }
 
 #[derive(Debug, Subcommand)]
@@ -38,6 +65,7 @@ enum Command {
     Judge(problem::Judge),
     Problems(library::Problems),
     Generate(library::Generate),
+    Convert(convert::Convert),
     Scenes(scene::Scenes),
     Simulate(scene::Simulate),
     Compare(scene::Compare),
@@ -49,6 +77,11 @@ enum Command {
     Lesson(lesson::Lesson),
     Exercise(lesson::Answer),
     Verify(verify::Verify),
+    Trial(trial::Challenge),
+    #[command(hide = true)]
+    Completions(shell::Completions),
+    #[command(name = "man", hide = true)]
+    Manual(shell::Manual),
 }
 
 /// How a command ended, other than by bad input.
@@ -56,36 +89,87 @@ enum Command {
 enum Outcome {
     Good,
     Refuted,
+    /// Before the end; what there is was written.
+    Stopped(Reason),
+}
+
+impl Outcome {
+    /// 0 good; 1 refuted, failed, or out of time; 130 interrupted. Bad input is 2.
+    fn code(self) -> u8 {
+        match self {
+            Outcome::Good => 0,
+            Outcome::Refuted => 1,
+            Outcome::Stopped(reason) => code(reason),
+        }
+    }
+}
+
+/// The exit code of a program that was stopped.
+fn code(reason: Reason) -> u8 {
+    match reason {
+        Reason::TimeLimit(_) => 1,
+        Reason::Interrupted => 130,
+    }
 }
 
 /// Runs the command line and returns the exit code.
 pub fn run() -> ExitCode {
-    let result = match Cli::parse().command {
-        Command::Report(command) => command.run(),
-        Command::Sweep(command) => command.run(),
-        Command::Solve(command) => command.run(),
+    let cli = Cli::parse();
+    let limits = Limits::begin(&cli.time);
+    let result = match cli.command {
+        Command::Report(command) => command.run(&limits),
+        Command::Sweep(command) => command.run(&limits),
+        Command::Solve(command) => command.run(&limits),
         Command::Judge(command) => command.run(),
         Command::Problems(command) => command.run(),
         Command::Generate(command) => command.run(),
+        Command::Convert(command) => command.run(),
         Command::Scenes(command) => command.run(),
-        Command::Simulate(command) => command.run(),
-        Command::Compare(command) => command.run(),
-        Command::CompareSolvers(command) => command.run(),
-        Command::Export(command) => command.run(),
+        Command::Simulate(command) => command.run(&limits),
+        Command::Compare(command) => command.run(&limits),
+        Command::CompareSolvers(command) => command.run(&limits),
+        Command::Export(command) => command.run(&limits),
         Command::Explain(command) => command.run(),
         Command::Diagnose(command) => command.run(),
         Command::Chapter(command) => command.run(),
         Command::Lesson(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Verify(command) => command.run(),
+        Command::Trial(command) => command.run(&limits),
+        Command::Completions(command) => command.run(),
+        Command::Manual(command) => command.run(),
     };
     match result {
-        Ok(Outcome::Good) => ExitCode::SUCCESS,
-        Ok(Outcome::Refuted) => ExitCode::from(1),
+        Ok(outcome) => {
+            if let Outcome::Stopped(reason) = outcome {
+                say(&format!("error: {reason}"));
+            }
+            ExitCode::from(outcome.code())
+        }
         Err(error) => {
-            eprintln!("error: {error}");
+            say(&format!("error: {error}"));
             ExitCode::from(2)
         }
+    }
+}
+
+/// Prints a line to standard error; there is nobody to tell if that cannot be done.
+fn say(line: &str) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr().lock(), "{line}");
+}
+
+/// The problem of a file, in the format that its ending says; JSON by default.
+fn read_problem(path: &std::path::Path, most: Memory) -> Result<Problem> {
+    let problem = exchange::read_within(path, None, most)?;
+    warn(&problem);
+    Ok(problem)
+}
+
+/// Says what was ignored while a problem was read.
+fn warn(problem: &Problem) {
+    for warning in &problem.warnings {
+        say(&format!("warning: {warning}"));
     }
 }
 
@@ -93,7 +177,13 @@ pub fn run() -> ExitCode {
 fn bar(length: u64, message: &str) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(length).with_style(style).with_message(message.to_string())
+    let bar = ProgressBar::new(length).with_style(style).with_message(message.to_string());
+    bar.with_finish(ProgressFinish::AndClear) // also where an error ends the work
+}
+
+/// A number of threads.
+fn threads() -> clap::builder::RangedI64ValueParser<u16> {
+    clap::value_parser!(u16).range(1..=1024)
 }
 
 /// Prints to standard output; a reader who has gone away is no error.

@@ -8,17 +8,23 @@
 use clap::{Args, ValueEnum};
 use lcplab::certificate::Demand;
 use lcplab::error::{Defects, Error, Result};
+use lcplab::memory::Memory;
 use lcplab::solver::{ALL, Choice, Damping, Entry, Method, Options, Order, Settings};
+
+use super::limits::MemoryLimit;
+use super::say;
 
 /// The settings of a solver.
 #[derive(Debug, Args)]
 pub struct SolverArgs {
     /// Largest scaled residual that counts as solved
-    #[arg(long, default_value_t = Settings::default().tolerance)]
+    #[arg(long, allow_negative_numbers = true, default_value_t = Settings::default().tolerance)]
     tolerance: f64,
     /// Most sweeps or pivots
     #[arg(long, default_value_t = Settings::default().max_iterations)]
     max_iterations: usize,
+    #[command(flatten)]
+    memory: MemoryLimit,
     #[command(flatten)]
     choices: Choices,
 }
@@ -27,7 +33,7 @@ pub struct SolverArgs {
 #[derive(Debug, Args)]
 pub struct Choices {
     /// Relaxation factor of sor and ssor, above 0 and below 2; 1.3 or the scene's own without it
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
     /// Order of the rows in a sweep of pgs and sor; natural or the scene's own without it
     #[arg(long, value_enum)]
@@ -36,7 +42,7 @@ pub struct Choices {
     #[arg(long)]
     pub seed: Option<u64>,
     /// Length of jacobi's steps, above 0 and below 2; safe for every semidefinite A without it
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,
 }
 
@@ -57,6 +63,7 @@ impl SolverArgs {
         let settings = Settings {
             tolerance: self.tolerance,
             max_iterations: self.max_iterations,
+            memory: self.memory(),
             ..Settings::default()
         };
         let default = Options::default();
@@ -75,6 +82,10 @@ impl SolverArgs {
         let users: Vec<_> = solvers.iter().map(|method| (method.name(), method.uses())).collect();
         self.choices.check(&users, order)?;
         Ok(options)
+    }
+
+    pub fn memory(&self) -> Memory {
+        self.memory.max_memory
     }
 
     pub fn demand(&self) -> Demand {
@@ -110,7 +121,8 @@ impl Choices {
                 };
                 defects.add(format!("--{}", choice.name()), reason);
             } else if names.len() < solvers.len() {
-                eprintln!("note: --{} goes to {} alone", choice.name(), names.join(", "));
+                let (choice, names) = (choice.name(), names.join(", "));
+                say(&format!("note: --{choice} goes to {names} alone"));
             }
         }
         defects.into_result("options")

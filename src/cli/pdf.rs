@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{self, Command};
 
 use lcplab::error::{Error, Result};
+use lcplab::file;
 
 /// The names under which the browser is looked for.
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
@@ -34,8 +35,12 @@ impl Browser {
     /// # Errors
     /// If the page cannot be read, or the browser does not print it.
     pub fn print(&self, page: &Path) -> Result<PathBuf> {
-        let (pdf, part) =
-            (page.with_file_name("report.pdf"), page.with_file_name("report.pdf.part"));
+        let pdf = page.with_file_name("report.pdf");
+        file::made_by(&pdf, |part| self.print_to(part, page))?;
+        Ok(pdf)
+    }
+
+    fn print_to(&self, part: &Path, page: &Path) -> Result<()> {
         let address = page.canonicalize().map_err(|cause| Error::file(page, &cause))?;
         let profile = env::temp_dir().join(format!("lcplab-print-{}", process::id()));
         // Without a sandbox, as it may be the superuser who prints; the page is ours and fetches nothing.
@@ -48,12 +53,12 @@ impl Browser {
             .map_err(|cause| Error::file(&self.0, &cause))?;
         // What it leaves behind is of no use, and no harm.
         let _ = fs::remove_dir_all(&profile);
-        if !part.is_file() {
+        // The part is there before it is printed to, and empty.
+        if !part.metadata().is_ok_and(|part| part.len() > 0) {
             let said = String::from_utf8_lossy(&output.stderr);
             let last = said.trim().lines().last().unwrap_or("it said nothing").to_string();
             return Err(Error::invalid(self.0.display().to_string(), "print", last));
         }
-        fs::rename(&part, &pdf).map_err(|cause| Error::file(&pdf, &cause))?;
-        Ok(pdf)
+        Ok(())
     }
 }

@@ -3,21 +3,25 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::certificate::{Certificate, Demand, judge};
+use lcplab::certificate::{Certificate, Demand, Verdict, judge};
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::{Problem, number, read_answer};
 use lcplab::lcp::friction::Model;
+use lcplab::memory::Memory;
 use lcplab::report::answer::{Answer, bound, certificate_json, certificate_text};
 use lcplab::report::methods;
-use lcplab::solver::{Method, default_for};
+use lcplab::solver::{Method, Reason, Settings, Start, Status, default_for};
 
 use super::friction::{Friction, model};
+use super::limits::{Limits, MemoryLimit};
 use super::options::SolverArgs;
-use super::{Outcome, print};
+use super::{Outcome, print, read_problem, say};
 
 /// Rows up to which `judge` and `solve --exact` prove.
 const PROVED_ROWS: usize = 150;
+/// Characters of a problem's name that are printed at most.
+const NAME: usize = 200;
 /// Rows of x and w that are printed at most.
 const PRINTED_ROWS: usize = 40;
 
@@ -28,11 +32,12 @@ Example:
   echo '{\"A\": {\"dense\": [[2, -1], [-1, 2]]}, \"b\": [-1, 2]}' | lcplab solve - --solver dantzig
   lcplab generate pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
   lcplab generate stack | lcplab solve - --solver pgs --order shuffled --seed 7
+  lcplab solve problem.mtx        # and problem_b.mtx beside it; any format of `convert --list`
 
 A problem with friction rows is solved as it stands, as a coupled box, unless --model, the key
 \"model\" of the file or a solver for cones says otherwise. Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Solve {
-    /// The problem as JSON; - reads standard input
+    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
     /// The name of a solver; without it dantzig for symmetric A, lemke for any other, and for a model
     /// of friction the one that fits
@@ -53,8 +58,8 @@ pub struct Solve {
 }
 
 impl Solve {
-    pub fn run(&self) -> Result<Outcome> {
-        let problem = read_problem(&self.problem)?;
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+        let problem = read_problem(&self.problem, self.settings.memory())?;
         let mut demand = self.settings.demand();
         if self.exact {
             demand.prove_up_to = PROVED_ROWS;
@@ -64,11 +69,16 @@ impl Solve {
             let method = methods::by_name(solver.unwrap_or(methods::default_for(model)), model)?;
             let options = self.settings.options(&[method])?;
             let friction = Friction::of(&problem, model, &self.problem)?;
-            return friction.solve(&title(&problem), &method, &options, &demand, self.json);
+            let title = title(&problem);
+            return friction.solve(&title, &method, &options, &demand, self.json, limits);
         }
         let entry = methods::entry(solver.unwrap_or_else(|| default_for(&problem.lcp)))?;
         let options = self.settings.options(&[Method::Boxed(entry)])?;
-        let answer = Answer::obtain(&problem.lcp, &*(entry.build)(&options), &demand);
+        let (solver, stop) = ((entry.build)(&options), limits.stop());
+        let solution = solver.solve(&problem.lcp, &Start::default(), &mut stop.watch(&mut ()));
+        let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
+        limits.over();
+        let answer = Answer::judged(&problem.lcp, entry.name, solution, &demand).stopped(stopped);
         if self.json {
             print(&format!("{}\n", answer.to_json()))?;
         } else {
@@ -88,7 +98,7 @@ impl Solve {
             text += &rows(&problem.lcp, &answer.solution.x, &answer.certificate);
             print(&text)?;
         }
-        Ok(outcome(&answer.certificate))
+        Ok(outcome(&answer.certificate.verdict, stopped))
     }
 }
 
@@ -101,7 +111,7 @@ Example:
 
 Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
 pub struct Judge {
-    /// The problem as JSON; - reads standard input
+    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
     /// Any JSON object with a key "x"
     answer: PathBuf,
@@ -109,8 +119,10 @@ pub struct Judge {
     #[arg(long)]
     model: Option<Model>,
     /// Largest scaled residual that counts as solved
-    #[arg(long, default_value_t = Demand::default().tolerance)]
+    #[arg(long, allow_negative_numbers = true, default_value_t = Demand::default().tolerance)]
     tolerance: f64,
+    #[command(flatten)]
+    memory: MemoryLimit,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -118,8 +130,10 @@ pub struct Judge {
 
 impl Judge {
     pub fn run(&self) -> Result<Outcome> {
-        let problem = read_problem(&self.problem)?;
-        let x = read_answer(&self.answer, problem.lcp.len())?;
+        Settings { tolerance: self.tolerance, ..Settings::default() }.validate()?;
+        let memory = self.memory.max_memory;
+        let problem = read_problem(&self.problem, memory)?;
+        let x = read_answer(&self.answer, problem.lcp.len(), memory)?;
         let demand = Demand { tolerance: self.tolerance, prove_up_to: PROVED_ROWS };
         if let Some(model) = model(self.model, None, &problem) {
             let friction = Friction::of(&problem, model, &self.problem)?;
@@ -138,26 +152,30 @@ impl Judge {
                 title(&problem) + "\n" + &certificate_text(&certificate) + &bound_text(bound);
             print(&(text + &rows(&problem.lcp, &x, &certificate)))?;
         }
-        Ok(outcome(&certificate))
+        Ok(outcome(&certificate.verdict, None))
     }
 }
 
-fn outcome(certificate: &Certificate) -> Outcome {
-    if certificate.verdict.is_solution() { Outcome::Good } else { Outcome::Refuted }
-}
-
-fn read_problem(path: &std::path::Path) -> Result<Problem> {
-    let problem = Problem::read(path)?;
-    for warning in &problem.warnings {
-        eprintln!("warning: {warning}");
+/// How it came out: what counts is the judge's word, unless the solver was stopped.
+pub fn outcome(verdict: &Verdict, stopped: Option<Reason>) -> Outcome {
+    match stopped {
+        Some(reason) => Outcome::Stopped(reason),
+        None if verdict.is_solution() => Outcome::Good,
+        None => Outcome::Refuted,
     }
-    Ok(problem)
 }
 
 fn title(problem: &Problem) -> String {
-    let name = if problem.name.is_empty() { "problem" } else { &problem.name };
+    let name = if problem.name.is_empty() { "problem" } else { &on_one_line(&problem.name) };
     let n = problem.lcp.len();
     format!("{name}: {n} rows, {} stored entries", problem.lcp.matrix().stored())
+}
+
+/// A name as a terminal can take it: without controls, and cut if it is long.
+fn on_one_line(name: &str) -> String {
+    let shown: String =
+        name.chars().take(NAME).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if name.chars().nth(NAME).is_some() { shown + "…" } else { shown }
 }
 
 fn bound_text(bound: Option<f64>) -> String {

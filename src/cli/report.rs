@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use lcplab::error::{Error, Result};
+use lcplab::file;
 use lcplab::lesson::Program;
 use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::{Experiment, SHIPPED};
@@ -11,8 +12,9 @@ use lcplab::report::kind::KINDS;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
 
+use super::limits::Limits;
 use super::pdf::Browser;
-use super::{Outcome, bar, print};
+use super::{Outcome, bar, print, threads};
 use crate::handout::ALL;
 
 /// The walk through the chapter.
@@ -31,7 +33,7 @@ Example:
   lcplab report --compare before/results.json after/results.json
 
 The folder gets index.html, which needs no network, results.json, and the data of every figure and
-table. results.json grows while the report runs; a run that was interrupted goes on from it. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
+table. results.json grows while the report runs; a run that was stopped goes on from it. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
 differ, or a study fails, 2 for bad input.")]
 pub struct Report {
     /// A report file, or the name of a shipped report
@@ -47,7 +49,7 @@ pub struct Report {
     #[arg(long, num_args = 2, value_names = ["OLD", "NEW"])]
     compare: Vec<PathBuf>,
     /// Relative difference of numbers that --compare lets pass
-    #[arg(long, default_value_t = 0.0, requires = "compare")]
+    #[arg(long, allow_negative_numbers = true, default_value_t = 0.0, requires = "compare")]
     tolerance: f64,
     /// Run one section alone, by its id: the study's name, or the anchor in the page's address
     #[arg(long, value_name = "ID")]
@@ -56,21 +58,21 @@ pub struct Report {
     #[arg(long)]
     fresh: bool,
     /// Difference of numbers that --compare lets pass, whatever their size
-    #[arg(long, default_value_t = 0.0, requires = "compare")]
+    #[arg(long, allow_negative_numbers = true, default_value_t = 0.0, requires = "compare")]
     absolute: f64,
     /// Folder of the report; reports/NAME without it
     #[arg(long)]
     out: Option<PathBuf>,
     /// Threads to use; the results are the same for any number
-    #[arg(long)]
-    threads: Option<usize>,
+    #[arg(long, value_parser = threads())]
+    threads: Option<u16>,
     /// Print the page to report.pdf beside it too, by a Chromium or Chrome that is on the PATH
     #[arg(long, conflicts_with = "compare")]
     pdf: bool,
 }
 
 impl Report {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         if self.list {
             return list();
         }
@@ -78,7 +80,7 @@ impl Report {
             return self.changes(old, new);
         }
         let browser = self.pdf.then(Browser::find).transpose()?;
-        let (outcome, page) = self.page()?;
+        let (outcome, page) = self.page(limits)?;
         if let Some(browser) = browser {
             print(&format!("{}\n", browser.print(&page)?.display()))?;
         }
@@ -86,7 +88,7 @@ impl Report {
     }
 
     /// Writes the page; returns how the report came out, and the page's path.
-    fn page(&self) -> Result<(Outcome, PathBuf)> {
+    fn page(&self, limits: &Limits) -> Result<(Outcome, PathBuf)> {
         if let Some(folder) = &self.redraw {
             return redraw(folder);
         }
@@ -102,15 +104,19 @@ impl Report {
         }
         if let Some(threads) = self.threads {
             // Fails only if the pool exists already, which nothing before this has made.
-            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         let earlier = if self.fresh { None } else { interrupted(&folder.join(write::RESULTS)) };
         let progress = bar(0, "");
         let save = |results: &Results| write::results(results, &folder);
-        let results = run::run(&experiment, earlier.as_ref(), &progress, &save)?;
+        let stop = limits.stop();
+        let results = run::run(&experiment, earlier.as_ref(), &progress, stop, &save)?;
+        let stopped = stop.reason().filter(|_| !results.is_complete());
+        limits.over();
         progress.finish_and_clear();
         write::results(&results, &folder)?;
-        shown(&results, &folder)
+        let (outcome, page) = shown(&results, &folder)?;
+        Ok((stopped.map_or(outcome, Outcome::Stopped), page))
     }
 
     fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
@@ -130,7 +136,7 @@ impl Report {
         let folder = self.out.clone().unwrap_or_else(|| ["reports", HANDOUT.name].iter().collect());
         let page = HANDOUT.page(&HANDOUT.run()?)?.render()?;
         let path = folder.join("index.html");
-        write::file(&path, &page)?;
+        file::write(&path, &page)?;
         print(&format!("{}\n", path.display()))?;
         Ok((Outcome::Good, path))
     }

@@ -7,7 +7,8 @@ use lcplab::error::Result;
 use lcplab::report::sweep::{Folder, Sweep as File, collect, plan_table};
 use lcplab::report::text;
 
-use super::{Outcome, bar, print};
+use super::limits::Limits;
+use super::{Outcome, bar, print, say, threads};
 
 /// Rows of the plan that are printed.
 const SHOWN: usize = 40;
@@ -55,8 +56,8 @@ struct Run {
     #[arg(long)]
     task: Option<usize>,
     /// Threads to use; the results are the same for any number
-    #[arg(long)]
-    threads: Option<usize>,
+    #[arg(long, value_parser = threads())]
+    threads: Option<u16>,
 }
 
 /// Put the results together: tables and a page
@@ -86,10 +87,10 @@ impl Place {
 }
 
 impl Sweep {
-    pub fn run(&self) -> Result<Outcome> {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         match &self.action {
             Action::Plan(plan) => plan.run(),
-            Action::Run(run) => run.run(),
+            Action::Run(run) => run.run(limits),
             Action::Collect(collect) => collect.run(),
         }
     }
@@ -111,7 +112,7 @@ impl Plan {
 }
 
 impl Run {
-    fn run(&self) -> Result<Outcome> {
+    fn run(&self, limits: &Limits) -> Result<Outcome> {
         let (_, folder) = self.place.open()?;
         if let Some(task) = self.task {
             let record = folder.run_one(task)?;
@@ -120,15 +121,18 @@ impl Run {
         }
         if let Some(threads) = self.threads {
             // Fails only if the pool exists already, which nothing before this has made.
-            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         let plan = folder.plan();
         let progress = bar(plan.tasks.len() as u64, &plan.sweep);
-        let done = folder.run_missing(&progress)?;
+        let stop = limits.stop();
+        let done = folder.run_missing(&progress, stop)?;
+        limits.over();
+        let (all, before) = (plan.tasks.len(), progress.position() as usize - done);
         progress.finish_and_clear();
-        let all = plan.tasks.len();
-        print(&format!("{done} of {all} tasks run, {} were done before\n", all - done))?;
-        Ok(Outcome::Good)
+        print(&format!("{done} of {all} tasks run, {before} were done before\n"))?;
+        let stopped = stop.reason().filter(|_| done + before < all);
+        Ok(stopped.map_or(Outcome::Good, Outcome::Stopped))
     }
 }
 
@@ -148,7 +152,7 @@ impl Collect {
             let numbers = collection.missing.iter().take(20).map(ToString::to_string);
             let numbers = numbers.collect::<Vec<_>>().join(", ");
             let more = if missing > 20 { ", …" } else { "" };
-            eprintln!("error: {missing} tasks have no results: {numbers}{more}");
+            say(&format!("error: {missing} tasks have no results: {numbers}{more}"));
         }
         let good = missing == 0 && collection.refuted() == 0;
         Ok(if good { Outcome::Good } else { Outcome::Refuted })

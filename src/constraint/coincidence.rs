@@ -50,12 +50,18 @@ impl Constraint for Coincidence {
     }
 
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let mut rows = Vec::with_capacity(3);
+        self.add_rows(states, &mut rows)?;
+        Ok(rows)
+    }
+
+    fn add_rows(&self, states: [&State; 2], rows: &mut Vec<Row>) -> Result<(), Degenerate> {
         let arms = Arms::new(states, &self.anchors);
-        let row = |k: usize| {
+        rows.extend((0..3).map(|k| {
             let jacobian = arms.row(&Vector3::ith(k, 1.0));
             Row::equation(Kind::Coincidence, arms.d[k], jacobian, arms.cent[k])
-        };
-        Ok((0..3).map(row).collect())
+        }));
+        Ok(())
     }
 
     fn anchors(&self) -> Option<[Vector3<f64>; 2]> {

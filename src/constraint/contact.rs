@@ -94,15 +94,20 @@ impl Constraint for Contact {
     }
 
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let mut rows = Vec::with_capacity(3);
+        self.add_rows(states, &mut rows)?;
+        Ok(rows)
+    }
+
+    fn add_rows(&self, states: [&State; 2], rows: &mut Vec<Row>) -> Result<(), Degenerate> {
         let arms = Arms::new(states, &self.anchors);
         let frame = self.frame(&arms, states)?;
         let c = frame.n.dot(&arms.d) - self.radii[0] - self.radii[1];
-        let normal = Row::inequality(Kind::Normal, c, frame.jacobian, frame.velocity_product);
-        let mut rows = vec![normal];
+        rows.push(Row::inequality(Kind::Normal, c, frame.jacobian, frame.velocity_product));
         if self.friction > 0.0 {
             rows.extend(friction::rows(self, &arms, &frame, states));
         }
-        Ok(rows)
+        Ok(())
     }
 
     fn anchors(&self) -> Option<[Vector3<f64>; 2]> {

@@ -62,10 +62,17 @@ impl Constraint for Distance {
     }
 
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
+        let mut rows = Vec::with_capacity(1);
+        self.add_rows(states, &mut rows)?;
+        Ok(rows)
+    }
+
+    fn add_rows(&self, states: [&State; 2], rows: &mut Vec<Row>) -> Result<(), Degenerate> {
         let arms = Arms::new(states, &self.anchors);
         let n = arms.d.try_normalize(0.0).ok_or(COINCIDENT)?;
-        let c = arms.d.norm() - self.length;
-        Ok(vec![Row::equation(Kind::Distance, c, arms.row(&n), arms.product_of_distance(&n))])
+        let (c, product) = (arms.d.norm() - self.length, arms.product_of_distance(&n));
+        rows.push(Row::equation(Kind::Distance, c, arms.row(&n), product));
+        Ok(())
     }
 
     fn anchors(&self) -> Option<[Vector3<f64>; 2]> {

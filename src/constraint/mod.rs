@@ -92,6 +92,16 @@ pub trait Constraint: fmt::Debug + Send + Sync {
     /// [`Degenerate`] where c has no derivative.
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate>;
 
+    /// Adds the same rows to a list that is kept. Those whose steps are to ask for no memory add them
+    /// one by one.
+    ///
+    /// # Errors
+    /// As [`rows`](Constraint::rows); the list is then of no use.
+    fn add_rows(&self, states: [&State; 2], rows: &mut Vec<Row>) -> Result<(), Degenerate> {
+        rows.extend(self.rows(states)?);
+        Ok(())
+    }
+
     /// Where its force acts on each body, in the body's frame (m), so that it can be drawn; none for
     /// one that has only torques.
     fn anchors(&self) -> Option<[Vector3<f64>; 2]> {

@@ -29,7 +29,7 @@ pub(super) fn section(reading: &Reading, method: &Method, start: Option<&[f64]>)
         "lemke" => Box::new(lemke::Tableaux::of(reading)),
         _ => Box::new(sweeps::Sweeps::of(reading, method.name())),
     };
-    let solution = method.solver()?.solve(lcp, &Start { x: start }, &mut *scribe);
+    let solution = method.solver()?.solve(lcp, &Start { x: start, ..Start::default() }, &mut *scribe);
     let mut section = scribe.section(&solution);
     if let (Status::Ray { row, direction }, true) = (&solution.status, method.name() != "lemke") {
         section.say(match method.name() {

@@ -11,12 +11,28 @@ use nalgebra::Vector6;
 
 use super::Slide;
 use crate::assembly::{Assembly, Part};
+use crate::error::Result;
 use crate::lcp::Matrix;
+use crate::memory::Memory;
 
 /// Up to this many rows A is dense, whatever its fill.
 const SMALL: usize = 32;
 /// Beyond SMALL, A is dense where at least this part of its entries is stored.
 const FULL: f64 = 0.25;
+
+/// What an entry takes while A is made of them (numbers): its place and value, twice, and A itself.
+const ENTRY: usize = 8;
+
+/// Whether A may be made: each pair of rows that share a body is an entry.
+pub(super) fn check(assembly: &Assembly, most: Memory) -> Result<()> {
+    let mut rows_of = vec![0; assembly.blocks.len()];
+    for part in assembly.rows.iter().flat_map(|row| row.parts()) {
+        rows_of[part.block] += 1;
+    }
+    let pairs: usize = rows_of.iter().map(|rows: &usize| rows * rows).sum();
+    let what = format!("A of {} rows with up to {pairs} entries", assembly.rows.len());
+    most.check(what, Memory::numbers(ENTRY).times(pairs))
+}
 
 pub(super) fn matrix(assembly: &Assembly, compliance: &[f64], slides: &[Slide]) -> Matrix {
     let n = assembly.rows.len();

@@ -23,12 +23,14 @@ pub use crate::scene::Formulation;
 pub use factors::Factors;
 pub use friction::{Posing, friction_model, with_friction_model};
 pub use sliding::Slide;
+pub(crate) use velocity::Bias;
 
 use crate::assembly::{Assembly, Row};
 use crate::body::State;
 use crate::constraint::Bounds;
 use crate::error::Result;
 use crate::lcp::{Coupling, Gauss, Lcp};
+use crate::memory::Memory;
 use crate::scene::Scene;
 
 /// What an LCP decides within a step.
@@ -97,7 +99,7 @@ impl Problem {
     /// The impulse LCP of a step at velocity level.
     ///
     /// # Errors
-    /// If a number is not finite.
+    /// If a number is not finite, or A takes more memory than the scene allows.
     pub fn velocity(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let bias = velocity::bias(&assembly, scene, scene.step.baumgarte);
         Problem::stepping(scene, assembly, bias)
@@ -106,7 +108,7 @@ impl Problem {
     /// The same without feedback of errors: what is wrong with positions is left to others.
     ///
     /// # Errors
-    /// If a number is not finite.
+    /// If a number is not finite, or A takes too much memory.
     pub fn unbiased(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let bias = velocity::bias(&assembly, scene, 0.0);
         Problem::stepping(scene, assembly, bias)
@@ -114,16 +116,17 @@ impl Problem {
 
     fn stepping(scene: &Scene, assembly: Assembly, bias: Vec<f64>) -> Result<Self> {
         let target = velocity::target(&assembly, scene.step.dt);
-        Problem::new(Stage::Velocity, assembly, target, bias, scene.step.dt, Vec::new())
+        let (dt, most) = (scene.step.dt, scene.memory);
+        Problem::new(Stage::Velocity, assembly, target, bias, dt, Vec::new(), most)
     }
 
     /// The impulse LCP of bodies that hit: no force, no bias, only J u⁺ ≥ 0.
     ///
     /// # Errors
-    /// If a number is not finite.
-    pub fn impact(assembly: Assembly) -> Result<Self> {
+    /// If a number is not finite, or A takes too much memory.
+    pub fn impact(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let (target, bias) = (assembly.u.clone(), vec![0.0; assembly.rows.len()]);
-        Problem::new(Stage::Impact, assembly, target, bias, 0.0, Vec::new())
+        Problem::new(Stage::Impact, assembly, target, bias, 0.0, Vec::new(), scene.memory)
     }
 
     /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that the first answer x pushes
@@ -144,7 +147,7 @@ impl Problem {
     /// The force LCP of a step at acceleration level.
     ///
     /// # Errors
-    /// If a number is not finite.
+    /// If a number is not finite, or A takes too much memory.
     pub fn acceleration(scene: &Scene, assembly: Assembly) -> Result<Self> {
         Problem::sliding(scene, assembly, Vec::new())
     }
@@ -152,21 +155,22 @@ impl Problem {
     /// The same with the friction of sliding contacts put in.
     ///
     /// # Errors
-    /// If a number is not finite.
+    /// If a number is not finite, or A takes too much memory.
     pub fn sliding(scene: &Scene, assembly: Assembly, slides: Vec<Slide>) -> Result<Self> {
         let target = assembly.accelerate(&assembly.force);
         let bias = acceleration::bias(&assembly, scene);
-        Problem::new(Stage::Acceleration, assembly, target, bias, scene.step.dt, slides)
+        let (dt, most) = (scene.step.dt, scene.memory);
+        Problem::new(Stage::Acceleration, assembly, target, bias, dt, slides, most)
     }
 
     /// The LCP that corrects positions.
     ///
     /// # Errors
-    /// If a number is not finite.
+    /// If a number is not finite, or A takes too much memory.
     pub fn position(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let target = vec![0.0; assembly.columns()];
         let bias = position::bias(&assembly, scene);
-        Problem::new(Stage::Position, assembly, target, bias, 0.0, Vec::new())
+        Problem::new(Stage::Position, assembly, target, bias, 0.0, Vec::new(), scene.memory)
     }
 
     fn new(
@@ -176,7 +180,9 @@ impl Problem {
         bias: Vec<f64>,
         dt: f64,
         slides: Vec<Slide>,
+        most: Memory,
     ) -> Result<Self> {
+        delassus::check(&assembly, most)?;
         let rows = &assembly.rows;
         let compliance: Vec<f64> = rows.iter().map(|row| compliance(row, stage, dt)).collect();
         let (mut lo, mut hi): (Vec<f64>, Vec<f64>) =

@@ -14,8 +14,8 @@
 //! into energy. K&M Code 7 has −x (see the errata), `math §4`.
 
 use super::{Problem, Stage};
-use crate::assembly::{Assembly, Row};
-use crate::constraint::{Bounds, Kind};
+use crate::assembly::Assembly;
+use crate::constraint::{Bounds, Kind, Spring};
 use crate::scene::{Feedback, Scene};
 
 /// u* = u + dt M⁻¹ F.
@@ -24,23 +24,54 @@ pub(super) fn target(assembly: &Assembly, dt: f64) -> Vec<f64> {
     assembly.u.iter().zip(rate).map(|(u, rate)| u + dt * rate).collect()
 }
 
+/// The bias of rows.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bias {
+    /// The length of a step (s).
+    dt: f64,
+    /// What errors are multiplied by: β/dt (1/s), or what the chapter prints.
+    feedback: f64,
+    /// The overlap of a contact that may stay (m).
+    slop: f64,
+}
+
+impl Bias {
+    /// That of a scene's steps, with the part `beta` of the errors fed back.
+    pub fn new(scene: &Scene, beta: f64) -> Self {
+        let dt = scene.step.dt;
+        let feedback = match scene.step.feedback {
+            Feedback::Corrected => beta / dt,
+            Feedback::Unscaled => beta,
+            Feedback::Printed => -beta,
+        };
+        Bias { dt, feedback, slop: scene.contact.slop }
+    }
+
+    /// The bias of a row with the error c (m or rad) and the speed of its motor (m/s or rad/s).
+    pub fn of(
+        &self,
+        kind: Kind,
+        bounds: Bounds,
+        spring: Option<Spring>,
+        c: f64,
+        speed: f64,
+    ) -> f64 {
+        let slop = if kind == Kind::Normal { self.slop } else { 0.0 };
+        match (spring, bounds) {
+            (Some(spring), _) => spring.feedback(self.dt) * c,
+            (None, Bounds::Friction { .. } | Bounds::Effort(_)) => 0.0 - speed,
+            (None, Bounds::Unilateral) if c > 0.0 => c / self.dt,
+            (None, Bounds::Unilateral) => self.feedback * (c + slop).min(0.0),
+            (None, Bounds::Bilateral) => self.feedback * c,
+        }
+    }
+}
+
 /// The bias of each row, with the part `beta` of the errors fed back.
 pub(super) fn bias(assembly: &Assembly, scene: &Scene, beta: f64) -> Vec<f64> {
-    let dt = scene.step.dt;
-    let feedback = match scene.step.feedback {
-        Feedback::Corrected => beta / dt,
-        Feedback::Unscaled => beta,
-        Feedback::Printed => -beta,
-    };
-    let slop = |row: &Row| if row.kind == Kind::Normal { scene.contact.slop } else { 0.0 };
-    let bias = |row: &Row| match (row.spring, row.bounds) {
-        (Some(spring), _) => spring.feedback(dt) * row.c,
-        (None, Bounds::Friction { .. } | Bounds::Effort(_)) => 0.0 - row.speed,
-        (None, Bounds::Unilateral) if row.c > 0.0 => row.c / dt,
-        (None, Bounds::Unilateral) => feedback * (row.c + slop(row)).min(0.0),
-        (None, Bounds::Bilateral) => feedback * row.c,
-    };
-    assembly.rows.iter().map(bias).collect()
+    let bias = Bias::new(scene, beta);
+    let rows = assembly.rows.iter();
+    rows.map(|row| bias.of(row.kind, row.bounds, row.spring, row.c, row.speed)).collect()
 }
 
 /// The bias with e J u⁻ in the rows that bounce after the answer x, if any does.

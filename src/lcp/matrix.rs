@@ -3,6 +3,7 @@
 //! Every solver needs the same few things of A, one row at a time: the product of a row with x, the
 //! diagonal, and the entries of a row. Rows are contiguous in both storages.
 
+use faer::reborrow::ReborrowMut;
 use faer::sparse::{SparseRowMat, SparseRowMatRef, Triplet};
 use nalgebra::{DMatrix, DMatrixView};
 
@@ -108,7 +109,40 @@ impl Matrix {
 
     /// Whether a_ij = a_ji for all entries, exactly.
     pub fn is_symmetric(&self) -> bool {
-        (0..self.len()).all(|i| self.row(i).iter().all(|(j, a)| j == i || self.entry(j, i) == a))
+        match self {
+            Matrix::Dense(transposed) => is_symmetric(transposed.as_slice(), self.len()),
+            Matrix::Sparse(_) => self.meets_its_transpose(),
+        }
+    }
+
+    /// The same, row by row: what stands right of the diagonal waits for its counterpart below.
+    fn meets_its_transpose(&self) -> bool {
+        let nonzero = |i: usize| self.row(i).iter().filter(|&(_, a)| a != 0.0);
+        let mut waiting: Vec<_> =
+            (0..self.len()).map(|i| nonzero(i).skip_while(move |&(j, _)| j <= i)).collect();
+        for i in 0..self.len() {
+            for (j, a) in nonzero(i).take_while(|&(j, _)| j < i) {
+                if waiting[j].next() != Some((i, a)) {
+                    return false;
+                }
+            }
+        }
+        waiting.iter_mut().all(|row| row.next().is_none())
+    }
+
+    /// The same with a_ii (1 + part) on the diagonal.
+    pub fn softened(&self, part: f64) -> Self {
+        let mut softened = self.clone();
+        for i in 0..self.len() {
+            let diagonal = match &mut softened {
+                Matrix::Dense(transposed) => Some(&mut transposed[(i, i)]),
+                Matrix::Sparse(rows) => rows.rb_mut().get_mut(i, i),
+            };
+            if let Some(diagonal) = diagonal {
+                *diagonal *= 1.0 + part;
+            }
+        }
+        softened
     }
 
     /// The matrix as dense nalgebra matrix (n² entries are allocated).
@@ -148,11 +182,34 @@ pub struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
+    /// The entries of these columns, ascending, in their order; 0 where none is stored.
+    pub fn gather(self, columns: &[usize], entries: &mut [f64]) {
+        let Some(stored) = self.columns else {
+            entries.iter_mut().zip(columns).for_each(|(entry, &j)| *entry = self.values[j]);
+            return;
+        };
+        let mut k = 0;
+        for (entry, &j) in entries.iter_mut().zip(columns) {
+            k += stored[k..].iter().take_while(|&&column| column < j).count();
+            *entry = if stored.get(k) == Some(&j) { self.values[k] } else { 0.0 };
+        }
+    }
+
     /// The entries (j, a_ij), j ascending.
     pub fn iter(self) -> impl Iterator<Item = (usize, f64)> + 'a {
         let column = move |k| self.columns.map_or(k, |columns| columns[k]);
         self.values.iter().enumerate().map(move |(k, &a)| (column(k), a))
     }
+}
+
+/// Whether the n × n entries are symmetric: tile by tile, so that both halves stay at hand.
+fn is_symmetric(a: &[f64], n: usize) -> bool {
+    const TILE: usize = 16;
+    let tiles = (0..n).step_by(TILE).flat_map(|r| (0..=r).step_by(TILE).map(move |c| (r, c)));
+    tiles.into_iter().all(|(r, c)| {
+        let rows = r..(r + TILE).min(n);
+        rows.into_iter().all(|i| (c..(c + TILE).min(i)).all(|j| a[i * n + j] == a[j * n + i]))
+    })
 }
 
 /// xᵀy with eight partial sums in a fixed order: the same bits on every processor, and a form that

@@ -47,6 +47,11 @@ impl RowTerms {
         Self::summed::<f64>(lcp, i, x)
     }
 
+    /// The terms whose sums were taken elsewhere; none if those may have overflowed or vanished.
+    pub(crate) fn of_sums(w: f64, magnitude: f64, scale: f64) -> Option<Self> {
+        SAFE.contains(&magnitude).then_some(RowTerms { w, magnitude, scale, exponent: 0 })
+    }
+
     /// The terms of row i at x, added up by S.
     pub fn summed<S: Sum>(lcp: &Lcp, i: usize, x: &[f64]) -> Self {
         let products =

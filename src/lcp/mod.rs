@@ -12,6 +12,7 @@
 pub(crate) mod accurate;
 mod complementarity;
 mod coupled;
+pub mod exchange;
 pub mod file;
 pub mod friction;
 mod gauss;
@@ -104,6 +105,11 @@ impl Lcp {
         &self.matrix
     }
 
+    /// The matrix as it is shared with the problems that were made of this one.
+    pub(crate) fn shared_matrix(&self) -> &Arc<Matrix> {
+        &self.matrix
+    }
+
     /// The offset b.
     pub fn b(&self) -> &[f64] {
         &self.b
@@ -168,6 +174,20 @@ impl Lcp {
         check_finite("b", &b, &mut defects);
         defects.into_result("problem")?;
         Ok(Lcp { b, ..self.clone() })
+    }
+
+    /// The same b and bounds with this part of each diagonal entry of A added to it: every row yields
+    /// a little.
+    ///
+    /// # Errors
+    /// If an entry is not finite then.
+    pub fn softened(&self, part: f64) -> Result<Lcp> {
+        let matrix = self.matrix.softened(part);
+        let mut defects = Defects::default();
+        let diagonal: Vec<f64> = (0..self.len()).map(|i| matrix.diagonal(i)).collect();
+        check_finite("diagonal", &diagonal, &mut defects);
+        defects.into_result("problem")?;
+        Ok(Lcp { matrix: Arc::new(matrix), ..self.clone() })
     }
 
     /// The same A and bounds with b = 0.

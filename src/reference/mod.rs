@@ -2,16 +2,19 @@
 //!
 //! [`box_qp`] asks clarabel, an interior-point code, for the minimum of ½ xᵀAx + bᵀx over the box:
 //! the dual view, in impulses. [`gauss`] asks it for the motion of least constraint: the primal
-//! view, in velocities, in which A is never formed. [`cone_qp`] is the dual view with friction cones.
+//! view, in velocities, in which A is never formed. [`cone_qp`] is the dual view with friction cones,
+//! [`velocity_qp_to`] the dual view with A in factors.
 
 mod box_qp;
 mod cone_qp;
 mod gauss;
 mod program;
+mod velocity_qp;
 
 pub use box_qp::{box_qp, box_qp_to, box_qp_within};
 pub use cone_qp::{cone_qp, cone_qp_within};
 pub use gauss::gauss;
+pub use velocity_qp::velocity_qp_to;
 
 /// A reference answer.
 #[derive(Debug, Clone, PartialEq)]

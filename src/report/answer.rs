@@ -1,13 +1,13 @@
 //! One answer to one problem, as JSON for machines and as text for people.
 
 use dashu_ratio::RBig;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use crate::certificate::ray::{self, Farkas};
 use crate::certificate::{Certificate, Demand, Verdict, error_bound, judge};
 use crate::lcp::Lcp;
 use crate::lcp::file::number;
-use crate::solver::{Solution, Solver, Start, Status};
+use crate::solver::{Reason, Solution, Status};
 
 /// A solver's answer with its claim, and the judge's verdict on it.
 #[derive(Debug, Clone)]
@@ -23,14 +23,11 @@ pub struct Answer {
     pub farkas: Option<Farkas>,
     /// A bound on max |x − x*| where A is verifiably definite and nothing better was proved.
     pub error_bound: Option<f64>,
+    /// Who stopped the solver, if someone did.
+    pub stopped: Option<Reason>,
 }
 
 impl Answer {
-    /// Solves a problem from 0 and has the answer judged.
-    pub fn obtain(lcp: &Lcp, solver: &dyn Solver, demand: &Demand) -> Self {
-        Self::judged(lcp, solver.name(), solver.solve(lcp, &Start::default(), &mut ()), demand)
-    }
-
     /// Has a solution judged.
     pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
         let certificate = judge(lcp, &solution.x, demand);
@@ -41,7 +38,12 @@ impl Answer {
             _ => None,
         };
         let error_bound = bound(lcp, &solution.x, &certificate);
-        Answer { solver, solution, certificate, farkas, error_bound }
+        Answer { solver, solution, certificate, farkas, error_bound, stopped: None }
+    }
+
+    /// The same, with the reason why the solver was stopped.
+    pub fn stopped(self, stopped: Option<Reason>) -> Self {
+        Answer { stopped, ..self }
     }
 
     /// The solver's claim in one of four words. `infeasible` is said only with a proof.
@@ -54,20 +56,18 @@ impl Answer {
         if self.farkas.is_some() {
             return "no solution exists: the ray was checked exactly".to_string();
         }
-        self.solution.status.to_string()
+        self.stopped.map_or_else(|| self.solution.status.to_string(), |by| by.to_string())
     }
 
     /// The object that `solve --json` prints.
     pub fn to_json(&self) -> Value {
         let vector = |v: &[f64]| -> Value { v.iter().map(|&v| number(v)).collect() };
-        let mut object = json!({
-            "status": self.status_word(),
-            "x": vector(&self.solution.x),
-            "w": vector(&self.certificate.w),
-            "iterations": self.solution.iterations,
-            "solver": self.solver,
-        });
-        let fields = object.as_object_mut().expect("an object");
+        let mut fields = Map::new();
+        fields.insert("status".into(), json!(self.status_word()));
+        fields.insert("x".into(), vector(&self.solution.x));
+        fields.insert("w".into(), vector(&self.certificate.w));
+        fields.insert("iterations".into(), json!(self.solution.iterations));
+        fields.insert("solver".into(), json!(self.solver));
         fields.extend(certificate_json(&self.certificate));
         fields.insert("message".into(), json!(self.message()));
         if let Some(fallback) = self.solution.fallback {
@@ -80,7 +80,7 @@ impl Answer {
             fields
                 .insert("certificate".into(), json!({ "no_solution": fractions(&farkas.vector) }));
         }
-        object
+        Value::Object(fields)
     }
 }
 
@@ -97,6 +97,7 @@ pub fn status_word(status: &Status) -> &'static str {
         | Status::NotFinite
         | Status::ZeroDiagonal { .. }
         | Status::Singular { .. }
+        | Status::TooLarge { .. }
         | Status::OutsideClass { .. } => "failed",
     }
 }
@@ -110,8 +111,8 @@ pub fn bound(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> Option<f64> {
 }
 
 /// The judge's part of the JSON: residuals, gaps and the verdict.
-pub fn certificate_json(certificate: &Certificate) -> serde_json::Map<String, Value> {
-    let mut object = serde_json::Map::new();
+pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
+    let mut object = Map::new();
     for (key, value) in [
         ("natural_residual", certificate.natural_residual),
         ("scaled_residual", certificate.scaled_residual),
@@ -131,8 +132,8 @@ pub fn certificate_json(certificate: &Certificate) -> serde_json::Map<String, Va
 }
 
 /// The verdict with its numbers.
-pub fn verdict_json(verdict: &Verdict) -> serde_json::Map<String, Value> {
-    let mut object = serde_json::Map::new();
+pub fn verdict_json(verdict: &Verdict) -> Map<String, Value> {
+    let mut object = Map::new();
     object.insert("verdict".into(), json!(verdict.word()));
     match *verdict {
         Verdict::Proved { distance } => {

@@ -8,6 +8,7 @@
 
 use crate::lcp::friction::{ConeProblem, Law};
 use crate::lcp::{Complementarity, Lcp};
+use crate::memory::Memory;
 use crate::reference::{Reference, box_qp_within, cone_qp_within};
 use crate::solver::{
     Class, ConeEntry, ConeSolver, Entry, Event, Iterate, MatrixClass, Observer, Settings, Solution,
@@ -88,6 +89,12 @@ impl Clarabel {
         if !problem.is_frozen() {
             return outside("bounds or w depend on x: no quadratic program");
         }
+        if lcp.is_empty() {
+            return nothing(Status::Solved, 0); // clarabel knows no empty problem
+        }
+        if let Some(status) = self.settings.refusal(needs(lcp)) {
+            return nothing(status, 0);
+        }
         let Some(Reference { point: x, iterations, status, .. }) =
             ask(self.settings.max_iterations)
         else {
@@ -111,4 +118,10 @@ impl Clarabel {
         };
         Solution::new(lcp, x, status, iterations)
     }
+}
+
+/// Room for the upper half of A as a list, in clarabel's columns, in its equations and in their factor
+/// without fill: a dozen numbers an entry.
+fn needs(lcp: &Lcp) -> Memory {
+    Memory::numbers(lcp.matrix().stored()).times(6)
 }

@@ -8,6 +8,8 @@ use serde_json::{Map, Value};
 
 use super::page::{Cell, Column, Table};
 use crate::error::{Error, Result};
+use crate::file;
+use crate::memory::Memory;
 use crate::plot::number::readable;
 
 /// Parts of a results file that say where and with what it was made, not what came out.
@@ -99,7 +101,7 @@ pub fn table(changes: &[Change]) -> Table {
 /// # Errors
 /// If it cannot be read or is not JSON.
 pub fn read(path: &Path) -> Result<Value> {
-    let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
+    let text = file::read(path, Memory::default())?;
     serde_json::from_str(&text).map_err(|cause| {
         let place = format!("line {}", cause.line());
         Error::invalid(path.display().to_string(), place, cause.to_string())

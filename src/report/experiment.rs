@@ -16,6 +16,7 @@
 //! ```
 
 use std::path::Path;
+use std::sync::Arc;
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -24,6 +25,7 @@ use toml::Spanned;
 use super::kind::{self, AnyStudy};
 use super::results::Results;
 use crate::error::{Defects, Error, Result};
+use crate::file;
 
 macro_rules! shipped {
     ($($name:literal)*) => {
@@ -59,7 +61,7 @@ pub struct Section {
     /// Whether the outcomes of all studies stand here.
     pub summary: bool,
     /// The study; none in a section of words alone.
-    pub study: Option<Box<dyn AnyStudy>>,
+    pub study: Option<Arc<dyn AnyStudy>>,
 }
 
 #[derive(Deserialize)]
@@ -79,7 +81,7 @@ impl Experiment {
     pub fn load(path_or_name: &str) -> Result<Self> {
         let path = Path::new(path_or_name);
         if path.is_file() {
-            let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
+            let text = file::read(path, file::WRITTEN_BY_HAND)?;
             let name = path.file_stem().map_or("report".into(), |name| name.to_string_lossy());
             return Self::parse(&text, path_or_name, &name);
         }
@@ -178,11 +180,12 @@ fn section(mut table: toml::Table) -> std::result::Result<Section, String> {
     let settings = serde_json::to_value(&table).map_err(|error| error.to_string())?;
     let study = (kind.read)(&settings).map_err(|error| format!("{name}: {error}"))?;
     let title = title.unwrap_or_else(|| kind.title.into());
-    Ok(Section { id: name, title, text, times, summary, study: Some(study) })
+    Ok(Section { id: name, title, text, times, summary, study: Some(study.into()) })
 }
 
-fn read(name: &str, settings: &Value) -> Result<Box<dyn AnyStudy>> {
+fn read(name: &str, settings: &Value) -> Result<Arc<dyn AnyStudy>> {
     (kind::by_name(name)?.read)(settings)
+        .map(Arc::from)
         .map_err(|cause| Error::invalid("results.json", name, cause.to_string()))
 }
 

@@ -51,6 +51,9 @@ pub const KINDS: &[Kind] = &[
     kind::<study::published::Plan>(),
     kind::<study::singular::Plan>(),
     kind::<study::sweep_speed::Plan>(),
+    kind::<study::direct_speed::Plan>(),
+    kind::<study::peers::Plan>(),
+    kind::<study::sparse_speed::Plan>(),
 ];
 
 const fn kind<S: View + 'static>() -> Kind {

@@ -3,6 +3,7 @@
 //! [`write`](mod@write) puts it on disk; [`difference`] says what changed between two runs.
 
 pub mod answer;
+pub mod aside;
 pub mod clarabel;
 pub mod difference;
 pub mod experiment;
@@ -16,6 +17,7 @@ pub mod results;
 pub mod run;
 pub mod study;
 pub mod sweep;
+mod tasks;
 pub mod text;
 pub mod view;
 pub mod write;

@@ -116,6 +116,13 @@ impl Results {
         self.tasks().all(Task::is_over)
     }
 
+    /// How far it has come, if not to the end.
+    pub(super) fn progress(&self) -> Option<String> {
+        let (over, all) =
+            (self.tasks().filter(|task| task.is_over()).count(), self.tasks().count());
+        (over < all).then(|| format!("{over} of {all} tasks done; the same command goes on"))
+    }
+
     /// Takes over what an earlier run of the same version found out for the same settings.
     pub fn resume(&mut self, earlier: &Results) {
         if earlier.version != self.version || earlier.libraries != self.libraries {
@@ -192,6 +199,7 @@ impl Results {
                 failed.map(|(task, why)| format!("{}, {}: failed: {why}", part.id, task.name)),
             );
         }
+        lines.extend(self.progress().map(|progress| format!("{:<14} {progress}", "stopped")));
         Ok(lines.join("\n"))
     }
 

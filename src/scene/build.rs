@@ -13,6 +13,7 @@ use super::settings::{not_negative, positive};
 use super::{Scene, friction, generate};
 use crate::body::{Body, Mass, Polytope, Pose, Shape, State, inertia};
 use crate::error::{Defects, Result};
+use crate::memory::Memory;
 
 /// The mass of a body whose own cannot be used: one that causes no further defects.
 const STAND_IN: Mass = Mass::Point { mass: 1.0 };
@@ -36,6 +37,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         bodies: Vec::with_capacity(whole.bodies.len()),
         states: Vec::with_capacity(whole.bodies.len()),
         constraints: Vec::with_capacity(whole.constraints.len()),
+        memory: Memory::default(),
     };
     let mut names = HashMap::new();
     for (k, body) in whole.bodies.iter().enumerate() {
@@ -222,7 +224,10 @@ fn build_state(
 
 fn turn(rotation: &Rotation) -> Option<UnitQuaternion<f64>> {
     let about = |axis: Vector3<f64>, degrees: f64| {
-        degrees.is_finite().then(|| UnitQuaternion::from_scaled_axis(axis * degrees.to_radians()))
+        // The sine of libm has the same bits on every platform.
+        let (sin, cos) = libm::sincos(0.5 * degrees.to_radians());
+        let q = Quaternion::from_parts(cos, axis * sin);
+        degrees.is_finite().then(|| UnitQuaternion::new_unchecked(q))
     };
     match *rotation {
         Rotation::X(degrees) => about(Vector3::x(), degrees),

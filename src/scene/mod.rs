@@ -15,7 +15,7 @@ pub mod generate;
 mod joints;
 mod settings;
 
-pub use contacts::{ContactId, Feature, Found, contacts};
+pub use contacts::{ContactId, Detector, Feature, Found, contacts};
 pub use description::Description;
 pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;
@@ -30,6 +30,8 @@ use nalgebra::Vector3;
 use crate::body::{Body, State};
 use crate::constraint::Constraint;
 use crate::error::{Defects, Error, Result};
+use crate::file as files;
+use crate::memory::Memory;
 
 /// The path and the text of a scene file, or of a shipped scene.
 ///
@@ -38,7 +40,7 @@ use crate::error::{Defects, Error, Result};
 pub fn text(path_or_name: &str) -> Result<(String, String)> {
     let path = Path::new(path_or_name);
     if path.exists() {
-        let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
+        let text = files::read(path, files::WRITTEN_BY_HAND)?;
         return Ok((path_or_name.into(), text));
     }
     match catalogue::text(path_or_name) {
@@ -74,6 +76,8 @@ pub struct Scene {
     pub states: Vec<State>,
     /// The constraints other than contacts.
     pub constraints: Vec<Arc<dyn Constraint>>,
+    /// What the matrix of a step, and what its solver makes of it, may take each; no file states it.
+    pub memory: Memory,
 }
 
 impl Scene {

@@ -8,6 +8,9 @@ use super::friction::FrictionModel;
 use crate::body::Gyroscopic;
 use crate::error::Defects;
 
+/// A step has at most so many substeps, and so many sweeps.
+const MOST_PARTS: usize = 1_000_000;
+
 /// How a step is taken.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -200,8 +203,13 @@ impl Step {
         positive(defects, "step.dt", self.dt);
         within_one(defects, "step.baumgarte", self.baumgarte);
         not_negative(defects, "step.alpha", self.alpha);
-        if self.substeps == 0 {
-            defects.add("step.substeps", "must be at least 1, is 0");
+        for (place, least, count) in
+            [("step.substeps", 1, self.substeps), ("step.sweeps", 0, self.sweeps)]
+        {
+            if !(least..=MOST_PARTS).contains(&count) {
+                let reason = format!("must lie between {least} and {MOST_PARTS}, is {count}");
+                defects.add(place, reason);
+            }
         }
         self.xpbd.check(defects);
         self.soft.check(defects);

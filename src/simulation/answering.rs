@@ -38,7 +38,7 @@ impl Solvers<'_> {
         x: &[f64],
         observer: &mut dyn Observer,
     ) -> (&'static str, Solution) {
-        let start = Start { x: Some(x) };
+        let start = Start::at(x);
         match posing.map(|posing| (posing.model, &posing.posed)) {
             None => self.boxed(&problem.lcp, &start, observer),
             Some((_, Posed::Boxed(lcp))) => self.boxed(lcp, &start, observer),
@@ -124,6 +124,7 @@ pub(super) fn settings(scene: &Scene) -> Settings {
     Settings {
         tolerance: scene.solver.tolerance,
         max_iterations: scene.solver.max_iterations,
+        memory: scene.memory,
         ..Settings::default()
     }
 }

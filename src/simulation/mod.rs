@@ -2,6 +2,9 @@
 //!
 //! A step finds the contacts, assembles, solves and moves, each family of methods in its own way
 //! (`family/`). Each solve starts from the x that rows of the same name had before.
+//!
+//! A [`Simulation`] keeps all that a step was made of, to be looked at. A [`Stepper`] keeps the memory and
+//! nothing else: the velocity level by sweeps, the same motion, many times faster.
 
 mod answering;
 mod conflict;
@@ -13,18 +16,20 @@ mod ledger;
 mod motion;
 mod record;
 mod solving;
+pub mod stepper;
 mod sweep;
 
 pub use laws::Laws;
 pub use ledger::Ledger;
 pub use motion::Motion;
 pub use record::{Cause, Failure, Recording, Solve, Step};
+pub use stepper::Stepper;
 
 use std::ops::ControlFlow;
 
 use crate::body::State;
 use crate::scene::{Scene, contacts};
-use crate::solver::{Apgd, ConeSolver, Observer, Solver};
+use crate::solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
 use answering::Solvers;
 use solving::{Memory, Solving};
 
@@ -109,10 +114,29 @@ impl Simulation {
         self.observed_step(&mut ())
     }
 
+    /// Takes one step, unless it is time to stop before it or in one of its solves.
+    ///
+    /// # Errors
+    /// As [`step`](Simulation::step), or [`Cause::Stopped`].
+    pub fn step_before(&mut self, stop: &Stop) -> Result<Step, Failure> {
+        let stopped = |reason| Cause::Stopped(Some(reason));
+        if let Some(reason) = stop.reason() {
+            return Err(Failure {
+                step: self.steps + 1,
+                time: self.time(),
+                cause: stopped(reason),
+            });
+        }
+        self.observed_step(&mut stop.watch(&mut ())).map_err(|failure| match failure.cause {
+            Cause::Stopped(_) => Failure { cause: Cause::Stopped(stop.reason()), ..failure },
+            _ => failure,
+        })
+    }
+
     /// Takes one step, telling the observer of the iterates of all its solves.
     ///
     /// # Errors
-    /// As [`step`](Simulation::step).
+    /// As [`step`](Simulation::step), or [`Cause::Stopped`] if the observer stops a solve.
     pub fn observed_step(&mut self, observer: &mut dyn Observer) -> Result<Step, Failure> {
         let failure = |cause| Failure { step: self.steps + 1, time: self.time(), cause };
         let found = contacts(&self.scene, &self.states, family::reach(&self.scene));
@@ -130,7 +154,9 @@ impl Simulation {
         };
         let outcome = family::step(&mut solving, &self.states, &found);
         let Solving { solves, answers, .. } = solving;
+        let is_stopped = |solve: &Solve| solve.solution.status == Status::Stopped;
         let sound = |states: Vec<State>| match self.divergence(&states, &solves) {
+            _ if solves.iter().any(is_stopped) => Err(Cause::Stopped(None)),
             Some(cause) => Err(cause),
             None => Ok(states),
         };

@@ -10,7 +10,7 @@ use crate::certificate::{Demand, FrictionCertificate, judge, judge_friction};
 use crate::error::Error;
 use crate::formulation::{Posing, Problem};
 use crate::scene::Found;
-use crate::solver::Solution;
+use crate::solver::{Reason, Solution};
 
 /// What happened in one step.
 #[derive(Debug, Clone)]
@@ -98,6 +98,8 @@ pub enum Cause {
         /// How much the rates still changed, beside their size.
         change: f64,
     },
+    /// Nothing: it was time to stop, for this reason, or the observer stopped a solve.
+    Stopped(Option<Reason>),
     /// A body's state is not finite, or it moves faster than anything should.
     Diverged {
         /// The body's name.
@@ -105,6 +107,16 @@ pub enum Cause {
         /// The row with the largest x among those that act on it, if any.
         row: Option<String>,
     },
+}
+
+impl Cause {
+    /// Why the step was not taken, if nothing was wrong with it.
+    pub fn stopped(&self) -> Option<Reason> {
+        match self {
+            Cause::Stopped(reason) => *reason,
+            _ => None,
+        }
+    }
 }
 
 impl From<Error> for Cause {
@@ -132,6 +144,8 @@ impl fmt::Display for Cause {
             Cause::Unsettled { change } => {
                 write!(f, "the implicit midpoint does not settle, its rates change by {change:.1e}")
             }
+            Cause::Stopped(Some(reason)) => write!(f, "{reason}"),
+            Cause::Stopped(None) => write!(f, "stopped by the observer"),
             Cause::Diverged { body, row: Some(row) } => {
                 write!(f, "{body:?} diverged; the strongest row on it is {row:?}")
             }

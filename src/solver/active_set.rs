@@ -10,6 +10,7 @@
 //! pivoting methods differ only in how they go from one active set to the next.
 
 use super::elimination::Lu;
+use super::principal::Point;
 use super::{Settings, Start, Status};
 use crate::lcp::{Lcp, merit};
 
@@ -42,6 +43,19 @@ impl ActiveSet {
             _ => Side::Free,
         };
         ActiveSet((0..lcp.len()).map(side).collect())
+    }
+
+    /// The set of another problem, with every row at a bound that it has; none if the number of rows
+    /// is another.
+    pub(super) fn fitted(self, lcp: &Lcp) -> Option<Self> {
+        let side = |(i, side): (usize, Side)| match side {
+            _ if lcp.lo()[i] == lcp.hi()[i] => Side::Lower,
+            Side::Lower if lcp.lo()[i].is_infinite() => Side::Free,
+            Side::Upper if lcp.hi()[i].is_infinite() => Side::Free,
+            side => side,
+        };
+        let fits = self.0.len() == lcp.len();
+        fits.then(|| ActiveSet(self.0.into_iter().enumerate().map(side).collect()))
     }
 
     /// The point of this active set, or the row whose pivot vanishes if A_FF is singular.
@@ -89,16 +103,14 @@ impl ActiveSet {
         (0..x.len()).map(place).collect()
     }
 
-    /// The side that row i should change to, if it is not satisfied at the point x of this set.
-    pub(super) fn better_side(&self, lcp: &Lcp, i: usize, x: &[f64]) -> Option<Side> {
-        let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
-        let residual = merit::RowTerms::at(lcp, i, x).scaled_residual(x[i], lo, hi);
-        if residual <= ROUNDING {
+    /// The side that row i should change to, if it is not satisfied at the point of this set.
+    pub(super) fn better_side(&self, lcp: &Lcp, i: usize, point: &Point) -> Option<Side> {
+        if point.residual(lcp, i) <= ROUNDING {
             return None;
         }
         match self.0[i] {
-            Side::Free if x[i] < lo => Some(Side::Lower),
-            Side::Free if x[i] > hi => Some(Side::Upper),
+            Side::Free if point.x[i] < lcp.lo()[i] => Some(Side::Lower),
+            Side::Free if point.x[i] > lcp.hi()[i] => Some(Side::Upper),
             Side::Free => None, // A_FF is so ill conditioned that w_F is not zero
             Side::Lower | Side::Upper => Some(Side::Free),
         }

@@ -27,12 +27,13 @@ use super::iterate::iterate;
 use super::metric::Metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// Over-relaxation.
 const RELAXATION: f64 = 1.6;
 /// The part of r that rows without bounds get.
 const UNBOUNDED: f64 = 1e-3;
-/// Above this many rows the dense factor would not fit.
+/// Above this many rows a dense factor takes too long.
 const MAX_ROWS: usize = 8_000;
 
 /// The alternating direction method of multipliers.
@@ -60,6 +61,9 @@ impl Solver for Admm {
         if lcp.len() > MAX_ROWS {
             let reason = "a dense factor of more than 8000 rows";
             return Solution::new(lcp, z, Status::OutsideClass { reason }, 0);
+        }
+        if let Some(status) = self.settings.refusal(Memory::square(lcp.len()).times(2)) {
+            return Solution::new(lcp, z, status, 0); // A and R as dense matrices, summed in place
         }
         let metric = match Metric::of_symmetric(lcp) {
             Ok(metric) => metric,

@@ -117,7 +117,7 @@ impl Block {
         let b = self.rows.iter().enumerate();
         let b = b.map(|(k, &i)| whole.row_w(i, x) - own.row_dot(k, &x_block)).collect();
         let lcp = self.lcp.with_b(b).map_err(|_| Status::Diverged)?;
-        let solution = self.solver.solve(&lcp, &Start { x: Some(&x_block) }, &mut ());
+        let solution = self.solver.solve(&lcp, &Start::at(&x_block), &mut ());
         match solution.status {
             Status::Ray { row, direction } => return Err(self.ray(row, &direction, x.len())),
             Status::Singular { row } => return Err(Status::Singular { row: self.rows[row] }),

@@ -18,8 +18,11 @@
 //! of the safeguard, and the solution names it ([`Fallback`]). Where A_FF is singular, so that A is no P-matrix, the method ends with
 //! `Singular`. Coupled rows: see [`frozen`](super::frozen).
 
-use super::principal::{self, Change};
-use super::{Fallback, Observer, Settings, Solution, Solver, Start};
+use std::ops::ControlFlow;
+
+use super::free_rows::FreeRows;
+use super::principal::{self, Change, Search};
+use super::{Fallback, Observer, Settings, Solution, Solver, Start, Status, proximal};
 use crate::lcp::Lcp;
 
 /// Block principal pivoting with Júdice and Pires' safeguard.
@@ -43,26 +46,45 @@ impl Solver for BlockPivoting {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        let safeguard = Some(Fallback::LeastIndex);
-        principal::solve(lcp, start, &self.settings, observer, safeguard, || self.rule())
+        start.carry(|left| {
+            principal::solve(lcp, start, &mut left.set, &self.settings, observer, |lcp, search| {
+                self.search(lcp, search, FreeRows::kept(&mut left.equations, lcp))
+            })
+        })
     }
 }
 
 impl BlockPivoting {
-    /// All rows while that makes progress, the least one while it does not.
-    fn rule(&self) -> impl FnMut(usize) -> Change {
-        let full = self.patience;
-        let (mut least, mut patience) = (usize::MAX, full);
-        move |wrong| {
-            if wrong < least {
-                (least, patience) = (wrong, full);
-                return Change::All;
-            }
-            if patience == 0 {
-                return Change::Least;
-            }
-            patience -= 1;
-            Change::All
+    fn search(&self, lcp: &Lcp, search: &mut Search<'_>, equations: &mut FreeRows) -> Solution {
+        let start = search.point.x.clone();
+        search.safeguard = Some(Fallback::LeastIndex);
+        let then = if equations.are_symmetric() { Change::None } else { Change::Least };
+        let rule = rule(self.patience, then);
+        let status = match search.run(lcp, |set| equations.point(lcp, set), rule, None) {
+            ControlFlow::Continue(()) => search.claim(lcp),
+            ControlFlow::Break(status) => status,
+        };
+        match status {
+            Status::Solved | Status::Stopped | Status::IterationLimit => search.solution(status),
+            _ if equations.are_symmetric() => proximal::solve(lcp, search, start),
+            _ => search.solution(status),
         }
+    }
+}
+
+/// All rows while that makes progress, and for `patience` exchanges without any; `then` this, until
+/// there is progress again.
+pub(super) fn rule(patience: usize, then: Change) -> impl FnMut(usize) -> Change {
+    let (mut least, mut left) = (usize::MAX, patience);
+    move |wrong| {
+        if wrong < least {
+            (least, left) = (wrong, patience);
+            return Change::All;
+        }
+        if left == 0 {
+            return then;
+        }
+        left -= 1;
+        Change::All
     }
 }

@@ -23,6 +23,7 @@ use super::{
     Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen, pivoting,
 };
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// More active sets than this are not tried.
 const MAX_SETS: usize = 1 << 16;
@@ -41,7 +42,9 @@ impl Solver for Enumeration {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if let Some(status) = pivoting::at_once(lcp, &x, &self.settings, observer) {
+        if let Some(status) =
+            pivoting::at_once(lcp, &x, Memory::numbers(0), &self.settings, observer)
+        {
             return Solution::new(lcp, x, status, 0);
         }
         let is_coupled = lcp.coupling().is_some();

@@ -23,31 +23,33 @@ pub struct Envelope {
 }
 
 impl Envelope {
-    /// Room for the factors of a symmetric matrix; `None` if they have more entries than `most`.
-    pub fn of(matrix: &Matrix, most: usize) -> Option<Self> {
+    /// Room for the factors of a symmetric matrix.
+    pub fn of(matrix: &Matrix) -> Self {
         let n = matrix.len();
-        let begin = |r: usize| {
-            let nonzero = matrix.row(r).iter().find(|&(_, a)| a != 0.0);
-            nonzero.map_or(r, |(column, _)| column.min(r))
-        };
-        let first: Vec<usize> = (0..n).map(begin).collect();
+        let first: Vec<usize> = (0..n).map(|r| begin(matrix, r)).collect();
         let mut starts = vec![0];
         for r in 0..n {
             starts.push(starts[r] + r - first[r]);
         }
-        let entries = starts[n];
-        let room = || Envelope { first, starts, lower: vec![0.0; entries], diagonal: vec![0.0; n] };
-        (entries <= most).then(room)
+        let lower = vec![0.0; starts[n]];
+        Envelope { first, starts, lower, diagonal: vec![0.0; n] }
     }
 
-    /// The factors of A + diag(added), with rows and columns of the unit matrix where `is_unit`;
-    /// false if a pivot is not positive.
+    /// How many entries the factors have below the diagonal.
+    pub fn entries(matrix: &Matrix) -> usize {
+        (0..matrix.len()).map(|r| r - begin(matrix, r)).sum()
+    }
+
+    /// The factors of A + diag(added), with rows and columns of the unit matrix where `is_unit`.
+    ///
+    /// # Errors
+    /// The first row whose pivot is not positive.
     pub fn factor(
         &mut self,
         matrix: &Matrix,
         added: &[f64],
         is_unit: impl Fn(usize) -> bool,
-    ) -> bool {
+    ) -> Result<(), usize> {
         for r in 0..self.diagonal.len() {
             let first = self.first[r];
             let (before, rest) = self.lower.split_at_mut(self.starts[r]);
@@ -75,11 +77,16 @@ impl Envelope {
                 }
             }
             if !(pivot > 0.0) {
-                return false;
+                return Err(r);
             }
             self.diagonal[r] = pivot;
         }
-        true
+        Ok(())
+    }
+
+    /// D, the pivots.
+    pub fn pivots(&self) -> &[f64] {
+        &self.diagonal
     }
 
     /// The solution z of L D Lᵀ z = rhs, in place.
@@ -100,4 +107,10 @@ impl Envelope {
             }
         }
     }
+}
+
+/// The column of the first nonzero entry of row r, r at most.
+fn begin(matrix: &Matrix, r: usize) -> usize {
+    let nonzero = matrix.row(r).iter().find(|&(_, a)| a != 0.0);
+    nonzero.map_or(r, |(column, _)| column.min(r))
 }

@@ -41,7 +41,7 @@ pub(super) fn iterate_in_parts(
     observer: &mut dyn Observer,
     mut step: impl FnMut(&mut [f64], &mut dyn Observer) -> ControlFlow<Status, Event>,
 ) -> Solution {
-    let Settings { tolerance, max_iterations, check_every } = *settings;
+    let Settings { tolerance, max_iterations, check_every, .. } = *settings;
     let lcp = problem.lcp();
     let mut last_outside = 0;
     let mut is_solved = |x: &[f64]| problem.is_within(x, tolerance, &mut last_outside);
@@ -80,7 +80,7 @@ pub(super) fn iterate_in_parts(
 }
 
 /// The solution x, unless the way to it from one of the points before shows that there is none.
-fn finish(
+pub(super) fn finish(
     problem: &impl Complementarity,
     before: [&[f64]; 2],
     x: Vec<f64>,

@@ -1,18 +1,52 @@
 //! The factorisation A_CC = L D Lᵀ of a growing and shrinking set C of rows.
 //!
-//! Appending a row solves one triangular system, O(c²) for c rows. Removing row k deletes it from L
-//! and repairs the rows below by a positive rank-1 update (method C1 of Gill, Golub, Murray &
-//! Saunders 1974), which is stable because d_k > 0.
+//! Appending row i takes its row of L, D⁻¹ L⁻¹ A_Ci, which half a solution is: O(c²) for c rows, or
+//! nothing if the system was solved before. Removing row k deletes it from L and repairs the rows
+//! below by a positive rank-1 update (method C1 of Gill, Golub, Murray & Saunders 1974), which is
+//! stable because d_k > 0.
+//!
+//! A row that goes leaves a *hole*, a row of the unit matrix, so that no other has to move; when an
+//! eighth of the rows are holes, all move up. The loops are those of [`kernel`](super::kernel).
+
+use super::kernel::Width;
+use super::kernel::panels::{Eight, Panels, Tile};
+
+/// So many holes stay.
+const HOLES: usize = 8;
 
 /// L D Lᵀ with unit lower triangular L and positive diagonal D.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Ldlt {
-    /// Row i of L without its unit diagonal: i entries.
-    lower: Vec<Vec<f64>>,
-    diagonal: Vec<f64>,
+    lower: Panels,
+    /// D; 1 in a hole and beyond the last row.
+    diagonal: Vec<Eight>,
+    /// The place of each row of C in L, ascending.
+    places: Vec<usize>,
+}
+
+/// A system A_CC z = a that is being solved, with what a row that has this column would get in L.
+#[derive(Debug, Clone, Default)]
+pub struct Elimination {
+    /// D⁻¹ L⁻¹ a: the row of L.
+    row: Vec<Eight>,
+    /// The eight in which it begins.
+    begin: usize,
+    solution: Vec<Eight>,
+    sums: Vec<Tile>,
+}
+
+impl Default for Ldlt {
+    fn default() -> Self {
+        Ldlt::new(Width::widest())
+    }
 }
 
 impl Ldlt {
+    /// The factors for an empty C.
+    pub fn new(width: Width) -> Self {
+        Ldlt { lower: Panels::new(width), diagonal: Vec::new(), places: Vec::new() }
+    }
+
     /// The factors of a largest independent set of rows of the n × n matrix with these entries, and
     /// the set in the order it was chosen: always the row that has lost the least of its diagonal
     /// entry, until all others have lost all but this part of it.
@@ -24,7 +58,7 @@ impl Ldlt {
         let mut pivot: Vec<f64> = (0..n).map(|r| entry(r, r)).collect();
         let mut lower: Vec<Vec<f64>> = vec![Vec::new(); n];
         let (mut chosen, mut left) = (Vec::new(), (0..n).collect::<Vec<usize>>());
-        let mut factor = Ldlt::default();
+        let (mut factor, mut diagonal) = (Ldlt::default(), Vec::new());
         let part = |pivot: f64, r: usize| pivot / entry(r, r);
         while let Some(k) = (0..left.len())
             .filter(|&k| part(pivot[left[k]], left[k]) > independent)
@@ -36,14 +70,14 @@ impl Ldlt {
         {
             let p = left.remove(k);
             let (d, row) = (pivot[p], std::mem::take(&mut lower[p]));
-            let scaled: Vec<f64> = row.iter().zip(&factor.diagonal).map(|(l, d)| l * d).collect();
+            let scaled: Vec<f64> = row.iter().zip(&diagonal).map(|(l, d)| l * d).collect();
             for &r in &left {
                 let l = (entry(r, p) - crate::lcp::dot(&lower[r], &scaled)) / d;
                 lower[r].push(l);
                 pivot[r] -= l * l * d;
             }
-            factor.lower.push(row);
-            factor.diagonal.push(d);
+            factor.push(&row, d);
+            diagonal.push(d);
             chosen.push(p);
         }
         (chosen, factor)
@@ -51,53 +85,93 @@ impl Ldlt {
 
     /// The solution z of L D Lᵀ z = rhs, in place.
     pub fn solve(&self, rhs: &mut [f64]) {
-        self.solve_lower(rhs);
-        for (z, d) in rhs.iter_mut().zip(&self.diagonal) {
-            *z /= d;
+        let mut elimination = Elimination::default();
+        self.eliminate(rhs, &mut elimination);
+        for (z, solution) in rhs.iter_mut().zip(self.substitute(&mut elimination)) {
+            *z = solution;
         }
-        for i in (0..self.lower.len()).rev() {
-            let z = rhs[i];
-            for (r, l) in rhs.iter_mut().zip(&self.lower[i]) {
-                *r -= l * z; // rhs ← L⁻ᵀ rhs, by rows of L
+    }
+
+    /// The first half of a solution, and aᵀ A_CC⁻¹ a.
+    pub fn eliminate(&self, a: &[f64], elimination: &mut Elimination) -> f64 {
+        let Elimination { row, begin, .. } = elimination;
+        row.clear();
+        row.resize(self.diagonal.len(), [0.0; 8]);
+        for (a, &place) in a.iter().zip(&self.places) {
+            row[place / 8][place % 8] = *a;
+        }
+        let nonzero = a.iter().position(|a| *a != 0.0);
+        *begin = nonzero.map_or(row.len(), |k| self.places[k] / 8);
+        self.lower.forward(row, *begin);
+        let mut product = [0.0; 8];
+        for (row, d) in row.iter_mut().zip(&self.diagonal).skip(*begin) {
+            for lane in 0..8 {
+                let l = row[lane] / d[lane];
+                product[lane] += row[lane] * l;
+                row[lane] = l;
             }
         }
+        product.iter().sum()
+    }
+
+    /// The second half: z in the order of C.
+    pub fn substitute<'a>(
+        &'a self,
+        elimination: &'a mut Elimination,
+    ) -> impl Iterator<Item = f64> + 'a {
+        let Elimination { row, solution, sums, .. } = elimination;
+        solution.clone_from(row);
+        self.lower.backward(solution, sums);
+        self.places.iter().map(|&place| solution[place / 8][place % 8])
     }
 
     /// Adds a row with `column` = A_Ci and the Schur complement of its diagonal entry.
     pub fn append(&mut self, column: &[f64], schur: f64) {
-        let mut l = column.to_vec();
-        self.solve_lower(&mut l);
-        for (l, d) in l.iter_mut().zip(&self.diagonal) {
-            *l /= d;
+        let mut elimination = Elimination::default();
+        self.eliminate(column, &mut elimination);
+        self.enter(&elimination, schur);
+    }
+
+    /// Adds the row whose column has been eliminated.
+    pub fn enter(&mut self, Elimination { row, begin, .. }: &Elimination, schur: f64) {
+        let place = self.places.last().map_or(0, |last| last + 1);
+        if place / 8 == self.diagonal.len() {
+            self.diagonal.push([1.0; 8]);
         }
-        self.lower.push(l);
-        self.diagonal.push(schur);
+        self.lower.set(place, row, *begin);
+        self.diagonal[place / 8][place % 8] = schur;
+        self.places.push(place);
+    }
+
+    /// Adds a row of L and D.
+    fn push(&mut self, l: &[f64], d: f64) {
+        let mut row = vec![[0.0; 8]; self.diagonal.len()];
+        for (l, &place) in l.iter().zip(&self.places) {
+            row[place / 8][place % 8] = *l;
+        }
+        let begin = l.iter().position(|l| *l != 0.0).map_or(row.len(), |k| self.places[k] / 8);
+        self.enter(&Elimination { row, begin, ..Elimination::default() }, d);
     }
 
     /// Removes the row at position k.
     pub fn remove(&mut self, k: usize) {
-        self.lower.remove(k);
-        let mut alpha = self.diagonal.remove(k);
-        let below = &mut self.lower[k..];
-        let mut v: Vec<f64> = below.iter_mut().map(|row| row.remove(k)).collect();
-        for j in 0..v.len() {
-            // L D Lᵀ + α v vᵀ, one column of L at a time
-            let (p, d) = (v[j], self.diagonal[k + j]);
-            let d_new = d + alpha * p * p;
-            let beta = alpha * p / d_new;
-            alpha *= d / d_new;
-            self.diagonal[k + j] = d_new;
-            for r in j + 1..v.len() {
-                let l = &mut below[r][k + j];
-                v[r] -= p * *l;
-                *l += beta * v[r];
-            }
+        self.lower.remove(self.places.remove(k), &mut self.diagonal);
+        let end = self.places.last().map_or(0, |last| last + 1);
+        self.diagonal.truncate(end.div_ceil(8));
+        self.lower.truncate(end.div_ceil(8));
+        if end - self.places.len() > HOLES.max(self.places.len() / 8) {
+            self.fill_holes();
         }
     }
 
-    fn solve_lower(&self, rhs: &mut [f64]) {
-        for i in 0..self.lower.len() {
-            rhs[i] -= crate::lcp::dot(&self.lower[i], &rhs[..i]); // rhs ← L⁻¹ rhs
+    fn fill_holes(&mut self) {
+        let mut filled = Ldlt::new(self.lower.width());
+        for (k, &place) in self.places.iter().enumerate() {
+            let first = self.lower.first(place);
+            let entry = |&c: &usize| if c < first { 0.0 } else { self.lower.entry(place, c) };
+            let row: Vec<f64> = self.places[..k].iter().map(entry).collect();
+            filled.push(&row, self.diagonal[place / 8][place % 8]);
         }
+        *self = filled;
     }
 }

@@ -42,6 +42,7 @@ use super::{
     Tableau, Variable, frozen, pivoting,
 };
 use crate::lcp::{Lcp, merit};
+use crate::memory::Memory;
 
 /// A pivot below this part of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;
@@ -65,7 +66,7 @@ impl Solver for Lemke {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if let Some(status) = pivoting::at_once(lcp, &x, &self.settings, observer) {
+        if let Some(status) = pivoting::at_once(lcp, &x, tableaux(lcp), &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
         frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
@@ -311,4 +312,9 @@ impl<'a> Path<'a> {
         }
         best
     }
+}
+
+/// Room for three tableaux: the first, the one that is pivoted, and one to make that anew.
+fn tableaux(lcp: &Lcp) -> Memory {
+    Memory::square(lcp.len() + 2).times(3)
 }

@@ -109,7 +109,7 @@ pub fn solve_polyhedral(
     observer: &mut dyn Observer,
 ) -> Solution {
     let z = start.x.map(|x| polyhedral.z(x));
-    let start = Start { x: z.as_deref() };
+    let start = Start { x: z.as_deref(), ..Start::default() };
     let solution = solver.solve(polyhedral.lcp(), &start, observer);
     impulses(polyhedral, solution, tolerance)
 }

@@ -49,10 +49,7 @@ impl Metric {
 
     /// The same for methods that descend the objective: A must be symmetric too.
     pub(super) fn of_symmetric(lcp: &Lcp) -> Result<Metric, Status> {
-        if !lcp.matrix().is_symmetric() {
-            return Err(Status::OutsideClass { reason: "A is not symmetric" });
-        }
-        Metric::of(lcp)
+        Ok(Metric::with_diagonal(lcp, diagonal_of_symmetric(lcp)?))
     }
 
     /// The same for cones. A contact has one d for its three rows, so that its nearest point in the
@@ -95,6 +92,15 @@ pub(super) fn diagonal(lcp: &Lcp) -> Result<Vec<f64>, Status> {
         _ => Err(Status::ZeroDiagonal { row }),
     };
     (0..lcp.len()).map(entry).collect()
+}
+
+/// The same, if A is symmetric too.
+pub(super) fn diagonal_of_symmetric(lcp: &Lcp) -> Result<Vec<f64>, Status> {
+    if lcp.matrix().is_symmetric() {
+        diagonal(lcp)
+    } else {
+        Err(Status::OutsideClass { reason: "A is not symmetric" })
+    }
 }
 
 /// uᵀ A v.

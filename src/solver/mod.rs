@@ -36,6 +36,7 @@ pub mod admm;
 pub mod apgd;
 pub mod block_pgs;
 pub mod block_pivoting;
+pub mod cholesky;
 mod class;
 pub mod code6;
 mod cone;
@@ -45,6 +46,7 @@ pub mod elimination;
 pub mod enumeration;
 pub mod envelope;
 mod equations;
+mod free_rows;
 pub mod frozen;
 pub mod interior_point;
 mod iterate;
@@ -63,15 +65,19 @@ pub mod order;
 pub mod pgs;
 mod pivoting;
 mod principal;
+mod proximal;
 mod ratio_test;
 mod rational;
 mod registry;
 mod settings;
 mod solution;
+pub mod sparse_factor;
 pub mod spectral;
 mod standard_form;
+mod stop;
 pub mod theory;
 mod variable;
+mod warm;
 
 pub use admm::Admm;
 pub use apgd::Apgd;
@@ -98,7 +104,9 @@ pub use registry::{ALL, Choice, Entry, Options, SPECIMENS, by_name, default_for,
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};
 pub use spectral::Spectral;
+pub use stop::{Reason, Stop, Watched};
 pub use variable::Variable;
+pub use warm::Warm;
 
 use crate::lcp::{Complementarity, Lcp};
 
@@ -116,9 +124,24 @@ pub trait Solver: Send + Sync {
 pub struct Start<'a> {
     /// A guess of x (n entries), for example the last step's impulses; 0 without one.
     pub x: Option<&'a [f64]>,
+    /// What the last solve of a similar problem has left, for those who go on from an active set.
+    pub warm: Option<&'a Warm>,
 }
 
-impl Start<'_> {
+impl<'a> Start<'a> {
+    /// From a guess.
+    pub fn at(x: &'a [f64]) -> Self {
+        Start { x: Some(x), warm: None }
+    }
+
+    /// Lends what the last solve has left to this one, and keeps what this one leaves.
+    fn carry<T>(&self, solve: impl FnOnce(&mut warm::Left) -> T) -> T {
+        match self.warm {
+            Some(warm) => warm.lend(solve),
+            None => solve(&mut warm::Left::default()),
+        }
+    }
+
     /// The starting point: the guess or 0, moved into the bounds or cones.
     pub fn point(&self, problem: &impl Complementarity) -> Vec<f64> {
         let n = problem.lcp().len();

@@ -18,8 +18,11 @@
 //! singular, so that A is no P-matrix, the method ends with `Singular`; on other matrices it may
 //! cycle until the limit. Coupled rows: see [`frozen`](super::frozen).
 
-use super::principal::{self, Change};
-use super::{Observer, Settings, Solution, Solver, Start};
+use std::ops::ControlFlow;
+
+use super::active_set::ActiveSet;
+use super::principal::{self, Change, Point};
+use super::{Observer, Settings, Solution, Solver, Start, Status};
 use crate::lcp::Lcp;
 
 /// Murty's least-index principal pivoting.
@@ -35,6 +38,20 @@ impl Solver for Murty {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        principal::solve(lcp, start, &self.settings, observer, None, || |_| Change::Least)
+        start.carry(|left| {
+            principal::solve(lcp, start, &mut left.set, &self.settings, observer, |lcp, search| {
+                let status = match search.run(lcp, |set| point(lcp, set), |_| Change::Least, None) {
+                    ControlFlow::Continue(()) => search.claim(lcp),
+                    ControlFlow::Break(status) => status,
+                };
+                search.solution(status)
+            })
+        })
     }
+}
+
+/// The point of an active set, with A_FF factorised anew.
+fn point(lcp: &Lcp, set: &ActiveSet) -> Result<Point, Status> {
+    let x = set.point(lcp).map_err(|row| Status::Singular { row })?;
+    if x.iter().all(|x| x.is_finite()) { Ok(Point::at(lcp, x)) } else { Err(Status::NotFinite) }
 }

@@ -50,6 +50,7 @@ use super::iterate::iterate;
 use super::metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status};
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// Halvings of a step before a sweep is taken instead.
 const HALVINGS: i32 = 12;
@@ -87,6 +88,9 @@ impl Solver for Newton {
         if lcp.len() > MAX_ROWS {
             let reason = "a dense Jacobian of more than 2000 rows";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+        }
+        if let Some(status) = self.settings.refusal(Memory::square(lcp.len()).times(4)) {
+            return Solution::new(lcp, x, status, 0); // the 2n × n least-squares problem and its factors
         }
         let diagonal = match metric::diagonal(lcp) {
             Ok(diagonal) => diagonal,
@@ -183,12 +187,7 @@ impl Run<'_> {
     }
 
     /// The least-squares solution of J d = −H, √ν d = 0, in the variables √a_ii x_i.
-    fn least_squares_direction(
-        &self,
-        x: &[f64],
-        rows: &[Row],
-        square: f64,
-    ) -> Option<Vec<f64>> {
+    fn least_squares_direction(&self, x: &[f64], rows: &[Row], square: f64) -> Option<Vec<f64>> {
         let n = x.len();
         let root: Vec<f64> = (0..n).map(|i| self.diagonal[i].sqrt()).collect();
         let start: f64 = (0..n).map(|i| (self.lcp.b()[i] / root[i]).powi(2)).sum();

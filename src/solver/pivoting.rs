@@ -1,23 +1,39 @@
 //! What the pivoting methods have in common before their first pivot.
 
+use super::principal::Point;
 use super::{Event, Iterate, Observer, Settings, Status};
-use crate::lcp::{Lcp, merit};
+use crate::lcp::Lcp;
+use crate::memory::Memory;
 
-/// Above this many rows a dense factor or tableau would not fit.
+/// Above this many rows a dense factor or tableau takes too long.
 pub(super) const MAX_ROWS: usize = 8_000;
 
-/// The status of a method that need not, or cannot, pivot at all.
+/// The status of a method that need not, or cannot, pivot at all, or would need too much memory.
 pub(super) fn at_once(
     lcp: &Lcp,
     x: &[f64],
+    needs: Memory,
+    settings: &Settings,
+    observer: &mut dyn Observer,
+) -> Option<Status> {
+    let is_solved = || Point::at(lcp, x.to_vec()).largest_residual(lcp) <= settings.tolerance;
+    begin(lcp, x, needs, settings, observer).or_else(|| is_solved().then_some(Status::Solved))
+}
+
+/// Shows the start to the observer; the status of a method that cannot begin.
+pub(super) fn begin(
+    lcp: &Lcp,
+    x: &[f64],
+    needs: Memory,
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Option<Status> {
     if lcp.len() > MAX_ROWS {
         return Some(Status::OutsideClass { reason: "more than 8000 rows" });
     }
-    if observer.observe(&Iterate { iteration: 0, x, event: Event::Start }).is_break() {
-        return Some(Status::Stopped);
+    if let Some(status) = settings.refusal(needs) {
+        return Some(status);
     }
-    merit::is_within(lcp, x, settings.tolerance, &mut 0).then_some(Status::Solved)
+    let start = Iterate { iteration: 0, x, event: Event::Start };
+    observer.observe(&start).is_break().then_some(Status::Stopped)
 }

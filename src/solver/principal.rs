@@ -1,10 +1,15 @@
 //! The loop of the principal pivoting methods: from one active set to the next.
 
-use super::active_set::{ActiveSet, Side, claim};
+use std::ops::ControlFlow;
+
+use super::active_set::{ActiveSet, Side};
+use super::kernel::{Width, terms};
 use super::{
     Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen, pivoting,
 };
 use crate::lcp::Lcp;
+use crate::lcp::merit::RowTerms;
+use crate::memory::Memory;
 
 /// Which of the rows that are not satisfied change sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,20 +18,142 @@ pub(super) enum Change {
     Least,
     /// All of them.
     All,
+    /// None: the search is given up.
+    None,
 }
 
-/// Changes sides until all rows are satisfied. `rule` is told how many are not, and chooses; if it
-/// takes to the least row, the solution says so by `safeguard`.
-pub(super) fn solve<R: FnMut(usize) -> Change>(
+/// An x, and what its rows say.
+#[derive(Debug, Clone)]
+pub(super) struct Point {
+    pub(super) x: Vec<f64>,
+    pub(super) terms: Vec<RowTerms>,
+}
+
+impl Point {
+    pub(super) fn at(lcp: &Lcp, x: Vec<f64>) -> Self {
+        Point { terms: terms(lcp, &x, Width::widest()), x }
+    }
+
+    /// r_i.
+    pub(super) fn residual(&self, lcp: &Lcp, i: usize) -> f64 {
+        let (lo, hi) = lcp.bounds(i, &self.x);
+        self.terms[i].scaled_residual(self.x[i], lo, hi)
+    }
+
+    /// max_i r_i; ∞ if x is not finite.
+    pub(super) fn largest_residual(&self, lcp: &Lcp) -> f64 {
+        let residuals = (0..self.x.len()).map(|i| self.residual(lcp, i));
+        residuals.fold(0.0, |most, r| if r.is_nan() { f64::INFINITY } else { f64::max(most, r) })
+    }
+}
+
+/// A way from active set to active set.
+pub(super) struct Search<'a> {
+    pub(super) settings: &'a Settings,
+    pub(super) observer: &'a mut dyn Observer,
+    pub(super) set: ActiveSet,
+    /// The last point, at first the start.
+    pub(super) point: Point,
+    /// Changes so far.
+    pub(super) count: usize,
+    /// What else had a part in it.
+    pub(super) fallback: Option<Fallback>,
+    /// What it is called if the rule takes to single rows.
+    pub(super) safeguard: Option<Fallback>,
+}
+
+impl Search<'_> {
+    /// Changes sides until all rows are satisfied. `point` finds the point of an active set; `rule` is
+    /// told how many rows are not satisfied, and chooses. `arrival` is what led to the first point, if
+    /// an observer is to be told of it.
+    pub(super) fn run(
+        &mut self,
+        lcp: &Lcp,
+        mut point: impl FnMut(&ActiveSet) -> Result<Point, Status>,
+        mut rule: impl FnMut(usize) -> Change,
+        arrival: Option<Event>,
+    ) -> ControlFlow<Status> {
+        let mut event = arrival;
+        loop {
+            match point(&self.set) {
+                Ok(point) => self.point = point,
+                Err(status) => return ControlFlow::Break(status),
+            }
+            if let Some(event) = event {
+                self.observe(event)?;
+            }
+            let wrong: Vec<(usize, Side)> = (0..lcp.len())
+                .filter_map(|i| Some((i, self.set.better_side(lcp, i, &self.point)?)))
+                .collect();
+            let Some(&(least, _)) = wrong.first() else {
+                return ControlFlow::Continue(());
+            };
+            let (rows, change) = match rule(wrong.len()) {
+                Change::Least => {
+                    self.fallback = self.fallback.or(self.safeguard);
+                    (1, Event::Pivot { driven: least, blocking: least })
+                }
+                Change::All => (wrong.len(), Event::Exchange { rows: wrong.len() }),
+                Change::None => return ControlFlow::Break(Status::Stalled),
+            };
+            self.count_change()?;
+            for &(row, side) in &wrong[..rows] {
+                self.set.0[row] = side;
+            }
+            event = Some(change);
+        }
+    }
+
+    /// Counts another change, if the limit allows it.
+    pub(super) fn count_change(&mut self) -> ControlFlow<Status> {
+        if self.count >= self.settings.max_iterations {
+            return ControlFlow::Break(Status::IterationLimit);
+        }
+        self.count += 1;
+        ControlFlow::Continue(())
+    }
+
+    fn observe(&mut self, event: Event) -> ControlFlow<Status> {
+        let iterate = Iterate { iteration: self.count, x: &self.point.x, event };
+        self.observer.observe(&iterate).map_break(|()| Status::Stopped)
+    }
+
+    /// What the method claims of the last point.
+    pub(super) fn claim(&self, lcp: &Lcp) -> Status {
+        match self.point.largest_residual(lcp) <= self.settings.tolerance {
+            true => Status::Solved,
+            false => Status::Inaccurate,
+        }
+    }
+
+    /// The last point as a solution.
+    pub(super) fn solution(&self, status: Status) -> Solution {
+        let Search { point: Point { x, terms }, count, fallback, .. } = self;
+        let w = terms.iter().map(RowTerms::w).collect();
+        Solution { x: x.clone(), w, status, iterations: *count, fallback: *fallback }
+    }
+}
+
+/// Solves a problem by a method that goes from one active set to the next, `method(problem, search)`;
+/// one whose bounds depend on x by frozen ones. It begins with the set that is given, if that fits, and
+/// leaves its last one there.
+pub(super) fn solve(
     lcp: &Lcp,
     start: &Start<'_>,
+    set: &mut Option<ActiveSet>,
     settings: &Settings,
     observer: &mut dyn Observer,
-    safeguard: Option<Fallback>,
-    rule: impl Fn() -> R,
+    mut method: impl FnMut(&Lcp, &mut Search<'_>) -> Solution,
 ) -> Solution {
     let x = start.point(lcp);
-    if let Some(status) = pivoting::at_once(lcp, &x, settings, observer) {
+    *set = set.take().and_then(|set| set.fitted(lcp));
+    let needs = Memory::square(lcp.len());
+    let at_once = match set {
+        // its point may be had for less than a look at x
+        Some(_) => pivoting::begin(lcp, &x, needs, settings, observer),
+        None => pivoting::at_once(lcp, &x, needs, settings, observer),
+    };
+    if let Some(status) = at_once {
         return Solution::new(lcp, x, status, 0);
     }
     let is_pinned = |i: usize| lcp.lo()[i] == lcp.hi()[i];
@@ -35,55 +162,14 @@ pub(super) fn solve<R: FnMut(usize) -> Change>(
         return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
     }
     frozen::solve(lcp, x, settings, |lcp, x, count| {
-        let set = ActiveSet::initial(lcp, start, &x);
-        let (mut rule, mut fallback) = (rule(), None);
-        let watched = |wrong| {
-            let change = rule(wrong);
-            fallback = if change == Change::Least { safeguard } else { fallback };
-            change
-        };
-        let solution = exchange(lcp, set, x, count, settings, observer, watched);
-        solution.with_fallback(fallback)
+        let first = set.take().and_then(|set| set.fitted(lcp));
+        let first = first.unwrap_or_else(|| ActiveSet::initial(lcp, start, &x));
+        let point = Point::at(lcp, x);
+        let (fallback, safeguard) = (None, None);
+        let mut search =
+            Search { settings, observer, set: first, point, count, fallback, safeguard };
+        let solution = method(lcp, &mut search);
+        *set = Some(search.set);
+        solution
     })
-}
-
-fn exchange(
-    lcp: &Lcp,
-    mut set: ActiveSet,
-    mut x: Vec<f64>,
-    mut count: usize,
-    settings: &Settings,
-    observer: &mut dyn Observer,
-    mut rule: impl FnMut(usize) -> Change,
-) -> Solution {
-    let mut last = None;
-    loop {
-        match set.point(lcp) {
-            Ok(point) if point.iter().all(|x| x.is_finite()) => x = point,
-            Ok(_) => return Solution::new(lcp, x, Status::NotFinite, count),
-            Err(row) => return Solution::new(lcp, x, Status::Singular { row }, count),
-        }
-        if let Some(event) = last
-            && observer.observe(&Iterate { iteration: count, x: &x, event }).is_break()
-        {
-            return Solution::new(lcp, x, Status::Stopped, count);
-        }
-        let wrong: Vec<(usize, Side)> =
-            (0..lcp.len()).filter_map(|i| Some((i, set.better_side(lcp, i, &x)?))).collect();
-        let Some(&(least, _)) = wrong.first() else {
-            let status = claim(lcp, &x, settings);
-            return Solution::new(lcp, x, status, count);
-        };
-        if count >= settings.max_iterations {
-            return Solution::new(lcp, x, Status::IterationLimit, count);
-        }
-        let (rows, event) = match rule(wrong.len()) {
-            Change::Least => (1, Event::Pivot { driven: least, blocking: least }),
-            Change::All => (wrong.len(), Event::Exchange { rows: wrong.len() }),
-        };
-        for &(row, side) in &wrong[..rows] {
-            set.0[row] = side;
-        }
-        (count, last) = (count + 1, Some(event));
-    }
 }

@@ -1,6 +1,8 @@
 //! What every solver can be told.
 
+use super::Status;
 use crate::error::{Defects, Result};
+use crate::memory::Memory;
 
 /// The settings that all solvers share.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,11 +15,18 @@ pub struct Settings {
     /// An iterative solver looks at its residual every so many iterations: a look costs about as
     /// much as a sweep.
     pub check_every: usize,
+    /// A solver does not begin if what it makes of the problem, such as a dense factor, takes more.
+    pub memory: Memory,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings { tolerance: 1e-8, max_iterations: 10_000, check_every: 1 }
+        Settings {
+            tolerance: 1e-8,
+            max_iterations: 10_000,
+            check_every: 1,
+            memory: Memory::default(),
+        }
     }
 }
 
@@ -35,5 +44,11 @@ impl Settings {
             defects.add("check_every", "must be at least 1, is 0");
         }
         defects.into_result("settings")
+    }
+
+    /// The status of a solver that would need so much memory, if it may not have it.
+    pub fn refusal(&self, needs: Memory) -> Option<Status> {
+        let limit = self.memory;
+        (needs > limit).then_some(Status::TooLarge { needs, limit })
     }
 }

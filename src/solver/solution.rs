@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::lcp::Lcp;
+use crate::memory::Memory;
 
 /// A solver's answer. There is no time in it: a solution is the same on every machine.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +38,8 @@ impl Solution {
 pub enum Fallback {
     /// Block pivoting made no progress, and single rows were exchanged by Murty's rule.
     LeastIndex,
+    /// Proximal.
+    Proximal,
     /// Lemke's path ended at no solution and was followed once more with fresh tableaux.
     SecondPath,
     /// Sweeps of projected Gauss-Seidel took away what rounding Dantzig's method had left.
@@ -50,6 +53,7 @@ impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Fallback::LeastIndex => "least-index rule",
+            Fallback::Proximal => "proximal steps",
             Fallback::SecondPath => "second path",
             Fallback::Sweeps => "Gauss-Seidel sweeps",
             Fallback::Softened => "softened rows",
@@ -94,6 +98,13 @@ pub enum Status {
     },
     /// All active sets were tried in exact arithmetic and none carries a solution; x is the start.
     NoSolution,
+    /// The method would take more memory than it may; x is the start.
+    TooLarge {
+        /// What it would take.
+        needs: Memory,
+        /// What it may take.
+        limit: Memory,
+    },
     /// The method is not made for this problem; x is the start.
     OutsideClass {
         /// Which property the problem lacks.
@@ -115,6 +126,9 @@ impl fmt::Display for Status {
             Status::Singular { row } => write!(f, "singular at row {row}"),
             Status::Ray { row, .. } => write!(f, "a ray: row {row} cannot be satisfied"),
             Status::NoSolution => write!(f, "no solution exists: no active set carries one"),
+            Status::TooLarge { needs, limit } => {
+                write!(f, "needs {needs}, above the limit of {limit}: --max-memory")
+            }
             Status::OutsideClass { reason } => write!(f, "outside the solver's class: {reason}"),
         }
     }

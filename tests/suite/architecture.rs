@@ -6,9 +6,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Modules by row; physics left, numbers right, both from row 5 on.
-const PHYSICS: [&[&str]; 5] = [&["error"], &["body"], &["constraint"], &["scene"], &["assembly"]];
-const NUMBERS: [&[&str]; 4] =
-    [&["error"], &["lcp"], &["solver", "reference", "storage"], &["certificate"]];
+const PHYSICS: [&[&str]; 7] =
+    [&["error"], &["memory"], &["file"], &["body"], &["constraint"], &["scene"], &["assembly"]];
+const NUMBERS: [&[&str]; 7] = [
+    &["error"],
+    &["memory"],
+    &["file"],
+    &["lcp"],
+    &["solver", "reference", "storage"],
+    &["certificate"],
+    &["trial"],
+];
 const BOTH: [&[&str]; 8] = [
     &["formulation"],
     &["simulation"],

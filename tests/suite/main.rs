@@ -20,3 +20,4 @@ mod scene;
 mod simulation;
 mod solver;
 mod storage;
+mod trial;

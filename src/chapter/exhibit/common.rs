@@ -52,10 +52,15 @@ pub(super) fn sweeps(
     start: &[f64],
     count: usize,
 ) -> Result<Vec<Vec<f64>>> {
-    let settings = Settings { tolerance: 0.0, max_iterations: count, check_every: count + 1 };
+    let settings = Settings {
+        tolerance: 0.0,
+        max_iterations: count,
+        check_every: count + 1,
+        ..Settings::default()
+    };
     let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
     let mut kept = Kept(Vec::new());
-    by_name(solver, &options)?.solve(lcp, &Start { x: Some(start) }, &mut kept);
+    by_name(solver, &options)?.solve(lcp, &Start::at(start), &mut kept);
     Ok(kept.0)
 }
 

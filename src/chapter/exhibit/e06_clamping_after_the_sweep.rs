@@ -44,7 +44,7 @@ fn example() -> Result<Finding> {
         let start = vec![2.0; b.len()];
         let answer = |solver: &str| -> Result<Vec<f64>> {
             let solver = by_name(solver, &Options::default())?;
-            Ok(solver.solve(&lcp, &Start { x: Some(&start) }, &mut ()).x)
+            Ok(solver.solve(&lcp, &Start::at(&start), &mut ()).x)
         };
         let (printed, corrected) = (answer("code6")?, answer("pgs")?);
         let end = b.len() - 1;

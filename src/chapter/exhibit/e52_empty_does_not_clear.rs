@@ -48,5 +48,5 @@ fn swept(start: &[f64]) -> Result<Vec<f64>> {
     let lcp = equations(&[2.0, -1.0, -1.0, 2.0], &[-1.0, -1.0])?;
     let settings = Settings { max_iterations: 1, ..Settings::default() };
     let pgs = Pgs { settings, ..Pgs::default() };
-    Ok(pgs.solve(&lcp, &Start { x: Some(start) }, &mut ()).x)
+    Ok(pgs.solve(&lcp, &Start::at(start), &mut ()).x)
 }

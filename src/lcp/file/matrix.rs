@@ -7,7 +7,7 @@ use crate::error::Defects;
 use crate::lcp::Matrix;
 
 /// The entries of a matrix, as they are written.
-pub(super) enum Entries {
+pub(in crate::lcp) enum Entries {
     /// Row by row, n² of them.
     Dense(Vec<f64>),
     /// Row, column and value.

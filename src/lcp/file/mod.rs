@@ -25,26 +25,31 @@
 //!  "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}
 //! ```
 //!
-//! Other keys are ignored with a warning. Memory is bounded by the size of the file: n is checked
-//! against the length of b before anything of that size is made.
+//! Other programs' files are read and written by [`exchange`](super::exchange).
+//! Other keys are ignored with a warning. Memory is bounded: n is checked against the length of b
+//! before anything of that size is made, and a file that would take more than is allowed
+//! ([`Problem::read_within`]) is refused before it is parsed.
 
 mod matrix;
 mod parts;
 mod value;
 
+pub(super) use matrix::Entries;
+pub(super) use parts::Parts;
 pub use value::{as_number, number};
 
-use std::io::Read;
 use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use parts::{Parts, frozen_at, model};
+use parts::{frozen_at, model};
 use value::numbers;
 
 use super::friction::{FrictionProblem, Model};
 use super::{Lcp, Matrix};
 use crate::error::{Defects, Error, Result};
+use crate::file;
+use crate::memory::Memory;
 
 /// A problem as it stands in a file.
 #[derive(Debug, Clone)]
@@ -88,7 +93,15 @@ impl Problem {
     /// # Errors
     /// If the file cannot be read, is not JSON, or has defects; all of them are listed.
     pub fn read(path: &Path) -> Result<Self> {
-        Self::parse(&read_text(path)?, &path.display().to_string())
+        Self::read_within(path, Memory::default())
+    }
+
+    /// The same with another limit on the memory that it takes to read it.
+    ///
+    /// # Errors
+    /// As [`read`](Problem::read), or if it needs more.
+    pub fn read_within(path: &Path, most: Memory) -> Result<Self> {
+        Self::parse(&read_text(path, most)?, &path.display().to_string())
     }
 
     /// Reads a problem from the text of a file called `input`.
@@ -171,10 +184,10 @@ impl Problem {
 /// The vector under the key `x` of an answer file, any JSON object that has one.
 ///
 /// # Errors
-/// If the file cannot be read or has no such vector of `n` numbers.
-pub fn read_answer(path: &Path, n: usize) -> Result<Vec<f64>> {
+/// If the file cannot be read within this memory or has no such vector of `n` numbers.
+pub fn read_answer(path: &Path, n: usize, most: Memory) -> Result<Vec<f64>> {
     let input = path.display().to_string();
-    let object = parse_object(&read_text(path)?, &input)?;
+    let object = parse_object(&read_text(path, most)?, &input)?;
     let mut defects = Defects::default();
     let x = numbers(&object, "x", &mut defects).unwrap_or_default();
     if defects.is_empty() && !object.contains_key("x") {
@@ -186,14 +199,15 @@ pub fn read_answer(path: &Path, n: usize) -> Result<Vec<f64>> {
     Ok(x)
 }
 
-fn read_text(path: &Path) -> Result<String> {
-    let mut text = String::new();
-    let read = if path == Path::new("-") {
-        std::io::stdin().read_to_string(&mut text).map(|_| ())
-    } else {
-        std::fs::read_to_string(path).map(|file| text = file)
-    };
-    read.map_err(|cause| Error::file(path, &cause))?;
+/// What a JSON value takes while it is read, with its place in a list and in the matrix (bytes).
+const VALUE: usize = 64;
+
+/// The text of a file that can be read within this memory.
+fn read_text(path: &Path, most: Memory) -> Result<String> {
+    let text = file::read(path, most)?;
+    let values = 1 + text.bytes().filter(|byte| b",[{".contains(byte)).count();
+    let needs = Memory::bytes((text.len() + VALUE * values) as u64);
+    most.check(format!("{}: reading {values} JSON values", path.display()), needs)?;
     Ok(text)
 }
 

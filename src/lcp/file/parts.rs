@@ -8,14 +8,15 @@ use crate::error::{Defects, Error, Result};
 use crate::lcp::friction::Model;
 use crate::lcp::{Coupling, Lcp};
 
-/// The keys of a problem file, each well-formed in itself.
-pub(super) struct Parts {
-    entries: Entries,
+/// The keys of a problem file, each well-formed in itself; the entries are those of an n × n matrix,
+/// n the length of b.
+pub(in crate::lcp) struct Parts {
+    pub entries: Entries,
     pub b: Vec<f64>,
-    lo: Option<Vec<f64>>,
-    hi: Option<Vec<f64>>,
-    index: Option<Vec<Option<usize>>>,
-    mu: Option<Vec<f64>>,
+    pub lo: Option<Vec<f64>>,
+    pub hi: Option<Vec<f64>>,
+    pub index: Option<Vec<Option<usize>>>,
+    pub mu: Option<Vec<f64>>,
 }
 
 impl Parts {

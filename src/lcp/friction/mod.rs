@@ -50,7 +50,7 @@ pub use cone::{ConeProblem, Law, project};
 pub use model::{Model, Posed};
 pub use polyhedral::Polyhedral;
 
-use super::{Coupling, Lcp, Matrix};
+use super::{Coupling, Lcp};
 use crate::error::{Defects, Result};
 
 /// A contact with friction.
@@ -157,15 +157,7 @@ impl FrictionProblem {
     /// # Errors
     /// If an entry is not finite then.
     pub fn softened(&self, part: f64) -> Result<Self> {
-        let Lcp { b, lo, hi, .. } = &self.lcp;
-        let n = self.lcp.len();
-        let row = |i: usize| {
-            let soft = move |j: usize, a: f64| if i == j { a * (1.0 + part) } else { a };
-            self.lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, soft(j, a)))
-        };
-        let entries: Vec<_> = (0..n).flat_map(row).collect();
-        let a = Matrix::sparse(n, &entries);
-        let lcp = Lcp::new(a, b.clone(), lo.clone(), hi.clone())?;
+        let lcp = self.lcp.softened(part)?;
         Ok(FrictionProblem { lcp, ..self.clone() })
     }
 

@@ -36,6 +36,10 @@ use super::{Contact, FrictionProblem};
 use crate::error::{Error, Result};
 use crate::lcp::merit::RowTerms;
 use crate::lcp::{Lcp, Matrix};
+use crate::memory::Memory;
+
+/// What an entry takes while the matrix is made (numbers): its place and value, twice, and the matrix.
+const ENTRY: usize = 8;
 
 /// The polyhedral LCP of a friction problem, and the way back.
 #[derive(Debug, Clone)]
@@ -55,13 +59,17 @@ impl Polyhedral {
     /// with μ = 0 has neither β nor γ.
     ///
     /// # Errors
-    /// If k is not a positive multiple of 4.
+    /// If k is not a positive multiple of 4, or the matrix would take more than 4 GB.
     pub fn new(problem: &FrictionProblem, k: usize) -> Result<Self> {
         if k == 0 || !k.is_multiple_of(4) {
             let reason = format!("must be a positive multiple of 4, is {k}");
             return Err(Error::invalid("polyhedral friction", "directions", reason));
         }
         let impulses = impulses(problem, k);
+        let (stored, unknowns) = (problem.lcp().matrix().stored(), impulses.len());
+        let entries = unknowns.saturating_mul(unknowns).min(stored.saturating_mul(k * k / 4));
+        let what = format!("the polygons' matrix of {unknowns} impulses with {entries} entries");
+        Memory::default().check(what, Memory::numbers(ENTRY).times(entries))?;
         let (contacts, others) = (problem.contacts(), problem.others());
         let mut entries = delassus(problem.lcp().matrix(), &impulses);
         let (mut beta, mut gamma) = (others.len() + contacts.len(), impulses.len());

@@ -78,7 +78,8 @@ impl Frame {
 /// ```
 pub fn instants(steps: usize, frames: usize) -> Vec<usize> {
     let gaps = frames.saturating_sub(1).clamp(1, steps.max(1));
-    let mut instants: Vec<usize> = (0..=gaps).map(|k| (k * steps + gaps / 2) / gaps).collect();
+    let at = |k: usize| (k as u128 * steps as u128 + gaps as u128 / 2) / gaps as u128;
+    let mut instants: Vec<usize> = (0..=gaps).map(|k| at(k) as usize).collect();
     instants.dedup();
     instants
 }

@@ -8,11 +8,12 @@ use serde_json::{Value, json};
 
 use tables::Tables;
 
-use super::write;
 use crate::certificate::Demand;
 use crate::error::Result;
+use crate::file;
 use crate::formulation::friction_model;
 use crate::lcp::file::number;
+use crate::memory::Memory;
 use crate::scene::Scene;
 use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Step};
 use crate::solver::Status;
@@ -21,7 +22,8 @@ use crate::solver::Status;
 #[derive(Debug, Clone)]
 pub struct Record {
     scene: Scene,
-    tables: Tables,
+    /// None where only totals are kept.
+    tables: Option<Tables>,
     first: Motion,
     last: Motion,
     steps: usize,
@@ -43,12 +45,12 @@ pub struct Record {
 }
 
 impl Record {
-    /// An empty record of a simulation at its start.
+    /// An empty record of a simulation at its start, of totals alone.
     pub fn start(scene: &Scene, simulation: &Simulation) -> Self {
         let motion = simulation.motion();
         let mut record = Record {
             scene: scene.clone(),
-            tables: Tables::new(),
+            tables: None,
             first: motion.clone(),
             last: motion.clone(),
             steps: 0,
@@ -66,9 +68,21 @@ impl Record {
             failure: None,
             proof: None,
         };
-        record.tables.start(scene, &motion, simulation.states());
         record.note(&motion);
         record
+    }
+
+    /// The same with a table of every pose, motion and force; they grow from step to step.
+    pub fn with_tables(mut self, simulation: &Simulation) -> Self {
+        let mut tables = Tables::new();
+        tables.start(&self.scene, &simulation.motion(), simulation.states());
+        self.tables = Some(tables);
+        self
+    }
+
+    /// What the tables take so far.
+    pub fn memory(&self) -> Memory {
+        self.tables.as_ref().map_or(Memory::bytes(0), Tables::memory)
     }
 
     /// Adds a step; every answer in it is judged.
@@ -89,17 +103,29 @@ impl Record {
             }
         }
         self.steps = step.number;
-        self.tables.add(&self.scene, step);
+        if let Some(tables) = &mut self.tables {
+            tables.add(&self.scene, step);
+        }
         self.worst_remainder = self.worst_remainder.max(step.ledger.remainder().abs());
         self.laws = self.laws.worse(step.laws);
         self.work = self.work + step.ledger;
         self.note(&step.motion);
     }
 
-    /// Notes why the simulation ended early, if it did.
-    pub fn end(&mut self, failure: Option<&Failure>) {
-        self.failure = failure.map(|failure| format!("{}: {failure}", self.scene.name));
-        self.proof = failure.and_then(|failure| proof(&failure.cause));
+    /// Notes why the simulation ended early.
+    pub fn end(&mut self, failure: &Failure) {
+        self.cut(&failure.to_string());
+        self.proof = proof(&failure.cause);
+    }
+
+    /// Notes that recording ended early for a reason of its own.
+    pub fn cut(&mut self, reason: &str) {
+        self.failure = Some(format!("{}: {reason}", self.scene.name));
+    }
+
+    /// The steps so far.
+    pub fn steps(&self) -> usize {
+        self.steps
     }
 
     /// Whether all steps were taken and the judge accepts every answer.
@@ -107,15 +133,17 @@ impl Record {
         self.failure.is_none() && self.accepted == self.problems
     }
 
-    /// Writes trajectory.csv, ledger.csv, forces.csv and results.json.
+    /// Writes results.json, and trajectory.csv, ledger.csv and forces.csv if there are tables.
     ///
     /// # Errors
     /// If a file cannot be written.
     pub fn write(&self, folder: &Path) -> Result<()> {
-        write::file(&folder.join("trajectory.csv"), &self.tables.trajectory)?;
-        write::file(&folder.join("ledger.csv"), &self.tables.ledger)?;
-        write::file(&folder.join("forces.csv"), &self.tables.forces)?;
-        write::file(&folder.join("results.json"), &format!("{:#}\n", self.summary()))
+        if let Some(Tables { trajectory, ledger, forces }) = &self.tables {
+            file::write(&folder.join("trajectory.csv"), trajectory)?;
+            file::write(&folder.join("ledger.csv"), ledger)?;
+            file::write(&folder.join("forces.csv"), forces)?;
+        }
+        file::write(&folder.join("results.json"), &format!("{:#}\n", self.summary()))
     }
 
     /// The totals as JSON.

@@ -1,6 +1,7 @@
 //! The tables of a simulation as CSV: trajectory, ledger and forces.
 
 use crate::body::State;
+use crate::memory::Memory;
 use crate::plot::csv::{number, record};
 use crate::scene::Scene;
 use crate::simulation::{Laws, Ledger, Motion, Solve, Step};
@@ -41,6 +42,12 @@ impl Tables {
         for solve in &step.solves {
             self.add_forces(scene, step.number, solve);
         }
+    }
+
+    /// What they take; a text that grows takes up to twice its length.
+    pub fn memory(&self) -> Memory {
+        let texts = [&self.trajectory, &self.ledger, &self.forces];
+        Memory::bytes(texts.map(|text| text.capacity() as u64).iter().sum())
     }
 
     fn add_motion(&mut self, motion: &Motion, ledger: &Ledger, laws: &Laws) {

@@ -1,5 +1,6 @@
 //! One scene, stepped by every solver, at both levels or by any family, each answer judged.
 
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 use indicatif::ProgressBar;
@@ -12,9 +13,11 @@ use crate::certificate::Demand;
 use crate::error::Result;
 use crate::formulation::friction_model;
 use crate::lcp::friction::Model;
+use crate::report::aside::GRACE;
+use crate::report::tasks::Tasks;
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Motion, Simulation, Solve, Step};
-use crate::solver::{ALL, CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, entry};
+use crate::solver::{ALL, CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, Stop, entry};
 
 /// Scenes stepped by solvers at both levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -180,26 +183,47 @@ pub fn compare(
 ) -> (Comparison, Vec<Timing>) {
     let cones = CONES.iter().copied().map(Method::Cone);
     let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
-    compare_families(scene, &Formulation::LEVELS, &methods, steps, progress)
+    let pairs = contenders(scene, &Formulation::LEVELS, &methods);
+    let runs = pairs.par_iter().map(|&(formulation, solver)| {
+        let ended = run(&at_level(scene, formulation), &solver, steps, &Stop::default());
+        progress.inc(1);
+        ended
+    });
+    of_runs(scene, steps, runs.collect())
 }
 
 /// The same by these families and methods: those of the methods that take the scene's model of
 /// friction, and one run each for families that solve no LCP. A family that does not know the model
-/// is left out.
+/// is left out. When it is time to stop, runs end with the steps that they have taken, and no more
+/// begin.
+///
+/// # Errors
+/// If there are no threads to run on.
 pub fn compare_families(
     scene: &Scene,
     families: &[Formulation],
     methods: &[Method],
     steps: usize,
     progress: &ProgressBar,
-) -> (Comparison, Vec<Timing>) {
-    let pairs = contenders(scene, families, methods);
-    let run = |&(formulation, solver): &(Formulation, Method)| {
-        let result = run(&at_level(scene, formulation), &solver, steps);
-        progress.inc(1);
-        result
+    stop: &Stop,
+) -> Result<(Comparison, Vec<Timing>)> {
+    let pairs: Vec<_> = contenders(scene, families, methods).into_iter().enumerate().collect();
+    let (own, asked) = (scene.clone(), stop.clone());
+    let work = move |&(_, (formulation, solver)): &(usize, (Formulation, Method))| {
+        run(&at_level(&own, formulation), &solver, steps, &asked)
     };
-    let (runs, timings) = pairs.par_iter().map(run).unzip();
+    let mut ended = BTreeMap::new();
+    Tasks { together: pairs, alone: Vec::new(), grace: GRACE }.run(stop, work, |(k, _), run| {
+        ended.insert(k, run);
+        progress.inc(1);
+        Ok(())
+    })?;
+    Ok(of_runs(scene, steps, ended.into_values().collect()))
+}
+
+/// The comparison of these runs.
+fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Comparison, Vec<Timing>) {
+    let (runs, timings) = ended.into_iter().unzip();
     let comparison = Comparison {
         scene: scene.name.clone(),
         title: scene.title.clone(),
@@ -233,7 +257,7 @@ pub fn contenders(
     able.flat_map(|&family| of(family).into_iter().map(move |method| (family, method))).collect()
 }
 
-fn run(scene: &Scene, solver: &Method, steps: usize) -> (Run, Timing) {
+fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timing) {
     let formulation = scene.step.formulation.name().to_string();
     let mut run = Run {
         formulation: formulation.clone(),
@@ -250,20 +274,20 @@ fn run(scene: &Scene, solver: &Method, steps: usize) -> (Run, Timing) {
         motion: Vec::new(),
     };
     let simulation = simulation_by(scene, solver);
-    let seconds = step_through(simulation, steps, &mut run);
+    let seconds = step_through(simulation, steps, stop, &mut run);
     let (scene, solver) = (scene.name.clone(), solver.name().to_string());
     let timing = Timing { scene, formulation, solver, steps: run.steps, seconds };
     (run, timing)
 }
 
 /// Takes the steps; returns the seconds spent on them.
-fn step_through(mut simulation: Simulation, steps: usize, run: &mut Run) -> f64 {
+fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut Run) -> f64 {
     let tolerance = simulation.scene().solver.tolerance;
     run.motion.push(Sample::from(&simulation.motion()));
     let mut seconds = 0.0;
     for _ in 0..steps {
         let start = Instant::now();
-        let step = simulation.step();
+        let step = simulation.step_before(stop);
         seconds += start.elapsed().as_secs_f64();
         match step {
             Ok(step) => run.record(&step, tolerance),

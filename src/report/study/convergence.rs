@@ -113,7 +113,12 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Result<Finding> {
 }
 
 fn curve(lcp: &Lcp, omega: f64) -> Curve {
-    let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
+    let settings = Settings {
+        tolerance: 0.0,
+        max_iterations: SWEEPS,
+        check_every: SWEEPS,
+        ..Settings::default()
+    };
     let mut trace = Convergence::of(lcp);
     let x = Pgs { omega, order: Order::default(), settings }
         .solve(lcp, &Start::default(), &mut trace)

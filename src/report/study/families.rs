@@ -13,7 +13,7 @@ use crate::lcp::Complementarity;
 use crate::lcp::file::Problem;
 use crate::lcp::friction::{Model, Posed};
 use crate::lcp::library::Family;
-use crate::solver::{Method, Options, Solution, Status};
+use crate::solver::{Method, Options, Solution, Status, Stop};
 use crate::trace::Provenance;
 
 /// A solver on the problems of one family.
@@ -85,16 +85,28 @@ struct Posing<'a> {
 }
 
 /// Runs each method on each family that it takes, with the seeds 1 … `seeds`; on families with
-/// friction under each of the models.
+/// friction under each of the models. When it is time to stop, rows that are not done are left out.
 pub fn run(
     families: &[&dyn Family],
     models: &[Model],
     methods: &[Method],
     options: &Options,
     seeds: u32,
+    stop: &Stop,
 ) -> Vec<Row> {
-    let problems: Vec<(&str, Vec<Problem>)> =
-        families.iter().map(|family| (family.name(), instances(*family, seeds))).collect();
+    let named = |family: &&dyn Family| (family.name().to_string(), instances(*family, seeds));
+    run_on(&families.iter().map(named).collect::<Vec<_>>(), models, methods, options, stop)
+}
+
+/// Runs each method on the problems of each name that it takes; on problems with friction under each
+/// of the models.
+pub fn run_on(
+    problems: &[(String, Vec<Problem>)],
+    models: &[Model],
+    methods: &[Method],
+    options: &Options,
+    stop: &Stop,
+) -> Vec<Row> {
     let posings: Vec<Posing> =
         problems.iter().flat_map(|(family, problems)| posings(family, problems, models)).collect();
     let pairs: Vec<(&Posing, &Method)> = posings
@@ -102,10 +114,12 @@ pub fn run(
         .flat_map(|posing| methods.iter().map(move |method| (posing, method)))
         .filter(|(posing, method)| method.takes(posing.model))
         .collect();
-    pairs.par_iter().map(|(posing, method)| attempt(posing, method, options)).collect()
+    let row = |(posing, method): &(&Posing, &Method)| attempt(posing, method, options, stop);
+    pairs.par_iter().filter_map(row).collect()
 }
 
-fn instances(family: &dyn Family, seeds: u32) -> Vec<Problem> {
+/// The problems of a family: one a seed, or one where the family has none.
+pub fn instances(family: &dyn Family, seeds: u32) -> Vec<Problem> {
     let seeded = family.parameters().iter().any(|parameter| parameter.name == "seed");
     let problem = |seed: u32| family.generate(&[("seed", f64::from(seed))]).ok();
     if seeded {
@@ -134,7 +148,8 @@ fn pose(problem: &Problem, model: Option<Model>) -> Option<Posed> {
     model.pose(&friction, problem.frozen_at.as_deref()).ok()
 }
 
-fn attempt(posing: &Posing, method: &Method, options: &Options) -> Row {
+/// The row of a method, unless it is time to stop before it is done.
+fn attempt(posing: &Posing, method: &Method, options: &Options, stop: &Stop) -> Option<Row> {
     let Posing { family, model, problems } = posing;
     let known = KNOWN_FAILURES.iter().find(|(s, f, _)| *s == method.name() && f == family);
     let unsolvable = !problems.is_empty() && problems.iter().all(|(p, _)| has_no_solution(p));
@@ -160,14 +175,18 @@ fn attempt(posing: &Posing, method: &Method, options: &Options) -> Row {
         seconds: 0.0,
     };
     for (problem, posed) in problems {
+        stop.reason().is_none().then_some(())?;
         let mut provenance = Provenance::of(match posed {
             Posed::Boxed(lcp) => lcp,
             Posed::Polyhedral(polyhedral) => polyhedral.lcp(),
             Posed::Cone(cone) => cone.lcp(),
         });
         let start = Instant::now();
-        let solution = method.solve(posed, options, &mut provenance);
+        let solution = method.solve(posed, options, &mut stop.watch(&mut provenance));
         row.seconds += start.elapsed().as_secs_f64();
+        if solution.status == Status::Stopped {
+            return None;
+        }
         if row.fingerprint.is_empty() {
             row.fingerprint = format!("{:016x}", provenance.fingerprint);
         }
@@ -175,7 +194,7 @@ fn attempt(posing: &Posing, method: &Method, options: &Options) -> Row {
         let certificate = judge_friction(posed, &solution.x, &demand);
         row.add(&solution, &certificate, has_no_solution(problem));
     }
-    row
+    Some(row)
 }
 
 impl Row {

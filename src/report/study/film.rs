@@ -7,7 +7,7 @@ use super::{at_level, simulation_by};
 use crate::plot::scene::{Film, Take};
 use crate::report::methods;
 use crate::scene::{Formulation, Scene};
-use crate::solver::Method;
+use crate::solver::{Method, Stop};
 
 /// Who moves a scene in a film.
 #[derive(Debug, Clone, Copy)]
@@ -49,13 +49,20 @@ impl Actor {
     }
 }
 
-/// Steps a scene by each of these, and keeps as many instants as a film needs.
-pub fn film(id: &str, scene: &Scene, actors: &[(String, Actor)], steps: usize) -> Film {
+/// Steps a scene by each of these, and keeps as many instants as a film needs; those until it is time
+/// to stop.
+pub fn film(
+    id: &str,
+    scene: &Scene,
+    actors: &[(String, Actor)],
+    steps: usize,
+    stop: &Stop,
+) -> Film {
     let shots = Film::shots(actors.len());
     let take = |(name, actor): &(String, Actor)| {
         let mut own = at_level(scene, actor.formulation);
         own.solver.max_iterations = actor.max_iterations.unwrap_or(own.solver.max_iterations);
-        Take::of(name, &mut simulation_by(&own, &actor.method), steps, shots)
+        Take::until(stop, name, &mut simulation_by(&own, &actor.method), steps, shots)
     };
     Film::new(id, scene, actors.par_iter().map(take).collect())
 }

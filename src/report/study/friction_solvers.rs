@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::lcp::friction::Model;
 use crate::lcp::library;
 use crate::report::methods;
-use crate::solver::{Method, Options};
+use crate::solver::{Method, Options, Stop};
 
 /// Problem families with friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -65,7 +65,8 @@ impl Study for Plan {
             self.solvers.is_empty() || self.solvers.iter().any(|name| name == method.name())
         };
         let methods: Vec<Method> = methods::all().into_iter().filter(wanted).collect();
-        let mut rows = families::run(&[family], &models, &methods, &options, self.seeds);
+        let mut rows =
+            families::run(&[family], &models, &methods, &options, self.seeds, &Stop::default());
         let times = rows.iter_mut().map(|row| Times {
             family: row.family.clone(),
             model: row.model.clone().unwrap_or_default(),

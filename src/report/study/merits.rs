@@ -146,7 +146,12 @@ const SWEEPS: usize = 60;
 /// If the simulation fails before.
 pub fn run(scene: &Scene, step: usize) -> Result<Vec<Run>> {
     let lcp = problem_of(scene, step)?.lcp;
-    let settings = Settings { tolerance: 0.0, max_iterations: SWEEPS, check_every: SWEEPS };
+    let settings = Settings {
+        tolerance: 0.0,
+        max_iterations: SWEEPS,
+        check_every: SWEEPS,
+        ..Settings::default()
+    };
     let run = |shape, curves| Run {
         scene: scene.name.clone(),
         title: scene.title.clone(),

@@ -5,9 +5,11 @@
 
 pub mod attempt;
 pub mod comparison;
+pub mod contest;
 pub mod convergence;
 pub mod creep;
 pub mod cross_check;
+pub mod direct_speed;
 pub mod drift;
 pub mod families;
 pub mod film;
@@ -21,6 +23,7 @@ pub mod ledger;
 pub mod merits;
 pub mod order;
 pub mod painleve;
+pub mod peers;
 pub mod plane;
 pub mod posed;
 pub mod profiles;
@@ -37,6 +40,7 @@ pub mod singular;
 pub mod sinking;
 pub mod slider;
 pub mod sliding;
+pub mod sparse_speed;
 pub mod sparsity;
 pub mod storage;
 pub mod sweep_speed;
@@ -45,6 +49,7 @@ pub mod variation;
 pub mod verification;
 pub mod warm_start;
 pub mod worst_cases;
+pub mod yardstick;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -85,6 +90,7 @@ pub fn scene_options(scene: &Scene) -> Options {
     let settings = Settings {
         tolerance: scene.solver.tolerance,
         max_iterations: scene.solver.max_iterations,
+        memory: scene.memory,
         ..Settings::default()
     };
     let order = match scene.solver.order {

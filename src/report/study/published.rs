@@ -7,7 +7,7 @@ use super::families::{self, Row};
 use crate::error::Result;
 use crate::lcp::library;
 use crate::report::methods;
-use crate::solver::{Method, Options};
+use crate::solver::{Method, Options, Stop};
 
 /// Published problems.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -85,7 +85,8 @@ impl Study for Plan {
             .into_iter()
             .filter(|method| matches!(method, Method::Boxed(_)))
             .collect();
-        let mut solvers = families::run(&[family], &[], &boxed, &Options::default(), 1);
+        let mut solvers =
+            families::run(&[family], &[], &boxed, &Options::default(), 1, &Stop::default());
         solvers.iter_mut().for_each(|row| row.seconds = 0.0);
         let solutions = problem.extra.get("expected").map(|expected| &expected["solutions"]);
         let solutions = solutions.and_then(|s| serde_json::from_value(s.clone()).ok());

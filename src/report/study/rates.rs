@@ -172,7 +172,12 @@ fn falling(bodies: usize, ratio: f64) -> Result<Lcp> {
 }
 
 fn solver(method: Method) -> Box<dyn Solver> {
-    let settings = Settings { tolerance: 0.0, max_iterations: MAX_SWEEPS, check_every: MAX_SWEEPS };
+    let settings = Settings {
+        tolerance: 0.0,
+        max_iterations: MAX_SWEEPS,
+        check_every: MAX_SWEEPS,
+        ..Settings::default()
+    };
     let relaxed = |omega| Pgs { omega, order: Order::Natural, settings: settings.clone() };
     match method {
         Method::Jacobi => Box::new(Jacobi { damping: Damping::Factor(1.0), settings }),

@@ -138,8 +138,12 @@ impl Plan {
     /// The natural residuals of the start and of each sweep, to a hundredth of the target.
     fn residuals(&self, lcp: &Lcp, omega: f64) -> Vec<f64> {
         let max_iterations = self.max_sweeps;
-        let settings =
-            Settings { tolerance: 0.0, max_iterations, check_every: max_iterations.max(1) };
+        let settings = Settings {
+            tolerance: 0.0,
+            max_iterations,
+            check_every: max_iterations.max(1),
+            ..Settings::default()
+        };
         let mut watch = Watch { lcp, least: 1e-2 * self.target, residuals: Vec::new() };
         Pgs { omega, order: Order::Natural, settings }.solve(lcp, &Start::default(), &mut watch);
         watch.residuals

@@ -104,7 +104,12 @@ impl Method {
 impl Plan {
     fn solver(&self, method: Method, omega: f64) -> Box<dyn Solver> {
         let max_iterations = self.sweeps;
-        let settings = Settings { tolerance: 0.0, max_iterations, check_every: max_iterations };
+        let settings = Settings {
+            tolerance: 0.0,
+            max_iterations,
+            check_every: max_iterations,
+            ..Settings::default()
+        };
         match method {
             Method::Up | Method::BestSor => {
                 Box::new(Pgs { omega, order: Order::Natural, settings })

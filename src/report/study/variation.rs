@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use crate::error::{Error, Result};
+use crate::file;
 use crate::scene::{Scene, catalogue};
 
 /// A scene and what is different in it.
@@ -56,7 +57,7 @@ impl Variation {
         let path = Path::new(&self.scene);
         let text = match catalogue::text(&self.scene) {
             Some(text) if !path.exists() => text.to_string(),
-            _ => std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?,
+            _ => file::read(path, file::WRITTEN_BY_HAND)?,
         };
         let invalid = |reason: String| Error::invalid(&self.scene, "change", reason);
         let mut table: Table = text.parse().map_err(|cause| invalid(format!("{cause}")))?;

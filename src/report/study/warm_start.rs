@@ -120,7 +120,7 @@ fn solved(entry: &Entry, options: &Options, solve: &Solve) -> Pair {
         let solution = (entry.build)(options).solve(lcp, &start, &mut work);
         (solution.iterations, work.multiplications, solution.status != Status::Solved)
     };
-    let (warm, warm_work, missed) = run(Start { x: Some(&solve.start) });
+    let (warm, warm_work, missed) = run(Start::at(&solve.start));
     let (cold, cold_work, missed_too) = run(Start::default());
     let unsolved = usize::from(missed) + usize::from(missed_too);
     Pair { warm, cold, warm_work, cold_work, unsolved }

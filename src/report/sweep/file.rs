@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue, ValueDeserializer};
 use super::measure::{MEASURES, Measure};
 use super::theory::Theory;
 use crate::error::{Defects, Error, Result};
+use crate::file;
 use crate::plot::Scale;
 
 /// The sweeps that lcplab ships, by name.
@@ -22,6 +23,9 @@ const KEYS: [&str; 14] = [
     "title", "text", "scene", "family", "steps", "measure", "scale", "theory", "seed", "repeat",
     "set", "axes", "zip", "labels",
 ];
+
+/// An axis has at most so many points.
+const MOST_POINTS: usize = 100_000;
 
 /// A sweep as its file describes it; see the [module](super) for the format.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,7 +84,7 @@ impl Sweep {
     pub fn load(path_or_name: &str) -> Result<Self> {
         let path = Path::new(path_or_name);
         if path.is_file() {
-            let text = std::fs::read_to_string(path).map_err(|cause| Error::file(path, &cause))?;
+            let text = file::read(path, file::WRITTEN_BY_HAND)?;
             return Self::from_toml(path_or_name, &text);
         }
         let shipped = SHIPPED.iter().find(|(name, _)| *name == path_or_name);
@@ -182,8 +186,8 @@ impl<'a> Reader<'a> {
         }
         axes.extend(self.zip());
         let repeat: usize = self.key("repeat").unwrap_or(1);
-        if repeat == 0 {
-            self.fault("repeat", "must be at least 1, is 0".into());
+        if !(1..=MOST_POINTS).contains(&repeat) {
+            self.fault("repeat", format!("must lie between 1 and {MOST_POINTS}, is {repeat}"));
         } else if repeat > 1 {
             let points = (1..=repeat as i64).map(|k| vec![Value::Integer(k)]).collect();
             axes.push(Axis { paths: vec![REPEAT.into()], points });
@@ -392,8 +396,8 @@ impl Range {
     /// The numbers, to twelve digits, so that they read as they are meant; whole ones if all are.
     fn values(&self) -> std::result::Result<Vec<Value>, String> {
         let Range { from, to, count, spacing } = *self;
-        if !(from.is_finite() && to.is_finite() && (2..=100_000).contains(&count)) {
-            return Err("needs finite numbers and a count from 2 to 100000".into());
+        if !(from.is_finite() && to.is_finite() && (2..=MOST_POINTS).contains(&count)) {
+            return Err(format!("needs finite numbers and a count from 2 to {MOST_POINTS}"));
         }
         if matches!(spacing, Spacing::Log) && !(from > 0.0 && to > 0.0) {
             return Err("needs positive numbers for a spacing by ratios".into());

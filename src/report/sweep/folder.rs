@@ -1,9 +1,9 @@
 //! The folder of a sweep's results: the plan, and one file a task, each written whole or not at all.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use indicatif::ProgressBar;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
@@ -12,7 +12,10 @@ use super::measure::{self, Finding};
 use super::plan::{Plan, Task};
 use super::theory::Theory;
 use crate::error::{Error, Result};
-use crate::report::write;
+use crate::file;
+use crate::memory::Memory;
+use crate::report::tasks::Tasks;
+use crate::solver::Stop;
 
 /// A folder with the plan and the results of a sweep.
 #[derive(Debug, Clone)]
@@ -76,7 +79,7 @@ impl Folder {
     /// If it cannot be written.
     pub fn write_plan(&self) -> Result<PathBuf> {
         let path = self.path.join("plan.json");
-        write::file(&path, &pretty(&self.plan)?)?;
+        file::write(&path, &pretty(&self.plan)?)?;
         Ok(path)
     }
 
@@ -90,26 +93,39 @@ impl Folder {
             let reason = format!("there is no task {number}, only 1 to {}", self.plan.tasks.len());
             Error::invalid(&self.plan.sweep, "--task", reason)
         })?;
-        self.run_task(task)
+        let record = self.done(task);
+        self.keep(&record)?;
+        Ok(record)
     }
 
-    /// Does all tasks without a result, on the threads of rayon's pool; says how many those were.
+    /// Does all tasks without a result, on as many threads as rayon's pool has, until it is time to
+    /// stop; says how many were done.
     ///
     /// # Errors
     /// If a result cannot be written, or one that is there belongs to another plan.
-    pub fn run_missing(&self, progress: &ProgressBar) -> Result<usize> {
+    pub fn run_missing(&self, progress: &ProgressBar, stop: &Stop) -> Result<usize> {
         self.write_plan()?;
         let mut missing = Vec::new();
         for task in &self.plan.tasks {
             if self.record(task.task)?.is_none() {
-                missing.push(task);
+                missing.push(task.clone());
             }
         }
         progress.set_length(self.plan.tasks.len() as u64);
         progress.set_position((self.plan.tasks.len() - missing.len()) as u64);
-        let run = |task: &&Task| self.run_task(task).map(|_| progress.inc(1));
-        missing.par_iter().try_for_each(run)?;
-        Ok(missing.len())
+        let (folder, mut done) = (self.clone(), 0);
+        let tasks = Tasks { together: missing, alone: Vec::new(), grace: Duration::ZERO };
+        tasks.run(
+            stop,
+            move |task| folder.done(task),
+            |_, record| {
+                self.keep(&record)?;
+                progress.inc(1);
+                done += 1;
+                Ok(())
+            },
+        )?;
+        Ok(done)
     }
 
     /// The result of a task, if it is there.
@@ -125,7 +141,7 @@ impl Folder {
         Ok(Some(record))
     }
 
-    fn run_task(&self, task: &Task) -> Result<Record> {
+    fn done(&self, task: &Task) -> Record {
         let (finding, reason, seconds) = match measure::run(task, self.theory) {
             Ok((finding, seconds)) => (Some(finding), None, seconds),
             Err(reason) => (None, Some(reason.to_string()), 0.0),
@@ -133,9 +149,11 @@ impl Folder {
         let platform = format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH);
         let machine = Machine { platform, seconds };
         let plan = self.plan.hash.clone();
-        let record = Record { task: task.task, plan, finding, reason, machine };
-        write::file(&self.file(task.task), &pretty(&record)?)?;
-        Ok(record)
+        Record { task: task.task, plan, finding, reason, machine }
+    }
+
+    fn keep(&self, record: &Record) -> Result<()> {
+        file::write(&self.file(record.task), &pretty(record)?)
     }
 
     fn file(&self, number: usize) -> PathBuf {
@@ -145,11 +163,11 @@ impl Folder {
 
 /// The JSON of a file; `None` if there is no such file.
 fn read(path: &Path) -> Result<Option<Json>> {
-    match std::fs::read_to_string(path) {
-        Ok(text) => serde_json::from_str(&text).map(Some).map_err(|cause| unreadable(path, &cause)),
-        Err(cause) if cause.kind() == std::io::ErrorKind::NotFound => Ok(None),
-        Err(cause) => Err(Error::file(path, &cause)),
+    if !path.try_exists().map_err(|cause| Error::file(path, &cause))? {
+        return Ok(None);
     }
+    let text = file::read(path, Memory::default())?;
+    serde_json::from_str(&text).map(Some).map_err(|cause| unreadable(path, &cause))
 }
 
 fn check(path: &Path, found: &str, wanted: &str) -> Result<()> {

@@ -4,9 +4,12 @@ use serde::Serialize;
 use toml::{Table, Value};
 
 use super::file::{REPEAT, SUBJECT, Sweep};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::plot::csv;
 use crate::scene;
+
+/// A sweep has at most so many tasks.
+const MOST_TASKS: usize = 1_000_000;
 
 /// All tasks of a sweep.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -39,9 +42,14 @@ impl Sweep {
     /// The tasks: every combination of the axes' points, the last axis fastest.
     ///
     /// # Errors
-    /// If a scene cannot be read.
+    /// If there are more than a million, or a scene cannot be read.
     pub fn plan(&self) -> Result<Plan> {
-        let count = self.axes.iter().map(|axis| axis.points.len()).product();
+        let lengths = self.axes.iter().map(|axis| axis.points.len());
+        let count = lengths.fold(1, usize::saturating_mul);
+        if count > MOST_TASKS {
+            let reason = format!("make {count} tasks, at most {MOST_TASKS} are allowed");
+            return Err(Error::invalid(&*self.name, "axes", reason));
+        }
         Ok(Plan {
             sweep: self.name.clone(),
             title: self.title.clone(),

@@ -5,6 +5,7 @@ mod comparison;
 mod convergence;
 mod creep;
 mod cross_check;
+mod direct_speed;
 mod drift;
 mod families;
 mod film;
@@ -17,6 +18,7 @@ mod ledger;
 mod merits;
 mod order;
 mod painleve;
+mod peers;
 mod plane;
 mod profiles;
 mod published;
@@ -30,6 +32,7 @@ mod scaling;
 mod singular;
 mod sinking;
 mod sliding;
+mod sparse_speed;
 mod sparsity;
 mod storage;
 mod summary;
@@ -37,6 +40,7 @@ mod sweep_speed;
 mod verification;
 mod warm_start;
 mod worst_cases;
+mod yardstick;
 
 pub use comparison::{alike, document as comparison_document, table as comparison_table};
 
@@ -176,7 +180,8 @@ fn failures(document: &mut Document, part: &Part) {
 }
 
 fn facts(results: &Results) -> Vec<(String, String)> {
-    vec![
+    let stopped = results.progress().map(|progress| ("stopped".into(), progress));
+    let facts = [
         ("lcplab".into(), results.version.clone()),
         ("libraries".into(), results.libraries.join(", ")),
         ("report".into(), results.name.clone()),
@@ -184,7 +189,8 @@ fn facts(results: &Results) -> Vec<(String, String)> {
         ("threads".into(), results.machine.threads.to_string()),
         ("wall time".into(), format!("{:.1} s", results.machine.seconds)),
         ("reproduce".into(), format!("lcplab report {}", results.name)),
-    ]
+    ];
+    facts.into_iter().chain(stopped).collect()
 }
 
 impl Document {

@@ -1,33 +1,87 @@
 //! The pairs of bodies that may touch: those whose boxes along the world's axes meet.
 //!
 //! The boxes lie in a tree (parry's bounding volume hierarchy), so that n bodies with few
-//! neighbours each cost n log n. A half space may touch everything.
+//! neighbours each cost n log n. The tree is built anew each time, in memory that is kept, so which
+//! pairs are found depends on where the bodies are and on nothing before. A half space may touch
+//! every body that is not wholly above it.
 
 use nalgebra::Vector3;
 use parry3d_f64::bounding_volume::Aabb;
 use parry3d_f64::glamx::DVec3;
-use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
+use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, BvhWorkspace};
 
 use super::solid::Solid;
 
-/// The pairs [lower, higher] that may come within `margin` (m), ascending; bodies without a solid
-/// are half spaces.
-pub(super) fn pairs(solids: &[Option<Solid>], margin: f64) -> Vec<[usize; 2]> {
-    let (bodies, planes): (Vec<usize>, Vec<usize>) =
-        (0..solids.len()).partition(|&k| solids[k].is_some());
-    let boxes: Vec<Aabb> =
-        solids.iter().flatten().map(|solid| bounds(solid, margin / 2.0)).collect();
-    let tree = Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes);
-    let mut pairs = Vec::new();
-    for (bounds, &body) in boxes.iter().zip(&bodies) {
-        let others = tree.intersect_aabb(bounds).map(|leaf| bodies[leaf as usize]);
-        pairs.extend(others.filter(|&other| body < other).map(|other| [body, other]));
+/// Rounding, as a part of the coordinates.
+const ROUNDING: f64 = 1e-12;
+
+/// A half space in its place.
+pub(super) struct HalfSpace {
+    pub body: usize,
+    /// The unit normal (world), out of the matter.
+    pub normal: Vector3<f64>,
+    /// A point of its surface (m).
+    pub point: Vector3<f64>,
+}
+
+/// The tree, and the pairs that were found last.
+#[derive(Default)]
+pub(super) struct Broad {
+    tree: Bvh,
+    workspace: BvhWorkspace,
+    pairs: Vec<[usize; 2]>,
+}
+
+impl Broad {
+    /// The pairs [lower, higher] of those that `may` touch and come within `margin` (m), ascending.
+    pub fn search(
+        &mut self,
+        solids: &[Option<Solid>],
+        half_spaces: &[HalfSpace],
+        margin: f64,
+        may: impl Fn([usize; 2]) -> bool,
+    ) {
+        let Broad { tree, workspace, pairs } = self;
+        pairs.clear();
+        let mut add = |a: usize, b: usize| {
+            let pair = [a.min(b), a.max(b)];
+            if may(pair) {
+                pairs.push(pair);
+            }
+        };
+        for (body, solid) in solids.iter().enumerate() {
+            let Some(solid) = solid else { continue };
+            let around = bounds(solid, margin / 2.0);
+            tree.insert_or_update_partially(around, body as u32, 0.0);
+            for plane in half_spaces.iter().filter(|plane| plane.reaches(&around, margin / 2.0)) {
+                add(plane.body, body);
+            }
+        }
+        tree.rebuild(workspace, BvhBuildStrategy::Binned);
+        tree.traverse_bvtt_single_tree::<false>(workspace, &mut |a, b| add(a as usize, b as usize));
+        pairs.sort_unstable();
     }
-    for plane in planes {
-        pairs.extend(bodies.iter().map(|&body| [plane.min(body), plane.max(body)]));
+
+    /// The bytes that its arrays hold; those of the workspace are as many boxes as the tree has.
+    pub fn bytes(&self) -> usize {
+        let leaves = self.tree.leaf_count() as usize * size_of::<BvhNode>();
+        self.tree.heap_memory_size() + leaves + self.pairs.capacity() * size_of::<[usize; 2]>()
     }
-    pairs.sort_unstable();
-    pairs
+
+    /// The pairs that were found last.
+    pub fn pairs(&self) -> &[[usize; 2]] {
+        &self.pairs
+    }
+}
+
+impl HalfSpace {
+    /// Whether a box comes within a distance (m) of the matter.
+    fn reaches(&self, around: &Aabb, distance: f64) -> bool {
+        let vector = |v: DVec3| Vector3::new(v.x, v.y, v.z);
+        let (centre, half) = (vector(around.center()), vector(around.half_extents()));
+        let height = self.normal.dot(&(centre - self.point)) - self.normal.abs().dot(&half);
+        height <= distance + ROUNDING * self.point.amax()
+    }
 }
 
 /// The box around a solid, larger by its radius and `more` (m) on every side, and by rounding.
@@ -35,7 +89,7 @@ fn bounds(solid: &Solid, more: f64) -> Aabb {
     let first = solid.vertices[0];
     let low = solid.vertices.iter().fold(first, |low, v| low.inf(v));
     let high = solid.vertices.iter().fold(first, |high, v| high.sup(v));
-    let wider = solid.radius + more + 1e-12 * (low.amax() + high.amax());
+    let wider = solid.radius + more + ROUNDING * (low.amax() + high.amax());
     let corner = |v: Vector3<f64>| DVec3::new(v.x, v.y, v.z);
     Aabb::new(corner(low.add_scalar(-wider)), corner(high.add_scalar(wider)))
 }

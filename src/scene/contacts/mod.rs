@@ -13,7 +13,8 @@
 //! name and how its normal moves depend on that.
 //!
 //! Bodies that a constraint joins do not collide, nor do two fixed ones, nor two points. The result
-//! depends on the states alone and comes in the order of the bodies.
+//! depends on the states alone and comes in the order of the bodies. A [`Detector`] keeps its memory
+//! from step to step; warm, it asks for none.
 
 mod broad;
 mod crossing;
@@ -25,13 +26,12 @@ mod reduce;
 mod separation;
 mod solid;
 
-use std::collections::BTreeSet;
-
 use nalgebra::Vector3;
 
 use super::{Manifold, Scene};
 use crate::body::{Mass, Shape, State};
 use crate::constraint::{Contact, Normal};
+use broad::{Broad, HalfSpace};
 use solid::Solid;
 
 /// A feature of a body, by its index in the body's polytope.
@@ -97,28 +97,104 @@ impl Touch {
 
 /// All contact points with a gap up to `margin` (m). One entry of `states` a body.
 pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<Found> {
-    let joined: BTreeSet<[usize; 2]> =
-        scene.constraints.iter().filter_map(|c| ordered(c.bodies())).collect();
-    let solids: Vec<Option<Solid>> =
-        scene.bodies.iter().zip(states).map(|(body, state)| Solid::new(body, state)).collect();
-    let may_touch = |[first, second]: [usize; 2]| {
-        let [a, b] = [first, second].map(|k| &scene.bodies[k]);
-        let moves = a.mass != Mass::Fixed || b.mass != Mass::Fixed;
-        let points_only = a.shape == Shape::Point && b.shape == Shape::Point;
-        moves && !points_only && !joined.contains(&[first, second])
-    };
-    let mut found = Vec::new();
-    for pair in broad::pairs(&solids, margin).into_iter().filter(|&pair| may_touch(pair)) {
-        let touches = touches(scene, states, &solids, pair, margin);
-        let mut points: Vec<Found> =
-            touches.iter().filter_map(|touch| point(scene, states, pair, touch)).collect();
-        points.retain(|found| found.gap <= margin);
-        match scene.contact.manifold {
-            Manifold::Full => found.extend(points),
-            Manifold::Four => found.extend(reduce::to_four(points)),
+    let mut detector = Detector::new(scene);
+    detector.find(scene, states, margin);
+    detector.found
+}
+
+/// Finds the contacts of a scene again and again.
+pub struct Detector {
+    /// The bodies' polytopes; none for a half space.
+    solids: Vec<Option<Solid>>,
+    half_spaces: Vec<HalfSpace>,
+    /// The pairs that a constraint joins, ascending.
+    joined: Vec<[usize; 2]>,
+    broad: Broad,
+    touches: Vec<Touch>,
+    found: Vec<Found>,
+}
+
+impl Detector {
+    /// A detector for this scene.
+    pub fn new(scene: &Scene) -> Self {
+        let mut joined: Vec<[usize; 2]> =
+            scene.constraints.iter().filter_map(|c| ordered(c.bodies())).collect();
+        joined.sort_unstable();
+        let mut solids: Vec<Option<Solid>> = Vec::with_capacity(scene.bodies.len());
+        for (k, body) in scene.bodies.iter().enumerate() {
+            let like = k.checked_sub(1).filter(|&before| scene.bodies[before].shape == body.shape);
+            let polytope = match like {
+                Some(before) => solids[before].as_ref().map(Solid::polytope),
+                None => solid::polytope(&body.shape),
+            };
+            solids.push(polytope.map(|p| Solid::new(p, solid::radius(&body.shape))));
+        }
+        let (half_spaces, touches, found) = Default::default();
+        Detector { solids, half_spaces, joined, broad: Broad::default(), touches, found }
+    }
+
+    /// All contact points with a gap up to `margin` (m), of the scene that it was made for. One entry
+    /// of `states` a body.
+    pub fn find(&mut self, scene: &Scene, states: &[State], margin: f64) -> &[Found] {
+        self.find_pairs(scene, states, margin);
+        self.find_points(scene, states, margin);
+        &self.found
+    }
+
+    /// What was found last.
+    pub fn found(&self) -> &[Found] {
+        &self.found
+    }
+
+    /// The bytes that its arrays hold; not those of the polytopes, which many bodies may share.
+    pub fn bytes(&self) -> usize {
+        let solids = self.solids.iter().flatten().map(Solid::bytes).sum::<usize>();
+        solids
+            + self.solids.capacity() * size_of::<Option<Solid>>()
+            + self.joined.capacity() * size_of::<[usize; 2]>()
+            + self.broad.bytes()
+            + self.touches.capacity() * size_of::<Touch>()
+            + self.found.capacity() * size_of::<Found>()
+    }
+
+    /// The first half of [`find`](Detector::find): the pairs of bodies that are near each other.
+    pub fn find_pairs(&mut self, scene: &Scene, states: &[State], margin: f64) {
+        self.half_spaces.clear();
+        for (body, solid) in self.solids.iter_mut().enumerate() {
+            let pose = &states[body].pose;
+            match (solid, &scene.bodies[body].shape) {
+                (Some(solid), _) => solid.place(pose),
+                (None, Shape::Plane { normal }) => {
+                    let normal = pose.direction(normal);
+                    self.half_spaces.push(HalfSpace { body, normal, point: pose.p });
+                }
+                (None, _) => {}
+            }
+        }
+        let joined = &self.joined;
+        let may_touch = |pair: [usize; 2]| {
+            let [a, b] = pair.map(|k| &scene.bodies[k]);
+            let moves = a.mass != Mass::Fixed || b.mass != Mass::Fixed;
+            let points_only = a.shape == Shape::Point && b.shape == Shape::Point;
+            moves && !points_only && joined.binary_search(&pair).is_err()
+        };
+        self.broad.search(&self.solids, &self.half_spaces, margin, may_touch);
+    }
+
+    /// The second half: where the pairs touch.
+    pub fn find_points(&mut self, scene: &Scene, states: &[State], margin: f64) {
+        self.found.clear();
+        for &pair in self.broad.pairs() {
+            self.touches.clear();
+            touches(scene, states, &self.solids, pair, margin, &mut self.touches);
+            let first = self.found.len();
+            let points = self.touches.iter().filter_map(|touch| point(scene, states, pair, touch));
+            self.found.extend(points.filter(|found| found.gap <= margin));
+            if scene.contact.manifold == Manifold::Four {
+                reduce::to_four(&mut self.found, first);
+            }
         }
     }
-    found
 }
 
 fn ordered(bodies: [Option<usize>; 2]) -> Option<[usize; 2]> {
@@ -126,23 +202,28 @@ fn ordered(bodies: [Option<usize>; 2]) -> Option<[usize; 2]> {
     Some([first.min(second), first.max(second)])
 }
 
-/// Where two bodies may touch; a body without a solid is a half space.
+/// Where two bodies may touch, in an empty list; a body without a solid is a half space.
 fn touches(
     scene: &Scene,
     states: &[State],
     solids: &[Option<Solid>],
     pair: [usize; 2],
     margin: f64,
-) -> Vec<Touch> {
-    let plane = |k: usize, solid: &Solid| match &scene.bodies[k].shape {
-        Shape::Plane { normal } => plane::touches(normal, &states[k].pose, solid),
-        _ => Vec::new(),
+    out: &mut Vec<Touch>,
+) {
+    let mut plane = |k: usize, solid: &Solid| {
+        if let Shape::Plane { normal } = &scene.bodies[k].shape {
+            plane::touches(normal, &states[k].pose, solid, out);
+        }
     };
     match pair.map(|k| solids[k].as_ref()) {
-        [Some(a), Some(b)] => pair::touches(a, b, margin),
+        [Some(a), Some(b)] => pair::touches(a, b, margin, out),
         [None, Some(b)] => plane(pair[0], b),
-        [Some(a), None] => plane(pair[1], a).into_iter().map(Touch::swap).collect(),
-        [None, None] => Vec::new(),
+        [Some(a), None] => {
+            plane(pair[1], a);
+            out.iter_mut().for_each(|touch| touch.swapped = true);
+        }
+        [None, None] => {}
     }
 }
 

@@ -14,27 +14,26 @@ use crate::constraint::Normal;
 /// sine): both ends of a capsule do that lies along another one.
 const LEVEL: f64 = 0.1;
 
-/// The vertices of `a` and of `b` that come within `reach` (m) of the other.
-pub(super) fn touches(a: &Solid, b: &Solid, reach: f64) -> Vec<Touch> {
-    let mut touches = vertices_of_second(a, b, reach);
+/// Adds the vertices of `a` and of `b` that come within `reach` (m) of the other.
+pub(super) fn touches(a: &Solid, b: &Solid, reach: f64, out: &mut Vec<Touch>) {
+    let first = out.len();
+    out.extend(vertices_of_second(a, b, reach));
     for touch in vertices_of_second(b, a, reach) {
         let touch = touch.swap();
-        if touches.iter().all(|known| known.names() != touch.names()) {
-            touches.push(touch);
+        if out[first..].iter().all(|known| known.names() != touch.names()) {
+            out.push(touch);
         }
     }
-    touches
 }
 
-fn vertices_of_second(a: &Solid, b: &Solid, reach: f64) -> Vec<Touch> {
+fn vertices_of_second(a: &Solid, b: &Solid, reach: f64) -> impl Iterator<Item = Touch> {
     let vertices = b.vertices.iter().enumerate();
-    let touch = |(k, vertex): (usize, &Vector3<f64>)| {
+    vertices.filter_map(move |(k, vertex)| {
         let touch = nearest_feature(a, k, vertex);
         let towards = (touch.anchors[0] - vertex).try_normalize(0.0)?;
         let counts = touch.separation <= reach && b.vertex_faces(k, &towards, LEVEL);
         counts.then_some(touch)
-    };
-    vertices.filter_map(touch).collect()
+    })
 }
 
 /// The feature of `a` nearest to vertex k of the other body, which lies outside.

@@ -25,86 +25,73 @@ const ALIGNED: f64 = 0.996;
 /// The second face must look at the first at no more than 60° from straight.
 const FACING: f64 = -0.5;
 
-/// What a body turns towards a face.
-struct Incident {
-    face: Option<usize>,
-    corners: Vec<usize>,
-    edges: Vec<usize>,
+/// Adds the corners of the overlap of a face of `a` and what `b` turns towards it: a face, or, where
+/// it has none, all its vertices and edges.
+pub(super) fn touches(a: &Solid, b: &Solid, face: usize, out: &mut Vec<Touch>) {
+    let rim = RIM * a.size.max(b.size);
+    let Some(other) = towards(b, &a.normals[face]) else {
+        out.extend((0..b.vertices.len()).filter_map(|k| over(a, b, face, k, rim)));
+        crossings(a, b, face, 0..b.directions.len(), rim, out);
+        return;
+    };
+    out.extend(b.corners(other).iter().filter_map(|&k| over(a, b, face, k, rim)));
+    if b.normals[other].dot(&a.normals[face]) < FACING {
+        corners(a, b, [face, other], rim, out);
+    }
+    crossings(a, b, face, b.rim(other).iter().copied(), rim, out);
 }
 
-/// The corners of the overlap of a face of `a` and what `b` turns towards it.
-pub(super) fn touches(a: &Solid, b: &Solid, face: usize) -> Vec<Touch> {
-    let rim = RIM * a.size().max(b.size());
-    let incident = towards(b, &a.normals[face]);
-    let mut touches = vertices(a, b, face, &incident.corners, rim);
-    if let Some(other) = incident.face.filter(|&f| b.normals[f].dot(&a.normals[face]) < FACING) {
-        touches.extend(corners(a, b, [face, other], rim));
-    }
-    for &i in a.rim(face) {
-        touches.extend(incident.edges.iter().filter_map(|&j| cross(a, b, face, [i, j], rim)));
-    }
-    touches
-}
-
-/// Of the faces at the vertex that lies lowest along n, the one that looks most against n; an edge
-/// or a vertex where there are no faces.
-fn towards(b: &Solid, n: &Vector3<f64>) -> Incident {
+/// Of the faces at the vertex that lies lowest along n, the one that looks most against n.
+fn towards(b: &Solid, n: &Vector3<f64>) -> Option<usize> {
     let lower = |best: usize, k: usize| {
         if n.dot(&b.vertices[k]) < n.dot(&b.vertices[best]) { k } else { best }
     };
     let lowest = (0..b.vertices.len()).fold(0, lower);
     let at_it = (0..b.normals.len()).filter(|&f| b.corners(f).contains(&lowest));
-    let face = at_it.min_by(|&f, &g| b.normals[f].dot(n).total_cmp(&b.normals[g].dot(n)));
-    match face {
-        Some(f) => Incident { face, corners: b.corners(f).to_vec(), edges: b.rim(f).to_vec() },
-        None => Incident {
-            face,
-            corners: (0..b.vertices.len()).collect(),
-            edges: (0..b.directions.len()).collect(),
-        },
-    }
+    at_it.min_by(|&f, &g| b.normals[f].dot(n).total_cmp(&b.normals[g].dot(n)))
 }
 
-/// The vertices of `b` over the face of `a`.
-fn vertices(a: &Solid, b: &Solid, face: usize, corners: &[usize], rim: f64) -> Vec<Touch> {
-    let n = a.normals[face];
-    let over = corners.iter().filter(|&&k| a.covers(face, &n, &b.vertices[k], rim));
-    let touch = |&k: &usize| {
-        let separation = a.height(face, &b.vertices[k]);
+/// Vertex k of `b` if it is over the face of `a`.
+fn over(a: &Solid, b: &Solid, face: usize, k: usize, rim: f64) -> Option<Touch> {
+    let (n, vertex) = (a.normals[face], b.vertices[k]);
+    let touch = || {
+        let separation = a.height(face, &vertex);
         Touch {
             features: [Feature::Face(face), Feature::Vertex(k)],
-            anchors: [b.vertices[k] - n * separation, b.vertices[k]],
+            anchors: [vertex - n * separation, vertex],
             normal: Normal::Face(a.local_normal(face)),
             separation,
             swapped: false,
         }
     };
-    over.map(touch).collect()
+    a.covers(face, &n, &vertex, rim).then(touch)
 }
 
 /// The corners of the face of `a` over the face of `b`, but for those where a corner of `b` is.
-fn corners(a: &Solid, b: &Solid, [face, other]: [usize; 2], rim: f64) -> Vec<Touch> {
-    let (n, m) = (a.normals[face], b.normals[other]);
-    let beside = |k: usize, vertex: &Vector3<f64>| {
+fn corners(a: &Solid, b: &Solid, [face, other]: [usize; 2], rim: f64, out: &mut Vec<Touch>) {
+    let n = a.normals[face];
+    let is_beside = |k: usize, vertex: &Vector3<f64>| {
         let d = b.vertices[k] - vertex;
         (d - n * n.dot(&d)).norm() > 2.0 * rim
     };
-    let over = |k: &usize| {
-        let vertex = &a.vertices[*k];
-        b.covers(other, &m, vertex, rim) && b.corners(other).iter().all(|&k| beside(k, vertex))
-    };
-    let touch = |&k: &usize| {
-        let vertex = a.vertices[k];
-        let separation = b.height(other, &vertex);
-        Touch {
-            features: [Feature::Face(other), Feature::Vertex(k)],
-            anchors: [vertex - m * separation, vertex],
-            normal: Normal::Face(b.local_normal(other)),
-            separation,
-            swapped: true,
-        }
-    };
-    a.corners(face).iter().filter(|k| over(k)).map(touch).collect()
+    let is_alone =
+        |touch: &Touch| b.corners(other).iter().all(|&k| is_beside(k, &touch.anchors[1]));
+    let corners = a.corners(face).iter().filter_map(|&k| over(b, a, other, k, rim));
+    out.extend(corners.filter(is_alone).map(Touch::swap));
+}
+
+/// Where the rim of the face of `a` crosses edges of `b`.
+fn crossings(
+    a: &Solid,
+    b: &Solid,
+    face: usize,
+    edges: impl Iterator<Item = usize> + Clone,
+    rim: f64,
+    out: &mut Vec<Touch>,
+) {
+    for &i in a.rim(face) {
+        out.extend(edges.clone().filter_map(|j| cross(a, b, face, [i, j], rim)));
+    }
 }
 
 /// Where edge i of the face of `a` and edge j of `b` cross, away from their ends.

@@ -11,49 +11,49 @@ const PREFERENCE: f64 = 1e-2;
 /// Separations that differ by this part of the bodies' size are equal.
 const EQUAL: f64 = 1e-9;
 
-/// Contacts with a gap up to `margin` (m), and perhaps some with a larger one.
-pub(super) fn touches(a: &Solid, b: &Solid, margin: f64) -> Vec<Touch> {
+/// Contacts with a gap up to `margin` (m), and perhaps some with a larger one, in an empty list.
+pub(super) fn touches(a: &Solid, b: &Solid, margin: f64, out: &mut Vec<Touch>) {
     let reach = margin + a.radius + b.radius;
     let faces = [by_faces(a, b), by_faces(b, a)];
     let by_face = faces.iter().flatten().map(|axis| axis.separation).fold(f64::MIN, f64::max);
     if by_face > reach {
-        return Vec::new();
+        return;
     }
     let edges = by_edges(a, b);
     let best = edges.map_or(by_face, |axis| by_face.max(axis.separation));
     if best > reach {
-        return Vec::new();
+        return;
     }
-    let equal = EQUAL * a.size().max(b.size());
-    let least = best - PREFERENCE * a.size().min(b.size()) - equal;
-    if let Some(mut touches) = over_face(a, b, faces, least) {
-        touches.retain(|touch| touch.separation >= least); // none deeper than the way out
-        if touches.iter().any(|touch| touch.separation <= best + equal) {
-            return touches;
-        }
+    let equal = EQUAL * a.size.max(b.size);
+    let least = best - PREFERENCE * a.size.min(b.size) - equal;
+    over_face(a, b, faces, least, out);
+    out.retain(|touch| touch.separation >= least); // none deeper than the way out
+    if out.iter().any(|touch| touch.separation <= best + equal) {
+        return;
     }
+    out.clear();
     let apart = best > equal || best == f64::MIN;
-    if apart { near(a, b, edges, reach) } else { through(a, b, faces, edges) }
+    if apart { near(a, b, edges, reach, out) } else { out.extend(through(a, b, faces, edges)) }
 }
 
 /// The overlap over the first face, of `a` and then of `b`, with at least this separation.
-fn over_face(a: &Solid, b: &Solid, faces: [Option<FaceAxis>; 2], least: f64) -> Option<Vec<Touch>> {
+fn over_face(a: &Solid, b: &Solid, faces: [Option<FaceAxis>; 2], least: f64, out: &mut Vec<Touch>) {
     let [of_a, of_b] = faces.map(|axis| axis.filter(|axis| axis.separation >= least));
     match (of_a, of_b) {
-        (Some(axis), _) => Some(overlap::touches(a, b, axis.face)),
+        (Some(axis), _) => overlap::touches(a, b, axis.face, out),
         (None, Some(axis)) => {
-            let touches = overlap::touches(b, a, axis.face);
-            Some(touches.into_iter().map(Touch::swap).collect())
+            overlap::touches(b, a, axis.face, out);
+            out.iter_mut().for_each(|touch| touch.swapped = !touch.swapped);
         }
-        (None, None) => None,
+        (None, None) => {}
     }
 }
 
 /// Apart: vertices near anything, and two edges that cross.
-fn near(a: &Solid, b: &Solid, edges: Option<EdgeAxis>, reach: f64) -> Vec<Touch> {
+fn near(a: &Solid, b: &Solid, edges: Option<EdgeAxis>, reach: f64, out: &mut Vec<Touch>) {
     let crossing = edges.map(|axis| crossing::touch(a, b, &axis));
-    let crossing = crossing.filter(|(_, within)| *within).map(|(touch, _)| touch);
-    crossing.into_iter().chain(nearest::touches(a, b, reach)).collect()
+    out.extend(crossing.filter(|(_, within)| *within).map(|(touch, _)| touch));
+    nearest::touches(a, b, reach, out);
 }
 
 /// Overlapping, and no face covers the deepest point: along the edges' normal, or straight through
@@ -63,16 +63,14 @@ fn through(
     b: &Solid,
     [of_a, of_b]: [Option<FaceAxis>; 2],
     edges: Option<EdgeAxis>,
-) -> Vec<Touch> {
+) -> Option<Touch> {
     let separation = |axis: Option<FaceAxis>| axis.map_or(f64::MIN, |axis| axis.separation);
     match edges {
         Some(axis) if axis.separation >= separation(of_a).max(separation(of_b)) => {
-            vec![crossing::touch(a, b, &axis).0]
+            Some(crossing::touch(a, b, &axis).0)
         }
-        _ if separation(of_a) >= separation(of_b) => {
-            of_a.map(|axis| deepest(a, b, axis.face)).into_iter().collect()
-        }
-        _ => of_b.map(|axis| deepest(b, a, axis.face).swap()).into_iter().collect(),
+        _ if separation(of_a) >= separation(of_b) => of_a.map(|axis| deepest(a, b, axis.face)),
+        _ => of_b.map(|axis| deepest(b, a, axis.face).swap()),
     }
 }
 

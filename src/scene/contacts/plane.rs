@@ -7,9 +7,9 @@ use super::{Feature, Touch};
 use crate::body::Pose;
 use crate::constraint::Normal;
 
-/// Every vertex of a solid over the plane through the origin of a body with this pose; `normal` in
-/// the body's axes.
-pub(super) fn touches(normal: &Vector3<f64>, pose: &Pose, solid: &Solid) -> Vec<Touch> {
+/// Adds every vertex of a solid over the plane through the origin of a body with this pose; `normal`
+/// in the body's axes.
+pub(super) fn touches(normal: &Vector3<f64>, pose: &Pose, solid: &Solid, out: &mut Vec<Touch>) {
     let n = pose.direction(normal);
     let vertices = solid.vertices.iter().enumerate();
     let touch = |(k, vertex): (usize, &Vector3<f64>)| Touch {
@@ -19,5 +19,5 @@ pub(super) fn touches(normal: &Vector3<f64>, pose: &Pose, solid: &Solid) -> Vec<
         separation: n.dot(&(vertex - pose.p)),
         swapped: false,
     };
-    vertices.map(touch).collect()
+    out.extend(vertices.map(touch));
 }

@@ -12,10 +12,21 @@ use super::Found;
 /// Measures that differ by this part of the points' extent are equal.
 const EQUAL: f64 = 1e-6;
 
-/// The four of these contacts that are kept, in their order.
-pub(super) fn to_four(found: Vec<Found>) -> Vec<Found> {
+/// Of the contacts from `first` on, leaves the four that are kept, in their order.
+pub(super) fn to_four(all: &mut Vec<Found>, first: usize) {
+    let Some(kept) = four(&all[first..]) else { return };
+    let mut end = first;
+    for place in (first..all.len()).filter(|place| kept.contains(&(place - first))) {
+        all.swap(end, place);
+        end += 1;
+    }
+    all.truncate(end);
+}
+
+/// The places of the four; `None` if there are no more.
+fn four(found: &[Found]) -> Option<[usize; 4]> {
     if found.len() <= 4 {
-        return found;
+        return None;
     }
     let point = |k: usize| found[k].point;
     let n = found[0].normal; // either sign serves: only sides relative to each other count
@@ -36,10 +47,7 @@ pub(super) fn to_four(found: Vec<Found>) -> Vec<Found> {
         sides.fold(f64::NEG_INFINITY, f64::max)
     };
     let fourth = most(&outside, extent * extent);
-    let mut kept = [first, second, third, fourth];
-    kept.sort_unstable();
-    let mut found: Vec<Option<Found>> = found.into_iter().map(Some).collect();
-    kept.iter().filter_map(|&k| found[k].take()).collect()
+    Some([first, second, third, fourth])
 }
 
 /// Twice the area of a triangle as seen along n, positive if counterclockwise.

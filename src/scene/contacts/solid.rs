@@ -1,20 +1,22 @@
 //! A body's shape in its place: a convex polytope with a radius around it, in world axes.
 
-use std::borrow::Cow;
+use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::body::{Body, Polytope, Pose, Shape, State};
+use crate::body::{Edge, Polytope, Pose, Shape};
 
 /// A direction counts as along a surface when it leaves it by no more than this (as a sine).
 const ALONG: f64 = 1e-9;
 
 /// A body's polytope in world axes.
-pub(super) struct Solid<'a> {
-    polytope: Cow<'a, Polytope>,
+pub(super) struct Solid {
+    polytope: Arc<Polytope>,
     pose: Pose,
     /// The distance (m) up to which points around the polytope belong to the body.
     pub radius: f64,
+    /// The extent of the polytope (m): the greatest distance of a vertex from the body's origin.
+    pub size: f64,
     /// The polytope's vertices (m).
     pub vertices: Vec<Vector3<f64>>,
     /// The unit normals of its faces.
@@ -25,30 +27,55 @@ pub(super) struct Solid<'a> {
     inwards: Vec<Option<[Vector3<f64>; 2]>>,
 }
 
-impl<'a> Solid<'a> {
-    /// The solid of a body; none for a half space.
-    pub fn new(body: &'a Body, state: &State) -> Option<Self> {
-        let polytope = match &body.shape {
-            Shape::Point | Shape::Sphere { .. } => Cow::Owned(Polytope::point()),
-            Shape::Capsule { half_length, .. } => Cow::Owned(Polytope::segment(*half_length)),
-            Shape::Box { half } => Cow::Owned(Polytope::cuboid(half)),
-            Shape::Hull(hull) => Cow::Borrowed(hull.as_ref()),
-            Shape::Plane { .. } => return None,
-        };
-        let pose = state.pose;
-        let vertices: Vec<_> = polytope.vertices.iter().map(|v| pose.point(v)).collect();
-        let normals: Vec<_> = polytope.faces.iter().map(|f| pose.direction(&f.normal)).collect();
-        let directions: Vec<_> = polytope
-            .edges
-            .iter()
-            .map(|edge| (vertices[edge.ends[1]] - vertices[edge.ends[0]]).normalize())
-            .collect();
-        let inward = |(edge, e): (&crate::body::Edge, &Vector3<f64>)| {
+/// The polytope of a shape; none for a half space.
+pub(super) fn polytope(shape: &Shape) -> Option<Arc<Polytope>> {
+    match shape {
+        Shape::Point | Shape::Sphere { .. } => Some(Arc::new(Polytope::point())),
+        Shape::Capsule { half_length, .. } => Some(Arc::new(Polytope::segment(*half_length))),
+        Shape::Box { half } => Some(Arc::new(Polytope::cuboid(half))),
+        Shape::Hull(hull) => Some(hull.clone()),
+        Shape::Plane { .. } => None,
+    }
+}
+
+impl Solid {
+    /// A polytope with a radius around it, in no place yet.
+    pub fn new(polytope: Arc<Polytope>, radius: f64) -> Self {
+        let size = polytope.vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        let (vertices, normals, directions, inwards) = Default::default();
+        let pose = Pose::default();
+        Solid { polytope, pose, radius, size, vertices, normals, directions, inwards }
+    }
+
+    /// The polytope, which other bodies may have too.
+    pub fn polytope(&self) -> Arc<Polytope> {
+        self.polytope.clone()
+    }
+
+    /// Puts it in its place.
+    pub fn place(&mut self, pose: &Pose) {
+        let Solid { polytope, vertices, normals, directions, inwards, .. } = self;
+        self.pose = *pose;
+        vertices.clear();
+        vertices.extend(polytope.vertices.iter().map(|v| pose.point(v)));
+        normals.clear();
+        normals.extend(polytope.faces.iter().map(|face| pose.direction(&face.normal)));
+        directions.clear();
+        let along = |edge: &Edge| (vertices[edge.ends[1]] - vertices[edge.ends[0]]).normalize();
+        directions.extend(polytope.edges.iter().map(along));
+        let inward = |(edge, e): (&Edge, &Vector3<f64>)| {
             edge.faces.map(|[left, right]| [normals[left].cross(e), -normals[right].cross(e)])
         };
-        let inwards = polytope.edges.iter().zip(&directions).map(inward).collect();
-        let radius = radius(&body.shape);
-        Some(Solid { polytope, pose, radius, vertices, normals, directions, inwards })
+        inwards.clear();
+        inwards.extend(polytope.edges.iter().zip(&*directions).map(inward));
+    }
+
+    /// The bytes that its arrays hold; the polytope may be that of others too.
+    pub fn bytes(&self) -> usize {
+        let points =
+            self.vertices.capacity() + self.normals.capacity() + self.directions.capacity();
+        points * size_of::<Vector3<f64>>()
+            + self.inwards.capacity() * size_of::<Option<[Vector3<f64>; 2]>>()
     }
 
     /// The ends of an edge (m).
@@ -100,11 +127,6 @@ impl<'a> Solid<'a> {
             [_, to] if to == vertex => -e.dot(n) <= slack,
             _ => true,
         })
-    }
-
-    /// The extent of the polytope (m): the greatest distance of a vertex from the body's origin.
-    pub fn size(&self) -> f64 {
-        self.polytope.vertices.iter().map(|v| v.norm()).fold(0.0, f64::max)
     }
 
     /// A direction in the body's own axes.

@@ -53,7 +53,7 @@ impl Structure for Arch {
         let depths = [-0.5 * self.depth, 0.5 * self.depth];
         // The last joint is as level as the first: sin π is not 0 in floating point.
         let joint = |k: usize| {
-            let (sin, cos) = (PI * k as f64 / self.stones as f64).sin_cos();
+            let (sin, cos) = libm::sincos(PI * k as f64 / self.stones as f64);
             (cos, if k == self.stones { 0.0 } else { sin })
         };
         for k in 1..=self.stones {

@@ -32,7 +32,8 @@ const PITCH: f64 = 1.1;
 impl Structure for CardHouse {
     fn bodies(&self) -> usize {
         let n = self.levels;
-        n.saturating_mul(n.saturating_add(1)) + n.saturating_mul(n.saturating_sub(1)) / 2
+        let upright = n.saturating_mul(n.saturating_add(1));
+        upright.saturating_add(n.saturating_mul(n.saturating_sub(1)) / 2)
     }
 
     fn numbers(&self) -> Vec<(&'static str, f64)> {
@@ -46,7 +47,7 @@ impl Structure for CardHouse {
 
     fn add_to(&self, scene: &mut Description) {
         let [t, depth, h] = self.size;
-        let (sin, cos) = self.lean.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(self.lean.to_radians());
         let (height, width) = (h * cos + t * sin, 2.0 * h * sin);
         let pitch = PITCH * width;
         let card = |name: String, shape, x: f64, z: f64, rotation| Body {

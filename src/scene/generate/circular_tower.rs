@@ -44,11 +44,11 @@ impl Structure for CircularTower {
     }
 
     fn add_to(&self, scene: &mut Description) {
-        let radius = PITCH * self.size / (2.0 * (PI / self.ring as f64).sin());
+        let radius = PITCH * self.size / (2.0 * libm::sin(PI / self.ring as f64));
         for k in 0..self.count {
             let (layer, place) = (k / self.ring, k % self.ring);
             let turn = (place as f64 + 0.5 * (layer % 2) as f64) / self.ring as f64;
-            let (sin, cos) = (TAU * turn).sin_cos();
+            let (sin, cos) = libm::sincos(TAU * turn);
             let position = [radius * cos, radius * sin, (layer as f64 + 0.5) * self.size];
             let cube = Shape::Box([self.size; 3]);
             let mut body = solid(format!("cube{}", k + 1), cube, self.mass, position);

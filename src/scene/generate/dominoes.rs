@@ -46,7 +46,7 @@ impl Structure for Dominoes {
             let mut body = solid(name, Shape::Box(self.size), self.mass, position);
             if k == 0 && self.lean > 0.0 {
                 // It turns about its lower front edge, which stays where it is.
-                let (sin, cos) = self.lean.to_radians().sin_cos();
+                let (sin, cos) = libm::sincos(self.lean.to_radians());
                 let [edge, middle] = [0.5 * thickness, 0.5 * height];
                 let x = edge - edge * cos + middle * sin;
                 body.position = [x, 0.0, edge * sin + middle * cos];

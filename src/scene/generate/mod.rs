@@ -44,7 +44,7 @@ use super::settings::positive;
 use crate::error::Defects;
 
 /// More bodies than this are refused: a typing error should not fill the memory.
-const MOST_BODIES: usize = 10_000;
+const MOST_BODIES: usize = 50_000;
 
 /// A structure to add to a scene: `[generate]` for one, `[[generate]]` for several.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

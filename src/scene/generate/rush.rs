@@ -55,7 +55,7 @@ impl Structure for Rush {
         let (mut ring, mut place) = (self.distance, 0);
         for k in 1..=self.count {
             let around = (TAU * ring / pitch).floor();
-            let (sin, cos) = (TAU * place as f64 / around).sin_cos();
+            let (sin, cos) = libm::sincos(TAU * place as f64 / around);
             let position = [ring * cos, 0.0, ring * sin];
             let name = format!("ball{k}");
             scene.bodies.push(solid(name.clone(), Shape::Sphere(self.radius), self.mass, position));

@@ -127,7 +127,7 @@ fn impacts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<V
     if !assembly.rows.iter().any(hits) {
         return Ok(states.to_vec());
     }
-    let solve = solving.solve_bouncing(Problem::impact(assembly)?)?;
+    let solve = solving.solve_bouncing(Problem::impact(solving.scene, assembly)?)?;
     let u = solve.problem.next_velocity(&solve.solution.x, 0.0);
     Ok(solve.problem.assembly.with_velocities(states, &u))
 }

@@ -3,9 +3,10 @@
 use std::iter;
 use std::ops::ControlFlow;
 
-use super::{Run, Side};
+use super::Run;
 use crate::lcp::merit;
 use crate::solver::Status;
+use crate::solver::ldlt::Elimination;
 
 /// A number below this part of the terms it is summed from counts as zero.
 const RELATIVE_ZERO: f64 = 1e-13;
@@ -20,44 +21,46 @@ const LEVEL: f64 = 1e-14;
 const NEGATIVE: f64 = 1e-7;
 
 /// A direction of motion: x_i by 1, x_C by `free`.
+#[derive(Debug, Default)]
 pub(super) struct Direction {
     /// d_C, in the order of C.
     pub(super) free: Vec<f64>,
-    /// A_Ci.
-    pub(super) column: Vec<f64>,
     /// Δw_i; 0 where row i depends on C.
     pub(super) schur: f64,
     /// Σ √a_jj |d_j|, row i included: √s if nothing cancelled.
     pub(super) size: f64,
+    /// Δw of the rows at a bound, n entries; 0 for all others.
+    pub(super) delta_w: Vec<f64>,
+    /// A_Ci.
+    column: Vec<f64>,
+    /// A_CC⁻¹ A_Ci, and what the factor gets of it if row i enters C.
+    pub(super) elimination: Elimination,
+    /// A d.
+    product: Vec<f64>,
 }
 
 impl Run<'_> {
     /// d_C = −A_CC⁻¹ A_Ci and the Schur complement s.
-    pub(super) fn direction(&self, i: usize) -> ControlFlow<Status, Direction> {
-        let a = self.lcp.matrix();
-        let column: Vec<f64> = self.free.iter().map(|&j| a.entry(i, j)).collect();
-        let mut d = column.clone();
-        self.factor.solve(&mut d);
-        let (mut schur, mut size) = (a.diagonal(i), self.root(i));
-        for ((d, a), &j) in d.iter_mut().zip(&column).zip(&self.free) {
-            *d = -*d;
-            schur += a * *d;
-            size += self.root(j) * d.abs();
-        }
-        if schur < -NEGATIVE * size * size {
+    pub(super) fn direction(&mut self, i: usize) -> ControlFlow<Status, Direction> {
+        let mut direction = self.spare.pop().unwrap_or_default();
+        let Direction { free, schur, size, column, elimination, .. } = &mut direction;
+        let row = self.rows.row(i);
+        column.clear();
+        column.extend(self.free.iter().map(|&j| row.entry(j)));
+        *schur = self.lcp.matrix().diagonal(i) - self.factor.eliminate(column, elimination);
+        free.clear();
+        free.extend(self.factor.substitute(elimination).map(|z| -z));
+        let sizes = self.free.iter().zip(&*free).map(|(&j, d)| self.root[j] * d.abs());
+        *size = self.root[i] + sizes.sum::<f64>();
+        if *schur < -NEGATIVE * *size * *size {
             let reason = "A is not positive semidefinite";
             return ControlFlow::Break(Status::OutsideClass { reason });
         }
-        if schur <= ROUNDING * size * size {
-            schur = 0.0;
-            self.clean_null_direction(i, &mut d);
+        if *schur <= ROUNDING * *size * *size {
+            *schur = 0.0;
+            self.clean_null_direction(i, free);
         }
-        ControlFlow::Continue(Direction { free: d, column, schur, size })
-    }
-
-    /// √a_jj, which has the unit of √(x w) / x_j.
-    pub(super) fn root(&self, j: usize) -> f64 {
-        self.lcp.matrix().diagonal(j).max(0.0).sqrt()
+        ControlFlow::Continue(direction)
     }
 
     /// Whether Δw_j, row j being at a bound, may be nothing but the rounding of the factor.
@@ -69,7 +72,8 @@ impl Run<'_> {
     /// errors of x do not change; exactly 0 where it is only rounding.
     pub(super) fn slope(&self, i: usize, direction: &Direction) -> f64 {
         let (mut slope, mut magnitude) = (0.0, 0.0);
-        for (j, d) in iter::once((i, 1.0)).chain(self.moving(direction)) {
+        let free = self.free.iter().copied().zip(direction.free.iter().copied());
+        for (j, d) in iter::once((i, 1.0)).chain(free).filter(|(_, d)| *d != 0.0) {
             let terms = merit::RowTerms::at(self.lcp, j, &self.x);
             slope += d * terms.w();
             magnitude += (d * libm::ldexp(terms.magnitude, terms.exponent)).abs();
@@ -77,16 +81,12 @@ impl Run<'_> {
         if slope.abs() <= LEVEL * magnitude { 0.0 } else { slope }
     }
 
-    fn moving<'a>(&'a self, direction: &'a Direction) -> impl Iterator<Item = (usize, f64)> + 'a {
-        self.free.iter().copied().zip(direction.free.iter().copied())
-    }
-
     /// Sets to zero what is only rounding in d where A d = 0: along such a d a move may be long, and
     /// must not end at a bound that only rounding leads to. √a_jj d_j has the same unit in all rows.
     fn clean_null_direction(&self, i: usize, d: &mut [f64]) {
-        let size = |j: usize, d: f64| self.root(j) * d.abs();
+        let size = |j: usize, d: f64| self.root[j] * d.abs();
         let sizes = self.free.iter().zip(&*d).map(|(&j, &d)| size(j, d));
-        let largest = sizes.fold(self.root(i), f64::max);
+        let largest = sizes.fold(self.root[i], f64::max);
         for (&j, d) in self.free.iter().zip(d) {
             if size(j, *d) <= NULL_ROUNDING * largest {
                 *d = 0.0;
@@ -94,24 +94,29 @@ impl Run<'_> {
         }
     }
 
-    /// Δw for a unit move of x_i, for the rows at a bound; 0 where it is only rounding.
-    pub(super) fn delta_w(&self, i: usize, direction: &Direction) -> Vec<f64> {
-        let mut d = vec![0.0; self.x.len()];
-        d[i] = 1.0;
-        for (&j, &value) in self.free.iter().zip(&direction.free) {
-            d[j] = value;
+    /// Δw = A d for a unit move of x_i, for the rows at a bound; 0 where it is only rounding.
+    pub(super) fn respond(&self, i: usize, d: &mut Direction) {
+        d.delta_w.clear();
+        d.delta_w.resize(self.x.len(), 0.0);
+        if d.schur == 0.0 {
+            return; // the whole of A d vanishes
         }
-        let at_bound = |j: usize| matches!(self.side[j], Side::Lower | Side::Upper) && j != i;
-        let delta = |j: usize| {
-            let (mut sum, mut magnitude) = (0.0, 0.0);
-            for (k, a) in self.lcp.matrix().row(j).iter() {
-                sum += a * d[k];
-                magnitude += (a * d[k]).abs();
-            }
-            if f64::abs(sum) <= RELATIVE_ZERO * magnitude { 0.0 } else { sum }
-        };
-        // where s = 0 the whole of A d vanishes
-        let moves = |j: usize| direction.schur > 0.0 && at_bound(j);
-        (0..d.len()).map(|j| if moves(j) { delta(j) } else { 0.0 }).collect()
+        let end = self.bound.iter().max().map_or(0, |last| last + 1);
+        d.product.resize(end, 0.0);
+        self.rows.combine(i, &self.free, &d.free, &mut d.product);
+        for &j in self.bound.iter().filter(|&&j| j != i) {
+            let delta = d.product[j];
+            // no sum of terms |a_jk d_k| is above √a_jj Σ √a_kk |d_k|
+            let is_small = delta.abs() <= RELATIVE_ZERO * self.root[j] * d.size;
+            let is_zero = is_small && delta.abs() <= RELATIVE_ZERO * self.terms(j, i, &d.free);
+            d.delta_w[j] = if is_zero { 0.0 } else { delta };
+        }
+    }
+
+    /// Σ |a_jk d_k|.
+    fn terms(&self, j: usize, i: usize, free: &[f64]) -> f64 {
+        let row = self.rows.row(j);
+        let of_free = self.free.iter().zip(free).map(|(&k, d)| (row.entry(k) * d).abs());
+        row.entry(i).abs() + of_free.sum::<f64>()
     }
 }

@@ -10,13 +10,14 @@ use crate::solver::elimination::difference;
 
 impl Run<'_> {
     /// x ← x + t d, w ← w + t A d.
-    pub(super) fn advance(&mut self, i: usize, t: f64, direction: &Direction, delta_w: &[f64]) {
+    pub(super) fn advance(&mut self, i: usize, t: f64, direction: &Direction) {
         self.x[i] += t;
         for (&j, d) in self.free.iter().zip(&direction.free) {
             self.x[j] = difference(self.x[j], -t * d);
         }
-        for (w, delta) in self.w.iter_mut().zip(delta_w) {
-            *w = difference(*w, -t * delta); // exactly 0 where it should be, or ties are missed
+        for &j in &self.bound {
+            // exactly 0 where it should be, or ties are missed
+            self.w[j] = difference(self.w[j], -t * direction.delta_w[j]);
         }
         self.w[i] += t * direction.schur;
     }
@@ -28,7 +29,7 @@ impl Run<'_> {
         block: Block,
         direction: Direction,
     ) -> ControlFlow<Status> {
-        let Block { row, side, .. } = block;
+        let Block { row, side, entering, .. } = block;
         match side {
             Side::Lower => self.x[row] = self.lcp.lo()[row],
             Side::Upper => self.x[row] = self.lcp.hi()[row],
@@ -42,23 +43,26 @@ impl Run<'_> {
                 self.factor.remove(k);
                 self.w[row] = 0.0;
                 self.put(row, side);
-                return self.wake(&dependents);
+                self.wake(&dependents)?;
             }
+            (_, Side::Free) if row == i => self.enter(row, &direction),
             (_, Side::Free) => {
-                let d = if row == i { direction } else { self.direction(row)? };
-                if d.schur > 0.0 {
-                    self.enter(row, d);
+                let own = entering.expect("a row that enters has been looked at");
+                if own.schur > 0.0 {
+                    self.enter(row, &own);
                 } else {
                     self.put(row, Side::Idle); // only rounding had moved its w
                 }
+                self.spare.push(own);
             }
             _ => self.put(row, side),
         }
+        self.spare.push(direction);
         ControlFlow::Continue(())
     }
 
-    fn enter(&mut self, row: usize, direction: Direction) {
-        self.factor.append(&direction.column, direction.schur);
+    fn enter(&mut self, row: usize, direction: &Direction) {
+        self.factor.enter(&direction.elimination, direction.schur);
         self.free.push(row);
         self.put(row, Side::Free);
     }
@@ -68,6 +72,11 @@ impl Run<'_> {
     /// Row j is the sum of the rows of C times A_CC⁻¹ A_Cj. With z = A_CC⁻¹ e_k its part of row k is
     /// zᵀA_Cj, and once k is gone its Schur complement is (zᵀA_Cj)² / z_k ≤ (zᵀA_Cj)² a_kk.
     fn dependents(&self, k: usize) -> Vec<usize> {
+        let idle = (0..self.side.len()).filter(|&j| self.side[j] == Side::Idle);
+        let idle: Vec<usize> = idle.collect();
+        if idle.is_empty() {
+            return idle;
+        }
         let mut z = vec![0.0; self.free.len()];
         z[k] = 1.0;
         self.factor.solve(&mut z);
@@ -75,20 +84,21 @@ impl Run<'_> {
         for (&j, z) in self.free.iter().zip(&z) {
             of_row[j] = *z;
         }
-        let part = |j: usize| {
-            let terms = self.lcp.matrix().row(j).iter().map(|(c, a)| a * of_row[c]);
-            terms.sum::<f64>() * self.root(self.free[k])
-        };
-        let idle = (0..self.side.len()).filter(|&j| self.side[j] == Side::Idle);
-        idle.filter(|&j| part(j).powi(2) > ROUNDING * self.root(j).powi(2)).collect()
+        let part = |j: usize| self.rows.row(j).dot(&of_row) * self.root[self.free[k]];
+        let depends = |&j: &usize| part(j).powi(2) > ROUNDING * self.root[j].powi(2);
+        idle.into_iter().filter(depends).collect()
     }
 
     /// After a row has left C, lets the idle row that no longer depends on C enter in its place.
     fn wake(&mut self, dependents: &[usize]) -> ControlFlow<Status> {
         for &row in dependents {
             let direction = self.direction(row)?;
-            if direction.schur > 0.0 {
-                self.enter(row, direction);
+            let is_free = direction.schur > 0.0;
+            if is_free {
+                self.enter(row, &direction);
+            }
+            self.spare.push(direction);
+            if is_free {
                 break;
             }
         }

@@ -37,16 +37,19 @@ use std::ops::ControlFlow;
 
 use self::blocking::Block;
 use self::direction::Direction;
+use super::kernel::Width;
+use super::kernel::rows::Rows;
 use super::ldlt::Ldlt;
 use super::{
     Event, Fallback, Iterate, Move, Observer, Part, Settings, Solution, Solver, Start, Status,
     frozen,
 };
 use crate::lcp::{Lcp, merit};
+use crate::memory::Memory;
 
 /// Rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 20;
-/// Above this many rows the dense factor would not fit.
+/// Above this many rows a dense factor takes too long.
 const MAX_ROWS: usize = 8_000;
 
 /// Dantzig's pivoting method with an updated L D Lᵀ factorisation.
@@ -66,6 +69,9 @@ impl Solver for Dantzig {
         if lcp.len() > MAX_ROWS {
             let reason = "a dense factor of more than 8000 rows";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+        }
+        if let Some(status) = self.settings.refusal(Memory::square(lcp.len())) {
+            return Solution::new(lcp, x, status, 0); // two triangles: a factor, and one made anew
         }
         if !lcp.matrix().is_symmetric() {
             let reason = "A is not symmetric";
@@ -104,6 +110,9 @@ pub enum Side {
 
 struct Run<'a> {
     lcp: &'a Lcp,
+    rows: Rows<'a>,
+    /// √a_jj, which has the unit of √(x w) / x_j.
+    root: Vec<f64>,
     settings: &'a Settings,
     observer: &'a mut dyn Observer,
     x: Vec<f64>,
@@ -117,6 +126,10 @@ struct Run<'a> {
     factor: Ldlt,
     pivots: usize,
     fallback: Option<Fallback>,
+    /// Directions that are done with: room for the next.
+    spare: Vec<Direction>,
+    /// Room for what may end a move.
+    lengths: Vec<f64>,
 }
 
 impl<'a> Run<'a> {
@@ -129,6 +142,8 @@ impl<'a> Run<'a> {
     ) -> Self {
         let n = lcp.len();
         Run {
+            rows: Rows::of(lcp.matrix(), Width::widest()),
+            root: (0..n).map(|j| lcp.matrix().diagonal(j).max(0.0).sqrt()).collect(),
             w: vec![0.0; n],
             side: vec![Side::Waiting; n],
             free: Vec::new(),
@@ -140,6 +155,8 @@ impl<'a> Run<'a> {
             x,
             pivots,
             fallback: None,
+            spare: Vec::new(),
+            lengths: Vec::new(),
         }
     }
 
@@ -152,6 +169,9 @@ impl<'a> Run<'a> {
                 if let ControlFlow::Break(status) = self.drive(i) {
                     return status;
                 }
+            }
+            if self.is_exact() {
+                return Status::Solved;
             }
             waiting = self.refine();
             if waiting.is_empty() {
@@ -181,25 +201,26 @@ impl<'a> Run<'a> {
             if self.pivots >= self.settings.max_iterations {
                 return ControlFlow::Break(Status::IterationLimit);
             }
-            let direction = self.direction(i)?;
+            let mut direction = self.direction(i)?;
             if direction.schur == 0.0 {
                 self.w[i] = self.slope(i, &direction);
                 let idle = (self.w[i] == 0.0).then_some(Side::Idle);
                 if let Some(side) = self.satisfied(i).or(idle) {
                     self.put(i, side);
+                    self.spare.push(direction);
                     return ControlFlow::Continue(());
                 }
             }
             let sign = -self.w[i].signum();
-            let mut delta_w = self.delta_w(i, &direction);
-            let Some(block) = self.blocking(i, sign, &direction, &mut delta_w)? else {
+            self.respond(i, &mut direction);
+            let Some(block) = self.blocking(i, sign, &mut direction)? else {
                 return ControlFlow::Break(self.ray(i, sign, &direction));
             };
-            self.tell(i, sign, &direction, &delta_w, block);
-            self.advance(i, sign * block.length, &direction, &delta_w);
+            self.tell(i, sign, &direction, &block);
+            self.advance(i, sign * block.length, &direction);
+            let event = Event::Pivot { driven: i, blocking: block.row };
             self.exchange(i, block, direction)?;
             self.pivots += 1;
-            let event = Event::Pivot { driven: i, blocking: block.row };
             let iterate = Iterate { iteration: self.pivots, x: &self.x, event };
             if self.observer.observe(&iterate).is_break() {
                 return ControlFlow::Break(Status::Stopped);
@@ -208,7 +229,7 @@ impl<'a> Run<'a> {
     }
 
     /// Tells an observer that asks of the move that is about to be done.
-    fn tell(&mut self, i: usize, sign: f64, d: &Direction, delta_w: &[f64], block: Block) {
+    fn tell(&mut self, i: usize, sign: f64, d: &Direction, block: &Block) {
         if self.observer.asks_for_parts() {
             self.observer.part(&Part::Move(Move {
                 lcp: self.lcp,
@@ -220,7 +241,7 @@ impl<'a> Run<'a> {
                 free: &self.free,
                 direction: &d.free,
                 schur: d.schur,
-                delta_w,
+                delta_w: &d.delta_w,
                 length: block.length,
                 blocking: block.row,
                 to: block.side,
@@ -241,8 +262,10 @@ impl<'a> Run<'a> {
 
     /// Notes that a row stands on this side from now on.
     fn put(&mut self, row: usize, side: Side) {
+        if matches!(self.side[row], Side::Lower | Side::Upper) {
+            self.bound.retain(|&j| j != row);
+        }
         self.side[row] = side;
-        self.bound.retain(|&j| j != row);
         if matches!(side, Side::Lower | Side::Upper) {
             self.bound.push(row);
         }

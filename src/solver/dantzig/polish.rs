@@ -7,6 +7,8 @@ use crate::solver::ldlt::Ldlt;
 
 /// A row whose pivot is below this part of its diagonal entry depends on those before.
 const INDEPENDENT: f64 = 1e-14;
+/// A scaled residual below this is no more than rounding leaves.
+const EXACT: f64 = 1e-14;
 /// A scaled residual below this may be rounding.
 const SETTLED_FROM: f64 = 1e-3;
 /// The most sweeps that take rounding from one row to another.
@@ -15,6 +17,25 @@ const SETTLING_SWEEPS: usize = 50;
 const REFINEMENTS: usize = 2;
 
 impl Run<'_> {
+    /// Whether w, recomputed, leaves nothing to refine. What rounding has put beyond a bound is moved
+    /// back to it first.
+    pub(super) fn is_exact(&mut self) -> bool {
+        self.lcp.project_all(&mut self.x);
+        self.w = self.lcp.w(&self.x);
+        let most = self.settings.tolerance.min(EXACT);
+        (0..self.x.len()).all(|j| {
+            let (lo, hi) = (self.lcp.lo()[j], self.lcp.hi()[j]);
+            let b = self.lcp.b()[j];
+            // at most Σ |a_jk x_k| + |b_j|, and enough in most cases
+            let magnitude = (self.w[j] - b).abs() + b.abs();
+            let scale = self.lcp.matrix().diagonal(j);
+            let terms = merit::RowTerms { w: self.w[j], magnitude, scale, exponent: 0 };
+            (scale > 0.0 && terms.scaled_residual(self.x[j], lo, hi) <= most)
+                || merit::RowTerms::at(self.lcp, j, &self.x).scaled_residual(self.x[j], lo, hi)
+                    <= most
+        })
+    }
+
     /// Chooses C anew among the rows with w = 0, the largest pivot first.
     fn refactor(&mut self) {
         let rows: Vec<usize> = (0..self.x.len())

@@ -20,7 +20,11 @@
 pub mod dense;
 pub mod impulses;
 mod lanes;
+pub(in crate::solver) mod panels;
 pub(super) mod rank_one;
+pub(in crate::solver) mod rows;
 pub mod table;
+mod terms;
 
 pub use lanes::Width;
+pub use terms::terms;

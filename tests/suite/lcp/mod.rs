@@ -1,3 +1,4 @@
+mod exchange;
 mod file;
 mod friction;
 mod library;

@@ -5,6 +5,7 @@ use lcplab::report::experiment::Experiment;
 use lcplab::report::results::Results;
 use lcplab::report::study::attempt::Outcome;
 use lcplab::report::study::singular::{self, YARDSTICK};
+use lcplab::report::study::sparse_speed;
 use lcplab::report::study::sweep_speed::{self, Checked, ROW_BY_ROW};
 use lcplab::report::study::timing::{Contender, Time, interleaved};
 use lcplab::report::view::{self, View};
@@ -15,7 +16,7 @@ use lcplab::solver::{Pgs, Settings};
 use super::standard::{experiment, run_all, table};
 use crate::common::iterates;
 
-/// Both kinds on problems that take milliseconds.
+/// All kinds on problems that take milliseconds.
 const SMALL: &str = r#"
 title = "small"
 lead = "Small."
@@ -23,6 +24,12 @@ lead = "Small."
 [[section]]
 study = "singular"
 boxes = [2, 3]
+seconds = 0.0
+
+[[section]]
+study = "sparse-speed"
+problems = [{ scene = "stack", step = 2, goal = 1.0 }]
+sweeps = 20
 seconds = 0.0
 
 [[section]]
@@ -91,7 +98,8 @@ fn sweeps_are_counted_until_the_residual_is_a_part_of_the_first() {
     let mut simulation = Simulation::new(Scene::load("stack").unwrap(), way);
     let lcp =
         (0..2).map(|_| simulation.step().unwrap()).last().unwrap().solves.remove(0).problem.lcp;
-    let settings = Settings { tolerance: 0.0, max_iterations: 2000, check_every: 2000 };
+    let settings =
+        Settings { tolerance: 0.0, max_iterations: 2000, check_every: 2000, ..Settings::default() };
     let iterates = iterates(&Pgs { settings, ..Pgs::default() }, &lcp);
     let first = merit::natural_residual(&lcp, &vec![0.0; lcp.len()]);
     for (part, counted) in [1e-1, 1e-2].into_iter().zip(&form.sweeps) {
@@ -135,9 +143,28 @@ fn a_refuted_claim_is_bad_and_has_no_time() {
 }
 
 #[test]
+fn both_forms_of_a_sparse_problem_are_accepted_and_timed() {
+    let results = small();
+    let findings = results.findings::<sparse_speed::Plan>().unwrap();
+    let times = times::<sparse_speed::Plan>(&results, "sparse-speed");
+    let [ours_and_clarabel] = &times[..] else { panic!("{times:?}") };
+    assert_eq!(findings[0].answers.len(), 4);
+    for judged in &findings[0].answers {
+        let answer = &judged.answer;
+        assert!(answer.outcome.is_solved() && answer.residual <= 2e-7, "{answer:?}");
+        assert!(ours_and_clarabel.solvers.iter().any(|(name, _)| *name == answer.solver));
+        assert_eq!(judged.asked.is_some(), answer.solver.starts_with("clarabel"));
+    }
+    let [ours, clarabel] = ours_and_clarabel.better();
+    assert!(ours.unwrap() > 0.0 && clarabel.unwrap() > 0.0);
+    let plan = sparse_speed::Plan::default();
+    assert!(View::outcome(&plan, &findings).good);
+}
+
+#[test]
 fn goals_say_what_was_asked_and_whether_it_was_reached() {
     let document = view::document(&small()).unwrap();
-    for name in ["singular_goals", "sweep_goals"] {
+    for name in ["singular_goals", "sparse_goals", "sweep_goals"] {
         let goals = table(&document, name);
         assert!(goals.how_to_read.contains("cargo bench"), "{}", goals.how_to_read);
         assert!(goals.rows.iter().any(|row| row[2].value.is_some()));
@@ -180,7 +207,7 @@ fn contenders_take_turns_and_the_first_round_does_not_count() {
 fn all_studies_of_the_shipped_report_run_beside_nothing_else() {
     let report = Experiment::load("performance").unwrap();
     let studies: Vec<_> = report.sections.iter().filter_map(|s| s.study.as_ref()).collect();
-    assert_eq!(studies.len(), 4);
+    assert_eq!(studies.len(), 5);
     assert!(studies.iter().all(|study| study.alone()));
     assert!(report.sections.iter().any(|section| section.times));
 }

@@ -10,7 +10,7 @@ use lcplab::report::study::convergence;
 use lcplab::report::view::Document;
 use lcplab::report::{methods, run, view, write};
 use lcplab::scene::catalogue::SHIPPED as SHIPPED_SCENES;
-use lcplab::solver::{ALL, Method};
+use lcplab::solver::{ALL, Method, Stop};
 
 /// Every study once, on scenes that take milliseconds.
 const SMALL: &str = r#"
@@ -78,7 +78,7 @@ pub fn results(threads: usize) -> Results {
 
 /// The results of all its tasks, saved nowhere.
 pub fn run_all(experiment: &Experiment) -> Results {
-    run::run(experiment, None, &ProgressBar::hidden(), &|_| Ok(())).unwrap()
+    run::run(experiment, None, &ProgressBar::hidden(), &Stop::default(), &|_| Ok(())).unwrap()
 }
 
 /// The document's table whose file has this name.
@@ -184,7 +184,8 @@ fn a_run_goes_on_where_another_one_stopped() {
     let marked = serde_json::json!({"marked": true});
     stopped.sections[4].tasks[1].finding = Some(marked.clone());
     let go_on = |earlier: &Results| {
-        run::run(&experiment, Some(earlier), &ProgressBar::hidden(), &|_| Ok(())).unwrap()
+        run::run(&experiment, Some(earlier), &ProgressBar::hidden(), &Stop::default(), &|_| Ok(()))
+            .unwrap()
     };
     let resumed = go_on(&stopped);
     assert_eq!(resumed.sections[3], whole.sections[3]);
@@ -200,7 +201,8 @@ fn a_run_goes_on_where_another_one_stopped() {
 fn results_that_cannot_be_saved_are_reported_before_anything_runs() {
     let full = |_: &Results| Err(Error::invalid("results.json", "disk", "is full"));
     let progress = ProgressBar::hidden();
-    let message = run::run(&experiment(SMALL).unwrap(), None, &progress, &full).unwrap_err();
+    let message = run::run(&experiment(SMALL).unwrap(), None, &progress, &Stop::default(), &full)
+        .unwrap_err();
     assert_eq!(message.to_string(), "results.json: disk: is full");
     assert_eq!(progress.position(), 0);
 }

@@ -172,7 +172,7 @@ fn impossible_bodies_are_refused() {
         ),
         (
             "generate = { kind = \"net\", rows = 100000, columns = 100000, spacing = 1, hang = 1, mass = 1 }".into(),
-            "line 1: generate[0]: makes 10000000000 bodies, at most 10000 are allowed",
+            "line 1: generate[0]: makes 10000000000 bodies, at most 50000 are allowed",
         ),
     ];
     for (text, expected) in cases {

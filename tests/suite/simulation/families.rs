@@ -96,7 +96,12 @@ fn the_sweeps_of_sequential_impulses_are_those_of_pgs() {
         let sweeps = 30;
         let mut scene = scene(name, Formulation::Velocity);
         scene.step.sweeps = sweeps;
-        let settings = Settings { max_iterations: sweeps, tolerance: 0.0, check_every: 1 };
+        let settings = Settings {
+            max_iterations: sweeps,
+            tolerance: 0.0,
+            check_every: 1,
+            ..Settings::default()
+        };
         let options = Options { settings, ..Options::default() };
         let pgs = solver::by_name("pgs", &options).unwrap();
         let mut with_matrix = Simulation::new(scene.clone(), pgs);

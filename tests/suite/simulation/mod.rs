@@ -14,6 +14,7 @@ mod pendulum;
 mod resting;
 mod shipped;
 mod stacking;
+mod stepper;
 mod symmetry;
 
 use lcplab::scene::{Formulation, Scene, catalogue};

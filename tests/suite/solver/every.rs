@@ -201,7 +201,7 @@ proptest! {
     #[test]
     fn a_start_at_the_solution_stays_there(m in manufactured(5, 5, 1.0)) {
         for solver in all() {
-            let start = Start { x: Some(&m.x) };
+            let start = Start::at(&m.x);
             let solution = solver.solve(&m.lcp, &start, &mut ());
             prop_assert_eq!(&solution.x, &m.x, "{}", solver.name());
         }

@@ -6,6 +6,7 @@ mod dantzig;
 mod differential;
 mod every;
 mod extremes;
+mod factored;
 mod factorizations;
 mod first_order;
 mod interior_point;

@@ -68,7 +68,7 @@ fn a_good_guess_of_the_active_set_saves_pivots() {
     let lcp = library::by_name("murty").unwrap().generate(&[("n", 8.0)]).unwrap().lcp;
     let mut guess = [0.0; 8];
     guess[7] = 0.9; // only row 8 is free
-    let solution = Murty::default().solve(&lcp, &Start { x: Some(&guess) }, &mut ());
+    let solution = Murty::default().solve(&lcp, &Start::at(&guess), &mut ());
     assert_eq!((solution.status, solution.iterations), (Status::Solved, 0));
     assert_eq!(solution.x[7], 1.0);
 }

@@ -115,7 +115,7 @@ proptest! {
         let entries = entries_of(assembled(&ALL[0], &factors).as_ref());
         let (lo, hi) = (vec![0.0; n], vec![f64::INFINITY; n]);
         let lcp = Lcp::new(Matrix::sparse(n, &entries), b[..n].to_vec(), lo, hi).unwrap();
-        let settings = Settings { tolerance: 0.0, max_iterations: 7, check_every: 1 };
+        let settings = Settings { tolerance: 0.0, max_iterations: 7, check_every: 1, ..Settings::default() };
         let solver = Pgs { omega: 1.0, order: Order::Natural, settings };
         let mut iterates = Iterates::default();
         solver.solve(&lcp, &Start::default(), &mut iterates);

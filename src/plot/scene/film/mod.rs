@@ -9,8 +9,6 @@ mod chart;
 mod data;
 mod stage;
 
-use std::ops::ControlFlow;
-
 use super::extent;
 use super::frame::{Frame, instants};
 use super::strip::Strip;
@@ -20,6 +18,7 @@ use crate::plot::number::readable;
 use crate::plot::style;
 use crate::scene::Scene;
 use crate::simulation::{Failure, Motion, Simulation, Step};
+use crate::solver::Stop;
 pub use chart::Measure;
 use stage::Stage;
 
@@ -108,15 +107,29 @@ impl Take {
 
     /// Steps a simulation and keeps so many instants.
     pub fn of(name: &str, simulation: &mut Simulation, steps: usize, shots: usize) -> Self {
+        Take::until(&Stop::default(), name, simulation, steps, shots)
+    }
+
+    /// The same until it is time to stop.
+    pub fn until(
+        stop: &Stop,
+        name: &str,
+        simulation: &mut Simulation,
+        steps: usize,
+        shots: usize,
+    ) -> Self {
         let mut take = Take::start(name, simulation);
         let (scene, kept) = (simulation.scene().clone(), instants(steps, shots));
-        let recording = simulation.run(steps, |step| {
-            if kept.binary_search(&step.number).is_ok() {
-                take.add(&scene, step);
+        for _ in 0..steps {
+            match simulation.step_before(stop) {
+                Ok(step) if kept.binary_search(&step.number).is_ok() => take.add(&scene, &step),
+                Ok(_) => {}
+                Err(failure) => {
+                    take.end(Some(&failure));
+                    break;
+                }
             }
-            ControlFlow::Continue(())
-        });
-        take.end(recording.failure.as_ref());
+        }
         take
     }
 

@@ -9,7 +9,7 @@ use crate::scene::Scene;
 use crate::simulation::Simulation;
 use crate::solver::kernel::Width;
 use crate::solver::kernel::impulses::{EightPairs, RowByRow, System};
-use crate::solver::{Options, Settings, Status, by_name};
+use crate::solver::{Options, Settings, by_name};
 
 /// The name of the form without A in the natural order.
 pub const ROW_BY_ROW: &str = "row by row";
@@ -19,9 +19,6 @@ pub const EIGHT_PAIRS: &str = "eight pairs";
 /// Sweeps for each step on the way to the problem.
 const ON_THE_WAY: usize = 20;
 
-/// What eight pairs at a time are not made for.
-const FAR: Status = Status::OutsideClass { reason: "friction reaches beyond its pair of bodies" };
-
 pub(super) fn measure(plan: &Plan, problem: String, at: &AtStep) -> Result<(Finding, Times)> {
     let posed = posed(at)?;
     let lcp = &posed.lcp;
@@ -30,7 +27,7 @@ pub(super) fn measure(plan: &Plan, problem: String, at: &AtStep) -> Result<(Find
     let refused = |reason: String| Error::invalid(Plan::NAME, &*problem, reason);
     let system =
         System::new(factors.bodies(), &rows, lcp).map_err(|status| refused(status.to_string()))?;
-    let eight = |width| EightPairs::new(&system, width).ok_or(FAR);
+    let eight = |width| EightPairs::new(&system, width);
     let eight_order = eight(Width::Portable).map_err(|status| refused(status.to_string()))?.order();
     let order: Vec<usize> = (0..lcp.len()).collect();
     let forms = [
@@ -39,7 +36,9 @@ pub(super) fn measure(plan: &Plan, problem: String, at: &AtStep) -> Result<(Find
             name: ROW_BY_ROW,
             widths: Vec::new(),
             order: order.clone(),
-            start: Box::new(|_| Ok(Box::new(RowByRow::new(&system)))),
+            start: Box::new(|_| {
+                Ok(Box::new(Rows { system: &system, kernel: RowByRow::new(&system) }))
+            }),
         },
         Form {
             name: EIGHT_PAIRS,
@@ -70,7 +69,7 @@ pub(super) fn measure(plan: &Plan, problem: String, at: &AtStep) -> Result<(Find
 
 /// The first problem of the step, after steps by a few sweeps each: direct methods take too long on
 /// a tower.
-fn posed(at: &AtStep) -> Result<Problem> {
+pub(in crate::report::study) fn posed(at: &AtStep) -> Result<Problem> {
     let settings = Settings { max_iterations: ON_THE_WAY, ..Settings::default() };
     let pgs = by_name("pgs", &Options { settings, ..Options::default() })?;
     let mut simulation = Simulation::new(Scene::load(&at.scene)?, pgs);
@@ -83,13 +82,19 @@ fn posed(at: &AtStep) -> Result<Problem> {
     Ok(solve.ok_or_else(|| refused("it solves no problem".into()))?.problem)
 }
 
-impl Sweeper for RowByRow<'_> {
+/// Row by row over a system.
+struct Rows<'a> {
+    system: &'a System,
+    kernel: RowByRow,
+}
+
+impl Sweeper for Rows<'_> {
     fn sweep(&mut self) {
-        RowByRow::sweep(self);
+        self.kernel.sweep(self.system);
     }
 
     fn x(&self) -> Vec<f64> {
-        RowByRow::x(self).to_vec()
+        self.kernel.x().to_vec()
     }
 }
 

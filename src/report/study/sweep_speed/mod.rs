@@ -11,6 +11,7 @@
 mod contacts;
 mod dense;
 
+pub(super) use contacts::posed;
 pub use contacts::{EIGHT_PAIRS, ROW_BY_ROW};
 pub use dense::{COLUMNS, ROWS};
 

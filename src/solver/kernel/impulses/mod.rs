@@ -7,22 +7,27 @@
 //! w_i = Ĵ_i v + b_i,   x_i ← Π_i(x_i − w_i / a_ii),   v ← v + Ĵ_iᵀ δ_i,   a_ii = Ĵ_i Ĵ_iᵀ
 //! ```
 //!
-//! v = Ĵᵀ x holds before and after. That is Gauss-Seidel on A in exact arithmetic; a row costs 24 products
-//! whatever it touches, where a row of A has as many entries as rows meet in its two bodies. Once
-//! scaled, the same twelve numbers serve w and v, so a sweep reads half of what J and M⁻¹Jᵀ
+//! v − Ĵᵀ x is the same before and after: 0 for the LCP with this b, or the velocities without
+//! constraints where b is what is added to Ĵ v. That is Gauss-Seidel on A in exact arithmetic; a row
+//! costs 24 products whatever it touches, where a row of A has as many entries as rows meet in its two
+//! bodies. Once scaled, the same twelve numbers serve w and v, so a sweep reads half of what J and M⁻¹Jᵀ
 //! ([`storage::Factored`](crate::storage::Factored)) hold.
 //!
 //! [`RowByRow`] waits for each row's sum before the next begins: some 60 cycles a row, nearly all of them
 //! latency. [`EightPairs`] takes eight pairs of bodies that share none at once; for that the pairs are
-//! sorted by colour, and another order needs another number of sweeps (more, for tall stacks).
+//! sorted by colour, and another order needs another number of sweeps (more, for tall stacks). Several
+//! threads may share a colour, and the bits stay.
 //!
 //! Compliance (γ on A's diagonal) is not in these sweeps.
 
 mod colour;
+mod eight;
 mod octet;
 mod rows;
+mod team;
+mod velocities;
 
-pub use octet::EightPairs;
+pub use eight::EightPairs;
 pub use rows::RowByRow;
 
 use crate::lcp::Lcp;
@@ -30,6 +35,9 @@ use crate::solver::Status;
 
 /// Velocity components of a body.
 pub const WIDTH: usize = 6;
+
+/// The velocity of a body in units where its mass is 1: √kg m/s, √(kg m²) rad/s.
+pub type Velocity = [f64; WIDTH];
 
 /// A row of Ĵ: two bodies, the first three entries of each for its motion, the others for its turning.
 /// A row with one moving body has zeros for the other.
@@ -41,58 +49,187 @@ pub struct Row {
     pub jacobian: [[f64; WIDTH]; 2],
 }
 
+/// What a row asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Aim {
+    /// What is added to Ĵ v.
+    pub b: f64,
+    /// The lower bound of x.
+    pub lo: f64,
+    /// The upper bound of x; μ where the bounds follow another row.
+    pub hi: f64,
+    /// The row k with −μ max(x_k, 0) ≤ x ≤ μ max(x_k, 0).
+    pub follows: Option<usize>,
+}
+
 impl Row {
     /// a_ii.
     fn diagonal(&self) -> f64 {
         self.jacobian.as_flattened().iter().map(|j| j * j).sum()
     }
+
+    /// Ĵ_i v.
+    pub fn rate(&self, v: &[Velocity]) -> f64 {
+        let [v_p, v_q] = self.bodies.map(|body| &v[body]);
+        let [j_p, j_q] = &self.jacobian;
+        (0..WIDTH).map(|k| j_p[k] * v_p[k] + j_q[k] * v_q[k]).sum()
+    }
 }
 
-/// An LCP whose A is Ĵ Ĵᵀ.
-#[derive(Debug, Clone)]
-pub struct System<'a> {
+/// Rows with what they ask for: an LCP whose A is Ĵ Ĵᵀ.
+#[derive(Debug, Clone, Default)]
+pub struct System {
     bodies: usize,
-    rows: &'a [Row],
-    /// Its b and bounds; its own A is not read.
-    lcp: &'a Lcp,
+    rows: Vec<Row>,
+    aims: Vec<Aim>,
     /// 1 / a_ii.
     inverse: Vec<f64>,
 }
 
-impl<'a> System<'a> {
-    /// The rows of Ĵ with the b and the bounds of an LCP.
+impl System {
+    /// The rows of Ĵ with the b and the bounds of an LCP, whose own A is not read.
     ///
     /// # Errors
     /// [`Status::ZeroDiagonal`] for a row of zeros.
     ///
     /// # Panics
     /// If there are not as many rows as the LCP has, or a body is not below their number.
-    pub fn new(bodies: usize, rows: &'a [Row], lcp: &'a Lcp) -> Result<Self, Status> {
+    pub fn new(bodies: usize, rows: &[Row], lcp: &Lcp) -> Result<Self, Status> {
         assert_eq!(rows.len(), lcp.len(), "a row of Ĵ for each of the LCP");
-        assert!(rows.iter().flat_map(|row| row.bodies).all(|body| body < bodies), "bodies");
-        let inverse = |(i, row): (usize, &Row)| {
-            let inverse = row.diagonal().recip();
-            if inverse.is_finite() { Ok(inverse) } else { Err(Status::ZeroDiagonal { row: i }) }
-        };
-        let inverse = rows.iter().enumerate().map(inverse).collect::<Result<_, _>>()?;
-        Ok(System { bodies, rows, lcp, inverse })
+        let mut system = System::default();
+        system.clear(bodies);
+        for (i, row) in rows.iter().enumerate() {
+            let (b, lo, hi) = (lcp.b()[i], lcp.lo()[i], lcp.hi()[i]);
+            let followed = lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i))));
+            let aim = match followed {
+                Some((normal, mu)) => Aim { b, lo, hi: mu, follows: Some(normal) },
+                None => Aim { b, lo, hi, follows: None },
+            };
+            system.push(*row, aim)?;
+        }
+        Ok(system)
     }
 
-    /// The row whose x bounds that of row i, and μ.
-    fn follows(&self, i: usize) -> Option<(usize, f64)> {
-        let coupling = self.lcp.coupling()?;
-        Some((coupling.index(i)?, coupling.mu(i)))
+    /// No rows between so many bodies; the memory is kept.
+    pub fn clear(&mut self, bodies: usize) {
+        self.bodies = bodies;
+        self.rows.clear();
+        self.aims.clear();
+        self.inverse.clear();
+    }
+
+    /// Adds a row.
+    ///
+    /// # Errors
+    /// [`Status::ZeroDiagonal`] for a row of zeros.
+    ///
+    /// # Panics
+    /// If a body is not below their number.
+    pub fn push(&mut self, row: Row, aim: Aim) -> Result<(), Status> {
+        assert!(row.bodies.iter().all(|body| *body < self.bodies), "bodies");
+        let inverse = row.diagonal().recip();
+        if !inverse.is_finite() {
+            return Err(Status::ZeroDiagonal { row: self.rows.len() });
+        }
+        self.rows.push(row);
+        self.aims.push(aim);
+        self.inverse.push(inverse);
+        Ok(())
+    }
+
+    /// The rows.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// What they ask for.
+    pub fn aims(&self) -> &[Aim] {
+        &self.aims
+    }
+
+    /// The same, to be changed.
+    pub fn aims_mut(&mut self) -> &mut [Aim] {
+        &mut self.aims
+    }
+
+    /// v ← v + Ĵᵀ x.
+    pub fn push_velocities(&self, x: &[f64], v: &mut [Velocity]) {
+        for (row, &x) in self.rows.iter().zip(x) {
+            for (&body, j) in row.bodies.iter().zip(&row.jacobian) {
+                (0..WIDTH).for_each(|k| v[body][k] += j[k] * x);
+            }
+        }
+    }
+
+    /// Π_i at x.
+    fn project(&self, i: usize, value: f64, x: &[f64]) -> f64 {
+        let Aim { lo, hi, follows, .. } = self.aims[i];
+        let (lo, hi) = match follows {
+            Some(k) => (-hi * x[k].max(0.0), hi * x[k].max(0.0)),
+            None => (lo, hi),
+        };
+        value.max(lo).min(hi)
+    }
+
+    /// The number of bodies.
+    pub fn bodies(&self) -> usize {
+        self.bodies
+    }
+
+    /// a_ii.
+    pub fn diagonal(&self, i: usize) -> f64 {
+        self.rows[i].diagonal()
+    }
+
+    /// v = Ĵᵀ x, [`WIDTH`] components a body.
+    pub fn transposed_product(&self, x: &[f64]) -> Vec<f64> {
+        let mut v = vec![[0.0; WIDTH]; self.bodies];
+        for pair in self.pairs() {
+            let mut sum = [[0.0; WIDTH]; 2];
+            for (row, x) in self.rows[pair.clone()].iter().zip(&x[pair.clone()]) {
+                let entries = row.jacobian.as_flattened();
+                sum.as_flattened_mut().iter_mut().zip(entries).for_each(|(sum, j)| *sum += j * x);
+            }
+            for (body, sum) in self.rows[pair.start].bodies.into_iter().zip(&sum) {
+                v[body].iter_mut().zip(sum).for_each(|(v, sum)| *v += sum);
+            }
+        }
+        v.as_flattened().to_vec()
+    }
+
+    /// Ĵ v.
+    pub fn product(&self, v: &[f64]) -> Vec<f64> {
+        let (v, _) = v.as_chunks::<WIDTH>();
+        let row = |row: &Row| {
+            let [p, q] = row.bodies;
+            let [j_p, j_q] = &row.jacobian;
+            (0..WIDTH).map(|k| j_p[k] * v[p][k] + j_q[k] * v[q][k]).sum()
+        };
+        self.rows.iter().map(row).collect()
+    }
+
+    /// w = Ĵ Ĵᵀ x + b.
+    pub fn w(&self, x: &[f64]) -> Vec<f64> {
+        let product = self.product(&self.transposed_product(x));
+        product.iter().zip(&self.aims).map(|(w, aim)| w + aim.b).collect()
     }
 
     /// Runs of rows between the same two bodies.
-    fn pairs(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
+    pub(in crate::solver) fn pairs(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
         let mut end = 0;
         self.rows.chunk_by(|a, b| a.bodies == b.bodies).map(move |run| {
             end += run.len();
             end - run.len()..end
         })
     }
+
+    /// The bytes that its arrays hold.
+    pub fn bytes(&self) -> usize {
+        bytes(&self.rows) + bytes(&self.aims) + bytes(&self.inverse)
+    }
 }
 
-/// The velocities of all bodies, eight numbers each for the sake of whole cache lines: six, and two zeros.
-type Velocities = Vec<[f64; 8]>;
+/// The bytes that an array holds.
+fn bytes<T>(array: &Vec<T>) -> usize {
+    array.capacity() * size_of::<T>()
+}

@@ -4,34 +4,34 @@
 //! the numbers of pair l, and the first rows of all eight are one vector operation after the other, then
 //! their second rows. No lane waits for a sum over another, which is what a single row spends its time
 //! on. Where a colour has no eight pairs left, lanes stay empty: rows of zeros between bodies that are
-//! none.
+//! none. So do the last rows of a lane whose pair has fewer than the longest.
 
 use std::ops::Range;
 
-use super::colour::{Colour, colours};
-use super::{System, Velocities, WIDTH};
-use crate::solver::kernel::lanes::{Lanes, Width, Work};
+use super::colour::{Colouring, Pair};
+use super::velocities::Velocities;
+use super::{System, WIDTH, bytes};
+use crate::solver::kernel::lanes::{Lanes, prefetch};
 
-/// Projected Gauss-Seidel by colours, eight pairs of bodies at a time.
-#[derive(Debug, Clone)]
-pub struct EightPairs {
+/// A thread's share of the octets: of each colour some.
+#[derive(Debug, Default)]
+pub(super) struct Share {
     octets: Vec<Octet>,
+    /// For each colour, the end of its octets.
+    colours: Vec<usize>,
     /// Row r of eight pairs.
     rows: Vec<Rows>,
-    /// Those of the bodies, and sixteen more for empty lanes.
-    v: Velocities,
-    /// The row of the system in each row and lane.
-    places: Vec<[Option<usize>; 8]>,
-    width: Width,
+    /// For each row, the row of the octet that bounds it; then `hi` is μ.
+    follows: Vec<Option<usize>>,
 }
 
 /// Eight pairs.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 struct Octet {
     rows: Range<usize>,
     bodies: [[u32; 8]; 2],
-    /// For each row, the row of the octet that bounds it; then `hi` is μ.
-    follows: Vec<Option<usize>>,
+    /// The rows of the system in each lane.
+    places: [Range<usize>; 8],
 }
 
 /// A row of each of eight pairs.
@@ -46,77 +46,111 @@ struct Rows {
     x: [f64; 8],
 }
 
-impl EightPairs {
-    /// The sweeps, from x = 0; `None` if a row's bounds follow a row between other bodies.
-    pub fn new(system: &System, width: Width) -> Option<Self> {
-        let mut kernel = EightPairs {
-            octets: Vec::new(),
-            rows: Vec::new(),
-            v: vec![[0.0; 8]; system.bodies + 16],
-            places: Vec::new(),
-            width,
-        };
-        for colour in colours(system)? {
-            for pairs in colour.pairs.chunks(8) {
-                kernel.add(system, &colour, pairs);
-            }
+/// So many rows before they are needed they are asked for.
+const AHEAD: usize = 12;
+
+/// Bodies that are none, for the empty lanes of a share.
+pub(super) const NOBODIES: usize = 16;
+
+/// Deals the octets to the shares, of each colour as many to each. Those of share k have their empty
+/// lanes between the bodies from `bodies` + 16 k on.
+pub(super) fn deal(colouring: &Colouring, bodies: usize, shares: &mut [Share]) {
+    shares.iter_mut().for_each(Share::clear);
+    let (mut colour, mut turn) = (0, 0);
+    for pairs in colouring.octets() {
+        if pairs[0].colour != colour {
+            shares.iter_mut().for_each(Share::end_colour);
+            (colour, turn) = (pairs[0].colour, 0);
         }
-        Some(kernel)
+        let k = turn % shares.len();
+        shares[k].add(colouring, pairs, bodies + NOBODIES * k);
+        turn += 1;
+    }
+    shares.iter_mut().for_each(Share::end_colour);
+}
+
+impl Share {
+    fn clear(&mut self) {
+        self.octets.clear();
+        self.colours.clear();
+        self.rows.clear();
+        self.follows.clear();
     }
 
-    fn add(&mut self, system: &System, colour: &Colour, pairs: &[Range<usize>]) {
-        let first = self.rows.len();
-        let empty = |lane: usize| (system.bodies + lane) as u32;
-        let mut bodies = [[0; 8]; 2];
-        for lane in 0..8 {
-            (bodies[0][lane], bodies[1][lane]) = (empty(lane), empty(lane + 8));
-        }
+    fn end_colour(&mut self) {
+        self.colours.push(self.octets.len());
+    }
+
+    fn add(&mut self, colouring: &Colouring, pairs: &[Pair], nobody: usize) {
+        let empty = |lane: usize| (nobody + lane) as u32;
+        let mut bodies = [0, 8].map(|half| std::array::from_fn(|lane| empty(half + lane)));
+        let mut places = [const { 0..0 }; 8];
         for (lane, pair) in pairs.iter().enumerate() {
-            let [p, q] = system.rows[pair.start].bodies;
+            let [p, q] = pair.bodies;
             bodies[0][lane] = p as u32;
-            bodies[1][lane] = if p == q { empty(lane + 8) } else { q as u32 };
-        }
-        for r in 0..colour.follows.len() {
-            let (mut rows, mut places) = (Rows::default(), [None; 8]);
-            for (lane, pair) in pairs.iter().enumerate() {
-                rows.put(lane, system, pair.start + r);
-                places[lane] = Some(pair.start + r);
+            if p != q {
+                bodies[1][lane] = q as u32;
             }
-            self.rows.push(rows);
-            self.places.push(places);
+            places[lane] = pair.first..pair.first + pair.rows;
         }
-        let follows = colour.follows.clone();
-        self.octets.push(Octet { rows: first..self.rows.len(), bodies, follows });
+        let first = self.rows.len();
+        self.follows.extend(colouring.bounded(&pairs[0]));
+        self.rows.resize(first + pairs[0].rows, Rows::default());
+        self.octets.push(Octet { rows: first..self.rows.len(), bodies, places });
     }
 
-    /// One sweep over all rows, in the order of [`EightPairs::order`].
-    pub fn sweep(&mut self) {
-        self.width.run(Sweep { octets: &self.octets, rows: &mut self.rows, v: &mut self.v });
-    }
-
-    /// The rows of the system in the order in which a sweep takes them.
-    pub fn order(&self) -> Vec<usize> {
-        let octets = self.octets.iter().map(|octet| &self.places[octet.rows.clone()]);
-        octets
-            .flat_map(|rows| (0..8).flat_map(|lane| rows.iter().filter_map(move |r| r[lane])))
-            .collect()
-    }
-
-    /// x, one entry a row of the system.
-    pub fn x(&self) -> Vec<f64> {
-        let mut x = vec![0.0; self.places.iter().flatten().flatten().count()];
-        for (rows, places) in self.rows.iter().zip(&self.places) {
-            for (value, place) in rows.x.iter().zip(places) {
-                place.iter().for_each(|&i| x[i] = *value);
+    /// Takes the numbers of the system's rows, and x.
+    pub fn load(&mut self, system: &System, x: &[f64]) {
+        for octet in &self.octets {
+            let rows = &mut self.rows[octet.rows.clone()];
+            for (lane, places) in octet.places.iter().enumerate() {
+                for (row, i) in rows.iter_mut().zip(places.clone()) {
+                    row.put(lane, system, i, x[i]);
+                }
             }
         }
-        x
+    }
+
+    /// Writes x, an entry for each row of the system that is here.
+    pub fn unload(&self, x: &mut [f64]) {
+        for octet in &self.octets {
+            let rows = &self.rows[octet.rows.clone()];
+            for (lane, places) in octet.places.iter().enumerate() {
+                rows.iter().zip(places.clone()).for_each(|(row, i)| x[i] = row.x[lane]);
+            }
+        }
+    }
+
+    /// One sweep, with something to do after each colour.
+    #[inline(always)]
+    pub fn sweep<V: Lanes>(&mut self, v: &Velocities, mut after_colour: impl FnMut()) {
+        let Share { octets, colours, rows, follows } = self;
+        let mut first = 0;
+        for &end in &*colours {
+            for octet in &octets[first..end] {
+                octet.sweep::<V>(rows, follows, v);
+            }
+            first = end;
+            after_colour();
+        }
+    }
+
+    /// The bytes that its arrays hold.
+    pub fn bytes(&self) -> usize {
+        bytes(&self.octets) + bytes(&self.colours) + bytes(&self.rows) + bytes(&self.follows)
     }
 }
 
 impl Rows {
-    fn put(&mut self, lane: usize, system: &System, i: usize) {
-        let row = &system.rows[i];
+    /// Asks for all of it.
+    #[inline(always)]
+    fn prefetch(&self) {
+        self.jacobian.iter().for_each(prefetch);
+        [&self.inverse, &self.b, &self.lo, &self.hi, &self.x].into_iter().for_each(prefetch);
+    }
+
+    fn put(&mut self, lane: usize, system: &System, i: usize, x: f64) {
+        let (row, aim) = (&system.rows[i], &system.aims[i]);
         for (to, from) in self.jacobian.iter_mut().zip(row.jacobian.as_flattened()) {
             to[lane] = *from;
         }
@@ -126,36 +160,29 @@ impl Rows {
             }
         }
         self.inverse[lane] = system.inverse[i];
-        self.b[lane] = system.lcp.b()[i];
-        self.lo[lane] = system.lcp.lo()[i];
-        self.hi[lane] = system.follows(i).map_or(system.lcp.hi()[i], |(_, mu)| mu);
+        self.b[lane] = aim.b;
+        self.lo[lane] = aim.lo;
+        self.hi[lane] = aim.hi;
+        self.x[lane] = x;
     }
 }
 
-struct Sweep<'a> {
-    octets: &'a [Octet],
-    rows: &'a mut [Rows],
-    v: &'a mut [[f64; 8]],
-}
-
-impl Work for Sweep<'_> {
-    type Output = ();
-
+impl Octet {
     #[inline(always)]
-    fn run<V: Lanes>(self) {
-        let Sweep { octets, rows, v } = self;
-        for octet in octets {
-            let mut u = [V::splat(0.0); 2 * WIDTH];
-            gather(v, &octet.bodies[0], &mut u[..WIDTH]);
-            gather(v, &octet.bodies[1], &mut u[WIDTH..]);
-            let rows = &mut rows[octet.rows.clone()];
-            for r in 0..rows.len() {
-                let (lo, hi) = bounds::<V>(rows, r, octet.follows[r]);
-                update(&mut rows[r], lo, hi, &mut u);
+    fn sweep<V: Lanes>(&self, rows: &mut [Rows], follows: &[Option<usize>], v: &Velocities) {
+        let mut u = [V::splat(0.0); 2 * WIDTH];
+        v.gather(&self.bodies[0], &mut u[..WIDTH]);
+        v.gather(&self.bodies[1], &mut u[WIDTH..]);
+        let first = self.rows.start;
+        for r in self.rows.clone() {
+            if let Some(later) = rows.get(r + AHEAD) {
+                later.prefetch();
             }
-            scatter(&u[..WIDTH], &octet.bodies[0], v);
-            scatter(&u[WIDTH..], &octet.bodies[1], v);
+            let (lo, hi) = bounds::<V>(rows, r, follows[r].map(|k| first + k));
+            update(&mut rows[r], lo, hi, &mut u);
         }
+        v.scatter(&u[..WIDTH], &self.bodies[0]);
+        v.scatter(&u[WIDTH..], &self.bodies[1]);
     }
 }
 
@@ -188,34 +215,5 @@ fn update<V: Lanes>(row: &mut Rows, lo: V, hi: V, u: &mut [V; 2 * WIDTH]) {
     let change = after - before;
     for k in 0..2 * WIDTH {
         u[k] = u[k] + V::load(&row.jacobian[k]) * change;
-    }
-}
-
-/// Component k of eight bodies' velocities in u_k.
-#[inline(always)]
-fn gather<V: Lanes>(v: &[[f64; 8]], bodies: &[u32; 8], u: &mut [V]) {
-    let mut components = [[0.0; 8]; WIDTH];
-    for lane in 0..8 {
-        let v = &v[bodies[lane] as usize];
-        for k in 0..WIDTH {
-            components[k][lane] = v[k];
-        }
-    }
-    for k in 0..WIDTH {
-        u[k] = V::load(&components[k]);
-    }
-}
-
-#[inline(always)]
-fn scatter<V: Lanes>(u: &[V], bodies: &[u32; 8], v: &mut [[f64; 8]]) {
-    let mut components = [[0.0; 8]; WIDTH];
-    for k in 0..WIDTH {
-        u[k].store(&mut components[k]);
-    }
-    for lane in 0..8 {
-        let v = &mut v[bodies[lane] as usize];
-        for k in 0..WIDTH {
-            v[k] = components[k][lane];
-        }
     }
 }

@@ -1,32 +1,38 @@
 //! One row after the other, in the order they come.
 
-use super::{System, Velocities, WIDTH};
+use super::{Row, System, Velocity, WIDTH, bytes};
 
 /// Projected Gauss-Seidel row by row.
-#[derive(Debug, Clone)]
-pub struct RowByRow<'a> {
-    system: &'a System<'a>,
+#[derive(Debug, Clone, Default)]
+pub struct RowByRow {
     x: Vec<f64>,
-    v: Velocities,
+    v: Vec<Velocity>,
 }
 
-impl<'a> RowByRow<'a> {
-    /// The sweeps, from x = 0.
-    pub fn new(system: &'a System<'a>) -> Self {
-        RowByRow { system, x: vec![0.0; system.rows.len()], v: vec![[0.0; 8]; system.bodies] }
+impl RowByRow {
+    /// Starts at x = 0 and v = 0.
+    pub fn new(system: &System) -> Self {
+        RowByRow { x: vec![0.0; system.rows.len()], v: vec![[0.0; WIDTH]; system.bodies] }
     }
 
-    /// One sweep over all rows.
-    pub fn sweep(&mut self) {
-        let System { rows, lcp, inverse, .. } = self.system;
-        for (i, row) in rows.iter().enumerate() {
-            let [p, q] = row.bodies;
-            let [j_p, j_q] = &row.jacobian;
-            let mut w = lcp.b()[i];
+    /// Starts at this x, and at these velocities with those that x adds.
+    pub fn start(&mut self, system: &System, x: &[f64], v: &[Velocity]) {
+        self.x.clear();
+        self.x.extend_from_slice(x);
+        self.v.clear();
+        self.v.extend_from_slice(v);
+        system.push_velocities(x, &mut self.v);
+    }
+
+    /// One sweep over all rows of the system that it was started for.
+    pub fn sweep(&mut self, system: &System) {
+        for (i, row) in system.rows.iter().enumerate() {
+            let Row { bodies: [p, q], jacobian: [j_p, j_q] } = *row;
+            let mut w = system.aims[i].b;
             for k in 0..WIDTH {
                 w += j_p[k] * self.v[p][k] + j_q[k] * self.v[q][k]; // w_i = Ĵ_i v + b_i
             }
-            let x = lcp.project(i, self.x[i] - w * inverse[i], &self.x);
+            let x = system.project(i, self.x[i] - w * system.inverse[i], &self.x);
             let change = x - self.x[i];
             self.x[i] = x;
             for k in 0..WIDTH {
@@ -39,5 +45,15 @@ impl<'a> RowByRow<'a> {
     /// x, one entry a row.
     pub fn x(&self) -> &[f64] {
         &self.x
+    }
+
+    /// v, one entry a body.
+    pub fn v(&self) -> &[Velocity] {
+        &self.v
+    }
+
+    /// The bytes that its arrays hold.
+    pub fn bytes(&self) -> usize {
+        bytes(&self.x) + bytes(&self.v)
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use indicatif::ProgressBar;
 use lcplab::report::sweep::{Collection, Folder, Sweep, collect};
+use lcplab::solver::Stop;
 use serde_json::Value;
 
 use super::sweep;
@@ -21,7 +22,7 @@ fn collected(sweep: &Sweep, folder: &Folder) -> (Collection, [String; 3]) {
 }
 
 fn run_all(sweep: &Sweep, path: &Path) -> usize {
-    Folder::new(path, sweep).unwrap().run_missing(&ProgressBar::hidden()).unwrap()
+    Folder::new(path, sweep).unwrap().run_missing(&ProgressBar::hidden(), &Stop::default()).unwrap()
 }
 
 #[test]
@@ -76,7 +77,10 @@ fn results_of_a_changed_file_are_refused() {
     // Without the plan the results still tell where they belong.
     fs::remove_file(path.path().join("plan.json")).unwrap();
     let folder = Folder::new(path.path(), &new).unwrap();
-    for refused in [collect(&new, &folder).map(|_| 0), folder.run_missing(&ProgressBar::hidden())] {
+    for refused in [
+        collect(&new, &folder).map(|_| 0),
+        folder.run_missing(&ProgressBar::hidden(), &Stop::default()),
+    ] {
         assert!(refused.unwrap_err().to_string().contains("1.json: belongs to plan"));
     }
 }

@@ -80,7 +80,7 @@ fn row_by_row_sweeps_as_the_assembled_matrix_does() {
             let rows = factors.scaled_rows();
             let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
             let expected = plain(&lcp, 1.0, SWEEPS);
-            let x = swept(RowByRow::new(&system), RowByRow::sweep, |k| k.x().to_vec());
+            let x = swept(RowByRow::new(&system), |k| k.sweep(&system), |k| k.x().to_vec());
             assert_close(&x, &expected, 1e-12);
         }
     }
@@ -142,9 +142,10 @@ fn rows_between_other_bodies_cannot_bound_a_pair() {
     let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
     let lcp = lcp.with_coupling(coupling).unwrap();
     let system = System::new(2, &rows, &lcp).unwrap();
-    assert!(EightPairs::new(&system, Width::widest()).is_none());
+    let refused = EightPairs::new(&system, Width::widest()).unwrap_err();
+    assert!(matches!(refused, Status::OutsideClass { .. }), "{refused}");
     let mut by_rows = RowByRow::new(&system);
-    by_rows.sweep();
+    by_rows.sweep(&system);
     assert_eq!(by_rows.x(), [2.0, 1.0]); // 1 = μ · 2
 }
 
@@ -154,4 +155,87 @@ fn a_row_of_zeros_is_refused() {
     let zero = Matrix::sparse(1, &[]);
     let lcp = Lcp::new(zero, vec![-1.0], vec![0.0], vec![INF]).unwrap();
     assert_eq!(System::new(1, &rows, &lcp).unwrap_err(), Status::ZeroDiagonal { row: 0 });
+}
+
+/// A crowd of bodies that all touch the first: more colours than a word has bits, pairs of all lengths.
+fn star(pairs: usize) -> (usize, Vec<Row>, Lcp) {
+    let mut rows = Vec::new();
+    for pair in 1..=pairs {
+        for r in 0..1 + pair % 5 {
+            let entry = |k: usize| 1.0 + ((7 * pair + 3 * r + 5 * k) % 11) as f64 / 10.0;
+            let part = |side: usize| std::array::from_fn(|k| entry(6 * side + k));
+            rows.push(Row { bodies: [0, pair], jacobian: [part(0), part(1)] });
+        }
+    }
+    let n = rows.len();
+    let b = (0..n).map(|i| -1.0 + 0.3 * (i % 7) as f64).collect();
+    let lcp = Lcp::new(Matrix::sparse(n, &[]), b, vec![0.0; n], vec![INF; n]).unwrap();
+    (1 + pairs, rows, lcp)
+}
+
+/// All pairs share a body: every colour has one pair, and the order is theirs.
+#[test]
+fn a_body_may_have_more_neighbours_than_a_word_has_bits() {
+    let (bodies, rows, lcp) = star(150);
+    let system = System::new(bodies, &rows, &lcp).unwrap();
+    let kernel = EightPairs::new(&system, Width::widest()).unwrap();
+    assert_eq!(kernel.order(), (0..rows.len()).collect::<Vec<_>>());
+    let x = swept(kernel, EightPairs::sweep, EightPairs::x);
+    let plain = swept(RowByRow::new(&system), |k| k.sweep(&system), |k| k.x().to_vec());
+    assert_close(&x, &plain, 1e-12);
+}
+
+#[test]
+fn the_bits_are_the_same_on_any_number_of_threads() {
+    let problem = tower();
+    for (factors, lcp) in cases(&problem) {
+        let rows = factors.scaled_rows();
+        let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
+        let run = |threads| {
+            let mut kernel = EightPairs::on_threads(&system, Width::widest(), threads).unwrap();
+            assert_eq!(kernel.threads(), threads);
+            kernel.sweeps(SWEEPS);
+            kernel.x()
+        };
+        let alone = run(1);
+        for threads in 2..=4 {
+            assert_eq!(run(threads), alone, "{threads} threads");
+        }
+    }
+}
+
+/// v − Ĵᵀx stays what it was, so that a step's velocities need no x.
+#[test]
+fn the_velocities_are_those_that_x_makes() {
+    let problem = tower();
+    let factors = Factors::of(&problem.assembly);
+    let rows = factors.scaled_rows();
+    let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
+    let start: Vec<f64> = (0..rows.len()).map(|i| 0.01 * (i % 3) as f64).collect();
+    let free: Vec<[f64; 6]> =
+        (0..factors.bodies()).map(|b| std::array::from_fn(|k| (b * k % 5) as f64)).collect();
+    let mut eight = EightPairs::idle(Width::widest(), 2);
+    eight.start(&system, &start, &free).unwrap();
+    eight.sweeps(SWEEPS);
+    let mut v = free.clone();
+    eight.write_v(&mut v);
+    let mut expected = free;
+    system.push_velocities(&eight.x(), &mut expected);
+    assert_close(v.as_flattened(), expected.as_flattened(), 1e-12);
+}
+
+/// Systems one after the other in the same memory: with other rows, with other pairs, with fewer bodies.
+#[test]
+fn a_kernel_that_is_started_again_sweeps_as_a_new_one() {
+    let mut kept = EightPairs::idle(Width::widest(), 2);
+    for problem in [tower(), tower(), stack(), tower()] {
+        let factors = Factors::of(&problem.assembly);
+        let rows = factors.scaled_rows();
+        let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
+        let (x, v) = (vec![0.0; rows.len()], vec![[0.0; 6]; factors.bodies()]);
+        kept.start(&system, &x, &v).unwrap();
+        kept.sweeps(SWEEPS);
+        let new = EightPairs::new(&system, Width::widest()).unwrap();
+        assert_eq!(kept.x(), swept(new, EightPairs::sweep, EightPairs::x));
+    }
 }

@@ -9,7 +9,12 @@ use crate::common::iterates;
 
 /// x after so many sweeps of the plain method.
 fn plain(lcp: &Lcp, omega: f64, sweeps: usize) -> Vec<f64> {
-    let settings = Settings { tolerance: 0.0, max_iterations: sweeps, check_every: sweeps };
+    let settings = Settings {
+        tolerance: 0.0,
+        max_iterations: sweeps,
+        check_every: sweeps,
+        ..Settings::default()
+    };
     let pgs = Pgs { omega, settings, ..Pgs::default() };
     iterates(&pgs, lcp).pop().unwrap()
 }

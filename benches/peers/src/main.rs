@@ -1,0 +1,70 @@
+//! lcplab beside Open Dynamics Engine, Bullet, Siconos, Rapier and clarabel.
+//!
+//! ```text
+//! cargo run --release                            all, tables on the terminal
+//! cargo run --release -- problems                problems in numbers only; `scenes`: whole scenes only
+//! cargo run --release -- --json ../peers.json    the same, and the recording that reports show
+//! ```
+//!
+//! All contenders get the same numbers, take turns in this process and use one thread. An answer is
+//! looked at before its time counts; a failing run has no time.
+
+mod bullet;
+mod clarabel;
+mod contender;
+mod library;
+mod machine;
+mod ode;
+mod ours;
+mod problems;
+mod raw;
+mod siconos;
+mod show;
+mod trial;
+mod world;
+
+use std::error::Error;
+use std::path::PathBuf;
+
+use lcplab::report::study::peers::Recording;
+
+/// What the command line asks for.
+struct Asked {
+    problems: bool,
+    scenes: bool,
+    json: Option<PathBuf>,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let asked = asked()?;
+    let libraries = library::all();
+    for library in libraries.iter().filter(|library| library.version.is_none()) {
+        println!("skipped: {} is not installed (Debian: {})", library.name, library.package);
+    }
+    let recording = Recording {
+        date: machine::today(),
+        machine: machine::describe(),
+        libraries,
+        problems: if asked.problems { problems::run()? } else { Vec::new() },
+        scenes: if asked.scenes { world::run()? } else { Vec::new() },
+    };
+    show::tables(&recording);
+    if let Some(path) = asked.json {
+        std::fs::write(path, serde_json::to_string_pretty(&recording)? + "\n")?;
+    }
+    Ok(())
+}
+
+fn asked() -> Result<Asked, String> {
+    let mut asked = Asked { problems: true, scenes: true, json: None };
+    let mut arguments = std::env::args().skip(1);
+    while let Some(argument) = arguments.next() {
+        match argument.as_str() {
+            "problems" => asked.scenes = false,
+            "scenes" => asked.problems = false,
+            "--json" => asked.json = Some(arguments.next().ok_or("--json needs a file")?.into()),
+            other => return Err(format!("{other:?}: only problems, scenes and --json FILE are known")),
+        }
+    }
+    Ok(asked)
+}

@@ -1,0 +1,37 @@
+//! lcplab's own solvers.
+
+use std::time::Instant;
+
+use lcplab::error::Result;
+use lcplab::lcp::Lcp;
+use lcplab::solver::{self, Options, Settings, Start, Status};
+
+use crate::contender::{Contender, Run};
+
+/// The scaled residual that our methods are asked for.
+pub const TOLERANCE: f64 = 1e-9;
+
+/// The methods that end with an exact answer, by their names in the registry.
+const NAMES: [&str; 5] = ["dantzig", "block-pivoting", "lemke", "newton", "interior-point"];
+
+/// All of them on a problem. Their time contains all that they do: setup, solve, the look at the residual.
+pub fn solvers(lcp: &Lcp) -> Result<Vec<Contender<'_>>> {
+    let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
+    let options = Options { settings, ..Options::default() };
+    let contender = |name: &&str| {
+        let solver = solver::by_name(name, &options)?;
+        let run = move || {
+            let start = Instant::now();
+            let solution = solver.solve(lcp, &Start::default(), &mut ());
+            let seconds = start.elapsed().as_secs_f64();
+            let complaint = match solution.status {
+                Status::Solved => None,
+                status => Some(status.to_string()),
+            };
+            Run { seconds, x: solution.x, complaint }
+        };
+        let name = name.to_string();
+        Ok(Contender { name, ours: true, tolerance: TOLERANCE, run: Box::new(run) })
+    };
+    NAMES.iter().map(contender).collect()
+}

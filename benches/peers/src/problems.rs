@@ -1,0 +1,79 @@
+//! The problems in numbers, and who takes part.
+
+use lcplab::error::Result;
+use lcplab::lcp::Lcp;
+use lcplab::report::study::direct_speed::Bounds;
+use lcplab::report::study::peers::Problem;
+use lcplab::report::study::singular::Stack;
+use lcplab::scene::Scene;
+use lcplab::simulation::Simulation;
+use lcplab::solver::{self, Options};
+
+use crate::contender::Contender;
+use crate::raw::Raw;
+use crate::trial::trial;
+use crate::{clarabel, ours};
+
+/// Rows of the random problems with a definite A.
+const ONE_SIDED: [usize; 4] = [50, 200, 500, 1000];
+const TWO_SIDED: [usize; 2] = [200, 500];
+/// The condition of A.
+const CONDITION: f64 = 400.0;
+/// Cubes of the stacks, whose A is singular unless it is regularised by a part of its mean diagonal.
+const BOXES: [usize; 4] = [5, 10, 20, 50];
+const FRICTION: [f64; 2] = [0.0, 0.5];
+const COMPLIANCE: [f64; 2] = [0.0, 1e-8];
+/// The step of the net that is solved: its masses move by then.
+const STEP: usize = 10;
+
+/// All trials, one after the other.
+pub fn run() -> Result<Vec<Problem>> {
+    let mut problems = Vec::new();
+    for (name, lcp) in posed()? {
+        eprintln!("{name}");
+        problems.push(trial(&name, &lcp, contenders(&lcp, &Raw::of(&lcp))?));
+    }
+    Ok(problems)
+}
+
+fn contenders<'a>(lcp: &'a Lcp, raw: &'a Raw) -> Result<Vec<Contender<'a>>> {
+    let mut all = ours::solvers(lcp)?;
+    all.extend(clarabel::solvers(lcp));
+    #[cfg(has_ode)]
+    all.extend(crate::ode::solvers(raw));
+    #[cfg(has_bullet)]
+    all.extend(crate::bullet::solvers(raw));
+    #[cfg(has_siconos)]
+    all.extend(crate::siconos::solvers(raw));
+    Ok(all)
+}
+
+fn posed() -> Result<Vec<(String, Lcp)>> {
+    let mut all = Vec::new();
+    let one_sided = ONE_SIDED.map(|n| (Bounds::OneSided, n));
+    let two_sided = TWO_SIDED.map(|n| (Bounds::TwoSided, n));
+    for (bounds, n) in one_sided.into_iter().chain(two_sided) {
+        all.push((bounds.problem(n), bounds.lcp(n, CONDITION)?));
+    }
+    for compliance in COMPLIANCE {
+        for friction in FRICTION {
+            for boxes in BOXES {
+                let stack = Stack { boxes, friction, compliance };
+                all.push((stack.name(), stack.lcp()?));
+            }
+        }
+    }
+    all.push(("net".into(), net()?));
+    Ok(all)
+}
+
+/// The rods of 20 by 20 masses: equations alone.
+fn net() -> Result<Lcp> {
+    let solver = solver::by_name("dantzig", &Options::default())?;
+    let mut simulation = Simulation::new(Scene::load("net")?, solver);
+    let mut lcp = None;
+    for _ in 0..STEP {
+        lcp = simulation.step().ok().and_then(|mut step| Some(step.solves.pop()?.problem.lcp));
+    }
+    Ok(lcp.expect("a net that can be stepped"))
+}

@@ -1,0 +1,174 @@
+//! Whole scenes: cubes that should rest, in several engines.
+//!
+//! An engine that does less work a step is not faster if its bodies sink or creep. So each one gets as few
+//! iterations as keep, after two seconds, the overlap and the drift within the same bounds; then all step
+//! in turns under the clock.
+
+pub mod foreign;
+mod ours;
+mod rapier;
+
+use lcplab::body::{Pose, State};
+use lcplab::error::Result;
+use lcplab::report::study::peers::{Bounds, Engine as Recorded, Scene as RecordedScene};
+use lcplab::report::study::timing::{Contender, interleaved, timed};
+use lcplab::scene::{Scene, contacts};
+
+/// Half of a cube's edge (m) and its mass (kg).
+pub const HALF: f64 = 0.5;
+pub const MASS: f64 = 1.0;
+
+/// The length of a step (s).
+const DT: f64 = 1.0 / 60.0;
+/// Steps before the bodies are looked at: two seconds.
+const STEPS: usize = 120;
+/// Looks on the way, to give up early.
+const LOOKS: usize = 4;
+/// Steps that are timed, of each engine.
+const TIMED: usize = 40;
+/// The coefficient of friction.
+const FRICTION: f64 = 0.6;
+/// What the cubes must keep to.
+const BOUNDS: Bounds = Bounds { penetration: 0.01, drift: 0.05 };
+/// Beyond this they will not come back.
+const HOPELESS: Bounds =
+    Bounds { penetration: 4.0 * BOUNDS.penetration, drift: 2.0 * BOUNDS.drift };
+/// Iterations that are tried, one after the other.
+const ITERATIONS: [usize; 14] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
+
+/// A scene for every engine.
+pub struct Setting {
+    /// As lcplab reads it.
+    pub scene: Scene,
+    /// Where the cubes are at the start.
+    pub places: Vec<State>,
+    pub friction: f64,
+    pub dt: f64,
+}
+
+/// Something that steps cubes.
+pub trait World {
+    fn step(&mut self);
+    /// Where the cubes are.
+    fn poses(&self) -> Vec<Pose>;
+}
+
+/// An engine.
+pub struct Engine {
+    pub name: &'static str,
+    /// Whether it is lcplab.
+    pub ours: bool,
+    /// A world with so many iterations a step.
+    pub build: fn(&Setting, usize) -> Box<dyn World>,
+}
+
+/// All scenes, one after the other.
+pub fn run() -> Result<Vec<RecordedScene>> {
+    let stack = |count| format!("generate = {{ kind = \"stack\", count = {count}, size = 1, mass = 1 }}");
+    let tower = "generate = { kind = \"circular_tower\", count = 700, ring = 35, size = 1, mass = 1 }";
+    let scenes = [("stack of 10", stack(10)), ("tower of 700", tower.into())];
+    scenes.into_iter().map(|(name, generate)| Ok(measured(name, &Setting::of(&generate)?))).collect()
+}
+
+impl Setting {
+    fn of(generate: &str) -> Result<Setting> {
+        let text = format!(
+            "{generate}\n\
+             [step]\ndt = {DT}\nbaumgarte = 0.2\n\
+             [contact]\nfriction = {FRICTION}\nmargin = 0.01\n\
+             [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n"
+        );
+        let scene = Scene::from_toml("peers.toml", &text)?;
+        let cubes = scene.states.iter().zip(&scene.bodies).filter(|(_, body)| body.mass.dof() > 0);
+        let places = cubes.map(|(state, _)| *state).collect();
+        Ok(Setting { scene, places, friction: FRICTION, dt: DT })
+    }
+
+    /// How deep they overlap and how far they are from their places.
+    fn look(&self, poses: &[Pose]) -> Option<Bounds> {
+        let mut poses = poses.iter();
+        let mut states = self.scene.states.clone();
+        for (state, body) in states.iter_mut().zip(&self.scene.bodies) {
+            if body.mass.dof() > 0 {
+                state.pose = *poses.next()?;
+            }
+        }
+        if !states.iter().all(State::is_finite) {
+            return None;
+        }
+        let gaps = contacts(&self.scene, &states, 0.0).into_iter().map(|found| -found.gap);
+        let ways = states.iter().zip(&self.scene.states).map(|(now, then)| (now.pose.p - then.pose.p).norm());
+        Some(Bounds { penetration: gaps.fold(0.0, f64::max), drift: ways.fold(0.0, f64::max) })
+    }
+}
+
+/// What an engine reached with so many iterations, and its world then.
+struct Tuned {
+    engine: Engine,
+    iterations: usize,
+    reached: Option<Bounds>,
+    world: Option<Box<dyn World>>,
+}
+
+fn measured(name: &str, setting: &Setting) -> RecordedScene {
+    eprintln!("{name}");
+    let mut all: Vec<Tuned> = engines().into_iter().map(|engine| tuned(engine, setting)).collect();
+    let worlds = all.iter_mut().filter_map(|tuned| tuned.world.as_mut());
+    let mut contenders: Vec<Contender> =
+        worlds.map(|world| Contender::new(|| timed(|| world.step()))).collect();
+    let times = interleaved(TIMED, &mut contenders);
+    drop(contenders);
+    let mut times = times.into_iter();
+    let recorded = |tuned: Tuned| Recorded {
+        engine: tuned.engine.name.into(),
+        ours: tuned.engine.ours,
+        iterations: tuned.iterations,
+        reached: tuned.reached,
+        step: tuned.world.and_then(|_| times.next()),
+    };
+    let engines = all.into_iter().map(recorded).collect();
+    let after = STEPS as f64 * setting.dt;
+    let bodies = setting.places.len();
+    RecordedScene { name: name.into(), bodies, dt: setting.dt, after, bounds: BOUNDS, engines }
+}
+
+fn engines() -> Vec<Engine> {
+    vec![
+        ours::ROW_BY_ROW,
+        ours::EIGHT_PAIRS,
+        rapier::ENGINE,
+        #[cfg(has_ode)]
+        crate::ode::ENGINE,
+        #[cfg(has_bullet)]
+        crate::bullet::ENGINE,
+    ]
+}
+
+/// The least of the iterations that are enough.
+fn tuned(engine: Engine, setting: &Setting) -> Tuned {
+    let mut last = None;
+    for iterations in ITERATIONS {
+        let mut world = (engine.build)(setting, iterations);
+        let reached = after(&mut *world, setting);
+        eprintln!("  {}, {iterations}: {reached:?}", engine.name);
+        if reached.is_some_and(|reached| reached.is_within(&BOUNDS)) {
+            return Tuned { engine, iterations, reached, world: Some(world) };
+        }
+        last = reached;
+    }
+    let iterations = ITERATIONS[ITERATIONS.len() - 1];
+    Tuned { engine, iterations, reached: last, world: None }
+}
+
+/// What is reached after the steps, or at the look on the way that shows it to be hopeless.
+fn after(world: &mut dyn World, setting: &Setting) -> Option<Bounds> {
+    let mut reached = None;
+    for _ in 0..LOOKS {
+        (0..STEPS / LOOKS).for_each(|_| world.step());
+        reached = setting.look(&world.poses());
+        if !reached.is_some_and(|reached| reached.is_within(&HOPELESS)) {
+            break;
+        }
+    }
+    reached
+}

@@ -1,0 +1,75 @@
+//! `convert`: a problem in another file format.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::lcp::exchange::{self, ALL, Format};
+
+use super::limits::MemoryLimit;
+use super::{Outcome, print, say, warn};
+
+/// Write a problem file in another format, or list the formats
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab convert problem.npz problem.json
+  lcplab export stack --step 50 | lcplab convert - stack.mtx   # and stack_b.mtx, … beside it
+  lcplab convert dumps/ contact.json            # Chrono's dump_H.dat, dump_Cq.dat, … in a folder
+  lcplab convert lcp.txt - --from siconos       # to standard output
+  lcplab convert --list                         # the formats, what they carry, their traps
+
+The endings say the formats; --from and --to say otherwise. What a format cannot carry is refused,
+or named on standard error if the numbers stay the same. Exit code 2 for bad input.")]
+pub struct Convert {
+    /// The problem: a file, a folder or the beginning of names of several, - for standard input
+    #[arg(value_name = "FROM", required_unless_present = "list")]
+    source: Option<PathBuf>,
+    /// The file to write, with others beside it where the format has several; - for standard output
+    #[arg(value_name = "TO", required_unless_present = "list")]
+    target: Option<PathBuf>,
+    /// The format of FROM
+    #[arg(long, value_name = "FORMAT")]
+    from: Option<String>,
+    /// The format of TO
+    #[arg(long, value_name = "FORMAT")]
+    to: Option<String>,
+    /// List the formats
+    #[arg(long, exclusive = true)]
+    list: bool,
+    #[command(flatten)]
+    memory: MemoryLimit,
+}
+
+impl Convert {
+    pub fn run(&self) -> Result<Outcome> {
+        let format = |name: &Option<String>| name.as_deref().map(Format::by_name).transpose();
+        let (from, to) = (format(&self.from)?, format(&self.to)?);
+        let (Some(source), Some(target)) = (&self.source, &self.target) else {
+            print(&ALL.iter().map(description).collect::<String>())?;
+            return Ok(Outcome::Good);
+        };
+        let problem = exchange::read_within(source, from, self.memory.max_memory)?;
+        warn(&problem);
+        let notes = if target == Path::new("-") {
+            let output = exchange::encode(&problem, to.unwrap_or(&exchange::JSON))?;
+            let text = String::from_utf8(output.main).ok().filter(|_| output.parts.is_empty());
+            let reason = "is not a single text: it needs a file";
+            print(&text.ok_or_else(|| Error::invalid("-", "format", reason))?)?;
+            output.notes
+        } else {
+            exchange::write(&problem, target, to)?
+        };
+        notes.iter().for_each(|note| say(&format!("note: {note}")));
+        Ok(Outcome::Good)
+    }
+}
+
+fn description(format: &Format) -> String {
+    let Format { name, about, carries, trap, .. } = format;
+    let endings = format.endings.join(", ");
+    let only = if format.write.is_some() { "" } else { "; only read" };
+    format!(
+        "{name:<14} {about}\n  files    *{endings}{only}\n  carries  {carries}\n  trap     {trap}\n"
+    )
+}

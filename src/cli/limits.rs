@@ -1,0 +1,104 @@
+//! What a command may use: `--time-limit`, `--max-memory`, and the patience of who types Ctrl-C.
+//!
+//! Commands that can stop halfway ask for the [`Stop`](Limits::stop): then Ctrl-C raises it, and they
+//! write what they have. The others end at once, by the system's own means or at the time limit.
+
+use std::process;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use clap::Args;
+use lcplab::memory::Memory;
+use lcplab::report::aside::GRACE;
+use lcplab::solver::{Reason, Stop};
+
+use super::{code, say};
+
+/// How long after the limit a command that asks is still waited for: it waits itself for what cannot
+/// be cut short, such as a factorisation, and then has to write.
+const PATIENCE: Duration = GRACE.saturating_mul(2);
+
+/// How long a command may take.
+#[derive(Debug, Args)]
+pub struct TimeLimit {
+    /// Stop after so many seconds; what was computed by then is written
+    #[arg(long, global = true, value_name = "SECONDS", value_parser = seconds)]
+    time_limit: Option<Duration>,
+}
+
+/// How much memory a command may use.
+#[derive(Debug, Args)]
+pub struct MemoryLimit {
+    /// Most memory of a problem, a matrix, a factor, a record, each by itself
+    #[arg(long, value_name = "SIZE", default_value = "4GB")]
+    pub max_memory: Memory,
+}
+
+/// The end of a command's time.
+pub struct Limits {
+    stop: Stop,
+    /// Whether the command asks when to stop.
+    asks: Arc<AtomicBool>,
+    /// Whether it has stopped working, and writes.
+    is_over: Arc<AtomicBool>,
+}
+
+impl Limits {
+    /// Starts the clock.
+    pub fn begin(time: &TimeLimit) -> Self {
+        let limits = Limits {
+            stop: time.time_limit.map(Stop::after).unwrap_or_default(),
+            asks: Arc::default(),
+            is_over: Arc::default(),
+        };
+        if let Some(limit) = time.time_limit {
+            let (asks, is_over) = (Arc::clone(&limits.asks), Arc::clone(&limits.is_over));
+            thread::spawn(move || guard(limit, &asks, &is_over));
+        }
+        limits
+    }
+
+    /// When to stop, for a command that asks; from now on Ctrl-C is one of the reasons. A second one
+    /// ends at once.
+    pub fn stop(&self) -> &Stop {
+        self.asks.store(true, Ordering::Relaxed);
+        let (stop, mut was_asked) = (self.stop.clone(), false);
+        // Without a handler Ctrl-C ends at once.
+        let _ = ctrlc::set_handler(move || {
+            if was_asked {
+                process::exit(code(Reason::Interrupted).into());
+            }
+            was_asked = true;
+            say("stopping; Ctrl-C again ends at once");
+            stop.raise();
+        });
+        &self.stop
+    }
+
+    /// Tells that the work is done, and what follows must not be cut short.
+    pub fn over(&self) {
+        self.is_over.store(true, Ordering::Relaxed);
+    }
+}
+
+/// Ends the program at the time limit if it cannot do so itself.
+fn guard(limit: Duration, asks: &AtomicBool, is_over: &AtomicBool) {
+    thread::sleep(limit);
+    if asks.load(Ordering::Relaxed) {
+        thread::sleep(PATIENCE);
+    }
+    if !is_over.load(Ordering::Relaxed) {
+        let reason = Reason::TimeLimit(limit);
+        say(&format!("error: {reason}; what was under way is lost"));
+        process::exit(code(reason).into());
+    }
+}
+
+/// A positive number of seconds.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().filter(|seconds| *seconds > 0.0 && *seconds <= 1e9);
+    let seconds: f64 = seconds.ok_or("must be a number of seconds above 0")?;
+    Ok(Duration::from_secs_f64(seconds))
+}

@@ -1,0 +1,100 @@
+//! `compare`: a scene stepped by every solver, each answer judged.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lcplab::error::Result;
+use lcplab::memory::Memory;
+use lcplab::report::study::comparison::{self, Sample};
+use lcplab::report::study::film::{self, Actor};
+use lcplab::report::{text, view, write};
+use lcplab::scene::Formulation;
+use lcplab::solver::{self, Method};
+use serde_json::json;
+
+use super::SceneArgs;
+use crate::cli::limits::Limits;
+use crate::cli::{Outcome, bar, print, say};
+
+/// Step a scene with every solver, and judge every answer
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab compare stack --steps 20 --out stack-report
+
+Without --formulation at both levels that are one LCP, velocity and acceleration; with it by that
+family alone. Families that solve no LCP have one row. Only solvers that are made for the model of
+friction run, and only levels that know it.
+With --out the folder gets a page with a film of the solvers side by side, the table and the plots.
+The film shows one solver of each group that moves alike, or those named by --show:
+  lcplab compare stack --show pgs:5 --show dantzig --out stack-report   # five sweeps beside exact
+Exit code 1 if the judge refutes a
+solver's claim, 2 for bad input; a solver that admits failure is a row of the table.")]
+pub struct Compare {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Number of steps; the scene's own without it
+    #[arg(long)]
+    steps: Option<usize>,
+    /// Folder for a page with film, table and plots
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Solver in the film, with its most sweeps after a colon if they are not the scene's; repeatable
+    #[arg(long, value_name = "SOLVER[:SWEEPS]", requires = "out")]
+    show: Vec<String>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Compare {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+        let scene = self.scene.load()?;
+        let steps = self.steps.unwrap_or(scene.step.count);
+        let solvers = match &self.scene.solver {
+            Some(name) => vec![self.scene.method(name, &scene)?],
+            None => solver::methods(),
+        };
+        let families = match self.scene.formulation {
+            Some(family) => vec![family],
+            None => Formulation::LEVELS.to_vec(),
+        };
+        let contenders = comparison::contenders(&scene, &families, &solvers);
+        let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
+        self.scene.check(&running, &scene)?;
+        let shown = self.show.iter().map(|name| Actor::named(name, &scene));
+        let shown = shown.collect::<Result<Vec<Actor>>>()?;
+        let what = format!("the motion of {} runs of {steps} steps", contenders.len());
+        let samples = Memory::bytes(size_of::<Sample>() as u64).times(steps);
+        scene.memory.check(what, samples.times(contenders.len()))?;
+        let progress = bar(contenders.len() as u64, &scene.name);
+        let stop = limits.stop();
+        let (comparison, timings) =
+            comparison::compare_families(&scene, &families, &solvers, steps, &progress, stop)?;
+        let is_whole = comparison.runs.len() == contenders.len()
+            && comparison.runs.iter().all(|run| run.steps == steps);
+        let stopped = stop.reason().filter(|_| !is_whole);
+        limits.over();
+        progress.finish_and_clear();
+        if self.json {
+            print(&format!("{}\n", json!({ "comparison": comparison, "timings": timings })))?;
+        } else {
+            print(&text::table(&view::comparison_table(&comparison)))?;
+        }
+        if let Some(folder) = &self.out {
+            let actors = match shown.is_empty() {
+                true => film::alike(&contenders, &view::alike(&comparison.runs)),
+                false => shown.into_iter().map(|actor| (actor.name(), actor)).collect(),
+            };
+            let film = film::film("film", &scene, &actors, steps, stop);
+            let page = write::document(&view::comparison_document(&comparison, film), folder)?;
+            say(&page.display().to_string());
+        }
+        let refuted = comparison.runs.iter().any(|run| run.refuted_claims > 0);
+        Ok(match stopped {
+            Some(reason) => Outcome::Stopped(reason),
+            None if refuted => Outcome::Refuted,
+            None => Outcome::Good,
+        })
+    }
+}

@@ -1,0 +1,77 @@
+//! `export`: the LCP of a step as a problem file.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lcplab::error::Result;
+use lcplab::file;
+use lcplab::lcp::file::{Problem, number};
+use serde_json::json;
+
+use super::SceneArgs;
+use crate::cli::limits::Limits;
+use crate::cli::{Outcome, print, say};
+
+/// Write the LCP of one step of a scene as a problem file
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab export stack --step 1 --out stack.json; lcplab solve stack.json
+
+Rows come in the order of the scene's constraints, then contacts, each as normal, first and second
+tangent. A step that solves several LCPs (an impact, a bounce) gives the last one.")]
+pub struct Export {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// The step, from 1
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    step: u64,
+    /// The file; standard output without it
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+impl Export {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+        let scene = self.scene.load()?;
+        let mut simulation = self.scene.simulation(&scene)?;
+        let (stop, mut last) = (limits.stop(), None);
+        for _ in 0..self.step {
+            match simulation.step_before(stop) {
+                Ok(step) => last = step.solves.into_iter().next_back(),
+                Err(failure) => {
+                    if let Some(reason) = failure.cause.stopped() {
+                        return Ok(Outcome::Stopped(reason));
+                    }
+                    say(&format!("error: {}: {failure}", scene.name));
+                    return Ok(Outcome::Refuted);
+                }
+            }
+        }
+        limits.over();
+        let Some(solve) = last else {
+            say(&format!("error: {}: step {} solves no LCP", scene.name, self.step));
+            return Ok(Outcome::Refuted);
+        };
+        let assembled = &solve.problem;
+        let mut problem =
+            Problem::new(format!("{}, step {}", scene.name, self.step), assembled.lcp.clone());
+        if let Some(posing) = solve.posing {
+            (problem.model, problem.frozen_at) = (Some(posing.model), posing.frozen_at);
+        }
+        let rows = assembled.assembly.rows.iter().map(|row| {
+            let unit = assembled.stage.unit(row.kind.is_angular());
+            json!({ "label": row.label(&scene), "kind": row.kind.name(), "unit": unit })
+        });
+        problem.extra.insert("rows".into(), rows.collect());
+        problem.extra.insert("dt".into(), number(scene.step.dt));
+        let source = format!("lcplab scene {}, {} level", scene.name, assembled.stage.name());
+        problem.extra.insert("source".into(), source.into());
+        let text = format!("{}\n", problem.to_json());
+        match &self.out {
+            Some(path) => file::write(path, &text)?,
+            None => print(&text)?,
+        }
+        Ok(Outcome::Good)
+    }
+}

@@ -1,0 +1,55 @@
+//! `scenes`: what is shipped, and what a scene may have.
+
+use clap::Args;
+use lcplab::constraint;
+use lcplab::error::{Error, Result};
+use lcplab::scene::catalogue;
+
+use crate::cli::{Outcome, print};
+
+/// List the shipped scenes, or print one
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab scenes
+  lcplab scenes pendulum > mine.toml   # a start for a scene of your own
+  lcplab scenes --joints               # the constraints that it may have")]
+pub struct Scenes {
+    /// Print this scene's file
+    name: Option<String>,
+    /// Print the JSON schema of the scene format
+    #[arg(long, conflicts_with = "name")]
+    schema: bool,
+    /// List the constraints that a scene can name, with their fields
+    #[arg(long, conflicts_with_all = ["name", "schema"])]
+    joints: bool,
+}
+
+impl Scenes {
+    pub fn run(&self) -> Result<Outcome> {
+        if self.schema {
+            print(&format!("{}\n", lcplab::scene::schema()))?;
+            return Ok(Outcome::Good);
+        }
+        if self.joints {
+            constraint::ALL.iter().try_for_each(|joint| print(&format!("{joint}\n")))?;
+            return Ok(Outcome::Good);
+        }
+        if let Some(name) = &self.name {
+            let known = || catalogue::SHIPPED.iter().map(|shipped| shipped.name.into()).collect();
+            let file = catalogue::text(name).ok_or_else(|| Error::Unknown {
+                kind: "shipped scene",
+                name: name.clone(),
+                known: known(),
+            })?;
+            print(file)?;
+            return Ok(Outcome::Good);
+        }
+        let mut list = String::new();
+        for shipped in catalogue::SHIPPED {
+            list += &format!("{:<16} {}\n", shipped.name, shipped.scene()?.title);
+        }
+        print(&list)?;
+        Ok(Outcome::Good)
+    }
+}

@@ -1,0 +1,136 @@
+//! Commands on a scene, one a file, and what they have in common: the scene, and what to change in it.
+
+mod compare;
+mod export;
+mod list;
+mod simulate;
+
+pub use compare::Compare;
+pub use export::Export;
+pub use list::Scenes;
+pub use simulate::Simulate;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use lcplab::error::{Error, Result};
+use lcplab::formulation::{friction_model, with_friction_model};
+use lcplab::lcp::friction::Model;
+use lcplab::report::methods;
+use lcplab::report::study::scene_simulation;
+use lcplab::scene::{self, Formulation, Scene};
+use lcplab::simulation::Simulation;
+use lcplab::solver::{Method, entry};
+
+use super::limits::MemoryLimit;
+use super::options::{Choices, RowOrder};
+
+/// A scene, and what to change in it.
+#[derive(Debug, Args)]
+struct SceneArgs {
+    /// A scene file, or the name of a shipped scene
+    scene: String,
+    /// Family of methods that takes the steps; the scene's own without it
+    #[arg(long, value_parser = families())]
+    formulation: Option<Formulation>,
+    /// Solver; the scene's own without it
+    #[arg(long)]
+    solver: Option<String>,
+    /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
+    /// coulomb-cone; the scene's own without it
+    #[arg(long)]
+    model: Option<Model>,
+    /// Length of a step in seconds; the scene's own without it
+    #[arg(long, allow_negative_numbers = true)]
+    dt: Option<f64>,
+    /// Largest scaled residual that counts as solved
+    #[arg(long, allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    /// Most sweeps or pivots in a solve
+    #[arg(long)]
+    max_iterations: Option<usize>,
+    #[command(flatten)]
+    memory: MemoryLimit,
+    #[command(flatten)]
+    choices: Choices,
+}
+
+/// The names of the families, each of which is one.
+fn families() -> impl TypedValueParser<Value = Formulation> {
+    let names = Formulation::FAMILIES.map(Formulation::name);
+    PossibleValuesParser::new(names).map(|name| Formulation::by_name(&name).unwrap_or_default())
+}
+
+impl SceneArgs {
+    fn load(&self) -> Result<Scene> {
+        let mut scene = Scene::load(&self.scene)?;
+        scene.step.formulation = self.formulation.unwrap_or(scene.step.formulation);
+        scene.step.dt = self.dt.unwrap_or(scene.step.dt);
+        if let Some(model) = self.model {
+            scene.contact = with_friction_model(&scene.contact, model);
+        }
+        let solver = &mut scene.solver;
+        solver.name = self.solver.clone().unwrap_or_else(|| solver.name.clone());
+        solver.tolerance = self.tolerance.unwrap_or(solver.tolerance);
+        solver.max_iterations = self.max_iterations.unwrap_or(solver.max_iterations);
+        solver.omega = self.choices.omega.unwrap_or(solver.omega);
+        solver.order = self.choices.order.map_or(solver.order, scene::Order::from);
+        solver.seed = self.choices.seed.unwrap_or(solver.seed);
+        solver.damping = self.choices.damping.or(solver.damping);
+        scene.validate()?;
+        scene.memory = self.memory.max_memory;
+        Ok(scene)
+    }
+
+    /// The scene at its start, with its solver; options that it does not look at are refused.
+    fn simulation(&self, scene: &Scene) -> Result<Simulation> {
+        let simulation = scene_simulation(scene).map_err(|error| self.blamed(error))?;
+        self.check(&[self.method(&scene.solver.name, scene)?], scene)?;
+        Ok(simulation)
+    }
+
+    /// An unknown solver is the file's fault if it was not asked for here.
+    fn blamed(&self, error: Error) -> Error {
+        match (&self.solver, &error) {
+            (None, Error::Unknown { .. }) => {
+                Error::invalid(&*self.scene, "solver.name", error.to_string())
+            }
+            _ => error,
+        }
+    }
+
+    /// The solver of this name. One that is asked for must be made for the model of friction; the
+    /// scene's own gives way to one that is.
+    fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
+        match friction_model(&scene.contact) {
+            Model::CoupledBox | Model::FrozenBox => Ok(Method::Boxed(*entry(name)?)),
+            model if self.solver.is_some() => methods::by_name(name, model),
+            model => methods::by_name(name, model)
+                .or_else(|_| methods::by_name(methods::default_for(model), model)),
+        }
+    }
+
+    fn check(&self, solvers: &[Method], scene: &Scene) -> Result<()> {
+        let users: Vec<_> = solvers.iter().map(|solver| (solver.name(), solver.uses())).collect();
+        self.choices.check(&users, Some(scene.solver.order.into()))
+    }
+}
+
+impl From<RowOrder> for scene::Order {
+    fn from(order: RowOrder) -> Self {
+        match order {
+            RowOrder::Natural => scene::Order::Natural,
+            RowOrder::Reverse => scene::Order::Reverse,
+            RowOrder::Shuffled => scene::Order::Shuffled,
+        }
+    }
+}
+
+impl From<scene::Order> for RowOrder {
+    fn from(order: scene::Order) -> Self {
+        match order {
+            scene::Order::Natural => RowOrder::Natural,
+            scene::Order::Reverse => RowOrder::Reverse,
+            scene::Order::Shuffled => RowOrder::Shuffled,
+        }
+    }
+}

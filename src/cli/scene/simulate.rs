@@ -1,0 +1,171 @@
+//! `simulate`: a scene stepped through time and recorded.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lcplab::error::Result;
+use lcplab::file;
+use lcplab::plot::Figure;
+use lcplab::plot::scene::{Film, Frame, Strip, Take, instants};
+use lcplab::report::aside::{Aside, GRACE};
+use lcplab::report::recording::Record;
+use lcplab::report::view;
+use lcplab::scene::Scene;
+use lcplab::simulation::{Cause, Failure, Simulation, Step};
+use lcplab::solver::Stop;
+
+use super::SceneArgs;
+use crate::cli::limits::Limits;
+use crate::cli::{Outcome, bar, print};
+
+/// Step a scene through time
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab simulate pendulum --steps 500 --out swing --frames 8 --forces
+
+Writes index.html (a page that plays the motion), trajectory.csv (poses and velocities), ledger.csv
+(energy and where it went, momentum, errors), forces.csv (x and w of every row), results.json and
+frames.svg (a picture of some instants) to the folder. Exit code 0 if every step was solved, 1 if not
+or if the motion diverged (what was recorded until then is written), 2 for bad input.")]
+pub struct Simulate {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Number of steps; the scene's own without it
+    #[arg(long)]
+    steps: Option<usize>,
+    /// Folder for the recorded motion
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Number of instants in frames.svg
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u64).range(2..=60))]
+    frames: u64,
+    /// Draw contacts, contact forces and constraint forces in frames.svg
+    #[arg(long)]
+    forces: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Simulate {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+        let scene = self.scene.load()?;
+        let simulation = self.scene.simulation(&scene)?;
+        let steps = self.steps.unwrap_or(scene.step.count);
+        let mut record = Record::start(&scene, &simulation);
+        if self.out.is_some() {
+            record = record.with_tables(&simulation);
+        }
+        let mut camera = Camera {
+            shots: self.instants(steps, Film::shots(1)),
+            instants: self.instants(steps, self.frames as usize),
+            take: Take::start(scene.solver.name.clone(), &simulation),
+            frames: vec![Frame::start(&scene)],
+            last: Frame::start(&scene),
+        };
+        let failure = self.record(steps, simulation, limits.stop(), &mut record, &mut camera);
+        limits.over();
+        if let Some(failure) = &failure {
+            record.end(failure);
+            camera.end(failure);
+        }
+        print(&if self.json { format!("{}\n", record.summary()) } else { record.text() })?;
+        self.write(&scene, &record, camera)?;
+        Ok(match failure.and_then(|failure| failure.cause.stopped()) {
+            Some(reason) => Outcome::Stopped(reason),
+            None if record.is_good() => Outcome::Good,
+            None => Outcome::Refuted,
+        })
+    }
+
+    /// Records the steps; returns why they ended early. They are taken on a thread of their own: one
+    /// that cannot be cut short in time is left behind, and those before it are not lost.
+    fn record(
+        &self,
+        steps: usize,
+        mut simulation: Simulation,
+        stop: &Stop,
+        record: &mut Record,
+        camera: &mut Camera,
+    ) -> Option<Failure> {
+        let scene = simulation.scene().clone();
+        let (progress, asked) = (bar(steps as u64, &scene.name), stop.clone());
+        let taken = Aside::begin(stop, GRACE, move |sender| {
+            for _ in 0..steps {
+                let step = simulation.step_before(&asked);
+                let is_last = step.is_err();
+                if sender.send(step).is_err() || is_last {
+                    break;
+                }
+            }
+        });
+        for step in taken {
+            match step {
+                Ok(step) => {
+                    record.add(&step);
+                    camera.look(&scene, &step);
+                    progress.inc(1);
+                }
+                Err(failure) => return Some(failure),
+            }
+            let what = || format!("the record of {} steps", record.steps());
+            if let Err(full) = scene.memory.check(what(), record.memory()) {
+                record.cut(&full.to_string());
+                return None;
+            }
+        }
+        let (step, time) = (record.steps() + 1, camera.last.time);
+        let is_left_behind = record.steps() < steps;
+        is_left_behind.then(|| Failure { step, time, cause: Cause::Stopped(stop.reason()) })
+    }
+
+    /// Writes the folder, if one is wanted.
+    fn write(&self, scene: &Scene, record: &Record, camera: Camera) -> Result<()> {
+        let Some(folder) = &self.out else { return Ok(()) };
+        record.write(folder)?;
+        let page = view::simulation_page(Film::new("film", scene, vec![camera.take]), record);
+        file::write(&folder.join("index.html"), &page.render()?)?;
+        let strip = Strip::new(scene, camera.frames);
+        let strip = if self.forces { strip.with_forces() } else { strip };
+        file::write(&folder.join("frames.svg"), &strip.svg())
+    }
+
+    /// The steps after which to look; none if no picture is wanted.
+    fn instants(&self, steps: usize, frames: usize) -> Vec<usize> {
+        match self.out {
+            Some(_) => instants(steps, frames),
+            None => Vec::new(),
+        }
+    }
+}
+
+/// What is kept for the film and for the strip of frames.
+struct Camera {
+    /// The steps after which the film is shot.
+    shots: Vec<usize>,
+    /// The steps after which a frame is drawn.
+    instants: Vec<usize>,
+    take: Take,
+    frames: Vec<Frame>,
+    /// The last instant, without forces.
+    last: Frame,
+}
+
+impl Camera {
+    fn look(&mut self, scene: &Scene, step: &Step) {
+        if self.shots.binary_search(&step.number).is_ok() {
+            self.take.add(scene, step);
+        }
+        if self.instants.binary_search(&step.number).is_ok() {
+            self.frames.push(Frame::after(scene, step));
+        }
+        self.last.time = step.motion.time;
+        self.last.states.clone_from(&step.states);
+    }
+
+    fn end(&mut self, why: &Failure) {
+        self.take.end(Some(why));
+        self.frames.push(self.last.clone());
+    }
+}

@@ -1,0 +1,111 @@
+//! `trial`: are the solvers honest?
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::report::page::{Cell, Column, Table};
+use lcplab::report::text;
+use lcplab::solver::{ALL, Options, Settings, Solver, entry};
+use lcplab::trial::{KINDS, Record, Tally, Trial};
+
+use super::limits::Limits;
+use super::{Outcome, bar, print};
+
+/// Give random hostile problems to the solvers and look for claims that are not true
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab trial --problems 100000 --seed 1
+  lcplab trial --solver dantzig --json
+
+Problem k of a seed is the same in every run. The exit code is 1 if a solver lied.")]
+pub struct Challenge {
+    /// How many problems
+    #[arg(long, default_value_t = 10_000)]
+    problems: usize,
+    /// The seed of them all
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Only this solver; all of them without it
+    #[arg(long)]
+    solver: Vec<String>,
+    /// Most sweeps or pivots: enough for an answer, few enough for many problems
+    #[arg(long, default_value_t = 2000)]
+    max_iterations: usize,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Challenge {
+    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+        let settings = Settings { max_iterations: self.max_iterations, ..Settings::default() };
+        let options = Options { settings, ..Options::default() };
+        options.validate()?;
+        let solvers: Vec<Box<dyn Solver>> = match &self.solver[..] {
+            [] => ALL.iter().map(|entry| (entry.build)(&options)).collect(),
+            names => {
+                let build = |name: &String| Ok((entry(name)?.build)(&options));
+                names.iter().map(build).collect::<Result<_>>()?
+            }
+        };
+        let trial = Trial { problems: self.problems, seed: self.seed };
+        let progress = bar(self.problems as u64, "problems");
+        let stop = limits.stop();
+        let record = trial.until(stop, &solvers, &|| progress.inc(1));
+        let stopped = stop.reason().filter(|_| record.problems < self.problems);
+        limits.over();
+        progress.finish_and_clear();
+        print(&if self.json { json(&record)? } else { self.words(&record) })?;
+        Ok(match stopped {
+            _ if !record.is_honest() => Outcome::Refuted,
+            Some(reason) => Outcome::Stopped(reason),
+            None => Outcome::Good,
+        })
+    }
+
+    fn words(&self, record: &Record) -> String {
+        let mut words = text::table(&table(record));
+        words +=
+            &format!("{} problems of {} kinds, seed {}", record.problems, KINDS.len(), self.seed);
+        let lied: usize = record.tallies.iter().map(|tally| tally.lied).sum();
+        words += &format!(": {lied} untrue claims\n");
+        for tally in &record.tallies {
+            for (number, kind, what) in &tally.lies {
+                words += &format!("  {} on problem {number} ({kind}): {what}\n", tally.solver);
+            }
+        }
+        words
+    }
+}
+
+fn json(record: &Record) -> Result<String> {
+    let json = serde_json::to_string_pretty(record);
+    json.map(|json| json + "\n")
+        .map_err(|cause| Error::invalid("trial", "record", cause.to_string()))
+}
+
+fn table(record: &Record) -> Table {
+    let row = |tally: &Tally| {
+        let counts = [
+            tally.proved,
+            tally.within,
+            tally.strained,
+            tally.impossible,
+            tally.unsolved,
+            tally.outside,
+            tally.lied,
+        ];
+        std::iter::once(Cell::text(&tally.solver)).chain(counts.map(Cell::count)).collect()
+    };
+    Table {
+        title: "Claims".into(),
+        columns: std::iter::once(Column::words("solver"))
+            .chain(
+                ["proved", "within", "strained", "impossible", "unsolved", "outside", "untrue"]
+                    .map(|name| Column::numbers(name, "")),
+            )
+            .collect(),
+        rows: record.tallies.iter().map(row).collect(),
+        ..Table::default()
+    }
+}

@@ -1,0 +1,112 @@
+//! Files: read whole, but not beyond a size, and written whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::Builder;
+
+use crate::error::{Error, Result};
+use crate::memory::Memory;
+
+/// A file that people write, such as a scene, is not larger than this.
+pub const WRITTEN_BY_HAND: Memory = Memory::bytes(100_000_000);
+
+/// Reads a file of text, or standard input for the path `-`.
+///
+/// # Errors
+/// If it cannot be read, is larger than `most`, or is not UTF-8.
+pub fn read(path: &Path, most: Memory) -> Result<String> {
+    let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "is not UTF-8 text");
+    let text = String::from_utf8(read_bytes(path, most)?).map_err(not_text);
+    text.map_err(|cause| Error::file(path, &cause))
+}
+
+/// Reads a file of any kind, or standard input for the path `-`.
+///
+/// # Errors
+/// If it cannot be read or is larger than `most`.
+pub fn read_bytes(path: &Path, most: Memory) -> Result<Vec<u8>> {
+    let bytes = match path == Path::new("-") {
+        true => read_from(io::stdin().lock(), most),
+        false => File::open(path).and_then(|file| read_from(file, most)),
+    };
+    match bytes.map_err(|cause| Error::file(path, &cause))? {
+        Some(bytes) => Ok(bytes),
+        None => Err(Error::File {
+            path: path.display().to_string(),
+            reason: format!("has more than {most}, the most that is read"),
+        }),
+    }
+}
+
+/// All bytes; nothing if there are more than `most`.
+fn read_from(source: impl Read, most: Memory) -> io::Result<Option<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    source.take(most.in_bytes().saturating_add(1)).read_to_end(&mut bytes)?;
+    Ok((bytes.len() as u64 <= most.in_bytes()).then_some(bytes))
+}
+
+/// Writes a file, with the folders above it, under a temporary name that is then changed: a reader, or
+/// an interrupted run, never finds half a file. A device or a pipe is written to as it stands.
+///
+/// # Errors
+/// If it cannot be written; then what was there before is still there.
+pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<()> {
+    let bytes = text.as_ref();
+    let is_special = fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir());
+    let written = match is_special {
+        true => fs::write(path, bytes),
+        false => replace(path, |part| part.write_all(bytes)),
+    };
+    written.map_err(|cause| Error::file(path, &plain(cause)))
+}
+
+/// Puts what `fill` writes into a file in the place of another one.
+fn replace(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+    let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf()); // a link stays a link
+    let folder = folder_of(&place);
+    fs::create_dir_all(&folder)?;
+    let mut part = named_part().tempfile_in(&folder)?;
+    fill(part.as_file_mut())?;
+    part.persist(&place)?;
+    Ok(())
+}
+
+/// Has a file made by someone else, under a temporary name that is then changed.
+///
+/// # Errors
+/// What `make` says; or if there is no such file then, or it cannot be renamed.
+pub fn made_by(path: &Path, make: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
+    let failed = |cause: io::Error| Error::file(path, &plain(cause));
+    let part = named_part().tempfile_in(folder_of(path)).map_err(failed)?.into_temp_path();
+    make(&part)?;
+    part.persist(path).map_err(|cause| failed(cause.error))
+}
+
+/// A temporary file that others may read as far as the user lets them.
+fn named_part() -> Builder<'static, 'static> {
+    let mut builder = Builder::new();
+    builder.prefix(".lcplab-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder.into(),
+        _ => ".".into(),
+    }
+}
+
+/// What the operating system said, without the temporary file's name.
+fn plain(cause: io::Error) -> io::Error {
+    match cause.raw_os_error() {
+        Some(_) => cause,
+        None => cause.kind().into(),
+    }
+}

@@ -1,0 +1,47 @@
+//! The rows of a problem as programs for friction list them: contact after contact, each as n, t1, t2,
+//! then the equations.
+
+use crate::error::{Error, Result};
+use crate::lcp::file::Problem;
+
+/// Rows in that order.
+pub(super) struct Arrangement {
+    /// Which row of the problem stands where.
+    pub rows: Vec<usize>,
+    /// The coefficient of friction of each contact.
+    pub mu: Vec<f64>,
+}
+
+impl Arrangement {
+    /// The order of a problem's rows in a format.
+    ///
+    /// # Errors
+    /// If a row is neither one of a contact nor an equation.
+    pub fn of(problem: &Problem, format: &str) -> Result<Self> {
+        let friction = problem.friction().unwrap_or_else(|| {
+            Err(Error::invalid(format, "friction_index", "is missing: there are no contacts"))
+        })?;
+        let lcp = friction.lcp();
+        let is_equation = |i: usize| lcp.lo()[i] == -f64::INFINITY && lcp.hi()[i] == f64::INFINITY;
+        if let Some(i) = friction.others().iter().find(|i| !is_equation(**i)) {
+            let reason = format!("is neither a contact with friction nor an equation for {format}");
+            return Err(Error::invalid(format, format!("row {i}"), reason));
+        }
+        let contacts = friction.contacts().iter().flat_map(|contact| contact.rows);
+        Ok(Arrangement {
+            rows: contacts.chain(friction.others().iter().copied()).collect(),
+            mu: friction.contacts().iter().map(|contact| contact.mu).collect(),
+        })
+    }
+
+    /// The rows of no contact.
+    pub fn equations(&self) -> &[usize] {
+        &self.rows[3 * self.mu.len()..]
+    }
+
+    /// What the reader must know who finds the rows in this order.
+    pub fn notes(order: &[usize]) -> Vec<String> {
+        let is_kept = order.iter().enumerate().all(|(k, i)| k == *i);
+        if is_kept { Vec::new() } else { vec![format!("rows are written in the order {order:?}")] }
+    }
+}

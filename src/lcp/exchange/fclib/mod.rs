@@ -1,0 +1,65 @@
+//! FCLIB: Acary, Brémond and others' library of frictional contact problems, as HDF5.
+//!
+//! Defined by FCLIB's own `fclib.h` (FrictionalContactLibrary/fclib, src/fclib.h) and INRIA's report
+//! RT-0444 (Acary, Brémond, Koziara & Pérignon 2014). A file holds a *local* problem, in impulses alone, or a
+//! *global* one, in velocities too:
+//!
+//! | local: `/fclib_local/` | global: `/fclib_global/` |
+//! | --- | --- |
+//! | u = W r + V λ + q | M v = H r + G λ + f |
+//! | 0 = Vᵀ r + R λ + s | u = Hᵀ v + w,  0 = Gᵀ v + b |
+//! | `W`, `V`, `R`; `vectors/q`, `s`, `mu` | `M`, `H`, `G`; `vectors/f`, `w`, `b`, `mu` |
+//!
+//! with r in Coulomb's cone of each contact and û = u + μ |u_t| n in its dual: model `coulomb-cone`.
+//! x = (r, λ); a contact stands as n, t1, t2, and the rows of λ, after all contacts, are equations.
+//!
+//! ```text
+//! local:  A = [W  V]    b = [q]          global:  A = [H G]ᵀ M⁻¹ [H G]    b = [H G]ᵀ M⁻¹ f + [w]
+//!             [Vᵀ R]        [s]                                                              [b]
+//! ```
+//!
+//! A matrix is a group of `m` rows, `n` columns, `nz` and the arrays `p`, `i`, `x`: compressed columns
+//! for nz = −1, compressed rows for −2, else nz triplets. Names and texts are under `info/`.
+//!
+//! Traps: W may be unsymmetric in its last digits and is taken as it stands, not symmetrised. Of
+//! triplets, `fclib.h` says that `p` holds rows and `i` columns, while Siconos hands them to CSparse,
+//! which means the opposite: `p` columns, `i` rows. CSparse's meaning is taken; it matters to V, H and G.
+//! Contacts in the plane (`spacedim` 2) have one tangent, ours two: they are refused. Some collections
+//! store half of W with an attribute `symmetric_packed`: that is not FCLIB's format and is refused.
+//!
+//! The feature `fclib` of the crate reads and writes HDF5 in pure Rust (`hdf5-reader`, `hdf5-writer`);
+//! without it both are refused. Written are local problems.
+
+#[cfg(feature = "fclib")]
+mod reader;
+#[cfg(feature = "fclib")]
+mod writer;
+
+use super::Format;
+use crate::lcp::friction::Model;
+
+/// FCLIB's HDF5 files.
+pub const FORMAT: Format = Format {
+    name: "fclib",
+    about: "FCLIB: frictional contact problems as HDF5 (the feature fclib)",
+    endings: &[".hdf5", ".h5"],
+    in_folder: None,
+    beside: &[],
+    carries: "contacts under Coulomb's law and equations; sparse",
+    law: Some(Model::CoulombCone),
+    trap: "W may be unsymmetric in its last digits, and contacts in the plane are refused",
+    #[cfg(feature = "fclib")]
+    read: reader::read,
+    #[cfg(feature = "fclib")]
+    write: Some(writer::write),
+    #[cfg(not(feature = "fclib"))]
+    read: |input| Err(left_out(input.name())),
+    #[cfg(not(feature = "fclib"))]
+    write: Some(|_| Err(left_out("fclib".into()))),
+};
+
+#[cfg(not(feature = "fclib"))]
+fn left_out(input: String) -> crate::error::Error {
+    let reason = "HDF5 is left out of this build: cargo install --path . --features fclib";
+    crate::error::Error::invalid(input, "format", reason)
+}

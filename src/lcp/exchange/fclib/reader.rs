@@ -1,0 +1,246 @@
+//! FCLIB's problems read from HDF5.
+
+use hdf5_reader::messages::datatype::Datatype;
+use hdf5_reader::{Dataset, Hdf5File, OpenOptions};
+
+use crate::error::{Error, Result};
+use crate::lcp::exchange::Input;
+use crate::lcp::exchange::delassus::Motion;
+use crate::lcp::file::{Entries, Parts, Problem};
+use crate::lcp::friction::Model;
+
+/// Arrays of more bytes than this are refused: a small file can claim a very large one.
+const MOST_BYTES: usize = 1 << 30;
+
+pub(super) fn read(input: &Input) -> Result<Problem> {
+    let name = input.name();
+    let options = OpenOptions { max_read_bytes: MOST_BYTES, ..OpenOptions::default() };
+    let file = Hdf5File::from_vec_with_options(input.bytes()?, options)
+        .map_err(|cause| Error::invalid(&name, "file", cause.to_string()))?;
+    let has = |group: &str| file.group(group).is_ok();
+    let file = File { file: &file, input: &name };
+    let (kind, contents) = match (has("/fclib_local"), has("/fclib_global")) {
+        (true, _) => ("/fclib_local", file.local()?),
+        (false, true) => ("/fclib_global", file.global()?),
+        (false, false) => {
+            let reason = "is missing, and so is fclib_global: no file of FCLIB";
+            return Err(Error::invalid(&name, "fclib_local", reason));
+        }
+    };
+    let lcp = contents.parts(&name)?.into_lcp().map_err(|error| error.within(&name))?;
+    let title = file.file.dataset(&format!("{kind}/info/title")).and_then(|t| t.read_string());
+    let title = title.unwrap_or_else(|_| input.stem());
+    Ok(Problem { model: Some(Model::CoulombCone), ..Problem::new(title, lcp) })
+}
+
+/// A local problem, or what a global one comes to.
+struct Contents {
+    entries: Entries,
+    b: Vec<f64>,
+    mu: Vec<f64>,
+}
+
+impl Contents {
+    fn parts(self, input: &str) -> Result<Parts> {
+        let (n, friction) = (self.b.len(), 3 * self.mu.len());
+        if friction > n {
+            let reason = format!("has {} contacts, there are {n} rows", self.mu.len());
+            return Err(Error::invalid(input, "mu", reason));
+        }
+        let is_normal = |i: usize| i < friction && i % 3 == 0;
+        let is_tangent = |i: usize| i < friction && i % 3 != 0;
+        Ok(Parts {
+            lo: Some((0..n).map(|i| if is_normal(i) { 0.0 } else { -f64::INFINITY }).collect()),
+            hi: None,
+            index: Some((0..n).map(|i| is_tangent(i).then_some(i - i % 3)).collect()),
+            mu: Some((0..n).map(|i| if is_tangent(i) { self.mu[i / 3] } else { 0.0 }).collect()),
+            entries: self.entries,
+            b: self.b,
+        })
+    }
+}
+
+/// A sparse matrix.
+struct Sparse {
+    rows: usize,
+    cols: usize,
+    entries: Vec<(usize, usize, f64)>,
+}
+
+/// A file, and what messages call it.
+struct File<'a> {
+    file: &'a Hdf5File,
+    input: &'a str,
+}
+
+impl File<'_> {
+    fn local(&self) -> Result<Contents> {
+        self.check_dimension("/fclib_local/spacedim")?;
+        let w = self.matrix("/fclib_local/W")?;
+        let mut b = self.numbers("/fclib_local/vectors/q", w.rows)?;
+        self.check_size("/fclib_local/W", &w, [w.rows, w.rows])?;
+        let mu = self.numbers("/fclib_local/vectors/mu", w.rows / 3)?;
+        self.check_contacts("/fclib_local/W", w.rows)?;
+        let (n, mut entries) = (w.rows, w.entries);
+        if self.file.group("/fclib_local/R").is_ok() {
+            let (v, r) = (self.matrix("/fclib_local/V")?, self.matrix("/fclib_local/R")?);
+            self.check_size("/fclib_local/R", &r, [r.rows, r.rows])?;
+            self.check_size("/fclib_local/V", &v, [n, r.rows])?;
+            b.extend(self.numbers("/fclib_local/vectors/s", r.rows)?);
+            for (i, j, value) in v.entries {
+                entries.extend([(i, n + j, value), (n + j, i, value)]);
+            }
+            entries.extend(r.entries.into_iter().map(|(i, j, value)| (n + i, n + j, value)));
+        }
+        Ok(Contents { entries: Entries::Sparse(entries), b, mu })
+    }
+
+    fn global(&self) -> Result<Contents> {
+        self.check_dimension("/fclib_global/spacedim")?;
+        let (m, h) = (self.matrix("/fclib_global/M")?, self.matrix("/fclib_global/H")?);
+        let k = m.rows;
+        let force = self.numbers("/fclib_global/vectors/f", k)?;
+        self.check_size("/fclib_global/M", &m, [k, k])?;
+        self.check_size("/fclib_global/H", &h, [k, h.cols])?;
+        self.check_contacts("/fclib_global/H", h.cols)?;
+        let mut bias = self.numbers("/fclib_global/vectors/w", h.cols)?;
+        let mu = self.numbers("/fclib_global/vectors/mu", h.cols / 3)?;
+        let mut columns = h.entries;
+        if self.file.group("/fclib_global/G").is_ok() {
+            let g = self.matrix("/fclib_global/G")?;
+            self.check_size("/fclib_global/G", &g, [k, g.cols])?;
+            bias.extend(self.numbers("/fclib_global/vectors/b", g.cols)?);
+            columns.extend(g.entries.into_iter().map(|(i, j, value)| (i, h.cols + j, value)));
+        }
+        let mut motion = Motion { mass: m.entries, jacobian: vec![Vec::new(); bias.len()], force };
+        columns.into_iter().for_each(|(c, row, value)| motion.jacobian[row].push((c, value)));
+        let Some((entries, free)) = motion.dual(&vec![0.0; bias.len()]) else {
+            return Err(self.fault("/fclib_global/M", "is not positive definite"));
+        };
+        let b = free.iter().zip(&bias).map(|(free, bias)| free + bias).collect();
+        Ok(Contents { entries, b, mu })
+    }
+
+    fn check_dimension(&self, path: &str) -> Result<()> {
+        match self.whole(path)? {
+            3 => Ok(()),
+            d => Err(self.fault(path, format!("is {d}: only contacts in space, 3, are read"))),
+        }
+    }
+
+    fn check_contacts(&self, path: &str, rows: usize) -> Result<()> {
+        match rows.is_multiple_of(3) {
+            true => Ok(()),
+            false => Err(self.fault(path, format!("has {rows} rows, not three a contact"))),
+        }
+    }
+
+    fn check_size(&self, path: &str, matrix: &Sparse, size: [usize; 2]) -> Result<()> {
+        if [matrix.rows, matrix.cols] == size {
+            return Ok(());
+        }
+        let (is, must) = (format!("{} × {}", matrix.rows, matrix.cols), size);
+        Err(self.fault(path, format!("is {is}, must be {} × {}", must[0], must[1])))
+    }
+
+    /// The matrix of a group.
+    fn matrix(&self, path: &str) -> Result<Sparse> {
+        let part = |part: &str| format!("{path}/{part}");
+        let group = self.file.group(path).map_err(|cause| self.fault(path, cause.to_string()))?;
+        if group.attribute("symmetric_packed").is_ok() {
+            return Err(self.fault(path, "is packed, half of a matrix: not FCLIB's format"));
+        }
+        let (rows, cols) = (self.whole(&part("m"))?, self.whole(&part("n"))?);
+        let (p, i) = (self.integers(&part("p"))?, self.integers(&part("i"))?);
+        let x: Vec<f64> = self.read(&part("x"), |dataset| floats(dataset))?;
+        let fault = |reason: &str| self.fault(path, format!("{rows} × {cols}: {reason}"));
+        let (i, j) = match self.integers(&part("nz"))?[..] {
+            [-1] => (wholes(&i), unpacked(&p, cols, x.len())),
+            [-2] => (unpacked(&p, rows, x.len()), wholes(&i)),
+            [nz] if nz >= 0 => (wholes(&i), wholes(&p)), // as CSparse has them
+            _ => return Err(fault("nz must be -1, -2 or a number of triplets")),
+        };
+        let (Some(i), Some(j)) = (i, j) else {
+            return Err(fault("p and i do not tell where the numbers are"));
+        };
+        let fits = i.iter().all(|i| *i < rows) && j.iter().all(|j| *j < cols);
+        if i.len() != x.len() || j.len() != x.len() || !fits {
+            return Err(fault("p, i and x do not agree"));
+        }
+        let places = i.into_iter().zip(j).zip(x);
+        let entries = places.map(|((i, j), value)| (i, j, value)).collect();
+        Ok(Sparse { rows, cols, entries })
+    }
+
+    fn whole(&self, path: &str) -> Result<usize> {
+        match self.integers(path)?[..] {
+            [value] if value >= 0 => Ok(value as usize),
+            ref other => Err(self.fault(path, format!("must be a size, is {other:?}"))),
+        }
+    }
+
+    fn integers(&self, path: &str) -> Result<Vec<i64>> {
+        self.read(path, |dataset| integers(dataset))
+    }
+
+    /// So many finite numbers.
+    fn numbers(&self, path: &str, n: usize) -> Result<Vec<f64>> {
+        let numbers: Vec<f64> = self.read(path, |dataset| floats(dataset))?;
+        if numbers.len() != n {
+            return Err(self.fault(path, format!("has {} numbers, must have {n}", numbers.len())));
+        }
+        match numbers.iter().find(|number| !number.is_finite()) {
+            Some(number) => Err(self.fault(path, format!("has {number}"))),
+            None => Ok(numbers),
+        }
+    }
+
+    fn read<T>(
+        &self,
+        path: &str,
+        values: impl Fn(&Dataset) -> hdf5_reader::error::Result<T>,
+    ) -> Result<T> {
+        let read = self.file.dataset(path).and_then(|dataset| values(&dataset));
+        read.map_err(|cause| self.fault(path, cause.to_string()))
+    }
+
+    fn fault(&self, path: &str, reason: impl Into<String>) -> Error {
+        Error::invalid(self.input, path, reason)
+    }
+}
+
+/// Numbers stored with 4 or 8 bytes.
+fn floats(dataset: &Dataset) -> hdf5_reader::error::Result<Vec<f64>> {
+    match dataset.dtype() {
+        Datatype::FloatingPoint { size: 4, .. } => {
+            Ok(dataset.read_array::<f32>()?.iter().map(|value| f64::from(*value)).collect())
+        }
+        _ => Ok(dataset.read_array::<f64>()?.iter().copied().collect()),
+    }
+}
+
+/// Integers stored with 4 or 8 bytes.
+fn integers(dataset: &Dataset) -> hdf5_reader::error::Result<Vec<i64>> {
+    match dataset.dtype() {
+        Datatype::FixedPoint { size: 8, .. } => {
+            Ok(dataset.read_array::<i64>()?.iter().copied().collect())
+        }
+        _ => Ok(dataset.read_array::<i32>()?.iter().map(|value| i64::from(*value)).collect()),
+    }
+}
+
+fn wholes(values: &[i64]) -> Option<Vec<usize>> {
+    values.iter().map(|value| usize::try_from(*value).ok()).collect()
+}
+
+/// The line of each of `count` numbers, from where each line begins and the last one ends.
+fn unpacked(starts: &[i64], lines: usize, count: usize) -> Option<Vec<usize>> {
+    let starts = wholes(starts)?;
+    let spans = (starts.first(), starts.last()) == (Some(&0), Some(&count));
+    let is_ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
+    if starts.len().checked_sub(1) != Some(lines) || !spans || !is_ascending {
+        return None;
+    }
+    let line = |(line, pair): (usize, &[usize])| std::iter::repeat_n(line, pair[1] - pair[0]);
+    Some(starts.windows(2).enumerate().flat_map(line).collect())
+}

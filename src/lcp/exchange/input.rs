@@ -1,0 +1,90 @@
+//! Where a problem is read from.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result};
+use crate::file;
+use crate::memory::Memory;
+
+/// A file, with those that belong to it beside it, or standard input.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Input {
+    path: PathBuf,
+    most: Memory,
+}
+
+impl Input {
+    /// The file at `path`, of no more bytes than `most`; `-` is standard input.
+    pub fn new(path: &Path, most: Memory) -> Self {
+        Input { path: path.to_path_buf(), most }
+    }
+
+    /// Its path.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Its limit.
+    pub fn most(&self) -> Memory {
+        self.most
+    }
+
+    /// What messages call it.
+    pub fn name(&self) -> String {
+        self.path.display().to_string()
+    }
+
+    /// The name of the file without its ending.
+    pub fn stem(&self) -> String {
+        match self.path.file_stem() {
+            Some(stem) if !self.is_standard() => stem.to_string_lossy().into_owned(),
+            _ => String::new(),
+        }
+    }
+
+    /// Everything in it.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub fn bytes(&self) -> Result<Vec<u8>> {
+        file::read_bytes(&self.path, self.most)
+    }
+
+    /// Everything in it as text.
+    ///
+    /// # Errors
+    /// If it cannot be read or is not UTF-8.
+    pub fn text(&self) -> Result<String> {
+        String::from_utf8(self.bytes()?).map_err(|cause| {
+            let good = &cause.as_bytes()[..cause.utf8_error().valid_up_to()];
+            let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
+            Error::invalid(self.name(), format!("line {line}"), "is not text")
+        })
+    }
+
+    /// The file that goes with this one as its `part`: see [`beside`].
+    pub(super) fn companion(&self, main: &str, part: &str) -> Input {
+        Input { path: beside(&self.path, main, part), most: self.most }
+    }
+
+    /// Whether there is such a file.
+    pub(super) fn exists(&self) -> bool {
+        self.path.is_file()
+    }
+
+    fn is_standard(&self) -> bool {
+        self.path == Path::new("-")
+    }
+}
+
+/// The file of a `part` beside the file of the part `main`: `b.mtx` beside `A.mtx`, `x_b.mtx` beside
+/// `x_A.mtx` and beside `x.mtx`.
+pub(super) fn beside(path: &Path, main: &str, part: &str) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    let prefix = match stem.strip_suffix(main) {
+        Some(prefix) if prefix.is_empty() || prefix.ends_with('_') => prefix.to_string(),
+        _ => format!("{stem}_"),
+    };
+    path.with_file_name(format!("{prefix}{part}.{ending}"))
+}

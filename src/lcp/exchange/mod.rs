@@ -1,0 +1,241 @@
+//! Problems from elsewhere and for elsewhere: the file formats of other programs.
+//!
+//! | format | file | written | bounds | friction | its unknowns and their order |
+//! | --- | --- | --- | --- | --- | --- |
+//! | `json`: [`file`](super::file) | `.json` | yes | any | any model | w = A x + b, a contact n, t1, t2 as the file says |
+//! | [`matrix_market`] | `.mtx`, several | yes | any | coupled rows | as `json`; a matrix in full is listed by columns |
+//! | [`npz`] | `.npz` | yes | any | coupled rows | as `json`; by rows unless `fortran_order` |
+//! | [`qps`] | `.qps`, `.mps` | yes | any | none | min ½ xᵀQx + cᵀx: A = Q, b = c; Q by one triangle |
+//! | [`siconos`] | `.dat` | yes | 0 and ∞ | Coulomb's law | w = M z + q; n first; dense blocks by columns |
+//! | [`fclib`] | `.hdf5` | yes | equations | Coulomb's law | u = W r + q; n first; sparse by columns or rows |
+//! | [`chrono`] | `_Cq.dat`, several | no | equations | associated cone | A = Cq H⁻¹ Cqᵀ + E, b = Cq H⁻¹ f + b; n first |
+//!
+//! Each page says where the format is defined, how it is mapped to w = A x + b and what trips people
+//! up. None of them is guessed: what the page does not say is refused, with the file, the line or key,
+//! and the reason.
+//!
+//! ```
+//! use lcplab::lcp::exchange;
+//! use lcplab::lcp::library;
+//!
+//! let folder = std::env::temp_dir().join("lcplab-exchange");
+//! std::fs::create_dir_all(&folder).unwrap();
+//! let path = folder.join("murty.mtx"); // and murty_b.mtx, murty_lo.mtx, murty_hi.mtx beside it
+//! let problem = library::by_name("murty")?.generate(&[("n", 4.0)])?;
+//! exchange::write(&problem, &path, None)?;
+//! let back = exchange::read(&path, None)?;
+//! assert_eq!(back.lcp.w(&[0.0, 0.0, 0.0, 1.0]), [1.0, 1.0, 1.0, 0.0]);
+//! # Ok::<(), lcplab::error::Error>(())
+//! ```
+//!
+//! Problems of a scene's own kind, MuJoCo's, come as `json`: `examples/python/mujoco_contacts.py`
+//! writes them. MuJoCo's contacts are soft, so that A + R is the matrix, not A.
+//!
+//! Memory is bounded by what the files hold: no size that a file claims is believed before as many
+//! numbers have been read, and packed data is unpacked up to 1 GiB a matrix.
+
+pub mod chrono;
+mod contacts;
+mod delassus;
+pub mod fclib;
+mod input;
+pub mod matrix_market;
+pub mod npz;
+mod output;
+pub mod qps;
+pub mod siconos;
+mod table;
+mod words;
+
+pub use input::Input;
+pub use output::Output;
+
+use std::path::{Path, PathBuf};
+
+use super::file::Problem;
+use super::friction::Model;
+use crate::error::{Error, Result};
+use crate::memory::Memory;
+
+/// A format of problem files.
+#[derive(Debug, Clone, Copy)]
+pub struct Format {
+    /// The name to choose it by.
+    pub name: &'static str,
+    /// Whose it is, in one line.
+    pub about: &'static str,
+    /// How the names of its files end; of several files, the one with the matrix.
+    pub endings: &'static [&'static str],
+    /// If it has several files: how the name of the one with the matrix ends in a folder of them.
+    pub in_folder: Option<&'static str>,
+    /// The other files, by what they hold: those beside `A.mtx` are `b.mtx`, ….
+    pub beside: &'static [&'static str],
+    /// What it can carry.
+    pub carries: &'static str,
+    /// The model of friction that its files mean, if they mean one.
+    pub law: Option<Model>,
+    /// What trips people up.
+    pub trap: &'static str,
+    /// Reads a problem.
+    pub read: fn(&Input) -> Result<Problem>,
+    /// Writes one, as far as the format can carry it.
+    pub write: Option<fn(&Problem) -> Result<Output>>,
+}
+
+/// All formats.
+pub const ALL: &[Format] = &[
+    JSON,
+    matrix_market::FORMAT,
+    npz::FORMAT,
+    qps::FORMAT,
+    siconos::FORMAT,
+    fclib::FORMAT,
+    chrono::FORMAT,
+];
+
+/// What the file with the matrix holds, of a format that is written over several files.
+const MATRIX: &str = "A";
+
+/// lcplab's own problem files.
+pub const JSON: Format = Format {
+    name: "json",
+    about: "lcplab's own problem files",
+    endings: &[".json"],
+    in_folder: None,
+    beside: &[],
+    carries: "everything",
+    law: None,
+    trap: "w = A x + b: the sign of b is that of Siconos, not of ODE and DART",
+    read: |input| Problem::read_within(input.path(), input.most()),
+    write: Some(|problem| Ok(Output::of(format!("{}\n", problem.to_json())))),
+};
+
+impl Format {
+    /// The format of this name.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn by_name(name: &str) -> Result<&'static Format> {
+        ALL.iter().find(|format| format.name == name).ok_or_else(|| Error::Unknown {
+            kind: "format",
+            name: name.to_string(),
+            known: ALL.iter().map(|format| format.name.to_string()).collect(),
+        })
+    }
+
+    /// The format that a file's name ends like, in capitals or not, the longest ending first: `_Cq.dat`
+    /// is not `.dat`.
+    pub fn of(path: &Path) -> Option<&'static Format> {
+        let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+        let ends = |ending: &&&str| name.ends_with(&ending.to_ascii_lowercase());
+        let ending = |format: &Format| format.endings.iter().filter(ends).map(|e| e.len()).max();
+        ALL.iter().filter(|format| ending(format).is_some()).max_by_key(|format| ending(format))
+    }
+}
+
+/// Whether a name is that of a problem file: standard input, a known ending, or a folder or a stem of
+/// several files.
+pub fn is_problem(path: &Path) -> bool {
+    path == Path::new("-") || Format::of(path).is_some() || main_file(path).is_some()
+}
+
+/// Reads a problem: a file, `-` for standard input, or, where a format has several files, their
+/// folder or what their names begin with. Without a format the ending decides, and a name without a
+/// known one is read as JSON.
+///
+/// # Errors
+/// If the files cannot be read or have defects.
+pub fn read(path: &Path, format: Option<&Format>) -> Result<Problem> {
+    read_within(path, format, Memory::default())
+}
+
+/// The same with another limit on the memory that a file may take.
+///
+/// # Errors
+/// As [`read`], or if it needs more.
+pub fn read_within(path: &Path, format: Option<&Format>, most: Memory) -> Result<Problem> {
+    let found = main_file(path);
+    let path = found.as_deref().unwrap_or(path);
+    let format = format.or_else(|| Format::of(path)).unwrap_or(&JSON);
+    (format.read)(&Input::new(path, most))
+}
+
+/// Writes a problem, over several files where the format has several; returns what the reader of the
+/// files should know. Without a format the ending decides.
+///
+/// # Errors
+/// If the format cannot carry the problem, is only read, a file cannot be written, or one stands there
+/// that would be read as part of the problem and is none.
+pub fn write(problem: &Problem, path: &Path, format: Option<&Format>) -> Result<Vec<String>> {
+    let format = match format.or_else(|| Format::of(path)) {
+        Some(format) => format,
+        None => return Err(Error::invalid(path.display().to_string(), "ending", unknown_ending())),
+    };
+    let main = match format.in_folder {
+        Some(name) if path.is_dir() => path.join(name),
+        _ => path.to_path_buf(),
+    };
+    let output = encode(problem, format)?;
+    for part in format.beside.iter().filter(|part| output.parts.iter().all(|(p, _)| p != *part)) {
+        let path = input::beside(&main, MATRIX, part);
+        if path.exists() {
+            let reason = "is in the way: it would be read as part of the problem";
+            return Err(Error::invalid(path.display().to_string(), "file", reason));
+        }
+    }
+    output.save(&main)?;
+    Ok(output.notes)
+}
+
+/// The files of a problem in a format, not written yet.
+///
+/// # Errors
+/// If the format cannot carry the problem or is only read.
+pub fn encode(problem: &Problem, format: &Format) -> Result<Output> {
+    let Some(write) = format.write else {
+        return Err(Error::invalid(format.name, "format", "is only read, not written"));
+    };
+    let mut output = write(problem)?;
+    if format.name != JSON.name {
+        output.notes.extend(left_behind(problem, format));
+    }
+    Ok(output)
+}
+
+/// What is known of a problem and does not fit into a format.
+fn left_behind(problem: &Problem, format: &Format) -> Option<String> {
+    let mut left: Vec<&str> = problem.extra.keys().map(String::as_str).collect();
+    left.extend(problem.frozen_at.as_ref().map(|_| "frozen_at"));
+    let friction = problem.lcp.coupling().and(problem.model);
+    let friction = friction.filter(|model| format.law != Some(*model)).map(|m| m.to_string());
+    let friction = friction.map(|model| match format.law {
+        None => format!("model ({model})"),
+        Some(law) => format!("model ({model}; {} means {law})", format.name),
+    });
+    left.extend(friction.as_deref());
+    (!left.is_empty()).then(|| format!("left behind: {}", left.join(", ")))
+}
+
+/// The file with the matrix, if `path` is the folder of several files or what their names begin with.
+fn main_file(path: &Path) -> Option<PathBuf> {
+    let several = || ALL.iter().filter_map(|format| Some((format, format.in_folder?)));
+    if path.is_dir() {
+        let mut names: Vec<_> = path.read_dir().ok()?.flatten().map(|e| e.file_name()).collect();
+        names.sort();
+        let is_main = |name: &&std::ffi::OsString| {
+            name.to_str().is_some_and(|name| several().any(|(_, end)| name.ends_with(end)))
+        };
+        return names.iter().find(is_main).map(|name| path.join(name));
+    }
+    if path.exists() || Format::of(path).is_some() {
+        return None;
+    }
+    let with = |ending: &str| PathBuf::from(format!("{}{ending}", path.display()));
+    several().map(|(format, _)| with(format.endings[0])).find(|path| path.is_file())
+}
+
+fn unknown_ending() -> String {
+    let of = |format: &Format| format!("{} {}", format.name, format.endings.join(" "));
+    let known: Vec<String> = ALL.iter().map(of).collect();
+    format!("says no format; there are {}", known.join(", "))
+}

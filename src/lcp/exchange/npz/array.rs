@@ -1,0 +1,178 @@
+//! One array of numbers, or a word.
+
+use std::io::Read;
+
+use super::header::Header;
+use crate::lcp::exchange::table::{Table, by_rows};
+use crate::lcp::file::Entries;
+
+/// Arrays with more bytes than this are refused: a small archive can hold a very large one.
+const MOST_BYTES: usize = 1 << 30;
+
+/// Why an array cannot be used.
+pub(super) type Reason = String;
+
+/// An array.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Array {
+    shape: Vec<usize>,
+    /// Whether the first index runs fastest.
+    by_columns: bool,
+    values: Values,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Values {
+    Floats(Vec<f64>),
+    Integers(Vec<i64>),
+    Word(String),
+}
+
+impl Array {
+    /// The array of a `.npy` file.
+    pub fn read(file: &mut dyn Read) -> Result<Self, Reason> {
+        let Header { descr, fortran_order, shape } = Header::read(file)?;
+        let kind = Kind::of(&descr)?;
+        let bytes = shape.iter().try_fold(kind.size, |bytes, length| bytes.checked_mul(*length));
+        let Some(size) = bytes.filter(|bytes| *bytes <= MOST_BYTES) else {
+            return Err(format!("has the shape {shape:?}, which is beyond 1 GiB"));
+        };
+        let mut bytes = Vec::new();
+        file.take(size as u64).read_to_end(&mut bytes).map_err(|cause| cause.to_string())?;
+        if bytes.len() < size {
+            return Err(format!("has {} bytes, the shape {shape:?} needs {size}", bytes.len()));
+        }
+        Ok(Array { shape, by_columns: fortran_order, values: kind.values(&bytes)? })
+    }
+
+    /// A list of numbers.
+    pub fn floats(values: Vec<f64>) -> Self {
+        Array { shape: vec![values.len()], by_columns: false, values: Values::Floats(values) }
+    }
+
+    /// A list of whole numbers.
+    pub fn integers(values: Vec<i64>) -> Self {
+        Array { shape: vec![values.len()], by_columns: false, values: Values::Integers(values) }
+    }
+
+    /// A word, as an array without axes.
+    pub fn word(word: &str) -> Self {
+        Array { shape: Vec::new(), by_columns: false, values: Values::Word(word.to_string()) }
+    }
+
+    /// The same numbers by rows in another shape.
+    pub fn shaped(self, shape: Vec<usize>) -> Self {
+        Array { shape, ..self }
+    }
+
+    /// The numbers of a list or of a single column.
+    pub fn vector(&self) -> Result<Vec<f64>, Reason> {
+        match self.shape[..] {
+            [_] | [_, 1] => self.numbers(),
+            _ => Err(format!("must be a list, has the shape {:?}", self.shape)),
+        }
+    }
+
+    /// The numbers of a table.
+    pub fn table(&self) -> Result<Table, Reason> {
+        let [rows, cols] = self.shape[..] else {
+            return Err(format!("must be a matrix, has the shape {:?}", self.shape));
+        };
+        let numbers = self.numbers()?;
+        let dense = if self.by_columns { by_rows(rows, cols, &numbers) } else { numbers };
+        Ok(Table { rows, cols, entries: Entries::Dense(dense) })
+    }
+
+    /// The whole numbers ≥ 0 of a list.
+    pub fn wholes(&self) -> Result<Vec<usize>, Reason> {
+        let (Values::Integers(values), [_]) = (&self.values, &self.shape[..]) else {
+            return Err("must be a list of integers".into());
+        };
+        let whole = |value: &i64| {
+            usize::try_from(*value).map_err(|_| format!("must not be negative, has {value}"))
+        };
+        values.iter().map(whole).collect()
+    }
+
+    /// The word.
+    pub fn text(&self) -> Result<String, Reason> {
+        match &self.values {
+            Values::Word(word) => Ok(word.clone()),
+            _ => Err("must be a word".into()),
+        }
+    }
+
+    fn numbers(&self) -> Result<Vec<f64>, Reason> {
+        match &self.values {
+            Values::Floats(values) => Ok(values.clone()),
+            Values::Integers(values) => Ok(values.iter().map(|value| *value as f64).collect()),
+            Values::Word(_) => Err("must be numbers".into()),
+        }
+    }
+
+    /// The array as a `.npy` file.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let (descr, bytes): (String, Vec<u8>) = match &self.values {
+            Values::Floats(v) => ("<f8".into(), v.iter().flat_map(|v| v.to_le_bytes()).collect()),
+            Values::Integers(v) => ("<i8".into(), v.iter().flat_map(|v| v.to_le_bytes()).collect()),
+            Values::Word(word) => (format!("|S{}", word.len()), word.as_bytes().to_vec()),
+        };
+        let header = Header { descr, fortran_order: self.by_columns, shape: self.shape.clone() };
+        [header.to_bytes(), bytes].concat()
+    }
+}
+
+/// The type of an entry.
+struct Kind {
+    is_big_endian: bool,
+    letter: u8,
+    /// Its bytes.
+    size: usize,
+}
+
+impl Kind {
+    /// The type of NumPy's name: byte order, letter, size.
+    fn of(descr: &str) -> Result<Self, Reason> {
+        let unknown = || format!("has entries of the type {descr:?}, not numbers or words");
+        let [order @ (b'<' | b'>' | b'|' | b'='), letter, size @ ..] = descr.as_bytes() else {
+            return Err(unknown());
+        };
+        let size: Option<usize> = std::str::from_utf8(size).ok().and_then(|size| size.parse().ok());
+        let size = match (letter, size) {
+            (b'f', Some(size @ (4 | 8))) | (b'i' | b'u', Some(size @ (1 | 2 | 4 | 8))) => size,
+            (b'S', Some(size @ 1..=64)) => size,
+            (b'U', Some(size @ 1..=64)) => 4 * size, // one character in four bytes
+            _ => return Err(unknown()),
+        };
+        Ok(Kind { is_big_endian: *order == b'>', letter: *letter, size })
+    }
+
+    fn values(&self, bytes: &[u8]) -> Result<Values, Reason> {
+        let entries = bytes.chunks_exact(self.size).map(|entry| self.ordered(entry));
+        Ok(match self.letter {
+            b'f' if self.size == 8 => Values::Floats(entries.map(|e| f64::from_bits(e)).collect()),
+            b'f' => Values::Floats(entries.map(|e| f64::from(f32::from_bits(e as u32))).collect()),
+            b'u' => {
+                let whole = |e| i64::try_from(e).map_err(|_| format!("has {e}, beyond 2⁶³"));
+                Values::Integers(entries.map(whole).collect::<Result<_, _>>()?)
+            }
+            b'i' => {
+                let unused = 64 - 8 * self.size as u32; // the sign is that of the highest bit used
+                Values::Integers(entries.map(|e| ((e << unused) as i64) >> unused).collect())
+            }
+            _ => {
+                let letters = bytes.iter().filter(|byte| **byte != 0);
+                Values::Word(letters.map(|byte| char::from(*byte)).collect())
+            }
+        })
+    }
+
+    /// The bytes of a number of at most eight, the highest one first.
+    fn ordered(&self, entry: &[u8]) -> u64 {
+        let shift = |bits: u64, byte: &u8| bits << 8 | u64::from(*byte);
+        match self.is_big_endian {
+            true => entry.iter().fold(0, shift),
+            false => entry.iter().rev().fold(0, shift),
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! NumPy's `.npz`: a zip archive with one array a file.
+//!
+//! The formats are NumPy's NEP 1 (`.npy`, versions 1 to 3) and the archive of `numpy.savez` and
+//! `numpy.savez_compressed`; a sparse matrix is stored as `scipy.sparse.save_npz` stores it.
+//!
+//! | array | type | meaning |
+//! | --- | --- | --- |
+//! | `A` | numbers, n × n | the matrix, if it is dense |
+//! | `data`, `indices`, `indptr`, `shape`, `format` | as SciPy | the matrix, if it is sparse; `format` is `csr`, `csc` or, with `row` and `col`, `coo` |
+//! | `b` | numbers, n | the offset of w = A x + b |
+//! | `lo`, `hi` | numbers, n | bounds; 0 and ∞ where they are absent |
+//! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](crate::lcp::file): rows from 0, −1 for none |
+//!
+//! ```text
+//! numpy.savez("problem.npz", A=A, b=b)                              # NumPy
+//! numpy.savez("problem.npz", data=A.data, indices=A.indices, indptr=A.indptr,
+//!             shape=A.shape, format="csr", b=b)                     # a scipy.sparse.csr_array
+//! ```
+//!
+//! What is written is read by `numpy.load`, and a sparse A by `scipy.sparse.load_npz` too.
+//!
+//! Traps: `scipy.sparse.save_npz` writes the matrix alone, so that b is missing; `A.T` and what
+//! Fortran made are stored by columns, `fortran_order`, and are read so; half of a symmetric matrix
+//! (`scipy.sparse.tril`) is taken as it stands; arrays of objects are pickles and are refused.
+
+mod array;
+mod header;
+
+use std::io::{Cursor, Read, Write};
+
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
+
+use super::table::{Table, parts};
+use super::{Format, Input, Output};
+use crate::error::{Error, Result};
+use crate::lcp::Matrix;
+use crate::lcp::file::{Entries, Problem};
+use array::Array;
+
+/// NumPy's archives of arrays.
+pub const FORMAT: Format = Format {
+    name: "npz",
+    about: "NumPy and SciPy: an archive of arrays, A dense or as scipy.sparse stores it",
+    endings: &[".npz"],
+    in_folder: None,
+    beside: &[],
+    carries: "any bounds, coupled rows, dense and sparse",
+    law: None,
+    trap: "scipy.sparse.save_npz has no b; what fortran_order says is stored by columns",
+    read,
+    write: Some(write),
+};
+
+fn read(input: &Input) -> Result<Problem> {
+    let name = input.name();
+    let mut archive = Archive::open(input.bytes()?, &name)?;
+    let known = ["A", "b", "lo", "hi", "mu", "friction_index"];
+    let mut arrays = std::collections::HashMap::new();
+    for part in known.into_iter().chain(SPARSE) {
+        if let Some(array) = archive.array(part)? {
+            arrays.insert(part, array);
+        }
+    }
+    let table = match arrays.remove("A") {
+        Some(a) => a.table().map_err(|reason| Error::invalid(&name, "A", reason))?,
+        None => sparse(&arrays, &name)?,
+    };
+    let vector = |part: &str| {
+        let vector = arrays.get(part).map(Array::vector).transpose();
+        vector.map_err(|reason| Error::invalid(&name, part, reason))
+    };
+    let lcp = parts(table, vector, &name)?.into_lcp().map_err(|error| error.within(&name))?;
+    let mut problem = Problem::new(input.stem(), lcp);
+    let is_known =
+        |part: &&String| known.contains(&part.as_str()) || SPARSE.contains(&part.as_str());
+    for part in archive.names().iter().filter(|part| !is_known(part) && **part != "_is_array") {
+        problem.warnings.push(format!("{name}: unknown array {part:?} ignored"));
+    }
+    Ok(problem)
+}
+
+/// The arrays of a sparse matrix.
+const SPARSE: [&str; 7] = ["format", "shape", "data", "indices", "indptr", "row", "col"];
+
+fn sparse(arrays: &std::collections::HashMap<&str, Array>, input: &str) -> Result<Table> {
+    let get = |part: &str| {
+        arrays.get(part).ok_or_else(|| {
+            let reason = "is missing: neither A nor a matrix as scipy.sparse stores it";
+            Error::invalid(input, part, reason)
+        })
+    };
+    let whole =
+        |part: &str| get(part)?.wholes().map_err(|reason| Error::invalid(input, part, reason));
+    let format = get("format")?.text().map_err(|reason| Error::invalid(input, "format", reason))?;
+    let fault = |part: &str, reason: String| Err(Error::invalid(input, part, reason));
+    let [rows, cols] = whole("shape")?[..] else {
+        return fault("shape", "must be rows and columns".into());
+    };
+    let data = get("data")?.vector().map_err(|reason| Error::invalid(input, "data", reason))?;
+    let (lines, across) = if format == "csc" { (cols, rows) } else { (rows, cols) };
+    let (i, j) = match format.as_str() {
+        "coo" => (whole("row")?, whole("col")?),
+        "csr" | "csc" => {
+            (unpacked(&whole("indptr")?, lines, data.len(), input)?, whole("indices")?)
+        }
+        _ => return fault("format", format!("must be csr, csc or coo, is {format:?}")),
+    };
+    if i.len() != data.len() || j.len() != data.len() {
+        let reason = format!("has {} numbers, but there are {} places", data.len(), j.len());
+        return fault("data", reason);
+    }
+    let mut triplets = Vec::new();
+    for (k, ((i, j), value)) in i.into_iter().zip(j).zip(data).enumerate() {
+        if i >= lines || j >= across {
+            return fault(&format!("data[{k}]"), format!("lies at {i}, {j} of {rows} × {cols}"));
+        }
+        triplets.push(if format == "csc" { (j, i, value) } else { (i, j, value) });
+    }
+    Ok(Table { rows, cols, entries: Entries::Sparse(triplets) })
+}
+
+/// The line of each number, from where each line begins and the last one ends.
+fn unpacked(starts: &[usize], lines: usize, count: usize, input: &str) -> Result<Vec<usize>> {
+    let is_ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
+    let spans = (starts.first(), starts.last()) == (Some(&0), Some(&count));
+    if starts.len().checked_sub(1) != Some(lines) || !is_ascending || !spans {
+        let reason = format!("must rise from 0 to {count} in {lines} steps");
+        return Err(Error::invalid(input, "indptr", reason));
+    }
+    let line = |(line, pair): (usize, &[usize])| std::iter::repeat_n(line, pair[1] - pair[0]);
+    Ok(starts.windows(2).enumerate().flat_map(line).collect())
+}
+
+/// The archive of a file called `input`.
+struct Archive<'a> {
+    input: &'a str,
+    zip: ZipArchive<Cursor<Vec<u8>>>,
+}
+
+impl<'a> Archive<'a> {
+    fn open(bytes: Vec<u8>, input: &'a str) -> Result<Self> {
+        let zip = ZipArchive::new(Cursor::new(bytes))
+            .map_err(|cause| Error::invalid(input, "archive", cause.to_string()))?;
+        Ok(Archive { input, zip })
+    }
+
+    fn names(&self) -> Vec<String> {
+        let mut names: Vec<_> = self
+            .zip
+            .file_names()
+            .flatten()
+            .map(|n| n.trim_end_matches(".npy").to_string())
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// The array of this name, if there is one.
+    fn array(&mut self, part: &str) -> Result<Option<Array>> {
+        let fault = |reason: String| Error::invalid(self.input, part, reason);
+        let mut file = match self.zip.by_name(&format!("{part}.npy")) {
+            Ok(file) => file,
+            Err(zip::result::ZipError::FileNotFound) => return Ok(None),
+            Err(cause) => return Err(fault(cause.to_string())),
+        };
+        Array::read(&mut file as &mut dyn Read).map(Some).map_err(fault)
+    }
+}
+
+fn write(problem: &Problem) -> Result<Output> {
+    let lcp = &problem.lcp;
+    let n = lcp.len();
+    let mut arrays = matrix(lcp.matrix());
+    for (part, values) in [("b", lcp.b()), ("lo", lcp.lo()), ("hi", lcp.hi())] {
+        arrays.push((part, Array::floats(values.to_vec())));
+    }
+    if let Some(coupling) = lcp.coupling() {
+        let index = (0..n).map(|i| coupling.index(i).map_or(-1, |k| k as i64));
+        arrays.push(("friction_index", Array::integers(index.collect())));
+        arrays.push(("mu", Array::floats((0..n).map(|i| coupling.mu(i)).collect())));
+    }
+    let archive = archive(&arrays);
+    archive.map(Output::of).map_err(|cause| Error::invalid("npz", "archive", cause.to_string()))
+}
+
+fn matrix(a: &Matrix) -> Vec<(&'static str, Array)> {
+    let n = a.len();
+    let entries = || (0..n).flat_map(|i| a.row(i).iter());
+    let data = entries().map(|(_, value)| value).collect();
+    if let Matrix::Dense(_) = a {
+        return vec![("A", Array::floats(data).shaped(vec![n, n]))];
+    }
+    let indptr = std::iter::once(0).chain((0..n).scan(0, |end, i| {
+        *end += a.row(i).iter().count() as i64;
+        Some(*end)
+    }));
+    vec![
+        ("indices", Array::integers(entries().map(|(j, _)| j as i64).collect())),
+        ("indptr", Array::integers(indptr.collect())),
+        ("format", Array::word("csr")),
+        ("shape", Array::integers(vec![n as i64; 2])),
+        ("data", Array::floats(data)),
+    ]
+}
+
+fn archive(arrays: &[(&str, Array)]) -> std::io::Result<Vec<u8>> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+    for (part, array) in arrays {
+        zip.start_file(format!("{part}.npy"), stored)?;
+        zip.write_all(&array.to_bytes())?;
+    }
+    Ok(zip.finish()?.into_inner())
+}

@@ -1,0 +1,250 @@
+//! QPS read line by line.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::error::{Error, Result};
+use crate::lcp::exchange::Input;
+use crate::lcp::exchange::words::{Words, brief};
+use crate::lcp::file::{Entries, Parts, Problem};
+
+/// Bounds of this size are infinite.
+const INFINITE: f64 = 1e20;
+
+pub(super) fn read(input: &Input) -> Result<Problem> {
+    parse(&input.text()?, &input.name(), input.stem())
+}
+
+fn parse(text: &str, input: &str, stem: String) -> Result<Problem> {
+    let mut program = Program { name: stem, ..Program::default() };
+    let mut words = Words::new(text, input);
+    let mut section = String::new();
+    while let Some(line) = words.line() {
+        if line.starts_with('*') || line.trim().is_empty() {
+            continue;
+        }
+        let fields: Vec<&str> = line.split_whitespace().collect();
+        if line.starts_with(char::is_whitespace) {
+            program.data(&section, &fields).map_err(|reason| words.fault(reason))?;
+            continue;
+        }
+        section = fields[0].to_string();
+        match program.section(&fields) {
+            Ok(true) => return program.finish(input),
+            Ok(false) => {}
+            Err(reason) => return Err(words.fault(reason)),
+        }
+    }
+    Err(words.fault("the file ends before ENDATA"))
+}
+
+/// A result whose error is the reason that a line cannot be used.
+type Checked<T = ()> = std::result::Result<T, String>;
+
+/// What has been read so far.
+#[derive(Default)]
+struct Program {
+    name: String,
+    objective: Option<String>,
+    columns: HashMap<String, usize>,
+    /// What each column costs, where anything is said.
+    c: Vec<Option<f64>>,
+    lo: Vec<f64>,
+    hi: Vec<f64>,
+    /// Columns with a lower bound of their own.
+    has_lower: HashSet<usize>,
+    /// The name of the bounds that count.
+    bounds: Option<String>,
+    q: Vec<(usize, usize, f64)>,
+    /// The entries of Q that were there.
+    places: HashSet<(usize, usize)>,
+    is_full: bool,
+}
+
+impl Program {
+    /// A line that begins a section; true for the last one.
+    fn section(&mut self, fields: &[&str]) -> Checked<bool> {
+        match fields {
+            ["ENDATA", ..] => return Ok(true),
+            ["NAME", name @ ..] if !name.is_empty() => self.name = name.join(" "),
+            ["NAME" | "ROWS" | "COLUMNS" | "RHS" | "BOUNDS" | "OBJSENSE", ..] => {}
+            ["QUADOBJ" | "QMATRIX", ..] if !self.q.is_empty() => {
+                return Err("Q has been given already".into());
+            }
+            ["QUADOBJ", ..] => self.is_full = false,
+            ["QMATRIX", ..] => self.is_full = true,
+            ["RANGES", ..] => {} // of rows, of which there are none
+            _ => return Err(format!("there is no section {:?}", brief(fields[0]))),
+        }
+        match fields {
+            ["OBJSENSE", sense, ..] => minimised(sense).map(|()| false),
+            _ => Ok(false),
+        }
+    }
+
+    fn data(&mut self, section: &str, fields: &[&str]) -> Checked {
+        match (section, fields) {
+            ("OBJSENSE", [sense]) => minimised(sense),
+            ("ROWS", [kind, name]) => self.row(kind, name),
+            ("COLUMNS", [_, marker, _]) if marker.contains("MARKER") => {
+                Err("integers are not read".into())
+            }
+            ("COLUMNS", [column, entries @ ..]) if !entries.is_empty() => {
+                let i = self.column(column);
+                for (row, value) in pairs(entries)? {
+                    self.check_objective(row)?;
+                    if self.c[i].replace(value).is_some() {
+                        return Err(format!("a second cost of {:?}", brief(column)));
+                    }
+                }
+                Ok(())
+            }
+            ("RHS", [entries @ ..]) => {
+                let named = entries.len() % 2;
+                for (row, _) in pairs(&entries[named..])? {
+                    self.check_objective(row)?;
+                }
+                Ok(())
+            }
+            ("BOUNDS", [kind, rest @ ..]) => self.bound(kind, rest),
+            ("QUADOBJ" | "QMATRIX", [column, entries @ ..]) if !entries.is_empty() => {
+                let i = self.known(column)?;
+                for (other, value) in pairs(entries)? {
+                    let j = self.known(other)?;
+                    self.quadratic(i, j, value)?;
+                }
+                Ok(())
+            }
+            ("", _) => Err("stands before any section".into()),
+            _ => Err(format!("is no line of {section}: {:?}", brief(&fields.join(" ")))),
+        }
+    }
+
+    fn row(&mut self, kind: &str, name: &str) -> Checked {
+        if !kind.eq_ignore_ascii_case("N") {
+            return Err(format!("row {:?} is a constraint: only boxes are read", brief(name)));
+        }
+        match self.objective.replace(name.to_string()) {
+            None => Ok(()),
+            Some(_) => Err("there are two objectives".into()),
+        }
+    }
+
+    fn check_objective(&self, row: &str) -> Checked {
+        match self.objective.as_deref() == Some(row) {
+            true => Ok(()),
+            false => Err(format!("there is no row {:?}", brief(row))),
+        }
+    }
+
+    /// The number of a column, a new one if it has none.
+    fn column(&mut self, name: &str) -> usize {
+        if let Some(i) = self.columns.get(name) {
+            return *i;
+        }
+        self.columns.insert(name.to_string(), self.c.len());
+        self.c.push(None);
+        self.lo.push(0.0);
+        self.hi.push(f64::INFINITY);
+        self.c.len() - 1
+    }
+
+    fn known(&self, column: &str) -> Checked<usize> {
+        let i = self.columns.get(column).copied();
+        i.ok_or_else(|| format!("there is no column {:?}", brief(column)))
+    }
+
+    fn bound(&mut self, kind: &str, rest: &[&str]) -> Checked {
+        let (set, column, value) = match (kind, rest) {
+            ("UP" | "LO" | "FX", [column, value]) => ("", column, number(value)?),
+            ("UP" | "LO" | "FX", [set, column, value]) => (*set, column, number(value)?),
+            ("FR" | "MI" | "PL", [column]) => ("", column, 0.0),
+            ("FR" | "MI" | "PL", [set, column] | [set, column, _]) => (*set, column, 0.0),
+            ("BV" | "LI" | "UI" | "SC", _) => return Err("integers are not read".into()),
+            _ => return Err(format!("is no bound: {:?}", brief(kind))),
+        };
+        if self.bounds.get_or_insert_with(|| set.to_string()) != set {
+            return Err(format!("a second set of bounds, {:?}", brief(set)));
+        }
+        let i = self.known(column)?;
+        let value = match value {
+            v if v >= INFINITE => f64::INFINITY,
+            v if v <= -INFINITE => -f64::INFINITY,
+            v => v,
+        };
+        if matches!(kind, "LO" | "FX" | "MI" | "FR") {
+            self.lo[i] = if matches!(kind, "MI" | "FR") { -f64::INFINITY } else { value };
+            self.has_lower.insert(i);
+        }
+        if matches!(kind, "UP" | "FX") {
+            self.hi[i] = value;
+        }
+        if matches!(kind, "PL" | "FR") {
+            self.hi[i] = f64::INFINITY;
+        }
+        Ok(())
+    }
+
+    fn quadratic(&mut self, i: usize, j: usize, value: f64) -> Checked {
+        let place = if self.is_full { (i, j) } else { (i.min(j), i.max(j)) };
+        if !self.places.insert(place) {
+            return Err("this entry of Q was there already, perhaps in the other triangle".into());
+        }
+        self.q.push((i, j, value));
+        if !self.is_full && i != j {
+            self.q.push((j, i, value));
+        }
+        Ok(())
+    }
+
+    /// The problem, once all has been read.
+    fn finish(self, input: &str) -> Result<Problem> {
+        let fault = |place: String, reason: &str| Err(Error::invalid(input, place, reason));
+        let below = |i: &usize| self.hi[*i] < 0.0 && !self.has_lower.contains(i);
+        if let Some(i) = (0..self.c.len()).find(below) {
+            let reason = "has an upper bound below 0 and no lower one, which readers understand in \
+                          two ways: give it LO or MI";
+            return fault(format!("column {i} (from 0)"), reason);
+        }
+        if self.is_full {
+            let entries: HashMap<_, _> = self.q.iter().map(|(i, j, v)| ((*i, *j), *v)).collect();
+            let differs = |(i, j, v): &&(usize, usize, f64)| {
+                entries.get(&(*j, *i)).copied().unwrap_or(0.0) != *v
+            };
+            if let Some((i, j, _)) = self.q.iter().find(differs) {
+                return fault(format!("Q[{i}][{j}]"), "is not that of the other triangle");
+            }
+        }
+        let parts = Parts {
+            entries: Entries::Sparse(self.q),
+            b: self.c.into_iter().map(Option::unwrap_or_default).collect(),
+            lo: Some(self.lo),
+            hi: Some(self.hi),
+            index: None,
+            mu: None,
+        };
+        let lcp = parts.into_lcp().map_err(|error| error.within(input))?;
+        Ok(Problem::new(self.name, lcp))
+    }
+}
+
+fn minimised(sense: &str) -> Checked {
+    match sense.to_ascii_uppercase().as_str() {
+        "MIN" | "MINIMIZE" | "MINIMISE" => Ok(()),
+        _ => Err(format!("{:?} is not read: only MIN", brief(sense))),
+    }
+}
+
+/// Names with a number each.
+fn pairs<'a>(fields: &[&'a str]) -> Checked<Vec<(&'a str, f64)>> {
+    if fields.len() % 2 == 1 {
+        return Err(format!("must be names with a number each: {:?}", brief(&fields.join(" "))));
+    }
+    fields.chunks_exact(2).map(|pair| Ok((pair[0], number(pair[1])?))).collect()
+}
+
+fn number(word: &str) -> Checked<f64> {
+    match word.parse::<f64>() {
+        Ok(value) if !value.is_nan() => Ok(value),
+        _ => Err(format!("must be a number, is {:?}", brief(word))),
+    }
+}

@@ -1,0 +1,95 @@
+//! Text as words with the lines that they stand in.
+
+use std::fmt::Display;
+use std::str::FromStr;
+
+use crate::error::{Error, Result};
+
+/// The words of a text that are still to be read.
+#[derive(Clone)]
+pub(super) struct Words<'a> {
+    input: &'a str,
+    lines: std::iter::Enumerate<std::str::Lines<'a>>,
+    words: std::str::SplitWhitespace<'a>,
+    /// The line of the last word, from 1.
+    line: usize,
+}
+
+impl<'a> Words<'a> {
+    /// The words of the text of a file called `input`.
+    pub fn new(text: &'a str, input: &'a str) -> Self {
+        Words { input, lines: text.lines().enumerate(), words: "".split_whitespace(), line: 0 }
+    }
+
+    /// The rest of the line, or the next line where nothing is left of it.
+    pub fn line(&mut self) -> Option<&'a str> {
+        let (index, line) = self.lines.next()?;
+        (self.line, self.words) = (index + 1, "".split_whitespace());
+        Some(line)
+    }
+
+    /// The next word.
+    pub fn next(&mut self) -> Option<&'a str> {
+        loop {
+            if let Some(word) = self.words.next() {
+                return Some(word);
+            }
+            self.words = self.line()?.split_whitespace();
+        }
+    }
+
+    /// Whether any word is left.
+    pub fn is_empty(&self) -> bool {
+        self.clone().next().is_none()
+    }
+
+    /// The next word as a number; `what` says what it is.
+    pub fn number(&mut self, what: impl Display) -> Result<f64> {
+        self.parse(what, "a number")
+    }
+
+    /// As many numbers as the text must still have.
+    pub fn numbers(&mut self, count: usize, what: &str) -> Result<Vec<f64>> {
+        let mut numbers = Vec::new();
+        for i in 0..count {
+            numbers.push(self.number(format_args!("{what}[{i}]"))?);
+        }
+        Ok(numbers)
+    }
+
+    /// The next word as a whole number ≥ 0.
+    pub fn whole(&mut self, what: impl Display) -> Result<usize> {
+        self.parse(what, "a whole number")
+    }
+
+    /// As many whole numbers as the text must still have.
+    pub fn wholes(&mut self, count: usize, what: &str) -> Result<Vec<usize>> {
+        let mut numbers = Vec::new();
+        for i in 0..count {
+            numbers.push(self.whole(format_args!("{what}[{i}]"))?);
+        }
+        Ok(numbers)
+    }
+
+    fn parse<T: FromStr>(&mut self, what: impl Display, kind: &str) -> Result<T> {
+        match self.next() {
+            None => Err(self.fault(format!("the file ends before {what}"))),
+            Some(word) => word
+                .parse()
+                .map_err(|_| self.fault(format!("{what} must be {kind}, is {:?}", brief(word)))),
+        }
+    }
+
+    /// An error at the last word.
+    pub fn fault(&self, reason: impl Into<String>) -> Error {
+        Error::invalid(self.input, format!("line {}", self.line), reason)
+    }
+}
+
+/// A word for an error message, cut short.
+pub(super) fn brief(word: &str) -> String {
+    if word.chars().count() <= 40 {
+        return word.to_string();
+    }
+    word.chars().take(37).chain("...".chars()).collect()
+}

@@ -1,0 +1,47 @@
+//! The LCP of A = Ĵ Ĵᵀ as a quadratic program in velocities and impulses, by clarabel's interior-point
+//! method.
+//!
+//! ```text
+//! minimise ½ |v|² + bᵀx   subject to   v = Ĵᵀ x,   lo ≤ x ≤ hi
+//! ```
+//!
+//! The program of [`box_qp`](super::box_qp()) with A in factors: a pile has a few unknowns more and far
+//! fewer entries.
+
+use super::Reference;
+use super::program::{MAX_ITERATIONS, Program};
+use crate::lcp::Lcp;
+
+/// Solves the problem with b and the bounds of the LCP and these entries (row, column, value) of Ĵ, to a
+/// tolerance on gap and feasibility; `None` where a row is coupled (freeze the bounds first with
+/// [`Lcp::frozen_at`]).
+///
+/// # Panics
+/// If an entry lies outside the rows or `velocities` columns.
+pub fn velocity_qp_to(
+    lcp: &Lcp,
+    jacobian: &[(usize, usize, f64)],
+    velocities: usize,
+    tolerance: f64,
+) -> Option<Reference> {
+    if lcp.coupling().is_some() {
+        return None;
+    }
+    let n = lcp.len();
+    let mut program = Program::with_costs([lcp.b(), &vec![0.0; velocities]].concat());
+    let mut equations: Vec<Vec<(usize, f64)>> =
+        (n..n + velocities).map(|v| vec![(v, 1.0)]).collect();
+    for &(i, column, value) in jacobian {
+        equations[column].push((i, -value));
+    }
+    for (k, equation) in equations.into_iter().enumerate() {
+        program.quadratic.push((n + k, n + k, 1.0));
+        program.equate(equation, 0.0);
+    }
+    for i in 0..n {
+        program.bound(i, lcp.lo()[i], lcp.hi()[i]);
+    }
+    let mut reference = program.solve_to(tolerance, MAX_ITERATIONS);
+    reference.point.truncate(n);
+    Some(reference)
+}

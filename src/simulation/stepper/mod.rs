@@ -1,0 +1,229 @@
+//! The velocity level at speed: what a [`Simulation`](super::Simulation) with `pgs` does in the family
+//! "velocity", without a matrix, without a record, in memory that is kept.
+//!
+//! ```text
+//! pairs ─→ points ─→ rows Ĵ, b, bounds; x of the step before ─→ sweeps ─→ u⁺ = L v,  s⁺ = s + dt S u⁺
+//! ```
+//!
+//! A = Ĵ Ĵᵀ is never formed: a sweep changes the scaled velocities v = L⁻¹ u, which start at
+//! L⁻¹ (u + dt M⁻¹F) + Ĵᵀ x ([`impulses`](crate::solver::kernel::impulses)). So x need not be
+//! turned into velocities afterwards, and a step costs as much as its contacts, whatever they touch.
+//!
+//! Once warm, a step asks for no memory: while there are no more pairs, contacts and rows than ever
+//! before, where joints are rods and balls (others make their rows in lists of their own). The order
+//! of the pairs is kept as long as they are the same.
+//!
+//! It does not stop early and does not judge: who wants to know how good so many sweeps are asks a
+//! simulation. Stewart & Trinkle 1996; Catto, *Iterative Dynamics with Temporal Coherence*, 2005.
+
+mod impulses;
+mod masses;
+mod rows;
+mod scope;
+mod sweeper;
+
+use super::{Cause, DIVERGED, Failure};
+use crate::assembly::{Assembly, Entering};
+use crate::body::State;
+use crate::error::{Error, Result};
+use crate::scene::{Detector, Found, Scene};
+use crate::solver::Status;
+use impulses::Impulses;
+use masses::Masses;
+use rows::Rows;
+use sweeper::Sweeper;
+
+/// What sweeps, and with it in which order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kernel {
+    /// One row after the other, constraints first, then contacts.
+    RowByRow,
+    /// Eight pairs of bodies at a time, colour by colour.
+    EightPairs {
+        /// On how many threads; the bits are the same with any number.
+        threads: usize,
+    },
+}
+
+/// The parts of a step, in their order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Which bodies are near each other.
+    Pairs,
+    /// Where they touch.
+    Points,
+    /// Rows, and what they start from.
+    Rows,
+    /// Sweeps, and what puts the rows in their order.
+    Sweeps,
+    /// Velocities and positions.
+    Motion,
+}
+
+impl Part {
+    /// All of them.
+    pub const ALL: [Part; 5] = [Part::Pairs, Part::Points, Part::Rows, Part::Sweeps, Part::Motion];
+
+    /// A few words for tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Part::Pairs => "pairs of bodies",
+            Part::Points => "contact points",
+            Part::Rows => "rows",
+            Part::Sweeps => "sweeps",
+            Part::Motion => "motion",
+        }
+    }
+}
+
+/// A scene on its way through time, as fast as it goes.
+///
+/// ```
+/// use lcplab::scene::Scene;
+/// use lcplab::simulation::stepper::{Kernel, Stepper};
+///
+/// let mut stepper = Stepper::new(Scene::load("stack")?, 50, Kernel::RowByRow)?;
+/// for _ in 0..10 {
+///     stepper.step().expect("a step that can be taken");
+/// }
+/// assert_eq!(stepper.found().len(), 20); // five boxes on four points each
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+pub struct Stepper {
+    scene: Scene,
+    sweeps: usize,
+    states: Vec<State>,
+    /// The states of the step under way.
+    next: Vec<State>,
+    steps: usize,
+    detector: Detector,
+    masses: Masses,
+    rows: Rows,
+    sweeper: Sweeper,
+    impulses: Impulses,
+}
+
+impl Stepper {
+    /// The scene at its start, with so many sweeps a step.
+    ///
+    /// # Errors
+    /// Lists what of the scene it does not do: other families than "velocity", other models of friction
+    /// than the coupled box, rows that yield.
+    pub fn new(scene: Scene, sweeps: usize, kernel: Kernel) -> Result<Self> {
+        scope::check(&scene)?;
+        Ok(Stepper {
+            states: scene.states.clone(),
+            next: scene.states.clone(),
+            steps: 0,
+            detector: Detector::new(&scene),
+            masses: Masses::new(&scene),
+            rows: Rows::default(),
+            sweeper: Sweeper::new(kernel),
+            impulses: Impulses::default(),
+            scene,
+            sweeps,
+        })
+    }
+
+    /// Back to the start; the memory stays.
+    pub fn restart(&mut self) {
+        self.states.clone_from(&self.scene.states);
+        self.impulses.forget();
+        self.steps = 0;
+    }
+
+    /// The scene; its states are those at the start.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The states now.
+    pub fn states(&self) -> &[State] {
+        &self.states
+    }
+
+    /// The time now (s).
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.scene.step.dt
+    }
+
+    /// The contacts at the beginning of the last step.
+    pub fn found(&self) -> &[Found] {
+        self.detector.found()
+    }
+
+    /// The impulses of the last step (N s, N m s), one entry a row: constraints first, then contacts,
+    /// as an [`Assembly`] has them.
+    pub fn x(&self) -> &[f64] {
+        self.impulses.x()
+    }
+
+    /// The rows of the last step in the order in which they were swept.
+    pub fn order(&self) -> Vec<usize> {
+        self.sweeper.order(self.impulses.x().len())
+    }
+
+    /// The bytes that the arrays of a step hold: contacts, rows and what sweeps; not the scene.
+    pub fn bytes(&self) -> usize {
+        self.detector.bytes()
+            + self.masses.bytes()
+            + self.rows.bytes()
+            + self.sweeper.bytes()
+            + self.impulses.bytes()
+    }
+
+    /// Takes one step; after a failure the states are those before it.
+    ///
+    /// # Errors
+    /// [`Cause`] lists them: a constraint without direction, a row that nothing moves, a state that
+    /// is not finite.
+    pub fn step(&mut self) -> std::result::Result<(), Failure> {
+        self.watched_step(&mut |_| ())
+    }
+
+    /// Takes one step and says which part of it is done.
+    ///
+    /// # Errors
+    /// As [`step`](Stepper::step).
+    pub fn watched_step(&mut self, done: &mut dyn FnMut(Part)) -> std::result::Result<(), Failure> {
+        let (step, time) = (self.steps + 1, self.time());
+        self.advance(done).map_err(|cause| Failure { step, time, cause })
+    }
+
+    fn advance(&mut self, done: &mut dyn FnMut(Part)) -> std::result::Result<(), Cause> {
+        let Stepper { scene, states, next, detector, masses, rows, sweeper, impulses, .. } = self;
+        let margin = scene.contact.margin;
+        detector.find_pairs(scene, states, margin);
+        done(Part::Pairs);
+        detector.find_points(scene, states, margin);
+        done(Part::Points);
+        masses.turn(scene, states);
+        rows.fill(scene, states, detector.found(), masses)?;
+        done(Part::Rows);
+        let refused = |status: Status| Error::invalid(&*scene.name, "rows", status.to_string());
+        impulses.solve(scene, rows, masses, sweeper, self.sweeps).map_err(refused)?;
+        done(Part::Sweeps);
+        masses.advance(scene.step.dt, &sweeper.v, states, next);
+        if let Some(cause) = self.divergence() {
+            return Err(cause);
+        }
+        std::mem::swap(&mut self.states, &mut self.next);
+        self.steps += 1;
+        done(Part::Motion);
+        Ok(())
+    }
+
+    /// Why the states that follow cannot be.
+    fn divergence(&self) -> Option<Cause> {
+        let sane = |state: &State| state.is_finite() && state.velocity().norm() < DIVERGED;
+        let body = self.next.iter().position(|state| !sane(state))?;
+        // The same rows in the same order, with their names.
+        let found = self.detector.found();
+        let named = Assembly::new(&self.scene, &self.states, found, Entering::Near).ok();
+        let rows = named.iter().flat_map(|assembly| assembly.rows.iter().zip(self.impulses.x()));
+        let acting = rows.filter(|(row, _)| row.bodies.contains(&Some(body)));
+        let largest = acting.max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
+        let row = largest.map(|(row, _)| row.label(&self.scene));
+        Some(Cause::Diverged { body: self.scene.bodies[body].name.clone(), row })
+    }
+}

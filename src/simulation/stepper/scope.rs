@@ -1,0 +1,30 @@
+//! What the stepper does not do.
+
+use crate::body::State;
+use crate::error::{Defects, Result};
+use crate::scene::{Formulation, FrictionModel, Scene};
+
+/// Whether the stepper can take a scene's steps.
+///
+/// # Errors
+/// One defect for each thing that it cannot do.
+pub(super) fn check(scene: &Scene) -> Result<()> {
+    let mut defects = Defects::default();
+    let family = scene.step.formulation;
+    if family != Formulation::Velocity {
+        let reason = format!("the stepper knows the velocity level only, not {}", family.name());
+        defects.add("step.formulation", reason);
+    }
+    if scene.contact.model != FrictionModel::CoupledBox {
+        defects.add("contact.model", "the stepper knows the coupled box only");
+    }
+    for (k, constraint) in scene.constraints.iter().enumerate() {
+        let states =
+            constraint.bodies().map(|body| body.map_or(&State::WORLD, |b| &scene.states[b]));
+        let yields = |row: &crate::constraint::Row| row.spring.is_some();
+        if constraint.rows(states).is_ok_and(|rows| rows.iter().any(yields)) {
+            defects.add(format!("constraints[{k}]"), "the stepper has no rows that yield");
+        }
+    }
+    defects.into_result(scene.name.as_str())
+}

@@ -1,0 +1,72 @@
+//! The kernel of a stepper.
+
+use super::Kernel;
+use crate::solver::Status;
+use crate::solver::kernel::Width;
+use crate::solver::kernel::impulses::{EightPairs, RowByRow, System, Velocity};
+
+/// Something that sweeps, and the velocities it ended with.
+pub(super) struct Sweeper {
+    form: Form,
+    pub v: Vec<Velocity>,
+}
+
+enum Form {
+    RowByRow(RowByRow),
+    EightPairs(Box<EightPairs>),
+}
+
+impl Sweeper {
+    pub fn new(kernel: Kernel) -> Self {
+        let form = match kernel {
+            Kernel::RowByRow => Form::RowByRow(RowByRow::default()),
+            Kernel::EightPairs { threads } => {
+                Form::EightPairs(Box::new(EightPairs::idle(Width::widest(), threads)))
+            }
+        };
+        Sweeper { form, v: Vec::new() }
+    }
+
+    /// So many sweeps from x and from the velocities without x; leaves the new x.
+    pub fn sweep(
+        &mut self,
+        system: &System,
+        x: &mut [f64],
+        free: &[Velocity],
+        count: usize,
+    ) -> Result<(), Status> {
+        self.v.resize(free.len(), Velocity::default());
+        match &mut self.form {
+            Form::RowByRow(kernel) => {
+                kernel.start(system, x, free);
+                (0..count).for_each(|_| kernel.sweep(system));
+                x.copy_from_slice(kernel.x());
+                self.v.copy_from_slice(kernel.v());
+            }
+            Form::EightPairs(kernel) => {
+                kernel.start(system, x, free)?;
+                kernel.sweeps(count);
+                kernel.write_x(x);
+                kernel.write_v(&mut self.v);
+            }
+        }
+        Ok(())
+    }
+
+    /// So many rows in the order in which they are swept.
+    pub fn order(&self, rows: usize) -> Vec<usize> {
+        match &self.form {
+            Form::RowByRow(_) => (0..rows).collect(),
+            Form::EightPairs(kernel) => kernel.order(),
+        }
+    }
+
+    /// The bytes that its arrays hold.
+    pub fn bytes(&self) -> usize {
+        let form = match &self.form {
+            Form::RowByRow(kernel) => kernel.bytes(),
+            Form::EightPairs(kernel) => kernel.bytes(),
+        };
+        form + self.v.capacity() * size_of::<Velocity>()
+    }
+}

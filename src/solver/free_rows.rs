@@ -1,0 +1,151 @@
+//! The equations of the free rows, A_FF x_F = −(b_F + A_FB x_B), by the factor that suits A.
+//!
+//! | A | factor | products, for f free rows of n |
+//! | --- | --- | --- |
+//! | symmetric | [L Lᵀ](super::cholesky) in blocks | f³/6 |
+//! | symmetric, b entries a row near the diagonal | [L D Lᵀ](super::envelope) within the envelope | n b²/2 |
+//! | not symmetric | [L U](super::elimination) with row exchanges | f³/3 |
+//!
+//! The factor is kept: the same free rows of the same matrix need no other.
+
+use std::sync::Arc;
+
+use super::Status;
+use super::active_set::{ActiveSet, ROUNDING, Side, unit};
+use super::cholesky::{Cholesky, RELATIVE_ZERO};
+use super::elimination::Lu;
+use super::envelope::Envelope;
+use super::principal::Point;
+use crate::lcp::merit::RowTerms;
+use crate::lcp::{Lcp, Matrix, accurate};
+
+/// Steps of refinement, where rounding is left in the free rows.
+const REFINEMENTS: usize = 2;
+/// The envelope is used if it has at most this part of A's entries: products one after another take
+/// longer than those of a block.
+const ENVELOPE_PART: usize = 12;
+
+/// The equations of the free rows of one matrix.
+#[derive(Debug)]
+pub(super) struct FreeRows {
+    /// Held, so that no other matrix can come to lie where this one lies.
+    matrix: Arc<Matrix>,
+    factor: Factor,
+    /// F, if there is a factor of A_FF.
+    free: Option<Vec<usize>>,
+}
+
+#[derive(Debug)]
+enum Factor {
+    Cholesky(Cholesky),
+    Envelope(Envelope),
+    Lu(Option<Lu>),
+}
+
+impl FreeRows {
+    /// Those of this problem's matrix, none solved yet.
+    pub(super) fn of(lcp: &Lcp) -> Self {
+        let matrix = Arc::clone(lcp.shared_matrix());
+        let most = matrix.len().pow(2) / ENVELOPE_PART;
+        let factor = match matrix.is_symmetric() {
+            true if Envelope::entries(&matrix) <= most => Factor::Envelope(Envelope::of(&matrix)),
+            true => Factor::Cholesky(Cholesky::default()),
+            false => Factor::Lu(None),
+        };
+        FreeRows { matrix, factor, free: None }
+    }
+
+    /// Those that are kept, if they are of this problem's matrix: of the same one, not of an equal one.
+    pub(super) fn kept<'a>(kept: &'a mut Option<Self>, lcp: &Lcp) -> &'a mut Self {
+        let is_same = |kept: &Self| Arc::ptr_eq(&kept.matrix, lcp.shared_matrix());
+        *kept = kept.take().filter(is_same);
+        kept.get_or_insert_with(|| FreeRows::of(lcp))
+    }
+
+    /// Whether A is symmetric.
+    pub(super) fn are_symmetric(&self) -> bool {
+        !matches!(self.factor, Factor::Lu(_))
+    }
+
+    /// The point of an active set: [`Status::Singular`] or [`Status::NotFinite`] if there is none.
+    pub(super) fn point(&mut self, lcp: &Lcp, set: &ActiveSet) -> Result<Point, Status> {
+        let free: Vec<usize> = (0..lcp.len()).filter(|&i| set.0[i] == Side::Free).collect();
+        if self.free.as_ref() != Some(&free) {
+            self.free = None;
+            self.factor.factor(lcp, &free).map_err(|row| Status::Singular { row })?;
+        }
+        let free = self.free.insert(free);
+        let mut x = set.moved_to_bounds(lcp, &vec![0.0; lcp.len()]);
+        match x.iter().all(|&x| x == 0.0) {
+            true => self.factor.correct(lcp, free, &mut x, |i, _| lcp.b()[i]), // w = b
+            false => self.factor.correct(lcp, free, &mut x, |i, x| lcp.row_w(i, x)),
+        }
+        let mut point = Point::at(lcp, x);
+        for _ in 0..REFINEMENTS {
+            let is_left = |&i: &usize| {
+                let RowTerms { w, magnitude, .. } = point.terms[i];
+                w.abs() > ROUNDING * magnitude
+            };
+            if !free.iter().any(is_left) {
+                break;
+            }
+            let accurate_w = |i: usize, x: &[f64]| RowTerms::summed::<accurate::Sum>(lcp, i, x).w();
+            self.factor.correct(lcp, free, &mut point.x, accurate_w);
+            point = Point::at(lcp, point.x);
+        }
+        if point.x.iter().all(|x| x.is_finite()) { Ok(point) } else { Err(Status::NotFinite) }
+    }
+}
+
+impl Factor {
+    fn factor(&mut self, lcp: &Lcp, free: &[usize]) -> Result<(), usize> {
+        match self {
+            Factor::Cholesky(factor) => factor.factor(lcp, free),
+            Factor::Envelope(factor) => {
+                let mut is_free = vec![false; lcp.len()];
+                free.iter().for_each(|&i| is_free[i] = true);
+                factor.factor(lcp.matrix(), &vec![0.0; lcp.len()], |i| !is_free[i])?;
+                let is_zero =
+                    |&i: &usize| factor.pivots()[i] <= RELATIVE_ZERO * lcp.matrix().diagonal(i);
+                free.iter().copied().find(is_zero).map_or(Ok(()), Err)
+            }
+            Factor::Lu(factor) => {
+                let unit: Vec<f64> = free.iter().map(|&i| unit(lcp, i)).collect();
+                let entry =
+                    |r: usize, c: usize| lcp.matrix().entry(free[r], free[c]) / unit[r] / unit[c];
+                *factor = Some(Lu::of(free.len(), entry).map_err(|k| free[k])?);
+                Ok(())
+            }
+        }
+    }
+
+    /// x_F ← x_F − A_FF⁻¹ w_F.
+    fn correct(&self, lcp: &Lcp, free: &[usize], x: &mut [f64], w: impl Fn(usize, &[f64]) -> f64) {
+        let mut step: Vec<f64> = free.iter().map(|&i| -w(i, x)).collect();
+        self.solve(lcp, free, &mut step);
+        for (&i, step) in free.iter().zip(&step) {
+            x[i] += step;
+        }
+    }
+
+    /// The solution z of A_FF z = rhs, in place.
+    fn solve(&self, lcp: &Lcp, free: &[usize], rhs: &mut [f64]) {
+        match self {
+            Factor::Cholesky(factor) => factor.solve(rhs),
+            Factor::Envelope(factor) => {
+                let mut all = vec![0.0; lcp.len()];
+                free.iter().zip(&*rhs).for_each(|(&i, value)| all[i] = *value);
+                factor.solve(&mut all);
+                rhs.iter_mut().zip(free).for_each(|(z, &i)| *z = all[i]);
+            }
+            Factor::Lu(factor) => {
+                let scale = |z: &mut [f64]| {
+                    z.iter_mut().zip(free).for_each(|(z, &i)| *z /= unit(lcp, i));
+                };
+                scale(rhs);
+                factor.iter().for_each(|factor| factor.solve(rhs));
+                scale(rhs);
+            }
+        }
+    }
+}

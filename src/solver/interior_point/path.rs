@@ -1,0 +1,154 @@
+//! The central path: rooms, pushes, and the step along it.
+
+use std::ops::ControlFlow;
+
+use super::step::{LEAST, StepEquations};
+use crate::lcp::Lcp;
+use crate::solver::{Event, Status};
+
+/// The part of the way to the nearest bound that a step may use.
+const STAY_INSIDE: f64 = 0.995;
+/// Steps shorter than this do not count as progress.
+const SHORTEST: f64 = 1e-10;
+
+/// One finite bound.
+#[derive(Debug, Clone, Copy)]
+struct Bound {
+    row: usize,
+    /// 1 for a lower bound, −1 for an upper one.
+    sign: f64,
+    /// ρ_k, carried along: x minus the bound would round to 0 in the end.
+    room: f64,
+    /// z_k.
+    push: f64,
+}
+
+/// A point near the central path.
+pub(super) struct Path<'a> {
+    lcp: &'a Lcp,
+    pinned: Vec<bool>,
+    bounds: Vec<Bound>,
+}
+
+/// A change of x, with the changes of the rooms and pushes.
+struct Direction {
+    x: Vec<f64>,
+    room: Vec<f64>,
+    push: Vec<f64>,
+}
+
+impl<'a> Path<'a> {
+    /// Moves x inside its bounds and chooses the pushes such that every ρ z is the energy
+    /// e = Σ b_i² / a_ii; distances are measured by √(e / a_ii).
+    pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl StepEquations, x: &mut [f64]) -> Self {
+        let pinned: Vec<bool> = (0..x.len()).map(|i| lcp.lo()[i] == lcp.hi()[i]).collect();
+        let energy: f64 = (0..x.len()).map(|i| lcp.b()[i].powi(2) / equations.diagonal(i)).sum();
+        let energy = if energy > 0.0 { energy } else { 1.0 };
+        let mut bounds = Vec::new();
+        for row in (0..x.len()).filter(|&i| !pinned[i]) {
+            let (lo, hi) = (lcp.lo()[row], lcp.hi()[row]);
+            let distance = f64::min((energy / equations.diagonal(row)).sqrt(), 0.5 * (hi - lo));
+            x[row] = x[row].max(lo + distance).min(hi - distance);
+            for (sign, at) in [(1.0, lo), (-1.0, hi)] {
+                if at.is_finite() {
+                    let room = sign * (x[row] - at);
+                    bounds.push(Bound { row, sign, room, push: energy / room });
+                }
+            }
+        }
+        Path { lcp, pinned, bounds }
+    }
+
+    /// Moves x along the path, by Newton's method on the equations of the path.
+    pub(super) fn step(
+        &mut self,
+        equations: &mut impl StepEquations,
+        x: &mut [f64],
+    ) -> ControlFlow<Status, Event> {
+        if !self.factorise(equations) {
+            let reason = "A is not positive semidefinite";
+            return ControlFlow::Break(Status::OutsideClass { reason });
+        }
+        let direction = self.direction(equations, x);
+        let length = (STAY_INSIDE * self.longest(&direction)).min(1.0);
+        if !(length > SHORTEST) || direction.x.iter().any(|d| !d.is_finite()) {
+            return ControlFlow::Break(Status::Stalled);
+        }
+        for (x, d) in x.iter_mut().zip(&direction.x) {
+            *x += length * d;
+        }
+        self.lcp.project_all(x); // a room below the rounding of x may leave it beside the bound
+        for (k, bound) in self.bounds.iter_mut().enumerate() {
+            bound.room += length * direction.room[k];
+            bound.push += length * direction.push[k];
+        }
+        ControlFlow::Continue(Event::Step)
+    }
+
+    /// The factors of A + Σ_k z_k/ρ_k; false if there are none.
+    fn factorise<E: StepEquations>(&self, equations: &mut E) -> bool {
+        let mut added = vec![0.0; self.pinned.len()];
+        for k in &self.bounds {
+            added[k.row] += k.push / k.room;
+        }
+        for (i, added) in added.iter_mut().enumerate() {
+            let least = if *added > 0.0 { LEAST } else { E::UNBOUNDED };
+            *added += least * equations.diagonal(i);
+        }
+        equations.factor(&added, &self.pinned)
+    }
+
+    /// The predictor, corrected.
+    fn direction(&self, equations: &mut impl StepEquations, x: &[f64]) -> Direction {
+        let w = equations.w(x);
+        let product: Vec<f64> = self.bounds.iter().map(|k| k.room * k.push).collect();
+        let predictor = self.towards(equations, &w, product.iter().map(|p| -p).collect());
+        if self.bounds.is_empty() {
+            return predictor; // w = 0 is linear
+        }
+        let target = self.target(&product, &predictor);
+        let second_order = predictor.room.iter().zip(&predictor.push).map(|(r, z)| r * z);
+        let r = product.iter().zip(second_order).map(|(p, e)| target - p - e).collect();
+        self.towards(equations, &w, r)
+    }
+
+    /// The solution of the linear equations for these r_k.
+    fn towards(&self, equations: &mut impl StepEquations, w: &[f64], r: Vec<f64>) -> Direction {
+        let mut rhs: Vec<f64> = w.iter().map(|w| -w).collect();
+        for (k, r) in self.bounds.iter().zip(&r) {
+            rhs[k.row] += k.sign * (k.push + r / k.room);
+        }
+        for (rhs, _) in rhs.iter_mut().zip(&self.pinned).filter(|(_, pinned)| **pinned) {
+            *rhs = 0.0;
+        }
+        equations.solve(&mut rhs);
+        let dx = rhs;
+        let room: Vec<f64> = self.bounds.iter().map(|k| k.sign * dx[k.row]).collect();
+        let changes = self.bounds.iter().zip(r.iter().zip(&room));
+        let push = changes.map(|(k, (r, room))| (r - k.push * room) / k.room).collect();
+        Direction { x: dx, room, push }
+    }
+
+    /// The μ to aim at: small if the predictor gets far.
+    fn target(&self, product: &[f64], predictor: &Direction) -> f64 {
+        let count = product.len().max(1) as f64;
+        let mu = product.iter().sum::<f64>() / count;
+        let reach = self.longest(predictor).min(1.0);
+        let changes = predictor.room.iter().zip(&predictor.push);
+        let ahead = |(k, (room, push)): (&Bound, (&f64, &f64))| {
+            (k.room + reach * room) * (k.push + reach * push)
+        };
+        let ahead = self.bounds.iter().zip(changes).map(ahead).sum::<f64>() / count;
+        if mu > 0.0 { mu * (ahead / mu).powi(3) } else { 0.0 }
+    }
+
+    /// The length at which the first room or push would vanish.
+    fn longest(&self, direction: &Direction) -> f64 {
+        let until = |value: f64, change: f64| {
+            if change < 0.0 { -value / change } else { f64::INFINITY }
+        };
+        let rooms = self.bounds.iter().zip(&direction.room).map(|(k, d)| until(k.room, *d));
+        let pushes = self.bounds.iter().zip(&direction.push).map(|(k, d)| until(k.push, *d));
+        rooms.chain(pushes).fold(f64::INFINITY, f64::min)
+    }
+}

@@ -1,0 +1,99 @@
+//! The linear equations of a step as they stand: one a row.
+//!
+//! Where rows reach far back for few entries, as in a net of many meshes, an envelope would hold little
+//! but zeros, and the rows are put in an order of their own ([`sparse_factor`](crate::solver::sparse_factor)).
+
+use super::step::{LEAST, StepEquations};
+use crate::lcp::{Lcp, Matrix};
+use crate::solver::Status;
+use crate::solver::envelope::Envelope;
+use crate::solver::sparse_factor::{SparseFactor, minimum_degree, pattern};
+
+/// An envelope may have so many times the entries of A's lower triangle.
+const SPARSE: usize = 6;
+
+/// A + D and its factors.
+pub(super) struct Rows<'a> {
+    lcp: &'a Lcp,
+    diagonal: Vec<f64>,
+    factor: Factor,
+}
+
+enum Factor {
+    /// Rows in the order they come.
+    Envelope(Envelope),
+    /// Rows in an order of their own.
+    Reordered(SparseFactor),
+}
+
+impl<'a> Rows<'a> {
+    /// Room for the factors, if so many entries fit.
+    pub(super) fn of(
+        lcp: &'a Lcp,
+        diagonal: Vec<f64>,
+        fit: impl Fn(usize) -> Result<(), Status>,
+    ) -> Result<Self, Status> {
+        let matrix = lcp.matrix();
+        let (entries, lower) = (Envelope::entries(matrix), (matrix.stored() + matrix.len()) / 2);
+        let factor = if entries <= SPARSE * lower {
+            fit(entries)?;
+            Factor::Envelope(Envelope::of(matrix))
+        } else {
+            let factor = reordered(matrix);
+            fit(factor.entries())?;
+            Factor::Reordered(factor)
+        };
+        Ok(Rows { lcp, diagonal, factor })
+    }
+}
+
+/// The factors of matrices like this one in the order of minimum degree.
+fn reordered(matrix: &Matrix) -> SparseFactor {
+    let column = |i: usize| std::iter::once(i).chain(below(matrix, i).map(|(j, _)| j));
+    let places = pattern((0..matrix.len()).map(column));
+    let order = minimum_degree(&places);
+    SparseFactor::of(places, &order)
+}
+
+/// Column i of the lower triangle without the diagonal: what row i has to the right of it.
+fn below(matrix: &Matrix, i: usize) -> impl Iterator<Item = (usize, f64)> {
+    matrix.row(i).iter().filter(move |&(j, _)| j > i)
+}
+
+impl StepEquations for Rows<'_> {
+    const UNBOUNDED: f64 = LEAST;
+
+    fn diagonal(&self, i: usize) -> f64 {
+        self.diagonal[i]
+    }
+
+    fn w(&self, x: &[f64]) -> Vec<f64> {
+        self.lcp.w(x)
+    }
+
+    fn factor(&mut self, added: &[f64], pinned: &[bool]) -> bool {
+        let matrix = self.lcp.matrix();
+        match &mut self.factor {
+            Factor::Envelope(envelope) => envelope.factor(matrix, added, |i| pinned[i]).is_ok(),
+            Factor::Reordered(factor) => factor.factor(&lower_triangle(matrix, added, pinned)),
+        }
+    }
+
+    fn solve(&mut self, r: &mut [f64]) {
+        match &mut self.factor {
+            Factor::Envelope(envelope) => envelope.solve(r),
+            Factor::Reordered(factor) => factor.solve(r),
+        }
+    }
+}
+
+/// The lower triangle of A + diag(added) by columns, with those of the unit matrix where x is pinned.
+fn lower_triangle(matrix: &Matrix, added: &[f64], pinned: &[bool]) -> Vec<f64> {
+    let mut values = Vec::with_capacity((matrix.stored() + matrix.len()) / 2);
+    for i in 0..matrix.len() {
+        values.push(if pinned[i] { 1.0 } else { matrix.diagonal(i) + added[i] });
+        let off = |(j, a): (usize, f64)| if pinned[i] || pinned[j] { 0.0 } else { a };
+        values.extend(below(matrix, i).map(off));
+    }
+    values
+}

@@ -1,0 +1,132 @@
+//! Projected Gauss-Seidel by colours, eight pairs of bodies at a time, on one thread or several.
+
+use std::sync::Arc;
+
+use super::colour::Colouring;
+use super::octet::{self, NOBODIES, Share};
+use super::team::{Shared, Team};
+use super::{System, Velocity, WIDTH, bytes};
+use crate::solver::Status;
+use crate::solver::kernel::lanes::Width;
+
+/// Projected Gauss-Seidel by colours, eight pairs of bodies at a time.
+///
+/// Which pairs share a colour or a thread changes no bit of what a colour does, so the bits are the
+/// same on any number of threads.
+#[derive(Debug)]
+pub struct EightPairs {
+    colouring: Colouring,
+    shares: Vec<Share>,
+    shared: Arc<Shared>,
+    team: Team,
+    width: Width,
+    /// Velocities on their way to `shared`.
+    v: Vec<Velocity>,
+    rows: usize,
+}
+
+/// What it is not made for.
+const FAR: Status = Status::OutsideClass { reason: "friction reaches beyond its pair of bodies" };
+
+impl EightPairs {
+    /// Nothing to sweep yet, on so many threads (at least one).
+    pub fn idle(width: Width, threads: usize) -> Self {
+        let team = Team::new(threads);
+        EightPairs {
+            colouring: Colouring::default(),
+            shares: (0..team.threads()).map(|_| Share::default()).collect(),
+            shared: Arc::new(Shared::new(0, team.threads())),
+            team,
+            width,
+            v: Vec::new(),
+            rows: 0,
+        }
+    }
+
+    /// The sweeps over a system on one thread, from x = 0 and v = 0.
+    ///
+    /// # Errors
+    /// [`Status::OutsideClass`] if a row's bounds follow a row between other bodies.
+    pub fn new(system: &System, width: Width) -> Result<Self, Status> {
+        EightPairs::on_threads(system, width, 1)
+    }
+
+    /// The same on so many threads.
+    ///
+    /// # Errors
+    /// As [`EightPairs::new`].
+    pub fn on_threads(system: &System, width: Width, threads: usize) -> Result<Self, Status> {
+        let mut kernel = EightPairs::idle(width, threads);
+        let (x, v) = (vec![0.0; system.rows.len()], vec![[0.0; WIDTH]; system.bodies]);
+        kernel.start(system, &x, &v)?;
+        Ok(kernel)
+    }
+
+    /// Starts at this x, and at these velocities with those that x adds. The order of the pairs is kept
+    /// as long as they are the same; memory is asked for where there is not enough from before.
+    ///
+    /// # Errors
+    /// As [`EightPairs::new`].
+    pub fn start(&mut self, system: &System, x: &[f64], v: &[Velocity]) -> Result<(), Status> {
+        if !self.colouring.fits(system) {
+            if !self.colouring.arrange(system) {
+                return Err(FAR);
+            }
+            octet::deal(&self.colouring, system.bodies, &mut self.shares);
+            let bodies = system.bodies + NOBODIES * self.shares.len();
+            if self.shared.v.len() != bodies {
+                self.shared = Arc::new(Shared::new(bodies, self.shares.len()));
+            }
+        }
+        self.shares.iter_mut().for_each(|share| share.load(system, x));
+        self.v.clear();
+        self.v.extend_from_slice(v);
+        system.push_velocities(x, &mut self.v);
+        self.v.iter().enumerate().for_each(|(body, v)| self.shared.v.set(body, v));
+        self.rows = x.len();
+        Ok(())
+    }
+
+    /// One sweep over all rows, in the order of [`EightPairs::order`].
+    pub fn sweep(&mut self) {
+        self.sweeps(1);
+    }
+
+    /// So many sweeps.
+    pub fn sweeps(&mut self, count: usize) {
+        self.team.sweep(&mut self.shares, &self.shared, self.width, count);
+    }
+
+    /// The rows of the system in the order in which a sweep takes them.
+    pub fn order(&self) -> Vec<usize> {
+        self.colouring.pairs.iter().flat_map(|pair| pair.first..pair.first + pair.rows).collect()
+    }
+
+    /// x, one entry a row of the system.
+    pub fn x(&self) -> Vec<f64> {
+        let mut x = vec![0.0; self.rows];
+        self.write_x(&mut x);
+        x
+    }
+
+    /// The same in a place that is there.
+    pub fn write_x(&self, x: &mut [f64]) {
+        self.shares.iter().for_each(|share| share.unload(x));
+    }
+
+    /// The velocities, one entry a body.
+    pub fn write_v(&self, v: &mut [Velocity]) {
+        v.iter_mut().enumerate().for_each(|(body, v)| *v = self.shared.v.get(body));
+    }
+
+    /// How many threads it has: as many as were asked for and could be had.
+    pub fn threads(&self) -> usize {
+        self.shares.len()
+    }
+
+    /// The bytes that its arrays hold.
+    pub fn bytes(&self) -> usize {
+        let shares: usize = self.shares.iter().map(Share::bytes).sum();
+        self.colouring.bytes() + shares + self.shared.v.bytes() + bytes(&self.v)
+    }
+}

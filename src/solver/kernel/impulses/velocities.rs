@@ -1,0 +1,75 @@
+//! The velocities of all bodies, where several threads can reach them.
+//!
+//! While a colour is swept each body is read and written by one thread, and between two colours all
+//! threads wait for each other; so every number can be an atomic that is read and written in no
+//! particular order, which costs what a plain one does, and no `unsafe` is needed to share them.
+
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+use super::{Velocity, WIDTH};
+use crate::solver::kernel::lanes::Lanes;
+
+/// A body's velocity: six numbers, and two zeros for the sake of whole cache lines.
+#[derive(Debug, Default)]
+#[repr(align(64))]
+struct Body([AtomicU64; 8]);
+
+/// The velocities of all bodies.
+#[derive(Debug, Default)]
+pub(super) struct Velocities(Vec<Body>);
+
+impl Velocities {
+    /// Zeros for so many bodies.
+    pub fn new(bodies: usize) -> Self {
+        Velocities((0..bodies).map(|_| Body::default()).collect())
+    }
+
+    /// The number of bodies.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    pub fn get(&self, body: usize) -> Velocity {
+        let own = &self.0[body].0;
+        std::array::from_fn(|k| f64::from_bits(own[k].load(Relaxed)))
+    }
+
+    pub fn set(&self, body: usize, v: &Velocity) {
+        let own = &self.0[body].0;
+        (0..WIDTH).for_each(|k| own[k].store(v[k].to_bits(), Relaxed));
+    }
+
+    /// Component k of eight bodies' velocities in u_k.
+    #[inline(always)]
+    pub fn gather<V: Lanes>(&self, bodies: &[u32; 8], u: &mut [V]) {
+        let mut components = [[0.0; 8]; WIDTH];
+        for lane in 0..8 {
+            let own = &self.0[bodies[lane] as usize].0;
+            for k in 0..WIDTH {
+                components[k][lane] = f64::from_bits(own[k].load(Relaxed));
+            }
+        }
+        for k in 0..WIDTH {
+            u[k] = V::load(&components[k]);
+        }
+    }
+
+    #[inline(always)]
+    pub fn scatter<V: Lanes>(&self, u: &[V], bodies: &[u32; 8]) {
+        let mut components = [[0.0; 8]; WIDTH];
+        for k in 0..WIDTH {
+            u[k].store(&mut components[k]);
+        }
+        for lane in 0..8 {
+            let own = &self.0[bodies[lane] as usize].0;
+            for k in 0..WIDTH {
+                own[k].store(components[k][lane].to_bits(), Relaxed);
+            }
+        }
+    }
+
+    /// The bytes that it holds.
+    pub fn bytes(&self) -> usize {
+        super::bytes(&self.0)
+    }
+}

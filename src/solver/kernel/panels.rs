@@ -1,0 +1,219 @@
+//! The loops of a triangular factor: L by panels of eight rows.
+//!
+//! ```text
+//! panel p: rows 8p … 8p + 7, cut into tiles of eight columns; in a tile, column by column
+//! ```
+//!
+//! So eight rows are eight lanes, whose sums are independent of one another and need no adding up
+//! across, and everything but the writing of one row is memory in the order it lies in. A panel begins
+//! at the first tile in which one of its rows has an entry: where neighbours touch neighbours only, as
+//! in a stack, that leaves a band (the *envelope* of George & Liu 1981), and all costs fall with it.
+
+use super::lanes::{Lanes, Width, Work, sum};
+
+/// What stands in eight rows: of a vector, or of a column.
+pub(in crate::solver) type Eight = [f64; 8];
+
+/// Eight columns of eight rows: `tile[column][row]`.
+pub(in crate::solver) type Tile = [Eight; 8];
+
+/// A unit lower triangular matrix. The unit diagonal is not stored; a row may be all zero beside it.
+#[derive(Debug, Clone)]
+pub(in crate::solver) struct Panels {
+    tiles: Vec<Tile>,
+    /// The tile in which each panel begins.
+    begin: Vec<usize>,
+    width: Width,
+}
+
+/// Where the tiles of a panel are: panel p has p + 1.
+fn place(panel: usize) -> std::ops::Range<usize> {
+    let start = panel * (panel + 1) / 2;
+    start..start + panel + 1
+}
+
+impl Panels {
+    /// No rows yet.
+    pub(in crate::solver) fn new(width: Width) -> Self {
+        Panels { tiles: Vec::new(), begin: Vec::new(), width }
+    }
+
+    /// With which instructions the loops run.
+    pub(in crate::solver) fn width(&self) -> Width {
+        self.width
+    }
+
+    /// An entry left of the diagonal.
+    pub(in crate::solver) fn entry(&self, row: usize, column: usize) -> f64 {
+        let tiles = &self.tiles[place(row / 8)];
+        tiles[column / 8][column % 8][row % 8]
+    }
+
+    /// The first column in which `row` may have an entry.
+    pub(in crate::solver) fn first(&self, row: usize) -> usize {
+        8 * self.begin[row / 8]
+    }
+
+    /// Writes the row after the last or one that is zero; its entries before tile `begin` are zero.
+    pub(in crate::solver) fn set(&mut self, row: usize, entries: &[Eight], begin: usize) {
+        let (panel, lane) = (row / 8, row % 8);
+        if panel == self.begin.len() {
+            self.begin.push(panel);
+            self.tiles.resize(place(panel).end, [[0.0; 8]; 8]);
+        }
+        let begin = begin.min(panel);
+        self.begin[panel] = self.begin[panel].min(begin);
+        let tiles = &mut self.tiles[place(panel)];
+        for (tile, entries) in tiles[begin..panel].iter_mut().zip(&entries[begin..]) {
+            for (column, entry) in tile.iter_mut().zip(entries) {
+                column[lane] = *entry;
+            }
+        }
+        for column in 0..lane {
+            tiles[panel][column][lane] = entries[panel][column];
+        }
+    }
+
+    /// Drops the panels from this one on.
+    pub(in crate::solver) fn truncate(&mut self, panels: usize) {
+        self.begin.truncate(panels);
+        self.tiles.truncate(place(panels).start);
+    }
+
+    /// z ← L⁻¹ z; z is zero before panel `begin`.
+    pub(in crate::solver) fn forward(&self, z: &mut [Eight], begin: usize) {
+        self.width.run(Forward { l: self, z, begin });
+    }
+
+    /// z ← L⁻ᵀ z.
+    pub(in crate::solver) fn backward(&self, z: &mut [Eight], sums: &mut Vec<Tile>) {
+        sums.clear();
+        sums.resize(z.len(), [[0.0; 8]; 8]);
+        self.width.run(Backward { l: self, z, sums });
+    }
+
+    /// L D Lᵀ ← L D Lᵀ without row and column k, which are left as those of the unit matrix.
+    pub(in crate::solver) fn remove(&mut self, k: usize, diagonal: &mut [Eight]) {
+        let (begin, width) = (self.begin[k / 8], self.width);
+        for tile in &mut self.tiles[place(k / 8)][begin..] {
+            tile.iter_mut().for_each(|column| column[k % 8] = 0.0);
+        }
+        let alpha = std::mem::replace(&mut diagonal[k / 8][k % 8], 1.0);
+        width.run(Removal { l: self, k, alpha, diagonal });
+    }
+}
+
+struct Forward<'a> {
+    l: &'a Panels,
+    z: &'a mut [Eight],
+    begin: usize,
+}
+
+impl Work for Forward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        let Forward { l, z, begin } = self;
+        for p in begin..z.len() {
+            let tiles = &l.tiles[place(p)];
+            let first = l.begin[p].max(begin);
+            let (solved, rest) = z.split_at_mut(p);
+            let mut sums = [V::splat(0.0); 4];
+            for (tile, z) in tiles[first..p].iter().zip(&solved[first..]) {
+                for c in 0..8 {
+                    sums[c % 4] = sums[c % 4] + V::load(&tile[c]) * V::splat(z[c]);
+                }
+            }
+            let [a, b, c, d] = sums;
+            (V::load(&rest[0]) - ((a + b) + (c + d))).store(&mut rest[0]);
+            let (tile, z) = (&tiles[p], &mut rest[0]);
+            for c in 0..7 {
+                for r in c + 1..8 {
+                    z[r] -= tile[c][r] * z[c];
+                }
+            }
+        }
+    }
+}
+
+struct Backward<'a> {
+    l: &'a Panels,
+    z: &'a mut [Eight],
+    /// Σ l_rc z_r of each column c over the rows that are done, in eight parts.
+    sums: &'a mut [Tile],
+}
+
+impl Work for Backward<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        let Backward { l, z, sums } = self;
+        for p in (0..z.len()).rev() {
+            let (tiles, first) = (&l.tiles[place(p)], l.begin[p]);
+            let z = &mut z[p];
+            for c in 0..8 {
+                z[c] -= sum(sums[p][c]);
+            }
+            for r in (1..8).rev() {
+                for c in 0..r {
+                    z[c] -= tiles[p][c][r] * z[r];
+                }
+            }
+            let z = V::load(z);
+            for (tile, sums) in tiles[first..p].iter().zip(&mut sums[first..]) {
+                for c in 0..8 {
+                    (V::load(&sums[c]) + V::load(&tile[c]) * z).store(&mut sums[c]);
+                }
+            }
+        }
+    }
+}
+
+/// L D Lᵀ + α v vᵀ with v the column k that goes (method C1 of Gill, Golub, Murray & Saunders 1974),
+/// which is stable because α > 0.
+struct Removal<'a> {
+    l: &'a mut Panels,
+    k: usize,
+    alpha: f64,
+    diagonal: &'a mut [Eight],
+}
+
+impl Work for Removal<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        let Removal { l, k, mut alpha, diagonal } = self;
+        let first = k / 8;
+        let mut steps = vec![([0.0; 8], [0.0; 8]); diagonal.len() - first]; // (p, β) by columns
+        for panel in first..diagonal.len() {
+            let begin = l.begin[panel];
+            let tiles = &mut l.tiles[place(panel)];
+            let mut v = V::load(&std::mem::replace(&mut tiles[first][k % 8], [0.0; 8]));
+            let from = begin.max(first);
+            for (tile, (p, beta)) in tiles[from..panel].iter_mut().zip(&steps[from - first..]) {
+                for c in 0..8 {
+                    let l = V::load(&tile[c]);
+                    v = v - V::splat(p[c]) * l;
+                    (l + V::splat(beta[c]) * v).store(&mut tile[c]);
+                }
+            }
+            let mut v = v.to_array();
+            let (tile, d, (p, beta)) =
+                (&mut tiles[panel], &mut diagonal[panel], &mut steps[panel - first]);
+            for c in 0..8 {
+                p[c] = v[c];
+                let updated = d[c] + alpha * p[c] * p[c];
+                beta[c] = alpha * p[c] / updated;
+                alpha *= d[c] / updated;
+                d[c] = updated;
+                for r in c + 1..8 {
+                    v[r] -= p[c] * tile[c][r];
+                    tile[c][r] += beta[c] * v[r];
+                }
+            }
+        }
+    }
+}

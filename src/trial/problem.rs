@@ -1,0 +1,267 @@
+//! Small problems made to hurt: ties, dependent rows, masses far apart, numbers at the ends of the
+//! range, matrices of no class at all.
+//!
+//! Most entries are small whole numbers, so that sums cancel exactly: ties are ties, a dependent row is
+//! dependent, and a problem without solution misses one by more than rounding.
+
+use oorandom::Rand64;
+
+use crate::lcp::{Coupling, Lcp, Matrix};
+
+/// A kind of problem.
+#[derive(Debug, Clone, Copy)]
+pub struct Kind {
+    /// Its name.
+    pub name: &'static str,
+    /// What is nasty about it.
+    pub about: &'static str,
+    make: fn(&mut Random) -> Numbers,
+}
+
+/// The kinds, taken in turns.
+pub const KINDS: &[Kind] = &[
+    Kind {
+        name: "contacts",
+        about: "A = JJᵀ of small whole numbers, often singular; contacts only; a third has no solution",
+        make: |random| contacts(random),
+    },
+    Kind {
+        name: "bounds",
+        about: "the same with bounds of every kind: boxes, equations, pinned rows, upper bounds alone",
+        make: |random| contacts(random).bounded(random),
+    },
+    Kind {
+        name: "solvable",
+        about: "JJᵀ, and b chosen so that a solution is known, a third of its rows degenerate",
+        make: |random| contacts(random).bounded(random).solvable(random),
+    },
+    Kind {
+        name: "masses",
+        about: "rows in units up to 2⁶⁰ apart, about 10¹⁸",
+        make: |random| contacts(random).bounded(random).in_units(random, 30),
+    },
+    Kind {
+        name: "copies",
+        about: "every row twice, the copies up to 10⁻⁹ apart",
+        make: |random| contacts_of(random, 3).doubled(random),
+    },
+    Kind {
+        name: "nearly-singular",
+        about: "JJᵀ with 10⁻¹⁶ … 10⁻⁸ added to the diagonal",
+        make: |random| contacts(random).bounded(random).stiffened(random),
+    },
+    Kind {
+        name: "friction",
+        about: "normal rows with two tangents each, bounded by μ times the normal x",
+        make: friction,
+    },
+    Kind {
+        name: "dominant",
+        about: "diagonally dominant, not symmetric: a P-matrix",
+        make: |random| dominant(random).bounded(random),
+    },
+    Kind {
+        name: "any",
+        about: "any small whole numbers: indefinite, not symmetric, zeros on the diagonal",
+        make: |random| any(random).bounded(random),
+    },
+    Kind {
+        name: "extremes",
+        about: "entries of 0, −0, subnormal, 10^±150, 10^±300 among the ordinary ones",
+        make: |random| extremes(random).bounded(random),
+    },
+];
+
+/// Problem k of a seed, and where the solvers start: from nothing, or from a guess as bad as can be.
+pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
+    let random = &mut Random(Rand64::new((u128::from(seed) << 64) | k as u128));
+    let lcp = (KINDS[k % KINDS.len()].make)(random).lcp();
+    let start = (0..lcp.len()).map(|_| random.one_of(&[0.0, 1.0, -1.0, 1e-300, 1e9, -1e300]));
+    let start: Vec<f64> = start.collect();
+    let is_cold = random.whole(0, 2) > 0;
+    (lcp, if is_cold { None } else { Some(start) })
+}
+
+/// A stream of random numbers.
+struct Random(Rand64);
+
+impl Random {
+    fn whole(&mut self, least: i64, most: i64) -> i64 {
+        least + self.0.rand_range(0..(most - least + 1) as u64) as i64
+    }
+
+    fn number(&mut self, size: i64) -> f64 {
+        self.whole(-size, size) as f64
+    }
+
+    fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
+        list[self.whole(0, list.len() as i64 - 1) as usize]
+    }
+}
+
+/// A problem under way.
+struct Numbers {
+    a: Vec<Vec<f64>>,
+    b: Vec<f64>,
+    lo: Vec<f64>,
+    hi: Vec<f64>,
+    friction: Option<(Vec<Option<usize>>, Vec<f64>)>,
+}
+
+impl Numbers {
+    /// Contacts with these numbers.
+    fn new(a: Vec<Vec<f64>>, b: Vec<f64>) -> Numbers {
+        let n = b.len();
+        Numbers { a, b, lo: vec![0.0; n], hi: vec![f64::INFINITY; n], friction: None }
+    }
+
+    fn lcp(self) -> Lcp {
+        let n = self.b.len();
+        let matrix = Matrix::dense(n, &self.a.concat());
+        let lcp = Lcp::new(matrix, self.b, self.lo, self.hi).expect("finite numbers, lo ≤ hi");
+        match self.friction {
+            None => lcp,
+            Some((index, mu)) => {
+                let coupling = Coupling::new(index, mu).expect("tangents follow normals");
+                lcp.with_coupling(coupling).expect("normal rows of which x ≥ 0")
+            }
+        }
+    }
+
+    /// Other bounds for half of the rows.
+    fn bounded(mut self, random: &mut Random) -> Numbers {
+        for i in 0..self.b.len() {
+            let (one, other) = (random.number(3), random.number(3));
+            (self.lo[i], self.hi[i]) = match random.whole(0, 9) {
+                0 => (one.min(other), one.max(other)),
+                1 => (f64::NEG_INFINITY, f64::INFINITY),
+                2 => (f64::NEG_INFINITY, one),
+                3 => (one, one),
+                4 => (one, f64::INFINITY),
+                _ => (self.lo[i], self.hi[i]),
+            };
+        }
+        self
+    }
+
+    /// b = w − A x for an x within its bounds and a w that belongs to it.
+    fn solvable(mut self, random: &mut Random) -> Numbers {
+        let n = self.b.len();
+        let (mut x, mut w) = (vec![0.0; n], vec![0.0; n]);
+        for i in 0..n {
+            let inside = random.number(2).max(self.lo[i]).min(self.hi[i]);
+            let push = random.whole(0, 3) as f64;
+            (x[i], w[i]) = match random.whole(0, 2) {
+                0 if self.lo[i].is_finite() => (self.lo[i], push),
+                1 if self.hi[i].is_finite() => (self.hi[i], -push),
+                _ => (inside, 0.0),
+            };
+        }
+        for i in 0..n {
+            self.b[i] = w[i] - self.a[i].iter().zip(&x).map(|(a, x)| a * x).sum::<f64>();
+        }
+        self
+    }
+
+    /// Row i in units of 2^k_i: a_ij 2^(k_i + k_j), b_i 2^k_i, bounds 2^−k_i; nothing is rounded.
+    fn in_units(mut self, random: &mut Random, most: i64) -> Numbers {
+        let n = self.b.len();
+        let unit: Vec<f64> = (0..n).map(|_| 2f64.powi(random.whole(-most, most) as i32)).collect();
+        for i in 0..n {
+            for j in 0..n {
+                self.a[i][j] *= unit[i] * unit[j];
+            }
+            self.b[i] *= unit[i];
+            self.lo[i] /= unit[i];
+            self.hi[i] /= unit[i];
+        }
+        self
+    }
+
+    /// Each row and column twice, b of the copy a little off.
+    fn doubled(self, random: &mut Random) -> Numbers {
+        let n = self.b.len();
+        let entry = |i: usize, j: usize| self.a[i % n][j % n];
+        let a = (0..2 * n).map(|i| (0..2 * n).map(|j| entry(i, j)).collect()).collect();
+        let off = random.one_of(&[0.0, 1e-15, 1e-12, 1e-9]);
+        let b = self.b.iter().copied().chain(self.b.iter().map(|b| b + off * b.abs())).collect();
+        Numbers::new(a, b)
+    }
+
+    /// γ added to the diagonal.
+    fn stiffened(mut self, random: &mut Random) -> Numbers {
+        let gamma = 10f64.powi(random.whole(-16, -8) as i32);
+        for i in 0..self.b.len() {
+            self.a[i][i] += gamma;
+        }
+        self
+    }
+}
+
+/// JJᵀ of a J with one to n columns of whole numbers; b in the range of J for two thirds of the
+/// problems, so that a solution exists whatever the rank.
+fn contacts(random: &mut Random) -> Numbers {
+    contacts_of(random, 5)
+}
+
+/// The same with so many rows at most.
+fn contacts_of(random: &mut Random, most: i64) -> Numbers {
+    let n = random.whole(1, most) as usize;
+    let columns = random.whole(1, n as i64) as usize;
+    let j: Vec<Vec<f64>> =
+        (0..n).map(|_| (0..columns).map(|_| random.number(2)).collect()).collect();
+    let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
+    let a = j.iter().map(|row| j.iter().map(|other| dot(row, other)).collect()).collect();
+    let velocity: Vec<f64> = (0..columns).map(|_| random.number(3)).collect();
+    let is_consistent = random.whole(0, 2) > 0;
+    let b = j.iter().map(|row| if is_consistent { dot(row, &velocity) } else { random.number(3) });
+    let b = b.collect();
+    Numbers::new(a, b)
+}
+
+/// One or two contacts with two tangents each.
+fn friction(random: &mut Random) -> Numbers {
+    let points = random.whole(1, 2) as usize;
+    let n = 3 * points;
+    let j: Vec<Vec<f64>> = (0..n).map(|_| (0..4).map(|_| random.number(2)).collect()).collect();
+    let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
+    let a = j.iter().map(|row| j.iter().map(|other| dot(row, other)).collect()).collect();
+    let velocity: Vec<f64> = (0..4).map(|_| random.number(3)).collect();
+    let b = j.iter().map(|row| dot(row, &velocity)).collect();
+    let index = (0..n).map(|i| (i % 3 > 0).then_some(i - i % 3)).collect();
+    let mu = (0..n).map(|_| random.one_of(&[0.0, 0.25, 1.0, 4.0])).collect();
+    let lo = (0..n).map(|i| if i % 3 > 0 { f64::NEG_INFINITY } else { 0.0 }).collect();
+    Numbers { lo, friction: Some((index, mu)), ..Numbers::new(a, b) }
+}
+
+/// |a_ii| > Σ |a_ij|, a_ii > 0.
+fn dominant(random: &mut Random) -> Numbers {
+    let mut numbers = any(random);
+    for (i, row) in numbers.a.iter_mut().enumerate() {
+        row[i] = 1.0 + row.iter().map(|a| a.abs()).sum::<f64>();
+    }
+    numbers
+}
+
+fn any(random: &mut Random) -> Numbers {
+    let n = random.whole(1, 5) as usize;
+    let a = (0..n).map(|_| (0..n).map(|_| random.number(3)).collect()).collect();
+    let b = (0..n).map(|_| random.number(3)).collect();
+    Numbers::new(a, b)
+}
+
+/// JJᵀ or any numbers, some of them replaced, in pairs so that symmetric A stays so.
+fn extremes(random: &mut Random) -> Numbers {
+    const NASTY: [f64; 9] = [0.0, -0.0, 5e-324, 1e-310, 1e-300, 1e-150, 1e150, 1e300, -1e300];
+    let mut numbers = if random.whole(0, 1) == 0 { contacts(random) } else { any(random) };
+    let n = numbers.b.len() as i64;
+    for _ in 0..random.whole(1, n) {
+        let (i, j) = (random.whole(0, n - 1) as usize, random.whole(0, n - 1) as usize);
+        let value = random.one_of(&NASTY);
+        (numbers.a[i][j], numbers.a[j][i]) = (value, value);
+        if random.whole(0, 3) == 0 {
+            numbers.b[i] = random.one_of(&NASTY);
+        }
+    }
+    numbers
+}

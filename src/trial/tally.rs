@@ -1,0 +1,109 @@
+//! What came of a trial, solver by solver.
+
+use serde::Serialize;
+
+use super::{Claim, KINDS, Lie};
+use crate::solver::Solver;
+
+/// At most this many lies of a solver are kept; all are counted.
+const KEPT: usize = 20;
+
+/// What came of a trial.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Record {
+    /// How many problems there were.
+    pub problems: usize,
+    /// Solver by solver, in the order they were given.
+    pub tallies: Vec<Tally>,
+}
+
+/// What a solver said of all problems.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Tally {
+    /// The solver.
+    pub solver: String,
+    /// Answers that were proved.
+    pub proved: usize,
+    /// Answers within the tolerance.
+    pub within: usize,
+    /// Answers within the tolerance to problems that, as they stand, have no solution.
+    pub strained: usize,
+    /// Problems of which it was proved that they have no solution.
+    pub impossible: usize,
+    /// No answer, for a reason that was given.
+    pub unsolved: usize,
+    /// Problems that are not of its class.
+    pub outside: usize,
+    /// Claims that are not true.
+    pub lied: usize,
+    /// The first of those: the problem's number, its kind, and what is wrong.
+    pub lies: Vec<(usize, &'static str, String)>,
+}
+
+impl Record {
+    /// Of no problem.
+    pub(super) fn empty(solvers: &[Box<dyn Solver>]) -> Record {
+        let tally = |solver: &Box<dyn Solver>| Tally {
+            solver: solver.name().to_string(),
+            ..Tally::default()
+        };
+        Record { problems: 0, tallies: solvers.iter().map(tally).collect() }
+    }
+
+    /// Of one problem.
+    pub(super) fn of(number: usize, claims: &[(&'static str, Claim)]) -> Record {
+        let tally = |(solver, claim): &(&'static str, Claim)| Tally::of(number, solver, claim);
+        Record { problems: 1, tallies: claims.iter().map(tally).collect() }
+    }
+
+    /// Of both.
+    pub(super) fn and(self, other: Record) -> Record {
+        let tallies = self.tallies.into_iter().zip(other.tallies);
+        Record {
+            problems: self.problems + other.problems,
+            tallies: tallies.map(|(one, other)| one.and(other)).collect(),
+        }
+    }
+
+    /// Whether nobody lied.
+    pub fn is_honest(&self) -> bool {
+        self.tallies.iter().all(|tally| tally.lied == 0)
+    }
+}
+
+impl Tally {
+    fn of(number: usize, solver: &str, claim: &Claim) -> Tally {
+        let mut tally = Tally { solver: solver.to_string(), ..Tally::default() };
+        match claim {
+            Claim::Proved => tally.proved = 1,
+            Claim::Within => tally.within = 1,
+            Claim::Strained => tally.strained = 1,
+            Claim::Impossible => tally.impossible = 1,
+            Claim::Unsolved => tally.unsolved = 1,
+            Claim::Outside => tally.outside = 1,
+            Claim::Lie(lie) => tally.add_lie(number, *lie),
+        }
+        tally
+    }
+
+    fn add_lie(&mut self, number: usize, lie: Lie) {
+        self.lied = 1;
+        self.lies.push((number, KINDS[number % KINDS.len()].name, lie.to_string()));
+    }
+
+    fn and(mut self, other: Tally) -> Tally {
+        self.lies.extend(other.lies);
+        self.lies.sort_by_key(|lie| lie.0); // the first ones, whoever was done first
+        self.lies.truncate(KEPT);
+        Tally {
+            proved: self.proved + other.proved,
+            within: self.within + other.within,
+            strained: self.strained + other.strained,
+            impossible: self.impossible + other.impossible,
+            unsolved: self.unsolved + other.unsolved,
+            outside: self.outside + other.outside,
+            lied: self.lied + other.lied,
+            ..self
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! The program as a user runs it: messages, exit codes, pipes.
+
+mod bad_input;
+mod compare_solvers;
+mod convert;
+mod document;
+mod exit_code;
+mod friction;
+mod limits;
+mod scene;
+mod solve;
+mod usage;
+mod writing;
+
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+pub const GOOD: &str = r#"{"name": "pair", "A": {"dense": [[2, -1], [-1, 2]]}, "b": [-1, 2]}"#;
+
+pub fn run_with(input: &str, arguments: &[&str]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_lcplab"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    // A program that refuses its arguments need not read its input.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    child.wait_with_output().unwrap()
+}
+
+pub fn run(arguments: &[&str]) -> Output {
+    run_with("", arguments)
+}
+
+pub fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+pub fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}

@@ -1,0 +1,122 @@
+//! Commands on a scene: what they step, record and draw.
+
+use serde_json::Value;
+
+use super::{err, out, run};
+
+#[test]
+fn scenes_lists_every_joint_with_its_fields() {
+    let list = out(&run(&["scenes", "--joints"]));
+    for joint in lcplab::constraint::ALL {
+        assert!(list.contains(&format!("\n{joint}\n")) || list.starts_with(&format!("{joint}\n")));
+    }
+    assert!(list.contains("1 or 2 bodies, axis, [point]\n"), "{list}");
+}
+
+#[test]
+fn a_scene_is_stepped_in_the_order_asked_for() {
+    let sweeps = |arguments: &[&str]| {
+        let all = ["simulate", "stack", "--steps", "2", "--solver", "pgs", "--json"];
+        let output = run(&[&all[..], arguments].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        out(&output)
+    };
+    assert_eq!(sweeps(&["--order", "natural"]), sweeps(&[]));
+    assert_ne!(sweeps(&["--order", "reverse"]), sweeps(&[]));
+}
+
+#[test]
+fn simulate_records_every_step_and_body() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let output = run(&["simulate", "pendulum", "--steps", "7", "--out", path, "--json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let summary: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!((&summary["steps"], &summary["refuted_claims"]), (&7.into(), &0.into()));
+    let lines =
+        |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap().lines().count();
+    assert_eq!((lines("ledger.csv"), lines("trajectory.csv")), (9, 9)); // heading, start, 7 steps
+    let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
+    assert!(page.contains("\"steps\":[0,1,2,3,4,5,6,7]"), "all instants can be played");
+}
+
+#[test]
+fn simulate_draws_as_many_instants_as_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    for (frames, shown) in [(None, 6), (Some("3"), 3), (Some("60"), 11)] {
+        let mut arguments = vec!["simulate", "pendulum", "--steps", "10", "--out", path, "--json"];
+        arguments.extend(frames.iter().flat_map(|frames| ["--frames", frames]));
+        assert_eq!(run(&arguments).status.code(), Some(0));
+        let svg = std::fs::read_to_string(folder.path().join("frames.svg")).unwrap();
+        assert_eq!(svg.matches("class=\"instant\"").count(), shown); // the start and 10 steps
+    }
+}
+
+#[test]
+fn compare_shows_the_solvers_asked_for_side_by_side() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let all = ["compare", "pendulum", "--steps", "3", "--solver", "dantzig", "--out", path];
+    assert_eq!(
+        run(&[&all[..], &["--show", "pgs:1", "--show", "dantzig"]].concat()).status.code(),
+        Some(0)
+    );
+    let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
+    let names: Vec<_> = page
+        .split("<p class=\"take\">")
+        .skip(1)
+        .map(|rest| rest.split('<').next().unwrap())
+        .collect();
+    assert_eq!(names, ["pgs, velocity, 1 sweep", "dantzig, velocity"]);
+    for (name, reason) in [("pgs:0", "is no number of sweeps"), ("magic", "magic")] {
+        let output = run(&[&all[..], &["--show", name]].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(err(&output).contains(reason), "{}", err(&output));
+    }
+}
+
+#[test]
+fn compare_takes_a_scene_that_is_not_shipped() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    let mine = out(&run(&["scenes", "fig7"])).replace("mass = 1", "mass = 2");
+    std::fs::write(&path, mine).unwrap();
+    let output = run(&["compare", path.to_str().unwrap(), "--steps", "1", "--json"]);
+    let result: Value = serde_json::from_str(&out(&output)).unwrap();
+    let runs = result["comparison"]["runs"].as_array().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(runs.iter().all(|run| run["claimed"] == run["accepted"]));
+    let bad = out(&run(&["scenes", "fig7"])).replace("mass = 1", "mass = -1");
+    std::fs::write(&path, bad).unwrap();
+    let output = run(&["compare", path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("bodies[1].mass: must be positive, is -1"), "{}", err(&output));
+}
+
+#[test]
+fn a_family_is_chosen_on_the_command_line() {
+    let families = |args: &[&str]| -> Vec<(String, String)> {
+        let result: Value = serde_json::from_str(&out(&run(args))).unwrap();
+        let runs = result["comparison"]["runs"].as_array().unwrap();
+        let word = |run: &Value, key: &str| run[key].as_str().unwrap().to_string();
+        runs.iter().map(|run| (word(run, "formulation"), word(run, "solver"))).collect()
+    };
+    let levels = families(&["compare", "fig7", "--steps", "1", "--json", "--solver", "pgs"]);
+    assert_eq!(
+        levels.iter().map(|run| run.0.as_str()).collect::<Vec<_>>(),
+        ["velocity", "acceleration"]
+    );
+    let soft = ["compare", "fig7", "--steps", "1", "--json", "--formulation", "soft"];
+    assert_eq!(families(&soft), [("soft".into(), "none".into())]);
+    let output = run(&["simulate", "painleve", "--formulation", "acceleration"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(out(&output).contains("no solution exists"), "{}", out(&output));
+}
+
+#[test]
+fn a_scene_whose_solver_does_not_exist_is_refused() {
+    let output = run(&["simulate", "fig6", "--solver", "magic"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).starts_with("error: there is no solver named \"magic\""));
+}

@@ -1,0 +1,122 @@
+//! `solve` and `judge`: answers, verdicts and what they are called.
+
+use serde_json::Value;
+
+use super::{GOOD, err, out, run, run_with};
+
+#[test]
+fn solve_prints_one_json_object_with_the_fixed_keys() {
+    for solver in ["pgs", "sor", "dantzig"] {
+        let output = run_with(GOOD, &["solve", "-", "--solver", solver, "--json"]);
+        assert_eq!(output.status.code(), Some(0));
+        let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+        assert_eq!((&answer["status"], &answer["solver"]), (&"solved".into(), &solver.into()));
+        for key in ["x", "w", "iterations", "natural_residual", "verdict", "message"] {
+            assert!(answer.get(key).is_some(), "{key}");
+        }
+        assert_eq!(answer["x"].as_array().unwrap().len(), 2);
+    }
+}
+
+#[test]
+fn without_a_name_the_matrix_chooses_the_solver() {
+    let skew = r#"{"A": {"dense": [[0, -1], [1, 1]]}, "b": [1, -2]}"#;
+    for (problem, solver) in [(GOOD, "dantzig"), (skew, "lemke")] {
+        let output = run_with(problem, &["solve", "-", "--json"]);
+        let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+        assert_eq!((output.status.code(), &answer["solver"]), (Some(0), &solver.into()));
+    }
+}
+
+#[test]
+fn a_generated_problem_is_solved_from_the_pipe() {
+    let fathi = run(&["generate", "fathi", "--n", "4", "--set", "reversed=1"]);
+    let output = run_with(&out(&fathi), &["solve", "-", "--json"]);
+    let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!((&answer["verdict"], &answer["iterations"]), (&"proved".into(), &1.into()));
+    let wrong = run(&["generate", "fathi", "--seed", "4"]);
+    assert_eq!(wrong.status.code(), Some(2));
+    assert!(err(&wrong).contains("fathi: seed: is no parameter of this family"));
+    assert!(out(&run(&["problems"])).contains("\nfathi "));
+    assert!(out(&run(&["problems", "stack"])).contains("ratio"));
+}
+
+#[test]
+fn solve_tells_people_the_verdict() {
+    let output = run_with(GOOD, &["solve", "-"]);
+    assert!(out(&output).contains("verdict    proved: an exact solution lies within 0.0e0 of x"));
+}
+
+#[test]
+fn sweeps_in_another_order_end_at_the_same_x_by_another_path() {
+    let stack = out(&run(&["generate", "stack", "--n", "5"]));
+    let answer = |arguments: &[&str]| {
+        let all = [&["solve", "-", "--solver", "pgs", "--json"], arguments].concat();
+        let output = run_with(&stack, &all);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        serde_json::from_str::<Value>(&out(&output)).unwrap()
+    };
+    let natural = answer(&[]);
+    assert_eq!(answer(&["--order", "natural"]), natural);
+    let shuffled = answer(&["--order", "shuffled", "--seed", "3"]);
+    assert_eq!(answer(&["--order", "shuffled", "--seed", "3"]), shuffled);
+    assert_ne!(answer(&["--order", "shuffled", "--seed", "4"])["x"], shuffled["x"]);
+    for other in [answer(&["--order", "reverse"]), shuffled] {
+        assert_ne!(other["x"], natural["x"]);
+        for k in 0..5 {
+            // Contact k carries the 5 − k bodies above it.
+            assert!((other["x"][k].as_f64().unwrap() - (5 - k) as f64).abs() < 1e-4, "{other}");
+        }
+    }
+}
+
+#[test]
+fn an_answer_the_judge_refuses_exits_with_1() {
+    let output =
+        run_with(GOOD, &["solve", "-", "--solver", "sor", "--max-iterations", "1", "--json"]);
+    let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(answer["verdict"], "not_a_solution");
+    assert_ne!(answer["status"], "solved");
+}
+
+#[test]
+fn a_problem_without_solution_is_called_infeasible_only_with_proof() {
+    let torn = r#"{"A": {"dense": [[1, 1], [1, 1]]}, "b": [-1, -2], "lo": ["-inf", "-inf"]}"#;
+    let output = run_with(torn, &["solve", "-", "--json"]);
+    let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!((output.status.code(), &answer["status"]), (Some(1), &"infeasible".into()));
+}
+
+#[test]
+fn judge_accepts_and_refuses_answers_from_elsewhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_string()
+    };
+    let problem = write("problem.json", GOOD);
+    let right = write("right.json", r#"{"x": [0.5, 0], "by": "hand"}"#);
+    let wrong = write("wrong.json", r#"{"x": [0.5, 0.1]}"#);
+    let short = write("short.json", r#"{"x": [0.5]}"#);
+    assert_eq!(run(&["judge", &problem, &right]).status.code(), Some(0));
+    let output = run(&["judge", &problem, &wrong, "--json"]);
+    let verdict: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!((output.status.code(), &verdict["verdict"]), (Some(1), &"not_a_solution".into()));
+    let output = run(&["judge", &problem, &short]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).ends_with("short.json: x: has 1 entries, the problem has 2 rows\n"));
+}
+
+#[test]
+fn an_exported_step_is_solved_like_any_other_problem() {
+    let exported = run(&["export", "fig7", "--step", "1"]);
+    let problem: Value = serde_json::from_str(&out(&exported)).unwrap();
+    assert_eq!(problem["rows"][0]["kind"], "normal");
+    assert_eq!((&problem["rows"][0]["unit"], &problem["dt"]), (&"N s".into(), &1.0.into()));
+    let solved = run_with(&out(&exported), &["solve", "-", "--json"]);
+    let answer: Value = serde_json::from_str(&out(&solved)).unwrap();
+    assert_eq!(answer["x"], serde_json::json!([4.0, 3.0, 1.0])); // errata, part 3
+    assert_eq!(err(&solved), "");
+}

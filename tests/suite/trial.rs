@@ -1,0 +1,113 @@
+//! Whether the solvers are honest, and whether the trial would notice if they were not.
+
+use lcplab::lcp::Lcp;
+use lcplab::solver::{
+    ALL, Observer, Options, Settings, Solution, Solver, Start, Status, all_solutions,
+};
+use lcplab::trial::{Claim, KINDS, Lie, Trial, claims, problem};
+
+use crate::common::{INF, boxed};
+
+/// Always says the same.
+struct Liar(Status, f64);
+
+impl Solver for Liar {
+    fn name(&self) -> &'static str {
+        "liar"
+    }
+
+    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
+        Solution::new(lcp, vec![self.1; lcp.len()], self.0.clone(), 1)
+    }
+}
+
+fn said(lcp: &Lcp, status: Status, x: f64) -> Claim {
+    let honest = (lcplab::solver::entry("enumeration").unwrap().build)(&Options::default());
+    let solvers: [Box<dyn Solver>; 2] = [Box::new(Liar(status, x)), honest];
+    claims(lcp, None, &solvers).swap_remove(0).1
+}
+
+#[test]
+fn no_solver_lies_about_ten_thousand_hostile_problems() {
+    let settings = Settings { max_iterations: 500, ..Settings::default() };
+    let options = Options { settings, ..Options::default() };
+    let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
+    let record = Trial { problems: 10_000, seed: 8 }.of(&solvers, &|| ());
+    assert_eq!(record.problems, 10_000);
+    for tally in &record.tallies {
+        assert_eq!(tally.lied, 0, "{} {:?}", tally.solver, tally.lies);
+        assert!(tally.proved > 2_000, "{} proved {} only", tally.solver, tally.proved);
+    }
+}
+
+#[test]
+fn a_wrong_answer_called_solved_is_noticed() {
+    let lcp = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]); // x = 3
+    assert_eq!(said(&lcp, Status::Solved, 3.0), Claim::Proved);
+    assert_eq!(said(&lcp, Status::Solved, 3.0 + 3e-9), Claim::Proved); // the active set is right
+    let lie = Lie::Refuted { row: 0, amount: 0.5 }; // |x − 0|·2 over 2 + 6 … of 1: (6 − 2)/8
+    assert_eq!(said(&lcp, Status::Solved, 1.0), Claim::Lie(lie));
+    assert_eq!(said(&lcp, Status::Solved, f64::NAN), Claim::Lie(Lie::NotFinite));
+    assert_eq!(said(&lcp, Status::Inaccurate, 1.0), Claim::Unsolved);
+}
+
+#[test]
+fn a_denied_solution_is_noticed() {
+    let lcp = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]);
+    assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Lie(Lie::DeniedASolution));
+    // w = −1 whatever x: no solution, and 1 is the Farkas vector.
+    let lcp = boxed(&[&[0.0]], &[-1.0], &[0.0], &[INF]);
+    assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
+    let ray = Status::Ray { row: 0, direction: vec![1.0] };
+    assert_eq!(said(&lcp, ray, 0.0), Claim::Impossible);
+    let ray = Status::Ray { row: 0, direction: vec![-1.0] };
+    assert_eq!(said(&lcp, ray, 0.0), Claim::Unsolved);
+}
+
+#[test]
+fn an_answer_far_away_to_a_problem_without_one_is_counted_apart() {
+    // w = (x1 − x2 − 1, x2 − x1 − 1) ≥ 0 asks for x1 − x2 ≥ 1 and ≤ −1; 1e9 loses both in its terms.
+    let lcp = boxed(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0], &[0.0; 2], &[INF; 2]);
+    assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
+    assert_eq!(said(&lcp, Status::Solved, 1e9), Claim::Strained);
+}
+
+#[test]
+fn a_problem_depends_on_its_seed_and_number_alone() {
+    for k in [0, 7, 123] {
+        let [(one, start), (other, again)] = [problem(3, k), problem(3, k)];
+        assert_eq!(one.b(), other.b());
+        assert_eq!(start, again);
+    }
+    let different = (0..100).filter(|&k| problem(3, k).0.b() != problem(4, k).0.b()).count();
+    assert!(different > 80, "{different}");
+}
+
+#[test]
+fn the_kinds_hold_what_they_promise() {
+    let of = |name: &str| {
+        let first = KINDS.iter().position(|kind| kind.name == name).unwrap();
+        (0..60).map(move |k| problem(5, first + k * KINDS.len()).0)
+    };
+    let impossible = |lcp: &Lcp| all_solutions(lcp).is_some_and(|all| all.is_empty());
+    assert_eq!(of("solvable").filter(impossible).count(), 0);
+    assert_eq!(of("dominant").filter(impossible).count(), 0); // P-matrices: exactly one solution
+    assert!(of("dominant").all(|lcp| all_solutions(&lcp).unwrap().len() == 1));
+    assert!(of("contacts").filter(impossible).count() > 3);
+    assert!(of("any").filter(|lcp| !lcp.matrix().is_symmetric()).count() > 30);
+    assert!(of("friction").all(|lcp| lcp.coupling().is_some()));
+}
+
+#[test]
+fn the_record_is_the_same_on_any_number_of_threads() {
+    let record = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let options = Options::default();
+        let liar: [Box<dyn Solver>; 2] =
+            [Box::new(Liar(Status::Solved, 1.0)), (ALL[0].build)(&options)];
+        pool.install(|| Trial { problems: 200, seed: 2 }.of(&liar, &|| ()))
+    };
+    assert_eq!(record(1), record(2));
+    assert_eq!(record(1), record(4));
+    assert!(record(1).tallies[0].lied > 50);
+}
