@@ -22,8 +22,9 @@
 //! (there z̃ = 0 on a ray, so a second ray does not exist). Ties in "which one becomes zero" are
 //! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
 //! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
-//! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
-//! At the end x is computed afresh from the active set. Rounding piles up: a path of more than 50
+//! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs n² products on a condensed
+//! tableau of n (n + 1) entries, two-sided bounds included. At the end x is corrected by what its w is
+//! off, or computed afresh from the active set if that will not do. Rounding piles up: a path of more than 50
 //! pivots, or with a very small one, that ends at no solution is followed once more, with a tableau
 //! that is made anew every 50 pivots; its pivots are counted on, and the solution says so ([`Fallback`]).
 //!

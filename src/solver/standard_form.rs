@@ -9,10 +9,9 @@
 //! ```
 //!
 //! v is the force with which the upper bound pushes back. A row bounded from both sides needs one
-//! equation and one column all the same. t is y seen from the other bound; and v is not 0 only where t
-//! is 0, so that y and hence w + v ≠ 0 or v ≠ 0 but never both: v is −w, seen from there.
-//! The dictionary has whichever of the two names must not be negative, and
-//! [mirrors](Dictionary::mirror_row) one into the other.
+//! equation and one column all the same: t is y seen from the other bound, and v, which is 0 unless y
+//! has come there, is −w. So one number goes by two names, y or t, w or v. The dictionary has that
+//! which must not be negative and mirrors one into the other; y and t end at hi − lo.
 //!
 //! Free rows are solved by elimination with complete pivoting, which puts the Schur complement of A
 //! in place of A. What is left of them when no pivot is left, because A is singular there, is split:

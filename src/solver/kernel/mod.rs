@@ -15,7 +15,8 @@
 //! | --- | --- | --- |
 //! | [`table::Table`] | n² entries read and written | eight pivots on one way through memory |
 //!
-//! They do not ask whether x solves anything: stop tests stay with the solvers. [`Width`] says with which instructions they run; the bits are the same with all.
+//! They do not ask whether x solves anything: stop tests stay with the solvers. [`Width`] says with
+//! which instructions they run; the bits are the same with all.
 
 pub mod dense;
 pub mod impulses;
