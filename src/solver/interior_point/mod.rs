@@ -131,8 +131,9 @@ impl InteriorPoint {
 fn has_factors(lcp: &Lcp, system: &System) -> bool {
     let matrix = lcp.matrix();
     let are_as_many = system.rows().len() == matrix.len();
-    are_as_many && (0..matrix.len()).all(|i| {
-        let a = system.diagonal(i);
-        (a - matrix.diagonal(i)).abs() <= SAME * a
-    })
+    are_as_many
+        && (0..matrix.len()).all(|i| {
+            let a = system.diagonal(i);
+            (a - matrix.diagonal(i)).abs() <= SAME * a
+        })
 }

@@ -187,7 +187,8 @@ fn a_start_that_is_a_solution_is_returned() {
 fn factors_of_another_matrix_are_refused() {
     let problem = generated("kind = \"stack\", count = 2, size = 1, mass = 1");
     let lcp = frozen(&problem.lcp);
-    let entries = (0..lcp.len()).flat_map(|i| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a)));
+    let entries =
+        (0..lcp.len()).flat_map(|i| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a)));
     let softer = entries.chain((0..lcp.len()).map(|i| (i, i, 1e-3))).collect::<Vec<_>>();
     let softer = Matrix::sparse(lcp.len(), &softer);
     let softer = Lcp::new(softer, lcp.b().to_vec(), lcp.lo().to_vec(), lcp.hi().to_vec()).unwrap();
@@ -220,7 +221,8 @@ fn manufactured(bodies: usize, n: usize) -> impl Strategy<Value = (Vec<Row>, Lcp
         let (mut lo, mut hi, mut x, mut w) = (vec![], vec![], vec![], vec![]);
         for (p, q, entries, kind, slack, at) in drawn {
             let (mut jacobian, mut column) = ([[0.0; WIDTH]; 2], vec![0.0; WIDTH * bodies]);
-            for (k, entry) in entries.into_iter().enumerate().filter(|(k, _)| p != q || *k < WIDTH) {
+            for (k, entry) in entries.into_iter().enumerate().filter(|(k, _)| p != q || *k < WIDTH)
+            {
                 jacobian[k / WIDTH][k % WIDTH] = entry;
                 column[WIDTH * [p, q][k / WIDTH] + k % WIDTH] = entry;
             }

@@ -123,7 +123,8 @@ fn the_hub_of_a_star_is_eliminated_last() {
 
 #[test]
 fn a_matrix_without_positive_pivots_has_no_reordered_factors() {
-    let (mut factor, _) = lower(&Matrix::sparse(2, &[(0, 0, 1.0), (0, 1, 2.0), (1, 0, 2.0), (1, 1, 4.0)]));
+    let (mut factor, _) =
+        lower(&Matrix::sparse(2, &[(0, 0, 1.0), (0, 1, 2.0), (1, 0, 2.0), (1, 1, 4.0)]));
     assert!(factor.factor(&[1.0, 2.0, 4.5]));
     assert!(!factor.factor(&[1.0, 2.0, 4.0])); // singular
     assert!(!factor.factor(&[1.0, 2.0, 3.0])); // indefinite
