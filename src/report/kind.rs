@@ -54,6 +54,8 @@ pub const KINDS: &[Kind] = &[
     kind::<study::direct_speed::Plan>(),
     kind::<study::peers::Plan>(),
     kind::<study::sparse_speed::Plan>(),
+    kind::<study::step_speed::Plan>(),
+    kind::<study::warm_factor::Plan>(),
 ];
 
 const fn kind<S: View + 'static>() -> Kind {

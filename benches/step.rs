@@ -1,0 +1,16 @@
+//! What does a whole step cost, and how does that grow with the scene?
+
+#![allow(missing_docs)]
+
+mod measure;
+
+use lcplab::report::study::step_speed::Plan;
+
+fn main() {
+    if measure::is_test() {
+        let (towers, nets) = (vec![60, 120], vec![5, 10]);
+        measure::print(&Plan { towers, nets, steps: 1, ..Plan::default() });
+    } else {
+        measure::print(&Plan { steps: 30, ..Plan::default() });
+    }
+}
