@@ -46,9 +46,9 @@ impl Dictionary {
         Dictionary { basic, nonbasic, places, constant, terms, forgives: 0.0, table }
     }
 
-    /// Gives some entries (column, value) of a row other values.
-    pub(super) fn set(&mut self, r: usize, entries: impl Iterator<Item = (usize, f64)>) {
-        self.table.set(r, entries);
+    /// Gives an entry a value.
+    pub(super) fn set(&mut self, r: usize, c: usize, value: f64) {
+        self.table.set(r, c, value);
     }
 
     /// The basic variables, one a row.
@@ -99,8 +99,7 @@ impl Dictionary {
         self.places.put(self.nonbasic[c], Place::Column(c));
         let column = self.table.pivot(r, c);
         let pivot = column[r];
-        (self.constant[r], self.terms[r]) =
-            (-self.constant[r] / pivot, self.terms[r] / pivot.abs());
+        (self.constant[r], self.terms[r]) = (-self.constant[r] / pivot, self.terms[r] / pivot.abs());
         let (constant, terms) = (self.constant[r], self.terms[r]);
         for i in (0..column.len()).filter(|&i| i != r && column[i] != 0.0) {
             self.add(i, column[i] * constant, column[i].abs() * terms);
@@ -114,12 +113,6 @@ impl Dictionary {
         if self.constant[i].abs() <= self.forgives * self.terms[i] {
             self.constant[i] = 0.0;
         }
-    }
-
-    /// Gives the nonbasic variables these values and takes them into the constants.
-    pub(super) fn shift(&mut self, nonbasic: &[f64]) {
-        let change = self.table.product(nonbasic);
-        self.constant.iter_mut().zip(change).for_each(|(constant, change)| *constant += change);
     }
 
     /// Puts range − v' in the place of the nonbasic variable v of column c; v' is at 0 from now on.
@@ -182,8 +175,8 @@ impl Dictionary {
             let Some((r, c)) = pivot else { break };
             self.pivot(r, c);
         }
-        for r in rows {
-            self.table.set(r, columns.iter().map(|&c| (c, 0.0)));
+        for (&r, &c) in rows.iter().flat_map(|r| columns.iter().map(move |c| (r, c))) {
+            self.table.set(r, c, 0.0);
         }
     }
 
@@ -197,8 +190,10 @@ impl Dictionary {
             rows.iter().map(|row| self.terms[row.index]).collect(),
         );
         for (r, row) in rows.iter().enumerate() {
-            let entry = |taken: &Taken| row.sign * taken.sign * self.entry(row.index, taken.index);
-            selection.set(r, columns.iter().map(entry).enumerate());
+            for (c, column) in columns.iter().enumerate() {
+                let entry = self.table.entry(row.index, column.index);
+                selection.set(r, c, row.sign * column.sign * entry);
+            }
         }
         selection
     }

@@ -4,7 +4,7 @@
 //! difference a − b that cancels to a 1e-13th of its terms *is* zero, whatever the size of a and b.
 //! Scaling a row or a column by a power of two changes no decision.
 
-use super::kernel::{Width, rank_one::add_multiple};
+use super::kernel::rank_one::add_multiple;
 
 /// A difference below this part of its terms is zero.
 pub(super) const RELATIVE_ZERO: f64 = 1e-13;
@@ -30,7 +30,6 @@ impl Lu {
         let mut order: Vec<usize> = (0..n).collect();
         let mut rows: Vec<Vec<f64>> =
             order.iter().map(|&r| (0..n).map(|c| entry(r, c)).collect()).collect();
-        let width = Width::widest();
         for k in 0..n {
             let size = |&r: &usize| rows[r][k].abs();
             let pivot = (k..n).max_by(|a, b| size(a).total_cmp(&size(b))).ok_or(k)?;
@@ -43,7 +42,7 @@ impl Lu {
             let top = &top[k];
             for row in below.iter_mut().filter(|row| row[k] != 0.0) {
                 row[k] /= top[k];
-                add_multiple(-row[k], &top[k + 1..], &mut row[k + 1..], width); // row ← row − l_k top
+                add_multiple(-row[k], &top[k + 1..], &mut row[k + 1..]); // row ← row − l_k top
             }
         }
         Ok(Lu { order, rows })

@@ -22,9 +22,8 @@
 //! (there z̃ = 0 on a ray, so a second ray does not exist). Ties in "which one becomes zero" are
 //! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
 //! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
-//! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs n² products on a condensed
-//! tableau of n (n + 1) entries, two-sided bounds included. At the end x is corrected by what its w is
-//! off, or computed afresh from the active set if that will not do. Rounding piles up: a path of more than 50
+//! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
+//! At the end x is computed afresh from the active set. Rounding piles up: a path of more than 50
 //! pivots, or with a very small one, that ends at no solution is followed once more, with a tableau
 //! that is made anew every 50 pivots; its pivots are counted on, and the solution says so ([`Fallback`]).
 //!
@@ -33,7 +32,7 @@
 
 use std::ops::ControlFlow;
 
-use super::active_set::ROUNDING;
+use super::active_set::{ROUNDING, claim};
 use super::elimination::difference;
 use super::ratio_test::{Blocking, Candidate, least};
 use super::standard_form::{FORGIVEN, StandardForm};
@@ -46,8 +45,6 @@ use crate::memory::Memory;
 
 /// A pivot below this part of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;
-/// Corrections of the x at the end of a path.
-const CORRECTIONS: usize = 2;
 /// A path of more pivots may be followed a second time; then the tableau is made anew after each so
 /// many pivots.
 const PIVOTS_TO_RENEWAL: usize = 50;
@@ -117,16 +114,12 @@ impl<'a> Path<'a> {
     /// x at the end of the path, and what it is worth.
     fn solve(&mut self, settings: &Settings, observer: &mut dyn Observer) -> (Vec<f64>, Status) {
         let end = self.follow(settings.max_iterations, observer);
-        let (x, residual) = self.refined();
-        match end {
-            // on a ray, z₀ was zero but for rounding
-            ControlFlow::Continue(()) | ControlFlow::Break(Status::Ray { .. })
-                if residual <= settings.tolerance =>
-            {
-                (x, Status::Solved)
-            }
-            ControlFlow::Continue(()) => (x, Status::Inaccurate),
-            ControlFlow::Break(status) => (self.x.clone(), status),
+        let x = self.refined();
+        match (claim(self.lcp, &x, settings), end) {
+            (status, ControlFlow::Continue(())) => (x, status),
+            // z₀ was zero but for rounding
+            (Status::Solved, ControlFlow::Break(Status::Ray { .. })) => (x, Status::Solved),
+            (_, ControlFlow::Break(status)) => (self.x.clone(), status),
         }
     }
 
@@ -283,34 +276,17 @@ impl<'a> Path<'a> {
         Status::Ray { row, direction }
     }
 
-    /// x at the end of the path without the rounding of the path, and its residual: corrected by what
-    /// its w is off; if that will not do, from a fresh factorisation of the active set. Free rows that
-    /// are at a bound but for rounding are put there first.
-    fn refined(&mut self) -> (Vec<f64>, f64) {
-        let (lcp, set) = (self.lcp, self.form.active_set());
-        let tight = |x: &[f64]| set.tightened(lcp, x);
-        let mut x = self.x.clone();
-        for _ in 0..CORRECTIONS {
-            self.form.correct(lcp, &x);
-            x = self.form.x(lcp);
-        }
-        let candidates: [&dyn Fn() -> Option<Vec<f64>>; 4] = [
-            &|| Some(tight(&x).moved_to_bounds(lcp, &x)),
-            &|| tight(&self.x).point(lcp).ok(),
-            &|| set.point(lcp).ok(),
-            &|| Some(self.x.clone()),
-        ];
-        let mut best = (Vec::new(), f64::INFINITY);
-        for x in candidates.iter().filter_map(|candidate| candidate()) {
-            let residual = merit::scaled_residual(lcp, &x);
-            if best.0.is_empty() || residual < best.1 {
-                best = (x, residual);
-            }
-            if best.1 <= ROUNDING {
-                break;
-            }
-        }
-        best
+    /// x at the end of the path without the rounding of the path: from a fresh factorisation of the
+    /// active set, first with the free rows at a bound that are there but for rounding.
+    fn refined(&self) -> Vec<f64> {
+        let (lcp, x) = (self.lcp, &self.x);
+        let set = self.form.active_set();
+        let tight = set.tightened(lcp, x);
+        let moved = tight.moved_to_bounds(lcp, x);
+        let candidates = [tight.point(lcp).ok(), Some(moved), set.point(lcp).ok(), Some(x.clone())];
+        let residual = |x: &Vec<f64>| merit::scaled_residual(lcp, x).max(ROUNDING);
+        let better = |a: &Vec<f64>, b: &Vec<f64>| residual(a).total_cmp(&residual(b));
+        candidates.into_iter().flatten().min_by(better).unwrap_or_default() // the first of equals
     }
 }
 

@@ -9,9 +9,10 @@
 //! ```
 //!
 //! v is the force with which the upper bound pushes back. A row bounded from both sides needs one
-//! equation and one column all the same: t is y seen from the other bound, and v, which is 0 unless y
-//! has come there, is −w. So one number goes by two names, y or t, w or v. The dictionary has that
-//! which must not be negative and mirrors one into the other; y and t end at hi − lo.
+//! equation and one column all the same. t is y seen from the other bound; and v is not 0 only where t
+//! is 0, so that y and hence w + v ≠ 0 or v ≠ 0 but never both: v is −w, seen from there.
+//! The dictionary has whichever of the two names must not be negative, and
+//! [mirrors](Dictionary::mirror_row) one into the other.
 //!
 //! Free rows are solved by elimination with complete pivoting, which puts the Schur complement of A
 //! in place of A. What is left of them when no pivot is left, because A is singular there, is split:
@@ -136,7 +137,7 @@ impl StandardForm {
                 Some(i) if self.needs_units => unit(lcp, i),
                 _ => 1.0,
             };
-            d.set(r, [(last, lift)].into_iter());
+            d.set(r, last, lift);
         }
     }
 
@@ -186,18 +187,6 @@ impl StandardForm {
         (0..self.kind.len()).map(|i| x(i).max(lcp.lo()[i]).min(lcp.hi()[i])).collect()
     }
 
-    /// Solves once more for what is left of the w that should be 0 at this x: with them at 0, the basic
-    /// variables are where the table says, whose entries are the inverse of the equations.
-    pub(super) fn correct(&mut self, lcp: &Lcp, x: &[f64]) {
-        let left = |v: &Variable| match *v {
-            Variable::W(i) => -self.sign[i] * lcp.row_w(i, x),
-            Variable::V(i) if self.kind[i] == Kind::Both => lcp.row_w(i, x),
-            _ => 0.0,
-        };
-        let left: Vec<f64> = self.dictionary.nonbasic().iter().map(left).collect();
-        self.dictionary.shift(&left);
-    }
-
     /// How x moves while the nonbasic variable of column c grows at rate 1.
     pub(super) fn direction(&self, c: usize) -> Vec<f64> {
         let d = &self.dictionary;
@@ -236,8 +225,11 @@ fn equations(lcp: &Lcp, rows: &[usize], base: &[f64], sign: &[f64]) -> Dictionar
     );
     dictionary.forgives = FORGIVEN;
     for (r, &i) in rows.iter().enumerate() {
-        let entry = |(j, a): (usize, f64)| Some((column[j]?, sign[i] * a * sign[j]));
-        dictionary.set(r, lcp.matrix().row(i).iter().filter_map(entry));
+        for (j, a) in lcp.matrix().row(i).iter() {
+            if let Some(c) = column[j] {
+                dictionary.set(r, c, sign[i] * a * sign[j]);
+            }
+        }
     }
     dictionary
 }

@@ -9,10 +9,12 @@ use crate::solver::ldlt::Ldlt;
 const INDEPENDENT: f64 = 1e-14;
 /// A scaled residual below this is no more than rounding leaves.
 const EXACT: f64 = 1e-14;
+/// Below this, sums lose digits to the end of the range of numbers.
+const TINY: f64 = 1e-280;
 /// A scaled residual below this may be rounding.
 const SETTLED_FROM: f64 = 1e-3;
 /// The most sweeps that take rounding from one row to another.
-const SETTLING_SWEEPS: usize = 50;
+const SETTLING_SWEEPS: usize = 200;
 /// Steps of iterative refinement in a round: the second takes what the first has left.
 const REFINEMENTS: usize = 2;
 
@@ -30,7 +32,7 @@ impl Run<'_> {
             let magnitude = (self.w[j] - b).abs() + b.abs();
             let scale = self.lcp.matrix().diagonal(j);
             let terms = merit::RowTerms { w: self.w[j], magnitude, scale, exponent: 0 };
-            (scale > 0.0 && terms.scaled_residual(self.x[j], lo, hi) <= most)
+            (scale > 0.0 && magnitude > TINY && terms.scaled_residual(self.x[j], lo, hi) <= most)
                 || merit::RowTerms::at(self.lcp, j, &self.x).scaled_residual(self.x[j], lo, hi)
                     <= most
         })

@@ -15,51 +15,20 @@ pub(super) struct Block(pub(super) [f64; 8]);
 pub(super) fn add<V: Lanes>(factor: f64, x: &[Block], y: &mut [Block]) {
     let factor = V::splat(factor);
     for (y, x) in y.iter_mut().zip(x) {
-        sum(V::load(&y.0), factor * V::load(&x.0)).store(&mut y.0);
+        add_eight(factor, &x.0, &mut y.0);
     }
 }
 
-/// y ← y + f₀ x₀, y ← y + f₁ x₁ and so on, bit by bit, in a third of the time of as many calls.
-///
-/// Each sum is compared with its terms to see whether only rounding is left. Here that is done for
-/// all sums of an entry at once: nothing has cancelled if the smallest is not tiny beside the largest.
 #[inline(always)]
-pub(super) fn add_all<V: Lanes, const N: usize>(
-    factors: [f64; N],
-    x: [&[Block]; N],
-    y: &mut [Block],
-) {
-    let mut factor = [V::splat(0.0); N];
-    for k in 0..N {
-        factor[k] = V::splat(factors[k]);
-    }
-    for (b, y) in y.iter_mut().enumerate() {
-        let before = V::load(&y.0);
-        let (mut after, mut least, mut most) = (before, before.abs(), before.abs());
-        for k in 0..N {
-            after = after + factor[k] * V::load(&x[k][b].0);
-            least = after.abs().min(least);
-            most = after.abs().max(most);
-        }
-        if least.any_less(V::splat(3.0 * RELATIVE_ZERO) * most) {
-            after = before;
-            for k in 0..N {
-                after = sum(after, factor[k] * V::load(&x[k][b].0));
-            }
-        }
-        after.store(&mut y.0);
-    }
-}
-
-/// a + b, exactly 0 where only rounding is left of it.
-#[inline(always)]
-fn sum<V: Lanes>(a: V, b: V) -> V {
-    (a + b).zero_within(V::splat(RELATIVE_ZERO) * (a.abs() + b.abs()))
+fn add_eight<V: Lanes>(factor: V, x: &[f64; 8], y: &mut [f64; 8]) {
+    let (before, change) = (V::load(y), factor * V::load(x));
+    let rounding = V::splat(RELATIVE_ZERO) * (before.abs() + change.abs());
+    (before + change).zero_within(rounding).store(y);
 }
 
 /// y ← y + f x for slices of one length.
-pub(in crate::solver) fn add_multiple(factor: f64, x: &[f64], y: &mut [f64], width: Width) {
-    width.run(Multiple { factor, x, y });
+pub(in crate::solver) fn add_multiple(factor: f64, x: &[f64], y: &mut [f64]) {
+    Width::widest().run(Multiple { factor, x, y });
 }
 
 struct Multiple<'a> {
@@ -77,7 +46,7 @@ impl Work for Multiple<'_> {
         let (y_blocks, y_tail) = self.y.as_chunks_mut::<8>();
         let factor = V::splat(self.factor);
         for (y, x) in y_blocks.iter_mut().zip(x_blocks) {
-            sum(V::load(y), factor * V::load(x)).store(y);
+            add_eight(factor, x, y);
         }
         for (y, x) in y_tail.iter_mut().zip(x_tail) {
             *y = difference(*y, -self.factor * x);

@@ -4,8 +4,8 @@
 //! rows. With f the column as it was, and ρ the new row,
 //!
 //! ```text
-//! ρ_j = −T_rj / T_rc,       ρ_c = 1 / T_rc
-//! T_ij ← T_ij + f_i ρ_j,   T_ic ← f_i ρ_c        i ≠ r
+//! ρ_j = −T_rj / T_rc,   ρ_c = 1 / T_rc
+//! T_ij ← T_ij + f_i ρ_j,   T_ic ← 0 + f_i ρ_c        i ≠ r
 //! ```
 //!
 //! Two operations an entry: a large table spends the time of a pivot on its way through memory. So
@@ -14,8 +14,8 @@
 //! as if no pivot waited, so the bits are the same; and a sum of which only rounding is left is 0, as in
 //! [`difference`].
 
-use super::lanes::{Lanes, Width, Work, sum};
-use super::rank_one::{Block, add, add_all, add_multiple};
+use super::lanes::{Lanes, Width, Work};
+use super::rank_one::{Block, add};
 use crate::solver::elimination::difference;
 
 /// Pivots that are made in one pass.
@@ -37,8 +37,8 @@ pub struct Table {
 #[derive(Debug, Clone)]
 struct Pivot {
     /// f_i, 0 where nothing is to be added any more.
-    factors: Vec<f64>,
-    /// ρ_j, 0 where nothing is to be added any more.
+    factors: Vec<Block>,
+    /// ρ_j.
     row: Vec<Block>,
 }
 
@@ -60,16 +60,15 @@ impl Table {
         self.columns
     }
 
-    /// Gives some entries (column, value) of a row other values.
-    pub fn set(&mut self, r: usize, entries: impl Iterator<Item = (usize, f64)>) {
+    /// Gives an entry a value, whatever waits for it.
+    pub fn set(&mut self, r: usize, c: usize, value: f64) {
         self.settle_row(r);
-        let row = self.row_mut(r);
-        entries.for_each(|(c, value)| put(row, c, value));
+        put(self.row_mut(r), c, value);
     }
 
     /// T_rc.
     pub fn entry(&self, r: usize, c: usize) -> f64 {
-        let waiting = self.waiting.iter().map(|pivot| (pivot.factors[r], get(&pivot.row, c)));
+        let waiting = self.waiting.iter().map(|pivot| (get(&pivot.factors, r), get(&pivot.row, c)));
         let due = waiting.filter(|&(factor, _)| factor != 0.0);
         due.fold(self.stored(r, c), |entry, (factor, new)| difference(entry, -factor * new))
     }
@@ -83,52 +82,37 @@ impl Table {
 
     /// Column c.
     pub fn column(&self, c: usize) -> Vec<f64> {
-        let mut column: Vec<f64> = (0..self.rows).map(|r| self.stored(r, c)).collect();
+        let mut column = zeros(self.rows.div_ceil(8));
+        for r in 0..self.rows {
+            put(&mut column, r, self.stored(r, c));
+        }
         for pivot in &self.waiting {
             let new = get(&pivot.row, c);
             if new != 0.0 {
-                add_multiple(new, &pivot.factors, &mut column, self.width);
+                self.width.run(Add { factor: new, x: &pivot.factors, y: &mut column });
             }
         }
-        column
-    }
-
-    /// T v, for a v with an entry a column.
-    pub fn product(&mut self, v: &[f64]) -> Vec<f64> {
-        self.settle();
-        let mut blocks = zeros(self.blocks);
-        (0..self.columns).for_each(|c| put(&mut blocks, c, v[c]));
-        self.width.run(Product { rows: self.entries.chunks_exact(self.blocks), v: &blocks })
+        column.iter().flat_map(|block| block.0).take(self.rows).collect()
     }
 
     /// The pivot at row r and column c, where T is not 0; returns the column as it was.
     pub fn pivot(&mut self, r: usize, c: usize) -> Vec<f64> {
         let column = self.column(c);
-        let mut row = self.solved_row(r, c, column[r]);
-        let last = get(&row, c);
+        self.clear_column(c);
+        self.settle_row(r);
+        let row = self.row_mut(r);
+        put(row, c, -1.0);
+        row.iter_mut().flat_map(|block| &mut block.0).for_each(|entry| *entry /= -column[r]);
+        let row = row.to_vec();
+        let mut factors = zeros(self.rows.div_ceil(8));
         for i in (0..self.rows).filter(|&i| i != r) {
-            put(self.row_mut(i), c, column[i] * last);
+            put(&mut factors, i, column[i]);
         }
-        self.waiting.iter_mut().for_each(|pivot| put(&mut pivot.row, c, 0.0));
-        put(&mut row, c, 0.0);
-        let mut factors = column.clone();
-        factors[r] = 0.0;
         self.waiting.push(Pivot { factors, row });
         if self.waiting.len() == TOGETHER {
             self.settle();
         }
         column
-    }
-
-    /// Makes row r what it is after a pivot in column c, and returns it.
-    fn solved_row(&mut self, r: usize, c: usize, pivot: f64) -> Vec<Block> {
-        self.settle_row(r);
-        let row = self.row_mut(r);
-        put(row, c, -1.0);
-        for block in row.iter_mut() {
-            block.0 = block.0.map(|entry| entry / -pivot);
-        }
-        row.to_vec()
     }
 
     /// Makes the pivots that wait.
@@ -140,9 +124,8 @@ impl Table {
     /// T_rj ← −T_rj.
     pub fn negate_row(&mut self, r: usize) {
         self.settle_row(r);
-        for block in self.row_mut(r) {
-            block.0 = block.0.map(|entry| -entry);
-        }
+        let row = self.row_mut(r);
+        row.iter_mut().flat_map(|block| &mut block.0).for_each(|entry| *entry = -*entry);
     }
 
     /// T_ic ← −T_ic.
@@ -157,6 +140,16 @@ impl Table {
         }
     }
 
+    /// T_ic ← 0, whatever waits.
+    fn clear_column(&mut self, c: usize) {
+        for r in 0..self.rows {
+            put(self.row_mut(r), c, 0.0);
+        }
+        for pivot in &mut self.waiting {
+            put(&mut pivot.row, c, 0.0);
+        }
+    }
+
     /// T_rc without the pivots that wait.
     fn stored(&self, r: usize, c: usize) -> f64 {
         get(&self.entries[r * self.blocks..], c)
@@ -168,7 +161,6 @@ impl Table {
 
     fn settle_row(&mut self, r: usize) {
         self.settle_rows(r..r + 1);
-        self.waiting.iter_mut().for_each(|pivot| pivot.factors[r] = 0.0);
     }
 
     fn settle_rows(&mut self, rows: std::ops::Range<usize>) {
@@ -177,7 +169,7 @@ impl Table {
         }
         let (blocks, width) = (self.blocks, self.width);
         let entries = &mut self.entries[rows.start * blocks..rows.end * blocks];
-        width.run(Settle { rows, entries, blocks, waiting: &self.waiting });
+        width.run(Settle { rows, entries, blocks, waiting: &mut self.waiting });
     }
 }
 
@@ -186,7 +178,7 @@ struct Settle<'a> {
     rows: std::ops::Range<usize>,
     entries: &'a mut [Block],
     blocks: usize,
-    waiting: &'a [Pivot],
+    waiting: &'a mut [Pivot],
 }
 
 impl Work for Settle<'_> {
@@ -195,52 +187,30 @@ impl Work for Settle<'_> {
     #[inline(always)]
     fn run<V: Lanes>(self) {
         for (r, row) in self.rows.zip(self.entries.chunks_exact_mut(self.blocks)) {
-            let (pivots, rest) = self.waiting.as_chunks::<TOGETHER>();
-            for pivots in pivots {
-                let factors = pivots.each_ref().map(|pivot| pivot.factors[r]);
-                if factors.contains(&0.0) {
-                    each::<V>(pivots, r, row);
-                } else {
-                    let x = pivots.each_ref().map(|pivot| &pivot.row[..row.len()]);
-                    add_all::<V, TOGETHER>(factors, x, row);
+            for pivot in self.waiting.iter_mut() {
+                let factor = get(&pivot.factors, r);
+                if factor != 0.0 {
+                    put(&mut pivot.factors, r, 0.0);
+                    add::<V>(factor, &pivot.row, row);
                 }
             }
-            each::<V>(rest, r, row);
         }
     }
 }
 
-/// Makes pivots for a row one by one, as far as they do anything.
-#[inline(always)]
-fn each<V: Lanes>(pivots: &[Pivot], r: usize, row: &mut [Block]) {
-    for pivot in pivots {
-        let factor = pivot.factors[r];
-        if factor != 0.0 {
-            add::<V>(factor, &pivot.row, row);
-        }
-    }
+/// y ← y + f x.
+struct Add<'a> {
+    factor: f64,
+    x: &'a [Block],
+    y: &'a mut [Block],
 }
 
-/// The product of each row with v.
-struct Product<'a> {
-    rows: std::slice::ChunksExact<'a, Block>,
-    v: &'a [Block],
-}
-
-impl Work for Product<'_> {
-    type Output = Vec<f64>;
+impl Work for Add<'_> {
+    type Output = ();
 
     #[inline(always)]
-    fn run<V: Lanes>(self) -> Vec<f64> {
-        let mut products = Vec::with_capacity(self.rows.len());
-        for row in self.rows {
-            let mut lanes = V::splat(0.0);
-            for (entry, v) in row.iter().zip(self.v) {
-                lanes = lanes + V::load(&entry.0) * V::load(&v.0);
-            }
-            products.push(sum(lanes.to_array()));
-        }
-        products
+    fn run<V: Lanes>(self) {
+        add::<V>(self.factor, self.x, self.y);
     }
 }
 

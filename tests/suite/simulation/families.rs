@@ -348,7 +348,7 @@ fn settings_of_families_are_checked_by_name() {
     scene.step.penalty.stiffness = f64::NAN;
     let message = scene.validate().unwrap_err().to_string();
     for field in ["substeps", "xpbd.compliance", "soft.joint_hertz", "penalty.stiffness"] {
-        assert!(message.contains(&format!("step.{field}: must be")), "{message}");
+        assert!(message.contains(&format!("step.{field}: must")), "{message}");
     }
 }
 

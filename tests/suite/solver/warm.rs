@@ -39,9 +39,11 @@ fn the_factor_of_another_matrix_is_not_used() {
         Lcp::new(Matrix::dense(2, a), vec![-1.0, -1.0], vec![0.0; 2], vec![INF; 2]).unwrap()
     };
     let (solver, warm) = (BlockPivoting::default(), Warm::default());
-    assert_eq!(warmly(&solver, &problem(&a), &warm).x, [1.0, 1.0]);
+    let is = |x: &[f64], expected: f64| x.iter().all(|x| (x - expected).abs() < 1e-15);
+    assert!(is(&warmly(&solver, &problem(&a), &warm).x, 1.0));
     let there = warmly(&solver, &problem(&twice), &warm);
-    assert_eq!((there.x, there.iterations), (vec![0.5, 0.5], 0));
+    assert!(is(&there.x, 0.5), "{:?}", there.x);
+    assert_eq!(there.iterations, 0);
 }
 
 #[test]

@@ -58,7 +58,7 @@ fn each_kind_of_mistake_has_its_line() {
             "family = 'stack'\n[zip]\nn = [1, 2]\nratio = [1]",
             "line 4: zip.ratio: has 1 values, n has 2",
         ),
-        ("family = 'stack'\nrepeat = 0", "line 2: repeat: must be at least 1"),
+        ("family = 'stack'\nrepeat = 0", "line 2: repeat: must lie between 1 and 100000, is 0"),
         ("family = 'stack'\nseed = 'x'", "line 2: seed: invalid type"),
         ("family = 'stack'\n[labels]\nn = 'N'", "line 3: n: needs a text, and must be an axis"),
         (

@@ -37,7 +37,7 @@ impl Plain {
 fn table(entries: &[Vec<f64>], width: Width) -> Table {
     let mut table = Table::zeros(entries.len(), entries[0].len(), width);
     for (r, row) in entries.iter().enumerate() {
-        table.set(r, row.iter().copied().enumerate());
+        row.iter().enumerate().for_each(|(c, &entry)| table.set(r, c, entry));
     }
     table
 }
