@@ -168,7 +168,7 @@ impl Study for Plan {
         let finding = Finding {
             scene: name.clone(),
             kind: which.0,
-            bodies: scene.bodies.iter().filter(|body| body.mass() > 0.0).count(),
+            bodies: scene.bodies.iter().filter(|body| body.mass.mass() > 0.0).count(),
             contacts,
             rows: stepper.x().len(),
             bytes: stepper.bytes(),

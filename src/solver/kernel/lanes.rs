@@ -32,8 +32,6 @@ pub(super) trait Lanes:
     fn abs(self) -> Self;
     /// 0 where the size is at most this.
     fn zero_within(self, size: Self) -> Self;
-    /// Whether any of these is less than the other.
-    fn any_less(self, other: Self) -> bool;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -169,11 +167,6 @@ impl Lanes for Portable {
     fn zero_within(self, size: Self) -> Self {
         self.zip(size, |a, size| if a.abs() <= size { 0.0 } else { a })
     }
-
-    #[inline(always)]
-    fn any_less(self, other: Self) -> bool {
-        (0..8).fold(false, |any, k| any | (self.0[k] < other.0[k]))
-    }
 }
 
 macro_rules! operators {
@@ -287,12 +280,6 @@ mod x86 {
             let is_larger = by_halves!(_mm256_cmp_pd::<_CMP_NLE_UQ>)(self.abs(), size);
             by_halves!(_mm256_and_pd)(self, is_larger)
         }
-
-        #[inline(always)]
-        fn any_less(self, other: Self) -> bool {
-            let Avx2(low, high) = by_halves!(_mm256_cmp_pd::<_CMP_LT_OQ>)(self, other);
-            unsafe { _mm256_movemask_pd(_mm256_or_pd(low, high)) != 0 }
-        }
     }
 
     impl Lanes for Avx512 {
@@ -334,11 +321,6 @@ mod x86 {
                 let is_larger = _mm512_cmp_pd_mask::<_CMP_NLE_UQ>(self.abs().0, size.0);
                 Avx512(_mm512_maskz_mov_pd(is_larger, self.0))
             }
-        }
-
-        #[inline(always)]
-        fn any_less(self, other: Self) -> bool {
-            unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0) != 0 }
         }
     }
 }

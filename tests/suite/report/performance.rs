@@ -207,7 +207,7 @@ fn contenders_take_turns_and_the_first_round_does_not_count() {
 fn all_studies_of_the_shipped_report_run_beside_nothing_else() {
     let report = Experiment::load("performance").unwrap();
     let studies: Vec<_> = report.sections.iter().filter_map(|s| s.study.as_ref()).collect();
-    assert_eq!(studies.len(), 7);
+    assert_eq!(studies.len(), 9);
     assert!(studies.iter().all(|study| study.alone()));
     assert!(report.sections.iter().any(|section| section.times));
 }
