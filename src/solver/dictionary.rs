@@ -99,7 +99,8 @@ impl Dictionary {
         self.places.put(self.nonbasic[c], Place::Column(c));
         let column = self.table.pivot(r, c);
         let pivot = column[r];
-        (self.constant[r], self.terms[r]) = (-self.constant[r] / pivot, self.terms[r] / pivot.abs());
+        (self.constant[r], self.terms[r]) =
+            (-self.constant[r] / pivot, self.terms[r] / pivot.abs());
         let (constant, terms) = (self.constant[r], self.terms[r]);
         for i in (0..column.len()).filter(|&i| i != r && column[i] != 0.0) {
             self.add(i, column[i] * constant, column[i].abs() * terms);

@@ -76,7 +76,8 @@ fn inverse(d: &Dictionary, r: usize, v: Variable) -> f64 {
 
 /// Keeps those whose part / weight is least, ties included.
 fn keep_least(tied: &mut Vec<Candidate>, part: impl Fn(&Candidate) -> f64) {
-    let ratios: Vec<f64> = tied.iter().map(|candidate| part(candidate) / candidate.weight).collect();
+    let ratios: Vec<f64> =
+        tied.iter().map(|candidate| part(candidate) / candidate.weight).collect();
     let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
     let mut ratios = ratios.into_iter();
     tied.retain(|_| {

@@ -35,7 +35,8 @@ impl View for Plan {
 
     fn outcome(&self, findings: &[Finding]) -> Verdict {
         let same = findings.iter().filter(|finding| finding.same_bits).count();
-        let says = format!("{same} of {} scenes step to the same bits on two threads", findings.len());
+        let says =
+            format!("{same} of {} scenes step to the same bits on two threads", findings.len());
         Verdict { good: same == findings.len(), says }
     }
 }
