@@ -38,11 +38,11 @@ pub fn results(results: &Results, folder: &Path) -> Result<()> {
 pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
     let data = folder.join(FILES);
     for figure in &document.figures {
-        file::write(&data.join(format!("{}.svg", figure.id())), &figure.svg())?;
-        file::write(&data.join(format!("{}.csv", figure.id())), &figure.csv())?;
+        file::write(&data.join(format!("{}.svg", figure.id())), figure.svg())?;
+        file::write(&data.join(format!("{}.csv", figure.id())), figure.csv())?;
     }
     for (id, table) in &document.tables {
-        file::write(&data.join(format!("{id}.csv")), &table.csv())?;
+        file::write(&data.join(format!("{id}.csv")), table.csv())?;
     }
     let page = folder.join("index.html");
     file::write(&page, &document.page.render()?)?;

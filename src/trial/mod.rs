@@ -83,13 +83,14 @@ pub fn claims(
     start: Option<&[f64]>,
     solvers: &[Box<dyn Solver>],
 ) -> Vec<(&'static str, Claim)> {
-    let solve = |solver: &Box<dyn Solver>| {
+    let solve = |solver: &dyn Solver| {
         (
             solver.name(),
             Claim::of(lcp, solver.solve(lcp, &Start { x: start, ..Start::default() }, &mut ())),
         )
     };
-    let mut claims: Vec<(&'static str, Claim)> = solvers.iter().map(solve).collect();
+    let mut claims: Vec<(&'static str, Claim)> =
+        solvers.iter().map(|solver| solve(solver.as_ref())).collect();
     let truth = Truth::of(lcp, claims.iter().map(|(_, claim)| claim));
     for (_, claim) in &mut claims {
         claim.weigh(truth);

@@ -43,11 +43,12 @@ pub struct Tally {
 impl Record {
     /// Of no problem.
     pub(super) fn empty(solvers: &[Box<dyn Solver>]) -> Record {
-        let tally = |solver: &Box<dyn Solver>| Tally {
-            solver: solver.name().to_string(),
-            ..Tally::default()
-        };
-        Record { problems: 0, tallies: solvers.iter().map(tally).collect() }
+        let tally =
+            |solver: &dyn Solver| Tally { solver: solver.name().to_string(), ..Tally::default() };
+        Record {
+            problems: 0,
+            tallies: solvers.iter().map(|solver| tally(solver.as_ref())).collect(),
+        }
     }
 
     /// Of one problem.

@@ -128,7 +128,7 @@ impl Simulate {
         file::write(&folder.join("index.html"), &page.render()?)?;
         let strip = Strip::new(scene, camera.frames);
         let strip = if self.forces { strip.with_forces() } else { strip };
-        file::write(&folder.join("frames.svg"), &strip.svg())
+        file::write(&folder.join("frames.svg"), strip.svg())
     }
 
     /// The steps after which to look; none if no picture is wanted.

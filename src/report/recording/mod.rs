@@ -143,7 +143,7 @@ impl Record {
             file::write(&folder.join("ledger.csv"), ledger)?;
             file::write(&folder.join("forces.csv"), forces)?;
         }
-        file::write(&folder.join("results.json"), &format!("{:#}\n", self.summary()))
+        file::write(&folder.join("results.json"), format!("{:#}\n", self.summary()))
     }
 
     /// The totals as JSON.

@@ -48,9 +48,9 @@ pub fn collect(sweep: &Sweep, folder: &Folder) -> Result<Collection> {
         }
     }
     let axes = &folder.plan().axes;
-    file::write(&folder.path().join("results.csv"), &table(axes, &collection.done))?;
+    file::write(&folder.path().join("results.csv"), table(axes, &collection.done))?;
     file::write(&folder.path().join("results.json"), &pretty(&object(folder, &collection.done))?)?;
-    file::write(&folder.path().join("times.csv"), &times(&collection.done))?;
+    file::write(&folder.path().join("times.csv"), times(&collection.done))?;
     write::document(&page::document(sweep, folder.plan(), &collection), folder.path())?;
     Ok(collection)
 }

@@ -23,7 +23,7 @@ enum Factor {
     /// Rows in the order they come.
     Envelope(Envelope),
     /// Rows in an order of their own.
-    Reordered(SparseFactor),
+    Reordered(Box<SparseFactor>),
 }
 
 impl<'a> Rows<'a> {
@@ -41,7 +41,7 @@ impl<'a> Rows<'a> {
         } else {
             let factor = reordered(matrix);
             fit(factor.entries())?;
-            Factor::Reordered(factor)
+            Factor::Reordered(Box::new(factor))
         };
         Ok(Rows { lcp, diagonal, factor })
     }

@@ -47,8 +47,8 @@ impl Contents {
             let reason = format!("has {} contacts, there are {n} rows", self.mu.len());
             return Err(Error::invalid(input, "mu", reason));
         }
-        let is_normal = |i: usize| i < friction && i % 3 == 0;
-        let is_tangent = |i: usize| i < friction && i % 3 != 0;
+        let is_normal = |i: usize| i < friction && i.is_multiple_of(3);
+        let is_tangent = |i: usize| i < friction && !i.is_multiple_of(3);
         Ok(Parts {
             lo: Some((0..n).map(|i| if is_normal(i) { 0.0 } else { -f64::INFINITY }).collect()),
             hi: None,
@@ -152,7 +152,7 @@ impl File<'_> {
         }
         let (rows, cols) = (self.whole(&part("m"))?, self.whole(&part("n"))?);
         let (p, i) = (self.integers(&part("p"))?, self.integers(&part("i"))?);
-        let x: Vec<f64> = self.read(&part("x"), |dataset| floats(dataset))?;
+        let x: Vec<f64> = self.read(&part("x"), floats)?;
         let fault = |reason: &str| self.fault(path, format!("{rows} × {cols}: {reason}"));
         let (i, j) = match self.integers(&part("nz"))?[..] {
             [-1] => (wholes(&i), unpacked(&p, cols, x.len())),
@@ -180,12 +180,12 @@ impl File<'_> {
     }
 
     fn integers(&self, path: &str) -> Result<Vec<i64>> {
-        self.read(path, |dataset| integers(dataset))
+        self.read(path, integers)
     }
 
     /// So many finite numbers.
     fn numbers(&self, path: &str, n: usize) -> Result<Vec<f64>> {
-        let numbers: Vec<f64> = self.read(path, |dataset| floats(dataset))?;
+        let numbers: Vec<f64> = self.read(path, floats)?;
         if numbers.len() != n {
             return Err(self.fault(path, format!("has {} numbers, must have {n}", numbers.len())));
         }

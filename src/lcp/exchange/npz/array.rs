@@ -150,7 +150,7 @@ impl Kind {
     fn values(&self, bytes: &[u8]) -> Result<Values, Reason> {
         let entries = bytes.chunks_exact(self.size).map(|entry| self.ordered(entry));
         Ok(match self.letter {
-            b'f' if self.size == 8 => Values::Floats(entries.map(|e| f64::from_bits(e)).collect()),
+            b'f' if self.size == 8 => Values::Floats(entries.map(f64::from_bits).collect()),
             b'f' => Values::Floats(entries.map(|e| f64::from(f32::from_bits(e as u32))).collect()),
             b'u' => {
                 let whole = |e| i64::try_from(e).map_err(|_| format!("has {e}, beyond 2⁶³"));

@@ -98,7 +98,7 @@ impl Program {
                 }
                 Ok(())
             }
-            ("RHS", [entries @ ..]) => {
+            ("RHS", entries) => {
                 let named = entries.len() % 2;
                 for (row, _) in pairs(&entries[named..])? {
                     self.check_objective(row)?;
