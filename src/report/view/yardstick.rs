@@ -4,7 +4,8 @@ use super::Outcome as Verdict;
 use super::attempt::tolerance;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::attempt::Outcome;
-use crate::report::study::yardstick::{Answer, Finding, Times, YARDSTICK};
+use crate::report::study::contest::Answer;
+use crate::report::study::yardstick::{Finding, Times, YARDSTICK};
 
 /// Whether no claim was refuted, and how many answers were accepted.
 pub(super) fn outcome(to: &str, findings: &[Finding]) -> Verdict {
@@ -29,7 +30,7 @@ pub(super) fn claims(title: &str, findings: &[Finding]) -> Table {
         [Cell::text(&finding.problem), Cell::count(finding.rows)]
             .into_iter()
             .chain(finding.answers.iter().map(verdict))
-            .chain([Cell::number(finding.asked, 1)])
+            .chain([finding.asked.map_or(Cell::text("–"), |asked| Cell::number(asked, 1))])
             .collect()
     };
     Table {
