@@ -8,7 +8,7 @@ use lcplab::report::study::step_speed::Plan;
 
 fn main() {
     if measure::is_test() {
-        let (towers, nets) = (vec![60, 120], vec![5, 10]);
+        let (towers, nets) = (vec![400, 800], vec![5, 10]); // rings of 20 and more keep clear of themselves
         measure::print(&Plan { towers, nets, steps: 1, ..Plan::default() });
     } else {
         measure::print(&Plan { steps: 30, ..Plan::default() });

@@ -114,9 +114,9 @@ fn takes(solver: &dyn Solver, model: Model) -> bool {
 
 /// Whether a solver is made for A, or A is symmetric, which all are.
 fn suits(solver: &dyn Solver, lcp: &Lcp) -> bool {
-    use MatrixClass::{CopositivePlus, General, P, P0};
+    use MatrixClass::{Definite, Semidefinite};
     let class = solver::entry(solver.name()).ok().map(|entry| entry.class.matrix);
-    lcp.matrix().is_symmetric() || matches!(class, None | Some(General | CopositivePlus | P | P0))
+    lcp.matrix().is_symmetric() || !matches!(class, Some(Definite | Semidefinite))
 }
 
 /// The scene's settings of solvers.

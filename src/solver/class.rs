@@ -11,6 +11,8 @@ pub enum MatrixClass {
     Semidefinite,
     /// All principal minors positive: one solution for every b.
     P,
+    /// One of these two.
+    POrSemidefinite,
     /// No principal minor negative.
     P0,
     /// xᵀAx ≥ 0 for x ≥ 0, and (A + Aᵀ) x = 0 where it is 0: solvable if A x + b ≥ 0 ≤ x is. All
@@ -26,6 +28,7 @@ impl fmt::Display for MatrixClass {
             MatrixClass::Definite => "symmetric positive definite",
             MatrixClass::Semidefinite => "symmetric positive semidefinite",
             MatrixClass::P => "P-matrix",
+            MatrixClass::POrSemidefinite => "P-matrix, or symmetric positive semidefinite",
             MatrixClass::P0 => "P0 matrix",
             MatrixClass::CopositivePlus => "copositive plus",
             MatrixClass::General => "any",

@@ -239,8 +239,8 @@ pub const ALL: &[Entry] = &[
     },
     Entry {
         name: "block-pivoting",
-        method: "block principal pivoting with Murty's rule as safeguard, finite",
-        class: Class::of(MatrixClass::P),
+        method: "block principal pivoting, then Murty's rule (finite) or proximal steps",
+        class: Class::of(MatrixClass::POrSemidefinite),
         source: "Kostreva 1978; Júdice & Pires 1994",
         uses: &[],
         build: |options| {

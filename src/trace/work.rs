@@ -7,7 +7,7 @@ use crate::solver::{Event, Iterate, Observer};
 
 /// An observer that adds up the multiplications of a solve, as the formula of each method has them.
 ///
-/// With n rows, s stored entries of A, f free rows and N = n plus the rows with two finite bounds:
+/// With n rows, s stored entries of A and f free rows:
 ///
 /// ```text
 /// a product A x                                    s
@@ -20,7 +20,7 @@ use crate::solver::{Event, Iterate, Observer};
 /// interior-point                    a step         n³/6 + 2 n² + s
 /// newton, fischer-newton            a step         5/3 n³       a sweep where it takes one: s + n
 /// dantzig                           a pivot        f n
-/// lemke                             a pivot        N (N + 2)
+/// lemke                             a pivot        n (n + 2)
 /// murty, block-pivoting             an exchange    f³/3 + f² + s   and once for the first active set;
 ///                                                                  the most, where A is symmetric
 /// enumeration                       a set          n³/3         of fractions
@@ -46,7 +46,6 @@ pub struct Work<'a> {
     solver: &'static str,
     lcp: &'a Lcp,
     stored: f64,
-    pairs: f64,
     /// So far.
     pub multiplications: f64,
 }
@@ -55,18 +54,13 @@ impl<'a> Work<'a> {
     /// None so far, of the solver of this name on this problem.
     pub fn of(solver: &'static str, lcp: &'a Lcp) -> Self {
         let n = lcp.len() as f64;
-        let is_boxed = |&i: &usize| {
-            let coupled = lcp.coupling().is_some_and(|coupling| coupling.index(i).is_some());
-            coupled || (lcp.lo()[i].is_finite() && lcp.hi()[i].is_finite())
-        };
-        let pairs = n + (0..lcp.len()).filter(is_boxed).count() as f64;
         let multiplications = if solver == "admm" { n.powi(3) / 6.0 } else { 0.0 };
-        Work { solver, lcp, stored: lcp.matrix().stored() as f64, pairs, multiplications }
+        Work { solver, lcp, stored: lcp.matrix().stored() as f64, multiplications }
     }
 
     /// The multiplications of an iteration that led to x.
     fn iteration(&self, event: Event, x: &[f64]) -> f64 {
-        let (n, s, pairs) = (self.lcp.len() as f64, self.stored, self.pairs);
+        let (n, s) = (self.lcp.len() as f64, self.stored);
         let free = || merit::free_rows(self.lcp, x) as f64;
         match (self.solver, event) {
             ("murty" | "block-pivoting", _) => {
@@ -82,7 +76,7 @@ impl<'a> Work<'a> {
             ("interior-point", _) => n.powi(3) / 6.0 + 2.0 * n * n + s,
             ("newton" | "fischer-newton", Event::Step) => 5.0 / 3.0 * n.powi(3),
             ("dantzig", _) => free() * n,
-            ("lemke", _) => pairs * (pairs + 2.0),
+            ("lemke", _) => n * (n + 2.0),
             ("enumeration", _) => n.powi(3) / 3.0,
             _ => s + n,
         }

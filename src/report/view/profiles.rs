@@ -345,7 +345,7 @@ fn iteration_costs() -> Table {
         ("interior-point", "step", "n³/6 + 2 n² + s"),
         ("newton, fischer-newton", "step", "5/3 n³"),
         ("dantzig", "pivot", "f n"),
-        ("lemke", "pivot", "N (N + 2)"),
+        ("lemke", "pivot", "n (n + 2)"),
         ("murty, block-pivoting", "exchange", "f³/3 + f² + s, and once before the first"),
         ("enumeration", "active set", "n³/3, of fractions"),
     ];
@@ -355,9 +355,8 @@ fn iteration_costs() -> Table {
     Table {
         title: "What an iteration is taken to cost".into(),
         how_to_read: "Multiplications, the leading term of each method: n rows, s stored entries of A, f \
-                      rows between their bounds, N = n plus the rows with two finite bounds. Stop tests, \
-                      line searches and additions are left out, and that a factorisation might use the \
-                      zeros of A."
+                      rows between their bounds. Stop tests, line searches and additions are left out, \
+                      and that a factorisation might use the zeros of A."
             .into(),
         columns: vec![
             Column::words("solver"),
