@@ -60,6 +60,10 @@ impl Solver for Enumeration {
                 }
                 count += 1;
                 let found = problem.solutions(&sides).first().map(|x| rounded(x));
+                let is_finite = found.iter().flatten().all(|x| x.is_finite());
+                if !is_finite {
+                    return Solution::new(lcp, x, Status::NotFinite, count); // beyond 1.8e308
+                }
                 let iterate = found.as_deref().unwrap_or(&x);
                 let iterate = Iterate { iteration: count, x: iterate, event: Event::Trial };
                 if observer.observe(&iterate).is_break() {

@@ -13,6 +13,7 @@ mod explain;
 mod formulation;
 mod lcp;
 mod lesson;
+mod messages;
 mod plot;
 mod reference;
 mod report;
