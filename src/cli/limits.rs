@@ -1,7 +1,7 @@
 //! What a command may use: `--time-limit`, `--max-memory`, and the patience of who types Ctrl-C.
 //!
-//! Commands that can stop halfway ask for the [`Stop`](Limits::stop): then Ctrl-C raises it, and they
-//! write what they have. The others end at once, by the system's own means or at the time limit.
+//! Commands that can stop halfway ask for the [`Stop`](Limits::stop): then Ctrl-C or SIGTERM raises it,
+//! and they write what they have. The others end at once, by the system's own means or at the time limit.
 
 use std::process;
 use std::sync::Arc;
@@ -60,13 +60,12 @@ impl Limits {
         limits
     }
 
-    /// When to stop, for a command that asks; from now on Ctrl-C is one of the reasons. A second one
+    /// When to stop, for a command that asks; from now on a signal is one of the reasons. A second one
     /// ends at once.
     pub fn stop(&self) -> &Stop {
         self.asks.store(true, Ordering::Relaxed);
         let (stop, mut was_asked) = (self.stop.clone(), false);
-        // Without a handler Ctrl-C ends at once.
-        let _ = ctrlc::set_handler(move || {
+        at_signals(move || {
             if was_asked {
                 process::exit(code(Reason::Interrupted).into());
             }
@@ -81,6 +80,22 @@ impl Limits {
     pub fn over(&self) {
         self.is_over.store(true, Ordering::Relaxed);
     }
+}
+
+/// Does this at each Ctrl-C and SIGTERM; where nothing can listen to them, they end at once. SIGHUP is
+/// left alone: `nohup` has it ignored.
+#[cfg(unix)]
+fn at_signals(mut act: impl FnMut() + Send + 'static) {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    if let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM]) {
+        thread::spawn(move || signals.forever().for_each(|_| act()));
+    }
+}
+
+/// Does this at each Ctrl-C; where nothing can listen to it, it ends at once.
+#[cfg(not(unix))]
+fn at_signals(act: impl FnMut() + Send + 'static) {
+    let _ = ctrlc::set_handler(act);
 }
 
 /// Ends the program at the time limit if it cannot do so itself.

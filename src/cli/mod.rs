@@ -47,7 +47,7 @@ Exit codes:
   0    good: solved, accepted, written
   1    not good: refuted, failed or diverged, a row that misses, or stopped by the time limit
   2    bad input or usage, or a file that cannot be read or written
-  130  stopped by Ctrl-C
+  130  stopped by Ctrl-C, or by SIGTERM where there is one
 
 After 1 and 130 what was computed is written. Each command has --help with an example.")]
 struct Cli {

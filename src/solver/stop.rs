@@ -24,7 +24,7 @@ use super::{Iterate, Observer, Part};
 /// let pgs = by_name("pgs", &Options::default())?;
 /// let solution = pgs.solve(&lcp, &Start::default(), &mut stop.watch(&mut ()));
 /// assert_eq!(solution.status, Status::Stopped);
-/// assert_eq!(stop.reason().unwrap().to_string(), "stopped by Ctrl-C");
+/// assert_eq!(stop.reason().unwrap().to_string(), "interrupted");
 /// # Ok::<(), lcplab::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]
@@ -36,7 +36,7 @@ pub struct Stop {
 /// Why something was stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// The flag was raised, by a user who had enough.
+    /// The flag was raised, by a user who had enough or a system that needs the machine.
     Interrupted,
     /// This much time was over.
     TimeLimit(Duration),
@@ -96,7 +96,7 @@ impl Observer for Watched<'_> {
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Reason::Interrupted => write!(f, "stopped by Ctrl-C"),
+            Reason::Interrupted => f.write_str("interrupted"),
             Reason::TimeLimit(limit) => {
                 write!(f, "stopped by the time limit of {} s", limit.as_secs_f64())
             }

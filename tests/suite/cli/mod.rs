@@ -8,6 +8,8 @@ mod exit_code;
 mod friction;
 mod limits;
 mod scene;
+#[cfg(target_os = "linux")] // /proc says whether a process listens
+mod signals;
 mod solve;
 mod usage;
 mod writing;

@@ -1,0 +1,186 @@
+//! Ctrl-C and SIGTERM: a clean end with what was computed, and exit code 130.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+use serde_json::Value;
+
+use super::{err, out};
+
+/// The signals that ask for an end, and their numbers.
+const ENDS: [(&str, u32); 2] = [("INT", 2), ("TERM", 15)];
+/// SIGHUP's number.
+const HANG_UP: u32 = 1;
+
+/// Starts a command; one that would not end by itself within a minute fails its test, not hangs it.
+fn start(program: &str, arguments: &[&str]) -> Child {
+    Command::new(program)
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts")
+}
+
+fn lcplab(arguments: &[&str]) -> Child {
+    start(env!("CARGO_BIN_EXE_lcplab"), &[arguments, &["--time-limit", "60"]].concat())
+}
+
+/// Whether a process has a signal in this set of /proc: SigCgt if it listens, SigIgn if it ignores.
+fn is_in(child: &Child, set: &str, signal: u32) -> bool {
+    let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix(set)?.strip_prefix(':'));
+    let mask = line.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
+}
+
+/// Waits until something is so; not for ever.
+#[track_caller]
+fn wait_until(is_so: impl Fn() -> bool) {
+    for _ in 0..6000 {
+        if is_so() {
+            return;
+        }
+        sleep(Duration::from_millis(10));
+    }
+    panic!("waited for a minute in vain");
+}
+
+fn send(child: &Child, signal: &str) {
+    let sent = Command::new("kill").args([&format!("-{signal}"), &child.id().to_string()]).status();
+    assert!(sent.unwrap().success());
+}
+
+/// Ends a command by a signal once it listens and something is so.
+fn end(child: Child, (signal, number): (&str, u32), is_so: impl Fn() -> bool) -> Output {
+    wait_until(|| is_in(&child, "SigCgt", number) && is_so());
+    send(&child, signal);
+    child.wait_with_output().unwrap()
+}
+
+#[track_caller]
+fn assert_interrupted(output: &Output) {
+    let told = "stopping; Ctrl-C again ends at once\nerror: interrupted\n";
+    assert_eq!((output.status.code(), err(output).as_str()), (Some(130), told));
+}
+
+/// No file is left under its temporary name.
+fn assert_tidy(folder: &Path) {
+    let names = fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name());
+    let left: Vec<_> = names.filter(|name| name.to_string_lossy().starts_with('.')).collect();
+    assert!(left.is_empty(), "{left:?}");
+}
+
+#[test]
+fn an_interrupted_solve_prints_its_last_iterate() {
+    for signal in ENDS {
+        let folder = tempfile::tempdir().unwrap();
+        let problem = folder.path().join("good.json");
+        fs::write(&problem, super::GOOD).unwrap();
+        let endless = ["--solver", "admm", "--tolerance", "0", "--max-iterations", "1000000000000"];
+        let solve = ["solve", problem.to_str().unwrap(), "--json"];
+        let output = end(lcplab(&[&solve[..], &endless].concat()), signal, || true);
+        assert_interrupted(&output);
+        let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+        assert_eq!(answer["message"], "interrupted");
+        assert_eq!(answer["x"].as_array().unwrap().len(), 2);
+    }
+}
+
+#[test]
+fn an_interrupted_simulation_writes_what_it_recorded() {
+    for signal in ENDS {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().to_str().unwrap();
+        let simulate = ["simulate", "fig6", "--steps", "1000000000", "--out", path, "--json"];
+        let output = end(lcplab(&simulate), signal, || true);
+        assert_interrupted(&output);
+        let summary: Value = serde_json::from_str(&out(&output)).unwrap();
+        let ledger = fs::read_to_string(folder.path().join("ledger.csv")).unwrap();
+        let steps = summary["steps"].as_u64().unwrap() as usize;
+        assert_eq!(ledger.lines().count(), steps + 2); // heading, start
+        for file in ["trajectory.csv", "forces.csv", "results.json", "index.html", "frames.svg"] {
+            assert!(folder.path().join(file).is_file(), "{file}");
+        }
+        assert_tidy(folder.path());
+    }
+}
+
+#[test]
+fn an_interrupted_sweep_keeps_its_tasks_and_goes_on_from_them() {
+    for signal in ENDS {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, results) = (folder.path().join("long.toml"), folder.path().join("results"));
+        let long = "scene = 'pendulum'\nmeasure = 'drift'\n[axes]\nsteps = [1, 2, 100000000]\n";
+        fs::write(&file, long).unwrap();
+        let (file, path) = (file.to_str().unwrap(), results.to_str().unwrap());
+        let run = ["sweep", "run", file, "--out", path, "--threads", "1"];
+        let task = |number: usize| results.join(format!("tasks/{number}.json"));
+        let output = end(lcplab(&run), signal, || task(1).exists() && task(2).exists());
+        assert_interrupted(&output);
+        assert_eq!(out(&output), "2 of 3 tasks run, 0 were done before\n");
+        for number in [1, 2] {
+            let record: Value = serde_json::from_slice(&fs::read(task(number)).unwrap()).unwrap();
+            assert_eq!(record["finding"]["values"]["steps"], number as f64);
+        }
+        assert_tidy(&results.join("tasks"));
+        let again = end(lcplab(&run), signal, || true);
+        assert_eq!(out(&again), "0 of 3 tasks run, 2 were done before\n");
+        assert_eq!(again.status.code(), Some(130));
+    }
+}
+
+#[test]
+fn an_interrupted_report_writes_its_page_and_goes_on_from_its_results() {
+    for signal in ENDS {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, results) = (folder.path().join("long.toml"), folder.path().join("page"));
+        let report = "title = 'Long'\nlead = ''\n\
+                      [[section]]\nstudy = 'published'\nproblems = ['cps-1']\n\
+                      [[section]]\nstudy = 'worst-cases'\nsizes = [24]\n";
+        fs::write(&file, report).unwrap();
+        let (file, path) = (file.to_str().unwrap(), results.to_str().unwrap());
+        let run = ["report", file, "--out", path, "--threads", "1"];
+        let done = || {
+            let text = fs::read_to_string(results.join("results.json")).unwrap_or_default();
+            text.contains("\"proved\"")
+        };
+        let output = end(lcplab(&run), signal, done);
+        assert_interrupted(&output);
+        let page = fs::read_to_string(results.join("index.html")).unwrap();
+        assert!(page.contains("Long") && done());
+        assert_tidy(&results);
+    }
+}
+
+#[test]
+fn a_hang_up_that_nohup_ignores_stays_ignored() {
+    let program = env!("CARGO_BIN_EXE_lcplab");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let line = format!(
+        "trap '' HUP; exec '{program}' simulate fig6 --steps 1000000000 --time-limit 60 --out '{path}'"
+    );
+    let child = start("sh", &["-c", &line]);
+    wait_until(|| is_in(&child, "SigCgt", ENDS[0].1));
+    assert!(is_in(&child, "SigIgn", HANG_UP));
+    send(&child, "HUP");
+    let output = end(child, ENDS[1], || true);
+    assert_interrupted(&output);
+}
+
+#[test]
+fn a_command_that_has_nothing_to_keep_ends_by_the_signal_itself() {
+    use std::os::unix::process::ExitStatusExt;
+    for (signal, number) in ENDS {
+        let child = lcplab(&["judge", "-", "-"]); // waits for its input
+        wait_until(|| Path::new(&format!("/proc/{}/exe", child.id())).exists());
+        send(&child, signal);
+        let output = child.wait_with_output().unwrap();
+        assert_eq!((output.status.signal(), err(&output)), (Some(number as i32), String::new()));
+    }
+}
