@@ -12,6 +12,12 @@ use crate::memory::Memory;
 /// A file that people write, such as a scene, is not larger than this.
 pub const WRITTEN_BY_HAND: Memory = Memory::bytes(100_000_000);
 
+/// Whether there is something to read: a file, a pipe, a device, but no folder, which may have the
+/// name of something that is shipped.
+pub fn is_there(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|found| !found.is_dir())
+}
+
 /// Reads a file of text, or standard input for the path `-`.
 ///
 /// # Errors
@@ -71,6 +77,15 @@ fn replace(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::R
     fill(part.as_file_mut())?;
     part.persist(&place)?;
     Ok(())
+}
+
+/// Makes a folder and sees whether files can be put there, before hours are spent on what they shall hold.
+///
+/// # Errors
+/// If they cannot.
+pub fn prepare(folder: &Path) -> Result<()> {
+    let tried = fs::create_dir_all(folder).and_then(|()| named_part().tempfile_in(folder));
+    tried.map(drop).map_err(|cause| Error::file(folder, &plain(cause)))
 }
 
 /// Has a file made by someone else, under a temporary name that is then changed.

@@ -80,7 +80,7 @@ impl Experiment {
     /// A name that is neither a file nor shipped, or a file with defects, with their lines.
     pub fn load(path_or_name: &str) -> Result<Self> {
         let path = Path::new(path_or_name);
-        if path.is_file() {
+        if file::is_there(path) {
             let text = file::read(path, file::WRITTEN_BY_HAND)?;
             let name = path.file_stem().map_or("report".into(), |name| name.to_string_lossy());
             return Self::parse(&text, path_or_name, &name);

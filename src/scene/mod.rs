@@ -39,7 +39,7 @@ use crate::memory::Memory;
 /// A file that cannot be read; a name that is neither a file nor shipped.
 pub fn text(path_or_name: &str) -> Result<(String, String)> {
     let path = Path::new(path_or_name);
-    if path.exists() {
+    if files::is_there(path) {
         let text = files::read(path, files::WRITTEN_BY_HAND)?;
         return Ok((path_or_name.into(), text));
     }

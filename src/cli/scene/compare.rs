@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lcplab::error::Result;
+use lcplab::file;
 use lcplab::memory::Memory;
 use lcplab::report::study::comparison::{self, Sample};
 use lcplab::report::study::film::{self, Actor};
@@ -67,6 +68,9 @@ impl Compare {
         let what = format!("the motion of {} runs of {steps} steps", contenders.len());
         let samples = Memory::bytes(size_of::<Sample>() as u64).times(steps);
         scene.memory.check(what, samples.times(contenders.len()))?;
+        if let Some(folder) = &self.out {
+            file::prepare(folder)?;
+        }
         let progress = bar(contenders.len() as u64, &scene.name);
         let stop = limits.stop();
         let (comparison, timings) =
@@ -76,19 +80,21 @@ impl Compare {
         let stopped = stop.reason().filter(|_| !is_whole);
         limits.over();
         progress.finish_and_clear();
-        if self.json {
-            print(&format!("{}\n", json!({ "comparison": comparison, "timings": timings })))?;
-        } else {
-            print(&text::table(&view::comparison_table(&comparison)))?;
-        }
-        if let Some(folder) = &self.out {
+        let written = self.out.as_ref().map(|folder| {
             let actors = match shown.is_empty() {
                 true => film::alike(&contenders, &view::alike(&comparison.runs)),
                 false => shown.into_iter().map(|actor| (actor.name(), actor)).collect(),
             };
             let film = film::film("film", &scene, &actors, steps, stop);
-            let page = write::document(&view::comparison_document(&comparison, film), folder)?;
-            say(&page.display().to_string());
+            write::document(&view::comparison_document(&comparison, film), folder)
+        });
+        if self.json {
+            print(&format!("{}\n", json!({ "comparison": comparison, "timings": timings })))?;
+        } else {
+            print(&text::table(&view::comparison_table(&comparison)))?;
+        }
+        if let Some(page) = written {
+            say(&page?.display().to_string());
         }
         let refuted = comparison.runs.iter().any(|run| run.refuted_claims > 0);
         Ok(match stopped {

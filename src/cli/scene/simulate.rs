@@ -52,6 +52,9 @@ impl Simulate {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         let scene = self.scene.load()?;
         let simulation = self.scene.simulation(&scene)?;
+        if let Some(folder) = &self.out {
+            file::prepare(folder)?;
+        }
         let steps = self.steps.unwrap_or(scene.step.count);
         let mut record = Record::start(&scene, &simulation);
         if self.out.is_some() {
@@ -70,8 +73,9 @@ impl Simulate {
             record.end(failure);
             camera.end(failure);
         }
+        let written = self.write(&scene, &record, camera);
         print(&if self.json { format!("{}\n", record.summary()) } else { record.text() })?;
-        self.write(&scene, &record, camera)?;
+        written?;
         Ok(match failure.and_then(|failure| failure.cause.stopped()) {
             Some(reason) => Outcome::Stopped(reason),
             None if record.is_good() => Outcome::Good,

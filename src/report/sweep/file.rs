@@ -83,7 +83,7 @@ impl Sweep {
     /// A name that is neither a file nor shipped, or a file with defects, each with its line.
     pub fn load(path_or_name: &str) -> Result<Self> {
         let path = Path::new(path_or_name);
-        if path.is_file() {
+        if file::is_there(path) {
             let text = file::read(path, file::WRITTEN_BY_HAND)?;
             return Self::from_toml(path_or_name, &text);
         }

@@ -11,6 +11,8 @@ mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens
 mod signals;
 mod solve;
+#[cfg(target_os = "linux")] // it has /dev/full, /dev/zero and /proc
+mod surroundings;
 mod usage;
 mod writing;
 
