@@ -27,8 +27,8 @@
 //! Contacts in the plane (`spacedim` 2) have one tangent, ours two: they are refused. Some collections
 //! store half of W with an attribute `symmetric_packed`: that is not FCLIB's format and is refused.
 //!
-//! The feature `fclib` of the crate reads and writes HDF5 in pure Rust (`hdf5-reader`, `hdf5-writer`);
-//! without it both are refused. Written are local problems.
+//! HDF5 is read and written in pure Rust (`hdf5-reader`, `hdf5-writer`) by the feature `fclib`, which is
+//! on unless `--no-default-features` takes it out; then both are refused. Written are local problems.
 
 #[cfg(feature = "fclib")]
 mod reader;
@@ -60,6 +60,6 @@ pub const FORMAT: Format = Format {
 
 #[cfg(not(feature = "fclib"))]
 fn left_out(input: String) -> crate::error::Error {
-    let reason = "HDF5 is left out of this build: cargo install --path . --features fclib";
+    let reason = "HDF5 is left out of this build: its feature is fclib";
     crate::error::Error::invalid(input, "format", reason)
 }
