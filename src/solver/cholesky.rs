@@ -23,7 +23,7 @@ pub struct Cholesky {
 }
 
 impl Cholesky {
-    /// Factorises the block of these rows, ascending; only entries below the diagonal are read.
+    /// Factorises the block of these rows, ascending; only entries on and right of the diagonal are read.
     ///
     /// # Errors
     /// The first row whose pivot is zero or negative; there is no factor then.
@@ -37,16 +37,19 @@ impl Cholesky {
         let mut memory = MemBuffer::new(need);
         let stack = MemStack::new(&mut memory);
         let (none, default) = (Default::default(), Default::default());
-        llt::factor::cholesky_in_place(lower, none, Par::Seq, stack, default)
-            .map_err(|llt::factor::LltError::NonPositivePivot { index }| rows[index.min(f - 1)])?;
+        let refused = llt::factor::cholesky_in_place(lower, none, Par::Seq, stack, default).err();
+        let refused =
+            refused.map(|llt::factor::LltError::NonPositivePivot { index }| index.min(f - 1));
         let is_zero = |&k: &usize| {
             let pivot = self.lower[k * (f + 1)].powi(2);
             !(pivot > RELATIVE_ZERO * diagonal[k])
         };
-        (0..f).find(is_zero).map_or(Ok(()), |k| Err(rows[k]))
+        // A pivot that is zero but for rounding may be positive, and a later one be refused.
+        let zero = (0..refused.unwrap_or(f)).find(is_zero).or(refused);
+        zero.map_or(Ok(()), |k| Err(rows[k]))
     }
 
-    /// Takes the entries below the diagonal from A; returns the diagonal.
+    /// Takes the entries on and right of the diagonal from A, as columns; returns the diagonal.
     fn gather(&mut self, lcp: &Lcp, rows: &[usize]) -> Vec<f64> {
         let f = rows.len();
         self.lower.resize(f * f, 0.0);

@@ -1,5 +1,6 @@
 mod block_pgs;
 mod chapter;
+mod cholesky;
 mod code6;
 mod cone;
 mod dantzig;

@@ -1,6 +1,10 @@
 mod dense;
 mod impulses;
+mod panels;
+mod rank_one;
+mod rows;
 mod table;
+mod terms;
 
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::solver::{Pgs, Settings};
