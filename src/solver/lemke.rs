@@ -282,11 +282,23 @@ impl<'a> Path<'a> {
         let (lcp, x) = (self.lcp, &self.x);
         let set = self.form.active_set();
         let tight = set.tightened(lcp, x);
-        let moved = tight.moved_to_bounds(lcp, x);
-        let candidates = [tight.point(lcp).ok(), Some(moved), set.point(lcp).ok(), Some(x.clone())];
-        let residual = |x: &Vec<f64>| merit::scaled_residual(lcp, x).max(ROUNDING);
-        let better = |a: &Vec<f64>, b: &Vec<f64>| residual(a).total_cmp(&residual(b));
-        candidates.into_iter().flatten().min_by(better).unwrap_or_default() // the first of equals
+        let points: [&dyn Fn() -> Option<Vec<f64>>; 4] = [
+            &|| tight.point(lcp).ok(),
+            &|| Some(tight.moved_to_bounds(lcp, x)),
+            &|| set.point(lcp).ok(),
+            &|| Some(x.clone()),
+        ];
+        let (mut best, mut least) = (Vec::new(), f64::INFINITY);
+        for point in points.iter().filter_map(|point| point()) {
+            let residual = merit::scaled_residual(lcp, &point);
+            if best.is_empty() || residual < least {
+                (best, least) = (point, residual);
+            }
+            if least <= ROUNDING {
+                break; // none is better but by rounding
+            }
+        }
+        best
     }
 }
 

@@ -10,20 +10,45 @@ use crate::solver::elimination::{RELATIVE_ZERO, difference};
 #[repr(align(64))]
 pub(super) struct Block(pub(super) [f64; 8]);
 
-/// y ← y + f x for as many blocks as both have.
+/// Blocks that are on their way at once, so that none waits for the last one.
+const TOGETHER: usize = 4;
+
+/// y ← y + f x for each (f, x) in turn, on one way through y; all have as many blocks as y.
 #[inline(always)]
-pub(super) fn add<V: Lanes>(factor: f64, x: &[Block], y: &mut [Block]) {
-    let factor = V::splat(factor);
-    for (y, x) in y.iter_mut().zip(x) {
-        add_eight(factor, &x.0, &mut y.0);
+pub(super) fn add_all<V: Lanes>(terms: &[(f64, &[Block])], y: &mut [Block]) {
+    let done = y.len() - y.len() % TOGETHER;
+    let (fours, rest) = y.as_chunks_mut::<TOGETHER>();
+    for (k, four) in fours.iter_mut().enumerate() {
+        add_at::<V, TOGETHER>(terms, TOGETHER * k, four);
+    }
+    for (k, block) in rest.iter_mut().enumerate() {
+        add_at::<V, 1>(terms, done + k, std::array::from_mut(block));
     }
 }
 
+/// The same for the blocks of y from this place on.
 #[inline(always)]
-fn add_eight<V: Lanes>(factor: V, x: &[f64; 8], y: &mut [f64; 8]) {
-    let (before, change) = (V::load(y), factor * V::load(x));
+fn add_at<V: Lanes, const B: usize>(terms: &[(f64, &[Block])], place: usize, y: &mut [Block; B]) {
+    let mut sums = [V::splat(0.0); B];
+    for b in 0..B {
+        sums[b] = V::load(&y[b].0);
+    }
+    for (factor, x) in terms {
+        let (factor, x) = (V::splat(*factor), &x[place..place + B]);
+        for b in 0..B {
+            sums[b] = sum(sums[b], factor * V::load(&x[b].0));
+        }
+    }
+    for b in 0..B {
+        sums[b].store(&mut y[b].0);
+    }
+}
+
+/// Their sum, exactly 0 where only rounding is left of it.
+#[inline(always)]
+fn sum<V: Lanes>(before: V, change: V) -> V {
     let rounding = V::splat(RELATIVE_ZERO) * (before.abs() + change.abs());
-    (before + change).zero_within(rounding).store(y);
+    (before + change).zero_within(rounding)
 }
 
 /// y ← y + f x for slices of one length.
@@ -46,7 +71,7 @@ impl Work for Multiple<'_> {
         let (y_blocks, y_tail) = self.y.as_chunks_mut::<8>();
         let factor = V::splat(self.factor);
         for (y, x) in y_blocks.iter_mut().zip(x_blocks) {
-            add_eight(factor, x, y);
+            sum(V::load(y), factor * V::load(x)).store(y);
         }
         for (y, x) in y_tail.iter_mut().zip(x_tail) {
             *y = difference(*y, -self.factor * x);

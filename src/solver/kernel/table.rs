@@ -15,7 +15,7 @@
 //! [`difference`].
 
 use super::lanes::{Lanes, Width, Work};
-use super::rank_one::{Block, add};
+use super::rank_one::{Block, add_all};
 use crate::solver::elimination::difference;
 
 /// Pivots that are made in one pass.
@@ -187,13 +187,16 @@ impl Work for Settle<'_> {
     #[inline(always)]
     fn run<V: Lanes>(self) {
         for (r, row) in self.rows.zip(self.entries.chunks_exact_mut(self.blocks)) {
-            for pivot in self.waiting.iter_mut() {
-                let factor = get(&pivot.factors, r);
+            let (mut due, mut count) = ([(0.0, &[][..]); TOGETHER], 0);
+            for Pivot { factors, row } in self.waiting.iter_mut() {
+                let factor = get(factors, r);
                 if factor != 0.0 {
-                    put(&mut pivot.factors, r, 0.0);
-                    add::<V>(factor, &pivot.row, row);
+                    put(factors, r, 0.0);
+                    due[count] = (factor, row);
+                    count += 1;
                 }
             }
+            add_all::<V>(&due[..count], row);
         }
     }
 }
@@ -210,7 +213,7 @@ impl Work for Add<'_> {
 
     #[inline(always)]
     fn run<V: Lanes>(self) {
-        add::<V>(self.factor, self.x, self.y);
+        add_all::<V>(&[(self.factor, self.x)], self.y);
     }
 }
 
