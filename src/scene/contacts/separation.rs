@@ -46,14 +46,12 @@ pub(super) fn by_edges(a: &Solid, b: &Solid) -> Option<EdgeAxis> {
     let mut best: Option<EdgeAxis> = None;
     for (i, e0) in a.directions.iter().enumerate() {
         for (j, e1) in b.directions.iter().enumerate() {
-            let across = e0.cross(e1);
-            for m in [across, -across] {
-                if !a.edge_faces(i, &m) || !b.edge_faces(j, &-m) {
-                    continue;
-                }
-                let Some(n) = m.try_normalize(PARALLEL) else { continue };
+            let Some(across) = e0.cross(e1).try_normalize(PARALLEL) else { continue };
+            for n in [across, -across] {
                 let separation = n.dot(&(b.ends(j)[0] - a.ends(i)[0]));
-                if best.is_none_or(|axis| separation > axis.separation) {
+                let is_better = best.is_none_or(|axis| separation > axis.separation);
+                // Last, since it takes longest and few axes are better than the best so far.
+                if is_better && a.edge_faces(i, &n) && b.edge_faces(j, &-n) {
                     best = Some(EdgeAxis { edges: [i, j], n, separation });
                 }
             }

@@ -28,6 +28,9 @@ const LOOKS: usize = 4;
 const TIMED: usize = 40;
 /// The coefficient of friction.
 const FRICTION: f64 = 0.6;
+/// The part of an overlap that lcplab takes back in a step. It becomes velocity, which feeds the rocking of
+/// the cubes: with 0.2 the tower needs 32 sweeps row by row, with 0.02 it needs 8.
+const BAUMGARTE: f64 = 0.02;
 /// What the cubes must keep to.
 const BOUNDS: Bounds = Bounds { penetration: 0.01, drift: 0.05 };
 /// Beyond this they will not come back.
@@ -74,7 +77,7 @@ impl Setting {
     fn of(generate: &str) -> Result<Setting> {
         let text = format!(
             "{generate}\n\
-             [step]\ndt = {DT}\nbaumgarte = 0.2\n\
+             [step]\ndt = {DT}\nbaumgarte = {BAUMGARTE}\n\
              [contact]\nfriction = {FRICTION}\nmargin = 0.01\n\
              [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n"
         );
