@@ -65,7 +65,7 @@ fn a_folder_that_cannot_be_written_is_refused_before_the_work() {
     ] {
         for command in [
             &["simulate", "fig6", "--steps", "1000000000"][..],
-            &["compare", "fig6", "--steps", "2", "--time-limit", "60"],
+            &["compare", "fig6", "--steps", "2"],
             &["sweep", "run", "omega"],
             &["report", "standard"],
         ] {
