@@ -5,4 +5,5 @@ mod exact;
 mod friction;
 mod motion_bound;
 mod ray;
+mod regularity;
 mod verdict;

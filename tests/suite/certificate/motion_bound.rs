@@ -228,3 +228,16 @@ proptest! {
         prop_assert!(motion_bound(&known.gauss, &known.x).unwrap().energy_norm < 1e-6);
     }
 }
+
+#[test]
+fn why_there_is_no_bound_is_said() {
+    for (reason, text) in [
+        (Unproved::NotFinite, "numbers are not finite"),
+        (Unproved::TooLarge, "too large"),
+        (Unproved::Mass, "M is not verifiably definite"),
+        (Unproved::DependentEquations, "equations depend on each other"),
+        (Unproved::NoRoom { row: 2 }, "row 2 leaves no room for rounding"),
+    ] {
+        assert_eq!(reason.to_string(), text);
+    }
+}

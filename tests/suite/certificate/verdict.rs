@@ -124,3 +124,28 @@ proptest! {
         );
     }
 }
+
+#[test]
+fn each_verdict_has_its_word_and_its_sentence() {
+    for (verdict, word, text, distance) in [
+        (
+            Verdict::Proved { distance: 0.0015 },
+            "proved",
+            "proved: an exact solution lies within 1.5e-3 of x",
+            Some(0.0015),
+        ),
+        (Verdict::WithinTolerance, "within_tolerance", "within tolerance", None),
+        (
+            Verdict::NotASolution { row: 7, amount: 0.5 },
+            "not_a_solution",
+            "not a solution: row 7 misses by 5.0e-1 of its terms",
+            None,
+        ),
+    ] {
+        assert_eq!((verdict.word(), verdict.to_string().as_str()), (word, text));
+        assert_eq!(
+            (verdict.distance(), verdict.is_solution()),
+            (distance, word != "not_a_solution")
+        );
+    }
+}

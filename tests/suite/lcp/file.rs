@@ -1,6 +1,7 @@
-use lcplab::lcp::file::Problem;
+use lcplab::lcp::file::{Problem, as_number, number, read_answer};
 use lcplab::lcp::friction::{Contact, Model};
 use lcplab::lcp::{Coupling, Lcp, Matrix};
+use lcplab::memory::Memory;
 use proptest::prelude::*;
 
 use crate::common::{INF, cases, manufactured};
@@ -79,10 +80,80 @@ fn each_defect_has_its_message() {
             r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [0, 0], "lo": [0, -1], "friction_index": [-1, 0], "mu": [0, 1]}"#,
             "p.json: lo[1]: is -1, but row 1 is bounded by mu[1] x[0]",
         ),
+        (r#"{"A": {"dense": 1}, "b": [1]}"#, "p.json: A.dense: must be a list of rows"),
+        (r#"{"A": {"dense": [1]}, "b": [1]}"#, "p.json: A.dense[0]: must be a list of numbers"),
+        (r#"{"A": {"dense": []}, "b": 1}"#, "p.json: b: must be a list of numbers"),
+        (
+            r#"{"A": {"cols": 1, "triplets": 1}, "b": [0]}"#,
+            "p.json: 2 defects\n  A.rows: is missing\n  A.triplets: must be a list of [row, column, value]",
+        ),
+        (
+            r#"{"A": {"rows": 1, "cols": 1, "triplets": [[0, 0], [0, 0, "x"]]}, "b": [0]}"#,
+            "p.json: 2 defects\n  A.triplets[0]: must be [row, column, value]\n  \
+             A.triplets[1]: value must be a number, is \"x\"",
+        ),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": [0], "friction_index": 0, "mu": [0]}"#,
+            "p.json: friction_index: must be a list of row indices, -1 for none",
+        ),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": [0], "friction_index": [-2], "mu": [0]}"#,
+            "p.json: friction_index[0]: must be a row index or -1, is -2",
+        ),
+        (r#"{"A": {"dense": [[1]]}, "b": [0], "friction_index": [-1]}"#, "p.json: mu: is missing"),
+        (
+            r#"{"A": {"dense": [[[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]]]}, "b": [0]}"#,
+            "p.json: A.dense[0][0]: must be a number, is [1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]",
+        ),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": ["0123456789012345678901234567890123456789"]}"#,
+            "p.json: b[0]: must be a number, is \"012345678901234567890123456789012345...",
+        ),
     ];
     for (text, expected) in cases {
         assert_eq!(message(text), expected);
     }
+}
+
+#[test]
+fn an_answer_is_the_vector_x_of_any_object() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.json");
+    let answer = |text: &str| {
+        std::fs::write(&path, text).unwrap();
+        let answer = read_answer(&path, 2, Memory::default());
+        answer.map_err(|error| error.to_string().replace(path.to_str().unwrap(), "x.json"))
+    };
+    assert_eq!(answer(r#"{"status": "solved", "x": [1, "-inf"]}"#), Ok(vec![1.0, -INF]));
+    assert_eq!(answer("{}").unwrap_err(), "x.json: x: is missing");
+    assert_eq!(
+        answer(r#"{"x": [1]}"#).unwrap_err(),
+        "x.json: x: has 1 entries, the problem has 2 rows"
+    );
+    assert_eq!(answer(r#"{"x": 1}"#).unwrap_err(), "x.json: x: must be a list of numbers");
+    let small = read_answer(&path, 2, Memory::bytes(1)).unwrap_err().to_string();
+    assert!(small.ends_with("x.json: has more than 1 B, the most that is read"), "{small}");
+}
+
+#[test]
+fn a_file_is_read_as_its_text_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.json");
+    std::fs::write(&path, PUSHED).unwrap();
+    let problem = Problem::read(&path).unwrap();
+    assert!(same(&problem.lcp, &Problem::parse(PUSHED, "p.json").unwrap().lcp));
+}
+
+#[test]
+fn numbers_that_json_has_not_are_words() {
+    let words = [INF, -INF, f64::NAN, 0.5].map(number);
+    assert_eq!(
+        words.each_ref().map(|word| word.to_string()),
+        ["\"inf\"", "\"-inf\"", "\"nan\"", "0.5"]
+    );
+    let back = words.map(|word| as_number(&word).unwrap());
+    assert_eq!((back[0], back[1], back[3]), (INF, -INF, 0.5));
+    assert!(back[2].is_nan());
 }
 
 const PUSHED: &str = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],

@@ -1,7 +1,7 @@
 //! The four models as problems: sizes, entries, bad input.
 
 use lcplab::lcp::friction::{
-    ConeProblem, Contact, FrictionProblem, Law, Model, Polyhedral, project,
+    ConeProblem, Contact, FrictionProblem, Law, Model, Polyhedral, Posed, project,
 };
 use lcplab::lcp::{Complementarity, Coupling, Lcp, merit};
 use proptest::prelude::*;
@@ -99,6 +99,49 @@ fn the_unknowns_of_a_polygon_follow_from_x() {
     assert_eq!(sticks.z(&[4.0, 1.25, 0.0]), [4.0, 1.25, 0.0, 0.0, 0.0, 0.0]);
     assert_eq!(sticks.z(&[4.0, -0.5, 0.25])[..5], [4.0, 0.0, 0.25, 0.5, 0.0]);
     assert_eq!([0, 1, 4, 5].map(|unknown| sticks.row(unknown)), [0, 1, 1, 0]);
+}
+
+#[test]
+fn contacts_beside_a_coupling_are_refused() {
+    let coupled = pushed_mass(2.0, 3.0, 0.0).coupled_box();
+    let error = FrictionProblem::new(coupled, vec![]).unwrap_err().to_string();
+    assert!(
+        error.contains("friction_index: is given, and so are contacts: one of them is enough"),
+        "{error}"
+    );
+}
+
+#[test]
+fn softened_rows_yield_by_a_part_of_their_diagonal_entry() {
+    let problem = pushed_mass(2.0, 3.0, 0.0); // A = 1
+    let softened = problem.softened(0.25).unwrap();
+    assert_eq!(softened.contacts(), problem.contacts());
+    assert_eq!((0..3).map(|i| softened.lcp().matrix().diagonal(i)).collect::<Vec<_>>(), [1.25; 3]);
+    assert_eq!(softened.lcp().b(), problem.lcp().b());
+    let polyhedral = Polyhedral::new(&problem, 4).unwrap().softened(0.25).unwrap();
+    let diagonal: Vec<_> = (0..6).map(|i| polyhedral.lcp().matrix().diagonal(i)).collect();
+    assert_eq!(diagonal, [1.25, 1.25, 1.25, 1.25, 1.25, 0.0]); // γ has no row of A
+    assert!(problem.softened(INF).is_err());
+}
+
+#[test]
+fn each_model_poses_its_own_problem() {
+    let problem = pushed_mass(2.0, 3.0, 0.0);
+    let missing = Model::FrozenBox.pose(&problem, None).unwrap_err().to_string();
+    assert!(missing.contains("frozen_at: is missing"), "{missing}");
+    let Posed::Boxed(frozen) = Model::FrozenBox.pose(&problem, Some(&[4.0, 0.0, 0.0])).unwrap()
+    else {
+        panic!()
+    };
+    assert_eq!(frozen.bounds(1, &[0.0; 3]), (-2.0, 2.0));
+    for (model, expected) in
+        [(Model::AssociatedCone, Law::Associated), (Model::CoulombCone, Law::Coulomb)]
+    {
+        let Posed::Cone(cone) = model.pose(&problem, None).unwrap() else { panic!() };
+        assert_eq!(cone.law(), expected);
+    }
+    assert!(Model::Polyhedral { directions: 6 }.pose(&problem, None).is_err());
+    assert_eq!("polygon-20".parse(), Ok(Model::Polyhedral { directions: 20 }));
 }
 
 #[test]

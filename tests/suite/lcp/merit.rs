@@ -3,7 +3,7 @@ use lcplab::lcp::merit;
 use lcplab::solver::{Dantzig, Solver, Start};
 use proptest::prelude::*;
 
-use crate::common::{cases, chain, contacts, manufactured, pushed_mass};
+use crate::common::{INF, boxed, cases, chain, contacts, manufactured, pushed_mass};
 
 #[test]
 fn each_measure_is_its_definition() {
@@ -14,6 +14,20 @@ fn each_measure_is_its_definition() {
     assert_eq!(merit::natural_residual(&lcp, &x), 1.0);
     assert_eq!(merit::siconos(&lcp, &x), 2f64.sqrt() / 8f64.sqrt());
     assert_eq!(merit::dart(&lcp, &x), 1.0 / 5.0); // |A|∞ = 5, |x|∞ = 1, |b|∞ = 2
+}
+
+#[test]
+fn fischer_and_burmeister_measure_the_distance_to_each_bound() {
+    // φ(a, b) = a + b − √(a² + b²): φ(3, 4) = 2, and with a bound at infinity what is left is w.
+    let at = |lo: f64, hi: f64, w: f64| {
+        merit::fischer_burmeister(&boxed(&[&[1.0]], &[w - 3.0], &[lo], &[hi]), &[3.0])
+    };
+    assert_eq!(at(0.0, INF, 4.0), 2.0);
+    assert_eq!(at(-INF, INF, -4.0), 4.0);
+    assert_eq!(at(-INF, 6.0, -4.0), 2.0); // −φ(hi − x, −w)
+    // Both bounds (Billups): φ(3, −φ(4, −w)), φ(4, −3) = −4, φ(3, 4) = 2.
+    assert_eq!(at(0.0, 7.0, 3.0), 2.0);
+    assert_eq!([at(3.0, 9.0, 2.0), at(0.0, 3.0, -2.0), at(0.0, 9.0, 0.0)], [0.0; 3]);
 }
 
 #[test]

@@ -54,3 +54,13 @@ fn impossible_couplings_are_refused() {
     let error = lcp.with_coupling(coupling).unwrap_err().to_string();
     assert_eq!(error, "problem: friction_index[1]: is 0, whose lower bound -1 is below 0");
 }
+
+#[test]
+fn a_coupling_of_another_size_is_refused() {
+    let error = Coupling::new(vec![None, Some(0)], vec![0.5]).unwrap_err().to_string();
+    assert_eq!(error, "problem: mu: has 1 rows, friction_index has 2");
+    let one = boxed(&[&[1.0]], &[0.0], &[0.0], &[INF]);
+    let pair = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
+    let error = one.with_coupling(pair).unwrap_err().to_string();
+    assert_eq!(error, "problem: friction_index: has 2 rows, A has 1");
+}

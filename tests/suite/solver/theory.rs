@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use lcplab::lcp::{Lcp, Matrix, merit};
 use lcplab::solver::theory::{
-    jacobi_iteration_matrix, optimal_omega, principal_submatrix, sor_iteration_matrix,
+    contraction, jacobi_iteration_matrix, optimal_omega, principal_submatrix, sor_iteration_matrix,
     spectral_radius, ssor_iteration_matrix, sweeps_to,
 };
 use lcplab::solver::{Iterate, Observer, Pgs, Settings, Solver, Start, Status};
@@ -153,4 +153,18 @@ fn two_bodies_take_the_published_number_of_sweeps() {
             boxed(&[&[1.0, -1.0], &[-1.0, 1.0 + 1.0 / r]], &[-blow, 0.0], &[0.0; 2], &[INF; 2]);
         assert_eq!(sweeps(&lcp, 1e-8), expected, "mass ratio {r}");
     }
+}
+
+#[test]
+fn null_vectors_do_not_slow_w_down() {
+    // Two contacts that share a load, and one more: A = [[2, 2, 1], [2, 2, 1], [1, 1, 2]] has rank 2.
+    let a = Matrix::dense(3, &[2.0, 2.0, 1.0, 2.0, 2.0, 1.0, 1.0, 1.0, 2.0]);
+    let g = sor_iteration_matrix(&a, 1.0);
+    assert_close(spectral_radius(&g), 1.0, 1e-14);
+    // With one of the two left out: [[2, 1], [1, 2]], whose Gauss-Seidel radius is 1/4.
+    assert_close(contraction(&g), 0.25, 1e-12);
+    let regular = jacobi_iteration_matrix(&tridiagonal(9, 2.0), 1.0);
+    assert_close(contraction(&regular), (PI / 10.0).cos(), 1e-12);
+    let zero = jacobi_iteration_matrix(&Matrix::dense(1, &[0.0]), 1.0);
+    assert!(contraction(&zero).is_nan() && spectral_radius(&zero).is_nan());
 }

@@ -1,6 +1,7 @@
 use lcplab::certificate::{Demand, judge};
+use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::{Contact, Model};
-use lcplab::lcp::library;
+use lcplab::lcp::{Coupling, Lcp, Matrix, library};
 use lcplab::solver::{Options, Start, by_name};
 use proptest::prelude::*;
 
@@ -103,6 +104,26 @@ fn each_defect_has_its_line() {
 fn boxes_are_not_written() {
     let boxed = library::by_name("manufactured").unwrap().generate(&[("boxed", 1.0)]).unwrap();
     assert!(refusal(&boxed, "siconos").contains("has other bounds than 0 and inf"));
+}
+
+#[test]
+fn a_friction_problem_has_its_contacts_and_nothing_else() {
+    // Row 3 is an equation of no contact; with a lower bound it is not even that.
+    let with = |lo: f64| {
+        let a = Matrix::dense(4, &std::array::from_fn::<_, 16, _>(|k| f64::from(k % 5 == 0)));
+        let lcp = Lcp::new(a, vec![0.0; 4], vec![0.0, -INF, -INF, lo], vec![INF; 4]).unwrap();
+        let index = vec![None, Some(0), Some(0), None];
+        let coupling = Coupling::new(index, vec![0.0, 0.5, 0.5, 0.0]).unwrap();
+        refusal(&Problem::new("", lcp.with_coupling(coupling).unwrap()), "siconos")
+    };
+    assert_eq!(
+        with(-INF),
+        "siconos: row 3: belongs to no contact: a friction problem of Siconos has no other rows"
+    );
+    assert_eq!(
+        with(0.0),
+        "siconos: row 3: is neither a contact with friction nor an equation for siconos"
+    );
 }
 
 proptest! {

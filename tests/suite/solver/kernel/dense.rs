@@ -1,6 +1,6 @@
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::solver::kernel::Width;
-use lcplab::solver::kernel::dense::{Columns, RENEWED, Rows};
+use lcplab::solver::kernel::dense::{Columns, RENEWED, Reading, Rows, read};
 use lcplab::solver::{Dantzig, Solver, Start, Status};
 use proptest::prelude::*;
 
@@ -84,4 +84,21 @@ fn what_a_form_is_not_made_for_is_refused() {
         Lcp::new(pair.matrix().clone(), vec![-1.0; 2], vec![0.0, -INF], vec![INF; 2]).unwrap();
     let coupled = boxed.with_coupling(coupling).unwrap();
     assert_eq!(Rows::of(&coupled, 1.0, width).unwrap_err(), outside("rows are coupled"));
+}
+
+#[test]
+fn every_number_is_read_once_wherever_the_memory_begins() {
+    // 1, 2, …, n: all sums are whole, so the order of adding does not matter.
+    let numbers: Vec<f64> = (1..=3000).map(f64::from).collect();
+    for start in 0..9 {
+        for count in (0..80).chain([511, 512, 1500, 2991]) {
+            let expected = (start + 1..=start + count).sum::<usize>() as f64;
+            for width in Width::available() {
+                for reading in Reading::ALL {
+                    let sum = read(&numbers[start..start + count], reading, width);
+                    assert_eq!(sum, expected, "{count} from {start}, {reading:?}, {width:?}");
+                }
+            }
+        }
+    }
 }

@@ -239,3 +239,42 @@ fn a_kernel_that_is_started_again_sweeps_as_a_new_one() {
         assert_eq!(kept.x(), swept(new, EightPairs::sweep, EightPairs::x));
     }
 }
+
+#[test]
+fn a_start_at_an_x_is_at_the_velocities_that_x_adds() {
+    let problem = stack();
+    let (factors, lcp) = &cases(&problem)[0];
+    let (rows, bodies) = (factors.scaled_rows(), problem.assembly.blocks.len());
+    let system = System::new(bodies, &rows, lcp).unwrap();
+    let mut whole = RowByRow::new(&system);
+    (0..SWEEPS).for_each(|_| whole.sweep(&system));
+    let x = whole.x().to_vec();
+    let mut again = RowByRow::default();
+    again.start(&system, &x, &vec![[0.0; 6]; bodies]);
+    assert_eq!(again.x(), x);
+    // w = A x + b = Ĵ v + b
+    for (i, row) in rows.iter().enumerate() {
+        let size: f64 = lcp.matrix().row(i).iter().map(|(j, a)| (a * x[j]).abs()).sum();
+        let w = row.rate(again.v()) + system.aims()[i].b;
+        assert!((w - lcp.row_w(i, &x)).abs() <= 1e-14 * size, "row {i}");
+        assert!((row.rate(whole.v()) - row.rate(again.v())).abs() <= 1e-13 * size, "row {i}");
+    }
+}
+
+#[test]
+fn another_aim_moves_the_solution_and_not_the_rows() {
+    // One row of one body: x = −b / a_ii with a_ii = 4, clamped.
+    let row = Row { bodies: [0, 0], jacobian: [[2.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 6]] };
+    let lcp = Lcp::new(Matrix::dense(1, &[4.0]), vec![-8.0], vec![0.0], vec![INF]).unwrap();
+    let mut system = System::new(1, &[row], &lcp).unwrap();
+    let solved = |system: &System| {
+        let mut kernel = RowByRow::new(system);
+        kernel.sweep(system);
+        (kernel.x()[0], kernel.v()[0][0])
+    };
+    assert_eq!(solved(&system), (2.0, 4.0));
+    system.aims_mut()[0].hi = 1.5;
+    assert_eq!(solved(&system), (1.5, 3.0));
+    system.aims_mut()[0].b = 8.0;
+    assert_eq!(solved(&system), (0.0, 0.0));
+}
