@@ -19,6 +19,7 @@ mod parts;
 mod pgs;
 mod piles;
 mod principal;
+mod range;
 mod singular;
 mod theory;
 mod warm;
