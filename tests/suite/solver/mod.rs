@@ -21,6 +21,7 @@ mod parts;
 mod pgs;
 mod piles;
 mod principal;
+mod range;
 mod singular;
 mod stop;
 mod theory;

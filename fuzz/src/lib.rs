@@ -1,0 +1,14 @@
+//! What the fuzz targets do, one function each. A broken promise is a panic.
+
+mod files;
+mod judge;
+mod problem;
+mod scene;
+mod simulator;
+mod solvers;
+
+pub use files::read;
+pub use judge::judge;
+pub use scene::read_scene;
+pub use simulator::simulator;
+pub use solvers::solvers;

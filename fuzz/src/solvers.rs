@@ -1,0 +1,21 @@
+//! Every registered solver on a small problem: what it claims is true.
+
+use arbitrary::{Result, Unstructured};
+use lcplab::solver::{ALL, Options, Settings};
+use lcplab::trial::{Claim, claims};
+
+use crate::problem::{numbers, problem};
+
+/// Makes a problem of the bytes, and a start for a third of them.
+pub fn solvers(bytes: &[u8]) -> Result<()> {
+    let mut u = Unstructured::new(bytes);
+    let lcp = problem(&mut u)?;
+    let start = if u.ratio(1, 3)? { Some(numbers(&mut u, lcp.len())?) } else { None };
+    let settings = Settings { max_iterations: 200, ..Settings::default() };
+    let options = Options { settings, ..Options::default() };
+    let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
+    for (solver, claim) in claims(&lcp, start.as_deref(), &solvers) {
+        assert!(!matches!(claim, Claim::Lie(_)), "{solver}: {claim:?} of {lcp:?} from {start:?}");
+    }
+    Ok(())
+}
