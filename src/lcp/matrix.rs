@@ -208,7 +208,10 @@ fn is_symmetric(a: &[f64], n: usize) -> bool {
     let tiles = (0..n).step_by(TILE).flat_map(|r| (0..=r).step_by(TILE).map(move |c| (r, c)));
     tiles.into_iter().all(|(r, c)| {
         let rows = r..(r + TILE).min(n);
-        rows.into_iter().all(|i| (c..(c + TILE).min(i)).all(|j| a[i * n + j] == a[j * n + i]))
+        rows.into_iter().all(|i| {
+            let (row, column) = (&a[i * n..(i + 1) * n], &a[i..]);
+            (c..(c + TILE).min(i)).all(|j| row[j] == column[j * n])
+        })
     })
 }
 

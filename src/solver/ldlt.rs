@@ -35,6 +35,19 @@ pub struct Elimination {
     sums: Vec<Tile>,
 }
 
+impl Elimination {
+    /// An empty one that systems of n rows fit into.
+    pub(super) fn with_room(n: usize) -> Self {
+        let eights = n.div_ceil(8);
+        Elimination {
+            row: Vec::with_capacity(eights),
+            begin: 0,
+            solution: Vec::with_capacity(eights),
+            sums: Vec::with_capacity(eights),
+        }
+    }
+}
+
 impl Default for Ldlt {
     fn default() -> Self {
         Ldlt::new(Width::widest())

@@ -39,10 +39,24 @@ pub(super) struct Direction {
     product: Vec<f64>,
 }
 
+impl Direction {
+    /// An empty one that n rows fit into.
+    fn with_room(n: usize) -> Self {
+        Direction {
+            free: Vec::with_capacity(n),
+            delta_w: Vec::with_capacity(n),
+            column: Vec::with_capacity(n),
+            elimination: Elimination::with_room(n),
+            product: Vec::with_capacity(n),
+            ..Direction::default()
+        }
+    }
+}
+
 impl Run<'_> {
     /// d_C = −A_CC⁻¹ A_Ci and the Schur complement s.
     pub(super) fn direction(&mut self, i: usize) -> ControlFlow<Status, Direction> {
-        let mut direction = self.spare.pop().unwrap_or_default();
+        let mut direction = self.spare.pop().unwrap_or_else(|| Direction::with_room(self.x.len()));
         let Direction { free, schur, size, column, elimination, .. } = &mut direction;
         let row = self.rows.row(i);
         column.clear();
@@ -104,19 +118,27 @@ impl Run<'_> {
         let end = self.bound.iter().max().map_or(0, |last| last + 1);
         d.product.resize(end, 0.0);
         self.rows.combine(i, &self.free, &d.free, &mut d.product);
+        let mut sizes = None;
         for &j in self.bound.iter().filter(|&&j| j != i) {
             let delta = d.product[j];
             // no sum of terms |a_jk d_k| is above √a_jj Σ √a_kk |d_k|
             let is_small = delta.abs() <= RELATIVE_ZERO * self.root[j] * d.size;
-            let is_zero = is_small && delta.abs() <= RELATIVE_ZERO * self.terms(j, i, &d.free);
+            let mut terms = || {
+                let sizes = sizes.get_or_insert_with(|| self.sizes(i, &d.free));
+                self.rows.row(j).magnitude(sizes)
+            };
+            let is_zero = delta == 0.0 || is_small && delta.abs() <= RELATIVE_ZERO * terms();
             d.delta_w[j] = if is_zero { 0.0 } else { delta };
         }
     }
 
-    /// Σ |a_jk d_k|.
-    fn terms(&self, j: usize, i: usize, free: &[f64]) -> f64 {
-        let row = self.rows.row(j);
-        let of_free = self.free.iter().zip(free).map(|(&k, d)| (row.entry(k) * d).abs());
-        row.entry(i).abs() + of_free.sum::<f64>()
+    /// |d| of all rows.
+    fn sizes(&self, i: usize, free: &[f64]) -> Vec<f64> {
+        let mut sizes = vec![0.0; self.x.len()];
+        sizes[i] = 1.0;
+        for (&k, d) in self.free.iter().zip(free) {
+            sizes[k] = d.abs();
+        }
+        sizes
     }
 }

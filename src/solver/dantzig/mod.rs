@@ -119,6 +119,9 @@ struct Run<'a> {
     /// Kept up to date for rows at a bound and the driven row.
     w: Vec<f64>,
     side: Vec<Side>,
+    /// The sign of a Δw that takes a row away from its bound: 1 at the upper one, −1 at the lower one, 0
+    /// where both are the same.
+    away: Vec<f64>,
     /// C, in the order of the factor's rows.
     free: Vec<usize>,
     /// The rows at a bound, in the order in which they came there.
@@ -146,8 +149,9 @@ impl<'a> Run<'a> {
             root: (0..n).map(|j| lcp.matrix().diagonal(j).max(0.0).sqrt()).collect(),
             w: vec![0.0; n],
             side: vec![Side::Waiting; n],
-            free: Vec::new(),
-            bound: Vec::new(),
+            away: vec![0.0; n],
+            free: Vec::with_capacity(n),
+            bound: Vec::with_capacity(n),
             factor: Ldlt::default(),
             lcp,
             settings,
@@ -156,7 +160,7 @@ impl<'a> Run<'a> {
             pivots,
             fallback: None,
             spare: Vec::new(),
-            lengths: Vec::new(),
+            lengths: Vec::with_capacity(n + 2),
         }
     }
 
@@ -268,6 +272,11 @@ impl<'a> Run<'a> {
         self.side[row] = side;
         if matches!(side, Side::Lower | Side::Upper) {
             self.bound.push(row);
+            self.away[row] = match side {
+                _ if self.lcp.lo()[row] == self.lcp.hi()[row] => 0.0,
+                Side::Upper => 1.0,
+                _ => -1.0,
+            };
         }
     }
 

@@ -36,6 +36,11 @@ impl Run<'_> {
     pub(in crate::solver) fn dot(&self, x: &[f64]) -> f64 {
         crate::lcp::dot(self.values, &x[self.first..self.first + self.values.len()])
     }
+
+    /// Σ |a_k x_k|, given |x|.
+    pub(in crate::solver) fn magnitude(&self, sizes: &[f64]) -> f64 {
+        self.values.iter().zip(&sizes[self.first..]).map(|(a, size)| a.abs() * size).sum()
+    }
 }
 
 impl<'a> Rows<'a> {
