@@ -29,7 +29,6 @@
 //! semidefinite A: `OutsideClass`. Coupled rows: see [`frozen`].
 
 mod blocking;
-mod centring;
 mod direction;
 mod exchange;
 mod polish;
@@ -194,10 +193,7 @@ impl<'a> Run<'a> {
     /// Moves x_i until row i is satisfied.
     fn drive(&mut self, i: usize) -> ControlFlow<Status> {
         self.w[i] = self.lcp.row_w(i, &self.x);
-        if self.rests(i)? {
-            return ControlFlow::Continue(());
-        }
-        let (pivots, mut centred) = (self.pivots, Vec::new());
+        let pivots = self.pivots;
         loop {
             if let Some(side) = self.satisfied(i) {
                 if self.pivots == pivots && self.observer.asks_for_parts() {
@@ -226,10 +222,6 @@ impl<'a> Run<'a> {
             };
             self.tell(i, sign, &direction, &block);
             self.advance(i, sign * block.length, &direction);
-            if self.side[block.row] == Side::Free && self.gives_way(block.row, &mut centred)? {
-                self.spare.push(direction);
-                continue;
-            }
             let event = Event::Pivot { driven: i, blocking: block.row };
             self.exchange(i, block, direction)?;
             self.pivots += 1;
