@@ -9,6 +9,7 @@ mod friction_models;
 mod impact;
 mod integrators;
 mod ledger;
+mod long_run;
 mod painleve;
 mod pendulum;
 mod resting;
