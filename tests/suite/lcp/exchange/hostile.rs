@@ -49,6 +49,8 @@ fn sizes_are_not_believed() {
     let huge = "1000000000000000000";
     let array = format!("%%MatrixMarket matrix array real general\n{huge} {huge}\n1\n");
     assert!(message("matrix-market", &array).contains("the file ends before row 2, column 1"));
+    let three = "%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n";
+    assert!(message("matrix-market", three).contains("the file ends before row 2, column 2"));
     let none = format!("%%MatrixMarket matrix array real general\n0 {huge}\n");
     assert!(message("matrix-market", &none).contains("b: is missing"));
     let entries = format!("%%MatrixMarket matrix coordinate real general\n{huge} {huge} {huge}\n");

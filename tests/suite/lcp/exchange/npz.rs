@@ -118,6 +118,7 @@ fn the_three_layouts_of_scipy_hold_the_same_matrix() {
 #[test]
 fn each_defect_of_an_array_has_its_message() {
     let long = array("<f8", "(2,)", &[0; 16]);
+    let other = [&b"\x93NUMPX"[..], &array("<f8", "(2,)", &[0; 16])[6..]].concat();
     let long = [&long[..8], &(1u32 << 24).to_le_bytes(), &long[12..]].concat();
     for (part, bytes, expected) in [
         ("shape", integers(&[2]), "shape: must be rows and columns"),
@@ -153,6 +154,7 @@ fn each_defect_of_an_array_has_its_message() {
             array("<u8", "(3,)", &[255; 24]),
             "indices: has 18446744073709551615, beyond 2⁶³",
         ),
+        ("b", other, "b: is not a .npy file of version 1, 2 or 3"),
         ("b", long, "b: has a head of 16777216 bytes"),
         ("b", numbers(&[0.0; 3]), "A: is 2 × 2, b has 3 rows"),
     ] {
