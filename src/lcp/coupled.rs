@@ -19,8 +19,8 @@ impl Coupling {
     /// The coupling with `index[i] = Some(k)` for −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0).
     ///
     /// # Errors
-    /// Lists each row where k is out of range, k = i, row k is coupled itself, or μ is negative or
-    /// not finite.
+    /// Lists each row where k is out of range, k = i, row k is coupled itself, or μ is negative, and
+    /// each μ that is not finite.
     pub fn new(index: Vec<Option<usize>>, mu: Vec<f64>) -> Result<Self> {
         let mut defects = Defects::default();
         let n = index.len();
@@ -36,9 +36,12 @@ impl Coupling {
             } else if index[k].is_some() {
                 defects.add(place, format!("is {k}, which is a friction row itself"));
             }
-            if let Some(mu) = mu.get(i).filter(|mu| !(mu.is_finite() && **mu >= 0.0)) {
+            if let Some(mu) = mu.get(i).filter(|mu| **mu < 0.0) {
                 defects.add(format!("mu[{i}]"), format!("must be at least 0, is {mu}"));
             }
+        }
+        for (i, mu) in mu.iter().enumerate().filter(|(_, mu)| !mu.is_finite()) {
+            defects.add(format!("mu[{i}]"), format!("must be finite, is {mu}")); // coupled or not
         }
         defects.into_result("problem")?;
         Ok(Coupling { index, mu })

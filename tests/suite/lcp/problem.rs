@@ -46,6 +46,10 @@ fn impossible_couplings_are_refused() {
         "problem: mu[1]: must be at least 0, is -1"
     );
     assert_eq!(
+        message(vec![None, Some(0)], vec![f64::NAN, 0.5]), // JSON could not carry it
+        "problem: mu[0]: must be finite, is NaN"
+    );
+    assert_eq!(
         message(vec![None, Some(0), Some(1)], vec![1.0; 3]),
         "problem: friction_index[2]: is 1, which is a friction row itself"
     );
