@@ -7,17 +7,31 @@ mod record;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use record::{COLUMNS, RUNS};
+use record::{RUNS, Record};
+
+/// What the cells of a record are.
+const COLUMNS: [&str; 8] = [
+    "energy at the start, J",
+    "highest − start, J",
+    "end − start, J",
+    "penetration, m",
+    "joint drift, m",
+    "farthest way, m",
+    "bytes when warm",
+    "bytes at the end",
+];
 
 fn main() -> ExitCode {
-    let steps = std::env::args().nth(1).map(|word| word.parse().expect("a number of steps"));
+    let steps =
+        std::env::args().nth(1).map_or(100_000, |word| word.parse().expect("a number of steps"));
+    println!("{steps} steps of each scene\n");
     println!("| scene | {} | seconds | exceeded |", COLUMNS.join(" | "));
     println!("|{}", " --- |".repeat(COLUMNS.len() + 3));
     let mut is_sound = true;
     for run in RUNS {
         let begin = Instant::now();
-        let (cells, broken) = match run.record(steps.unwrap_or(100_000)) {
-            Ok(record) => (record.cells().to_vec(), run.broken(&record).join(", ")),
+        let (cells, broken) = match run.record(steps) {
+            Ok(record) => (cells(&record).to_vec(), run.broken(&record).join(", ")),
             Err(failure) => (vec![String::new(); COLUMNS.len()], failure.to_string()),
         };
         is_sound &= broken.is_empty();
@@ -25,4 +39,19 @@ fn main() -> ExitCode {
         println!("| {} | {} | {seconds:.1} | {broken} |", run.scene, cells.join(" | "));
     }
     if is_sound { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn cells(record: &Record) -> [String; COLUMNS.len()] {
+    let [start, highest, last] = record.energy;
+    let small = |value: f64| format!("{value:.1e}");
+    [
+        format!("{start:.3}"),
+        small(highest - start),
+        small(last - start),
+        small(record.penetration),
+        small(record.drift),
+        small(record.creep),
+        record.bytes[0].to_string(),
+        record.bytes[1].to_string(),
+    ]
 }

@@ -33,24 +33,9 @@ pub const RUNS: [LongRun; 3] = [
     LongRun { scene: "pyramid", gain: 1e-9, penetration: 1e-4, drift: 0.0, creep: 1e-3 },
 ];
 
-/// What the cells of a record are.
-pub const COLUMNS: [&str; 9] = [
-    "steps",
-    "energy at the start, J",
-    "highest − start, J",
-    "end − start, J",
-    "penetration, m",
-    "joint drift, m",
-    "farthest way, m",
-    "bytes when warm",
-    "bytes at the end",
-];
-
 /// What was found.
 #[derive(Debug)]
 pub struct Record {
-    /// Steps taken.
-    pub steps: usize,
     /// Energy at the start, the highest one and the last one (J).
     pub energy: [f64; 3],
     /// The deepest overlap (m).
@@ -69,14 +54,8 @@ impl LongRun {
         let scene = Scene::load(self.scene).expect("a shipped scene");
         let mut stepper = Stepper::new(scene, SWEEPS, Kernel::RowByRow).expect("velocity level");
         let start = Motion::of(stepper.scene(), stepper.states(), 0).energy();
-        let mut record = Record {
-            steps,
-            energy: [start; 3],
-            penetration: 0.0,
-            drift: 0.0,
-            creep: 0.0,
-            bytes: [0; 2],
-        };
+        let mut record =
+            Record { energy: [start; 3], penetration: 0.0, drift: 0.0, creep: 0.0, bytes: [0; 2] };
         for step in 1..=steps {
             stepper.step()?;
             if step == WARM.min(steps) {
@@ -105,23 +84,6 @@ impl LongRun {
 }
 
 impl Record {
-    /// The cells of a table.
-    pub fn cells(&self) -> [String; COLUMNS.len()] {
-        let [start, highest, last] = self.energy;
-        let small = |value: f64| format!("{value:.1e}");
-        [
-            self.steps.to_string(),
-            format!("{start:.3}"),
-            small(highest - start),
-            small(last - start),
-            small(self.penetration),
-            small(self.drift),
-            small(self.creep),
-            self.bytes[0].to_string(),
-            self.bytes[1].to_string(),
-        ]
-    }
-
     fn look(&mut self, stepper: &Stepper, step: usize) {
         let motion = Motion::of(stepper.scene(), stepper.states(), step);
         let [_, highest, last] = &mut self.energy;
