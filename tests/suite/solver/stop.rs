@@ -55,7 +55,7 @@ fn a_raised_flag_is_seen_by_every_clone_and_comes_before_the_limit() {
     assert_eq!(stop.reason(), Some(limit));
     stop.clone().raise();
     assert_eq!(stop.reason(), Some(Reason::Interrupted));
-    assert_eq!(Reason::Interrupted.to_string(), "stopped by Ctrl-C");
+    assert_eq!(Reason::Interrupted.to_string(), "interrupted");
     let limit = Reason::TimeLimit(Duration::from_millis(1500));
     assert_eq!(limit.to_string(), "stopped by the time limit of 1.5 s");
 }
