@@ -73,6 +73,17 @@ fn an_answer_far_away_to_a_problem_without_one_is_counted_apart() {
 }
 
 #[test]
+fn a_start_within_the_tolerance_is_no_proof_that_a_solution_exists() {
+    // w1 = −1e300 x1 + e x2, w2 = e x1 + 3, x1 ≥ 0, x2 ≥ −2, e = 5e-324: w2 > 0 asks for x2 = −2, and then
+    // w1 < 0 whatever x1. At 0 row 2 misses by 2, but in units of e hardly at all.
+    let (a, e) = (-1e300, 5e-324);
+    let lcp = boxed(&[&[a, e], &[e, 0.0]], &[0.0, 3.0], &[0.0, -2.0], &[INF; 2]);
+    assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
+    assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
+    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::Strained);
+}
+
+#[test]
 fn a_problem_depends_on_its_seed_and_number_alone() {
     for k in [0, 7, 123] {
         let [(one, start), (other, again)] = [problem(3, k), problem(3, k)];
