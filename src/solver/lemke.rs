@@ -291,7 +291,7 @@ impl<'a> Path<'a> {
         let (mut best, mut least) = (Vec::new(), f64::INFINITY);
         for point in points.iter().filter_map(|point| point()) {
             let residual = merit::scaled_residual(lcp, &point);
-            if best.is_empty() || residual < least {
+            if best.is_empty() || residual.total_cmp(&least).is_lt() {
                 (best, least) = (point, residual);
             }
             if least <= ROUNDING {

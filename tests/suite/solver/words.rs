@@ -1,4 +1,4 @@
-//! What is said of solvers and their answers, and which settings they refuse.
+//! What is said of solvers, and which settings they refuse.
 
 use lcplab::lcp::Matrix;
 use lcplab::memory::Memory;
@@ -7,28 +7,6 @@ use lcplab::solver::{
 };
 
 use crate::common::contacts;
-
-#[test]
-fn each_status_says_what_happened_and_where() {
-    let (needs, limit) = (Memory::bytes(3_000_000_000), Memory::bytes(2_000_000_000));
-    for (status, text) in [
-        (Status::Solved, "solved"),
-        (Status::Inaccurate, "ended above the tolerance"),
-        (Status::IterationLimit, "iteration limit"),
-        (Status::Stalled, "no more progress"),
-        (Status::Stopped, "stopped by the observer"),
-        (Status::Diverged, "diverged"),
-        (Status::NotFinite, "an iterate was not finite"),
-        (Status::ZeroDiagonal { row: 3 }, "the diagonal of row 3 is not positive"),
-        (Status::Singular { row: 4 }, "singular at row 4"),
-        (Status::Ray { row: 5, direction: vec![1.0] }, "a ray: row 5 cannot be satisfied"),
-        (Status::NoSolution, "no solution exists: no active set carries one"),
-        (Status::TooLarge { needs, limit }, "needs 3 GB, above the limit of 2 GB: --max-memory"),
-        (Status::OutsideClass { reason: "of cones" }, "outside the solver's class: of cones"),
-    ] {
-        assert_eq!(status.to_string(), text);
-    }
-}
 
 #[test]
 fn each_fallback_has_its_words() {
@@ -49,6 +27,7 @@ fn a_class_is_its_matrix_and_what_it_excludes() {
         (MatrixClass::Definite, "symmetric positive definite"),
         (MatrixClass::Semidefinite, "symmetric positive semidefinite"),
         (MatrixClass::P, "P-matrix"),
+        (MatrixClass::POrSemidefinite, "P-matrix, or symmetric positive semidefinite"),
         (MatrixClass::P0, "P0 matrix"),
         (MatrixClass::CopositivePlus, "copositive plus"),
         (MatrixClass::General, "any"),
