@@ -8,7 +8,9 @@
 //! A fixed point solves the problem itself. Of coupled rows the bounds ±μ max(x_n, 0) are frozen
 //! (`math §5`, models 1 and 2), of cones under Coulomb's law the shift μ |w_t| (model 4). One contact
 //! with A = 1 and cones contracts by μ²/(1 + μ²) a round. In general the map contracts for small μ;
-//! for large μ a fixed point need not be reached, and then the answer is `Stalled`, not `Solved`.
+//! for large μ a fixed point need not be reached, and then the answer is `Stalled`, not `Solved`: at the
+//! latest after [`MAX_ROUNDS`], in most cases as soon as an x comes back, bit for bit, because all that
+//! follows would come back too (Brent 1980).
 
 use super::{Observer, Part, Settings, Solution, Status};
 use crate::lcp::{Complementarity, Lcp};
@@ -27,14 +29,23 @@ pub(super) fn solve<P: Complementarity>(
         return method(problem, start, 0);
     }
     let (mut x, mut iterations, mut fallback) = (start, 0, None);
-    for _ in 0..MAX_ROUNDS {
+    let mut remembered = x.clone();
+    for round in 1..=MAX_ROUNDS {
         let frozen = problem.frozen_at(&x);
         frozen.project_all(&mut x);
         let solution = method(&frozen, x, iterations);
         (x, iterations) = (solution.x, solution.iterations);
         fallback = fallback.or(solution.fallback);
         let status = match solution.status {
-            Status::Solved if problem.scaled_residual(&x) > settings.tolerance => continue,
+            Status::Solved if problem.scaled_residual(&x) > settings.tolerance => {
+                if x == remembered {
+                    break;
+                }
+                if round.is_power_of_two() {
+                    remembered.clone_from(&x);
+                }
+                continue;
+            }
             status => status,
         };
         return Solution::new(problem.lcp(), x, status, iterations).with_fallback(fallback);

@@ -10,6 +10,7 @@ mod extremes;
 mod factored;
 mod factorizations;
 mod first_order;
+mod frozen;
 mod interior_point;
 mod jacobi;
 mod kernel;
