@@ -133,7 +133,7 @@ impl<'a> Path<'a> {
         loop {
             let column = self.form.column(entering);
             let Some(c) = column else { return ControlFlow::Break(Status::Stalled) };
-            let leaving = self.leaving(c);
+            let leaving = self.leaving(c)?;
             self.tell(Some(c), leaving, observer);
             let Some(leaving) = leaving else { return ControlFlow::Break(self.ray(c)) };
             if self.pivots >= limit {
@@ -205,20 +205,26 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(left)
     }
 
-    /// The variable that becomes zero first when that of column c grows; the covering variable grows
-    /// until no other one is negative.
-    fn leaving(&mut self, c: usize) -> Option<Leaving> {
+    /// The variable that becomes zero first when that of column c grows, if any does; the covering
+    /// variable grows until no other one is negative.
+    fn leaving(&mut self, c: usize) -> ControlFlow<Status, Option<Leaving>> {
         let is_cover = self.form.dictionary.nonbasic()[c] == Variable::Cover;
         let candidates = if is_cover { self.lifted(c) } else { self.candidates(c) };
-        match least(candidates, &self.form.dictionary, &self.first)? {
-            Blocking::Row(r) => Some(Leaving::Basic(r)),
+        if candidates.is_empty() {
+            return ControlFlow::Continue(None);
+        }
+        let Some(blocking) = least(candidates, &self.form.dictionary, &self.first) else {
+            return ControlFlow::Break(Status::NotFinite); // only beyond the largest number
+        };
+        ControlFlow::Continue(Some(match blocking {
+            Blocking::Row(r) => Leaving::Basic(r),
             Blocking::Mirrored(r) => {
                 let range = self.form.range(self.lcp, self.form.dictionary.basic()[r]);
                 self.form.dictionary.mirror_row(r, range);
-                Some(Leaving::Basic(r))
+                Leaving::Basic(r)
             }
-            Blocking::Entering => Some(Leaving::Mirrored),
-        }
+            Blocking::Entering => Leaving::Mirrored,
+        }))
     }
 
     /// The rows that the covering variable lifts.

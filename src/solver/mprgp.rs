@@ -122,6 +122,7 @@ impl Run<'_> {
     fn minimiser(&self, gradient: &[f64], p: &[f64]) -> ControlFlow<Status, f64> {
         let slope = self.metric.inner(gradient, p);
         match self.metric.curvature(self.lcp, p) {
+            _ if !slope.is_finite() => ControlFlow::Break(Status::NotFinite),
             _ if !(slope > 0.0) => ControlFlow::Break(Status::Stalled),
             Curvature::Positive(curvature) => ControlFlow::Continue(slope / curvature),
             Curvature::Flat => ControlFlow::Continue(f64::INFINITY),

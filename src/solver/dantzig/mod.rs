@@ -218,7 +218,7 @@ impl<'a> Run<'a> {
             let sign = -self.w[i].signum();
             self.respond(i, &mut direction);
             let Some(block) = self.blocking(i, sign, &mut direction)? else {
-                return ControlFlow::Break(self.ray(i, sign, &direction));
+                return ControlFlow::Break(self.endless(i, sign, &direction));
             };
             self.tell(i, sign, &direction, &block);
             self.advance(i, sign * block.length, &direction);
@@ -280,7 +280,11 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn ray(&self, i: usize, sign: f64, direction: &Direction) -> Status {
+    /// Why nothing ends a move: w_i does not change, or is zero only beyond the largest number.
+    fn endless(&self, i: usize, sign: f64, direction: &Direction) -> Status {
+        if direction.schur > 0.0 {
+            return Status::NotFinite;
+        }
         let mut ray = vec![0.0; self.x.len()];
         ray[i] = sign;
         for (&j, d) in self.free.iter().zip(&direction.free) {

@@ -65,7 +65,11 @@ impl<'a> Path<'a> {
         equations: &mut impl StepEquations,
         x: &mut [f64],
     ) -> ControlFlow<Status, Event> {
-        if !self.factorise(equations) {
+        let added = self.added(equations);
+        if added.iter().any(|added| !added.is_finite()) {
+            return ControlFlow::Break(Status::NotFinite);
+        }
+        if !equations.factor(&added, &self.pinned) {
             let reason = "A is not positive semidefinite";
             return ControlFlow::Break(Status::OutsideClass { reason });
         }
@@ -85,8 +89,8 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(Event::Step)
     }
 
-    /// The factors of A + Σ_k z_k/ρ_k; false if there are none.
-    fn factorise<E: StepEquations>(&self, equations: &mut E) -> bool {
+    /// What is added to the diagonal of A: Σ_k z_k/ρ_k, and the least that makes up for rounding.
+    fn added<E: StepEquations>(&self, equations: &E) -> Vec<f64> {
         let mut added = vec![0.0; self.pinned.len()];
         for k in &self.bounds {
             added[k.row] += k.push / k.room;
@@ -95,7 +99,7 @@ impl<'a> Path<'a> {
             let least = if *added > 0.0 { LEAST } else { E::UNBOUNDED };
             *added += least * equations.diagonal(i);
         }
-        equations.factor(&added, &self.pinned)
+        added
     }
 
     /// The predictor, corrected.

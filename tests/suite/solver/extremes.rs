@@ -128,3 +128,25 @@ proptest! {
         keeps_its_word(&problem.lcp())?;
     }
 }
+
+/// x = 10⁶⁰⁰ solves the first row, and is no number of 64 bits.
+#[test]
+fn a_solution_beyond_the_largest_number_is_not_denied() {
+    for rest in [vec![], vec![1.0]] {
+        let entries: Vec<_> = [1e-300].iter().chain(&rest).copied().enumerate().collect();
+        let n = entries.len();
+        let matrix =
+            Matrix::sparse(n, &entries.iter().map(|&(i, a)| (i, i, a)).collect::<Vec<_>>());
+        let b = [-1e300, -1.0][..n].to_vec();
+        let lcp = Lcp::new(matrix, b, vec![0.0; n], vec![INF; n]).unwrap();
+        for entry in ALL {
+            let solver = (entry.build)(&Options::default());
+            let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
+            let denied = matches!(
+                status,
+                Status::Ray { .. } | Status::NoSolution | Status::OutsideClass { .. }
+            );
+            assert!(!denied && status != Status::Solved, "{}: {status}", entry.name);
+        }
+    }
+}
