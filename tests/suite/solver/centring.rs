@@ -97,6 +97,16 @@ fn what_has_no_end_has_no_middle() {
 }
 
 #[test]
+fn a_row_at_rest_stays_where_it_is_if_a_is_not_semidefinite() {
+    // x = (1, 0) has w = 0; along (−2, 1) the objective would fall by 3/2 t².
+    let lcp = contacts(&[&[1.0, 2.0], &[2.0, 1.0]], &[-1.0, -2.0]);
+    assert!(middles(&lcp).is_empty());
+    let x = Dantzig::default().solve(&lcp, &Start::default(), &mut ()).x;
+    assert_eq!(x, [1.0, 0.0]);
+    assert_proved(&lcp, &x);
+}
+
+#[test]
 fn a_stack_takes_at_most_two_moves_a_row_however_high() {
     // Every row moves x once, to enter C or to rest. Without the middle it takes 2.1, 2.7, 3.3 and 5.5.
     for boxes in [5.0, 10.0, 20.0, 50.0] {
