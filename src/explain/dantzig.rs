@@ -7,7 +7,7 @@ use super::solve::{self, Scribe};
 use super::units::{headed, with_unit};
 use crate::document::notation::{bracketed, indexed, interval, plain, set, vector};
 use crate::document::{Formula, SHOWN, Section};
-use crate::solver::{Event, Iterate, Move, Observer, Part, Side, Solution};
+use crate::solver::{Centring, Event, Iterate, Move, Observer, Part, Side, Solution};
 
 pub(super) struct Moves<'a> {
     reading: &'a Reading<'a>,
@@ -19,6 +19,8 @@ pub(super) struct Moves<'a> {
     bounds: Vec<(f64, f64)>,
     /// Whether the move under way is written.
     writes: bool,
+    /// When the move ends and what its row does then, unless x moves to the middle.
+    end: Option<[String; 2]>,
 }
 
 impl<'a> Moves<'a> {
@@ -36,7 +38,7 @@ impl<'a> Moves<'a> {
         ));
         let bounds =
             reading.lcp.lo().iter().copied().zip(reading.lcp.hi().iter().copied()).collect();
-        Moves { reading, section, moves: 0, rounds: 0, bounds, writes: true }
+        Moves { reading, section, moves: 0, rounds: 0, bounds, writes: true, end: None }
     }
 
     fn write(&mut self, own: &Move<'_>) {
@@ -93,7 +95,7 @@ impl<'a> Moves<'a> {
         format!("Row {row} has {} = {w}: {reason}.", indexed("w", row))
     }
 
-    fn outcome(&self, own: &Move<'_>) -> String {
+    fn end(&self, own: &Move<'_>) -> [String; 2] {
         let row = own.blocking;
         let exchange = match (own.side[row], own.to) {
             (_, Side::Free) => "enters C",
@@ -103,7 +105,31 @@ impl<'a> Moves<'a> {
             _ => "goes to its lower bound",
         };
         let length = with_unit(&plain(own.length), &self.reading.units.x[own.driven]);
-        format!("It ends after t = {length}: row {row} {exchange}.")
+        [format!("It ends after t = {length}: "), format!("row {row} {exchange}.")]
+    }
+
+    /// Why x moves to the middle of what is open, and how far.
+    fn centring(&mut self, own: &Centring<'_>) -> String {
+        let (j, w) = (own.row, indexed("w", own.row));
+        let why = match (own.keeps, self.end.take()) {
+            (Some(row), Some([after, _])) => format!(
+                "{after}{} meets a bound. But row {row} need not leave C: {w} = 0, and row {j} depends on C.",
+                indexed("x", row)
+            ),
+            _ => format!("Row {j} has {w} = 0 and depends on C."),
+        };
+        let mut direction = vec![0.0; own.x.len()];
+        direction[j] = 1.0;
+        for (&k, d) in own.free.iter().zip(own.direction) {
+            direction[k] = *d;
+        }
+        let [forward, back, length] = [own.forward, own.back, own.length()]
+            .map(|length| with_unit(&plain(length), &self.reading.units.x[j]));
+        format!(
+            "{why} Along d = {} no w changes; x may go {forward} forward and {back} back, and goes to the \
+             middle, by {length}. Row {j} is idle now: its w stays 0 with those of C.",
+            vector(&direction),
+        )
     }
 }
 
@@ -146,6 +172,9 @@ impl Observer for Moves<'_> {
         if iterate.event == Event::Start {
             self.section.say(format!("The start is x = {}, C is empty.", self.x(iterate.x)));
         } else if self.writes {
+            if let Some(end) = self.end.take() {
+                self.section.say(end.concat());
+            }
             self.section.say(format!("Now x = {}.", self.x(iterate.x)));
         }
         ControlFlow::Continue(())
@@ -181,8 +210,14 @@ impl Observer for Moves<'_> {
                 }
                 if self.writes {
                     self.write(own);
-                    let outcome = self.outcome(own);
-                    self.section.say(outcome);
+                    self.end = Some(self.end(own));
+                }
+            }
+            Part::Centring(own) => {
+                self.writes = self.moves <= SHOWN;
+                if self.writes {
+                    let words = self.centring(own);
+                    self.section.say(words);
                 }
             }
             _ => {}

@@ -97,7 +97,7 @@ pub use mprgp::Mprgp;
 pub use murty::Murty;
 pub use newton::Newton;
 pub use nncg::Nncg;
-pub use observer::{Event, Iterate, Leaving, Move, Observer, Part, RowUpdate, Tableau};
+pub use observer::{Centring, Event, Iterate, Leaving, Move, Observer, Part, RowUpdate, Tableau};
 pub use order::Order;
 pub use pgs::Pgs;
 pub use registry::{ALL, Choice, Entry, Options, SPECIMENS, by_name, default_for, entry};

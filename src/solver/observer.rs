@@ -81,6 +81,8 @@ pub enum Part<'a> {
     },
     /// A move of x along a direction.
     Move(Move<'a>),
+    /// A move of x that changes no w, to the middle of where it may go.
+    Centring(Centring<'a>),
     /// A tableau, and the pivot that will be done in it.
     Tableau(Tableau<'a>),
 }
@@ -133,6 +135,34 @@ pub struct Move<'a> {
     pub blocking: usize,
     /// Where that row goes.
     pub to: Side,
+}
+
+/// A move to the middle in Dantzig's method: x_j by a length, x_C by the same times `direction`, along which
+/// A d = 0.
+#[derive(Debug, Clone, Copy)]
+pub struct Centring<'a> {
+    /// The row j, which depends on C and is idle from now on.
+    pub row: usize,
+    /// The row of C that has met a bound and, since x moves, stays in C; `None` where row j itself has
+    /// just been looked at.
+    pub keeps: Option<usize>,
+    /// x before, n entries.
+    pub x: &'a [f64],
+    /// The free rows C.
+    pub free: &'a [usize],
+    /// d_C, in the order of C.
+    pub direction: &'a [f64],
+    /// How far x may go along d.
+    pub forward: f64,
+    /// How far it may go along −d.
+    pub back: f64,
+}
+
+impl Centring<'_> {
+    /// The length of the move, negative if it goes along −d.
+    pub fn length(&self) -> f64 {
+        (self.forward - self.back) / 2.0
+    }
 }
 
 /// A tableau of Lemke's method, v_B = c + T v_N.

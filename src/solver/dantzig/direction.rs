@@ -9,7 +9,7 @@ use crate::solver::Status;
 use crate::solver::ldlt::Elimination;
 
 /// A number below this part of the terms it is summed from counts as zero.
-const RELATIVE_ZERO: f64 = 1e-13;
+pub(super) const RELATIVE_ZERO: f64 = 1e-13;
 /// dᵀA d below this part of (Σ √a_jj |d_j|)² counts as zero, as does Δw_j beside the product of two
 /// such sums: so much the rounding of A and of its factor, some ten units in the last place, can do.
 pub(super) const ROUNDING: f64 = 2e-15;

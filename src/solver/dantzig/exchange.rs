@@ -38,7 +38,8 @@ impl Run<'_> {
         match (self.side[row], side) {
             (Side::Free, _) => {
                 let k = self.free.iter().position(|&j| j == row).expect("a free row is in C");
-                let dependents = self.dependents(k);
+                let idle = (0..self.x.len()).filter(|&j| self.side[j] == Side::Idle).collect();
+                let dependents = self.dependents(k, idle);
                 self.free.remove(k);
                 self.factor.remove(k);
                 self.w[row] = 0.0;
@@ -67,15 +68,13 @@ impl Run<'_> {
         self.put(row, Side::Free);
     }
 
-    /// The idle rows that depend on the row at position k of C, so that one of them can take its place.
+    /// Those of these rows that depend on the row at position k of C, so that one can take its place.
     ///
     /// Row j is the sum of the rows of C times A_CC⁻¹ A_Cj. With z = A_CC⁻¹ e_k its part of row k is
     /// zᵀA_Cj, and once k is gone its Schur complement is (zᵀA_Cj)² / z_k ≤ (zᵀA_Cj)² a_kk.
-    fn dependents(&self, k: usize) -> Vec<usize> {
-        let idle = (0..self.side.len()).filter(|&j| self.side[j] == Side::Idle);
-        let idle: Vec<usize> = idle.collect();
-        if idle.is_empty() {
-            return idle;
+    pub(super) fn dependents(&self, k: usize, rows: Vec<usize>) -> Vec<usize> {
+        if rows.is_empty() {
+            return rows;
         }
         let mut z = vec![0.0; self.free.len()];
         z[k] = 1.0;
@@ -86,7 +85,7 @@ impl Run<'_> {
         }
         let part = |j: usize| self.rows.row(j).dot(&of_row) * self.root[self.free[k]];
         let depends = |&j: &usize| part(j).powi(2) > ROUNDING * self.root[j].powi(2);
-        idle.into_iter().filter(depends).collect()
+        rows.into_iter().filter(depends).collect()
     }
 
     /// After a row has left C, lets the idle row that no longer depends on C enter in its place.

@@ -12,9 +12,10 @@
 //!
 //! Redundant contacts make A singular. Then s = 0 for a row that depends on C, and since A is
 //! semidefinite A d = 0: moving along d changes no w at all, and w_i is dᵀw. If that is zero the row
-//! is *idle*: C keeps its w at zero, and when a row leaves C an idle one takes its place. Otherwise x
-//! moves until a bound stops it and that row leaves C; if nothing stops it, bᵀd < 0 with A d = 0
-//! proves that no solution exists (`Ray`).
+//! is *idle*: C keeps its w at zero, and when a row leaves C an idle one takes its place. What x may move
+//! along d without harm is shared: x goes to the middle of it, so that few rows need leave C
+//! (centring.rs). If dᵀw is not zero x moves until a bound stops it and that row leaves C; if nothing
+//! stops it, bᵀd < 0 with A d = 0 proves that no solution exists (`Ray`).
 //!
 //! Whether s is zero is decided without units, and by what rounding can do. A itself is rounded, each
 //! a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below some
@@ -22,13 +23,14 @@
 //! a move and the rule for ties, exchange.rs the pivot, polish.rs the end.
 //!
 //! Ends with the exact active set but for rounding, after at most a few n pivots on contact
-//! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then C is chosen anew
-//! by the largest pivot, x is refined with accurate w, and rows that rounding has left unsatisfied
-//! are driven once more. Masses that differ by a million leave rounding in the lighter bodies' rows;
-//! sweeps take it away, and the solution names them ([`Fallback`]). Not symmetric or not
+//! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then x is refined with
+//! accurate w, if need be with C chosen anew by the largest pivot, and rows that rounding has left
+//! unsatisfied are driven once more. Masses that differ by a million leave rounding in the lighter
+//! bodies' rows; sweeps take it away, and the solution names them ([`Fallback`]). Not symmetric or not
 //! semidefinite A: `OutsideClass`. Coupled rows: see [`frozen`].
 
 mod blocking;
+mod centring;
 mod direction;
 mod exchange;
 mod polish;
@@ -55,7 +57,7 @@ const MAX_ROWS: usize = 8_000;
 /// Dantzig's pivoting method with an updated L D Lᵀ factorisation.
 #[derive(Debug, Clone, Default)]
 pub struct Dantzig {
-    /// The common settings; an iteration is a pivot.
+    /// The common settings; an iteration is a move of x, most of them pivots.
     pub settings: Settings,
 }
 
@@ -174,7 +176,7 @@ impl<'a> Run<'a> {
                     return status;
                 }
             }
-            if self.is_exact() {
+            if self.is_refined() {
                 return Status::Solved;
             }
             waiting = self.refine();
@@ -193,7 +195,10 @@ impl<'a> Run<'a> {
     /// Moves x_i until row i is satisfied.
     fn drive(&mut self, i: usize) -> ControlFlow<Status> {
         self.w[i] = self.lcp.row_w(i, &self.x);
-        let pivots = self.pivots;
+        if self.pivots < self.settings.max_iterations && self.rests(i) {
+            return self.moved(i, i);
+        }
+        let (pivots, mut served) = (self.pivots, Vec::new());
         loop {
             if let Some(side) = self.satisfied(i) {
                 if self.pivots == pivots && self.observer.asks_for_parts() {
@@ -222,14 +227,22 @@ impl<'a> Run<'a> {
             };
             self.tell(i, sign, &direction, &block);
             self.advance(i, sign * block.length, &direction);
-            let event = Event::Pivot { driven: i, blocking: block.row };
-            self.exchange(i, block, direction)?;
-            self.pivots += 1;
-            let iterate = Iterate { iteration: self.pivots, x: &self.x, event };
-            if self.observer.observe(&iterate).is_break() {
-                return ControlFlow::Break(Status::Stopped);
+            let row = block.row;
+            if self.gives_way(row, &mut served) {
+                self.spare.push(direction);
+            } else {
+                self.exchange(i, block, direction)?;
             }
+            self.moved(i, row)?;
         }
+    }
+
+    /// Counts a move of x, which `blocking` has ended.
+    fn moved(&mut self, driven: usize, blocking: usize) -> ControlFlow<Status> {
+        self.pivots += 1;
+        let event = Event::Pivot { driven, blocking };
+        let iterate = Iterate { iteration: self.pivots, x: &self.x, event };
+        self.observer.observe(&iterate).map_break(|()| Status::Stopped)
     }
 
     /// Tells an observer that asks of the move that is about to be done.

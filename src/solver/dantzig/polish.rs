@@ -19,9 +19,14 @@ const SETTLING_SWEEPS: usize = 200;
 const REFINEMENTS: usize = 2;
 
 impl Run<'_> {
+    /// Whether nothing is left to refine, at the latest after a step with the factor at hand.
+    pub(super) fn is_refined(&mut self) -> bool {
+        self.is_exact() || !self.newton_step() && self.is_exact()
+    }
+
     /// Whether w, recomputed, leaves nothing to refine. What rounding has put beyond a bound is moved
     /// back to it first.
-    pub(super) fn is_exact(&mut self) -> bool {
+    fn is_exact(&mut self) -> bool {
         self.lcp.project_all(&mut self.x);
         self.w = self.lcp.w(&self.x);
         let most = self.settings.tolerance.min(EXACT);

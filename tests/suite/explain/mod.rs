@@ -1,5 +1,6 @@
 //! Explanations. The two examples in one dimension can be followed by hand, and were.
 
+mod centring;
 mod ending;
 mod figure6;
 mod figure7;

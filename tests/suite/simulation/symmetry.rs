@@ -184,9 +184,9 @@ fn bits(states: &[State]) -> u64 {
 /// resting contacts, one of joints, one of rolling and impacts. Sums, products, quotients and square
 /// roots in a fixed order, and sines of libm: every processor that keeps to IEEE 754 gets these.
 const AFTER_500: [(&str, u64); 3] = [
-    ("stack", 0x2cf5_c636_7a1d_bdd2),
+    ("stack", 0xf679_d70f_7791_ee4e),
     ("double_pendulum", 0x983c_9e65_7ee1_d6d1),
-    ("ball_chain", 0x90f6_f9de_7848_4bce),
+    ("ball_chain", 0x9510_03f5_987a_2f93),
 ];
 
 #[test]

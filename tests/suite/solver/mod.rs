@@ -1,4 +1,5 @@
 mod block_pgs;
+mod centring;
 mod chapter;
 mod cholesky;
 mod code6;
