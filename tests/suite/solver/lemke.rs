@@ -3,7 +3,9 @@ use lcplab::lcp::{Lcp, Matrix, library};
 use lcplab::solver::{Lemke, Settings, Solution, Solver, Start, Status};
 use proptest::prelude::*;
 
-use crate::common::{INF, assert_certified, assert_proved, boxed, cases, contacts, manufactured};
+use crate::common::{
+    INF, assert_certified, assert_proved, boxed, cases, contacts, iterates, manufactured,
+};
 
 fn lemke(lcp: &Lcp) -> Solution {
     Lemke::default().solve(lcp, &Start::default(), &mut ())
@@ -73,6 +75,14 @@ fn free_rows_are_eliminated_whatever_their_diagonal() {
     let solution = lemke(&lcp);
     assert_proved(&lcp, &solution.x); // x = (3, 2)
     assert_eq!(solution.x, [3.0, 2.0]);
+}
+
+#[test]
+fn a_free_row_without_a_pivot_may_become_negative_on_the_path() {
+    // x2 = 2 is the equation of row 1, and −x1 + x2 − 5 = 0 there: A_EE = 0, so x1 = −3 is split.
+    let lcp = boxed(&[&[0.0, 1.0], &[-1.0, 1.0]], &[-2.0, -5.0], &[-INF, 0.0], &[INF; 2]);
+    assert_eq!(iterates(&Lemke::default(), &lcp).last().unwrap(), &[-3.0, 2.0]);
+    assert_proved(&lcp, &lemke(&lcp).x);
 }
 
 #[test]
