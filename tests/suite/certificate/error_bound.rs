@@ -29,7 +29,7 @@ fn a_w_that_twice_the_precision_does_not_see_is_within_the_bound() {
         &[tiny, 0.0, 1.0, 0.0],
         &[-small, 0.0, 0.0, 1.0],
     ];
-    let lcp = boxed(&a, &[-1.0, 0.0, 0.0, 0.0], &[-INF, 1.0, 1.0, 1.0], &[INF, 1.0, 1.0, 1.0]);
+    let lcp = boxed(&a, &[-1.0; 4], &[-INF, 1.0, 1.0, 1.0], &[INF, 1.0, 1.0, 1.0]);
     assert!(error_bound(&lcp, &[1.0; 4]).unwrap() >= tiny);
 }
 

@@ -66,6 +66,8 @@ fn only_rows_strictly_between_their_bounds_decide_whether_x_is_unique() {
     assert_eq!(free_rank(&lcp, &[0.0; 4]), (0, 0));
     let flat = contacts(&[&[0.0, 0.0], &[0.0, 3.0]], &[0.0; 2]);
     assert_eq!(free_rank(&flat, &[1.0, 1.0]), (2, 1));
+    let far_apart = contacts(&[&[1e-20, 0.0], &[0.0, 3.0]], &[0.0; 2]); // units do not decide
+    assert_eq!(free_rank(&far_apart, &[1.0, 1.0]), (2, 2));
 }
 
 proptest! {

@@ -135,6 +135,42 @@ fn names_are_unique_and_values_are_checked() {
 }
 
 #[test]
+fn every_family_says_what_it_is_and_where_it_comes_from() {
+    for family in library::all() {
+        assert!(!family.about().is_empty() && !family.source().is_empty(), "{}", family.name());
+    }
+}
+
+#[test]
+fn only_the_top_of_a_stack_is_heavier_and_the_ground_carries_all() {
+    let given = [("n", 5.0), ("ratio", 8.0)];
+    let problem = library::by_name("stack").unwrap().generate(&given).unwrap();
+    let diagonal: Vec<f64> = (0..5).map(|i| problem.lcp.matrix().diagonal(i)).collect();
+    assert_eq!(diagonal, [1.0, 2.0, 2.0, 2.0, 1.125]); // sums of inverse masses
+    let (solutions, _) = expected(&problem).unwrap();
+    assert_eq!(solutions, [[12, 11, 10, 9, 8].map(RBig::from)]);
+}
+
+/// 100 cubes, each with velocities of its own: 0.1 m/s in each component, 0.01 in their mean.
+#[test]
+fn cubes_fall_as_gravity_lets_them_in_a_step() {
+    let of_corners = |seed| {
+        let given = [("boxes", 1.0), ("seed", f64::from(seed))];
+        let lcp = library::by_name("box-stack").unwrap().generate(&given).unwrap().lcp;
+        lcp.b().iter().sum::<f64>() / 4.0
+    };
+    let mean = (0..100).map(of_corners).sum::<f64>() / 100.0;
+    assert!((mean + 9.81 / 60.0).abs() < 0.05, "{mean}");
+}
+
+#[test]
+fn every_contact_of_a_graph_joins_a_body_to_another_one() {
+    let given = [("bodies", 3.0), ("contacts", 100.0)];
+    let lcp = library::by_name("contact-graph").unwrap().generate(&given).unwrap().lcp;
+    assert!((0..100).all(|i| lcp.matrix().diagonal(i) > 0.0)); // a body against itself moves nothing
+}
+
+#[test]
 fn a_manufactured_problem_has_the_rank_and_the_condition_asked_for() {
     let make = |given: &[(&str, f64)]| {
         library::by_name("manufactured").unwrap().generate(given).unwrap().lcp
