@@ -133,6 +133,21 @@ fn masses_from_1_to_1e12_and_copied_contacts_are_solved_tightly() {
     }
 }
 
+#[test]
+fn the_unit_of_w_changes_no_pivot() {
+    // Masses over 12 decades, so that the covering vector is that of the rows' units.
+    let given = [("contacts", 40.0), ("decades", 12.0)];
+    let lcp = library::by_name("contact-graph").unwrap().generate(&given).unwrap().lcp;
+    for unit in [2f64.powi(-60), 2f64.powi(60)] {
+        let row = |i: usize| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a * unit));
+        let a = Matrix::sparse(40, &(0..40).flat_map(row).collect::<Vec<_>>());
+        let b = lcp.b().iter().map(|b| b * unit).collect();
+        let scaled = Lcp::new(a, b, lcp.lo().to_vec(), lcp.hi().to_vec()).unwrap();
+        let lemke = Lemke::default();
+        assert_eq!(iterates(&lemke, &scaled), iterates(&lemke, &lcp), "{unit}");
+    }
+}
+
 proptest! {
     #![proptest_config(cases(300))]
 
