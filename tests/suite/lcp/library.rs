@@ -52,7 +52,7 @@ fn assert_solves(lcp: &Lcp, x: &[RBig], name: &str) {
 fn every_expected_solution_solves_its_problem_exactly() {
     let variants: [&[(&str, f64)]; 10] = [
         &[],
-        &[("n", 1.0)],
+        &[("n", 1.0), ("bodies", 1.0)],
         &[("n", 3.0), ("seed", 2.0)],
         &[("n", 12.0), ("boxed", 0.5), ("degenerate", 0.25), ("active", 0.25), ("rank", 0.5)],
         &[("n", 2.0), ("ratio", 1e9), ("contacts", 7.0), ("bits", 20.0), ("side", 10.0)],
@@ -161,6 +161,44 @@ fn cubes_fall_as_gravity_lets_them_in_a_step() {
     };
     let mean = (0..100).map(of_corners).sum::<f64>() / 100.0;
     assert!((mean + 9.81 / 60.0).abs() < 0.05, "{mean}");
+}
+
+#[test]
+fn the_corners_of_a_cube_move_as_a_rigid_body_lets_them() {
+    // Moments 1/6 and corners at ±1/2: a_ij = 1 + 6 (x_i x_j + y_i y_j), 4 for a corner itself, 1 for the two
+    // beside it, −2 for the opposite one.
+    let problem = library::by_name("box-stack").unwrap().generate(&[("boxes", 1.0)]).unwrap();
+    for i in 0..4 {
+        let mut row: Vec<f64> = (0..4).map(|j| problem.lcp.matrix().entry(i, j)).collect();
+        assert_eq!(row[i], 4.0);
+        row.sort_by(f64::total_cmp);
+        assert_eq!(row, [-2.0, 1.0, 1.0, 4.0], "corner {i}");
+    }
+}
+
+#[test]
+fn contacts_with_friction_part_slide_and_stick_in_turns() {
+    // x as (x_n, friction against t1, friction), then what the slip is
+    let made = |name, contacts| {
+        let problem = library::by_name(name).unwrap().generate(&[("contacts", contacts)]).unwrap();
+        let x = expected(&problem).unwrap().0.swap_remove(0);
+        let x: Vec<f64> = x.iter().map(|x| x.to_f64().value()).collect();
+        (problem.lcp.w(&x), x)
+    };
+    let (w, x) = made("friction-blocks", 6.0);
+    for k in 0..6 {
+        let (w, x) = (&w[6 * k..], &x[6 * k..]);
+        let rubs: f64 = x[1..5].iter().sum();
+        assert_eq!((w[0] > 0.0, x[0] > 0.0), (k % 3 == 0, k % 3 != 0), "block {k}");
+        assert_eq!((x[5] > 0.0, rubs == 0.5 * x[0]), (k % 3 < 2, k % 3 < 2), "block {k}");
+    }
+    let (w, x) = made("friction-pile", 6.0);
+    for k in 0..6 {
+        let (w, x) = (&w[3 * k..], &x[3 * k..]);
+        assert_eq!((w[0] > 0.0, x[0] > 0.0), (k % 3 == 0, k % 3 != 0), "contact {k}");
+        let (rubs, slips) = (x[1].hypot(x[2]), w[1].hypot(w[2]));
+        assert_eq!(slips == 0.0 && rubs < 0.5 * x[0], k % 3 == 2, "contact {k}");
+    }
 }
 
 #[test]
