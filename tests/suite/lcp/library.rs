@@ -202,6 +202,29 @@ fn contacts_with_friction_part_slide_and_stick_in_turns() {
 }
 
 #[test]
+fn pressures_on_a_grid_have_the_eigenvalues_of_laplace() {
+    // 6 − 2 Σ cos(k π/4), k from 1 to 3 along each of three edges with three cells
+    let lcp = library::by_name("fluid").unwrap().generate(&[("n", 3.0)]).unwrap().lcp;
+    let mut found = lcp.matrix().to_dense().symmetric_eigenvalues().as_slice().to_vec();
+    let part = |k: usize| 2.0 - 2.0 * (k as f64 * std::f64::consts::FRAC_PI_4).cos();
+    let each = |k: usize| part(1 + k % 3) + part(1 + k / 3 % 3) + part(1 + k / 9);
+    let mut expected: Vec<f64> = (0..27).map(each).collect();
+    [&mut found, &mut expected].map(|values| values.sort_by(f64::total_cmp));
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!((found - expected).abs() < 1e-12, "{found} for {expected}");
+    }
+}
+
+#[test]
+fn the_solutions_of_cps_5_are_a_ray() {
+    // w = (1 + x1 − x2, −1 − x1 + x2) vanishes along x2 = 1 + x1.
+    let lcp = library::by_name("cps-5").unwrap().generate(&[]).unwrap().lcp;
+    for x1 in [0, 1, 7] {
+        assert_solves(&lcp, &[x1, x1 + 1].map(RBig::from), "cps-5");
+    }
+}
+
+#[test]
 fn every_contact_of_a_graph_joins_a_body_to_another_one() {
     let given = [("bodies", 3.0), ("contacts", 100.0)];
     let lcp = library::by_name("contact-graph").unwrap().generate(&given).unwrap().lcp;
