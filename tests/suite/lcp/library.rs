@@ -209,7 +209,7 @@ fn pressures_on_a_grid_have_the_eigenvalues_of_laplace() {
     let part = |k: usize| 2.0 - 2.0 * (k as f64 * std::f64::consts::FRAC_PI_4).cos();
     let each = |k: usize| part(1 + k % 3) + part(1 + k / 3 % 3) + part(1 + k / 9);
     let mut expected: Vec<f64> = (0..27).map(each).collect();
-    [&mut found, &mut expected].map(|values| values.sort_by(f64::total_cmp));
+    [&mut found, &mut expected].into_iter().for_each(|values| values.sort_by(f64::total_cmp));
     for (found, expected) in found.iter().zip(&expected) {
         assert!((found - expected).abs() < 1e-12, "{found} for {expected}");
     }
