@@ -5,6 +5,8 @@ use allocation_counter::{AllocationInfo, measure};
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::scene::Scene;
 use lcplab::simulation::stepper::{Kernel, Stepper};
+use lcplab::solver::kernel::Width;
+use lcplab::solver::kernel::impulses::{EightPairs, Row, RowByRow, System};
 use lcplab::storage::{ALL, Entry, Factored, Storage, Workspace, sweep, triple_product};
 use nalgebra::Matrix6;
 
@@ -104,6 +106,28 @@ fn bytes_and_allocations_are_those_the_allocator_saw() {
             assert_eq!(asked as u64, loaded.count_total, "{} with {contacts}", kind.name);
         }
     }
+}
+
+/// Beside its arrays a kernel has its team and the counters that the team shares.
+#[test]
+fn the_bytes_of_a_kernel_are_those_the_allocator_saw() {
+    let bodies = 100;
+    let row = |i: usize| Row { bodies: [i / 3, i / 3 + 1], jacobian: [[1.0; 6]; 2] };
+    let rows: Vec<Row> = (0..3 * (bodies - 1)).map(row).collect();
+    let n = rows.len();
+    let (lo, hi) = (vec![0.0; n], vec![f64::INFINITY; n]);
+    let lcp = Lcp::new(Matrix::sparse(n, &[]), vec![-1.0; n], lo, hi).unwrap();
+    let mut system = None;
+    let made = measure(|| system = Some(System::new(bodies, &rows, &lcp).unwrap()));
+    let system = system.unwrap();
+    assert_eq!(made.bytes_current, system.bytes() as i64);
+    let mut plain = None;
+    let made = measure(|| plain = Some(RowByRow::new(&system)));
+    assert_eq!(made.bytes_current, plain.unwrap().bytes() as i64);
+    let mut eight = None;
+    let made = measure(|| eight = Some(EightPairs::new(&system, Width::widest()).unwrap()));
+    let beside = made.bytes_current - eight.unwrap().bytes() as i64;
+    assert!((0..1000).contains(&beside), "{beside}");
 }
 
 #[test]

@@ -103,7 +103,8 @@ fn friction(words: &mut Words, head: [usize; 3], input: &str, name: &str) -> Res
     let mu = (0..n).map(|i| if i % 3 == 0 { 0.0 } else { mu[i / 3] }).collect();
     let coupled = Coupling::new(index, mu).and_then(|coupling| lcp.with_coupling(coupling));
     let lcp = coupled.map_err(|error| error.within(input))?;
-    Ok(Problem { model: Some(Model::CoulombCone), ..Problem::new(name, lcp) })
+    let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
+    Ok(Problem { model, ..Problem::new(name, lcp) })
 }
 
 fn lcp(matrix: Table, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>, input: &str) -> Result<Lcp> {

@@ -2,7 +2,7 @@ use lcplab::certificate::error_bound::error_bound;
 use lcplab::lcp::{Lcp, Matrix};
 use proptest::prelude::*;
 
-use crate::common::{cases, contacts, manufactured};
+use crate::common::{INF, boxed, cases, contacts, manufactured};
 
 #[test]
 fn a_singular_matrix_has_no_bound() {
@@ -17,6 +17,34 @@ fn a_matrix_that_is_definite_only_by_rounding_has_no_bound() {
     // det = 2⁻⁵², so λ_min is about 2⁻⁵³: less than rounding can tell from 0.
     let lcp = contacts(&[&[1.0 + f64::EPSILON, 1.0], &[1.0, 1.0]], &[-1.0, -1.0]);
     assert_eq!(error_bound(&lcp, &[0.5, 0.5]), None);
+}
+
+#[test]
+fn a_factor_proves_nothing_below_its_own_rounding() {
+    // Pairs of contacts that are almost copies: λ_min = ε, and a Cholesky factor of 200 rows with trace 200
+    // exists down to −4 · 202 · 2⁻⁵³ · 200 = −1.8e-11 (Rump 2006).
+    let pairs = |epsilon: f64| {
+        let beside = |i: usize| if i.is_multiple_of(2) { i + 1 } else { i - 1 };
+        let row = |i| [(i, i, 1.0), (i, beside(i), 1.0 - epsilon)];
+        let a = Matrix::sparse(200, &(0..200).flat_map(row).collect::<Vec<_>>());
+        Lcp::new(a, vec![-1.0; 200], vec![0.0; 200], vec![INF; 200]).unwrap()
+    };
+    assert_eq!(error_bound(&pairs(1e-11), &[0.5; 200]), None);
+    assert!(error_bound(&pairs(1e-10), &[0.5; 200]).is_some());
+}
+
+#[test]
+fn a_w_that_twice_the_precision_does_not_see_is_within_the_bound() {
+    // w_0 = 1 + 2⁻⁶⁰ + 2⁻¹²⁰ − 2⁻⁶⁰ − 1 is summed to 0, and x_0* = 1 − 2⁻¹²⁰; the other x are pinned.
+    let (small, tiny) = (2f64.powi(-60), 2f64.powi(-120));
+    let a: [&[f64]; 4] = [
+        &[1.0, small, tiny, -small],
+        &[small, 1.0, 0.0, 0.0],
+        &[tiny, 0.0, 1.0, 0.0],
+        &[-small, 0.0, 0.0, 1.0],
+    ];
+    let lcp = boxed(&a, &[-1.0; 4], &[-INF, 1.0, 1.0, 1.0], &[INF, 1.0, 1.0, 1.0]);
+    assert!(error_bound(&lcp, &[1.0; 4]).unwrap() >= tiny);
 }
 
 proptest! {

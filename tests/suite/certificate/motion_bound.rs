@@ -79,6 +79,24 @@ fn too_much_push_is_refuted_as_well() {
     assert!(bound.energy_norm >= 3f64.sqrt() && bound.energy_norm < 1.001 * 3f64.sqrt());
 }
 
+#[test]
+fn units_of_motion_and_impulses_do_not_loosen_the_bound() {
+    // u_j in another unit for each j, w_i and x_i for each i: the kinetic energy stays.
+    let (plain, x) = (table(2), [0.75, 0.5, 1.0, 0.25]);
+    let (motion, row) =
+        ([20, 0, -20].map(|k| 2f64.powi(k)), [15, -15, 0, 10].map(|k| 2f64.powi(k)));
+    let mut scaled = plain.clone();
+    scaled.mass.iter_mut().for_each(|(j, _, m)| *m /= motion[*j] * motion[*j]);
+    for (entries, unit) in scaled.jacobian.iter_mut().zip(row) {
+        entries.iter_mut().for_each(|(j, value)| *value *= unit / motion[*j]);
+    }
+    scaled.target.iter_mut().zip(motion).for_each(|(u, unit)| *u *= unit);
+    let in_units: Vec<f64> = x.iter().zip(row).map(|(x, unit)| x / unit).collect();
+    let [plain, scaled] = [motion_bound(&plain, &x), motion_bound(&scaled, &in_units)]
+        .map(|bound| bound.unwrap().energy_norm);
+    assert!((scaled / plain - 1.0).abs() < 1e-6, "{scaled} for {plain}");
+}
+
 /// One unit mass on a line with these rows.
 fn line(rows: &[(f64, f64, f64, f64)], target: f64) -> Gauss {
     Gauss {

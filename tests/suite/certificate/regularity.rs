@@ -28,6 +28,17 @@ fn four_feet_depend_on_each_other_like_a_checkerboard() {
 }
 
 #[test]
+fn copies_of_a_contact_depend_on_each_other_in_pairs() {
+    let found = regularity(&Matrix::dense(3, &[1.0; 9])).unwrap();
+    assert_eq!((found.rank, found.dependencies.len()), (1, 2));
+    for d in &found.dependencies {
+        let of_pair: Vec<f64> = d.iter().copied().filter(|entry| *entry != 0.0).collect();
+        assert_eq!(of_pair.len(), 2, "{d:?}");
+        assert!((of_pair[0] + of_pair[1]).abs() < 1e-12, "{d:?}");
+    }
+}
+
+#[test]
 fn zero_rows_and_zero_diagonals_are_seen() {
     let nothing = regularity(&Matrix::dense(0, &[])).unwrap();
     assert_eq!((nothing.rank, nothing.condition), (0, 1.0));
@@ -66,6 +77,8 @@ fn only_rows_strictly_between_their_bounds_decide_whether_x_is_unique() {
     assert_eq!(free_rank(&lcp, &[0.0; 4]), (0, 0));
     let flat = contacts(&[&[0.0, 0.0], &[0.0, 3.0]], &[0.0; 2]);
     assert_eq!(free_rank(&flat, &[1.0, 1.0]), (2, 1));
+    let far_apart = contacts(&[&[1e-20, 0.0], &[0.0, 3.0]], &[0.0; 2]); // units do not decide
+    assert_eq!(free_rank(&far_apart, &[1.0, 1.0]), (2, 2));
 }
 
 proptest! {

@@ -38,6 +38,17 @@ fn a_segment_of_solutions_is_proved_at_each_of_its_points() {
 }
 
 #[test]
+fn the_natural_residual_is_the_distance_to_the_bound_that_w_pushes_to() {
+    // |x − Π(x − w)| of 2x ∓ 4 on [0, 1], whose solutions are 1 and 0
+    for (b, x, expected) in
+        [(-4.0, 1.0, 0.0), (-4.0, 0.75, 0.25), (4.0, 0.0, 0.0), (4.0, 0.25, 0.25)]
+    {
+        let lcp = boxed(&[&[2.0]], &[b], &[0.0], &[1.0]);
+        assert_eq!(judge(&lcp, &[x], &Demand::default()).natural_residual, expected, "{b} {x}");
+    }
+}
+
+#[test]
 fn the_gaps_are_those_of_the_quadratic_program() {
     // min x² − 4x on [0, 1]: x = 1 with value −3; at x = 1/2 w = −3, value −7/4, and the dual bound
     // at that w is −7/4 − 3/2.

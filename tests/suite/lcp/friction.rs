@@ -102,6 +102,32 @@ fn the_unknowns_of_a_polygon_follow_from_x() {
 }
 
 #[test]
+fn the_slip_of_a_polygon_belongs_to_its_contact_beside_smooth_ones() {
+    // Contacts with μ = 0, ½, 0, ¼: four x_n, two times four β, and a γ for the second and the fourth.
+    let rows: Vec<Vec<f64>> =
+        (0..12).map(|i| (0..12).map(|j| f64::from(i == j)).collect()).collect();
+    let rows: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
+    let lo: Vec<f64> = (0..12).map(|i| if i % 3 == 0 { 0.0 } else { -INF }).collect();
+    let contact = |(c, mu)| Contact { rows: [0, 1, 2].map(|i| i + 3 * c), mu };
+    let contacts = [0.0, 0.5, 0.0, 0.25].into_iter().enumerate().map(contact).collect();
+    let problem = FrictionProblem::new(boxed(&rows, &[0.0; 12], &lo, &[INF; 12]), contacts);
+    let polyhedral = Polyhedral::new(&problem.unwrap(), 4).unwrap();
+    assert_eq!([12, 13].map(|unknown| polyhedral.row(unknown)), [3, 9]);
+}
+
+#[test]
+fn a_cone_is_open_along_its_own_directions_whatever_their_length() {
+    // |d_t| ≤ d_n / 2, and Coulomb's law has no fixed cone.
+    let of = |law| ConeProblem::new(pushed_mass(2.0, 3.0, 0.0), law);
+    let open = |d: [f64; 3]| of(Law::Associated).recedes(&d);
+    for length in [0.25, 1.0, 4.0] {
+        assert!(open([2.5, 0.75, 1.0].map(|d| d * length)), "on it, {length}");
+        assert!(!open([2.5, 0.75, 1.25].map(|d| d * length)), "beside it, {length}");
+    }
+    assert!(!of(Law::Coulomb).recedes(&[1.0, 0.0, 0.0]));
+}
+
+#[test]
 fn contacts_beside_a_coupling_are_refused() {
     let coupled = pushed_mass(2.0, 3.0, 0.0).coupled_box();
     let error = FrictionProblem::new(coupled, vec![]).unwrap_err().to_string();

@@ -52,7 +52,7 @@ fn assert_solves(lcp: &Lcp, x: &[RBig], name: &str) {
 fn every_expected_solution_solves_its_problem_exactly() {
     let variants: [&[(&str, f64)]; 10] = [
         &[],
-        &[("n", 1.0)],
+        &[("n", 1.0), ("bodies", 1.0)],
         &[("n", 3.0), ("seed", 2.0)],
         &[("n", 12.0), ("boxed", 0.5), ("degenerate", 0.25), ("active", 0.25), ("rank", 0.5)],
         &[("n", 2.0), ("ratio", 1e9), ("contacts", 7.0), ("bits", 20.0), ("side", 10.0)],
@@ -132,6 +132,103 @@ fn names_are_unique_and_values_are_checked() {
     );
     let unknown = library::by_name("murphy").err().unwrap().to_string();
     assert!(unknown.starts_with("there is no problem family named \"murphy\"; there are manufact"));
+}
+
+#[test]
+fn every_family_says_what_it_is_and_where_it_comes_from() {
+    for family in library::all() {
+        assert!(!family.about().is_empty() && !family.source().is_empty(), "{}", family.name());
+    }
+}
+
+#[test]
+fn only_the_top_of_a_stack_is_heavier_and_the_ground_carries_all() {
+    let given = [("n", 5.0), ("ratio", 8.0)];
+    let problem = library::by_name("stack").unwrap().generate(&given).unwrap();
+    let diagonal: Vec<f64> = (0..5).map(|i| problem.lcp.matrix().diagonal(i)).collect();
+    assert_eq!(diagonal, [1.0, 2.0, 2.0, 2.0, 1.125]); // sums of inverse masses
+    let (solutions, _) = expected(&problem).unwrap();
+    assert_eq!(solutions, [[12, 11, 10, 9, 8].map(RBig::from)]);
+}
+
+/// 100 cubes, each with velocities of its own: 0.1 m/s in each component, 0.01 in their mean.
+#[test]
+fn cubes_fall_as_gravity_lets_them_in_a_step() {
+    let of_corners = |seed| {
+        let given = [("boxes", 1.0), ("seed", f64::from(seed))];
+        let lcp = library::by_name("box-stack").unwrap().generate(&given).unwrap().lcp;
+        lcp.b().iter().sum::<f64>() / 4.0
+    };
+    let mean = (0..100).map(of_corners).sum::<f64>() / 100.0;
+    assert!((mean + 9.81 / 60.0).abs() < 0.05, "{mean}");
+}
+
+#[test]
+fn the_corners_of_a_cube_move_as_a_rigid_body_lets_them() {
+    // Moments 1/6 and corners at ±1/2: a_ij = 1 + 6 (x_i x_j + y_i y_j), 4 for a corner itself, 1 for the two
+    // beside it, −2 for the opposite one.
+    let problem = library::by_name("box-stack").unwrap().generate(&[("boxes", 1.0)]).unwrap();
+    for i in 0..4 {
+        let mut row: Vec<f64> = (0..4).map(|j| problem.lcp.matrix().entry(i, j)).collect();
+        assert_eq!(row[i], 4.0);
+        row.sort_by(f64::total_cmp);
+        assert_eq!(row, [-2.0, 1.0, 1.0, 4.0], "corner {i}");
+    }
+}
+
+#[test]
+fn contacts_with_friction_part_slide_and_stick_in_turns() {
+    // x as (x_n, friction against t1, friction), then what the slip is
+    let made = |name, contacts| {
+        let problem = library::by_name(name).unwrap().generate(&[("contacts", contacts)]).unwrap();
+        let x = expected(&problem).unwrap().0.swap_remove(0);
+        let x: Vec<f64> = x.iter().map(|x| x.to_f64().value()).collect();
+        (problem.lcp.w(&x), x)
+    };
+    let (w, x) = made("friction-blocks", 6.0);
+    for k in 0..6 {
+        let (w, x) = (&w[6 * k..], &x[6 * k..]);
+        let rubs: f64 = x[1..5].iter().sum();
+        assert_eq!((w[0] > 0.0, x[0] > 0.0), (k % 3 == 0, k % 3 != 0), "block {k}");
+        assert_eq!((x[5] > 0.0, rubs == 0.5 * x[0]), (k % 3 < 2, k % 3 < 2), "block {k}");
+    }
+    let (w, x) = made("friction-pile", 6.0);
+    for k in 0..6 {
+        let (w, x) = (&w[3 * k..], &x[3 * k..]);
+        assert_eq!((w[0] > 0.0, x[0] > 0.0), (k % 3 == 0, k % 3 != 0), "contact {k}");
+        let (rubs, slips) = (x[1].hypot(x[2]), w[1].hypot(w[2]));
+        assert_eq!(slips == 0.0 && rubs < 0.5 * x[0], k % 3 == 2, "contact {k}");
+    }
+}
+
+#[test]
+fn pressures_on_a_grid_have_the_eigenvalues_of_laplace() {
+    // 6 − 2 Σ cos(k π/4), k from 1 to 3 along each of three edges with three cells
+    let lcp = library::by_name("fluid").unwrap().generate(&[("n", 3.0)]).unwrap().lcp;
+    let mut found = lcp.matrix().to_dense().symmetric_eigenvalues().as_slice().to_vec();
+    let part = |k: usize| 2.0 - 2.0 * (k as f64 * std::f64::consts::FRAC_PI_4).cos();
+    let each = |k: usize| part(1 + k % 3) + part(1 + k / 3 % 3) + part(1 + k / 9);
+    let mut expected: Vec<f64> = (0..27).map(each).collect();
+    [&mut found, &mut expected].into_iter().for_each(|values| values.sort_by(f64::total_cmp));
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!((found - expected).abs() < 1e-12, "{found} for {expected}");
+    }
+}
+
+#[test]
+fn the_solutions_of_cps_5_are_a_ray() {
+    // w = (1 + x1 − x2, −1 − x1 + x2) vanishes along x2 = 1 + x1.
+    let lcp = library::by_name("cps-5").unwrap().generate(&[]).unwrap().lcp;
+    for x1 in [0, 1, 7] {
+        assert_solves(&lcp, &[x1, x1 + 1].map(RBig::from), "cps-5");
+    }
+}
+
+#[test]
+fn every_contact_of_a_graph_joins_a_body_to_another_one() {
+    let given = [("bodies", 3.0), ("contacts", 100.0)];
+    let lcp = library::by_name("contact-graph").unwrap().generate(&given).unwrap().lcp;
+    assert!((0..100).all(|i| lcp.matrix().diagonal(i) > 0.0)); // a body against itself moves nothing
 }
 
 #[test]

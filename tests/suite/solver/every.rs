@@ -4,13 +4,14 @@ use std::collections::HashMap;
 
 use lcplab::certificate::ray::refute;
 use lcplab::certificate::{Demand, judge};
+use lcplab::lcp::merit::RowTerms;
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::solver::{ALL, Options, SPECIMENS, Settings, Solver, Start, Status, by_name};
 use lcplab::trace::Provenance;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
-use crate::common::{INF, assert_certified, boxed, cases, contacts, manufactured};
+use crate::common::{INF, Manufactured, assert_certified, boxed, cases, contacts, manufactured};
 
 fn all() -> Vec<Box<dyn Solver>> {
     ALL.iter().map(|entry| by_name(entry.name, &Options::default()).unwrap()).collect()
@@ -130,6 +131,12 @@ fn a_mass_ratio_of_1e12_is_no_ray() {
     }
 }
 
+/// Whether each row has terms at x*: where all vanish, the rounding of other rows is never small beside
+/// them, and a solver that cannot meet 0 says that it has not.
+fn is_measurable(m: &Manufactured) -> bool {
+    (0..m.x.len()).all(|i| RowTerms::at(&m.lcp, i, &m.x).magnitude > 0.0)
+}
+
 proptest! {
     #![proptest_config(cases(150))]
 
@@ -146,6 +153,7 @@ proptest! {
 
     #[test]
     fn all_find_the_one_solution_of_a_definite_problem(m in manufactured(6, 6, 1.0)) {
+        prop_assume!(is_measurable(&m));
         for solver in all() {
             let solution = solver.solve(&m.lcp, &Start::default(), &mut ());
             prop_assert_eq!(&solution.status, &Status::Solved, "{}", solver.name());
@@ -209,6 +217,7 @@ proptest! {
 
     #[test]
     fn dense_and_sparse_storage_give_the_same_answer(m in manufactured(5, 5, 1.0)) {
+        prop_assume!(is_measurable(&m));
         let entries: Vec<_> = (0..25).map(|k| (k / 5, k % 5, m.lcp.matrix().entry(k / 5, k % 5)))
             .filter(|entry| entry.2 != 0.0).collect();
         let (b, lo, hi) = (m.lcp.b().to_vec(), m.lcp.lo().to_vec(), m.lcp.hi().to_vec());

@@ -211,6 +211,26 @@ fn what_would_take_too_much_memory_is_refused_in_both_forms() {
     }
 }
 
+/// D = 10⁻⁸ a_ii moves x by that part, and costs the elimination digits worth 2⁻⁵³/10⁻⁸, as much again.
+#[test]
+fn a_single_step_meets_equations_to_seven_digits() {
+    let entry = |i: usize| 0.7 + 0.1 * i as f64;
+    let row = |i| Row { bodies: [i; 2], jacobian: [[entry(i); WIDTH], [0.0; WIDTH]] };
+    let rows: Vec<Row> = (0..20).map(row).collect();
+    let diagonal: Vec<f64> = (0..20).map(|i| 6.0 * entry(i) * entry(i)).collect();
+    let entries: Vec<_> = diagonal.iter().enumerate().map(|(i, a)| (i, i, *a)).collect();
+    let free = |bound| vec![bound; 20];
+    let lcp =
+        Lcp::new(Matrix::sparse(20, &entries), vec![-0.9; 20], free(-INF), free(INF)).unwrap();
+    let system = System::new(20, &rows, &lcp).unwrap();
+    let settings = Settings { max_iterations: 1, ..Settings::default() };
+    let one_step = InteriorPoint { settings };
+    let solution = one_step.solve_factored(&lcp, &system, &Start::default(), &mut ());
+    for (x, a) in solution.x.iter().zip(&diagonal) {
+        assert!((a * x / 0.9 - 1.0).abs() <= 1e-7, "{x} for {}", 0.9 / a);
+    }
+}
+
 /// Rows between random bodies, A = Ĵ Ĵᵀ, and x*, w* chosen first; entries are quarters, so A is exact.
 fn manufactured(bodies: usize, n: usize) -> impl Strategy<Value = (Vec<Row>, Lcp, Vec<f64>)> {
     let quarter = |range: std::ops::RangeInclusive<i32>| range.prop_map(|k| f64::from(k) / 4.0);

@@ -116,6 +116,17 @@ proptest! {
     }
 
     #[test]
+    fn the_unit_of_impulses_changes_no_step_of_mprgp(m in manufactured(8, 5, 0.25)) {
+        for unit in [2f64.powi(-40), 2f64.powi(40)] {
+            let of = |v: &[f64]| v.iter().map(|v| v * unit).collect::<Vec<_>>();
+            let (a, b) = (m.lcp.matrix().clone(), of(m.lcp.b()));
+            let scaled = Lcp::new(a, b, of(m.lcp.lo()), of(m.lcp.hi())).unwrap();
+            let expected: Vec<_> = iterates(&Mprgp::default(), &m.lcp).iter().map(|x| of(x)).collect();
+            prop_assert_eq!(iterates(&Mprgp::default(), &scaled), expected);
+        }
+    }
+
+    #[test]
     fn mprgp_solves_singular_problems(m in manufactured(8, 4, 0.0)) {
         prop_assume!((0..8).all(|i| m.lcp.matrix().diagonal(i) > 0.0));
         let solution = Mprgp::default().solve(&m.lcp, &Start::default(), &mut ());

@@ -2,7 +2,7 @@ use lcplab::lcp::Lcp;
 use lcplab::solver::{InteriorPoint, Settings, Solver, Start, Status};
 use proptest::prelude::*;
 
-use crate::common::{assert_proved, boxed, cases, iterates, manufactured, stack};
+use crate::common::{Iterates, assert_proved, boxed, cases, iterates, manufactured, stack};
 
 #[test]
 fn the_number_of_iterations_hardly_depends_on_the_size() {
@@ -23,6 +23,27 @@ fn nor_on_the_mass_ratio() {
         assert!(solution.iterations <= 40 || r > 1e6, "mass ratio {r}: {}", solution.iterations);
         assert_proved(&lcp, &solution.x);
     }
+}
+
+/// Mehrotra's step on x − 1 ⟂ x, written out for one unknown from x = 4.
+#[test]
+fn a_step_is_mehrotras() {
+    // energy b²/a = 1, so that the push is 1/4; w = 3
+    let (room, push, w) = (4.0, 0.25, 3.0);
+    let step = |mu: f64, second_order: f64| {
+        let r = mu - room * push - second_order;
+        let dx = (push - w + r / room) / (1.0 + push / room);
+        (dx, (r - push * dx) / room)
+    };
+    let (dx, dz) = step(0.0, 0.0);
+    let reach = f64::min(1.0, f64::min(-room / dx, -push / dz));
+    let ahead = (room + reach * dx) * (push + reach * dz);
+    let (x, z) = step((ahead / (room * push)).powi(3) * room * push, dx * dz);
+    let length = f64::min(1.0, 0.995 * f64::min(-room / x, -push / z));
+    let lcp = boxed(&[&[1.0]], &[-1.0], &[0.0], &[f64::INFINITY]);
+    let mut path = Iterates::default();
+    InteriorPoint::default().solve(&lcp, &Start::at(&[room]), &mut path);
+    assert!((path.0[1][0] - (room + length * x)).abs() < 1e-10, "{:?}", path.0);
 }
 
 fn stays_inside(lcp: &Lcp) -> bool {

@@ -3,7 +3,9 @@ use lcplab::lcp::{Lcp, Matrix, library};
 use lcplab::solver::{Lemke, Settings, Solution, Solver, Start, Status};
 use proptest::prelude::*;
 
-use crate::common::{INF, assert_certified, assert_proved, boxed, cases, contacts, manufactured};
+use crate::common::{
+    INF, assert_certified, assert_proved, boxed, cases, contacts, iterates, manufactured,
+};
 
 fn lemke(lcp: &Lcp) -> Solution {
     Lemke::default().solve(lcp, &Start::default(), &mut ())
@@ -76,6 +78,14 @@ fn free_rows_are_eliminated_whatever_their_diagonal() {
 }
 
 #[test]
+fn a_free_row_without_a_pivot_may_become_negative_on_the_path() {
+    // x2 = 2 is the equation of row 1, and −x1 + x2 − 5 = 0 there: A_EE = 0, so x1 = −3 is split.
+    let lcp = boxed(&[&[0.0, 1.0], &[-1.0, 1.0]], &[-2.0, -5.0], &[-INF, 0.0], &[INF; 2]);
+    assert_eq!(iterates(&Lemke::default(), &lcp).last().unwrap(), &[-3.0, 2.0]);
+    assert_proved(&lcp, &lemke(&lcp).x);
+}
+
+#[test]
 fn a_free_row_listed_twice_is_solved_and_a_contradiction_is_refuted() {
     let twice = |b2: f64| boxed(&[&[2.0, 2.0], &[2.0, 2.0]], &[-3.0, b2], &[-INF; 2], &[INF; 2]);
     assert_proved(&twice(-3.0), &lemke(&twice(-3.0)).x);
@@ -120,6 +130,21 @@ fn masses_from_1_to_1e12_and_copied_contacts_are_solved_tightly() {
         let lcp = library::by_name(name).unwrap().generate(&given).unwrap().lcp;
         let solution = Lemke { settings: settings.clone() }.solve(&lcp, &Start::default(), &mut ());
         assert_eq!(solution.status, Status::Solved, "{name}");
+    }
+}
+
+#[test]
+fn the_unit_of_w_changes_no_pivot() {
+    // Masses over 12 decades, so that the covering vector is that of the rows' units.
+    let given = [("contacts", 40.0), ("decades", 12.0)];
+    let lcp = library::by_name("contact-graph").unwrap().generate(&given).unwrap().lcp;
+    for unit in [2f64.powi(-60), 2f64.powi(60)] {
+        let row = |i: usize| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a * unit));
+        let a = Matrix::sparse(40, &(0..40).flat_map(row).collect::<Vec<_>>());
+        let b = lcp.b().iter().map(|b| b * unit).collect();
+        let scaled = Lcp::new(a, b, lcp.lo().to_vec(), lcp.hi().to_vec()).unwrap();
+        let lemke = Lemke::default();
+        assert_eq!(iterates(&lemke, &scaled), iterates(&lemke, &lcp), "{unit}");
     }
 }
 

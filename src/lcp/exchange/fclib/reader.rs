@@ -30,7 +30,8 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
     let lcp = contents.parts(&name)?.into_lcp().map_err(|error| error.within(&name))?;
     let title = file.file.dataset(&format!("{kind}/info/title")).and_then(|t| t.read_string());
     let title = title.unwrap_or_else(|_| input.stem());
-    Ok(Problem { model: Some(Model::CoulombCone), ..Problem::new(title, lcp) })
+    let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
+    Ok(Problem { model, ..Problem::new(title, lcp) })
 }
 
 /// A local problem, or what a global one comes to.

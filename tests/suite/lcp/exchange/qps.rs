@@ -79,6 +79,12 @@ fn huge_bounds_are_infinite() {
 }
 
 #[test]
+fn an_upper_bound_of_0_leaves_the_lower_one_at_0() {
+    let problem = parse("qps", &BOX.replace("0.25", "0")).unwrap();
+    assert_eq!((problem.lcp.lo(), problem.lcp.hi()), (&[0.0, -INF][..], &[0.0, INF][..]));
+}
+
+#[test]
 fn only_symmetric_problems_without_friction_are_written() {
     let skew = Problem::new("skew", contacts(&[&[1.0, 2.0], &[0.0, 1.0]], &[0.0, 0.0]));
     assert!(refusal(&skew, "qps").contains("A: is not symmetric"));

@@ -22,6 +22,13 @@ const PORTFOLIO: &str = "4
 ";
 
 #[test]
+fn friction_without_contacts_has_no_model_and_survives_as_json() {
+    let problem = parse("siconos", "3 0 0 0 0 0 0\n").unwrap();
+    assert_eq!((problem.lcp.len(), problem.model), (0, None));
+    assert!(Problem::parse(&problem.to_json().to_string(), "again").is_ok());
+}
+
+#[test]
 fn a_dense_matrix_is_listed_by_columns() {
     let problem = parse("siconos", PORTFOLIO).unwrap();
     assert_eq!(rows(problem.lcp.matrix())[0], [11.0, 0.0, 10.0, -1.0]);
