@@ -33,7 +33,7 @@
 use std::ops::ControlFlow;
 
 use super::active_set::{ROUNDING, claim};
-use super::elimination::difference;
+use super::elimination::{RELATIVE_ZERO, difference};
 use super::ratio_test::{Blocking, Candidate, least};
 use super::standard_form::{FORGIVEN, StandardForm};
 use super::{
@@ -118,7 +118,9 @@ impl<'a> Path<'a> {
         match (claim(self.lcp, &x, settings), end) {
             (status, ControlFlow::Continue(())) => (x, status),
             // z₀ was zero but for rounding
-            (Status::Solved, ControlFlow::Break(Status::Ray { .. })) => (x, Status::Solved),
+            (Status::Solved, ControlFlow::Break(Status::Ray { .. } | Status::NotFinite)) => {
+                (x, Status::Solved)
+            }
             (_, ControlFlow::Break(status)) => (self.x.clone(), status),
         }
     }
@@ -133,9 +135,9 @@ impl<'a> Path<'a> {
         loop {
             let column = self.form.column(entering);
             let Some(c) = column else { return ControlFlow::Break(Status::Stalled) };
-            let leaving = self.leaving(c)?;
+            let leaving = self.leaving(c);
             self.tell(Some(c), leaving, observer);
-            let Some(leaving) = leaving else { return ControlFlow::Break(self.ray(c)) };
+            let Some(leaving) = leaving else { return ControlFlow::Break(self.endless(c)) };
             if self.pivots >= limit {
                 return ControlFlow::Break(Status::IterationLimit);
             }
@@ -205,26 +207,20 @@ impl<'a> Path<'a> {
         ControlFlow::Continue(left)
     }
 
-    /// The variable that becomes zero first when that of column c grows, if any does; the covering
-    /// variable grows until no other one is negative.
-    fn leaving(&mut self, c: usize) -> ControlFlow<Status, Option<Leaving>> {
+    /// The variable that becomes zero first when that of column c grows; the covering variable grows
+    /// until no other one is negative.
+    fn leaving(&mut self, c: usize) -> Option<Leaving> {
         let is_cover = self.form.dictionary.nonbasic()[c] == Variable::Cover;
         let candidates = if is_cover { self.lifted(c) } else { self.candidates(c) };
-        if candidates.is_empty() {
-            return ControlFlow::Continue(None);
-        }
-        let Some(blocking) = least(candidates, &self.form.dictionary, &self.first) else {
-            return ControlFlow::Break(Status::NotFinite); // only beyond the largest number
-        };
-        ControlFlow::Continue(Some(match blocking {
-            Blocking::Row(r) => Leaving::Basic(r),
+        match least(candidates, &self.form.dictionary, &self.first)? {
+            Blocking::Row(r) => Some(Leaving::Basic(r)),
             Blocking::Mirrored(r) => {
                 let range = self.form.range(self.lcp, self.form.dictionary.basic()[r]);
                 self.form.dictionary.mirror_row(r, range);
-                Leaving::Basic(r)
+                Some(Leaving::Basic(r))
             }
-            Blocking::Entering => Leaving::Mirrored,
-        }))
+            Blocking::Entering => Some(Leaving::Mirrored),
+        }
     }
 
     /// The rows that the covering variable lifts.
@@ -275,8 +271,21 @@ impl<'a> Path<'a> {
         }
     }
 
-    fn ray(&self, c: usize) -> Status {
+    /// Why nothing becomes zero. Along a ray d no x_i w_i changes, so that dᵀA d ≤ 0; where it is more,
+    /// something does become zero, but only beyond the largest number.
+    fn endless(&self, c: usize) -> Status {
         let direction = self.form.direction(c);
+        let (mut product, mut size) = (0.0, 0.0);
+        for (i, d_i) in direction.iter().enumerate().filter(|(_, d)| **d != 0.0) {
+            for (j, a_ij) in self.lcp.matrix().row(i).iter() {
+                let term = d_i * a_ij * direction[j];
+                product += term;
+                size += term.abs();
+            }
+        }
+        if product > RELATIVE_ZERO * size {
+            return Status::NotFinite;
+        }
         let size = |&i: &usize| direction[i].abs();
         let row = (0..direction.len()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
         Status::Ray { row, direction }

@@ -76,6 +76,9 @@ impl Run<'_> {
         };
         let (length, limit) = (self.minimiser(&gradient, &p)?, self.room(x, &p));
         if length.is_infinite() && limit.is_infinite() {
+            if p.iter().any(|p| !p.is_finite()) {
+                return ControlFlow::Break(Status::NotFinite);
+            }
             let direction: Vec<f64> = p.iter().map(|p| -p).collect();
             return ControlFlow::Break(Status::Ray { row: largest(&direction), direction });
         }
@@ -122,7 +125,6 @@ impl Run<'_> {
     fn minimiser(&self, gradient: &[f64], p: &[f64]) -> ControlFlow<Status, f64> {
         let slope = self.metric.inner(gradient, p);
         match self.metric.curvature(self.lcp, p) {
-            _ if !slope.is_finite() => ControlFlow::Break(Status::NotFinite),
             _ if !(slope > 0.0) => ControlFlow::Break(Status::Stalled),
             Curvature::Positive(curvature) => ControlFlow::Continue(slope / curvature),
             Curvature::Flat => ControlFlow::Continue(f64::INFINITY),

@@ -66,12 +66,12 @@ impl<'a> Path<'a> {
         x: &mut [f64],
     ) -> ControlFlow<Status, Event> {
         let added = self.added(equations);
-        if added.iter().any(|added| !added.is_finite()) {
-            return ControlFlow::Break(Status::NotFinite);
-        }
         if !equations.factor(&added, &self.pinned) {
             let reason = "A is not positive semidefinite";
-            return ControlFlow::Break(Status::OutsideClass { reason });
+            return ControlFlow::Break(match added.iter().all(|added| added.is_finite()) {
+                true => Status::OutsideClass { reason },
+                false => Status::NotFinite,
+            });
         }
         let direction = self.direction(equations, x);
         let length = (STAY_INSIDE * self.longest(&direction)).min(1.0);
