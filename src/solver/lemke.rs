@@ -72,7 +72,9 @@ impl Solver for Lemke {
             let mut path = Path::new(lcp, before);
             let (x, status) = path.solve(&self.settings, observer);
             let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
-            if !(is_long && matches!(status, Status::Ray { .. } | Status::Inaccurate)) {
+            let has_failed =
+                matches!(status, Status::Ray { .. } | Status::NotFinite | Status::Inaccurate);
+            if !(is_long && has_failed) {
                 return Solution::new(lcp, x, status, path.pivots);
             }
             let mut path = Path::new(lcp, path.pivots).with_renewals();
