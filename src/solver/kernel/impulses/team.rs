@@ -10,6 +10,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
+use std::time::Duration;
 
 use super::octet::Share;
 use super::velocities::Velocities;
@@ -17,6 +18,9 @@ use crate::solver::kernel::lanes::{Lanes, Width, Work};
 
 /// Looks at a barrier before a thread gives its turn away.
 const LOOKS: usize = 200;
+
+/// How long a new team waits for nothing.
+const FIRST_WAIT: Duration = Duration::from_millis(5);
 
 /// What all threads see.
 #[derive(Debug)]
@@ -106,6 +110,8 @@ impl Worker {
             }
         };
         let thread = thread::Builder::new().name("sweeps".into()).spawn(work).ok()?;
+        // a channel takes memory when somebody waits at it for the first time; no sweep should
+        let _ = done.recv_timeout(FIRST_WAIT);
         Some(Worker { tasks, done, thread })
     }
 }
