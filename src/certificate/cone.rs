@@ -1,8 +1,9 @@
 //! Is this x a solution of a friction problem with circular cones?
 //!
-//! The same judge as for boxed problems: the terms of w in compensated arithmetic, and one scaled
-//! residual a contact, how far x is from its own projected step ([`ConeProblem`]). There is no proof
-//! in rational arithmetic, because a disc has irrational points.
+//! The same judge as for boxed problems: the terms of w in compensated arithmetic, and two scaled
+//! residuals a contact, how far its normal and its tangents are from their own projected step, each beside
+//! its own terms ([`ConeProblem`]). There is no proof in rational arithmetic, because a disc has irrational
+//! points.
 //!
 //! ```
 //! use lcplab::certificate::{Demand, judge_cone};
@@ -25,20 +26,21 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
-use super::{Demand, Verdict, accurate_terms};
+use super::{Demand, Refusal, Verdict, accurate_terms};
 use crate::lcp::Complementarity;
-use crate::lcp::friction::ConeProblem;
+use crate::lcp::friction::{ConeProblem, Contact};
+use crate::lcp::merit::RowTerms;
 
 /// Everything the judge found out about x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConeCertificate {
     /// w = A x + b, without shift.
     pub w: Vec<f64>,
-    /// The scaled residual of each contact.
+    /// The scaled residual of each contact, the larger one of its normal and its tangents.
     pub contact_residuals: Vec<f64>,
     /// The largest scaled residual of contacts and other rows.
     pub scaled_residual: f64,
-    /// The row that has it, a contact's normal row for a contact.
+    /// The row that has it.
     pub worst_row: usize,
     /// The contact that has it, unless it is another row.
     pub worst_contact: Option<usize>,
@@ -60,23 +62,24 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     let worst = (0..x.len()).max_by(|&i, &j| residuals[i].total_cmp(&residuals[j])).unwrap_or(0);
     let scaled_residual = residuals.iter().copied().fold(0.0, f64::max);
     let worst_contact = contacts.iter().position(|contact| contact.rows.contains(&worst));
-    let worst_row = worst_contact.map_or(worst, |c| contacts[c].rows[0]);
     let outside = contacts.iter().map(|contact| {
         let [n, t1, t2] = contact.of(x);
         t1.hypot(t2) - contact.mu * n
     });
-    let is_solution = x.iter().all(|x| x.is_finite()) && scaled_residual <= demand.tolerance;
+    let refused = |why| Verdict::NotASolution { row: worst, amount: scaled_residual, why };
+    let is_within = x.iter().all(|x| x.is_finite()) && scaled_residual <= demand.tolerance;
+    let of_contact = |contact: &Contact| contact.of(&residuals).into_iter().fold(0.0, f64::max);
     ConeCertificate {
-        w: terms.iter().map(|row| row.w).collect(),
-        contact_residuals: contacts.iter().map(|contact| residuals[contact.rows[0]]).collect(),
+        w: terms.iter().map(RowTerms::w).collect(),
+        contact_residuals: contacts.iter().map(of_contact).collect(),
         scaled_residual,
-        worst_row,
+        worst_row: worst,
         worst_contact,
         cone_violation: outside.fold(0.0, f64::max),
-        verdict: if is_solution {
-            Verdict::WithinTolerance
-        } else {
-            Verdict::NotASolution { row: worst_row, amount: scaled_residual }
+        verdict: match is_within {
+            true if problem.is_worth_something(x, demand.tolerance) => Verdict::WithinTolerance,
+            true => refused(Refusal::Worthless),
+            false => refused(Refusal::Residual),
         },
     }
 }

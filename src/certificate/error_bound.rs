@@ -16,6 +16,7 @@
 use faer::{Mat, Side};
 
 use super::accurate_terms;
+use super::interval::{Interval, add_up, div_up, mul_up, norm_up};
 use crate::lcp::Lcp;
 
 /// Half the distance from 1 to the next number.
@@ -44,11 +45,20 @@ pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let a = Mat::from_fn(n, n, |i, j| d[i] * lcp.matrix().entry(i, j) * d[j]);
     let least = least_eigenvalue(&a)?;
     let norm = (0..n).map(|i| (0..n).map(|j| a[(i, j)].abs()).sum::<f64>()).fold(0.0, f64::max);
-    let residual = (0..n).map(|i| residual(lcp, i, x, d[i]).powi(2)).sum::<f64>().sqrt();
+    let residual = norm_up((0..n).map(|i| Interval::around_zero(residual(lcp, i, x, d[i]))));
     let slack = 1.0 + 8.0 * (n as f64 + 4.0) * U; // the roundings of this and the sums above
-    let bound = (1.0 + norm) / least * residual * slack;
+    let bound = mul_up(mul_up(div_up(1.0 + norm, least), slack), residual);
     let largest = d.iter().copied().fold(0.0, f64::max);
-    Some(bound * largest).filter(|bound| bound.is_finite())
+    Some(mul_up(bound, largest)).filter(|bound| bound.is_finite())
+}
+
+/// Whether A is symmetric and verified to be positive definite: without coupled rows x is unique then.
+pub fn is_definite(lcp: &Lcp) -> bool {
+    let n = lcp.len();
+    let least = |d: Vec<f64>| {
+        least_eigenvalue(&Mat::from_fn(n, n, |i, j| d[i] * lcp.matrix().entry(i, j) * d[j]))
+    };
+    n <= MAX_ROWS && lcp.matrix().is_symmetric() && scaling(lcp).and_then(least).is_some()
 }
 
 /// Powers of two d_i with d_i² a_ii between ½ and 2; `None` if a diagonal entry is not positive.
@@ -83,5 +93,5 @@ fn residual(lcp: &Lcp, i: usize, x: &[f64], d: f64) -> f64 {
     let error = U * terms.w.abs() + (n * U) * (n * U) * terms.magnitude + f64::MIN_POSITIVE;
     let (w, x) = (d * terms.w, x[i] / d);
     let natural = w.min(x - lcp.lo()[i] / d).max(x - lcp.hi()[i] / d).abs();
-    natural + d * error + U * x.abs()
+    add_up(natural, add_up(mul_up(d, error), mul_up(U, x.abs())))
 }

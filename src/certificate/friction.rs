@@ -2,7 +2,8 @@
 //!
 //! Each model has the certificate of what it becomes. Boxes: that of boxed LCPs, *proved* where
 //! possible. Polygons: the same, for the unknowns z that x leads to ([`Polyhedral::z`]), so x is
-//! judged and not what a solver says of z. Cones: [`judge_cone`], never *proved*.
+//! judged and not what a solver says of z; *proved* with four corners only, since the directions of more
+//! are rounded numbers. Cones: [`judge_cone`], never *proved*.
 //!
 //! ```
 //! use lcplab::certificate::{Demand, judge_friction};
@@ -22,7 +23,8 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
-use super::{Certificate, Demand, Verdict, accurate_terms, judge, judge_cone};
+use super::interval::{Interval, add_up, mul_up};
+use super::{Certificate, Demand, Evidence, Refusal, Verdict, accurate_terms, judge, judge_cone};
 use crate::lcp::friction::{Polyhedral, Posed};
 use crate::lcp::merit::RowTerms;
 
@@ -35,12 +37,14 @@ pub struct FrictionCertificate {
     pub scaled_residual: f64,
     /// The decision; its row is one of x, t1 for a β and n for a γ of a polygon.
     pub verdict: Verdict,
+    /// What else was shown in exact arithmetic; of boxes only.
+    pub evidence: Option<Evidence>,
 }
 
 impl From<Certificate> for FrictionCertificate {
     fn from(certificate: Certificate) -> Self {
-        let Certificate { w, scaled_residual, verdict, .. } = certificate;
-        FrictionCertificate { w, scaled_residual, verdict }
+        let Certificate { w, scaled_residual, verdict, evidence, .. } = certificate;
+        FrictionCertificate { w, scaled_residual, verdict, evidence }
     }
 }
 
@@ -58,6 +62,7 @@ pub fn judge_friction(problem: &Posed, x: &[f64], demand: &Demand) -> FrictionCe
                 w: certificate.w,
                 scaled_residual: certificate.scaled_residual,
                 verdict: certificate.verdict,
+                evidence: None,
             }
         }
     }
@@ -75,26 +80,28 @@ fn judge_polyhedral(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fric
     let stray = smooth.flat_map(|contact| [contact.rows[1], contact.rows[2]]);
     let stray = stray.map(|i| (i, terms[i].scaled_residual(x[i], 0.0, 0.0)));
     let (row, stray) = stray.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0));
+    let is_exact = polyhedral.directions() == 4 && stray == 0.0;
     let verdict = match certificate.verdict {
-        _ if !(stray <= demand.tolerance) => Verdict::NotASolution { row, amount: stray },
-        Verdict::NotASolution { row, amount } => {
-            Verdict::NotASolution { row: polyhedral.row(row), amount }
+        _ if !(stray <= demand.tolerance) => {
+            Verdict::NotASolution { row, amount: stray, why: Refusal::Residual }
         }
-        Verdict::Proved { .. } if stray > 0.0 => Verdict::WithinTolerance,
-        Verdict::Proved { distance } => {
+        Verdict::NotASolution { row, amount, why } => {
+            Verdict::NotASolution { row: polyhedral.row(row), amount, why }
+        }
+        Verdict::Proved { distance } if is_exact => {
             Verdict::Proved { distance: distance_from(polyhedral, x, &z, distance) }
         }
-        Verdict::WithinTolerance => Verdict::WithinTolerance,
+        Verdict::Proved { .. } | Verdict::WithinTolerance => Verdict::WithinTolerance,
     };
-    FrictionCertificate { w, scaled_residual: certificate.scaled_residual.max(stray), verdict }
+    let scaled_residual = certificate.scaled_residual.max(stray);
+    FrictionCertificate { w, scaled_residual, verdict, evidence: None }
 }
 
-/// How far the impulses of an exact z* are from x at most, |z − z*| being at most `distance`: each
-/// of k unit vectors adds as much, and x is not quite D β.
+/// How far the impulses of an exact z* are from x at most, |z − z*| being at most `distance`: each of
+/// the two components of x_t is a difference of two β, and x is not quite D β.
 fn distance_from(polyhedral: &Polyhedral, x: &[f64], z: &[f64], distance: f64) -> f64 {
-    let size = x.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
     let back = polyhedral.x(z);
-    let gap = x.iter().zip(&back).map(|(x, back)| (x - back).abs()).fold(0.0, f64::max);
-    let directions = polyhedral.directions() as f64;
-    distance * directions + gap + 4.0 * f64::EPSILON * size
+    let gap = |(x, back): (&f64, &f64)| Interval::from(*x) - Interval::from(*back);
+    let gap = x.iter().zip(&back).map(gap).map(Interval::magnitude).fold(0.0, f64::max);
+    add_up(mul_up(2.0, distance), gap)
 }

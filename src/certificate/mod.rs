@@ -2,10 +2,12 @@
 //!
 //! [`judge`] recomputes everything from (A, b, lo, hi, x) in compensated arithmetic and decides:
 //!
-//! - *proved*: within tolerance, and the active set of x was shown in exact rational arithmetic to
-//!   carry a solution x*, at a stated distance from x ([`exact`]);
-//! - *within tolerance*: the scaled residual is at most the tolerance;
-//! - *not a solution*: row i misses by so much.
+//! - *proved*: within tolerance, and x was shown in exact rational arithmetic to have a solution x* of the
+//!   problem as it was posed beside it, at a stated distance ([`exact`]);
+//! - *within tolerance*: the scaled residual is at most the tolerance, x is worth something (nearer to a
+//!   solution than doing nothing, by a factor of ten), and no proof was found that there is no solution
+//!   ([`refutation`](refutation()));
+//! - *not a solution*: row i misses by so much, or one of the other two.
 //!
 //! ```
 //! use lcplab::certificate::{Verdict, judge, Demand};
@@ -26,20 +28,22 @@ pub mod error_bound;
 pub mod exact;
 mod friction;
 mod interval;
-mod modular;
 pub mod motion_bound;
 pub mod ray;
+mod refutation;
 pub mod regularity;
 pub mod uniqueness;
 
 pub use cone::{ConeCertificate, judge_cone};
 pub use friction::{FrictionCertificate, judge_friction};
+pub use refutation::{Refutation, refutation, refuting_vector};
 
-use crate::lcp::accurate::Sum;
 use dashu_ratio::RBig;
 
 use crate::lcp::Lcp;
-use crate::lcp::merit::{RowTerms, Sum as _};
+use crate::lcp::accurate::Sum;
+use crate::lcp::merit::{self, RowTerms, Sum as _};
+use refutation::{Existence, existence};
 
 /// What the judge asks of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,16 +60,20 @@ impl Default for Demand {
     }
 }
 
+/// A solution farther from x than this part of max |x_i| proves nothing of x.
+const NEAR: f64 = 1e-6;
+
 /// The judge's word.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
-    /// An exact solution was shown to exist with x's active set, this far from x (max norm, in the
-    /// unit of x).
+    /// An exact solution was shown to exist this far from x (max norm, in the unit of x), at most 1e-6
+    /// of the largest entry of x.
     Proved {
         /// max_i |x_i − x*_i|, rounded up.
         distance: f64,
     },
-    /// The scaled residual is at most the tolerance.
+    /// The scaled residual is at most the tolerance, x is worth something, and nothing was found that
+    /// speaks against a solution.
     WithinTolerance,
     /// x is not a solution.
     NotASolution {
@@ -73,7 +81,21 @@ pub enum Verdict {
         row: usize,
         /// That residual.
         amount: f64,
+        /// Why x is refused.
+        why: Refusal,
     },
+}
+
+/// Why x is no solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refusal {
+    /// The residual is above the tolerance.
+    Residual,
+    /// The residual is small beside the terms of a far away x, and that is all: x is no nearer to a
+    /// solution than Π(0).
+    Worthless,
+    /// The problem has no solution.
+    Impossible,
 }
 
 impl Verdict {
@@ -104,13 +126,46 @@ impl std::fmt::Display for Verdict {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Verdict::Proved { distance } => {
-                write!(f, "proved: an exact solution lies within {distance:.1e} of x")
+                let distance = upper_bound(*distance);
+                write!(f, "proved: an exact solution lies within {distance} of x")
             }
             Verdict::WithinTolerance => write!(f, "within tolerance"),
-            Verdict::NotASolution { row, amount } => {
+            Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
                 write!(f, "not a solution: row {row} misses by {amount:.1e} of its terms")
             }
+            Verdict::NotASolution { why: Refusal::Worthless, .. } => {
+                write!(f, "not a solution: x is no nearer to one than zero is, only its terms are large")
+            }
+            Verdict::NotASolution { why: Refusal::Impossible, .. } => {
+                write!(f, "not a solution: the problem has none")
+            }
         }
+    }
+}
+
+/// A bound with two digits, rounded up as a bound must be: 1.04e-9 is `1.1e-9`.
+///
+/// ```
+/// use lcplab::certificate::upper_bound;
+///
+/// assert_eq!(upper_bound(1.04e-9), "1.1e-9");
+/// assert_eq!(upper_bound(9.96e3), "1.0e4");
+/// assert_eq!(upper_bound(0.25), "2.5e-1"); // exact
+/// assert_eq!(upper_bound(f64::from_bits(1)), "5.0e-324"); // 4.94…e-324
+/// ```
+pub fn upper_bound(bound: f64) -> String {
+    if bound == 0.0 || !bound.is_finite() {
+        return format!("{bound:.1e}");
+    }
+    let all = format!("{bound:.800e}"); // every digit that a number has
+    let (digits, exponent) = all.split_once('e').expect("an exponent");
+    let (two, rest) = digits.split_at(3);
+    let exponent: i32 = exponent.parse().expect("a whole number");
+    let tens: u32 = two.replace('.', "").parse().expect("two digits");
+    let is_exact = rest.bytes().all(|digit| digit == b'0');
+    match tens + u32::from(!is_exact) {
+        100 => format!("1.0e{}", exponent + 1),
+        tens => format!("{}.{}e{exponent}", tens / 10, tens % 10),
     }
 }
 
@@ -139,9 +194,56 @@ pub struct Certificate {
     pub duality_gap: f64,
     /// The decision.
     pub verdict: Verdict,
-    /// With the verdict *proved*: an exact direction in which x can be moved without moving any w,
-    /// if there is one. Redundant contacts share a load in many ways.
-    pub null_direction: Option<Vec<RBig>>,
+    /// What else was shown in exact arithmetic.
+    pub evidence: Option<Evidence>,
+}
+
+/// What exact arithmetic shows beside the verdict.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Evidence {
+    /// With the verdict *proved*: a direction in which x* can be moved without moving any w. Redundant
+    /// contacts share a load in many ways.
+    NotUnique(Vec<RBig>),
+    /// With the verdict *within tolerance*: the active set of x carries an exact solution, but so far
+    /// from x that it is no proof of it.
+    FarSolution {
+        /// max_i |x_i − x*_i|, rounded up.
+        distance: f64,
+    },
+    /// With the verdict *not a solution*: no x is one.
+    NoSolution(Refutation),
+}
+
+impl Certificate {
+    /// The same x as the answer to a problem that has no solution.
+    pub fn refuted_by(self, refutation: Refutation) -> Self {
+        let (row, amount) = (self.worst_row, self.scaled_residual);
+        let why = match self.verdict {
+            Verdict::NotASolution { why: Refusal::Residual, .. } => Refusal::Residual,
+            _ => Refusal::Impossible,
+        };
+        Certificate {
+            verdict: Verdict::NotASolution { row, amount, why },
+            evidence: Some(Evidence::NoSolution(refutation)),
+            ..self
+        }
+    }
+
+    /// The direction in which the solution can be moved without moving any w, if one was shown.
+    pub fn null_direction(&self) -> Option<&[RBig]> {
+        match &self.evidence {
+            Some(Evidence::NotUnique(direction)) => Some(direction),
+            _ => None,
+        }
+    }
+
+    /// Why the problem has no solution, if that was shown.
+    pub fn refutation(&self) -> Option<&Refutation> {
+        match &self.evidence {
+            Some(Evidence::NoSolution(refutation)) => Some(refutation),
+            _ => None,
+        }
+    }
 }
 
 /// Judges x for a problem; coupled rows have the bounds they have at this x.
@@ -150,19 +252,50 @@ pub struct Certificate {
 /// If x has not n entries.
 pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
     assert_eq!(x.len(), lcp.len(), "x needs one entry a row");
-    let lcp = &lcp.frozen_at(x);
+    let frozen = &lcp.frozen_at(x);
     let terms: Vec<RowTerms> = (0..lcp.len()).map(|i| accurate_terms(lcp, i, x)).collect();
-    let mut certificate = measure(lcp, x, &terms);
-    if x.iter().all(|x| x.is_finite()) && certificate.scaled_residual <= demand.tolerance {
-        certificate.verdict = Verdict::WithinTolerance;
-        if lcp.len() <= demand.prove_up_to
-            && let Some(proof) = exact::prove(lcp, x, &certificate.w)
-        {
-            certificate.verdict = Verdict::Proved { distance: proof.distance };
-            certificate.null_direction = proof.null_direction;
-        }
+    let certificate = measure(frozen, x, &terms);
+    if x.iter().any(|x| !x.is_finite()) || !(certificate.scaled_residual <= demand.tolerance) {
+        return certificate;
     }
-    certificate
+    let is_small = lcp.len() <= demand.prove_up_to;
+    let proof = if is_small { exact::prove(lcp, x, &certificate.w) } else { None };
+    let largest = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+    let is_near = |distance: f64| distance <= NEAR * largest;
+    match proof {
+        Some(proof) if is_near(proof.distance) => Certificate {
+            verdict: Verdict::Proved { distance: proof.distance },
+            evidence: proof.null_direction.map(Evidence::NotUnique),
+            ..certificate
+        },
+        _ if !merit::is_worth_something(lcp, x, demand.tolerance) => {
+            let (row, amount) = (certificate.worst_row, certificate.scaled_residual);
+            let verdict = Verdict::NotASolution { row, amount, why: Refusal::Worthless };
+            Certificate { verdict, ..certificate }
+        }
+        Some(exact::Proof { distance, .. }) => Certificate {
+            verdict: Verdict::WithinTolerance,
+            evidence: Some(Evidence::FarSolution { distance }),
+            ..certificate
+        },
+        None if is_small => {
+            let sides = exact::sides(lcp, x, &certificate.w);
+            match existence(lcp, &[x], Some(&sides)) {
+                Existence::None(refutation) => {
+                    Certificate { verdict: Verdict::WithinTolerance, ..certificate }
+                        .refuted_by(refutation)
+                }
+                Existence::Solution(point) if is_near(point.distance(x)) => Certificate {
+                    verdict: Verdict::Proved { distance: point.distance(x) },
+                    ..certificate
+                },
+                Existence::Solution(_) | Existence::Unknown => {
+                    Certificate { verdict: Verdict::WithinTolerance, ..certificate }
+                }
+            }
+        }
+        None => Certificate { verdict: Verdict::WithinTolerance, ..certificate },
+    }
 }
 
 /// The terms of row i in compensated arithmetic.
@@ -202,8 +335,12 @@ fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
         dual_infeasibility: infeasible,
         objective: objective.value(),
         duality_gap: duality_gap.value(),
-        verdict: Verdict::NotASolution { row: worst_row, amount: scaled_residual },
-        null_direction: None,
+        verdict: Verdict::NotASolution {
+            row: worst_row,
+            amount: scaled_residual,
+            why: Refusal::Residual,
+        },
+        evidence: None,
     }
 }
 

@@ -1,19 +1,24 @@
-//! Proof that a problem has no solution.
+//! Proof that a problem has no solution, by one vector.
 //!
 //! A solution has w_i ≥ 0 where hi_i = ∞ and w_i ≤ 0 where lo_i = −∞. So let d be a vector with
-//! d_i > 0 only where hi_i = ∞ and d_i < 0 only where lo_i = −∞: then dᵀw ≥ 0 at every solution. But
+//! d_i > 0 only where hi_i = ∞, d_i < 0 only where lo_i = −∞, and d_i = 0 where row i is coupled to
+//! another one: then dᵀw ≥ 0 at every solution. But
 //!
 //! ```text
 //! dᵀw = (Aᵀd)ᵀx + bᵀd ≤ max { (Aᵀd)ᵀx : lo ≤ x ≤ hi } + bᵀd
 //! ```
 //!
-//! If the right side is negative, no solution exists (Farkas). All of it is decided in exact
-//! arithmetic.
+//! If the right side is negative, no solution exists (Farkas). Of a coupled x_j nothing is known, so
+//! (Aᵀd)_j must be 0. All of it is decided in exact arithmetic, for every A.
 
 use dashu_ratio::RBig;
 
-use super::exact::{Candidate, Dyadic, dyadic, independent};
+use crate::lcp::exact::dyadic::{Dyadic, dyadic};
+use crate::lcp::exact::{Exact, Point};
 use crate::lcp::{Lcp, Matrix};
+
+/// (Aᵀd)_j below this part of its terms is meant to be 0.
+const MEANT_TO_BE_ZERO: f64 = 1e-6;
 
 /// A vector d that proves that no solution exists.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,46 +27,62 @@ pub struct Farkas {
     pub vector: Vec<RBig>,
 }
 
-/// Tries to prove from a solver's ray, or any other guess of d, that a problem without coupling has no
-/// solution.
+/// Tries to prove from a solver's ray, or any other guess of d, that a problem has no solution.
 ///
-/// `row` is the driven row. Rounding in the other entries is repaired first: as many as the equations
-/// (Aᵀd)_j = 0 determine are solved anew, exactly. The ray of a method for symmetric A is a d; with
-/// any other A it need not be.
+/// `row` is the driven row. Rounding in the other entries is repaired first: as many of them as the
+/// equations (Aᵀd)_j = 0 determine are solved anew, exactly. The ray of a method for symmetric A is a
+/// d; with any other A it need not be.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
-    let usable = direction.len() == lcp.len() && direction.iter().all(|d| d.is_finite());
-    if !usable || lcp.coupling().is_some() {
+    if direction.len() != lcp.len() || direction.iter().any(|d| !d.is_finite()) {
         return None;
     }
-    let dual = transposed(lcp)?;
-    let support: Vec<usize> = (0..lcp.len()).filter(|&j| j != row && direction[j] != 0.0).collect();
-    let (rows, unknowns) = independent(&dual, &support);
-    let d = Candidate::solve(&dual, &rows, unknowns, direction.to_vec())?;
+    let guess: Vec<f64> =
+        (0..lcp.len()).map(|i| if is_coupled(lcp, i) { 0.0 } else { direction[i] }).collect();
+    let transposed = transposed(lcp)?;
+    let zeros: Vec<usize> =
+        (0..lcp.len()).filter(|&j| must_vanish(lcp, &transposed, j, &guess)).collect();
+    let entries: Vec<usize> = (0..lcp.len()).filter(|&i| i != row && guess[i] != 0.0).collect();
+    let dual = Exact::new(&transposed);
+    let d = dual.repaired(&guess, &zeros, &entries)?;
     proves(lcp, &dual, &d).then(|| Farkas { vector: d.entries() })
 }
 
-/// The problem with Aᵀ and b = 0.
+fn is_coupled(lcp: &Lcp, i: usize) -> bool {
+    lcp.coupling().is_some_and(|coupling| coupling.index(i).is_some())
+}
+
+/// Equations with the matrix Aᵀ and b = 0.
 fn transposed(lcp: &Lcp) -> Option<Lcp> {
-    if lcp.matrix().is_symmetric() {
-        return Some(lcp.homogeneous());
-    }
+    let n = lcp.len();
     let row = |i: usize| lcp.matrix().row(i).iter().map(move |(j, a)| (j, i, a));
-    let entries: Vec<_> = (0..lcp.len()).flat_map(row).collect();
-    let matrix = Matrix::sparse(lcp.len(), &entries);
-    Lcp::new(matrix, vec![0.0; lcp.len()], lcp.lo().to_vec(), lcp.hi().to_vec()).ok()
+    let entries: Vec<_> = (0..n).flat_map(row).collect();
+    let (lo, hi) = (vec![f64::NEG_INFINITY; n], vec![f64::INFINITY; n]);
+    Lcp::new(Matrix::sparse(n, &entries), vec![0.0; n], lo, hi).ok()
+}
+
+/// Whether (Aᵀd)_j must be 0: it all but is, or its sign asks for a bound at infinity.
+fn must_vanish(lcp: &Lcp, transposed: &Lcp, j: usize, d: &[f64]) -> bool {
+    let terms = || transposed.matrix().row(j).iter().map(|(i, a)| a * d[i]);
+    let (product, size) = (terms().sum::<f64>(), terms().map(f64::abs).sum::<f64>());
+    let bound = if product > 0.0 { lcp.hi()[j] } else { lcp.lo()[j] };
+    is_coupled(lcp, j) || bound.is_infinite() || product.abs() <= MEANT_TO_BE_ZERO * size
 }
 
 /// Whether max (Aᵀd)ᵀx + bᵀd < 0, with every d_i on an allowed side. All terms carry d's positive
 /// denominator.
-fn proves(lcp: &Lcp, dual: &Lcp, d: &Candidate) -> bool {
+fn proves(lcp: &Lcp, dual: &Exact, d: &Point) -> bool {
     let mut bound = Dyadic::ZERO;
     for i in 0..lcp.len() {
-        let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
-        let (d_i, product) = (d.scaled_x(i), d.scaled_w(dual, i));
-        let forbidden =
-            (d_i > Dyadic::ZERO && hi.is_finite()) || (d_i < Dyadic::ZERO && lo.is_finite());
+        let (lo, hi) = match is_coupled(lcp, i) {
+            true => (f64::NEG_INFINITY, f64::INFINITY),
+            false => (lcp.lo()[i], lcp.hi()[i]),
+        };
+        let (d_i, product) = (d.scaled(i), dual.scaled_w(i, d));
+        let is_forbidden = (*d_i > Dyadic::ZERO && hi.is_finite())
+            || (*d_i < Dyadic::ZERO && lo.is_finite())
+            || (*d_i != Dyadic::ZERO && is_coupled(lcp, i));
         let at = if product > Dyadic::ZERO { hi } else { lo };
-        if forbidden || (product != Dyadic::ZERO && at.is_infinite()) {
+        if is_forbidden || (product != Dyadic::ZERO && at.is_infinite()) {
             return false;
         }
         bound += dyadic(lcp.b()[i]) * d_i;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::certificate::{Certificate, Demand, Verdict, judge};
+use lcplab::certificate::{Certificate, Demand, Verdict, judge, upper_bound};
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::{Problem, number, read_answer};
@@ -178,7 +178,9 @@ fn on_one_line(name: &str) -> String {
 }
 
 fn bound_text(bound: Option<f64>) -> String {
-    let line = |bound| format!("  error bound      {bound:>10.2e}  no entry of x is further off\n");
+    let line = |bound| {
+        format!("  error bound      {:>10}  no entry of x is further off\n", upper_bound(bound))
+    };
     bound.map(line).unwrap_or_default()
 }
 

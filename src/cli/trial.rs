@@ -89,7 +89,7 @@ fn table(record: &Record) -> Table {
         let counts = [
             tally.proved,
             tally.within,
-            tally.strained,
+            tally.refused,
             tally.impossible,
             tally.unsolved,
             tally.outside,
@@ -101,7 +101,7 @@ fn table(record: &Record) -> Table {
         title: "Claims".into(),
         columns: std::iter::once(Column::words("solver"))
             .chain(
-                ["proved", "within", "strained", "impossible", "unsolved", "outside", "untrue"]
+                ["proved", "within", "refused", "impossible", "unsolved", "outside", "untrue"]
                     .map(|name| Column::numbers(name, "")),
             )
             .collect(),

@@ -3,6 +3,10 @@
 use std::fmt;
 
 use crate::document::notation::plain;
+use crate::plot::number::readable;
+
+/// Significant digits of a factor near 1 and of a number of sweeps.
+const DIGITS: usize = 6;
 
 /// Something that keeps a problem from having one good answer.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,10 +23,10 @@ pub enum Cause {
     },
     /// Rows that no forces satisfy together.
     Impossible {
-        /// The rows.
+        /// The rows; none are named where it takes all of them.
         rows: Vec<String>,
-        /// Whether this was shown in exact arithmetic, or holds as far as rounding lets one see.
-        is_proved: bool,
+        /// How that is known.
+        proof: Proof,
     },
     /// Rows that depend on each other and agree: over-constrained.
     Redundant {
@@ -30,6 +34,9 @@ pub enum Cause {
         rows: Vec<String>,
         /// How many of them could be left out.
         spare: usize,
+        /// Whether w, and with it the motion, is the same for all solutions: A is symmetric and
+        /// semidefinite, and no row has friction.
+        is_motion_unique: bool,
     },
     /// The bodies do not stand where an equation wants them, or overlap: drift, or a bad start.
     Apart {
@@ -42,6 +49,13 @@ pub enum Cause {
     IllConditioned {
         /// The condition number of the scaled A.
         condition: f64,
+    },
+    /// Sweeps would need long, though nothing else is wrong: tall stacks, long chains.
+    Slow {
+        /// What a sweep of Gauss-Seidel leaves of the error while no bound interferes.
+        radius: f64,
+        /// The sweeps to eight digits.
+        sweeps: f64,
     },
     /// A is not symmetric.
     Unsymmetric,
@@ -57,16 +71,31 @@ pub enum Cause {
     },
 }
 
+/// How it is known that rows cannot be satisfied together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Proof {
+    /// By a vector that was checked in exact arithmetic.
+    Vector,
+    /// So many pieces, all that there are, were tried in exact arithmetic.
+    CaseSplit {
+        /// How many.
+        pieces: usize,
+    },
+    /// It is not proved: it seems so, as far as rounding lets one see.
+    Rounding,
+}
+
 impl Cause {
     /// Whether it keeps the step from being taken as it should be; the others are remarks.
     pub fn is_fatal(&self) -> bool {
         match self {
+            Cause::Impossible { proof, .. } => *proof != Proof::Rounding,
             Cause::NoDirection { .. }
             | Cause::ZeroRow { .. }
-            | Cause::Impossible { .. }
             | Cause::Indefinite { .. }
             | Cause::Failed { .. } => true,
             Cause::Redundant { .. }
+            | Cause::Slow { .. }
             | Cause::Apart { .. }
             | Cause::IllConditioned { .. }
             | Cause::Unsymmetric => false,
@@ -80,6 +109,7 @@ impl Cause {
             Cause::ZeroRow { row } | Cause::Apart { row, .. } => std::slice::from_ref(row),
             Cause::NoDirection { .. }
             | Cause::IllConditioned { .. }
+            | Cause::Slow { .. }
             | Cause::Unsymmetric
             | Cause::Indefinite { .. }
             | Cause::Failed { .. } => &[],
@@ -95,6 +125,7 @@ impl Cause {
             Cause::Redundant { .. } => "over-constrained",
             Cause::Apart { .. } => "drift",
             Cause::IllConditioned { .. } => "ill-conditioned",
+            Cause::Slow { .. } => "slow",
             Cause::Unsymmetric => "not symmetric",
             Cause::Indefinite { .. } => "indefinite",
             Cause::Failed { .. } => "failed",
@@ -114,18 +145,33 @@ impl fmt::Display for Cause {
                 "row {row} acts on nothing that can move, so that a sweep would divide by a zero on the \
                  diagonal; take the row out, or let one of its bodies move."
             ),
-            Cause::Impossible { rows, is_proved } => write!(
+            Cause::Impossible { rows, proof: Proof::Vector } => write!(
                 f,
-                "no forces satisfy these rows together, {}, so that sweeps would raise the forces for ever: \
-                 {}; take one of them out, or let it yield by a spring.",
-                if *is_proved { "proved in exact arithmetic" } else { "as far as rounding shows" },
+                "no forces satisfy these rows together, proved in exact arithmetic, so that sweeps would raise \
+                 the forces for ever: {}; take one of them out, or let it yield by a spring.",
                 listed(rows)
             ),
-            Cause::Redundant { rows, spare } => write!(
+            Cause::Impossible { proof: Proof::CaseSplit { pieces }, .. } => write!(
                 f,
-                "{spare} of the rows {} could be left out, as they depend on each other; the motion is unique, \
-                 but how they share the load is not.",
+                "no forces satisfy all rows together: each of the {pieces} ways to choose which rows are at a \
+                 bound was tried in exact arithmetic; lower a coefficient of friction, or take a row out."
+            ),
+            Cause::Impossible { rows, proof: Proof::Rounding } => write!(
+                f,
+                "these rows seem to contradict each other, as far as rounding shows, which is no proof: {}; if \
+                 a solver raises the forces for ever, take one of them out, or let it yield by a spring.",
                 listed(rows)
+            ),
+            Cause::Redundant { rows, spare, is_motion_unique } => write!(
+                f,
+                "{spare} of the rows {} could be left out, as they depend on each other; {}",
+                listed(rows),
+                if *is_motion_unique {
+                    "the motion is unique, but how they share the load need not be."
+                } else {
+                    "how they share the load need not be unique, and with friction, or without symmetry, \
+                     the motion neither."
+                }
             ),
             Cause::Apart { row, error } => write!(
                 f,
@@ -137,6 +183,13 @@ impl fmt::Display for Cause {
                 "the condition number is {}, so that sweeps will be slow; look for heavy bodies carried by \
                  light ones, long chains and rows that all but repeat each other, or use a pivoting solver.",
                 plain(*condition)
+            ),
+            Cause::Slow { radius, sweeps } => write!(
+                f,
+                "a sweep of Gauss-Seidel leaves {} of the error while all rows are active, which makes {} sweeps \
+                 to eight digits; start from the last step's forces, or use a pivoting solver.",
+                readable(*radius, DIGITS),
+                readable(sweeps.round(), DIGITS)
             ),
             Cause::Unsymmetric => write!(
                 f,

@@ -2,9 +2,12 @@
 //!
 //! A d with dᵀA = 0 whose rows have no bounds gives dᵀw = dᵀb for every x; but w is 0 in such rows. So
 //! dᵀb ≠ 0 says that there is no solution. Where bounds have a part in it, the ray of a pivoting
-//! solver is the d. Either is then checked in exact arithmetic.
+//! solver or a linear program leads to a d. Either is then checked in exact arithmetic; it may not
+//! lean on rows with friction, whose bounds depend on x. Small problems with such rows are tried piece by
+//! piece.
 
-use crate::certificate::ray::refute;
+use super::cause::Proof;
+use crate::certificate::{Refutation, refutation, refuting_vector};
 use crate::lcp::Lcp;
 use crate::solver::{Dantzig, Settings, Solver, Start, Status};
 
@@ -14,42 +17,33 @@ const PROVED: usize = 150;
 /// A dᵀb below this part of what its terms could be counts as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// The rows that contradict each other, and whether that was proved.
-pub(super) fn rows(lcp: &Lcp, dependencies: &[Vec<f64>]) -> Option<(Vec<usize>, bool)> {
-    let open = open(lcp)?;
-    for d in dependencies {
-        let falling = falling(d, lcp.b());
-        if let Some(rows) = proved(&open, pivot(&falling), &falling) {
-            return Some((rows, true));
+/// The rows that contradict each other, and how that is known. `is_box` says that friction rows, if there
+/// are any, are those of the coupled box and of no other model.
+pub(super) fn rows(
+    lcp: &Lcp,
+    dependencies: &[Vec<f64>],
+    is_box: bool,
+) -> Option<(Vec<usize>, Proof)> {
+    let falling: Vec<Vec<f64>> = dependencies.iter().map(|d| falling(d, lcp.b())).collect();
+    if lcp.len() <= PROVED {
+        let ray = ray(lcp);
+        let hints: Vec<&[f64]> = falling.iter().chain(&ray).map(Vec::as_slice).collect();
+        if let Some(proof) = refuting_vector(lcp, &hints) {
+            let rows = (0..lcp.len()).filter(|&i| !proof.vector[i].is_zero()).collect();
+            return Some((rows, Proof::Vector));
         }
-        if is_free(lcp, d) && contradicts(d, lcp.b()) {
-            return Some((support(d), false));
+        if let (true, Some(Refutation::CaseSplit { pieces })) = (is_box, refutation(lcp, None)) {
+            return Some((Vec::new(), Proof::CaseSplit { pieces })); // all of them
         }
     }
-    by_pivoting(lcp)
-}
-
-/// The problem with friction rows free: a d that leaves them out proves as much for any friction.
-fn open(lcp: &Lcp) -> Option<Lcp> {
-    Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lcp.lo().to_vec(), lcp.hi().to_vec()).ok()
+    let seems = falling.iter().find(|d| is_free(lcp, d) && contradicts(d, lcp.b()))?;
+    Some((support(seems), Proof::Rounding))
 }
 
 /// d with the sign that makes dᵀb negative.
 fn falling(d: &[f64], b: &[f64]) -> Vec<f64> {
     let sum: f64 = d.iter().zip(b).map(|(d, b)| d * b).sum();
     d.iter().map(|&entry| if sum > 0.0 { -entry } else { entry }).collect()
-}
-
-fn pivot(d: &[f64]) -> usize {
-    (0..d.len()).fold(0, |most, i| if d[i].abs() > d[most].abs() { i } else { most })
-}
-
-fn proved(open: &Lcp, row: usize, direction: &[f64]) -> Option<Vec<usize>> {
-    if open.len() > PROVED {
-        return None;
-    }
-    let proof = refute(open, row, direction)?;
-    Some((0..open.len()).filter(|&i| !proof.vector[i].is_zero()).collect())
 }
 
 /// Whether x has no bound in any row of d: friction rows have one.
@@ -70,13 +64,13 @@ fn support(d: &[f64]) -> Vec<usize> {
 }
 
 /// Dantzig's ray, if there is no friction and it ends on one.
-fn by_pivoting(lcp: &Lcp) -> Option<(Vec<usize>, bool)> {
-    if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() || lcp.len() > PROVED {
+fn ray(lcp: &Lcp) -> Option<Vec<f64>> {
+    if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
         return None;
     }
     let solver = Dantzig { settings: Settings::default() };
     match solver.solve(lcp, &Start::default(), &mut ()).status {
-        Status::Ray { row, direction } => proved(lcp, row, &direction).map(|rows| (rows, true)),
+        Status::Ray { direction, .. } => Some(direction),
         _ => None,
     }
 }

@@ -2,16 +2,17 @@
 //!
 //! A problem may have no solution, many, or one that no iteration reaches in time. [`scene`] and
 //! [`problem`] look for the reason before anything is solved: rank, condition and dependent rows
-//! ([`regularity`]), rows that contradict each other ([`refute`](crate::certificate::ray::refute)),
+//! ([`regularity`]), rows that contradict each other ([`refutation`](crate::certificate::refutation())),
 //! bodies that are not where they should be, constraints without direction. K&M "Debugging" and
 //! "Bad Constraints".
 //!
 //! ```
-//! use lcplab::diagnosis::{Cause, scene};
+//! use lcplab::diagnosis::{Cause, Proof, scene};
 //! use lcplab::scene::Scene;
 //!
 //! let found = scene(&Scene::load("fig8")?, 1)?; // two nails farther apart than the rod between them
-//! assert!(found.causes.iter().any(|cause| matches!(cause, Cause::Impossible { is_proved: true, .. })));
+//! let is_proof = |cause: &Cause| matches!(cause, Cause::Impossible { proof: Proof::Vector, .. });
+//! assert!(found.causes.iter().any(is_proof));
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
@@ -21,20 +22,29 @@ mod freedom;
 mod show;
 mod situation;
 
-pub use cause::Cause;
+pub use cause::{Cause, Proof};
 pub use freedom::Freedoms;
 pub use situation::scene;
 
+use crate::certificate::error_bound;
 use crate::certificate::regularity::{Regularity, least_eigenvalue, regularity};
 use crate::error::{Error, Result};
 use crate::lcp::Lcp;
 use crate::lcp::file::Problem;
+use crate::lcp::friction::Model;
+use crate::solver::theory;
 
 /// Problems with more rows are not examined.
 const LARGEST: usize = 2000;
 
-/// Above this condition number sweeps are called slow.
-const SLOW: f64 = 1e6;
+/// Above this condition number A is called ill-conditioned.
+const ILL: f64 = 1e6;
+
+/// So many sweeps to eight digits are worth a word.
+const MANY_SWEEPS: f64 = 1000.0;
+
+/// The eigenvalues of a sweep are computed for so many rows.
+const SWEPT: usize = 400;
 
 /// An eigenvalue below minus this is negative, not rounding.
 const NEGATIVE: f64 = 1e-9;
@@ -50,6 +60,9 @@ pub struct Diagnosis {
     pub freedoms: Option<Freedoms>,
     /// Rank, condition and dependent rows of A; without it, no rows were reached.
     pub regularity: Option<Regularity>,
+    /// Whether x is unique: `true` only where that follows from a theorem whose assumptions were verified
+    /// (A symmetric and definite, no friction); otherwise nothing is known.
+    pub is_unique: bool,
     /// What is wrong, the fatal ones first.
     pub causes: Vec<Cause>,
 }
@@ -69,13 +82,24 @@ pub fn problem(problem: &Problem) -> Result<Diagnosis> {
     };
     let labels = (0..problem.lcp.len()).map(label).collect();
     let mut found = Diagnosis::named(name.to_string(), labels);
-    found.examine(&problem.lcp)?;
+    found.examine(&problem.lcp, matches!(problem.model, None | Some(Model::CoupledBox)))?;
     Ok(found)
+}
+
+/// How many sweeps theory foretells, if they are many.
+fn slow(lcp: &Lcp) -> Option<Cause> {
+    let a = lcp.matrix();
+    if a.len() > SWEPT || (0..a.len()).any(|i| a.diagonal(i) <= 0.0) {
+        return None;
+    }
+    let radius = theory::contraction(&theory::sor_iteration_matrix(a, 1.0));
+    let sweeps = theory::sweeps_to(1e-8, radius);
+    (sweeps > MANY_SWEEPS).then_some(Cause::Slow { radius, sweeps })
 }
 
 impl Diagnosis {
     fn named(subject: String, labels: Vec<String>) -> Self {
-        Diagnosis { subject, labels, freedoms: None, regularity: None, causes: Vec::new() }
+        Diagnosis { subject, labels, freedoms: None, regularity: None, is_unique: false, causes: Vec::new() }
     }
 
     /// Whether a step can be taken.
@@ -83,8 +107,8 @@ impl Diagnosis {
         !self.causes.iter().any(Cause::is_fatal)
     }
 
-    /// Adds what A and b alone tell.
-    fn examine(&mut self, lcp: &Lcp) -> Result<()> {
+    /// Adds what A and b alone tell; `is_box` says that friction rows are those of the coupled box.
+    fn examine(&mut self, lcp: &Lcp, is_box: bool) -> Result<()> {
         if lcp.len() > LARGEST {
             let reason = format!("has {} rows, more than {LARGEST} are not examined", lcp.len());
             return Err(Error::invalid(&self.subject, "A", reason));
@@ -97,13 +121,19 @@ impl Diagnosis {
         for &row in &found.zero_rows {
             self.causes.push(Cause::ZeroRow { row: self.labels[row].clone() });
         }
-        let impossible = contradiction::rows(lcp, &found.dependencies);
-        if let Some((rows, is_proved)) = impossible {
-            self.causes.push(Cause::Impossible { rows: self.names(rows), is_proved });
+        let impossible = contradiction::rows(lcp, &found.dependencies, is_box);
+        if let Some((rows, proof)) = impossible {
+            self.causes.push(Cause::Impossible { rows: self.names(rows), proof });
         }
-        self.redundancy(&found);
-        if found.condition > SLOW {
+        self.is_unique = lcp.coupling().is_none() && error_bound::is_definite(lcp);
+        let is_indefinite = self.causes.iter().any(|cause| {
+            matches!(cause, Cause::Indefinite { .. } | Cause::Unsymmetric)
+        });
+        self.redundancy(&found, lcp.coupling().is_none() && !is_indefinite);
+        if found.condition > ILL {
             self.causes.push(Cause::IllConditioned { condition: found.condition });
+        } else if !is_indefinite {
+            self.causes.extend(slow(lcp));
         }
         self.regularity = Some(found);
         self.causes.sort_by_key(|cause| !cause.is_fatal());
@@ -119,7 +149,7 @@ impl Diagnosis {
     }
 
     /// Dependent rows, but for those that have nothing but zeros.
-    fn redundancy(&mut self, found: &Regularity) {
+    fn redundancy(&mut self, found: &Regularity, is_motion_unique: bool) {
         let depends = |&i: &usize| found.dependencies.iter().any(|d| d[i] != 0.0);
         let rows: Vec<usize> = (0..self.labels.len())
             .filter(depends)
@@ -127,7 +157,8 @@ impl Diagnosis {
             .collect();
         let spare = found.dependencies.len() - found.zero_rows.len().min(found.dependencies.len());
         if spare > 0 {
-            self.causes.push(Cause::Redundant { rows: self.names(rows), spare });
+            let rows = self.names(rows);
+            self.causes.push(Cause::Redundant { rows, spare, is_motion_unique });
         }
     }
 

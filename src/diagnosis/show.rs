@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Cause, Diagnosis};
+use super::{Cause, Diagnosis, Proof};
 use crate::certificate::regularity::Regularity;
 use crate::document::notation::{indexed, plain};
 use crate::document::{Document, SHOWN, Section};
@@ -36,10 +36,14 @@ impl Diagnosis {
     /// The same for machines: counts are `null` where no rows were reached, freedoms also for a problem.
     pub fn to_json(&self) -> Value {
         let cause = |cause: &Cause| {
-            json!({
+            let mut object = json!({
                 "name": cause.name(), "is_fatal": cause.is_fatal(), "rows": cause.rows(),
                 "message": cause.to_string(),
-            })
+            });
+            if let Cause::Impossible { proof, .. } = cause {
+                object["is_proved"] = json!(*proof != Proof::Rounding);
+            }
+            object
         };
         let freedoms = self.freedoms.map(|freedoms| {
             json!({
@@ -51,6 +55,7 @@ impl Diagnosis {
         json!({
             "subject": self.subject,
             "is_sound": self.is_sound(),
+            "unique": if self.is_unique { json!(true) } else { Value::Null },
             "rows": self.labels,
             "rank": found.map(|found| found.rank),
             "condition": found.map(|found| found.condition),
@@ -62,8 +67,16 @@ impl Diagnosis {
 
     fn summary(&self) -> String {
         let words = match self.causes.as_slice() {
-            [] => "Nothing is wrong: the rows are independent and the answer is unique.",
-            _ if self.is_sound() => "It can be solved; the remarks below say what to expect.",
+            [] if self.is_unique => {
+                "Nothing is wrong: the rows are independent and the answer is unique."
+            }
+            [] => {
+                "Nothing was found that keeps it from being solved; whether there is one answer only is not \
+                 known."
+            }
+            _ if self.is_sound() => {
+                "Nothing was found that keeps it from being solved; the remarks below say what to expect."
+            }
             _ => "It cannot be solved as it stands.",
         };
         words.to_string()

@@ -7,7 +7,7 @@ use crate::document::notation::plain;
 use crate::error::Result;
 use crate::formulation::Problem;
 use crate::report::study::scene_simulation;
-use crate::scene::{Scene, contacts};
+use crate::scene::{FrictionModel, Scene, contacts};
 
 /// An error c (m or rad) beyond this is worth a word.
 const APART: f64 = 1e-3;
@@ -44,7 +44,7 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
     found.freedoms = Some(Freedoms::of(&assembly));
     found.causes.extend(apart(&assembly, scene));
     let problem = Problem::velocity(scene, assembly).map_err(|error| error.within(&scene.name))?;
-    found.examine(&problem.lcp)?;
+    found.examine(&problem.lcp, scene.contact.model == FrictionModel::CoupledBox)?;
     Ok(found)
 }
 

@@ -1,7 +1,7 @@
 //! The answer: x, w, what they say, and the judge's word.
 
 use super::units::{Units, with_unit};
-use crate::certificate::{Demand, Verdict, judge};
+use crate::certificate::{Demand, Verdict, judge, upper_bound};
 use crate::document::Section;
 use crate::document::notation::{indexed, interval, plain};
 use crate::lcp::Lcp;
@@ -42,7 +42,8 @@ pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
     let verdict = match verdict {
         Verdict::Proved { distance: 0.0 } => "proved, x is an exact solution".into(),
         Verdict::Proved { distance } => {
-            format!("proved, an exact solution is within {} of each x", plain(*distance))
+            let distance = upper_bound(*distance).parse().unwrap_or(*distance);
+            format!("proved, an exact solution is within {} of each x", plain(distance))
         }
         other => other.to_string(),
     };

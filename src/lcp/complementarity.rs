@@ -1,6 +1,5 @@
 //! What boxed LCPs and cone problems have in common.
 
-use super::merit::RowTerms;
 use super::{Lcp, merit};
 
 /// Find x in K with w = A x + b pointing out of K nowhere: w·(y − x) ≥ 0 for all y in K.
@@ -34,15 +33,12 @@ pub trait Complementarity: Sized {
     /// Whether x + t d stays in K for all t ≥ 0, from every x in K; never where w is shifted.
     fn recedes(&self, d: &[f64]) -> bool;
 
-    /// Whether the residual itself, not only its size beside a large x, is well below that of
-    /// x = Π(0): else x has run off.
-    fn is_better_than_nothing(&self, _x: &[f64]) -> bool {
+    /// Whether x is nearer to a solution than x = Π(0): else it has run off, and its residual is small
+    /// only beside its terms.
+    fn is_worth_something(&self, _x: &[f64], _tolerance: f64) -> bool {
         true
     }
 }
-
-/// An answer whose residual is not below this part of that of doing nothing is none.
-const BETTER: f64 = 0.1;
 
 impl Complementarity for Lcp {
     fn lcp(&self) -> &Lcp {
@@ -82,17 +78,7 @@ impl Complementarity for Lcp {
         (0..d.len()).all(is_open)
     }
 
-    fn is_better_than_nothing(&self, x: &[f64]) -> bool {
-        let residual = |x: &[f64]| {
-            let row = |i: usize| {
-                let (terms, (lo, hi)) = (RowTerms::at(self, i, x), self.bounds(i, x));
-                let scale = if terms.scale > 0.0 { terms.scale } else { 1.0 };
-                terms.scaled_residual(x[i], lo, hi) * terms.magnitude / scale.sqrt()
-            };
-            (0..x.len()).map(row).fold(0.0, f64::max)
-        };
-        let mut nothing = vec![0.0; x.len()];
-        self.project_all(&mut nothing);
-        residual(x) <= BETTER * residual(&nothing)
+    fn is_worth_something(&self, x: &[f64], tolerance: f64) -> bool {
+        merit::is_worth_something(self, x, tolerance)
     }
 }

@@ -85,27 +85,67 @@ impl RowTerms {
     /// ```
     ///
     /// No unit and no scaling of a row or column changes it; rounding alone makes it about 1e-16.
-    /// Computed as the median of s (x − hi), w and s (x − lo), which needs no division by s.
     pub fn scaled_residual(&self, x: f64, lo: f64, hi: f64) -> f64 {
+        self.miss(x, lo, hi).relative()
+    }
+
+    /// How far x_i is from its own step, computed as the median of s (x − hi), w and s (x − lo), which
+    /// needs no division by s.
+    pub fn miss(&self, x: f64, lo: f64, hi: f64) -> Miss {
         let scale = if self.scale == 0.0 { 1.0 } else { self.scale };
-        let room = |distance: f64| match self.exponent {
-            0 => scale * distance,
-            exponent => {
-                let (scale, distance) = shifted(scale, distance, -exponent);
-                scale * distance
-            }
-        };
-        let residual = self.w.min(room(x - lo)).max(room(x - hi)).abs();
-        match residual {
-            0.0 => 0.0,
-            _ if self.magnitude.is_infinite() => f64::INFINITY, // x is not finite
-            _ => residual / self.magnitude,
-        }
+        let slack = |distance: f64| product(scale, distance, -self.exponent);
+        let size = self.w.min(slack(x - lo)).max(slack(x - hi)).abs();
+        Miss { size, magnitude: self.magnitude, scale, exponent: self.exponent }
     }
 
     /// w_i itself, which may overflow.
     pub fn w(&self) -> f64 {
         libm::ldexp(self.w, self.exponent)
+    }
+}
+
+/// How far a row or a contact is from its own projected step, in the unit of w.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Miss {
+    /// |x − Π(x − w/s)| s, in units of 2^`exponent`.
+    pub size: f64,
+    /// The terms to measure it by, in the same units.
+    pub magnitude: f64,
+    /// s.
+    pub scale: f64,
+    /// 0 unless the terms are so large or so small that they would overflow or vanish.
+    pub exponent: i32,
+}
+
+impl Miss {
+    /// The size beside the terms, 0/0 = 0; NaN counts as ∞.
+    pub fn relative(&self) -> f64 {
+        match self.size / self.magnitude {
+            _ if self.size == 0.0 => 0.0,
+            _ if self.magnitude.is_infinite() => f64::INFINITY, // x is not finite
+            relative if relative.is_nan() => f64::INFINITY,
+            relative => relative,
+        }
+    }
+
+    /// log₂ of |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever the units of x
+    /// and w.
+    pub fn step(&self) -> f64 {
+        match self.size {
+            0.0 => f64::NEG_INFINITY,
+            size => libm::log2(size) + f64::from(self.exponent) - 0.5 * libm::log2(self.scale),
+        }
+    }
+}
+
+/// a b 2^shift, which does not overflow on the way.
+pub(super) fn product(a: f64, b: f64, shift: i32) -> f64 {
+    match shift {
+        0 => a * b,
+        shift => {
+            let (a, b) = shifted(a, b, shift);
+            a * b
+        }
     }
 }
 
@@ -139,8 +179,12 @@ pub fn scaled_residual(lcp: &Lcp, x: &[f64]) -> f64 {
 
 /// r_i.
 fn row_residual(lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
+    miss(lcp, i, x).relative()
+}
+
+fn miss(lcp: &Lcp, i: usize, x: &[f64]) -> Miss {
     let (lo, hi) = lcp.bounds(i, x);
-    RowTerms::at(lcp, i, x).scaled_residual(x[i], lo, hi)
+    RowTerms::at(lcp, i, x).miss(x[i], lo, hi)
 }
 
 /// Whether max_i r_i is at most the tolerance. The rows are looked at from `first` on, where the last
@@ -151,6 +195,37 @@ pub fn is_within(lcp: &Lcp, x: &[f64], tolerance: f64, first: &mut usize) -> boo
     let outside = (0..n).map(|k| (*first + k) % n).find(is_outside);
     *first = outside.unwrap_or(*first);
     outside.is_none()
+}
+
+/// An answer whose steps are not below this part of those of Π(0) is none.
+const BETTER: f64 = 0.1;
+
+/// Whether x is nearer to a solution than doing nothing, x = Π(0), by a factor of ten: the longest step
+/// max_i |x_i − Π(x_i − w_i/s_i)| √s_i has fallen to a tenth. Where Π(0) is within the tolerance itself,
+/// every x is.
+///
+/// The scaled residual alone cannot tell: it becomes small for any x that is far enough away along a
+/// direction with A d = 0.
+pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
+    let misses = |x: &[f64]| -> Vec<Miss> { (0..lcp.len()).map(|i| miss(lcp, i, x)).collect() };
+    let mut nothing = vec![0.0; lcp.len()];
+    lcp.project_all(&mut nothing);
+    is_better(&misses(x), &misses(&nothing), tolerance)
+}
+
+/// Whether the longest of these steps is a tenth of the longest of those of Π(0) at most, or Π(0) is
+/// within the tolerance.
+pub(super) fn is_better(misses: &[Miss], of_nothing: &[Miss], tolerance: f64) -> bool {
+    let longest =
+        |misses: &[Miss]| misses.iter().map(Miss::step).fold(f64::NEG_INFINITY, f64::max);
+    longest(misses) <= longest(of_nothing) + libm::log2(BETTER)
+        || of_nothing.iter().all(|miss| miss.relative() <= tolerance)
+}
+
+/// Whether x may be called a solution: the scaled residual is within the tolerance, and x is worth
+/// something.
+pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
+    scaled_residual(lcp, x) <= tolerance && is_worth_something(lcp, x, tolerance)
 }
 
 /// max_i |x_i − Π(x_i − w_i)|: zero exactly at the solutions; it mixes the units of x and w.

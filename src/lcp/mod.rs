@@ -12,6 +12,7 @@
 pub(crate) mod accurate;
 mod complementarity;
 mod coupled;
+pub mod exact;
 pub mod exchange;
 pub mod file;
 pub mod friction;

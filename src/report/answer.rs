@@ -3,11 +3,15 @@
 use dashu_ratio::RBig;
 use serde_json::{Map, Value, json};
 
-use crate::certificate::ray::{self, Farkas};
-use crate::certificate::{Certificate, Demand, Verdict, error_bound, judge};
+use crate::certificate::{
+    Certificate, Demand, Evidence, Refutation, Verdict, error_bound, judge, refutation, upper_bound,
+};
 use crate::lcp::Lcp;
 use crate::lcp::file::number;
 use crate::solver::{Reason, Solution, Status};
+
+/// Entries of an exact vector that are printed at most.
+const SHOWN: usize = 12;
 
 /// A solver's answer with its claim, and the judge's verdict on it.
 #[derive(Debug, Clone)]
@@ -16,11 +20,8 @@ pub struct Answer {
     pub solver: &'static str,
     /// What it returned.
     pub solution: Solution,
-    /// What the judge makes of it.
+    /// What the judge makes of it, and of the claim that there is no solution.
     pub certificate: Certificate,
-    /// The vector that proves that no solution exists, if the solver ended on a ray and the ray
-    /// was checked exactly.
-    pub farkas: Option<Farkas>,
     /// A bound on max |x − x*| where A is verifiably definite and nothing better was proved.
     pub error_bound: Option<f64>,
     /// Who stopped the solver, if someone did.
@@ -28,17 +29,25 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Has a solution judged.
+    /// Has a solution judged; where the solver has ended on a ray or says that there is no solution, the
+    /// judge looks for a proof of that.
     pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
         let certificate = judge(lcp, &solution.x, demand);
-        let farkas = match &solution.status {
-            Status::Ray { row, direction } if lcp.len() <= demand.prove_up_to => {
-                ray::refute(lcp, *row, direction)
-            }
+        let denied = match &solution.status {
+            Status::Ray { direction, .. } => Some(Some(direction.as_slice())),
+            Status::NoSolution => Some(None),
             _ => None,
         };
+        let is_open = !matches!(certificate.verdict, Verdict::Proved { .. })
+            && certificate.refutation().is_none()
+            && lcp.len() <= demand.prove_up_to;
+        let refutation = denied.filter(|_| is_open).and_then(|hint| refutation(lcp, hint));
+        let certificate = match refutation {
+            Some(refutation) => certificate.refuted_by(refutation),
+            None => certificate,
+        };
         let error_bound = bound(lcp, &solution.x, &certificate);
-        Answer { solver, solution, certificate, farkas, error_bound, stopped: None }
+        Answer { solver, solution, certificate, error_bound, stopped: None }
     }
 
     /// The same, with the reason why the solver was stopped.
@@ -48,13 +57,19 @@ impl Answer {
 
     /// The solver's claim in one of four words. `infeasible` is said only with a proof.
     pub fn status_word(&self) -> &'static str {
-        if self.farkas.is_some() { "infeasible" } else { status_word(&self.solution.status) }
+        match &self.solution.status {
+            Status::Ray { .. } | Status::NoSolution if self.certificate.refutation().is_some() => {
+                "infeasible"
+            }
+            status => status_word(status),
+        }
     }
 
     /// The status in words.
     pub fn message(&self) -> String {
-        if self.farkas.is_some() {
-            return "no solution exists: the ray was checked exactly".to_string();
+        if let ("infeasible", Some(refutation)) = (self.status_word(), self.certificate.refutation())
+        {
+            return format!("no solution exists, {}", how(refutation));
         }
         self.stopped.map_or_else(|| self.solution.status.to_string(), |by| by.to_string())
     }
@@ -76,23 +91,29 @@ impl Answer {
         if let Some(bound) = self.error_bound {
             fields.insert("error_bound".into(), number(bound));
         }
-        if let Some(farkas) = &self.farkas {
-            fields
-                .insert("certificate".into(), json!({ "no_solution": fractions(&farkas.vector) }));
-        }
         Value::Object(fields)
     }
 }
 
-/// A status in one of four words; a ray is a failure until it is checked.
+/// How it was shown that there is no solution.
+fn how(refutation: &Refutation) -> String {
+    match refutation {
+        Refutation::Vector(_) => "proved by a vector that was checked exactly".to_string(),
+        Refutation::CaseSplit { pieces } => {
+            format!("as all {pieces} choices of active rows were tried in exact arithmetic")
+        }
+    }
+}
+
+/// A status in one of four words; that there is no solution is a failure until it is proved.
 pub fn status_word(status: &Status) -> &'static str {
     match status {
         Status::Solved => "solved",
         Status::Inaccurate | Status::IterationLimit | Status::Stalled | Status::Stopped => {
             "iteration_limit"
         }
-        Status::NoSolution => "infeasible",
-        Status::Ray { .. }
+        Status::NoSolution
+        | Status::Ray { .. }
         | Status::Diverged
         | Status::NotFinite
         | Status::ZeroDiagonal { .. }
@@ -125,10 +146,20 @@ pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
         object.insert(key.into(), number(value));
     }
     object.extend(verdict_json(&certificate.verdict));
-    if let Some(direction) = &certificate.null_direction {
-        object.insert("certificate".into(), json!({ "not_unique": fractions(direction) }));
-    }
+    object.extend(certificate.evidence.iter().map(|evidence| ("certificate".into(), evidence_json(evidence))));
     object
+}
+
+/// The key `certificate`: what was shown in exact arithmetic beside the verdict.
+pub fn evidence_json(evidence: &Evidence) -> Value {
+    match evidence {
+        Evidence::NotUnique(direction) => json!({ "not_unique": fractions(direction) }),
+        Evidence::FarSolution { distance } => json!({ "far_solution": number(*distance) }),
+        Evidence::NoSolution(Refutation::Vector(farkas)) => {
+            json!({ "no_solution": fractions(&farkas.vector) })
+        }
+        Evidence::NoSolution(Refutation::CaseSplit { pieces }) => json!({ "case_split": pieces }),
+    }
 }
 
 /// The verdict with its numbers.
@@ -139,7 +170,7 @@ pub fn verdict_json(verdict: &Verdict) -> Map<String, Value> {
         Verdict::Proved { distance } => {
             object.insert("distance".into(), number(distance));
         }
-        Verdict::NotASolution { row, amount } => {
+        Verdict::NotASolution { row, amount, .. } => {
             object.insert("row".into(), json!(row));
             object.insert("amount".into(), number(amount));
         }
@@ -166,12 +197,27 @@ pub fn certificate_text(certificate: &Certificate) -> String {
     for (name, value, meaning) in lines {
         text += &format!("  {name:<17}{value:>10.2e}  {meaning}\n");
     }
-    if let Some(direction) = &certificate.null_direction {
-        let shown =
-            fractions(direction).iter().take(12).map(|d| d.clone() + " ").collect::<String>();
-        let more = if direction.len() > 12 { "…" } else { "" };
-        text +=
-            &format!("  not unique: x can move along ({}{more}), and no w moves\n", shown.trim());
-    }
+    text += &certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
     text
+}
+
+/// The same as a line of text.
+pub fn evidence_text(evidence: &Evidence) -> String {
+    let listed = |vector: &[RBig]| {
+        let shown: Vec<String> = fractions(vector).into_iter().take(SHOWN).collect();
+        shown.join(" ") + if vector.len() > SHOWN { " …" } else { "" }
+    };
+    match evidence {
+        Evidence::NotUnique(direction) => {
+            format!("  not unique: x can move along ({}), and no w moves\n", listed(direction))
+        }
+        Evidence::FarSolution { distance } => format!(
+            "  an exact solution with the same active rows exists, but {} away from x\n",
+            upper_bound(*distance)
+        ),
+        Evidence::NoSolution(Refutation::Vector(farkas)) => {
+            format!("  no solution exists: d = ({}) proves it\n", listed(&farkas.vector))
+        }
+        Evidence::NoSolution(refutation) => format!("  no solution exists, {}\n", how(refutation)),
+    }
 }

@@ -108,7 +108,7 @@ impl Clarabel {
             return Solution::new(lcp, x, Status::Stopped, iterations);
         }
         let is_solved = problem.scaled_residual(&x) <= self.settings.tolerance
-            && problem.is_better_than_nothing(&x);
+            && problem.is_worth_something(&x, self.settings.tolerance);
         let status = match status.as_str() {
             "Solved" | "AlmostSolved" if is_solved => Status::Solved,
             "Solved" | "AlmostSolved" => Status::Inaccurate,

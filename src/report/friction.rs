@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
-use super::answer::verdict_json;
+use super::answer::{evidence_json, evidence_text, verdict_json};
 use crate::certificate::{Demand, FrictionCertificate, judge_cone, judge_friction};
 use crate::lcp::Lcp;
 use crate::lcp::file::number;
@@ -68,6 +68,8 @@ impl Judged {
         object.insert("scaled_residual".into(), number(self.certificate.scaled_residual));
         object.insert("coulomb_residual".into(), number(self.coulomb_residual));
         object.extend(verdict_json(&self.certificate.verdict));
+        let evidence = self.certificate.evidence.iter();
+        object.extend(evidence.map(|evidence| ("certificate".into(), evidence_json(evidence))));
         object.insert("contacts".into(), self.contacts.iter().map(contact).collect());
         object
     }
@@ -80,6 +82,7 @@ impl Judged {
              coulomb residual  {:>9.2e}  under Coulomb's law: what the model gives up\n",
             self.coulomb_residual
         );
+        text += &self.certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
         text += &format!(
             "{:>7} {:>13} {:>13} {:>13} {:>13} {:>10} {:>9}\n",
             "contact", "x_n", "|x_t|", "w_n", "|w_t|", "|x_t|/μx_n", "askew (°)"

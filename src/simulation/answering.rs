@@ -11,7 +11,7 @@
 
 use crate::formulation::{Posing, Problem};
 use crate::lcp::friction::{Model, Polyhedral, Posed};
-use crate::lcp::{Complementarity, Lcp};
+use crate::lcp::{Lcp, merit};
 use crate::scene::Scene;
 use crate::solver::{
     self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Observer, Settings,
@@ -98,7 +98,7 @@ fn by_polygons(
         let soft = polyhedral.softened(part).ok()?;
         let Solution { x, iterations, .. } =
             solve_polyhedral(solver, &soft, start, tolerance, observer);
-        let solves = polyhedral.lcp().scaled_residual(&polyhedral.z(&x)) <= tolerance;
+        let solves = merit::is_solution(polyhedral.lcp(), &polyhedral.z(&x), tolerance);
         let lcp = polyhedral.friction().lcp();
         let solution = || Solution::new(lcp, x, Status::Solved, first.iterations + iterations);
         solves.then(|| solution().with_fallback(Some(Fallback::Softened)))

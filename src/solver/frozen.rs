@@ -37,7 +37,10 @@ pub(super) fn solve<P: Complementarity>(
         (x, iterations) = (solution.x, solution.iterations);
         fallback = fallback.or(solution.fallback);
         let status = match solution.status {
-            Status::Solved if problem.scaled_residual(&x) > settings.tolerance => {
+            Status::Solved
+                if problem.scaled_residual(&x) > settings.tolerance
+                    || !problem.is_worth_something(&x, settings.tolerance) =>
+            {
                 if x == remembered {
                     break;
                 }

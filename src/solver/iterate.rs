@@ -20,7 +20,7 @@ const SHORT: f64 = 1e-7;
 ///
 /// Where there is no solution x runs off along a ray, and the residual becomes small *beside x*; so
 /// the last step, and the whole way from the start, are looked at before an end is given a name; and
-/// an x whose residual is no smaller than that of doing nothing has `Diverged`.
+/// an x that is no nearer to a solution than Π(0) is not taken for one: at the limit it has `Diverged`.
 pub(super) fn iterate(
     problem: &impl Complementarity,
     x: Vec<f64>,
@@ -44,7 +44,8 @@ pub(super) fn iterate_in_parts(
     let Settings { tolerance, max_iterations, check_every, .. } = *settings;
     let lcp = problem.lcp();
     let mut last_outside = 0;
-    let mut is_solved = |x: &[f64]| problem.is_within(x, tolerance, &mut last_outside);
+    let mut is_within = |x: &[f64]| problem.is_within(x, tolerance, &mut last_outside);
+    let is_worth = |x: &[f64]| problem.is_worth_something(x, tolerance);
     let is_finite = |x: &[f64]| x.iter().all(|x| x.is_finite());
     let start = x.clone();
     let (mut before, mut last_finite, mut event) = (x.clone(), x.clone(), Event::Start);
@@ -54,7 +55,8 @@ pub(super) fn iterate_in_parts(
             match step(&mut x, observer) {
                 ControlFlow::Continue(done) => event = done,
                 ControlFlow::Break(status) => {
-                    let status = if is_solved(&x) { Status::Solved } else { status };
+                    let is_solved = is_within(&x) && is_worth(&x);
+                    let status = if is_solved { Status::Solved } else { status };
                     let x = if is_finite(&x) { x } else { last_finite };
                     return Solution::new(lcp, x, status, iteration - 1);
                 }
@@ -70,13 +72,19 @@ pub(super) fn iterate_in_parts(
             if !is_finite(&x) {
                 return Solution::new(lcp, last_finite, Status::Diverged, iteration);
             }
-            if is_solved(&x) {
-                return finish(problem, [&before, &start], x, Status::Solved, iteration);
+            if is_within(&x) {
+                let status = if is_worth(&x) { Status::Solved } else { Status::Diverged };
+                let end = finish(problem, [&before, &start], x.clone(), status, iteration);
+                if end.status != Status::Diverged {
+                    return end;
+                }
             }
             last_finite.copy_from_slice(&x);
         }
     }
-    finish(problem, [&before, &start], x, Status::IterationLimit, max_iterations)
+    let has_run_off = is_within(&x);
+    let status = if has_run_off { Status::Diverged } else { Status::IterationLimit };
+    finish(problem, [&before, &start], x, status, max_iterations)
 }
 
 /// The solution x, unless the way to it from one of the points before shows that there is none.
@@ -95,8 +103,7 @@ pub(super) fn finish(
             return Solution::new(lcp, before.to_vec(), ray, iterations);
         }
     }
-    let ran_off = status == Status::Solved && !problem.is_better_than_nothing(&x);
-    Solution::new(lcp, x, if ran_off { Status::Diverged } else { status }, iterations)
+    Solution::new(lcp, x, status, iterations)
 }
 
 /// x − before without the entries that are small beside the others, each measured by √a_ii: what

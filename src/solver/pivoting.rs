@@ -1,8 +1,7 @@
 //! What the pivoting methods have in common before their first pivot.
 
-use super::principal::Point;
 use super::{Event, Iterate, Observer, Settings, Status};
-use crate::lcp::Lcp;
+use crate::lcp::{Lcp, merit};
 use crate::memory::Memory;
 
 /// Above this many rows a dense factor or tableau takes too long.
@@ -16,7 +15,7 @@ pub(super) fn at_once(
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Option<Status> {
-    let is_solved = || Point::at(lcp, x.to_vec()).largest_residual(lcp) <= settings.tolerance;
+    let is_solved = || merit::is_solution(lcp, x, settings.tolerance);
     begin(lcp, x, needs, settings, observer).or_else(|| is_solved().then_some(Status::Solved))
 }
 

@@ -7,8 +7,8 @@ use super::kernel::{Width, terms};
 use super::{
     Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen, pivoting,
 };
+use crate::lcp::merit::{self, RowTerms};
 use crate::lcp::Lcp;
-use crate::lcp::merit::RowTerms;
 use crate::memory::Memory;
 
 /// Which of the rows that are not satisfied change sides.
@@ -120,7 +120,9 @@ impl Search<'_> {
 
     /// What the method claims of the last point.
     pub(super) fn claim(&self, lcp: &Lcp) -> Status {
-        match self.point.largest_residual(lcp) <= self.settings.tolerance {
+        let tolerance = self.settings.tolerance;
+        let is_within = self.point.largest_residual(lcp) <= tolerance;
+        match is_within && merit::is_worth_something(lcp, &self.point.x, tolerance) {
             true => Status::Solved,
             false => Status::Inaccurate,
         }

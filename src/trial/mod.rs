@@ -1,19 +1,20 @@
 //! Are the solvers honest? Random problems made to hurt, each given to every solver, each answer held
 //! against what is true.
 //!
-//! A solver may fail; it must not say that it has not. These count as a [`Lie`]:
+//! A solver may fail; it must not say that it has not. Nor may the judge say what is not so. These count
+//! as a [`Lie`]:
 //!
-//! - *solved*, and the judge refutes x, or x is not finite;
-//! - *no solution*, and exact arithmetic says that one exists.
+//! - *solved*, and x is not finite, misses a row, or is no nearer to a solution than zero is;
+//! - *no solution*, and one exists;
+//! - accepted by the judge, and none exists; refused by the judge as impossible, and one exists.
 //!
-//! *Solved* means that x solves a problem whose numbers differ by no more than the tolerance. One
-//! without solution may have such a neighbour, with a far away x; answers to those are counted apart,
-//! as *strained* ([`Claim::Strained`]).
+//! What is true is decided in rational numbers, by trying all pieces of the problem
+//! ([`all_solutions`](crate::lcp::exact::all_solutions)), coupled rows included. *Solved* means that x
+//! solves a problem whose numbers differ by no more than the tolerance, and one without solution may
+//! have such a neighbour: a solver may take that for a solution, the judge may not
+//! ([`Claim::Refused`]).
 //!
-//! What is true is decided problem by problem in rational numbers: an answer that the judge *proves*
-//! shows that a solution exists; enumeration of all active sets, or a Farkas vector that was checked
-//! exactly, shows that none does. Where neither is shown (coupled rows, for the most part), the judge
-//! alone counts.
+//! Cones have closed forms instead: [`cone`].
 //!
 //! ```
 //! use lcplab::solver::{Options, by_name};
@@ -27,6 +28,7 @@
 //!
 //! Problem k of a seed is the same in every trial, on any number of threads: [`problem`].
 
+pub mod cone;
 mod problem;
 mod tally;
 mod truth;
@@ -86,7 +88,7 @@ pub fn claims(
     let solve = |solver: &dyn Solver| {
         (
             solver.name(),
-            Claim::of(lcp, solver.solve(lcp, &Start { x: start, ..Start::default() }, &mut ())),
+            Claim::of(lcp, &solver.solve(lcp, &Start { x: start, ..Start::default() }, &mut ())),
         )
     };
     let mut claims: Vec<(&'static str, Claim)> =

@@ -53,7 +53,17 @@ pub const KINDS: &[Kind] = &[
     Kind {
         name: "friction",
         about: "normal rows with two tangents each, bounded by μ times the normal x",
-        make: friction,
+        make: |random| friction(random, 2, 2),
+    },
+    Kind {
+        name: "plane-friction",
+        about: "the same in the plane: one tangent each",
+        make: |random| friction(random, 3, 1),
+    },
+    Kind {
+        name: "polygon",
+        about: "one contact with a polygon of four corners: not symmetric, copositive",
+        make: polygon,
     },
     Kind {
         name: "dominant",
@@ -70,11 +80,41 @@ pub const KINDS: &[Kind] = &[
         about: "entries of 0, −0, subnormal, 10^±150, 10^±300 among the ordinary ones",
         make: |random| extremes(random).bounded(random),
     },
+    Kind {
+        name: "ties",
+        about: "solvable, every row degenerate: x at a bound and w = 0, up to 10⁻¹⁶",
+        make: |random| contacts(random).bounded(random).tied(random),
+    },
+    Kind {
+        name: "bounds-at-the-ends",
+        about: "bounds of 0, −0, subnormals and ±10³⁰⁸, pinned rows, upper bounds alone",
+        make: |random| contacts(random).bounded_at_the_ends(random),
+    },
+    Kind {
+        name: "bimatrix",
+        about: "the equilibria of a two-person game: zero diagonal blocks",
+        make: bimatrix,
+    },
+    Kind {
+        name: "rank-one",
+        about: "A = vvᵀ: all rows but one are redundant",
+        make: |random| rank_one(random).bounded(random),
+    },
+    Kind {
+        name: "cancellation",
+        about: "entries of 2²⁶ … 2³⁰ whose products cancel to little",
+        make: |random| cancelling(random).bounded(random),
+    },
+    Kind {
+        name: "copositive",
+        about: "no negative entry, a positive diagonal, indefinite",
+        make: copositive,
+    },
 ];
 
 /// Problem k of a seed, and where the solvers start: from nothing, or from a guess as bad as can be.
 pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
-    let random = &mut Random(Rand64::new((u128::from(seed) << 64) | k as u128));
+    let random = &mut Random::new(seed, k);
     let lcp = (KINDS[k % KINDS.len()].make)(random).lcp();
     let start = (0..lcp.len()).map(|_| random.one_of(&[0.0, 1.0, -1.0, 1e-300, 1e9, -1e300]));
     let start: Vec<f64> = start.collect();
@@ -83,18 +123,23 @@ pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
 }
 
 /// A stream of random numbers.
-struct Random(Rand64);
+pub(super) struct Random(Rand64);
 
 impl Random {
-    fn whole(&mut self, least: i64, most: i64) -> i64 {
+    /// The stream of problem k of a seed.
+    pub(super) fn new(seed: u64, k: usize) -> Self {
+        Random(Rand64::new((u128::from(seed) << 64) | k as u128))
+    }
+
+    pub(super) fn whole(&mut self, least: i64, most: i64) -> i64 {
         least + self.0.rand_range(0..(most - least + 1) as u64) as i64
     }
 
-    fn number(&mut self, size: i64) -> f64 {
+    pub(super) fn number(&mut self, size: i64) -> f64 {
         self.whole(-size, size) as f64
     }
 
-    fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
+    pub(super) fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
         list[self.whole(0, list.len() as i64 - 1) as usize]
     }
 }
@@ -163,6 +208,38 @@ impl Numbers {
         self
     }
 
+    /// b = −A x for an x of which every entry that has a bound is there, but for the last bit of b.
+    fn tied(mut self, random: &mut Random) -> Numbers {
+        let n = self.b.len();
+        let at = |i: usize| match (self.lo[i], self.hi[i]) {
+            (lo, _) if lo.is_finite() => lo,
+            (_, hi) if hi.is_finite() => hi,
+            _ => 1.0,
+        };
+        let x: Vec<f64> = (0..n).map(at).collect();
+        for i in 0..n {
+            let w: f64 = self.a[i].iter().zip(&x).map(|(a, x)| a * x).sum();
+            self.b[i] = -w + random.one_of(&[0.0, 0.0, 1e-16, -1e-16, 1e-9, -1e-9]);
+        }
+        self
+    }
+
+    /// Bounds as small, as large and as odd as numbers can be.
+    fn bounded_at_the_ends(mut self, random: &mut Random) -> Numbers {
+        const ENDS: [f64; 9] = [0.0, -0.0, 5e-324, -5e-324, 1e-310, 1e308, -1e308, 1.0, -1.0];
+        for i in 0..self.b.len() {
+            let (one, other) = (random.one_of(&ENDS), random.one_of(&ENDS));
+            (self.lo[i], self.hi[i]) = match random.whole(0, 5) {
+                0 | 1 => (one.min(other), one.max(other)),
+                2 => (one, one),
+                3 => (f64::NEG_INFINITY, one),
+                4 => (one, f64::INFINITY),
+                _ => (self.lo[i], self.hi[i]),
+            };
+        }
+        self
+    }
+
     /// Row i in units of 2^k_i: a_ij 2^(k_i + k_j), b_i 2^k_i, bounds 2^−k_i; nothing is rounded.
     fn in_units(mut self, random: &mut Random, most: i64) -> Numbers {
         let n = self.b.len();
@@ -219,19 +296,95 @@ fn contacts_of(random: &mut Random, most: i64) -> Numbers {
     Numbers::new(a, b)
 }
 
-/// One or two contacts with two tangents each.
-fn friction(random: &mut Random) -> Numbers {
-    let points = random.whole(1, 2) as usize;
-    let n = 3 * points;
+/// Up to so many contacts with so many tangents each.
+fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
+    let points = random.whole(1, most) as usize;
+    let rows = 1 + tangents;
+    let n = rows * points;
     let j: Vec<Vec<f64>> = (0..n).map(|_| (0..4).map(|_| random.number(2)).collect()).collect();
     let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
     let a = j.iter().map(|row| j.iter().map(|other| dot(row, other)).collect()).collect();
     let velocity: Vec<f64> = (0..4).map(|_| random.number(3)).collect();
     let b = j.iter().map(|row| dot(row, &velocity)).collect();
-    let index = (0..n).map(|i| (i % 3 > 0).then_some(i - i % 3)).collect();
+    let index = (0..n).map(|i| (i % rows > 0).then_some(i - i % rows)).collect();
     let mu = (0..n).map(|_| random.one_of(&[0.0, 0.25, 1.0, 4.0])).collect();
-    let lo = (0..n).map(|i| if i % 3 > 0 { f64::NEG_INFINITY } else { 0.0 }).collect();
+    let lo = (0..n).map(|i| if i % rows > 0 { f64::NEG_INFINITY } else { 0.0 }).collect();
     Numbers { lo, friction: Some((index, mu)), ..Numbers::new(a, b) }
+}
+
+/// The unknowns x_n, β₁ … β₄ and γ of one contact, as [`Polyhedral`](crate::lcp::friction::Polyhedral)
+/// has them, along ±t1 and ±t2.
+fn polygon(random: &mut Random) -> Numbers {
+    let Numbers { a, b, .. } = friction(random, 1, 2);
+    let mu = random.one_of(&[0.0, 0.25, 1.0, 4.0]);
+    let along: [[f64; 3]; 5] =
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
+    let entry = |p: [f64; 3], q: [f64; 3]| -> f64 {
+        (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).map(|(i, j)| p[i] * a[i][j] * q[j]).sum()
+    };
+    let mut rows: Vec<Vec<f64>> = along
+        .iter()
+        .enumerate()
+        .map(|(k, &p)| {
+            let row = along.iter().map(|&q| entry(p, q));
+            row.chain([f64::from(k > 0)]).collect()
+        })
+        .collect();
+    rows.push(vec![mu, -1.0, -1.0, -1.0, -1.0, 0.0]);
+    let dot = |p: &[f64; 3]| p.iter().zip(&b).map(|(p, b)| p * b).sum();
+    Numbers::new(rows, along.iter().map(dot).chain([0.0]).collect())
+}
+
+/// A game with costs P and Q: A = [0 P; Qᵀ 0], b = −1.
+fn bimatrix(random: &mut Random) -> Numbers {
+    let (rows, columns) = (random.whole(1, 3) as usize, random.whole(1, 3) as usize);
+    let n = rows + columns;
+    let mut a = vec![vec![0.0; n]; n];
+    for i in 0..rows {
+        for j in rows..n {
+            (a[i][j], a[j][i]) = (random.whole(1, 4) as f64, random.whole(1, 4) as f64);
+        }
+    }
+    Numbers::new(a, vec![-1.0; n])
+}
+
+/// vvᵀ of small whole numbers; b along v for half of the problems.
+fn rank_one(random: &mut Random) -> Numbers {
+    let n = random.whole(2, 5) as usize;
+    let v: Vec<f64> = (0..n).map(|_| random.number(3)).collect();
+    let a = v.iter().map(|x| v.iter().map(|y| x * y).collect()).collect();
+    let (speed, is_consistent) = (random.number(3), random.whole(0, 1) == 0);
+    let b = v.iter().map(|v| if is_consistent { speed * v } else { random.number(3) });
+    let b = b.collect();
+    Numbers::new(a, b)
+}
+
+/// JJᵀ of whole numbers near 2²⁶ … 2³⁰ in two columns, so that determinants are differences of products
+/// of 60 bits and more.
+fn cancelling(random: &mut Random) -> Numbers {
+    let n = random.whole(1, 3) as usize;
+    let size = 2f64.powi(random.whole(26, 30) as i32);
+    let j: Vec<[f64; 2]> =
+        (0..n).map(|_| [size + random.number(4), size + random.number(4)]).collect();
+    let dot = |p: &[f64; 2], q: &[f64; 2]| p[0] * q[0] + p[1] * q[1];
+    let a = j.iter().map(|p| j.iter().map(|q| dot(p, q)).collect()).collect();
+    let speed = [size * random.number(2), size * random.number(2) + random.number(3)];
+    Numbers::new(a, j.iter().map(|row| dot(row, &speed)).collect())
+}
+
+/// Entries of 0 … 3, at least 1 on the diagonal, symmetric.
+fn copositive(random: &mut Random) -> Numbers {
+    let n = random.whole(2, 5) as usize;
+    let mut a = vec![vec![0.0; n]; n];
+    for i in 0..n {
+        a[i][i] = random.whole(1, 3) as f64;
+        for j in 0..i {
+            let value = random.whole(0, 3) as f64;
+            (a[i][j], a[j][i]) = (value, value);
+        }
+    }
+    let b = (0..n).map(|_| random.number(3)).collect();
+    Numbers::new(a, b)
 }
 
 /// |a_ii| > Σ |a_ij|, a_ii > 0.

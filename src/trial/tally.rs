@@ -26,8 +26,8 @@ pub struct Tally {
     pub proved: usize,
     /// Answers within the tolerance.
     pub within: usize,
-    /// Answers within the tolerance to problems that, as they stand, have no solution.
-    pub strained: usize,
+    /// Answers within the tolerance to problems of which the judge proves that they have no solution.
+    pub refused: usize,
     /// Problems of which it was proved that they have no solution.
     pub impossible: usize,
     /// No answer, for a reason that was given.
@@ -78,7 +78,7 @@ impl Tally {
         match claim {
             Claim::Proved => tally.proved = 1,
             Claim::Within => tally.within = 1,
-            Claim::Strained => tally.strained = 1,
+            Claim::Refused => tally.refused = 1,
             Claim::Impossible => tally.impossible = 1,
             Claim::Unsolved => tally.unsolved = 1,
             Claim::Outside => tally.outside = 1,
@@ -99,7 +99,7 @@ impl Tally {
         Tally {
             proved: self.proved + other.proved,
             within: self.within + other.within,
-            strained: self.strained + other.strained,
+            refused: self.refused + other.refused,
             impossible: self.impossible + other.impossible,
             unsolved: self.unsolved + other.unsolved,
             outside: self.outside + other.outside,

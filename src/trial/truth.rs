@@ -1,9 +1,9 @@
-//! What a solver claims of a problem, and what is true of it.
+//! What a solver claims of a problem, what the judge says of it, and what is true.
 
-use crate::certificate::ray::refute;
-use crate::certificate::{Demand, Verdict, judge};
+use crate::certificate::{Certificate, Demand, Refusal, Verdict, judge, refutation};
 use crate::lcp::Lcp;
-use crate::solver::{Settings, Solution, Status, all_solutions};
+use crate::lcp::exact::all_solutions;
+use crate::solver::{Settings, Solution, Status};
 
 /// What exact arithmetic knows of a problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,16 +16,16 @@ pub enum Truth {
     Unknown,
 }
 
-/// What a solver says of a problem.
+/// What a solver says of a problem, with the judge's verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Claim {
-    /// A solution, and the judge proves that one has this active set.
+    /// A solution, and the judge proves that there is one beside it.
     Proved,
     /// A solution, and the judge finds it within the tolerance.
     Within,
-    /// The same, but the problem as it stands has none.
-    Strained,
-    /// No solution exists, proved by a Farkas vector or by enumeration.
+    /// A solution, within the tolerance too, but the judge proves that there is none.
+    Refused,
+    /// No solution exists, and the judge proves that.
     Impossible,
     /// No answer, for a reason that it gives.
     Unsolved,
@@ -35,7 +35,7 @@ pub enum Claim {
     Lie(Lie),
 }
 
-/// A claim that is not true.
+/// A claim, or a verdict, that is not true.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Lie {
     /// *Solved*, and row `row` misses by `amount` of its terms.
@@ -45,10 +45,16 @@ pub enum Lie {
         /// Its scaled residual.
         amount: f64,
     },
+    /// *Solved*, and x is no nearer to a solution than Π(0).
+    Worthless,
     /// *Solved*, and x is not finite.
     NotFinite,
     /// *No solution*, and there is one.
     DeniedASolution,
+    /// The judge says *proved* or *within tolerance*, and there is no solution.
+    Accepted,
+    /// The judge says that there is no solution, and there is one.
+    WronglyRefused,
 }
 
 impl std::fmt::Display for Lie {
@@ -57,24 +63,24 @@ impl std::fmt::Display for Lie {
             Lie::Refuted { row, amount } => {
                 write!(f, "solved, but row {row} misses by {amount:.1e} of its terms")
             }
+            Lie::Worthless => write!(f, "solved, but x is no nearer to a solution than zero is"),
             Lie::NotFinite => write!(f, "solved, but x is not finite"),
             Lie::DeniedASolution => write!(f, "no solution, but one exists"),
+            Lie::Accepted => write!(f, "accepted by the judge, but no solution exists"),
+            Lie::WronglyRefused => write!(f, "no solution by the judge, but one exists"),
         }
     }
 }
 
 impl Truth {
-    /// What the claims on a problem prove. Where none does and one depends on it, all active sets are
-    /// tried.
-    pub fn of<'a>(lcp: &Lcp, claims: impl Iterator<Item = &'a Claim> + Clone) -> Truth {
-        let any = |wanted: Claim| claims.clone().any(|claim| *claim == wanted);
-        if any(Claim::Proved) {
-            return Truth::Solvable;
-        }
-        if !any(Claim::Within) && !any(Claim::Impossible) || lcp.coupling().is_some() {
+    /// What all pieces of a problem say, where a claim depends on it; coupled rows included.
+    pub fn of<'a>(lcp: &Lcp, mut claims: impl Iterator<Item = &'a Claim>) -> Truth {
+        let depends = |claim: &Claim| {
+            matches!(claim, Claim::Proved | Claim::Within | Claim::Refused | Claim::Impossible)
+        };
+        if !claims.any(depends) {
             return Truth::Unknown;
         }
-        // Not the solver: it takes a start that is within the tolerance.
         match all_solutions(lcp) {
             Some(solutions) if solutions.is_empty() => Truth::Impossible,
             Some(_) => Truth::Solvable,
@@ -85,19 +91,16 @@ impl Truth {
 
 impl Claim {
     /// The claim of a solution, as far as the judge can see.
-    pub fn of(lcp: &Lcp, solution: Solution) -> Claim {
+    pub fn of(lcp: &Lcp, solution: &Solution) -> Claim {
         let demand = Demand { tolerance: Settings::default().tolerance, prove_up_to: lcp.len() };
         match &solution.status {
             Status::Solved if solution.x.iter().any(|x| !x.is_finite()) => {
                 Claim::Lie(Lie::NotFinite)
             }
-            Status::Solved => match judge(lcp, &solution.x, &demand).verdict {
-                Verdict::Proved { .. } => Claim::Proved,
-                Verdict::WithinTolerance => Claim::Within,
-                Verdict::NotASolution { row, amount } => Claim::Lie(Lie::Refuted { row, amount }),
-            },
-            Status::NoSolution => Claim::Impossible,
-            Status::Ray { row, direction } if refute(lcp, *row, direction).is_some() => {
+            Status::Solved => Claim::judged(&judge(lcp, &solution.x, &demand)),
+            Status::NoSolution if refutation(lcp, None).is_some() => Claim::Impossible,
+            Status::NoSolution => Claim::Lie(Lie::DeniedASolution),
+            Status::Ray { direction, .. } if refutation(lcp, Some(direction)).is_some() => {
                 Claim::Impossible
             }
             Status::OutsideClass { .. } => Claim::Outside,
@@ -105,10 +108,24 @@ impl Claim {
         }
     }
 
-    /// Holds a claim against the truth.
+    /// *Solved*, and what the judge says of it.
+    fn judged(certificate: &Certificate) -> Claim {
+        match certificate.verdict {
+            Verdict::Proved { .. } => Claim::Proved,
+            Verdict::WithinTolerance => Claim::Within,
+            Verdict::NotASolution { why: Refusal::Impossible, .. } => Claim::Refused,
+            Verdict::NotASolution { why: Refusal::Worthless, .. } => Claim::Lie(Lie::Worthless),
+            Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
+                Claim::Lie(Lie::Refuted { row, amount })
+            }
+        }
+    }
+
+    /// Holds a claim, and the judge's verdict on it, against the truth.
     pub(super) fn weigh(&mut self, truth: Truth) {
         match (truth, &self) {
-            (Truth::Impossible, Claim::Within) => *self = Claim::Strained,
+            (Truth::Impossible, Claim::Proved | Claim::Within) => *self = Claim::Lie(Lie::Accepted),
+            (Truth::Solvable, Claim::Refused) => *self = Claim::Lie(Lie::WronglyRefused),
             (Truth::Solvable, Claim::Impossible) => *self = Claim::Lie(Lie::DeniedASolution),
             _ => {}
         }

@@ -1,7 +1,7 @@
 //! Each cause of trouble that the chapter lists has an input that shows it and a message that names it.
 
 use lcplab::certificate::regularity::regularity;
-use lcplab::diagnosis::{Cause, Diagnosis, problem, scene};
+use lcplab::diagnosis::{Cause, Proof, Diagnosis, problem, scene};
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::scene::Scene;
@@ -42,7 +42,7 @@ fn a_regular_problem_has_nothing_wrong() {
 #[test]
 fn the_three_rows_of_figure_8_are_proved_impossible() {
     let found = of_scene("fig8");
-    let Cause::Impossible { rows, is_proved: true } = &found.causes[0] else { panic!("{found:?}") };
+    let Cause::Impossible { rows, proof: Proof::Vector } = &found.causes[0] else { panic!("{found:?}") };
     assert_eq!(
         rows,
         &[
@@ -60,7 +60,7 @@ fn a_body_wedged_between_walls_that_close_in_is_proved_impossible() {
     // Both walls push it, w = (x₀ − x₁ − 1, x₁ − x₀ − 1): the sum is −2, whatever x.
     let found = of_lcp(contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0]));
     assert!(
-        matches!(&found.causes[0], Cause::Impossible { rows, is_proved: true } if rows == &["0", "1"])
+        matches!(&found.causes[0], Cause::Impossible { rows, proof: Proof::Vector } if rows == &["0", "1"])
     );
     // Walls that give way leave it a solution.
     let found = of_lcp(contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, 1.0]));
@@ -86,7 +86,7 @@ mass = 1
 position = [0, -9.5, 0]
 "#;
     let found = of_text(&text);
-    assert!(matches!(&found.causes[0], Cause::Impossible { is_proved: true, .. }), "{found:?}");
+    assert!(matches!(&found.causes[0], Cause::Impossible { proof: Proof::Vector, .. }), "{found:?}");
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn a_rounded_contradiction_is_told_though_not_proved() {
     };
     let rows = [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]];
     let found = of_lcp(equations(&[&rows[0], &rows[1]], &[1.0, 2.0]));
-    assert!(matches!(&found.causes[0], Cause::Impossible { is_proved: false, .. }), "{found:?}");
+    assert!(matches!(&found.causes[0], Cause::Impossible { proof: Proof::Rounding, .. }), "{found:?}");
     let found = of_lcp(equations(&[&rows[0], &rows[1]], &[1.0, 3.0]));
     assert_eq!(names(&found), ["over-constrained"]);
 }
@@ -166,9 +166,12 @@ fn every_cause_is_one_sentence() {
     let causes = [
         Cause::NoDirection { constraint: "constraints[0]: the two points coincide".into() },
         Cause::ZeroRow { row: "1".into() },
-        Cause::Impossible { rows: rows(), is_proved: true },
-        Cause::Impossible { rows: rows(), is_proved: false },
-        Cause::Redundant { rows: rows(), spare: 1 },
+        Cause::Impossible { rows: rows(), proof: Proof::Vector },
+        Cause::Impossible { rows: Vec::new(), proof: Proof::CaseSplit { pieces: 6 } },
+        Cause::Impossible { rows: rows(), proof: Proof::Rounding },
+        Cause::Redundant { rows: rows(), spare: 1, is_motion_unique: true },
+        Cause::Redundant { rows: rows(), spare: 1, is_motion_unique: false },
+        Cause::Slow { radius: 0.9999, sweeps: 184_000.0 },
         Cause::Apart { row: "1".into(), error: "0.5 m".into() },
         Cause::IllConditioned { condition: 2e8 },
         Cause::Unsymmetric,

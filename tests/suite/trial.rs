@@ -1,9 +1,11 @@
 //! Whether the solvers are honest, and whether the trial would notice if they were not.
 
-use lcplab::lcp::Lcp;
+use lcplab::certificate::{Demand, judge_cone};
+use lcplab::lcp::{Complementarity, Lcp};
 use lcplab::solver::{
-    ALL, Observer, Options, Settings, Solution, Solver, Start, Status, all_solutions,
+    ALL, CONES, Observer, Options, Settings, Solution, Solver, Start, Status, all_solutions,
 };
+use lcplab::trial::cone::{ConeTruth, contact};
 use lcplab::trial::{Claim, KINDS, Lie, Trial, claims, problem};
 
 use crate::common::{INF, boxed};
@@ -60,16 +62,27 @@ fn a_denied_solution_is_noticed() {
     assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
     let ray = Status::Ray { row: 0, direction: vec![1.0] };
     assert_eq!(said(&lcp, ray, 0.0), Claim::Impossible);
-    let ray = Status::Ray { row: 0, direction: vec![-1.0] };
-    assert_eq!(said(&lcp, ray, 0.0), Claim::Unsolved);
+    // A wrong vector leads the judge to the right one, and to nothing where there is a solution.
+    let ray = || Status::Ray { row: 0, direction: vec![-1.0] };
+    assert_eq!(said(&lcp, ray(), 0.0), Claim::Impossible);
+    let lcp = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]);
+    assert_eq!(said(&lcp, ray(), 0.0), Claim::Unsolved);
 }
 
 #[test]
-fn an_answer_far_away_to_a_problem_without_one_is_counted_apart() {
+fn an_answer_far_away_to_a_problem_without_one_is_no_answer() {
     // w = (x1 − x2 − 1, x2 − x1 − 1) ≥ 0 asks for x1 − x2 ≥ 1 and ≤ −1; 1e9 loses both in its terms.
     let lcp = boxed(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0], &[0.0; 2], &[INF; 2]);
     assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
-    assert_eq!(said(&lcp, Status::Solved, 1e9), Claim::Strained);
+    assert_eq!(said(&lcp, Status::Solved, 1e9), Claim::Lie(Lie::Worthless));
+}
+
+#[test]
+fn an_answer_to_a_problem_that_misses_a_solution_by_less_than_the_tolerance_is_refused() {
+    // x1 = 1 and x1 = 1 + 1e-10: the residual of x = 1 is 5e-11, and no x solves both.
+    let lcp = boxed(&[&[1.0, 0.0], &[1.0, 0.0]], &[-1.0, -1.0 - 1e-10], &[-INF; 2], &[INF; 2]);
+    assert_eq!(said(&lcp, Status::Solved, 1.0), Claim::Refused);
+    assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
 }
 
 #[test]
@@ -80,7 +93,51 @@ fn a_start_within_the_tolerance_is_no_proof_that_a_solution_exists() {
     let lcp = boxed(&[&[a, e], &[e, 0.0]], &[0.0, 3.0], &[0.0, -2.0], &[INF; 2]);
     assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
     assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
-    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::Strained);
+    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::Refused);
+}
+
+#[test]
+fn the_judge_of_cones_knows_a_contact_in_any_units() {
+    let accepts = |truth: &ConeTruth, x: [f64; 3]| {
+        judge_cone(&truth.problem, &x, &Demand::default()).verdict.is_solution()
+    };
+    let truths: Vec<ConeTruth> = (0..3000).map(|k| contact(1, k)).collect();
+    for (k, truth) in truths.iter().enumerate() {
+        let [n, t1, t2] = truth.x;
+        assert!(accepts(truth, truth.x), "{k}: {truth:?}");
+        // Friction that moves the slip by less than the tolerance cannot be seen in it.
+        let slip = truth.problem.lcp().b()[1].hypot(truth.problem.lcp().b()[2]);
+        let brake = truth.problem.lcp().matrix().diagonal(1) * t1.hypot(t2);
+        if truth.slides && brake > 1e-6 * slip {
+            for wrong in [[n, 0.0, 0.0], [n, -t1, -t2], [n, 0.5 * t1, 0.5 * t2], [n, t2, -t1]] {
+                assert!(!accepts(truth, wrong), "{k}: {wrong:?} {truth:?}");
+            }
+        }
+        if n > 0.0 {
+            assert!(!accepts(truth, [0.5 * n, t1, t2]), "{k}: {truth:?}");
+        }
+    }
+    assert!(truths.iter().filter(|truth| truth.slides).count() > 300);
+}
+
+#[test]
+fn no_solver_of_cones_lies_about_a_contact_in_any_units() {
+    for entry in CONES {
+        let solver = (entry.build)(&Settings::default());
+        let mut solved = 0;
+        for (k, truth) in (0..1000).map(|k| (k, contact(2, k))) {
+            let solution = solver.solve(&truth.problem, &Start::default(), &mut ());
+            if solution.status != Status::Solved {
+                continue;
+            }
+            solved += 1;
+            let size = truth.x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            for (x, exact) in solution.x.iter().zip(truth.x) {
+                assert!((x - exact).abs() <= 1e-6 * size, "{} {k}: {x} {truth:?}", entry.name);
+            }
+        }
+        assert!(solved > 700, "{} solved {solved} of 1000 only", entry.name);
+    }
 }
 
 #[test]

@@ -21,16 +21,21 @@
 //! the 4a frozen at x; so freezing, solving and repeating leads to Coulomb's law just as it leads from
 //! model 1 to model 2 (Acary, Cadoux, Lemaréchal & Malick 2011).
 //!
-//! Both are the same as being a fixed point of a projection, which measures how far x is from one:
+//! Both are the same as being a fixed point of a projection, which measures how far x is from one. The
+//! normal and the tangents have a scale and terms each, so that a slip of a light body under a heavy
+//! load is seen beside its own terms, and not beside the load:
 //!
 //! ```text
-//! x = Π_K(x − ŵ / s)      r = |x − Π_K(x − ŵ / s)| s / |(Σ_j |a_ij x_j| + |b_i|)_i|     for each contact
+//! 4a  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, s_t, s_t)
+//! 4b  x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disc |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
+//!
+//! r_n = |x_n − its step| s_n / terms of w_n (and μ times those of w_t in 4a),   r_t = |x_t − its step| s_t / terms of w_t
 //! ```
 //!
 //! `math §5`, model 4.
 
 use super::{Contact, FrictionProblem};
-use crate::lcp::merit::RowTerms;
+use crate::lcp::merit::{self, Miss, RowTerms};
 use crate::lcp::{Complementarity, Lcp};
 
 /// What a sliding contact does along its normal.
@@ -90,32 +95,78 @@ impl ConeProblem {
         }
     }
 
-    /// The scaled residual r_i of each row from the terms of all rows at x; the rows of a contact
-    /// have its r. NaN counts as ∞.
-    pub fn residuals(&self, terms: &[RowTerms], x: &[f64]) -> Vec<f64> {
+    /// How far each row is from its own step, from the terms of all rows at x; both tangents of a
+    /// contact have that of their plane.
+    pub fn misses(&self, terms: &[RowTerms], x: &[f64]) -> Vec<Miss> {
         let Lcp { lo, hi, .. } = &self.friction.lcp;
-        let mut residuals = vec![0.0; x.len()];
-        for &i in &self.friction.others {
-            residuals[i] = terms[i].scaled_residual(x[i], lo[i], hi[i]);
-        }
+        let mut misses: Vec<Miss> = (0..x.len()).map(|i| terms[i].miss(x[i], lo[i], hi[i])).collect();
         for contact in &self.friction.contacts {
-            let residual = self.contact_residual(contact, contact.rows.map(|i| terms[i]), x);
-            contact.put([residual; 3], &mut residuals);
+            let rows = contact.rows.map(|i| terms[i]);
+            let [normal, tangential] = match self.law {
+                Law::Associated => self.associated(contact, rows, contact.of(x)),
+                Law::Coulomb => self.coulomb(contact, rows, contact.of(x)),
+            };
+            let [n, t1, t2] = contact.rows;
+            (misses[n], misses[t1], misses[t2]) = (normal, tangential, tangential);
         }
-        let not_nan = |r: f64| if r.is_nan() { f64::INFINITY } else { r };
-        residuals.into_iter().map(not_nan).collect()
+        misses
     }
 
-    fn contact_residual(&self, contact: &Contact, terms: [RowTerms; 3], x: &[f64]) -> f64 {
-        let (x, w, s) = (contact.of(x), terms.map(|row| row.w), self.scale(contact));
-        let target = self.step(contact, x, w, s);
-        let [m, m1, m2] = terms.map(|row| row.magnitude);
-        let magnitude = norm([m + self.shift(contact, w), m1, m2]);
-        match s * norm(std::array::from_fn(|i| x[i] - target[i])) {
-            0.0 => 0.0,
-            _ if magnitude.is_infinite() => f64::INFINITY, // overflow hides every residual
-            residual => residual / magnitude,
+    /// The scaled residual r_i of each row from the terms of all rows at x. NaN counts as ∞.
+    pub fn residuals(&self, terms: &[RowTerms], x: &[f64]) -> Vec<f64> {
+        self.misses(terms, x).iter().map(Miss::relative).collect()
+    }
+
+    /// The normal as a contact without friction, the tangents against their disc.
+    fn coulomb(&self, contact: &Contact, [n, t1, t2]: [RowTerms; 3], x: [f64; 3]) -> [Miss; 2] {
+        let exponent = t1.exponent.max(t2.exponent);
+        let (scale, normal) = (self.tangential_scale(contact), n.miss(x[0], 0.0, f64::INFINITY));
+        let [w1, w2] = [t1, t2].map(|t| libm::ldexp(t.w, t.exponent - exponent));
+        let [p1, p2] = [x[1], x[2]].map(|x| merit::product(scale, x, -exponent));
+        let radius = contact.mu * merit::product(scale, x[0].max(0.0), -exponent);
+        let [d1, d2] = in_disc(radius, [p1 - w1, p2 - w2]);
+        let size = (p1 - d1).hypot(p2 - d2);
+        [normal, Miss { size, magnitude: plane(t1, t2, exponent), scale, exponent }]
+    }
+
+    /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ = √(s_t/s_n).
+    fn associated(&self, contact: &Contact, rows: [RowTerms; 3], x: [f64; 3]) -> [Miss; 2] {
+        let [n, t1, t2] = rows;
+        let exponent = n.exponent.max(t1.exponent).max(t2.exponent);
+        let of_normal = if n.scale == 0.0 { 1.0 } else { n.scale };
+        let scale = self.tangential_scale(contact);
+        let rho = (scale / of_normal).sqrt();
+        let w = rows.map(|row| libm::ldexp(row.w, row.exponent - exponent));
+        let p = [of_normal, scale, scale];
+        let p: [f64; 3] = std::array::from_fn(|i| merit::product(p[i], x[i], -exponent));
+        let step = [rho * (p[0] - w[0]), p[1] - w[1], p[2] - w[2]];
+        let [q, q1, q2] = project(contact.mu * rho, step);
+        let in_plane = plane(t1, t2, exponent);
+        let load = libm::ldexp(n.magnitude, n.exponent - exponent);
+        let miss = |size, magnitude, scale| Miss { size, magnitude, scale, exponent };
+        [
+            miss((p[0] - q / rho).abs(), load + contact.mu * in_plane, of_normal),
+            miss((p[1] - q1).hypot(p[2] - q2), in_plane, scale),
+        ]
+    }
+
+    /// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the
+    /// largest |a_ij| of both rows, or 1.
+    fn tangential_scale(&self, contact: &Contact) -> f64 {
+        let a = self.friction.lcp.matrix();
+        let [_, t1, t2] = contact.rows;
+        let row_sum = |i: usize| a.entry(i, t1).abs() + a.entry(i, t2).abs();
+        let entries = || [t1, t2].into_iter().flat_map(|i| a.row(i).iter().map(|(_, a)| a.abs()));
+        match row_sum(t1).max(row_sum(t2)) {
+            0.0 => Some(entries().fold(0.0, f64::max)).filter(|&s| s > 0.0).unwrap_or(1.0),
+            s => s,
         }
+    }
+
+    fn all_misses(&self, x: &[f64]) -> Vec<Miss> {
+        let lcp = &self.friction.lcp;
+        let terms: Vec<_> = (0..x.len()).map(|i| RowTerms::at(lcp, i, x)).collect();
+        self.misses(&terms, x)
     }
 }
 
@@ -134,9 +185,16 @@ impl Complementarity for ConeProblem {
     }
 
     fn scaled_residual(&self, x: &[f64]) -> f64 {
-        let lcp = &self.friction.lcp;
-        let terms: Vec<_> = (0..x.len()).map(|i| RowTerms::at(lcp, i, x)).collect();
-        self.residuals(&terms, x).into_iter().fold(0.0, f64::max)
+        self.all_misses(x).iter().map(Miss::relative).fold(0.0, f64::max)
+    }
+
+    fn is_worth_something(&self, x: &[f64], tolerance: f64) -> bool {
+        let nothing = {
+            let mut x = vec![0.0; x.len()];
+            self.project_all(&mut x);
+            x
+        };
+        merit::is_better(&self.all_misses(x), &self.all_misses(&nothing), tolerance)
     }
 
     fn is_frozen(&self) -> bool {
@@ -187,6 +245,16 @@ pub fn project(mu: f64, [n, t1, t2]: [f64; 3]) -> [f64; 3] {
     [n, mu * n * (t1 / t), mu * n * (t2 / t)]
 }
 
-fn norm([n, t1, t2]: [f64; 3]) -> f64 {
-    n.hypot(t1).hypot(t2)
+/// The point of the disc nearest to t.
+fn in_disc(radius: f64, [t1, t2]: [f64; 2]) -> [f64; 2] {
+    match t1.hypot(t2) {
+        length if length <= radius => [t1, t2],
+        length => [radius * (t1 / length), radius * (t2 / length)],
+    }
+}
+
+/// The terms of both tangents' w, in units of 2^exponent.
+fn plane(t1: RowTerms, t2: RowTerms, exponent: i32) -> f64 {
+    let [m1, m2] = [t1, t2].map(|t| libm::ldexp(t.magnitude, t.exponent - exponent));
+    m1.hypot(m2)
 }

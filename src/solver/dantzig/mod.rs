@@ -177,18 +177,21 @@ impl<'a> Run<'a> {
                 }
             }
             if self.is_refined() {
-                return Status::Solved;
+                return self.claim();
             }
             waiting = self.refine();
             if waiting.is_empty() {
-                return Status::Solved;
+                return self.claim();
             }
         }
         self.settle();
-        if merit::scaled_residual(self.lcp, &self.x) <= self.settings.tolerance {
-            Status::Solved
-        } else {
-            Status::Inaccurate
+        self.claim()
+    }
+
+    fn claim(&self) -> Status {
+        match merit::is_solution(self.lcp, &self.x, self.settings.tolerance) {
+            true => Status::Solved,
+            false => Status::Inaccurate,
         }
     }
 

@@ -61,11 +61,68 @@ fn the_worst_contact_or_row_is_named() {
     assert!(judged([1.0, 2.0, 1.0, 0.0, 2.0, 1.0, 0.0]).verdict.is_solution());
 
     let second = judged([1.0, 2.0, 1.0, 0.0, 2.0, 1.25, 0.0]);
-    assert_eq!((second.worst_contact, second.worst_row), (Some(1), 4));
-    assert!(matches!(second.verdict, Verdict::NotASolution { row: 4, .. }));
+    assert_eq!(second.worst_contact, Some(1)); // its tangents, which have one residual
+    assert!(matches!(second.verdict, Verdict::NotASolution { row: 5 | 6, .. }));
     assert_eq!(second.cone_violation, 0.25);
     assert_eq!(second.contact_residuals[0], 0.0);
 
     let equation = judged([0.5, 2.0, 1.0, 0.0, 2.0, 1.0, 0.0]);
     assert_eq!((equation.worst_contact, equation.worst_row), (None, 0));
+}
+
+#[test]
+fn a_slip_under_a_heavy_load_is_seen_beside_its_own_terms() {
+    // 10⁸ N s on a body that slides at 0.5 m/s with friction along the slip; it should stick.
+    for load in [1.0, 1e3, 1e6, 1e8, 1e12] {
+        let a: [&[f64]; 3] = [&[load, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
+        let lcp = boxed(&a, &[-load, 1e-3, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
+        let contact = Contact { rows: [0, 1, 2], mu: 0.5 };
+        let friction = FrictionProblem::new(lcp, vec![contact]).unwrap();
+        for law in [Law::Coulomb, Law::Associated] {
+            let problem = ConeProblem::new(friction.clone(), law);
+            let accepts = |x: [f64; 3]| judge_cone(&problem, &x, &Demand::default()).verdict.is_solution();
+            assert!(accepts([1.0, -1e-3, 0.0]), "{load} {law:?}");
+            for wrong in [[1.0, 0.5, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-3, 0.0], [1.0, 0.0, 1e-3]] {
+                assert!(!accepts(wrong), "{load} {law:?} {wrong:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_size_of_the_terms_hides_friction_outside_the_cone() {
+    for unit in [1e-300, 1e-260, 1e-150, 1.0, 1e150, 1e260] {
+        let a: [&[f64]; 3] = [&[unit, 0.0, 0.0], &[0.0, unit, 0.0], &[0.0, 0.0, unit]];
+        let b = [-unit, -20.0 * unit, 0.0];
+        let lcp = boxed(&a, &b, &[0.0, -INF, -INF], &[INF; 3]);
+        let contact = Contact { rows: [0, 1, 2], mu: 1.0 };
+        let friction = FrictionProblem::new(lcp, vec![contact]).unwrap();
+        let problem = ConeProblem::new(friction, Law::Coulomb);
+        let accepts = |x: [f64; 3]| judge_cone(&problem, &x, &Demand::default()).verdict.is_solution();
+        assert!(accepts([1.0, 1.0, 0.0]), "{unit}");
+        assert!(!accepts([1.0, 10.0, 0.0]), "{unit}");
+        assert!(!accepts([1.0, 0.0, 0.0]), "{unit}");
+    }
+}
+
+#[test]
+fn an_x_far_along_a_null_direction_is_worth_nothing() {
+    // Two contacts that press against each other, walls that close in: w_n = −1 each, whatever x.
+    let mut a = vec![0.0; 36];
+    (a[0], a[3], a[18], a[21]) = (1.0, -1.0, -1.0, 1.0);
+    for i in [1, 2, 4, 5] {
+        a[7 * i] = 1.0;
+    }
+    let rows: Vec<&[f64]> = a.chunks(6).collect();
+    let b = [-1.0, 0.0, 0.0, -1.0, 0.0, 0.0];
+    let lo = [0.0, -INF, -INF, 0.0, -INF, -INF];
+    let contacts = [[0, 1, 2], [3, 4, 5]].map(|rows| Contact { rows, mu: 0.5 });
+    let friction =
+        FrictionProblem::new(boxed(&rows, &b, &lo, &[INF; 6]), contacts.to_vec()).unwrap();
+    for law in [Law::Coulomb, Law::Associated] {
+        let problem = ConeProblem::new(friction.clone(), law);
+        let certificate = judge_cone(&problem, &[1e9, 0.0, 0.0, 1e9, 0.0, 0.0], &Demand::default());
+        assert!(certificate.scaled_residual < 1e-8);
+        assert!(!certificate.verdict.is_solution(), "{law:?}");
+    }
 }

@@ -1,4 +1,5 @@
 mod cone;
+mod coupled;
 mod cross_check;
 mod error_bound;
 mod exact;

@@ -1,4 +1,6 @@
-use lcplab::certificate::{Demand, Verdict, judge};
+use lcplab::certificate::{Demand, Evidence, Refusal, Verdict, judge, upper_bound};
+use lcplab::report::answer::Answer;
+use lcplab::solver::{Options, Start};
 use proptest::prelude::*;
 
 use crate::common::{INF, assert_proved, boxed, cases, contacts, manufactured};
@@ -10,7 +12,7 @@ fn a_solution_is_proved_and_a_point_beside_it_is_refuted() {
     assert_proved(&lcp, &[2.0]);
     let certificate = judge(&lcp, &[2.001], &Demand::default());
     // |w| = 0.002 of the terms 4.002 + 4
-    let Verdict::NotASolution { row: 0, amount } = certificate.verdict else { panic!() };
+    let Verdict::NotASolution { row: 0, amount, .. } = certificate.verdict else { panic!() };
     assert!((amount - 0.002 / 8.002).abs() < 1e-12);
 }
 
@@ -140,14 +142,14 @@ proptest! {
 fn each_verdict_has_its_word_and_its_sentence() {
     for (verdict, word, text, distance) in [
         (
-            Verdict::Proved { distance: 0.0015 },
+            Verdict::Proved { distance: 0.25 },
             "proved",
-            "proved: an exact solution lies within 1.5e-3 of x",
-            Some(0.0015),
+            "proved: an exact solution lies within 2.5e-1 of x",
+            Some(0.25),
         ),
         (Verdict::WithinTolerance, "within_tolerance", "within tolerance", None),
         (
-            Verdict::NotASolution { row: 7, amount: 0.5 },
+            Verdict::NotASolution { row: 7, amount: 0.5, why: Refusal::Residual },
             "not_a_solution",
             "not a solution: row 7 misses by 5.0e-1 of its terms",
             None,
@@ -159,4 +161,78 @@ fn each_verdict_has_its_word_and_its_sentence() {
             (distance, word != "not_a_solution")
         );
     }
+}
+
+#[test]
+fn an_x_far_out_is_no_answer_to_a_problem_without_one() {
+    // `wedged`: both walls push, w = (x₀ − x₁ − 1, x₁ − x₀ − 1).
+    let wedged = contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0]);
+    let certificate = judge(&wedged, &[1e9, 1e9], &Demand::default());
+    assert!(certificate.scaled_residual < 1e-8);
+    assert!(matches!(certificate.verdict, Verdict::NotASolution { why: Refusal::Worthless, .. }));
+    // Five rows of which spectral gradients once said "solved" at 5e6, with w₀ = ½.
+    let a: [&[f64]; 5] = [
+        &[5.0, -6.0, -4.0, -1.0, -3.0],
+        &[-6.0, 8.0, 4.0, 0.0, 4.0],
+        &[-4.0, 4.0, 4.0, 2.0, 2.0],
+        &[-1.0, 0.0, 2.0, 2.0, 0.0],
+        &[-3.0, 4.0, 2.0, 0.0, 2.0],
+    ];
+    let b = [-2.0, -2.0, 3.0, 3.0, 1.0];
+    let (lo, hi) = ([-INF, -1.0, -1.0, -INF, -INF], [0.0, -1.0, -1.0, INF, 2.0]);
+    let lcp = boxed(&a, &b, &lo, &hi);
+    let null = [-5e6, -1.0, -1.0, -5e6 / 2.0, -5e6];
+    assert!(!judge(&lcp, &null, &Demand::default()).verdict.is_solution());
+    for entry in lcplab::solver::ALL {
+        let solver = (entry.build)(&Options::default());
+        let solution = solver.solve(&lcp, &Start::default(), &mut ());
+        let answer = Answer::judged(&lcp, entry.name, solution, &Demand::default());
+        assert!(!answer.certificate.verdict.is_solution(), "{}", entry.name);
+    }
+}
+
+#[test]
+fn a_proof_at_a_distance_that_says_nothing_is_no_proof() {
+    // x* = 0 solves it, and x = −1000 misses its bound by 1000: 1e-9 of terms of 1e12.
+    let lcp = contacts(&[&[1.0]], &[1e12]);
+    let certificate = judge(&lcp, &[-1000.0], &Demand::default());
+    assert_eq!(certificate.verdict, Verdict::WithinTolerance);
+    assert_eq!(certificate.evidence, Some(Evidence::FarSolution { distance: 1000.0 }));
+    // Nearly dependent rows: the active set of x = (1, 1) has its solution millions away.
+    let e = 2f64.powi(-40);
+    let lcp = boxed(&[&[1.0, 1.0], &[1.0, 1.0 + e]], &[-2.0, -2.0 - 1e-9], &[-INF; 2], &[INF; 2]);
+    let certificate = judge(&lcp, &[1.0, 1.0], &Demand::default());
+    let Some(Evidence::FarSolution { distance }) = certificate.evidence else { panic!() };
+    assert_eq!(certificate.verdict, Verdict::WithinTolerance);
+    assert!((distance / (1e-9 / e) - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn status_verdict_and_message_agree_where_there_is_no_solution() {
+    // x₁ = 1 is pinned, so w₀ = 1 − 1.000000001 < 0 though hi₀ = ∞: no solution, by 1e-9.
+    let a: [&[f64]; 2] = [&[0.0, 1.0], &[1.0, 1.0]];
+    let lcp = boxed(&a, &[-1.000000001, 0.0], &[0.0, 1.0], &[INF, 1.0]);
+    for entry in lcplab::solver::ALL {
+        let solver = (entry.build)(&Options::default());
+        let solution = solver.solve(&lcp, &Start::default(), &mut ());
+        let answer = Answer::judged(&lcp, entry.name, solution, &Demand::default());
+        assert!(!answer.certificate.verdict.is_solution(), "{}", entry.name);
+        let is_infeasible = answer.status_word() == "infeasible";
+        assert!(!is_infeasible || answer.certificate.refutation().is_some(), "{}", entry.name);
+        assert_eq!(is_infeasible, answer.message().starts_with("no solution exists"));
+    }
+}
+
+#[test]
+fn a_bound_is_never_printed_below_itself() {
+    for bits in 0..2000u64 {
+        let bound = f64::from_bits(bits.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 1);
+        if bound.is_finite() {
+            let printed: f64 = upper_bound(bound).parse().unwrap();
+            assert!(printed >= bound, "{bound:e}");
+            assert!(printed <= bound * 1.11 || bound < 1e-322, "{bound:e}");
+        }
+    }
+    let verdict = Verdict::Proved { distance: 1.04e-9 };
+    assert!(verdict.to_string().contains("within 1.1e-9"));
 }

@@ -1,5 +1,5 @@
 use lcplab::lcp::friction::{ConeProblem, Law, merit as cone};
-use lcplab::lcp::{Complementarity, merit};
+use lcplab::lcp::merit;
 use lcplab::solver::{Dantzig, Solver, Start};
 use proptest::prelude::*;
 
@@ -10,8 +10,11 @@ fn a_small_relative_residual_far_along_a_ray_is_no_better_than_nothing() {
     // A d = 0 for d = (1, 1), so that w is there what it is at 0, and little beside terms of 10⁹.
     let lcp = |b2| contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-0.125, b2]);
     assert!(merit::scaled_residual(&lcp(0.0625), &[1e9; 2]) < 1e-9);
-    assert!(!lcp(0.0625).is_better_than_nothing(&[1e9; 2]));
-    assert!(lcp(0.125).is_better_than_nothing(&[0.125, 0.0])); // w = 0
+    assert!(!merit::is_worth_something(&lcp(0.0625), &[1e9; 2], 1e-8));
+    assert!(merit::is_worth_something(&lcp(0.125), &[0.125, 0.0], 1e-8)); // w = 0
+    // Zero solves it, so that nothing has to be gained by another x.
+    let rest = contacts(&[&[1.0]], &[1.0]);
+    assert!(merit::is_worth_something(&rest, &[1e-20], 1e-8));
 }
 
 #[test]

@@ -17,13 +17,13 @@ use dashu_int::ops::{Abs, BitTest};
 const P: u64 = (1 << 61) - 1;
 
 /// The rows and columns of a largest submatrix that is invertible mod p, hence invertible.
-pub(super) struct RankProfile {
-    pub(super) rows: Vec<usize>,
-    pub(super) columns: Vec<usize>,
+pub(crate) struct RankProfile {
+    pub(crate) rows: Vec<usize>,
+    pub(crate) columns: Vec<usize>,
 }
 
 /// Gaussian elimination mod p. Rows and columns come out in ascending order.
-pub(super) fn rank_profile(a: &[Vec<IBig>]) -> RankProfile {
+pub(crate) fn rank_profile(a: &[Vec<IBig>]) -> RankProfile {
     let mut m: Vec<Vec<u64>> = a.iter().map(|row| row.iter().map(residue).collect()).collect();
     let mut order: Vec<usize> = (0..m.len()).collect();
     let mut columns = Vec::new();
@@ -47,7 +47,7 @@ pub(super) fn rank_profile(a: &[Vec<IBig>]) -> RankProfile {
 
 /// The solution of the square system A x = r as numerators over one positive denominator; `None`
 /// if A is singular mod p.
-pub(super) fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
+pub(crate) fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
     if a.is_empty() {
         return Some((Vec::new(), IBig::ONE));
     }

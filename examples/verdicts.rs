@@ -1,0 +1,144 @@
+//! Every verdict as a line of JSON, for a judge of one's own: the problems of the library, random hostile
+//! ones and steps of the shipped scenes, each with the answers of all solvers and some that nobody
+//! would give, what the judge says of them, and what the diagnosis says of the problem.
+//!
+//! ```console
+//! $ cargo run --example verdicts -- 2000 | python3 tests/independent/judge.py
+//! ```
+//!
+//! The number is that of the random problems. `tests/independent` says what is checked.
+
+use std::io::{self, BufWriter, Write};
+
+use lcplab::certificate::{Demand, judge};
+use lcplab::diagnosis;
+use lcplab::error::Result;
+use lcplab::lcp::file::{Problem, number};
+use lcplab::lcp::{Lcp, library};
+use lcplab::report::answer::{Answer, certificate_json};
+use lcplab::report::study::scene_simulation;
+use lcplab::scene::{Formulation, Scene, catalogue};
+use lcplab::solver::{ALL, Options, Settings, Solver, Start, Status};
+use lcplab::trial;
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+/// Larger problems are left out: exact arithmetic in Python takes too long.
+const MOST_ROWS: usize = 60;
+/// Random hostile problems come with this seed.
+const SEED: u64 = 17;
+/// The steps of each scene that are looked at.
+const STEPS: [usize; 3] = [1, 5, 20];
+
+fn main() -> Result<()> {
+    let random = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(2000);
+    let settings = Settings { max_iterations: 500, ..Settings::default() };
+    let options = Options { settings, ..Options::default() };
+    let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
+    let mut subjects = of_library()?;
+    subjects.extend((0..random).map(hostile));
+    subjects.extend(of_scenes()?);
+    subjects.retain(|subject| subject.problem.lcp.len() <= MOST_ROWS);
+    let records: Vec<Value> =
+        subjects.par_iter().map(|subject| record(subject, &solvers)).collect::<Result<_>>()?;
+    let mut out = BufWriter::new(io::stdout().lock());
+    for record in records {
+        writeln!(out, "{record}").expect("standard output");
+    }
+    Ok(())
+}
+
+/// A problem, and where the solvers start.
+struct Subject {
+    problem: Problem,
+    start: Option<Vec<f64>>,
+}
+
+impl Subject {
+    fn cold(problem: Problem) -> Self {
+        Subject { problem, start: None }
+    }
+}
+
+fn of_library() -> Result<Vec<Subject>> {
+    library::all().map(|family| Ok(Subject::cold(family.generate(&[])?))).collect()
+}
+
+fn hostile(k: usize) -> Subject {
+    let (lcp, start) = trial::problem(SEED, k);
+    let kind = trial::KINDS[k % trial::KINDS.len()].name;
+    Subject { problem: Problem::new(format!("{kind} {k}"), lcp), start }
+}
+
+/// The LCPs of three steps of each shipped scene, at velocity and at acceleration level.
+fn of_scenes() -> Result<Vec<Subject>> {
+    let mut subjects = Vec::new();
+    for shipped in catalogue::SHIPPED {
+        for level in Formulation::LEVELS {
+            let mut scene = Scene::load(shipped.name)?;
+            scene.step.formulation = level;
+            let mut simulation = scene_simulation(&scene)?;
+            for step in 1..=STEPS[2] {
+                let Ok(taken) = simulation.step() else { break };
+                let solves = taken.solves.iter().filter(|_| STEPS.contains(&step));
+                for solve in solves.filter(|solve| solve.posing.is_none()) {
+                    let name = format!("{} {}, step {step}", shipped.name, level.name());
+                    subjects.push(Subject::cold(Problem::new(name, solve.problem.lcp.clone())));
+                }
+            }
+        }
+    }
+    Ok(subjects)
+}
+
+fn record(subject: &Subject, solvers: &[Box<dyn Solver>]) -> Result<Value> {
+    let Subject { problem, start } = subject;
+    let lcp = &problem.lcp;
+    let demand = Demand::default();
+    let mut answers = Vec::new();
+    let mut exact = vec![0.0; lcp.len()];
+    for solver in solvers {
+        let start = Start { x: start.as_deref(), ..Start::default() };
+        let solution = solver.solve(lcp, &start, &mut ());
+        if solution.status == Status::Solved {
+            exact.clone_from(&solution.x);
+        }
+        answers.push(Answer::judged(lcp, solver.name(), solution, &demand).to_json());
+    }
+    answers.extend(strange(lcp, &exact).map(|(name, x)| judged(lcp, name, &x, &demand)));
+    let diagnosis = diagnosis::problem(problem)?.to_json();
+    Ok(json!({
+        "name": problem.name, "problem": problem.to_json(), "tolerance": demand.tolerance,
+        "answers": answers, "diagnosis": diagnosis,
+    }))
+}
+
+/// Answers that are wrong, or right by a hair.
+fn strange<'a>(lcp: &'a Lcp, x: &'a [f64]) -> impl Iterator<Item = (&'static str, Vec<f64>)> + 'a {
+    let changes: [(&'static str, fn(f64, usize) -> f64); 6] = [
+        ("nothing", |_, _| 0.0),
+        ("far", |_, _| 1e9),
+        ("doubled", |x, _| 2.0 * x),
+        ("a little more", |x, _| x * (1.0 + 1e-9)),
+        ("shifted", |x, i| if i == 0 { x + 1e-7 } else { x }),
+        ("negative", |x, _| -x),
+    ];
+    changes.into_iter().map(move |(name, change)| {
+        let mut x: Vec<f64> = x.iter().enumerate().map(|(i, &x)| change(x, i)).collect();
+        if name == "far" {
+            lcp.project_all(&mut x);
+        }
+        (name, x)
+    })
+}
+
+fn judged(lcp: &Lcp, name: &str, x: &[f64], demand: &Demand) -> Value {
+    let certificate = judge(lcp, x, demand);
+    let vector = |v: &[f64]| -> Value { v.iter().map(|&v| number(v)).collect() };
+    let mut answer = certificate_json(&certificate);
+    answer.insert("solver".into(), json!(name));
+    answer.insert("status".into(), json!("failed")); // nobody claims it
+    answer.insert("x".into(), vector(x));
+    answer.insert("w".into(), vector(&certificate.w));
+    Value::Object(answer)
+}

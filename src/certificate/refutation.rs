@@ -1,0 +1,93 @@
+//! Does the problem have a solution at all?
+//!
+//! A small residual does not say so: far out, where the terms of a row are large, a wall that nothing can
+//! hold looks held. So where no exact solution was found near x, the judge looks for a proof that there is
+//! none: a vector ([`ray`](super::ray)), read off x, off a solver's ray or off the solution of a linear
+//! program, and else all pieces of the problem, one by one, in exact arithmetic.
+
+use super::ray::{Farkas, refute};
+use crate::lcp::Lcp;
+use crate::lcp::exact::{Pieces, Point, Search, Side};
+use crate::reference;
+
+/// Of larger problems only the vectors that are at hand are tried.
+const MOST_ROWS: usize = 50;
+/// The same for all pieces, each of which costs the cube of the rows.
+const MOST_ROWS_IN_PIECES: usize = 20;
+
+/// Why no x solves a problem.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Refutation {
+    /// By a vector.
+    Vector(Farkas),
+    /// Each of so many pieces was tried in exact arithmetic: all choices of a side for each row.
+    CaseSplit {
+        /// How many.
+        pieces: usize,
+    },
+}
+
+/// What was found out.
+pub(super) enum Existence {
+    /// A solution.
+    Solution(Point),
+    /// That there is none.
+    None(Refutation),
+    /// Neither.
+    Unknown,
+}
+
+/// Proves that a problem has no solution, if it can: `hint` is a solver's ray or any other vector.
+///
+/// ```
+/// use lcplab::certificate::{Refutation, refutation};
+/// use lcplab::lcp::{Coupling, Lcp, Matrix};
+///
+/// // w_n = x_n − x_t − 1 and w_t = x_t − x_n − ½ with |x_t| ≤ x_n: Painlevé's trouble in two rows.
+/// let a = Matrix::dense(2, &[1.0, -1.0, -1.0, 1.0]);
+/// let (lo, hi) = (vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2]);
+/// let lcp = Lcp::new(a, vec![-1.0, -0.5], lo, hi)?;
+/// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0])?)?;
+/// assert_eq!(refutation(&lcp, None), Some(Refutation::CaseSplit { pieces: 6 }));
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+pub fn refutation(lcp: &Lcp, hint: Option<&[f64]>) -> Option<Refutation> {
+    match existence(lcp, hint.as_slice(), None) {
+        Existence::None(refutation) => Some(refutation),
+        Existence::Solution(_) | Existence::Unknown => None,
+    }
+}
+
+/// The same by a vector alone: it holds for every model of friction, since it says nothing of the rows
+/// that have some.
+pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]]) -> Option<Farkas> {
+    let proof = |d: &[f64]| refute(lcp, largest(lcp, d), d);
+    hints.iter().find_map(|d| proof(d)).or_else(|| {
+        let is_small = lcp.len() <= MOST_ROWS;
+        is_small.then(|| reference::farkas(lcp)).flatten().and_then(|d| proof(&d))
+    })
+}
+
+/// Looks for a proof that there is no solution, or for a solution; first in the piece with these sides.
+pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]], sides: Option<&[Side]>) -> Existence {
+    if let Some(farkas) = refuting_vector(lcp, hints) {
+        return Existence::None(Refutation::Vector(farkas));
+    }
+    let pieces = if lcp.len() > MOST_ROWS_IN_PIECES { None } else { Pieces::of(lcp) };
+    let Some(pieces) = pieces else { return Existence::Unknown };
+    let pieces = match sides {
+        Some(sides) => pieces.beginning_with(sides),
+        None => pieces,
+    };
+    match pieces.search() {
+        Search::Solution(point) => Existence::Solution(point),
+        Search::Nothing { pieces } => Existence::None(Refutation::CaseSplit { pieces }),
+    }
+}
+
+/// The row with the largest |d_i|, of those that can be part of a proof.
+fn largest(lcp: &Lcp, d: &[f64]) -> usize {
+    let is_coupled = |i: &usize| lcp.coupling().is_some_and(|c| c.index(*i).is_some());
+    let rows = (0..d.len().min(lcp.len())).filter(|i| !is_coupled(i));
+    rows.max_by(|&i, &j| d[i].abs().total_cmp(&d[j].abs())).unwrap_or(0)
+}

@@ -1,0 +1,66 @@
+//! Binary fractions: every floating-point number is one, and so are their sums and products.
+
+use dashu_float::FBig;
+use dashu_float::round::mode::Zero;
+use dashu_int::IBig;
+use dashu_int::ops::UnsignedAbs;
+use dashu_ratio::RBig;
+
+/// An exact binary fraction.
+pub(crate) type Dyadic = FBig<Zero, 2>;
+
+/// A finite number, exactly.
+pub(crate) fn dyadic(x: f64) -> Dyadic {
+    exact_precision(Dyadic::try_from(x + 0.0).expect("a finite number")) // + 0 turns −0 into 0
+}
+
+/// An integer, exactly.
+pub(crate) fn whole(x: IBig) -> Dyadic {
+    exact_precision(Dyadic::from(x))
+}
+
+/// Precision 0 stands for unlimited: sums and products are exact from then on.
+fn exact_precision(x: Dyadic) -> Dyadic {
+    x.with_precision(0).value()
+}
+
+/// The same number as a fraction.
+pub(crate) fn rational(x: &Dyadic) -> RBig {
+    let (significand, exponent) = x.repr().clone().into_parts();
+    let power = IBig::ONE << exponent.unsigned_abs();
+    if exponent >= 0 {
+        RBig::from(significand * power)
+    } else {
+        RBig::from_parts(significand, power.unsigned_abs())
+    }
+}
+
+/// The numbers of an equation times the power of two that makes all of them integers.
+pub(crate) fn integers(equation: &[Dyadic]) -> Vec<IBig> {
+    let nonzero = || equation.iter().filter(|x| **x != Dyadic::ZERO);
+    let least = nonzero().map(|x| x.repr().exponent()).min().unwrap_or(0);
+    let integer = |x: &Dyadic| {
+        let (significand, exponent) = x.repr().clone().into_parts();
+        match usize::try_from(exponent - least) {
+            Ok(shift) if *x != Dyadic::ZERO => significand << shift,
+            _ => IBig::ZERO,
+        }
+    };
+    equation.iter().map(integer).collect()
+}
+
+/// The least number that is not below x.
+///
+/// ```
+/// use lcplab::lcp::exact::rounded_up;
+///
+/// let third = dashu_ratio::RBig::from_parts(1.into(), 3u8.into());
+/// assert_eq!(rounded_up(&third), (1.0_f64 / 3.0).next_up()); // 1/3 is rounded down
+/// ```
+pub fn rounded_up(x: &RBig) -> f64 {
+    let mut bound = x.to_f64().value();
+    while bound.is_finite() && rational(&dyadic(bound)) < *x {
+        bound = bound.next_up();
+    }
+    bound
+}

@@ -1,0 +1,268 @@
+//! A problem in exact arithmetic: floating-point numbers are binary fractions.
+//!
+//! Each row of a solution stands on one of three [`Side`]s. A side is a linear equation, also where
+//! a row is coupled to another one:
+//!
+//! ```text
+//! lower    x_i = lo_i    or    x_i = −μ_i x_k
+//! free     w_i = (A x + b)_i = 0
+//! upper    x_i = hi_i    or    x_i = +μ_i x_k
+//! ```
+//!
+//! A choice of a side for every row is a *piece*. Its equations are solved in integers, and whether a
+//! point solves the problem is decided by the definition, row by row ([`Exact::is_solved_by`]).
+
+pub(crate) mod dyadic;
+mod echelon;
+pub(crate) mod modular;
+mod pieces;
+mod point;
+
+pub use dyadic::rounded_up;
+pub use pieces::{MAX_PIECES, all_solutions};
+pub(crate) use pieces::{Pieces, Search};
+pub use point::Point;
+
+use super::Lcp;
+use dyadic::{Dyadic, dyadic, integers};
+
+/// Where a row stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    Lower,
+    Free,
+    Upper,
+}
+
+/// A problem in binary fractions.
+pub(crate) struct Exact {
+    /// The entries of A other than 0, row by row.
+    a: Vec<Vec<(usize, Dyadic)>>,
+    b: Vec<Dyadic>,
+    bounds: Vec<Bounds>,
+}
+
+/// What bounds a row's x.
+enum Bounds {
+    /// Numbers; `None` for infinity.
+    Box(Option<Dyadic>, Option<Dyadic>),
+    /// ±μ times the x of this row.
+    Coupled(usize, Dyadic),
+}
+
+/// Where the x of a row comes from, once every row has a side.
+#[derive(Clone)]
+enum Place {
+    /// A number.
+    Known(Dyadic),
+    /// An unknown times a factor.
+    Times(usize, Dyadic),
+}
+
+impl Exact {
+    /// The problem, exactly as it stands.
+    pub(crate) fn new(lcp: &Lcp) -> Self {
+        let row = |i: usize| lcp.matrix().row(i).iter().filter(|&(_, a)| a != 0.0);
+        let number = |x: f64| x.is_finite().then(|| dyadic(x));
+        let bounds = |i: usize| match lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
+            Some((_, 0.0)) => Bounds::Box(Some(Dyadic::ZERO), Some(Dyadic::ZERO)),
+            Some((k, mu)) => Bounds::Coupled(k, dyadic(mu)),
+            None => Bounds::Box(number(lcp.lo()[i]), number(lcp.hi()[i])),
+        };
+        Exact {
+            a: (0..lcp.len()).map(|i| row(i).map(|(j, a)| (j, dyadic(a))).collect()).collect(),
+            b: lcp.b().iter().map(|&b| dyadic(b)).collect(),
+            bounds: (0..lcp.len()).map(bounds).collect(),
+        }
+    }
+
+    /// The number of rows.
+    pub(crate) fn len(&self) -> usize {
+        self.b.len()
+    }
+
+    /// The point of a piece where w = 0 in as many free rows as the equations determine; free rows
+    /// that they leave open keep their x. With it a null vector of the equations, if there is such a row.
+    pub(crate) fn point(&self, sides: &[Side], x: &[f64]) -> Option<(Point, Option<Point>)> {
+        if (0..self.len()).any(|i| self.is_at_infinity(i, sides[i])) {
+            return None;
+        }
+        let free: Vec<usize> = (0..self.len()).filter(|&i| sides[i] == Side::Free).collect();
+        let (rows, unknowns) = self.independent(sides, &free, &free);
+        let places = self.places(sides, &unknowns, &|i| dyadic(x[i]));
+        let point = self.solve(&rows, &places, unknowns.len())?;
+        let open = free.iter().copied().find(|i| !unknowns.contains(i));
+        let null = open.and_then(|open| {
+            let one = |i| if i == open { Dyadic::ONE } else { Dyadic::ZERO };
+            let homogeneous = self.homogeneous();
+            let places = homogeneous.places(sides, &unknowns, &one);
+            homogeneous.solve(&rows, &places, unknowns.len())
+        });
+        Some((point, null))
+    }
+
+    /// x with w = 0 in as many of these rows as these entries of x, changed, can bring about.
+    pub(crate) fn repaired(&self, x: &[f64], rows: &[usize], entries: &[usize]) -> Option<Point> {
+        let sides = vec![Side::Free; self.len()];
+        let (rows, unknowns) = self.independent(&sides, rows, entries);
+        let places = self.places(&sides, &unknowns, &|i| dyadic(x[i]));
+        self.solve(&rows, &places, unknowns.len())
+    }
+
+    /// Rows and unknowns among these whose equations are independent, as many as there are.
+    fn independent(
+        &self,
+        sides: &[Side],
+        rows: &[usize],
+        unknowns: &[usize],
+    ) -> (Vec<usize>, Vec<usize>) {
+        let places = self.places(sides, unknowns, &|_| Dyadic::ZERO);
+        let m = unknowns.len();
+        let coefficients = |&i: &usize| integers(&self.equation(i, &places, m)[..m]);
+        let profile = modular::rank_profile(&rows.iter().map(coefficients).collect::<Vec<_>>());
+        let of = |all: &[usize], chosen: &[usize]| chosen.iter().map(|&k| all[k]).collect();
+        (of(rows, &profile.rows), of(unknowns, &profile.columns))
+    }
+
+    /// The same with b and all finite bounds 0: its solutions are directions.
+    fn homogeneous(&self) -> Exact {
+        let zero = |bound: &Option<Dyadic>| bound.as_ref().map(|_| Dyadic::ZERO);
+        let bounds = |bounds: &Bounds| match bounds {
+            Bounds::Box(lo, hi) => Bounds::Box(zero(lo), zero(hi)),
+            Bounds::Coupled(k, mu) => Bounds::Coupled(*k, mu.clone()),
+        };
+        Exact {
+            a: self.a.clone(),
+            b: vec![Dyadic::ZERO; self.len()],
+            bounds: self.bounds.iter().map(bounds).collect(),
+        }
+    }
+
+    /// Whether a point solves the problem, by the definition.
+    pub(crate) fn is_solved_by(&self, x: &Point) -> bool {
+        (0..self.len()).all(|i| {
+            let w = self.scaled_w(i, x);
+            let ((lo, hi), x) = (self.scaled_bounds(i, x), x.scaled(i));
+            lo.as_ref().is_none_or(|lo| x >= lo)
+                && hi.as_ref().is_none_or(|hi| x <= hi)
+                && (w <= Dyadic::ZERO || lo.as_ref() == Some(x))
+                && (w >= Dyadic::ZERO || hi.as_ref() == Some(x))
+        })
+    }
+
+    /// Whether x can be moved along d from a solution, both ways, without any w being moved and within
+    /// all bounds.
+    pub(crate) fn is_free_along(&self, d: &Point, solution: &Point, sides: &[Side]) -> bool {
+        let zero = |i: usize| *d.scaled(i) == Dyadic::ZERO;
+        let inside = |i: usize| {
+            let ((lo, hi), x) = (self.scaled_bounds(i, solution), solution.scaled(i));
+            lo.is_none_or(|lo| *x > lo) && hi.is_none_or(|hi| *x < hi)
+        };
+        (0..self.len()).all(|i| {
+            let stays = self.scaled_w(i, d) == &self.b[i] * d.denominator();
+            let has_way = match &self.bounds[i] {
+                Bounds::Coupled(k, _) if sides[i] != Side::Free => inside(*k) || zero(*k),
+                Bounds::Coupled(k, _) => zero(i) && zero(*k) || inside(i),
+                Bounds::Box(..) => zero(i) || inside(i),
+            };
+            stays && has_way
+        })
+    }
+
+    /// w_i times the point's denominator.
+    pub(crate) fn scaled_w(&self, i: usize, x: &Point) -> Dyadic {
+        let terms = self.a[i].iter().map(|(j, a)| a * x.scaled(*j));
+        terms.fold(&self.b[i] * x.denominator(), |sum, term| sum + term)
+    }
+
+    /// The bounds of row i at a point, times its denominator; `None` for infinity.
+    fn scaled_bounds(&self, i: usize, x: &Point) -> (Option<Dyadic>, Option<Dyadic>) {
+        let scaled = |bound: &Option<Dyadic>| bound.as_ref().map(|b| b * x.denominator());
+        match &self.bounds[i] {
+            Bounds::Box(lo, hi) => (scaled(lo), scaled(hi)),
+            Bounds::Coupled(k, mu) => {
+                let limit = mu * x.scaled(*k).max(&Dyadic::ZERO);
+                (Some(-limit.clone()), Some(limit))
+            }
+        }
+    }
+
+    /// The sides that a row can be on.
+    fn sides(&self, i: usize) -> &'static [Side] {
+        match &self.bounds[i] {
+            Bounds::Box(lo, hi) => match (lo, hi) {
+                (None, None) => &[Side::Free],
+                (Some(_), None) => &[Side::Lower, Side::Free],
+                (None, Some(_)) => &[Side::Upper, Side::Free],
+                (lo, hi) if lo == hi => &[Side::Lower],
+                _ => &[Side::Lower, Side::Free, Side::Upper],
+            },
+            Bounds::Coupled(..) => &[Side::Lower, Side::Free, Side::Upper],
+        }
+    }
+
+    fn is_at_infinity(&self, i: usize, side: Side) -> bool {
+        match &self.bounds[i] {
+            Bounds::Box(lo, _) if side == Side::Lower => lo.is_none(),
+            Bounds::Box(_, hi) if side == Side::Upper => hi.is_none(),
+            _ => false,
+        }
+    }
+
+    /// Where each x comes from: sides give numbers or multiples, free rows are unknowns, or have this
+    /// x where they are not among these.
+    fn places(
+        &self,
+        sides: &[Side],
+        unknowns: &[usize],
+        open: &dyn Fn(usize) -> Dyadic,
+    ) -> Vec<Place> {
+        let mut position = vec![None; self.len()];
+        for (k, &i) in unknowns.iter().enumerate() {
+            position[i] = Some(k);
+        }
+        let own = |i: usize| match (sides[i], position[i], &self.bounds[i]) {
+            (Side::Free, Some(k), _) => Place::Times(k, Dyadic::ONE),
+            (Side::Lower, _, Bounds::Box(Some(bound), _))
+            | (Side::Upper, _, Bounds::Box(_, Some(bound))) => Place::Known(bound.clone()),
+            _ => Place::Known(open(i)),
+        };
+        let place = |i: usize| match (&self.bounds[i], sides[i]) {
+            (Bounds::Box(..), _) | (_, Side::Free) => own(i),
+            (Bounds::Coupled(k, mu), side) => {
+                let factor = if side == Side::Lower { -mu.clone() } else { mu.clone() };
+                match own(*k) {
+                    Place::Known(x) => Place::Known(factor * x),
+                    Place::Times(u, one) => Place::Times(u, factor * one),
+                }
+            }
+        };
+        (0..self.len()).map(place).collect()
+    }
+
+    /// w_i as the coefficients of m unknowns and a constant.
+    fn equation(&self, i: usize, places: &[Place], m: usize) -> Vec<Dyadic> {
+        let mut equation = vec![Dyadic::ZERO; m + 1];
+        equation[m] = self.b[i].clone();
+        for (j, a) in &self.a[i] {
+            match &places[*j] {
+                Place::Known(x) => equation[m] += a * x,
+                Place::Times(u, factor) => equation[*u] += a * factor,
+            }
+        }
+        equation
+    }
+
+    /// The point where w = 0 in these rows, as many as there are unknowns.
+    fn solve(&self, rows: &[usize], places: &[Place], m: usize) -> Option<Point> {
+        let equations = rows.iter().map(|&i| integers(&self.equation(i, places, m)));
+        let (a, c): (Vec<_>, Vec<_>) = equations
+            .map(|mut equation| {
+                let constant = equation.pop().expect("m + 1 entries");
+                (equation, -constant)
+            })
+            .unzip();
+        let (numerators, denominator) = modular::solve(&a, &c)?;
+        Some(Point::of(places, numerators, denominator))
+    }
+}

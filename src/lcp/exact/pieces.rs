@@ -1,0 +1,179 @@
+//! All pieces of a problem, one after the other.
+//!
+//! Each row is on one of its sides: 2ⁿ pieces for contacts, 3ⁿ for boxes, 18 for a contact with two
+//! tangents. Where the equations of a piece are singular, its solutions form a polyhedron. Its corners are
+//! found by asking w_D = 0 of as many more rows D as unknowns are left open, for every such D: a corner
+//! where a free x meets its bound belongs to the piece with that row at the bound, too. Of a row of
+//! solutions that has no corner (free rows that depend on each other), one is given: the dependent x are
+//! 0. So there is no solution if no piece has one.
+
+use dashu_ratio::RBig;
+
+use super::dyadic::{Dyadic, integers};
+use super::echelon::{self, System};
+use super::{Bounds, Exact, Place, Point, Side};
+use crate::lcp::Lcp;
+
+/// More pieces than this are not tried.
+pub const MAX_PIECES: usize = 1 << 16;
+
+/// The pieces of a problem.
+pub(crate) struct Pieces {
+    exact: Exact,
+    /// The sides of each row, in the order in which they are tried.
+    choices: Vec<Vec<Side>>,
+    /// Free rows whose column of A depends on those of other free rows; their x is 0.
+    dependent: Vec<usize>,
+    count: usize,
+}
+
+/// What a search through all pieces has found.
+#[derive(Debug)]
+pub(crate) enum Search {
+    /// A solution.
+    Solution(Point),
+    /// None of so many pieces has a solution.
+    Nothing { pieces: usize },
+}
+
+impl Pieces {
+    /// All pieces; `None` if there are more than [`MAX_PIECES`].
+    pub(crate) fn of(lcp: &Lcp) -> Option<Self> {
+        let exact = Exact::new(lcp);
+        let choices: Vec<Vec<Side>> = (0..lcp.len()).map(|i| exact.sides(i).to_vec()).collect();
+        let count = choices.iter().try_fold(1usize, |n, sides| n.checked_mul(sides.len()))?;
+        let mut pieces = Pieces { exact, choices, dependent: Vec::new(), count };
+        if count > MAX_PIECES {
+            return None;
+        }
+        pieces.dependent = pieces.dependent_rows();
+        Some(pieces)
+    }
+
+    /// The same, tried in an order that begins with this piece.
+    pub(crate) fn beginning_with(mut self, sides: &[Side]) -> Self {
+        for (choices, first) in self.choices.iter_mut().zip(sides) {
+            choices.sort_by_key(|side| side != first);
+        }
+        self
+    }
+
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Piece number k, row 0 changing fastest.
+    pub(crate) fn piece(&self, mut k: usize) -> Vec<Side> {
+        let mut digit = |sides: &Vec<Side>| {
+            let side = sides[k % sides.len()];
+            k /= sides.len();
+            side
+        };
+        self.choices.iter().map(&mut digit).collect()
+    }
+
+    /// The first solution in the order of the pieces, or that there is none.
+    pub(crate) fn search(&self) -> Search {
+        let mut all = (0..self.count).map(|k| self.solutions(&self.piece(k)));
+        match all.find_map(|found| found.into_iter().next()) {
+            Some(solution) => Search::Solution(solution),
+            None => Search::Nothing { pieces: self.count },
+        }
+    }
+
+    /// The solutions in a piece: none, one, or the corners of a polyhedron.
+    pub(crate) fn solutions(&self, sides: &[Side]) -> Vec<Point> {
+        let (free, bound): (Vec<usize>, Vec<usize>) =
+            (0..sides.len()).partition(|&i| sides[i] == Side::Free);
+        let unknowns: Vec<usize> =
+            free.iter().copied().filter(|i| !self.dependent.contains(i)).collect();
+        let places = self.exact.places(sides, &unknowns, &|_| Dyadic::ZERO);
+        let is_solution = |x: &Point| self.exact.is_solved_by(x);
+        let open = match self.system(&free, &places, unknowns.len()) {
+            System::None => return Vec::new(),
+            System::One(x, d) => {
+                return Some(Point::of(&places, x, d)).filter(is_solution).into_iter().collect();
+            }
+            System::Many { open } => open,
+        };
+        let bound: Vec<usize> =
+            bound.into_iter().filter(|&i| self.exact.sides(i).len() > 1).collect();
+        let corner = |more: Vec<usize>| match self.system(
+            &[&free[..], &more].concat(),
+            &places,
+            unknowns.len(),
+        ) {
+            System::One(x, d) => Some(Point::of(&places, x, d)).filter(is_solution),
+            _ => None,
+        };
+        subsets(&bound, open).into_iter().filter_map(corner).collect()
+    }
+
+    /// The equations w = 0 of these rows.
+    fn system(&self, rows: &[usize], places: &[Place], m: usize) -> System {
+        let equation = |&i: &usize| integers(&self.exact.equation(i, places, m));
+        echelon::solve(rows.iter().map(equation).collect(), m)
+    }
+
+    /// Free rows that can be moved, together with other free rows, without any w being moved.
+    fn dependent_rows(&self) -> Vec<usize> {
+        let exact = self.exact.homogeneous();
+        let is_free = |&i: &usize| matches!(exact.bounds[i], Bounds::Box(None, None));
+        let free: Vec<usize> = (0..exact.len()).filter(is_free).collect();
+        let sides = vec![Side::Free; exact.len()];
+        let (mut kept, mut dependent) = (Vec::new(), Vec::new());
+        for i in free {
+            kept.push(i);
+            let places = exact.places(&sides, &kept, &|_| Dyadic::ZERO);
+            let asked = (0..exact.len()).filter(|&i| self.exact.sides(i) != [Side::Lower]);
+            let equation = |i| integers(&exact.equation(i, &places, kept.len()));
+            if let System::Many { .. } = echelon::solve(asked.map(equation).collect(), kept.len()) {
+                dependent.extend(kept.pop());
+            }
+        }
+        dependent
+    }
+}
+
+/// All solutions of a problem, exactly: every isolated one, and the corners of every connected family.
+/// `None` if there are more than 65536 pieces.
+///
+/// ```
+/// use lcplab::lcp::{Lcp, Matrix};
+/// use lcplab::lcp::exact::all_solutions;
+///
+/// // The segment x1 + x2 = 1.
+/// let a = Matrix::dense(2, &[1.0; 4]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let corners = all_solutions(&lcp).unwrap();
+/// assert_eq!(corners, [[1.into(), 0.into()], [0.into(), 1.into()]]);
+/// # Ok::<(), lcplab::error::Error>(())
+/// ```
+pub fn all_solutions(lcp: &Lcp) -> Option<Vec<Vec<RBig>>> {
+    let pieces = Pieces::of(lcp)?;
+    let mut all: Vec<Vec<RBig>> = Vec::new();
+    for k in 0..pieces.count() {
+        for x in pieces.solutions(&pieces.piece(k)) {
+            let x = x.entries();
+            if !all.contains(&x) {
+                all.push(x);
+            }
+        }
+    }
+    Some(all)
+}
+
+/// All subsets of k elements.
+fn subsets(of: &[usize], k: usize) -> Vec<Vec<usize>> {
+    match (k, of) {
+        (0, _) => vec![Vec::new()],
+        (_, []) => Vec::new(),
+        (_, [first, rest @ ..]) => {
+            let mut with = subsets(rest, k - 1);
+            with.iter_mut().for_each(|set| set.push(*first));
+            with.extend(subsets(rest, k));
+            with
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! A vector of fractions over one denominator.
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+use dashu_ratio::RBig;
+
+use super::Place;
+use super::dyadic::{Dyadic, dyadic, rational, rounded_up, whole};
+
+/// An exact vector.
+#[derive(Debug, Clone)]
+pub struct Point {
+    numerators: Vec<Dyadic>,
+    /// Positive.
+    denominator: Dyadic,
+}
+
+impl Point {
+    /// The point where the unknowns have these numerators.
+    pub(super) fn of(places: &[Place], numerators: Vec<IBig>, denominator: IBig) -> Self {
+        let numerators: Vec<Dyadic> = numerators.into_iter().map(whole).collect();
+        let denominator = whole(denominator);
+        let numerator = |place: &Place| match place {
+            Place::Known(x) => x * &denominator,
+            Place::Times(u, factor) => factor * &numerators[*u],
+        };
+        Point { numerators: places.iter().map(numerator).collect(), denominator }
+    }
+
+    /// Entry i times the denominator.
+    pub(crate) fn scaled(&self, i: usize) -> &Dyadic {
+        &self.numerators[i]
+    }
+
+    /// The denominator that all entries have.
+    pub(crate) fn denominator(&self) -> &Dyadic {
+        &self.denominator
+    }
+
+    /// All entries as fractions.
+    pub fn entries(&self) -> Vec<RBig> {
+        let denominator = rational(&self.denominator);
+        self.numerators.iter().map(|x| rational(x) / &denominator).collect()
+    }
+
+    /// max_i |x_i − x*_i| for finite x, rounded up.
+    pub fn distance(&self, x: &[f64]) -> f64 {
+        let exact = self.entries();
+        let distances = exact.iter().zip(x).map(|(own, x)| (own - rational(&dyadic(*x))).abs());
+        rounded_up(&distances.max().unwrap_or_default())
+    }
+}

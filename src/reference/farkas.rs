@@ -1,0 +1,51 @@
+//! A guess at a vector that proves that a problem has no solution, by clarabel's interior-point method.
+//!
+//! ```text
+//! minimise  bᵀd + hiᵀp − loᵀq   subject to   Aᵀd = p − q,   p, q ≥ 0,   |d_i| ≤ 1/√s_i
+//! ```
+//!
+//! d_i ≥ 0 where lo_i is finite, d_i ≤ 0 where hi_i is, p_j = 0 where hi_j = ∞, q_j = 0 where lo_j = −∞;
+//! of a coupled row d, p and q are 0. A negative optimum is Farkas' proof, up to rounding. Rows are in
+//! units in which a_ii is about 1.
+
+use super::program::{MAX_ITERATIONS, Program};
+use crate::lcp::Lcp;
+use crate::lcp::merit::row_scale;
+
+/// d, if the optimum seems to be negative.
+pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
+    let n = lcp.len();
+    let unit: Vec<f64> = (0..n)
+        .map(|i| match row_scale(lcp, i) {
+            0.0 => 1.0,
+            scale => scale.sqrt(),
+        })
+        .collect();
+    let is_coupled = |i: usize| lcp.coupling().is_some_and(|c| c.index(i).is_some());
+    let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
+    let mut program = Program::with_costs((0..n).map(|i| lcp.b()[i] / unit[i]).collect());
+    for i in 0..n {
+        for (j, a) in lcp.matrix().row(i).iter().filter(|&(_, a)| a != 0.0) {
+            columns[j].push((i, a / unit[i] / unit[j]));
+        }
+        let (lo, hi) = match is_coupled(i) {
+            true => (0.0, 0.0), // d_i = 0
+            false => (lcp.lo()[i], lcp.hi()[i]),
+        };
+        let least = if lo.is_finite() { 0.0 } else { -1.0 };
+        program.bound(i, least, if hi.is_finite() { 0.0 } else { 1.0 });
+    }
+    for (j, mut column) in columns.into_iter().enumerate() {
+        for (bound, sign) in [(lcp.hi()[j], 1.0), (lcp.lo()[j], -1.0)] {
+            if bound.is_finite() && !is_coupled(j) {
+                let part = program.add_variable(sign * bound * unit[j]);
+                program.bound(part, 0.0, f64::INFINITY);
+                column.push((part, -sign));
+            }
+        }
+        program.equate(column, 0.0);
+    }
+    let found = program.solve_within(MAX_ITERATIONS);
+    let is_proof = found.solved && found.objective < 0.0;
+    is_proof.then(|| (0..n).map(|i| found.point[i] / unit[i]).collect())
+}

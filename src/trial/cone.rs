@@ -1,0 +1,60 @@
+//! One contact with a friction cone whose solution has a closed form, in units far apart.
+//!
+//! With A = diag(a_n, a_t, a_t) nothing couples normal and tangents but the law of friction:
+//!
+//! ```text
+//! x_n = max(−b_n / a_n, 0),   x_t = −b_t / a_t, shortened to length μ x_n
+//! ```
+//!
+//! is Coulomb's law: the contact sticks where the disc holds what stops it, else it slides along b_t. The
+//! scales a_n, a_t and the loads come from 10⁻⁸ … 10⁸ each, so that a light load beside a heavy one, and a
+//! slip beside a large force, have to be seen.
+
+use super::problem::Random;
+use crate::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+use crate::lcp::{Lcp, Matrix};
+
+/// A contact and its solution under Coulomb's law.
+#[derive(Debug, Clone)]
+pub struct ConeTruth {
+    /// The problem.
+    pub problem: ConeProblem,
+    /// The only x that solves it, rounded.
+    pub x: [f64; 3],
+    /// Whether it slides: |b_t| / a_t > μ x_n > 0.
+    pub slides: bool,
+}
+
+/// Contact number k of a seed.
+///
+/// ```
+/// use lcplab::certificate::{Demand, judge_cone};
+/// use lcplab::trial::cone::contact;
+///
+/// let truth = contact(1, 5);
+/// assert!(judge_cone(&truth.problem, &truth.x, &Demand::default()).verdict.is_solution());
+/// ```
+pub fn contact(seed: u64, k: usize) -> ConeTruth {
+    let random = &mut Random::new(seed, k);
+    let scale = |random: &mut Random| 10f64.powi(random.whole(-8, 8) as i32);
+    let (a_n, a_t, load, push) = (scale(random), scale(random), scale(random), scale(random));
+    let mu = random.one_of(&[0.0, 0.125, 0.5, 1.0, 3.0]);
+    let b = [load * random.number(3), push * random.number(3), push * random.number(3)];
+    let normal = f64::max(-b[0] / a_n, 0.0);
+    let (wanted, limit) = ([-b[1] / a_t, -b[2] / a_t], mu * normal);
+    let length = wanted[0].hypot(wanted[1]);
+    let tangents = match length > limit {
+        true => wanted.map(|x| limit * (x / length)),
+        false => wanted,
+    };
+    let matrix = Matrix::dense(3, &[a_n, 0.0, 0.0, 0.0, a_t, 0.0, 0.0, 0.0, a_t]);
+    let lo = vec![0.0, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    let lcp = Lcp::new(matrix, b.to_vec(), lo, vec![f64::INFINITY; 3]).expect("finite numbers");
+    let contact = Contact { rows: [0, 1, 2], mu };
+    let friction = FrictionProblem::new(lcp, vec![contact]).expect("a contact");
+    ConeTruth {
+        problem: ConeProblem::new(friction, Law::Coulomb),
+        x: [normal, tangents[0], tangents[1]],
+        slides: length > limit && limit > 0.0,
+    }
+}
