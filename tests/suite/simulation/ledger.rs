@@ -130,7 +130,9 @@ fn accounted() -> impl Iterator<Item = Formulation> {
 #[test]
 fn the_accounts_close_in_every_family_that_keeps_them() {
     for family in accounted() {
-        for name in ["stack", "pendulum", "bouncing_ball", "double_pendulum", "dzhanibekov", "ragdoll"] {
+        for name in
+            ["stack", "pendulum", "bouncing_ball", "double_pendulum", "dzhanibekov", "ragdoll"]
+        {
             let mut scene = scene(name, family);
             scene.step.integrator = Integrator::SemiImplicitEuler; // stages have no accounts
             for step in steps(scene, 20) {
