@@ -20,7 +20,8 @@ Example:
   lcplab convert --list                         # the formats, what they carry, their traps
 
 The endings say the formats; --from and --to say otherwise. What a format cannot carry is refused,
-or named on standard error if the numbers stay the same. Exit code 2 for bad input.")]
+or named on standard error if the numbers stay the same. Which model of friction FROM means is said,
+and a warning where TO means another. Exit code 2 for bad input.")]
 pub struct Convert {
     /// The problem: a file, a folder or the beginning of names of several, - for standard input
     #[arg(value_name = "FROM", required_unless_present = "list")]
@@ -51,6 +52,10 @@ impl Convert {
         };
         let problem = exchange::read_within(source, from, self.memory.max_memory)?;
         warn(&problem);
+        let to = to.or_else(|| Format::of(target));
+        if let Some(model) = exchange::model(&problem) {
+            say(&format!("note: {}: friction is {model}", source.display()));
+        }
         let notes = if target == Path::new("-") {
             let output = exchange::encode(&problem, to.unwrap_or(&exchange::JSON))?;
             let text = String::from_utf8(output.main).ok().filter(|_| output.parts.is_empty());
@@ -60,6 +65,13 @@ impl Convert {
         } else {
             exchange::write(&problem, target, to)?
         };
+        if let Some((own, meant)) = exchange::remodelled(&problem, to.unwrap_or(&exchange::JSON)) {
+            let (from, format) = (source.display(), to.unwrap_or(&exchange::JSON).name);
+            say(&format!(
+                "warning: {}: {format} means {meant}, {from} is {own}: another problem, with other solutions",
+                target.display()
+            ));
+        }
         notes.iter().for_each(|note| say(&format!("note: {note}")));
         Ok(Outcome::Good)
     }

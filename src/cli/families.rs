@@ -14,7 +14,7 @@ use lcplab::solver::Method;
 
 use super::limits::Limits;
 use super::options::SolverArgs;
-use super::{Outcome, print, read_problem};
+use super::{Outcome, print, read_problem, say};
 
 /// Solve the problem library with every solver, and judge every answer
 #[derive(Debug, Args)]
@@ -60,6 +60,9 @@ impl CompareSolvers {
                 "none of these families has friction",
             ));
         }
+        for (name, reason) in problems.iter().filter_map(only_boxed) {
+            say(&format!("note: {name}: compared as a coupled box alone, for it {reason}"));
+        }
         let models = if self.model.is_empty() { &Model::ALL } else { self.model.as_slice() };
         let methods = self.methods()?;
         let options = self.settings.options(&methods)?;
@@ -69,8 +72,7 @@ impl CompareSolvers {
         let stopped = stop.reason();
         limits.over();
         if rows.is_empty() && stopped.is_none() {
-            let reason = "no solver that is named takes any of these families, so modelled";
-            return Err(Error::invalid("options", "--solver", reason));
+            return Err(self.nothing_to_compare());
         }
         if self.json {
             print(&format!("{}\n", serde_json::json!({ "rows": rows })))?;
@@ -83,6 +85,19 @@ impl CompareSolvers {
             None if wrong => Outcome::Refuted,
             None => Outcome::Good,
         })
+    }
+
+    /// Why there is not one row: by the options that were given, or by the problems themselves.
+    fn nothing_to_compare(&self) -> Error {
+        let (key, reason) = match (self.solver.is_empty(), self.model.is_empty()) {
+            (true, true) => ("problems", "no solver takes any of these"),
+            (true, false) => ("--model", "none of these problems can be stated under this model"),
+            (false, true) => ("--solver", "takes none of these problems"),
+            (false, false) => {
+                ("--solver, --model", "no such solver takes any of these problems so modelled")
+            }
+        };
+        Error::invalid("options", key, reason)
     }
 
     /// The problems of each family or file.
@@ -111,4 +126,10 @@ impl CompareSolvers {
         }
         Ok(found)
     }
+}
+
+/// The name of problems whose friction rows are not pairs of tangents, and what they are instead.
+fn only_boxed((name, problems): &(String, Vec<Problem>)) -> Option<(&str, String)> {
+    let friction = problems.iter().find_map(|problem| problem.friction()?.err())?;
+    Some((name, format!("has no pairs of tangents: {friction}")))
 }

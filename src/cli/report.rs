@@ -14,7 +14,7 @@ use lcplab::report::{difference, run, text, view, write};
 
 use super::limits::Limits;
 use super::pdf::Browser;
-use super::{Outcome, bar, print, threads};
+use super::{Outcome, bar, print, say, threads};
 use crate::handout::ALL;
 
 /// The walk through the chapter.
@@ -107,6 +107,7 @@ impl Report {
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         let earlier = if self.fresh { None } else { interrupted(&folder.join(write::RESULTS)) };
+        experiment.command = Some(self.command());
         let progress = bar(0, "");
         let save = |results: &Results| write::results(results, &folder);
         let stop = limits.stop();
@@ -117,6 +118,18 @@ impl Report {
         write::results(&results, &folder)?;
         let (outcome, page) = shown(&results, &folder)?;
         Ok((stopped.map_or(outcome, Outcome::Stopped), page))
+    }
+
+    /// The command that makes this page again, wherever it is run from the same folder.
+    fn command(&self) -> String {
+        let mut words = vec!["lcplab".to_string(), "report".into(), shell_word(&self.report)];
+        if let Some(id) = &self.section {
+            words.extend(["--section".into(), shell_word(id)]);
+        }
+        if let Some(folder) = &self.out {
+            words.extend(["--out".into(), shell_word(&folder.display().to_string())]);
+        }
+        words.join(" ")
     }
 
     fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
@@ -172,8 +185,26 @@ fn shown(results: &Results, folder: &Path) -> Result<(Outcome, PathBuf)> {
     Ok((if results.is_good()? { Outcome::Good } else { Outcome::Refuted }, page))
 }
 
-/// What a run that did not come to its end has left; nothing if there is none, or it is not readable.
+/// What a run that did not come to its end has left, as far as nobody has changed it since; nothing if
+/// there is none, or it is not readable.
 fn interrupted(path: &Path) -> Option<Results> {
     let results: Results = serde_json::from_value(difference::read(path).ok()?).ok()?;
-    (!results.is_complete()).then_some(results)
+    if results.is_complete() {
+        return None;
+    }
+    let (results, edited) = results.unedited();
+    for id in edited {
+        let file = path.display();
+        say(&format!("warning: {file}: section {id} is not as it was written: it is done again"));
+    }
+    Some(results)
+}
+
+/// A word as a shell takes it: in quotes if it needs them.
+fn shell_word(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=:,+@%".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        return word.to_string();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
 }

@@ -46,6 +46,8 @@ pub struct Experiment {
     pub lead: String,
     /// The sections, in the order of the page.
     pub sections: Vec<Section>,
+    /// The command that runs it, if it is run by one.
+    pub command: Option<String>,
 }
 
 /// A section of a report.
@@ -113,6 +115,7 @@ impl Experiment {
             title: results.title.clone(),
             lead: results.lead.clone(),
             sections: results.sections.iter().map(section).collect::<Result<_>>()?,
+            command: results.machine.command.clone(),
         })
     }
 
@@ -131,13 +134,13 @@ impl Experiment {
 
     fn parse(text: &str, input: &str, name: &str) -> Result<Self> {
         let line = |at: usize| 1 + text[..at].matches('\n').count();
-        let file: File = toml::from_str(text).map_err(|cause| {
+        let mut file: File = toml::from_str(text).map_err(|cause| {
             let at = cause.span().map_or(0, |span| span.start);
             Error::invalid(input, format!("line {}", line(at)), cause.message())
         })?;
         let mut sections: Vec<Section> = Vec::new();
         let mut defects = Defects::default();
-        for (k, table) in file.section.into_iter().enumerate() {
+        for (k, table) in std::mem::take(&mut file.section).into_iter().enumerate() {
             let place = format!("section {}, from line {}", k + 1, line(table.span().start));
             match section(table.into_inner()) {
                 Ok(section) => sections.push(numbered(section, &sections)),
@@ -145,7 +148,8 @@ impl Experiment {
             }
         }
         defects.into_result(input)?;
-        Ok(Experiment { name: name.into(), title: file.title, lead: file.lead, sections })
+        let File { title, lead, .. } = file;
+        Ok(Experiment { name: name.into(), title, lead, sections, command: None })
     }
 }
 

@@ -53,6 +53,9 @@ pub struct Part {
     /// The study's tasks.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tasks: Vec<Task>,
+    /// Of what was found out so far, as long as others are to go on from it: see [`Results::sealed`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub checksum: Option<String>,
 }
 
 /// A task of a study: to be done, done, or failed.
@@ -79,6 +82,9 @@ pub struct Machine {
     pub seconds: f64,
     /// What was timed.
     pub times: Vec<Timed>,
+    /// The command that ran the report, if it was one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub command: Option<String>,
 }
 
 /// Times of one task.
@@ -107,8 +113,48 @@ impl Results {
                 threads: rayon::current_num_threads(),
                 seconds: 0.0,
                 times: Vec::new(),
+                command: experiment.command.clone(),
             },
         }
+    }
+
+    /// The same to be written: with a checksum a section as long as a run may go on from it.
+    pub fn sealed(&self) -> Self {
+        let checksums: Vec<_> = self.sections.iter().map(|part| self.checksum(part)).collect();
+        let mut sealed = self.clone();
+        for (part, checksum) in sealed.sections.iter_mut().zip(checksums) {
+            part.checksum = (!self.is_complete() && part.study.is_some()).then_some(checksum);
+        }
+        sealed
+    }
+
+    /// What was read and is as it was written, and the ids of sections that are not: their findings
+    /// are left out.
+    pub fn unedited(mut self) -> (Self, Vec<String>) {
+        let is_edited = |part: &Part| {
+            part.tasks.iter().any(Task::is_over)
+                && part.checksum.as_ref() != Some(&self.checksum(part))
+        };
+        let edited: Vec<bool> = self.sections.iter().map(is_edited).collect();
+        let mut ids = Vec::new();
+        for (part, _) in self.sections.iter_mut().zip(edited).filter(|(_, edited)| *edited) {
+            for task in &mut part.tasks {
+                (task.finding, task.failure) = (None, None);
+            }
+            self.machine.times.retain(|timed| timed.section != part.id);
+            ids.push(part.id.clone());
+        }
+        (self, ids)
+    }
+
+    /// Of what a section's tasks found out, in how much time, for which settings, by which version.
+    fn checksum(&self, part: &Part) -> String {
+        let times = self.machine.times.iter().filter(|timed| timed.section == part.id);
+        let times: Vec<&Timed> = times.collect();
+        let made_by = (&self.version, &self.libraries);
+        let all = (made_by, &part.study, &part.settings, &part.tasks, times);
+        let text = serde_json::to_string(&all).unwrap_or_default();
+        format!("{:016x}", fnv(&text))
     }
 
     /// Whether every task is done or has failed.
@@ -235,6 +281,7 @@ impl Part {
             tasks: study
                 .map(|study| study.tasks().into_iter().map(task).collect())
                 .unwrap_or_default(),
+            checksum: None,
         }
     }
 
@@ -249,6 +296,13 @@ impl Task {
     pub fn is_over(&self) -> bool {
         self.finding.is_some() || self.failure.is_some()
     }
+}
+
+/// FNV-1a (Fowler, Noll & Vo), 64 bits.
+fn fnv(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
 }
 
 /// The versions of the libraries that compute, from the lock file of this build.
@@ -286,5 +340,32 @@ pub mod number {
     pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
         let value = Value::deserialize(deserializer)?;
         crate::lcp::file::as_number(&value).ok_or_else(|| D::Error::custom("not a number"))
+    }
+}
+
+/// The same of a number that there may not be, as null.
+pub mod perhaps {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+    use serde_json::Value;
+
+    /// A number, a word for one that is not finite, or null.
+    ///
+    /// # Errors
+    /// As the serializer.
+    pub fn serialize<S: Serializer>(value: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+        value.map(crate::lcp::file::number).serialize(serializer)
+    }
+
+    /// A number, a word for one that is not finite, or null.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Option<f64>, D::Error> {
+        let read = |value: Value| {
+            crate::lcp::file::as_number(&value).ok_or_else(|| D::Error::custom("not a number"))
+        };
+        Option::<Value>::deserialize(deserializer)?.map(read).transpose()
     }
 }

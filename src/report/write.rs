@@ -26,7 +26,7 @@ pub fn report(results: &Results, folder: &Path) -> Result<PathBuf> {
 /// # Errors
 /// If it cannot be written.
 pub fn results(results: &Results, folder: &Path) -> Result<()> {
-    let json = layout::json(results)
+    let json = layout::json(&results.sealed())
         .map_err(|cause| Error::invalid(RESULTS, "results", cause.to_string()))?;
     file::write(&folder.join(RESULTS), &json)
 }

@@ -4,7 +4,7 @@
 
 use nalgebra::Vector6;
 
-use super::Cause;
+use super::{Act, Cause};
 use crate::assembly::{Source, Undefined};
 use crate::body::State;
 use crate::constraint::{Constraint, Row};
@@ -62,6 +62,13 @@ impl Lever {
         for (k, response) in &self.responses {
             states[*k] = states[*k].displaced(&(response * y));
         }
+    }
+
+    /// What such a shift does, to be written down.
+    pub fn moves(&self, y: f64) -> impl Iterator<Item = Act> {
+        self.responses
+            .iter()
+            .map(move |(body, response)| Act::Shift { body: *body, by: response * y })
     }
 
     /// u ← u + M⁻¹Jᵀ x.

@@ -23,7 +23,7 @@ pub struct Laws {
     /// How far friction reaches out of the cone: the largest |x_t| − μ x_n, in parts of the largest
     /// μ x_n of the solve. Up to √2 − 1 in the corners of a box.
     pub cone_excess: f64,
-    /// The work that friction put in (J), 0 if it took some out.
+    /// The work that friction put in (J), 0 if it took some out, and where no ledger knows it.
     pub friction_gain: f64,
     /// The momentum (N s) that rows between two moving bodies made.
     pub internal_impulse: f64,
@@ -33,8 +33,9 @@ pub struct Laws {
 
 impl Laws {
     /// The laws in a step that started from these states.
-    pub(super) fn of(states: &[State], solves: &[Solve], ledger: &Ledger) -> Self {
-        let mut laws = Laws { friction_gain: ledger.friction.max(0.0), ..Laws::default() };
+    pub(super) fn of(states: &[State], solves: &[Solve], ledger: Option<&Ledger>) -> Self {
+        let friction_gain = ledger.map_or(0.0, |ledger| ledger.friction.max(0.0));
+        let mut laws = Laws { friction_gain, ..Laws::default() };
         for Solve { problem, solution, .. } in solves {
             let (rows, x) = (&problem.assembly.rows, problem.efforts(&solution.x));
             laws.cone_excess = laws.cone_excess.max(cone_excess(rows, &x));

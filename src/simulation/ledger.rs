@@ -1,6 +1,6 @@
 //! Where a step's energy went: every impulse's work, and what the step itself adds or loses.
 //!
-//! An impulse P takes the velocities from u to u⁺ at fixed poses, so its work is exactly
+//! An impulse P takes the velocities from u to u⁺ = u + M⁻¹P at fixed poses, so its work is exactly
 //!
 //! ```text
 //! ½ u⁺ᵀM u⁺ − ½ uᵀM u = ½ (u + u⁺)·P,      P = dt F + Jᵀ X,   X = x, or dt x for forces
@@ -9,19 +9,26 @@
 //! which splits into the work ½ X_i (J u + J u⁺)_i of each row. Where the row fulfils
 //! w = J u⁺ + bias, the part −½ X_i bias_i is the bias's doing, or the bounce's. Then the bodies move
 //! by dt u⁺ while gravity has worked along ½ dt (u + u⁺), which leaves −½ dt m g·(v⁺ − v), and the
-//! inertia turns with the body, which leaves ½ ω⁺·(I⁺ − I) ω⁺. What is still missing is a row of its
-//! own: rounding, unless something is forgotten.
+//! inertia turns with the body, which leaves ½ ω⁺·(I⁺ − I) ω⁺. A body that is put elsewhere by d gains
+//! −m g·d, and what its inertia turns.
+//!
+//! All this is computed from the [acts](super::Act) that the family wrote down; the change is measured
+//! from the states before and after. What is missing between the two is a row of its own: rounding,
+//! unless something acted that nobody wrote down. A family that does not write its acts down has no ledger.
 
 use nalgebra::Vector3;
 
-use super::Solve;
-use crate::assembly::{Assembly, Row};
+use super::acts::Impulses;
+use super::{Act, Solve};
 use crate::body::{State, angular, linear};
-use crate::constraint::{Bounds, Kind};
-use crate::formulation::{Problem, Stage};
-use crate::scene::{Formulation, Integrator, Scene};
+use crate::constraint::Bounds;
+use crate::scene::Scene;
 
-/// The change of kinetic plus potential energy in a step (J), by cause. Gains are positive.
+/// A remainder up to this part of the scale is rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// The change of kinetic plus potential energy in a step (J), by cause. Gains are positive. What springs
+/// store, those of the penalty method too, is not part of the energy.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Ledger {
     /// The change itself, measured from the states.
@@ -40,15 +47,17 @@ pub struct Ledger {
     pub motor: f64,
     /// The constant forces on bodies, gravity apart.
     pub external: f64,
-    /// Springs; what they store is not part of the energy.
+    /// Springs.
     pub spring: f64,
     /// The gyroscopic torque, and the inertia turning with the body: together 0 in the limit.
     pub gyroscopic: f64,
     /// Gravity along the path of the step against gravity along the mean velocity.
     pub integrator: f64,
-    /// Positions and velocities that were changed otherwise than by impulses: the corrections of split
-    /// impulse and NGS; the whole change in families without LCPs and by integrators with stages.
+    /// Bodies that were put elsewhere, by the corrections of split impulse and NGS.
     pub correction: f64,
+    /// The size (J) of the energies that all this was computed from, for rounding is a part of them:
+    /// kinetic energy, m |g·p| of each body, and the work of each row.
+    pub scale: f64,
 }
 
 impl Ledger {
@@ -74,41 +83,51 @@ impl Ledger {
         self.change - self.accounts().iter().map(|(_, work)| work).sum::<f64>()
     }
 
-    /// The accounts of a step from its states before and after and the solves between.
-    pub(super) fn of(scene: &Scene, before: &[State], solves: &[Solve], after: &[State]) -> Self {
+    /// Whether nothing but rounding is missing.
+    pub fn closes(&self) -> bool {
+        self.remainder().abs() <= ROUNDING * self.scale
+    }
+
+    /// The accounts of a step from what acted in it, and the change from its states before and after.
+    pub fn of(
+        scene: &Scene,
+        before: &[State],
+        solves: &[Solve],
+        acts: &[Act],
+        after: &[State],
+    ) -> Self {
         let mut ledger = Ledger {
             change: energy(scene, after) - energy(scene, before),
-            correction: potential(scene, after) - potential(scene, before),
+            scale: size(scene, before).max(size(scene, after)),
             ..Ledger::default()
         };
-        if !is_impulsive(scene) {
-            return Ledger { correction: ledger.change, ..ledger };
-        }
-        let mut deciding = deciding(solves).peekable();
-        while let Some(Solve { problem, solution, .. }) = deciding.next() {
-            let u_next = problem.next_velocity(&solution.x, problem.dt);
-            ledger.add_rows(scene, problem, &problem.efforts(&solution.x), &u_next);
-            ledger.add_forces(scene, problem, &u_next);
-            let (assembly, own) = (&problem.assembly, kinetic(&problem.assembly, &u_next));
-            let then = match deciding.peek() {
-                Some(next) => kinetic(&next.problem.assembly, &u_next),
-                None => turned(scene, assembly, &u_next, after),
-            };
-            ledger.gyroscopic += then - own;
-            ledger.correction += match deciding.peek() {
-                Some(next) => kinetic(&next.problem.assembly, &next.problem.assembly.u) - then,
-                None => scene_kinetic(scene, after) - then,
-            };
+        let mut states = before.to_vec();
+        for act in acts {
+            if let Some(impulses) = Impulses::of(scene, act, solves) {
+                ledger.add_rows(&impulses);
+                ledger.add_forces(scene, &impulses);
+                states = impulses.assembly.with_velocities(&states, &impulses.next);
+            }
+            match act {
+                Act::Advance(h) => ledger.advance(scene, &mut states, *h),
+                Act::Shift { body, by } => {
+                    let moved = states[*body].displaced(by);
+                    ledger.correction += shift(scene, *body, &states[*body], &moved, &linear(by));
+                    states[*body] = moved;
+                }
+                Act::Answer(_) | Act::Push(_) => (),
+            }
         }
         ledger
     }
 
-    fn add_rows(&mut self, scene: &Scene, problem: &Problem, x: &[f64], u_next: &[f64]) {
-        let next = problem.assembly.push_forward(u_next);
-        for (i, row) in problem.assembly.rows.iter().enumerate() {
-            let impulse = impulse(problem, x[i]);
+    fn add_rows(&mut self, impulses: &Impulses) {
+        let next = impulses.assembly.push_forward(&impulses.next);
+        for (i, row) in impulses.assembly.rows.iter().enumerate() {
+            let impulse = impulses.x[i];
             let work = 0.5 * impulse * (row.velocity + next[i]);
-            let bias = -0.5 * impulse * feedback(problem, i);
+            let bias = -0.5 * impulse * impulses.feedback[i];
+            self.scale += work.abs();
             match row.bounds {
                 Bounds::Friction { .. } => self.friction += work,
                 Bounds::Effort(_) => self.motor += work,
@@ -118,7 +137,7 @@ impl Ledger {
             }
             if matches!(row.bounds, Bounds::Bilateral | Bounds::Unilateral) && row.spring.is_none()
             {
-                match bounces(scene, problem, row) {
+                match impulses.bounces(row) {
                     true => self.restitution += bias,
                     false => self.bias += bias,
                 }
@@ -126,19 +145,27 @@ impl Ledger {
         }
     }
 
-    /// Gravity, external forces and the gyroscopic torque over the step; at the start `correction` holds the whole
-    /// change of potential energy, from which what the velocities u⁺ explain is taken.
-    fn add_forces(&mut self, scene: &Scene, problem: &Problem, u_next: &[f64]) {
-        let Problem { assembly, dt, .. } = problem;
+    /// The work of gravity along the mean velocity, of external forces and of the gyroscopic torque.
+    fn add_forces(&mut self, scene: &Scene, impulses: &Impulses) {
+        let Impulses { assembly, h, .. } = impulses;
         for block in &assembly.blocks {
-            let (u, next) = (block.gather(&assembly.u), block.gather(u_next));
-            let weight = block.mass * scene.gravity;
+            let (u, next) = (block.gather(&assembly.u), block.gather(&impulses.next));
             let torque = angular(&block.gather(&assembly.force));
             let mean = 0.5 * (u + next);
-            self.external += dt * scene.bodies[block.body].force.dot(&linear(&mean));
-            self.gyroscopic += dt * torque.dot(&angular(&mean));
-            self.integrator -= dt * weight.dot(&(linear(&next) - linear(&mean)));
-            self.correction += dt * weight.dot(&linear(&next));
+            self.external += h * scene.bodies[block.body].force.dot(&linear(&mean));
+            self.gyroscopic += h * torque.dot(&angular(&mean));
+            self.integrator += h * block.mass * scene.gravity.dot(&linear(&mean));
+        }
+    }
+
+    /// Moves the bodies with their velocities: the path along which gravity is the potential's, and the
+    /// inertia that turns.
+    fn advance(&mut self, scene: &Scene, states: &mut [State], h: f64) {
+        for (body, state) in states.iter_mut().enumerate() {
+            let (moved, mass) = (state.advanced(h), &scene.bodies[body].mass);
+            self.integrator -= h * mass.mass() * scene.gravity.dot(&state.v);
+            self.gyroscopic += spin(scene, body, &moved) - spin(scene, body, state);
+            *state = moved;
         }
     }
 }
@@ -160,70 +187,20 @@ impl std::ops::Add for Ledger {
             gyroscopic: self.gyroscopic + other.gyroscopic,
             integrator: self.integrator + other.integrator,
             correction: self.correction + other.correction,
+            scale: self.scale.max(other.scale),
         }
     }
 }
 
-/// Whether the solves of a step are all that changes velocities, each one an impulse: not so in
-/// families without LCPs, and where an integrator has stages.
-fn is_impulsive(scene: &Scene) -> bool {
-    match scene.step.formulation {
-        Formulation::Acceleration => scene.step.integrator == Integrator::SemiImplicitEuler,
-        Formulation::SequentialImpulses => true,
-        family => family.solves_lcps(),
-    }
+/// What a body that is put elsewhere gains (J).
+fn shift(scene: &Scene, body: usize, from: &State, to: &State, by: &Vector3<f64>) -> f64 {
+    let lifted = 0.0 - scene.bodies[body].mass.mass() * scene.gravity.dot(by);
+    lifted + spin(scene, body, to) - spin(scene, body, from)
 }
 
-/// The solves whose answers counted: a bounce replaces the solve before it, and corrections of
-/// positions are no impulses.
-fn deciding(solves: &[Solve]) -> impl Iterator<Item = &Solve> {
-    let replaced =
-        |k: usize| solves.get(k + 1).is_some_and(|next| next.problem.stage == Stage::Restitution);
-    let counts =
-        move |&(k, solve): &(usize, &Solve)| !replaced(k) && solve.problem.stage != Stage::Position;
-    solves.iter().enumerate().filter(counts).map(|(_, solve)| solve)
-}
-
-/// X (N s) of an x.
-fn impulse(problem: &Problem, x: f64) -> f64 {
-    match problem.stage {
-        Stage::Acceleration => problem.dt * x,
-        Stage::Position => 0.0,
-        Stage::Velocity | Stage::Impact | Stage::Restitution => x,
-    }
-}
-
-/// The part of J u⁺ (m/s), with its sign turned, that a row owes to feedback.
-fn feedback(problem: &Problem, i: usize) -> f64 {
-    match problem.stage {
-        Stage::Acceleration => {
-            problem.dt * (problem.bias[i] - problem.assembly.rows[i].velocity_product)
-        }
-        Stage::Position => 0.0,
-        Stage::Velocity | Stage::Impact | Stage::Restitution => problem.bias[i],
-    }
-}
-
-/// Whether a row's bias is a bounce.
-fn bounces(scene: &Scene, problem: &Problem, row: &Row) -> bool {
-    problem.stage == Stage::Restitution
-        && row.kind == Kind::Normal
-        && row.velocity < -scene.contact.bounce_speed
-}
-
-/// ½ uᵀM u (J) at an assembly's poses.
-fn kinetic(assembly: &Assembly, u: &[f64]) -> f64 {
-    let own = |block: &crate::assembly::Block| {
-        let u = block.gather(u);
-        let (v, omega) = (linear(&u), angular(&u));
-        0.5 * (block.mass * v.norm_squared() + omega.dot(&(block.inertia * omega)))
-    };
-    assembly.blocks.iter().map(own).sum()
-}
-
-/// ½ uᵀM u (J) at the poses of other states.
-fn turned(scene: &Scene, assembly: &Assembly, u: &[f64], states: &[State]) -> f64 {
-    scene_kinetic(scene, &assembly.with_velocities(states, u))
+/// ½ ω·I ω (J).
+fn spin(scene: &Scene, body: usize, state: &State) -> f64 {
+    0.5 * state.omega.dot(&(scene.bodies[body].mass.world_inertia(&state.pose) * state.omega))
 }
 
 fn scene_kinetic(scene: &Scene, states: &[State]) -> f64 {
@@ -238,4 +215,12 @@ fn potential(scene: &Scene, states: &[State]) -> f64 {
 
 fn energy(scene: &Scene, states: &[State]) -> f64 {
     scene_kinetic(scene, states) + potential(scene, states)
+}
+
+/// The energies that a change is a difference of, without regard to sign (J).
+fn size(scene: &Scene, states: &[State]) -> f64 {
+    let bodies = scene.bodies.iter().zip(states);
+    let heights =
+        bodies.map(|(body, state)| body.mass.mass() * scene.gravity.dot(&state.pose.p).abs());
+    scene_kinetic(scene, states) + heights.sum::<f64>()
 }

@@ -6,6 +6,7 @@
 //! A [`Simulation`] keeps all that a step was made of, to be looked at. A [`Stepper`] keeps the memory and
 //! nothing else: the velocity level by sweeps, the same motion, many times faster.
 
+mod acts;
 mod answering;
 mod conflict;
 mod correction;
@@ -19,6 +20,7 @@ mod solving;
 pub mod stepper;
 mod sweep;
 
+pub use acts::{Act, Push};
 pub use laws::Laws;
 pub use ledger::Ledger;
 pub use motion::Motion;
@@ -151,9 +153,10 @@ impl Simulation {
             observer,
             solves: Vec::new(),
             answers: Memory::new(),
+            acts: None,
         };
         let outcome = family::step(&mut solving, &self.states, &found);
-        let Solving { solves, answers, .. } = solving;
+        let Solving { solves, answers, acts, .. } = solving;
         let is_stopped = |solve: &Solve| solve.solution.status == Status::Stopped;
         let sound = |states: Vec<State>| match self.divergence(&states, &solves) {
             _ if solves.iter().any(is_stopped) => Err(Cause::Stopped(None)),
@@ -168,13 +171,16 @@ impl Simulation {
                 return Err(failure);
             }
         };
-        let ledger = Ledger::of(&self.scene, &self.states, &solves, &states);
-        let laws = Laws::of(&self.states, &solves, &ledger);
+        let account =
+            |acts: &Vec<Act>| Ledger::of(&self.scene, &self.states, &solves, acts, &states);
+        let ledger = acts.as_ref().map(account);
+        let laws = Laws::of(&self.states, &solves, ledger.as_ref());
         self.previous = answers;
         self.states.clone_from(&states);
         self.steps += 1;
         let motion = self.motion();
-        Ok(Step { number: self.steps, solves, contacts: found, states, motion, ledger, laws })
+        let number = self.steps;
+        Ok(Step { number, solves, contacts: found, states, motion, acts, ledger, laws })
     }
 
     /// Takes up to `steps` steps, showing each to `watch`, which may end the run.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Laws, Ledger, Motion};
+use super::{Act, Laws, Ledger, Motion};
 use crate::assembly::Undefined;
 use crate::body::State;
 use crate::certificate::ray::Farkas;
@@ -25,8 +25,11 @@ pub struct Step {
     pub states: Vec<State>,
     /// Energy, momentum and errors at its end.
     pub motion: Motion,
-    /// Where its energy went.
-    pub ledger: Ledger,
+    /// What acted on the bodies, in its order; `None` where that is not written down: by XPBD, whose
+    /// velocities are what positions did, and by integrators with stages.
+    pub acts: Option<Vec<Act>>,
+    /// Where its energy went; `None` where nobody knows what acted.
+    pub ledger: Option<Ledger>,
     /// How well it kept the laws of contact and momentum.
     pub laws: Laws,
 }

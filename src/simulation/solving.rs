@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::answering::Solvers;
-use super::{Cause, Solve};
+use super::{Act, Cause, Solve};
 use crate::assembly::{Assembly, Entering, RowId, Source};
 use crate::body::State;
 use crate::formulation::{Problem, Stage, friction_model};
@@ -27,6 +27,8 @@ pub(super) struct Solving<'a> {
     pub solves: Vec<Solve>,
     /// The answers so far.
     pub answers: Memory,
+    /// What acted so far, if the family writes it down.
+    pub acts: Option<Vec<Act>>,
 }
 
 impl Solving<'_> {
@@ -96,6 +98,16 @@ impl Solving<'_> {
     pub fn bounce(&self) -> Result<Option<Problem>, Cause> {
         let first = self.last();
         Ok(first.problem.restitution(self.scene, &first.solution.x)?)
+    }
+
+    /// Writes down what acted.
+    pub fn note(&mut self, act: Act) {
+        self.acts.get_or_insert_default().push(act);
+    }
+
+    /// Writes down that the last answer acted.
+    pub fn note_answer(&mut self) {
+        self.note(Act::Answer(self.solves.len() - 1));
     }
 
     /// The last solve, of which there is one.

@@ -197,22 +197,29 @@ pub fn encode(problem: &Problem, format: &Format) -> Result<Output> {
     };
     let mut output = write(problem)?;
     if format.name != JSON.name {
-        output.notes.extend(left_behind(problem, format));
+        output.notes.extend(left_behind(problem));
     }
     Ok(output)
 }
 
+/// The model of friction that a problem has, and the one that files of a format mean, where they are
+/// not the same: in that format it is another problem, with other solutions.
+pub fn remodelled(problem: &Problem, format: &Format) -> Option<(Model, Model)> {
+    let own = model(problem)?;
+    let meant = format.law.unwrap_or(Model::CoupledBox);
+    (format.name != JSON.name && own != meant).then_some((own, meant))
+}
+
+/// The model of friction under which a problem is to be solved; none without friction.
+pub fn model(problem: &Problem) -> Option<Model> {
+    problem.lcp.coupling().filter(|coupling| !coupling.is_empty())?;
+    Some(problem.model.unwrap_or(Model::CoupledBox))
+}
+
 /// What is known of a problem and does not fit into a format.
-fn left_behind(problem: &Problem, format: &Format) -> Option<String> {
+fn left_behind(problem: &Problem) -> Option<String> {
     let mut left: Vec<&str> = problem.extra.keys().map(String::as_str).collect();
     left.extend(problem.frozen_at.as_ref().map(|_| "frozen_at"));
-    let friction = problem.lcp.coupling().and(problem.model);
-    let friction = friction.filter(|model| format.law != Some(*model)).map(|m| m.to_string());
-    let friction = friction.map(|model| match format.law {
-        None => format!("model ({model})"),
-        Some(law) => format!("model ({model}; {} means {law})", format.name),
-    });
-    left.extend(friction.as_deref());
     (!left.is_empty()).then(|| format!("left behind: {}", left.join(", ")))
 }
 

@@ -18,6 +18,9 @@ use crate::scene::Scene;
 use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Step};
 use crate::solver::Status;
 
+/// What stands in place of the work where nobody wrote down what acted.
+const NOT_ACCOUNTED: &str = "not accounted";
+
 /// The record of a simulation so far.
 #[derive(Debug, Clone)]
 pub struct Record {
@@ -35,9 +38,8 @@ pub struct Record {
     worst_residual: f64,
     worst_drift: f64,
     worst_penetration: f64,
-    worst_remainder: f64,
     laws: Laws,
-    work: Ledger,
+    books: Option<Books>,
     conflict: Vec<String>,
     failure: Option<String>,
     /// The proof that the failed step had no solution.
@@ -61,9 +63,8 @@ impl Record {
             worst_residual: 0.0,
             worst_drift: 0.0,
             worst_penetration: 0.0,
-            worst_remainder: 0.0,
             laws: Laws::default(),
-            work: Ledger::default(),
+            books: Some(Books::default()),
             conflict: Vec::new(),
             failure: None,
             proof: None,
@@ -106,9 +107,8 @@ impl Record {
         if let Some(tables) = &mut self.tables {
             tables.add(&self.scene, step);
         }
-        self.worst_remainder = self.worst_remainder.max(step.ledger.remainder().abs());
         self.laws = self.laws.worse(step.laws);
-        self.work = self.work + step.ledger;
+        self.books = self.books.zip(step.ledger).map(|(books, ledger)| books.with(&ledger));
         self.note(&step.motion);
     }
 
@@ -159,17 +159,17 @@ impl Record {
             "problems": self.problems,
             "accepted": self.accepted,
             "refuted_claims": self.refuted_claims,
-            "worst_residual": number(self.worst_residual),
+            "worst_residual": (self.problems > 0).then(|| number(self.worst_residual)),
             "energy_start": number(self.first.energy()),
             "energy_end": number(self.last.energy()),
             "drift": number(self.worst_drift),
             "penetration": number(self.worst_penetration),
-            "work": self.work_by_account(),
-            "remainder": number(self.worst_remainder),
+            "work": self.accounted(|books| books.by_account()),
+            "remainder": self.accounted(|books| number(books.remainder)),
             "laws": {
                 "attraction": number(self.laws.attraction),
                 "cone_excess": number(self.laws.cone_excess),
-                "friction_gain": number(self.laws.friction_gain),
+                "friction_gain": self.accounted(|_| number(self.laws.friction_gain)),
                 "internal_impulse": number(self.laws.internal_impulse),
                 "internal_torque": number(self.laws.internal_torque),
             },
@@ -187,10 +187,9 @@ impl Record {
         }
     }
 
-    /// The work of each account over all steps (J).
-    fn work_by_account(&self) -> Value {
-        let accounts = self.work.accounts();
-        accounts.iter().map(|(name, work)| (name.to_string(), number(*work))).collect()
+    /// What the books say, or that there are none.
+    fn accounted(&self, says: impl Fn(&Books) -> Value) -> Value {
+        self.books.as_ref().map_or(Value::from(NOT_ACCOUNTED), says)
     }
 
     /// The totals for people.
@@ -204,12 +203,12 @@ impl Record {
              friction     {}\n\
              steps        {} ({} s)\n\
              problems     {}, accepted by the judge {}\n\
-             residual     {:.1e} at worst\n\
+             residual     {}\n\
              energy       {start:.6} J at the start, {end:.6} J at the end\n\
              drift        {:.2e} m at worst\n\
              penetration  {:.2e} m at worst\n\
-             laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {:.1e} J\n\
-             ledger       closes to {:.1e} J a step:",
+             laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {}\n\
+             ledger       {}",
             self.solver(),
             self.scene.step.dt,
             friction_model(&self.scene.contact),
@@ -217,19 +216,20 @@ impl Record {
             self.last.time,
             self.problems,
             self.accepted,
-            self.worst_residual,
+            match self.problems {
+                0 => "–".into(),
+                _ => format!("{:.1e} at worst", self.worst_residual),
+            },
             self.worst_drift,
             self.worst_penetration,
             self.laws.attraction,
             100.0 * self.laws.cone_excess,
-            self.laws.friction_gain,
-            self.worst_remainder,
+            match self.books {
+                Some(_) => format!("{:.1e} J", self.laws.friction_gain),
+                None => NOT_ACCOUNTED.into(),
+            },
+            self.books.as_ref().map_or(NOT_ACCOUNTED.into(), Books::text),
         );
-        let accounts = self.work.accounts();
-        let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));
-        for (name, work) in accounts.iter().filter(|(_, work)| work.abs() > 1e-12 * largest) {
-            text += &format!("\n             {name:<12} {work:>13.6e} J");
-        }
         text.push('\n');
         if !self.conflict.is_empty() {
             text +=
@@ -245,6 +245,48 @@ impl Record {
         self.worst_drift = self.worst_drift.max(motion.drift);
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
         self.last = motion.clone();
+    }
+}
+
+/// The energy of all steps so far.
+#[derive(Debug, Clone, Copy, Default)]
+struct Books {
+    /// The sum of each account.
+    work: Ledger,
+    /// The most that was missing in a step (J).
+    remainder: f64,
+    /// The most that was missing in a step in which more than rounding was (J).
+    missed: f64,
+}
+
+impl Books {
+    fn with(self, ledger: &Ledger) -> Self {
+        let remainder = ledger.remainder().abs();
+        let missed = if ledger.closes() { 0.0 } else { remainder };
+        Books {
+            work: self.work + *ledger,
+            remainder: self.remainder.max(remainder),
+            missed: self.missed.max(missed),
+        }
+    }
+
+    /// The work of each account (J).
+    fn by_account(&self) -> Value {
+        let accounts = self.work.accounts();
+        accounts.iter().map(|(name, work)| (name.to_string(), number(*work))).collect()
+    }
+
+    fn text(&self) -> String {
+        let mut text = match self.missed {
+            0.0 => format!("closes to {:.1e} J a step:", self.remainder),
+            missed => format!("does not close: {missed:.1e} J are missing in a step:"),
+        };
+        let accounts = self.work.accounts();
+        let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));
+        for (name, work) in accounts.iter().filter(|(_, work)| work.abs() > 1e-12 * largest) {
+            text += &format!("\n             {name:<12} {work:>13.6e} J");
+        }
+        text
     }
 }
 

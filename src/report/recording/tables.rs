@@ -1,5 +1,6 @@
 //! The tables of a simulation as CSV: trajectory, ledger and forces.
 
+use super::NOT_ACCOUNTED;
 use crate::body::State;
 use crate::memory::Memory;
 use crate::plot::csv::{number, record};
@@ -31,13 +32,13 @@ impl Tables {
 
     /// The state of things at the start, before any step.
     pub fn start(&mut self, scene: &Scene, motion: &Motion, states: &[State]) {
-        self.add_motion(motion, &Ledger::default(), &Laws::default());
+        self.add_motion(motion, Some(&Ledger::default()), &Laws::default());
         self.add_states(scene, motion, states);
     }
 
     /// What a step did.
     pub fn add(&mut self, scene: &Scene, step: &Step) {
-        self.add_motion(&step.motion, &step.ledger, &step.laws);
+        self.add_motion(&step.motion, step.ledger.as_ref(), &step.laws);
         self.add_states(scene, &step.motion, &step.states);
         for solve in &step.solves {
             self.add_forces(scene, step.number, solve);
@@ -50,23 +51,21 @@ impl Tables {
         Memory::bytes(texts.map(|text| text.capacity() as u64).iter().sum())
     }
 
-    fn add_motion(&mut self, motion: &Motion, ledger: &Ledger, laws: &Laws) {
+    fn add_motion(&mut self, motion: &Motion, ledger: Option<&Ledger>, laws: &Laws) {
         let [p, l] = [&motion.linear_momentum, &motion.angular_momentum];
         let state = [motion.time, motion.kinetic, motion.potential, motion.energy()];
         let momenta = [p.x, p.y, p.z, l.x, l.y, l.z];
         let errors = [motion.drift, motion.angular_drift, motion.penetration];
-        let accounts = ledger.accounts().map(|(_, work)| work);
-        let kept = [
-            ledger.remainder(),
-            laws.attraction,
-            laws.cone_excess,
-            laws.friction_gain,
-            laws.internal_impulse,
-            laws.internal_torque,
-        ];
-        let numbers = [&state[..], &momenta, &errors, &accounts, &kept].concat();
-        let step = [motion.step.to_string()].into_iter();
-        record(&mut self.ledger, step.chain(numbers.into_iter().map(number)));
+        let accounted = |x: f64| ledger.map_or(NOT_ACCOUNTED.into(), |_| number(x));
+        let (accounts, remainder) =
+            ledger.map_or(Default::default(), |ledger| (ledger.accounts(), ledger.remainder()));
+        let mut cells = vec![motion.step.to_string()];
+        cells.extend([&state[..], &momenta, &errors].concat().into_iter().map(number));
+        cells.extend(accounts.map(|(_, work)| accounted(work)));
+        cells.extend([accounted(remainder), number(laws.attraction), number(laws.cone_excess)]);
+        cells.push(accounted(laws.friction_gain));
+        cells.extend([laws.internal_impulse, laws.internal_torque].map(number));
+        record(&mut self.ledger, cells);
     }
 
     fn add_states(&mut self, scene: &Scene, motion: &Motion, states: &[State]) {

@@ -94,7 +94,8 @@ pub struct Run {
     pub refuted_claims: usize,
     /// Sweeps or pivots in all.
     pub iterations: usize,
-    /// The worst scaled residual of all answers.
+    /// The worst scaled residual of all answers, claimed or not; infinite where one is no number.
+    #[serde(with = "crate::report::results::number")]
     pub worst_residual: f64,
     /// The largest number of rows of an LCP.
     pub rows: usize,
@@ -314,7 +315,9 @@ impl Run {
             self.accepted += usize::from(holds);
             self.refuted_claims += usize::from(claims && !holds);
             self.iterations += solution.iterations;
-            self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
+            let residual = certificate.scaled_residual;
+            let residual = if residual.is_nan() { f64::INFINITY } else { residual };
+            self.worst_residual = self.worst_residual.max(residual);
             self.rows = self.rows.max(problem.lcp.len());
             if !claims {
                 self.trouble = Some(format!("step {}: {}", step.number, solution.status));

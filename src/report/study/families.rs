@@ -41,9 +41,9 @@ pub struct Row {
     pub false_claims: usize,
     /// Sweeps or pivots in all.
     pub iterations: usize,
-    /// The worst scaled residual among the answers claimed.
-    #[serde(with = "crate::report::results::number")]
-    pub worst_residual: f64,
+    /// The worst scaled residual among the answers claimed; none without a claim.
+    #[serde(with = "crate::report::results::perhaps")]
+    pub worst_residual: Option<f64>,
     /// The fingerprint of the iterates on the first problem.
     pub fingerprint: String,
     /// Problems where something else than the method itself had a part in the answer.
@@ -139,11 +139,14 @@ fn posings<'a>(family: &'a str, problems: &'a [Problem], models: &[Model]) -> Ve
     }
 }
 
-/// The problem under the model; `None` if it cannot be stated so.
+/// The problem under the model; `None` if it cannot be stated so. Friction rows that are not two
+/// tangents a contact each are a coupled box and nothing else.
 fn pose(problem: &Problem, model: Option<Model>) -> Option<Posed> {
     let Some(model) = model else { return Some(Posed::Boxed(problem.lcp.clone())) };
-    let friction = problem.friction()?.ok()?;
-    model.pose(&friction, problem.frozen_at.as_deref()).ok()
+    match problem.friction()? {
+        Ok(friction) => model.pose(&friction, problem.frozen_at.as_deref()).ok(),
+        Err(_) => (model == Model::CoupledBox).then(|| Posed::Boxed(problem.lcp.clone())),
+    }
 }
 
 /// The row of a method, unless it is time to stop before it is done.
@@ -164,7 +167,7 @@ fn attempt(posing: &Posing, method: &Method, options: &Options, stop: &Stop) -> 
         refuted_claims: 0,
         false_claims: 0,
         iterations: 0,
-        worst_residual: 0.0,
+        worst_residual: None,
         fingerprint: String::new(),
         fallbacks: 0,
         fallback: None,
@@ -211,7 +214,8 @@ impl Row {
             self.fallback = Some(fallback.to_string());
         }
         if claims {
-            self.worst_residual = self.worst_residual.max(certificate.scaled_residual);
+            let worst = self.worst_residual.map_or(0.0, |worst| worst);
+            self.worst_residual = Some(worst.max(certificate.scaled_residual));
         } else {
             self.trouble = Some(solution.status.to_string());
         }

@@ -4,7 +4,8 @@
 //! change of kinetic + potential energy = Σ accounts + remainder
 //! ```
 //!
-//! The remainder is measured, and rounding unless something is forgotten.
+//! The remainder is measured, and rounding unless something is forgotten. Families that do not write
+//! down what acted have no accounts.
 
 use serde::{Deserialize, Serialize};
 use toml::Table;
@@ -47,14 +48,16 @@ pub struct Run {
 pub struct Finding {
     /// The run.
     pub run: Run,
-    /// The names of the accounts.
+    /// The names of the accounts; none where the family does not write down what acted.
     pub accounts: Vec<String>,
     /// The books at some instants, the start and the end among them.
     pub books: Vec<Book>,
-    /// The largest sum of remainders at any time (J).
-    pub remainder: f64,
+    /// The largest sum of remainders at any time (J); none without accounts.
+    pub remainder: Option<f64>,
     /// The largest energy that was moved: kinetic energy, or a change of the potential one (J).
     pub turnover: f64,
+    /// The size of the energies that all this was computed from, for rounding is a part of them (J).
+    pub scale: f64,
     /// Why it ended early, if it did.
     pub ending: Option<String>,
 }
@@ -76,8 +79,8 @@ pub struct Book {
 const KEPT: usize = 121;
 
 impl Book {
-    fn new(time: f64, [kinetic, potential]: [f64; 2], sum: &Ledger) -> Self {
-        let accounts = sum.accounts().iter().map(|(_, work)| *work).collect();
+    fn new(time: f64, [kinetic, potential]: [f64; 2], sum: Option<&Ledger>) -> Self {
+        let accounts = sum.map_or(Vec::new(), |sum| sum.accounts().map(|(_, work)| work).to_vec());
         Book { time, kinetic, potential, accounts }
     }
 
@@ -92,23 +95,28 @@ impl Run {
         let scene = Variation::of(&self.scene, &self.change).scene()?;
         let start = crate::simulation::Motion::of(&scene, &scene.states, 0);
         let kept = instants((self.duration / scene.step.dt).round() as usize, KEPT);
-        let mut sum = Ledger::default();
-        let mut books = vec![Book::new(0.0, [0.0; 2], &sum)];
+        let mut sum = Some(Ledger::default());
+        let mut books = vec![Book::new(0.0, [0.0; 2], sum.as_ref())];
         let (mut remainder, mut turnover) = (0.0f64, start.kinetic);
         let history = history::run(&scene, self.duration, |step| {
-            sum = sum + step.ledger;
+            sum = sum.zip(step.ledger).map(|(sum, ledger)| sum + ledger);
             let motion = &step.motion;
             let changes = [motion.kinetic - start.kinetic, motion.potential - start.potential];
-            let book = Book::new(motion.time, changes, &sum);
+            let book = Book::new(motion.time, changes, sum.as_ref());
             remainder = remainder.max(book.remainder().abs());
             turnover = turnover.max(motion.kinetic).max(changes[1].abs());
             if kept.binary_search(&step.number).is_ok() {
                 books.push(book);
             }
         })?;
-        let accounts = sum.accounts().iter().map(|(name, _)| name.to_string()).collect();
+        let names = |sum: &Ledger| sum.accounts().map(|(name, _)| name.to_string()).to_vec();
+        let accounts = sum.as_ref().map_or(Vec::new(), names);
+        if sum.is_none() {
+            books.iter_mut().for_each(|book| book.accounts.clear()); // the start's, before it was known
+        }
+        let (remainder, scale) = (sum.map(|_| remainder), sum.map_or(0.0, |sum| sum.scale));
         let (run, ending) = (self.clone(), history.ending);
-        Ok(Finding { run, accounts, books, remainder, turnover, ending })
+        Ok(Finding { run, accounts, books, remainder, turnover, scale, ending })
     }
 }
 

@@ -83,7 +83,8 @@ pub fn table(comparison: &Comparison) -> Table {
     Table {
         title: format!("{scene}: {steps} steps of {dt} s"),
         how_to_read: "*claims* are problems that the solver calls solved, *accepted* those where \
-                      the judge agrees; the *worst residual* is the judge's, over all problems."
+                      the judge agrees; the *worst residual* is the judge's, over all problems, \
+                      claimed or not; – where none was solved."
             .into(),
         columns,
         rows,
@@ -101,7 +102,10 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
         Cell::count(run.claimed).marked(mark(run.claimed == run.solves)),
         Cell::count(run.accepted).marked(mark(run.accepted == run.solves)),
         Cell::number(run.iterations as f64 / run.solves.max(1) as f64, 3),
-        Cell::number(run.worst_residual, 2),
+        match run.solves {
+            0 => Cell::text("–"),
+            _ => Cell::number(run.worst_residual, 2),
+        },
         Cell::number(run.energy_change(), 2),
         Cell::number(run.worst(|sample| sample.drift), 2),
         Cell::number(run.worst(|sample| sample.penetration), 2),

@@ -10,7 +10,8 @@ pub fn table(rows: &[Row]) -> Table {
         how_to_read:
             "*friction*: the model that x is solved and judged under. *outside*: the solver says \
                       the problem is not in its class. *claims* are its own, *proved* and \
-                      *accepted* the judge's; *refuted* and *false* claims must be 0. *fallback*: \
+                      *accepted* the judge's; *refuted* and *false* claims must be 0. *worst \
+                      residual*: of the answers that it claims; – where it claims none. *fallback*: \
                       what else than the method itself had a part, and how often. *must fail*: a \
                       failure that mathematics explains, and that must stay one."
                 .into(),
@@ -63,7 +64,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         zero(row.refuted_claims),
         zero(row.false_claims),
         Cell::number(row.iterations as f64 / attempts.max(1) as f64, 3),
-        Cell::number(row.worst_residual, 2),
+        row.worst_residual.map_or(Cell::text("–"), |worst| Cell::number(worst, 2)),
         Cell::number(1e3 * row.seconds, 2),
         Cell::text(&row.fingerprint[..8]),
         Cell::text(fallback),

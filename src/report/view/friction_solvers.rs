@@ -52,7 +52,8 @@ fn table<'a>(rows: impl Iterator<Item = &'a Row>) -> Table {
     Table {
         title: "Friction problems, models and methods".into(),
         how_to_read: "*claims* are the solver's own, *accepted* and *proved* the judge's, under the model \
-                      that was solved. *iterations*: sweeps, pivots or steps, mean over the problems."
+                      that was solved. *iterations*: sweeps, pivots or steps, mean over the problems. *worst \
+                      residual*: of the answers claimed; – where none was."
             .into(),
         columns: vec![
             Column::words("family"),
@@ -87,7 +88,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         Cell::count(row.proved),
         Cell::count(row.refuted_claims).marked(refuted),
         Cell::number(row.iterations as f64 / row.problems.max(1) as f64, 3),
-        Cell::number(row.worst_residual, 2),
+        row.worst_residual.map_or(Cell::text("–"), |worst| Cell::number(worst, 2)),
         Cell::text(row.trouble.as_deref().unwrap_or_default()),
     ]
 }

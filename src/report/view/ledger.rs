@@ -8,8 +8,10 @@ use crate::report::study::ledger::{Finding, Plan};
 
 /// Accounts below this part of the energy that was moved are not drawn.
 const SMALL: f64 = 1e-6;
-/// A remainder up to this part of the energy that was moved is rounding.
-const ROUNDING: f64 = 1e-9;
+/// Shown as 0 are numbers below this part of the energy that was moved.
+const NOTHING: f64 = 1e-9;
+/// A remainder up to this part of the energies that the books were computed from is rounding.
+const ROUNDING: f64 = 1e-11;
 
 impl View for Plan {
     const TITLE: &'static str = "Where the energy goes";
@@ -34,15 +36,22 @@ impl View for Plan {
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
-        let balanced = findings.iter().filter(|finding| balances(finding)).count();
-        let says = format!("{balanced} of {} books balance", findings.len());
-        Outcome { good: balanced == findings.len(), says }
+        let kept: Vec<bool> = findings.iter().filter_map(balances).collect();
+        let balanced = kept.iter().filter(|balances| **balances).count();
+        let mut says = format!("{balanced} of {} books balance", kept.len());
+        if kept.len() < findings.len() {
+            says += &format!(", {} not accounted", findings.len() - kept.len());
+        }
+        let ended_early = findings.iter().any(|finding| finding.ending.is_some());
+        Outcome { good: balanced == kept.len() && !ended_early, says }
     }
 }
 
-/// Whether nothing but rounding is missing in the books.
-fn balances(finding: &Finding) -> bool {
-    finding.ending.is_none() && finding.remainder <= ROUNDING * finding.turnover
+/// Whether nothing but rounding is missing in the books; none where there are none.
+fn balances(finding: &Finding) -> Option<bool> {
+    let remainder = finding.remainder?;
+    let scale = finding.scale.max(finding.turnover);
+    Some(finding.ending.is_none() && remainder <= ROUNDING * scale)
 }
 
 /// The names of the accounts that matter in a run, with their places.
@@ -58,36 +67,43 @@ fn figure(finding: &Finding) -> Lines {
         finding.books.iter().map(|book| (book.time, value(book))).collect::<Vec<_>>()
     };
     let total = curve(&|book| book.kinetic + book.potential);
-    let accounts = used(finding)
-        .into_iter()
-        .map(|(k, name)| Series::measured(name, curve(&|book| book.accounts[k])));
-    let sum = Series::reference("their sum", curve(&|book| book.accounts.iter().sum()));
-    let bottom: Vec<Series> = accounts.chain([sum]).collect();
+    let mut panels = vec![Panel {
+        y: Axis::linear("change since the start", "J"),
+        series: vec![
+            Series::measured("kinetic", curve(&|book| book.kinetic)),
+            Series::measured("potential", curve(&|book| book.potential)),
+            Series::measured("kinetic + potential", total),
+        ],
+    }];
+    if finding.remainder.is_some() {
+        let accounts = used(finding)
+            .into_iter()
+            .map(|(k, name)| Series::measured(name, curve(&|book| book.accounts[k])));
+        let sum = Series::reference("their sum", curve(&|book| book.accounts.iter().sum()));
+        let series = accounts.chain([sum]).collect();
+        panels.push(Panel { y: Axis::linear("by cause", "J"), series });
+    }
     Lines {
         id: format!("ledger_{}", finding.run.name),
         title: finding.run.title.clone(),
-        caption: format!(
-            "Above: what the energy is. Below: where its change came from; gains are positive. The sum \
-             of the accounts is the change in the panel above, to {} J.",
-            readable(finding.remainder, 2)
-        ),
+        caption: match finding.remainder {
+            Some(remainder) => format!(
+                "Above: what the energy is. Below: where its change came from; gains are positive. The \
+                 sum of the accounts is the change in the panel above, to {} J.",
+                readable(remainder, 2)
+            ),
+            None => "What the energy is. Where its change came from is not accounted: this way of \
+                     stepping does not write down what acted."
+                .into(),
+        },
         x: Axis::linear("time", "s"),
-        panels: vec![
-            Panel {
-                y: Axis::linear("change since the start", "J"),
-                series: vec![
-                    Series::measured("kinetic", curve(&|book| book.kinetic)),
-                    Series::measured("potential", curve(&|book| book.potential)),
-                    Series::measured("kinetic + potential", total),
-                ],
-            },
-            Panel { y: Axis::linear("by cause", "J"), series: bottom },
-        ],
+        panels,
     }
 }
 
 fn table(findings: &[Finding]) -> Table {
-    let names: Vec<String> = findings.first().map_or(Vec::new(), |f| f.accounts.clone());
+    let with_books = findings.iter().find(|finding| finding.remainder.is_some());
+    let names: Vec<String> = with_books.map_or(Vec::new(), |f| f.accounts.clone());
     let matters = |k: &usize| {
         findings.iter().any(|finding| used(finding).iter().any(|(other, _)| other == k))
     };
@@ -102,28 +118,30 @@ fn table(findings: &[Finding]) -> Table {
     let cells = |finding: &Finding| {
         let last = finding.books.last();
         let small = |x: f64| {
-            let shown = if x.abs() <= ROUNDING * finding.turnover { 0.0 } else { x };
+            let shown = if x.abs() <= NOTHING * finding.turnover { 0.0 } else { x };
             Cell { value: Some(x), ..Cell::number(shown, 3) }
         };
         let mut cells = vec![Cell::text(&finding.run.title)];
         cells.push(last.map_or(Cell::text("–"), |book| small(book.kinetic + book.potential)));
-        cells.extend(
-            shown.iter().map(|&k| last.map_or(Cell::text("–"), |book| small(book.accounts[k]))),
-        );
-        cells.push(Cell::number(finding.remainder, 2));
+        let work = |&k: &usize| last.and_then(|book| book.accounts.get(k).copied());
+        cells.extend(shown.iter().map(|k| work(k).map_or(Cell::text("–"), small)));
+        cells.push(finding.remainder.map_or(Cell::text("–"), |rest| Cell::number(rest, 2)));
         cells.push(Cell::number(finding.turnover, 3));
         cells.push(match (&finding.ending, balances(finding)) {
             (Some(why), _) => Cell::text(why).marked(Mark::Bad),
-            (None, true) => Cell::text("balance").marked(Mark::Good),
-            (None, false) => Cell::text("do not balance").marked(Mark::Bad),
+            (None, None) => Cell::text("not accounted"),
+            (None, Some(true)) => Cell::text("balance").marked(Mark::Good),
+            (None, Some(false)) => Cell::text("do not balance").marked(Mark::Bad),
         });
         cells
     };
     Table {
         title: "The books of each run".into(),
         how_to_read: "*change*: of kinetic plus potential energy from start to end; the accounts add up \
-                      to it. *remainder*: the largest that was missing at any time. *energy moved*: the \
-                      largest kinetic energy, or change of the potential one."
+                      to it, but for the *remainder*: the largest that was missing at any time. *energy \
+                      moved*: the largest kinetic energy, or change of the potential one. *books*: they \
+                      balance where the remainder is rounding, beside all energies that they were \
+                      computed from. *not accounted*: this way of stepping does not write down what acted."
             .into(),
         columns,
         rows: findings.iter().map(cells).collect(),

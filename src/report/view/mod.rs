@@ -120,7 +120,7 @@ pub fn document(results: &Results) -> Result<Document> {
             let first = document.page.sections.len() - 1;
             study.show(&part.findings().collect::<Vec<_>>(), &mut document)?;
             failures(&mut document, part);
-            let origin = origin(&results.name, part);
+            let origin = origin(results, part);
             document.page.sections[first..].iter_mut().for_each(|shown| shown.obtained(&origin));
         }
         if part.summary {
@@ -139,14 +139,27 @@ pub fn document(results: &Results) -> Result<Document> {
 }
 
 /// How to obtain a section's findings again.
-fn origin(report: &str, part: &Part) -> Origin {
-    let file = if SHIPPED.iter().any(|(name, _)| *name == report) { "" } else { ".toml" };
+fn origin(results: &Results, part: &Part) -> Origin {
+    let command = command(results);
+    let section = match results.machine.command.as_ref().filter(|own| own.contains(" --section ")) {
+        Some(_) => String::new(),
+        None => format!(" --section {}", part.id),
+    };
     let tasks: Vec<&str> = part.tasks.iter().map(|task| task.name.as_str()).collect();
     Origin {
         scene: tasks.join(", "),
         settings: toml::to_string(&part.settings).unwrap_or_default().trim().replace('\n', "; "),
-        command: format!("lcplab report {report}{file} --section {}", part.id),
+        command: command + &section,
     }
+}
+
+/// The command that ran the report; of results that do not say it, the most likely one.
+fn command(results: &Results) -> String {
+    let likely = || {
+        let is_shipped = SHIPPED.iter().any(|(name, _)| *name == results.name);
+        format!("lcplab report {}{}", results.name, if is_shipped { "" } else { ".toml" })
+    };
+    results.machine.command.clone().unwrap_or_else(likely)
 }
 
 /// What differs from machine to machine, study by study.
@@ -190,7 +203,7 @@ fn facts(results: &Results) -> Vec<(String, String)> {
         ("platform".into(), results.machine.platform.clone()),
         ("threads".into(), results.machine.threads.to_string()),
         ("wall time".into(), format!("{:.1} s", results.machine.seconds)),
-        ("reproduce".into(), format!("lcplab report {}", results.name)),
+        ("reproduce".into(), command(results)),
     ];
     facts.into_iter().chain(stopped).collect()
 }

@@ -264,7 +264,7 @@ impl Plan {
                 vec![
                     Cell::text(&attempt.solver),
                     Cell { value: Some(*value), ..Cell::text(tolerance(*value)) },
-                    outcome(&attempt.outcome),
+                    judged(attempt, *missing),
                     iterations(attempt),
                     work(attempt),
                     missing.map_or(Cell::text("–"), |part| Cell::number(part, 2)),
@@ -273,10 +273,15 @@ impl Plan {
         });
         Table {
             title: format!("{}: all solvers", self.name(stack)),
-            how_to_read: "*judge*: what came of the claim, or why there was none. *missing*: the part of \
+            how_to_read: format!(
+                "*judge*: what came of the claim, or why there was none. *missing*: the part of \
                           the weight that the ground does not carry in the last iterate, solved or not; a \
-                          small residual does not make it small where the masses differ."
-                .into(),
+                          small residual does not make it small where the masses differ. *residual \
+                          only*: within the precision that was asked for, by the judge's word, but more \
+                          than {} % of the weight is missing: an answer to such a precision is none to \
+                          this question.",
+                readable(100.0 * CARRIED, 1)
+            ),
             columns: vec![
                 Column::words("solver"),
                 Column::numbers("precision", ""),
@@ -410,6 +415,19 @@ impl Plan {
         }
     }
 }
+
+/// What came of it. To be within a loose precision, or to have the active set of a solution, is no
+/// mark of a good answer where the weight is not carried.
+fn judged(attempt: &Attempt, missing: Option<f64>) -> Cell {
+    let is_carried = missing.is_some_and(|part| part.abs() <= CARRIED);
+    match attempt.outcome.is_solved() && !is_carried {
+        true => Cell::text("residual only").marked(Mark::Note),
+        false => outcome(&attempt.outcome),
+    }
+}
+
+/// The part of the weight that may be missing in an answer to rely on.
+const CARRIED: f64 = 1e-3;
 
 /// The solvers in the figure; the tables have all.
 const SHOWN: [&str; 8] =

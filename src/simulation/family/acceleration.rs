@@ -34,12 +34,14 @@ pub(super) fn step(
     let dt = solving.scene.step.dt;
     let method = match solving.scene.step.integrator {
         Integrator::SemiImplicitEuler => {
-            return Ok(moved(forces(solving, assembly)?, &states, dt));
+            forces(solving, assembly)?;
+            return Ok(moved(solving, &states, dt));
         }
         Integrator::ExplicitEuler => integrator::explicit_euler,
         Integrator::Rk4 => integrator::rk4,
         Integrator::ImplicitMidpoint => integrator::implicit_midpoint,
     };
+    solving.acts = None; // the work of forces along the stages' path is nobody's to say
     let resting: Vec<RowId> = assembly.rows.iter().map(|row| row.id).collect();
     method(dt, &states, &mut |stage| rates(solving, stage, found, &resting))
 }
@@ -129,5 +131,7 @@ fn impacts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<V
     }
     let solve = solving.solve_bouncing(Problem::impact(solving.scene, assembly)?)?;
     let u = solve.problem.next_velocity(&solve.solution.x, 0.0);
-    Ok(solve.problem.assembly.with_velocities(states, &u))
+    let states = solve.problem.assembly.with_velocities(states, &u);
+    solving.note_answer();
+    Ok(states)
 }

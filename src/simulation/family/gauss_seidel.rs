@@ -33,7 +33,9 @@ pub(super) fn step(
                 let error = error(&row, &scene.contact);
                 let lever = Lever::new(scene, constraint, &row, &states);
                 if error != 0.0 && lever.mobility > 0.0 {
-                    lever.shift(-error / lever.mobility, &mut states);
+                    let y = -error / lever.mobility;
+                    lever.shift(y, &mut states);
+                    lever.moves(y).for_each(|shift| solving.note(shift));
                 }
             }
         }

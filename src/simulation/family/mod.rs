@@ -10,7 +10,7 @@ mod velocity;
 mod xpbd;
 
 use super::solving::Solving;
-use super::{Cause, Solve};
+use super::{Act, Cause, Solve};
 use crate::body::State;
 use crate::formulation::Formulation;
 use crate::scene::{Found, Scene, Step};
@@ -41,9 +41,12 @@ pub(super) fn reach(scene: &Scene) -> f64 {
     }
 }
 
-/// The states that an answer leads to.
-fn moved(solve: &Solve, states: &[State], dt: f64) -> Vec<State> {
-    solve.problem.next_states(states, &solve.solution.x, dt)
+/// The states that the last answer leads to: its impulses, then a move for dt.
+fn moved(solving: &mut Solving, states: &[State], dt: f64) -> Vec<State> {
+    solving.note_answer();
+    solving.note(Act::Advance(dt));
+    let Solve { problem, solution, .. } = solving.last();
+    problem.next_states(states, &solution.x, dt)
 }
 
 /// The scene with the length of a substep.

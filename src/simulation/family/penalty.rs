@@ -17,8 +17,8 @@ use crate::assembly::{Assembly, Entering, Row};
 use crate::body::State;
 use crate::constraint::Bounds;
 use crate::scene::{Found, Penalty};
-use crate::simulation::Cause;
 use crate::simulation::solving::{Solving, assembled};
+use crate::simulation::{Act, Cause, Push};
 
 pub(super) fn step(
     solving: &mut Solving,
@@ -30,12 +30,17 @@ pub(super) fn step(
     let mut states = states.to_vec();
     for _ in 0..scene.step.substeps {
         let assembly = assembled(&scene, &states, found, Entering::Near)?;
-        let pull = assembly.pull_back(&forces(&assembly, &scene.step.penalty));
+        let x = forces(&assembly, &scene.step.penalty);
+        let pull = assembly.pull_back(&x);
         let force: Vec<f64> = assembly.force.iter().zip(pull).map(|(f, x)| f + x).collect();
         let rates = assembly.accelerate(&force);
         let u: Vec<f64> = assembly.u.iter().zip(rates).map(|(u, rate)| u + h * rate).collect();
         let moved = assembly.with_velocities(&states, &u);
         states = moved.iter().map(|state| state.advanced(h)).collect();
+        let impulses: Vec<f64> = x.iter().map(|x| h * x).collect();
+        let feedback = vec![0.0; impulses.len()];
+        solving.note(Act::Push(Push { assembly, h, impulses, feedback, bounces: false }));
+        solving.note(Act::Advance(h));
     }
     Ok(states)
 }

@@ -36,7 +36,7 @@ pub(super) fn step(
     if let Some(second) = solving.bounce()? {
         solving.solve_by(second, &method);
     }
-    Ok(moved(solving.last(), states, dt))
+    Ok(moved(solving, states, dt))
 }
 
 fn impulses(

@@ -24,9 +24,9 @@ use crate::body::State;
 use crate::constraint::{Bounds, Kind, Spring};
 use crate::formulation::Stage;
 use crate::scene::{Found, Scene};
-use crate::simulation::Cause;
 use crate::simulation::solving::{Solving, assembled};
 use crate::simulation::sweep::{Aim, Sweeper};
+use crate::simulation::{Act, Cause, Push};
 
 /// The impulse of each row so far, by name.
 type Impulses = BTreeMap<RowId, f64>;
@@ -43,28 +43,35 @@ pub(super) fn step(
     let mut pushed = Impulses::new();
     let mut states = states.to_vec();
     for _ in 0..scene.step.substeps {
-        states = substep(&scene, &states, found, &mut impulses)?;
+        let (moved, push) = substep(&scene, &states, found, &mut impulses)?;
+        states = moved;
+        solving.note(Act::Push(push));
+        solving.note(Act::Advance(scene.step.dt));
         for (&id, &x) in &impulses {
             let most = pushed.entry(id).or_insert(x);
             *most = most.max(x);
         }
         for _ in 0..scene.step.soft.relax {
-            states = swept(&scene, &states, found, &mut impulses, relaxed_aim)?;
+            let (relaxed, push) = swept(&scene, &states, found, &mut impulses, relaxed_aim)?;
+            states = relaxed;
+            solving.note(Act::Push(push));
         }
     }
     let last = assembled(&scene, &states, found, Entering::Near)?;
     let x = placed(&last, &impulses);
     solving.remember(Stage::Velocity, &last, &x);
-    Ok(bounced(&scene, &last, &states, x, &approach, &pushed))
+    let (states, push) = bounced(&scene, last, &states, x, &approach, &pushed);
+    solving.note(Act::Push(push));
+    Ok(states)
 }
 
-/// Forces, the impulses so far, a soft sweep, and the move.
+/// Forces, the impulses so far, a soft sweep, and the move; what pushed in it.
 fn substep(
     scene: &Scene,
     states: &[State],
     found: &[Found],
     impulses: &mut Impulses,
-) -> Result<Vec<State>, Cause> {
+) -> Result<(Vec<State>, Push), Cause> {
     let h = scene.step.dt;
     let assembly = assembled(scene, states, found, Entering::Near)?;
     let rates = assembly.accelerate(&assembly.force);
@@ -72,26 +79,32 @@ fn substep(
     let kicked =
         assembly.u.iter().zip(rates).zip(push).map(|((u, rate), push)| u + h * rate + push);
     let kicked = assembly.with_velocities(states, &kicked.collect::<Vec<_>>());
-    let swept = swept(scene, &kicked, found, impulses, soft_aim)?;
-    Ok(swept.iter().map(|state| state.advanced(h)).collect())
+    let (swept, push) = swept(scene, &kicked, found, impulses, soft_aim)?;
+    let states = swept.iter().map(|state| state.advanced(h)).collect();
+    let push = Push { h, impulses: placed(&assembly, impulses), assembly, ..push };
+    Ok((states, push))
 }
 
-/// The states after one sweep; the impulses go along.
+/// The states after one sweep, and what it added to the impulses.
 fn swept(
     scene: &Scene,
     states: &[State],
     found: &[Found],
     impulses: &mut Impulses,
     aim: impl Fn(&Row, f64, &Scene) -> Aim,
-) -> Result<Vec<State>, Cause> {
+) -> Result<(Vec<State>, Push), Cause> {
     let assembly = assembled(scene, states, found, Entering::Near)?;
     let sweeper = Sweeper::new(&assembly, scene.step.dt);
     let rows = assembly.rows.iter().enumerate();
     let aims: Vec<Aim> = rows.map(|(i, row)| aim(row, sweeper.diagonal(i), scene)).collect();
-    let (mut x, mut u) = (placed(&assembly, impulses), assembly.u.clone());
+    let (before, mut u) = (placed(&assembly, impulses), assembly.u.clone());
+    let mut x = before.clone();
     sweeper.sweep(&aims, &mut x, &mut u);
     *impulses = named(&assembly, &x);
-    Ok(assembly.with_velocities(states, &u))
+    let states = assembly.with_velocities(states, &u);
+    let feedback = aims.iter().zip(&x).map(|(aim, x)| aim.bias + aim.compliance * x).collect();
+    let added = x.iter().zip(before).map(|(x, before)| x - before).collect();
+    Ok((states, Push { assembly, h: 0.0, impulses: added, feedback, bounces: false }))
 }
 
 /// A row as a spring; `a` is J M⁻¹ Jᵀ.
@@ -139,14 +152,15 @@ fn firm_aim(row: &Row, h: f64) -> Option<Aim> {
 /// The states with the bounce of contacts that were hit: J u⁺ = −e J u⁻ where that is faster.
 fn bounced(
     scene: &Scene,
-    assembly: &Assembly,
+    assembly: Assembly,
     states: &[State],
-    mut x: Vec<f64>,
+    x: Vec<f64>,
     approach: &Impulses,
     pushed: &Impulses,
-) -> Vec<State> {
+) -> (Vec<State>, Push) {
     let e = scene.contact.restitution;
-    let sweeper = Sweeper::new(assembly, scene.step.dt);
+    let sweeper = Sweeper::new(&assembly, scene.step.dt);
+    let (mut impulses, mut feedback) = (vec![0.0; x.len()], vec![0.0; x.len()]);
     let mut u = assembly.u.clone();
     for (i, row) in assembly.rows.iter().enumerate() {
         let before = approach.get(&row.id).copied().unwrap_or(0.0);
@@ -155,10 +169,11 @@ fn bounced(
             let wanted = x[i] - (sweeper.velocity(i, &u) + e * before) / sweeper.diagonal(i);
             let next = wanted.max(0.0);
             sweeper.push(i, next - x[i], &mut u);
-            x[i] = next;
+            (impulses[i], feedback[i]) = (next - x[i], e * before);
         }
     }
-    assembly.with_velocities(states, &u)
+    let states = assembly.with_velocities(states, &u);
+    (states, Push { assembly, h: 0.0, impulses, feedback, bounces: true })
 }
 
 /// x by name.

@@ -10,13 +10,13 @@
 //! c: errors that curve are gone to second order. Restitution: as at velocity level. Coumans,
 //! *Bullet*, 2005; `math §4`.
 
-use super::{moved, velocity};
+use super::velocity;
 use crate::assembly::Entering;
 use crate::body::State;
 use crate::formulation::Problem;
 use crate::scene::Found;
-use crate::simulation::Cause;
 use crate::simulation::solving::Solving;
+use crate::simulation::{Act, Cause, Solve};
 
 pub(super) fn step(
     solving: &mut Solving,
@@ -26,5 +26,12 @@ pub(super) fn step(
     let states = velocity::unbiased(solving, states, found)?;
     let assembly = solving.assemble(&states, found, Entering::Near)?;
     let problem = Problem::position(solving.scene, assembly)?;
-    Ok(moved(solving.solve(problem)?, &states, 0.0))
+    let Solve { problem, solution, .. } = solving.solve(problem)?;
+    let (shifts, x) = (problem.motion(&solution.x), &solution.x);
+    let shifted = problem.next_states(&states, x, 0.0);
+    let blocks = problem.assembly.blocks.iter();
+    let shifts: Vec<Act> =
+        blocks.map(|block| Act::Shift { body: block.body, by: block.gather(&shifts) }).collect();
+    shifts.into_iter().for_each(|shift| solving.note(shift));
+    Ok(shifted)
 }

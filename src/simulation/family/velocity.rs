@@ -22,7 +22,8 @@ pub(super) fn step(
     let assembly = solving.assemble(states, found, Entering::Near)?;
     let problem = Problem::velocity(solving.scene, assembly)?;
     let dt = solving.scene.step.dt;
-    Ok(moved(solving.solve_bouncing(problem)?, states, dt))
+    solving.solve_bouncing(problem)?;
+    Ok(moved(solving, states, dt))
 }
 
 /// The same without feedback of position errors, for families that correct them afterwards.
@@ -34,5 +35,6 @@ pub(super) fn unbiased(
     let assembly = solving.assemble(states, found, Entering::Near)?;
     let problem = Problem::unbiased(solving.scene, assembly)?;
     let dt = solving.scene.step.dt;
-    Ok(moved(solving.solve_bouncing(problem)?, states, dt))
+    solving.solve_bouncing(problem)?;
+    Ok(moved(solving, states, dt))
 }

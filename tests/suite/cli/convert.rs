@@ -36,9 +36,40 @@ fn what_a_format_cannot_carry_is_refused_or_named() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(err(&refused).contains("qps: friction_index: is given"));
     let named = run_with(&pushed(), &["convert", "-", &path("pushed.npz")]);
-    assert_eq!(err(&named), "note: left behind: source, frozen_at\n");
+    let notes = "note: -: friction is coupled-box\nnote: left behind: source, frozen_at\n";
+    assert_eq!(err(&named), notes);
     assert!(
         err(&run_with(GOOD, &["convert", "-", "-", "--to", "npz"])).contains("it needs a file")
     );
     assert!(out(&run(&["convert", "--list"])).contains("siconos        Siconos: "));
+}
+
+#[test]
+fn a_conversion_that_changes_the_law_of_friction_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let formats: &[&str] =
+        if cfg!(feature = "fclib") { &["cone.dat", "cone.hdf5"] } else { &["cone.dat"] };
+    for name in formats {
+        let format = if name.ends_with("dat") { "siconos" } else { "fclib" };
+        let file = path(name);
+        let written = err(&run_with(&pushed(), &["convert", "-", &file]));
+        let warning = format!(
+            "warning: {file}: {format} means coulomb-cone, - is coupled-box: another problem, with other \
+             solutions\n"
+        );
+        assert!(written.contains(&warning), "{written}");
+        // Reading says which law the file has, and carries it along.
+        let read = run(&["convert", &file, "-"]);
+        let problem: Value = serde_json::from_str(&out(&read)).unwrap();
+        assert_eq!(problem["model"], "coulomb-cone");
+        assert_eq!(err(&read), format!("note: {file}: friction is coulomb-cone\n"));
+        // The same law: nothing changes. Back to rows with a box: it does.
+        let same = err(&run(&["convert", &file, &path("again.dat")]));
+        assert!(!same.contains("warning"), "{same}");
+        let boxed = err(&run(&["convert", &file, &path("box.npz")]));
+        assert!(boxed.contains("npz means coupled-box"), "{boxed}");
+    }
+    let to_output = err(&run_with(&pushed(), &["convert", "-", "-", "--to", "siconos"]));
+    assert!(to_output.contains("warning: -: siconos means coulomb-cone"), "{to_output}");
 }

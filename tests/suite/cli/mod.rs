@@ -7,6 +7,7 @@ mod document;
 mod exit_code;
 mod friction;
 mod limits;
+mod report;
 mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens
 mod signals;

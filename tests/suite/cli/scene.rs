@@ -120,3 +120,25 @@ fn a_scene_whose_solver_does_not_exist_is_refused() {
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).starts_with("error: there is no solver named \"magic\""));
 }
+
+#[test]
+fn simulate_says_where_the_energy_is_not_accounted_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let named = ["simulate", "pendulum", "--steps", "3", "--formulation", "xpbd"];
+    let output = run(&[&named[..], &["--out", path, "--json"]].concat());
+    let summary: Value = serde_json::from_str(&out(&output)).unwrap();
+    let says = [&summary["work"], &summary["remainder"], &summary["laws"]["friction_gain"]];
+    assert_eq!(says, ["not accounted"; 3]);
+    assert!(summary["worst_residual"].is_null(), "no problem was solved");
+    let ledger = std::fs::read_to_string(folder.path().join("ledger.csv")).unwrap();
+    let lines: Vec<Vec<&str>> = ledger.lines().map(|line| line.split(',').collect()).collect();
+    let at = |name: &str| lines[0].iter().position(|column| *column == name).unwrap();
+    for name in ["constraint (J)", "correction (J)", "remainder (J)", "friction gain (J)"] {
+        assert!(lines[2..].iter().all(|line| line[at(name)] == "not accounted"), "{name}");
+    }
+    assert!(lines[2..].iter().all(|line| line[at("energy (J)")].parse::<f64>().is_ok()));
+    assert!(out(&run(&named)).contains("ledger       not accounted"));
+    let penalty = out(&run(&["simulate", "pendulum", "--steps", "3", "--formulation", "penalty"]));
+    assert!(penalty.contains("ledger       closes to"), "{penalty}");
+}

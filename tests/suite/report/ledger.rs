@@ -1,9 +1,10 @@
 //! Books of energy with closed forms, and orders of errors.
 
+use lcplab::report::page::Mark;
 use lcplab::report::study::Study;
 use lcplab::report::study::ledger::{Finding, Plan};
 use lcplab::report::study::order::{self, Curve, Expected, Problem, Sample};
-use lcplab::report::view::View;
+use lcplab::report::view::{Document, View};
 
 fn books(scene: &str, duration: f64) -> Finding {
     let run = format!(
@@ -18,6 +19,42 @@ fn books(scene: &str, duration: f64) -> Finding {
 fn account(finding: &Finding, name: &str) -> f64 {
     let k = finding.accounts.iter().position(|account| account == name).unwrap();
     finding.books.last().unwrap().accounts[k]
+}
+
+/// The books of a run of the pendulum by a family.
+fn swung(family: &str) -> (Plan, Finding) {
+    let run = format!(
+        "[[runs]]\nname = 'r'\ntitle = 'r'\ntext = ''\nscene = 'pendulum'\nduration = 0.2\n\
+         change = {{ step = {{ formulation = '{family}' }} }}"
+    );
+    let plan: Plan = toml::from_str(&run).unwrap();
+    let found = plan.run(0).unwrap().0;
+    (plan, found)
+}
+
+#[test]
+fn a_family_that_does_not_write_down_what_acts_is_not_accounted() {
+    let (plan, found) = swung("xpbd");
+    assert!(found.remainder.is_none() && found.accounts.is_empty());
+    let outcome = plan.outcome(std::slice::from_ref(&found));
+    assert_eq!(
+        (outcome.good, outcome.says.as_str()),
+        (true, "0 of 0 books balance, 1 not accounted")
+    );
+    let table = Document::of(&plan, std::slice::from_ref(&found)).tables[0].1.clone();
+    let last = table.rows[0].last().unwrap();
+    assert_eq!((last.text.as_str(), last.mark), ("not accounted", Mark::Plain));
+}
+
+#[test]
+fn books_in_which_a_percent_is_missing_do_not_balance() {
+    for family in ["velocity", "penalty", "soft", "split-impulse"] {
+        let (plan, mut found) = swung(family);
+        let says = |found: &Finding| plan.outcome(std::slice::from_ref(found)).says;
+        assert_eq!(says(&found), "1 of 1 books balance");
+        found.remainder = Some(0.01 * found.turnover);
+        assert_eq!(says(&found), "0 of 1 books balance", "{family}");
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@ use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::{Experiment, SHIPPED};
 use lcplab::report::kind::KINDS;
-use lcplab::report::page::{Block, Picture, Table};
+use lcplab::report::page::{Block, Cell, Mark, Picture, Table};
 use lcplab::report::results::{Part, Results};
 use lcplab::report::study::comparison::{Sample, thinned};
 use lcplab::report::study::convergence;
@@ -314,4 +314,24 @@ fn every_shipped_report_can_be_read_and_has_a_row_in_the_readme() {
         assert!(report.sections.iter().any(|section| section.study.is_some()), "{name}");
         assert!(include_str!("../../../README.md").contains(&format!("\n| `{name}` |")), "{name}");
     }
+}
+
+#[test]
+fn no_mark_calls_an_answer_good_that_leaves_the_weight_uncarried() {
+    // To a precision of 1e-4 sweeps stop long before the ground has felt the load.
+    let text = "title = 't'\nlead = ''\n[[section]]\nstudy = 'mass-ratio'\nboxes = 4\n\
+                ratios = [1000.0]\nabout = 1000.0\nsolvers = ['pgs', 'apgd', 'dantzig']\n\
+                tolerances = [1e-4, 1e-8]\n";
+    let results = run_all(&experiment(text).unwrap());
+    let document = view::document(&results).unwrap();
+    let rows = table(&document, "mass-ratio_chosen").rows;
+    let missing = |row: &[Cell]| row[5].value.unwrap().abs();
+    assert!(rows.iter().any(|row| missing(row) > 0.01), "there is such an answer");
+    for row in &rows {
+        let is_good = row[2].mark == Mark::Good;
+        assert!(!is_good || missing(row) <= 1e-3, "{row:?}");
+        assert!(missing(row) <= 1e-3 || !row[2].text.contains("proved"), "{row:?}");
+    }
+    let dantzig = rows.iter().filter(|row| row[0].text == "dantzig");
+    assert!(dantzig.clone().count() == 2 && dantzig.clone().all(|row| row[2].mark == Mark::Good));
 }

@@ -1,0 +1,122 @@
+//! What acted on the bodies in a step, as the family that took the step wrote it down.
+//!
+//! A step is a row of impulses at fixed poses and of moves at fixed velocities. From them the work can be
+//! measured from outside, and held against the states that the step led to: see [`Ledger`](super::Ledger).
+
+use nalgebra::Vector6;
+
+use super::Solve;
+use crate::assembly::{Assembly, Row};
+use crate::constraint::Kind;
+use crate::formulation::{Problem, Stage};
+use crate::scene::Scene;
+
+/// Something that changed velocities or positions.
+#[derive(Debug, Clone)]
+pub enum Act {
+    /// The impulses of the step's solve of this number, and of the forces of its duration.
+    Answer(usize),
+    /// Impulses of a family that poses no problem.
+    Push(Push),
+    /// All bodies moved with their velocities for so long (s): s ← s + h S u.
+    Advance(f64),
+    /// A body was put elsewhere and kept its velocity: s ← s + S d.
+    Shift {
+        /// The number of the body.
+        body: usize,
+        /// d = [Δp; Δθ] (m, rad).
+        by: Vector6<f64>,
+    },
+}
+
+/// Impulses at fixed poses: u⁺ = u + M⁻¹(h F + Jᵀ X).
+#[derive(Debug, Clone)]
+pub struct Push {
+    /// u, M, F, and J of each row.
+    pub assembly: Assembly,
+    /// For how long the forces F acted (s).
+    pub h: f64,
+    /// X (N s, N m s), a row each.
+    pub impulses: Vec<f64>,
+    /// What of J u⁺ (m/s), with its sign turned, a row owes to the feedback of errors or to its bounce.
+    pub feedback: Vec<f64>,
+    /// Whether the feedback of contacts is a bounce, of all that have an impulse.
+    pub bounces: bool,
+}
+
+/// Impulses at fixed poses, whoever wrote them down.
+pub(super) struct Impulses<'a> {
+    pub assembly: &'a Assembly,
+    pub h: f64,
+    pub x: Vec<f64>,
+    pub feedback: Vec<f64>,
+    /// u⁺ = u + M⁻¹(h F + Jᵀ X).
+    pub next: Vec<f64>,
+    /// The speed (m/s) above which a contact that came near bounced; `None` where nothing did.
+    bounced_above: Option<f64>,
+}
+
+impl<'a> Impulses<'a> {
+    /// Those of an act, if it is one of impulses.
+    pub fn of(scene: &Scene, act: &'a Act, solves: &'a [Solve]) -> Option<Self> {
+        match act {
+            Act::Answer(k) => Some(Impulses::answered(scene, &solves[*k])),
+            Act::Push(push) => Some(Impulses::pushed(push)),
+            Act::Advance(_) | Act::Shift { .. } => None,
+        }
+    }
+
+    fn answered(scene: &Scene, Solve { problem, solution, .. }: &'a Solve) -> Self {
+        let x = problem.efforts(&solution.x);
+        Impulses {
+            assembly: &problem.assembly,
+            h: problem.dt,
+            x: x.into_iter().map(|x| impulse(problem, x)).collect(),
+            feedback: (0..problem.bias.len()).map(|i| feedback(problem, i)).collect(),
+            next: problem.next_velocity(&solution.x, problem.dt),
+            bounced_above: (problem.stage == Stage::Restitution)
+                .then_some(scene.contact.bounce_speed),
+        }
+    }
+
+    fn pushed(push: &'a Push) -> Self {
+        let Push { assembly, h, impulses, feedback, bounces } = push;
+        let pull = assembly.pull_back(impulses);
+        let total: Vec<f64> = assembly.force.iter().zip(pull).map(|(f, p)| h * f + p).collect();
+        let change = assembly.accelerate(&total);
+        Impulses {
+            assembly,
+            h: *h,
+            x: impulses.clone(),
+            feedback: feedback.clone(),
+            next: assembly.u.iter().zip(change).map(|(u, change)| u + change).collect(),
+            bounced_above: bounces.then_some(f64::NEG_INFINITY),
+        }
+    }
+
+    /// Whether the feedback of a row is a bounce.
+    pub fn bounces(&self, row: &Row) -> bool {
+        let bounced = |speed: f64| row.kind == Kind::Normal && row.velocity < -speed;
+        self.bounced_above.is_some_and(bounced)
+    }
+}
+
+/// X (N s) of an x.
+fn impulse(problem: &Problem, x: f64) -> f64 {
+    match problem.stage {
+        Stage::Acceleration => problem.dt * x,
+        Stage::Position => 0.0,
+        Stage::Velocity | Stage::Impact | Stage::Restitution => x,
+    }
+}
+
+/// The part of J u⁺ (m/s), with its sign turned, that a row owes to feedback.
+fn feedback(problem: &Problem, i: usize) -> f64 {
+    match problem.stage {
+        Stage::Acceleration => {
+            problem.dt * (problem.bias[i] - problem.assembly.rows[i].velocity_product)
+        }
+        Stage::Position => 0.0,
+        Stage::Velocity | Stage::Impact | Stage::Restitution => problem.bias[i],
+    }
+}

@@ -1,0 +1,128 @@
+//! `report`: what it goes on from, and the command that makes a page again.
+
+use indicatif::ProgressBar;
+use lcplab::report::experiment::Experiment;
+use lcplab::report::results::Results;
+use lcplab::report::{run as runner, write};
+use lcplab::solver::Stop;
+use serde_json::Value;
+use std::path::Path;
+
+use super::{err, out, run};
+
+const TWO: &str = "title = 'Two'\nlead = ''\n\
+                   [[section]]\nstudy = 'worst-cases'\nsizes = [2]\n\
+                   [[section]]\nstudy = 'rates'\nbodies = [5]\nratios = [10.0]\n";
+
+/// The results of a run of the file that ended before its last task.
+fn interrupted(file: &Path, folder: &Path) -> Results {
+    let experiment = Experiment::load(file.to_str().unwrap()).unwrap();
+    let hidden = ProgressBar::hidden();
+    let whole = runner::run(&experiment, None, &hidden, &Stop::default(), &|_| Ok(())).unwrap();
+    let mut stopped = whole.clone();
+    let last = stopped.sections.last_mut().unwrap().tasks.last_mut().unwrap();
+    last.finding = None;
+    write::results(&stopped, folder).unwrap();
+    whole
+}
+
+fn read(folder: &Path) -> Value {
+    let text = std::fs::read_to_string(folder.join("results.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+/// The first number in a value, to be changed.
+fn first_number(value: &mut Value) -> Option<&mut Value> {
+    match value {
+        Value::Number(_) => Some(value),
+        Value::Array(items) => items.iter_mut().find_map(first_number),
+        Value::Object(fields) => fields.values_mut().find_map(first_number),
+        _ => None,
+    }
+}
+
+#[test]
+fn an_interrupted_report_does_again_what_somebody_has_edited_since() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, page) = (folder.path().join("two.toml"), folder.path().join("page"));
+    std::fs::write(&file, TWO).unwrap();
+    let names = ["report", file.to_str().unwrap(), "--out", page.to_str().unwrap()];
+    let whole = serde_json::to_value(interrupted(&file, &page)).unwrap();
+    let untouched = run(&names);
+    assert_eq!((untouched.status.code(), err(&untouched).as_str()), (Some(0), ""));
+    assert_eq!(read(&page)["sections"], whole["sections"]);
+
+    // A finding, the settings that it belongs to, the version that made it, the checksum itself.
+    let edits: [&dyn Fn(&mut Value); 4] = [
+        &|results| {
+            let finding = &mut results["sections"][0]["tasks"][0]["finding"];
+            *first_number(finding).unwrap() = 12345.into();
+        },
+        &|results| {
+            results["sections"][0]["tasks"][0]["finding"] = Value::Null;
+            results["sections"][0]["tasks"][0]["failure"] = "no time".into();
+        },
+        &|results| {
+            let section = results["sections"][0].as_object_mut().unwrap();
+            section.remove("checksum").expect("one is written while the report is not done");
+        },
+        &|results| results["sections"][0]["checksum"] = "0123456789abcdef".into(),
+    ];
+    for edit in edits {
+        interrupted(&file, &page);
+        let mut results = read(&page);
+        edit(&mut results);
+        std::fs::write(page.join("results.json"), results.to_string()).unwrap();
+        let output = run(&names);
+        let path = page.join("results.json");
+        let told = format!(
+            "warning: {}: section worst-cases is not as it was written: it is done again\n",
+            path.display()
+        );
+        assert_eq!((output.status.code(), err(&output)), (Some(0), told));
+        assert_eq!(read(&page)["sections"], whole["sections"]);
+    }
+}
+
+#[test]
+fn what_is_complete_carries_no_checksum() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("two.toml");
+    std::fs::write(&file, TWO).unwrap();
+    let whole = interrupted(&file, folder.path());
+    let sections = read(folder.path())["sections"].clone();
+    assert!(sections.as_array().unwrap().iter().all(|part| part["checksum"].is_string()));
+    write::results(&whole, folder.path()).unwrap();
+    let sections = read(folder.path())["sections"].clone();
+    assert!(sections.as_array().unwrap().iter().all(|part| part["checksum"].is_null()));
+}
+
+#[test]
+fn the_line_that_reproduces_a_page_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let inner = folder.path().join("my reports");
+    std::fs::create_dir(&inner).unwrap();
+    let (file, page) = (inner.join("mine.toml"), inner.join("page"));
+    std::fs::write(&file, TWO).unwrap();
+    let (file, page) = (file.to_str().unwrap(), page.to_str().unwrap());
+    assert_eq!(run(&["report", file, "--out", page]).status.code(), Some(0));
+    let html = || std::fs::read_to_string(Path::new(page).join("index.html")).unwrap();
+    let line = format!("lcplab report '{file}' --out '{page}'");
+    let escaped = |text: &str| text.replace('\'', "&#39;").replace('"', "&#34;");
+    let has = |line: &str| html().contains(line) || html().contains(&escaped(line));
+    assert!(has(&line), "{line}");
+    assert!(has(&format!("{line} --section rates")), "each section's own");
+
+    let again = std::process::Command::new("sh")
+        .args(["-c", &line.replacen("lcplab", env!("CARGO_BIN_EXE_lcplab"), 1)])
+        .output()
+        .unwrap();
+    assert_eq!(again.status.code(), Some(0), "{}", err(&again));
+    assert!(out(&again).contains("index.html") && has(&line));
+
+    let part = run(&["report", file, "--section", "rates", "--out", page]);
+    assert_eq!(part.status.code(), Some(0), "{}", err(&part));
+    let html = std::fs::read_to_string(Path::new(page).join("rates/index.html")).unwrap();
+    let line = format!("lcplab report '{file}' --section rates --out '{page}'");
+    assert!(html.contains(&line) || html.contains(&escaped(&line)), "{line}");
+}
