@@ -69,15 +69,19 @@ fn both_merits() -> Result<Lines> {
     let values = |merit: fn(&Lcp, &[f64]) -> f64| {
         spaced(&iterates.iter().map(|x| merit(&lcp, x)).collect::<Vec<_>>(), 1.0)
     };
+    let halves = (1..=30).map(|k| (f64::from(k), 0.5_f64.powi(k - 1)));
+    let stays = 1.0 / 11.0_f64.sqrt();
     let series = vec![
         Series::measured("K&M (4)", values(merit::km4)),
         Series::measured("natural residual", values(merit::natural_residual)),
+        Series::theory("(½)ᵏ⁻¹", halves.collect()),
+        Series::reference("1/√11", vec![(0.0, stays), (30.0, stays)]),
     ];
     Ok(curves(
         "two_stop_tests",
         [
             "Two stop tests on one problem",
-            "Three stacked bodies, the top one leaving. The natural residual halves with each sweep; the \
+            "Three stacked bodies, the top one leaving. From the first on the natural residual halves with each sweep; the \
              printed test stays at 1/√11, whatever is done.",
         ],
         Axis::linear("sweep", ""),

@@ -17,7 +17,8 @@ pub(super) const EXHIBIT: Exhibit = Exhibit {
     printed: "Iterative methods converge on a solution finitely; it takes from two or three iterations to \
               hundreds.",
     holds: "They converge asymptotically: in the long run each sweep multiplies the error by a factor ρ \
-            below 1 that A alone decides, and for long chains and tall stacks that is thousands of sweeps.",
+            below 1, and for long chains and tall stacks that is thousands of sweeps. The rows of A that \
+            are free in the answer decide ρ; which rows these are depends on b.",
     why: "A sweep passes news on from row to row, and back by one row only. For n rods in a chain \
           ρ = cos²(π/(n+1)) ≈ 1 − (π/n)²: twice the length takes four times the sweeps. On a computer the \
           error does end at 0, because rounding ends it; exact fractions show that it never would. \

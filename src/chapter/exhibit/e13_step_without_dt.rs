@@ -47,5 +47,5 @@ fn example() -> Result<Finding> {
     }
     let dt = DT;
     let lambda = Measure::new("λ, dt = 1/60 s", "N", force(1.0, V + F)?, force(dt, V + dt * F)?);
-    Ok(finding.measure(lambda.truth(&[60.0 + 9.81], "m (1/dt + g)", 1e-9)))
+    Ok(finding.measure(lambda.truth(&[60.0 + 9.81], "m (v/dt + g)", 1e-9)))
 }

@@ -55,7 +55,7 @@ fn example() -> Result<Finding> {
          w = A x + b with A and b below 0; corrected the velocity level, by Lemke's method.\n\nAll b are in \
          this library's sign.",
     )
-    .measure(force.truth(&[pull], "−(g cos θ + θ'²)", 1e-9))
+    .measure(force.truth(&[pull], "−m (g cos θ + l θ'²)", 1e-9))
     .measure(velocity.truth(&[0.0], "the floor is rigid", 1e-12))
     .measure(painleve()?)
     .plot(&pull_over_time()?))

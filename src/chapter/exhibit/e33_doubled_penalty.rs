@@ -44,6 +44,7 @@ fn example() -> Result<Finding> {
         (errors(Form::Printed, 1.2, &pair)?, errors(Form::Corrected, 1.2, &pair)?);
     let left = Measure::new("after 1 s, β = 1.2", "m", doubled[60], once[60]);
     let size = |errors: &[f64]| errors.iter().map(|error| error.abs()).collect::<Vec<_>>();
+    let decay = |factor: f64| (0..=30).map(|k| 0.1 * factor.powi(k)).collect::<Vec<_>>();
     let panel = |beta: f64| -> Result<Panel> {
         Ok(Panel {
             y: Axis::log(format!("error, β = {beta}"), "m"),
@@ -56,6 +57,8 @@ fn example() -> Result<Finding> {
                     "corrected",
                     over_time(&size(&errors(Form::Corrected, beta, &pair)?)[..31]),
                 ),
+                Series::theory("0.1 |1 − 2β|ᵏ", over_time(&size(&decay(1.0 - 2.0 * beta)))),
+                Series::theory("0.1 |1 − β|ᵏ", over_time(&size(&decay(1.0 - beta)))),
             ],
         })
     };

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! k impulses β that can only push replace the two tangential ones: x_t lies in the polygon whose
-//! corners are μ x_n d_j. A third unknown of each contact, γ, is the speed of sliding, and three rows
-//! of complementarity say what Coulomb says (⟂: both at least 0, one of them 0):
+//! corners are μ x_n d_j. A third unknown of each contact, γ, is the largest speed of slip along a
+//! −d_j, and three rows of complementarity say what Coulomb says (⟂: both at least 0, one of them 0):
 //!
 //! ```text
 //! x_n ⟂ w_n                      [ w_n ]   [ A_nn  A_nD  0 ] [ x_n ]   [ b_n    ]
@@ -15,7 +15,8 @@
 //! ```
 //!
 //! The second line makes γ at least the speed along every −d_j, and lets only those β push for which
-//! it is that speed: friction acts along the d_j most opposed to the slip. The third: a contact that
+//! it is that speed: friction acts along the d_j most opposed to the slip. γ is the speed of sliding
+//! |w_t| where the slip runs along a −d_j, else less, down to cos(π/k) |w_t|. The third: a contact that
 //! slides, γ > 0, uses all of μ x_n. E has a column of k ones a contact.
 //!
 //! The matrix M is not symmetric, so there is no energy to minimise and sweeps have nothing to
@@ -130,8 +131,9 @@ impl Polyhedral {
     /// its solutions, and only then.
     ///
     /// x_t lies between two neighbours among the d_j, and β are its components along them: no others
-    /// have a smaller sum. (z says nothing of the x_t of a contact with μ = 0.) γ is the speed of sliding, max_j −d_j·w_t, or 0 for a contact that has
-    /// more of μ x_n left than it has speed, each beside its own terms.
+    /// have a smaller sum. (z says nothing of the x_t of a contact with μ = 0.) γ is the largest speed of
+    /// slip along a −d_j, max_j −d_j·w_t, or 0 for a contact that has more of μ x_n left than it has
+    /// speed, each beside its own terms.
     pub fn z(&self, x: &[f64]) -> Vec<f64> {
         let (contacts, others) = (self.friction.contacts(), self.friction.others());
         let normals = contacts.iter().map(|contact| contact.rows[0]);

@@ -120,7 +120,7 @@ fn near_duplicate(n: usize, bits: usize) -> Problem {
     contacts(a, b, &Expected::unique(x.into_iter().map(rational).collect()))
 }
 
-/// Rows n, four directions (t, s, −t, −s) and the sliding speed γ of each contact:
+/// Rows n, four directions (t, s, −t, −s) and the largest speed of slip γ against one of them:
 ///
 /// ```text
 /// w_n = v_n ⟂ x_n,   w_d = v_d + γ ⟂ β_d,   w_γ = μ x_n − Σ β_d ⟂ γ

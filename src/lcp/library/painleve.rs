@@ -103,7 +103,7 @@ fn forces(values: &Values) -> Problem {
     contacts(Matrix::dense(1, &[a]), vec![b], &Expected { solutions, complete: true })
 }
 
-/// The velocity level: x_n, four directions, the speed of sliding.
+/// The velocity level: x_n, four directions, the speed of slip γ along one of them.
 fn impulses(values: &Values) -> Problem {
     let (mu, fall) = (values.real("mu"), values.real("fall"));
     let [a_nn, a_nt, a_tt] = delassus(values.real("tan"));

@@ -3,3 +3,4 @@
 mod exercise;
 mod handout;
 mod notebook;
+mod sentences;
