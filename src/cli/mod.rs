@@ -20,12 +20,13 @@ mod sweep;
 mod trial;
 mod verify;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use lcplab::error::{Error, Result};
+use lcplab::file;
 use lcplab::lcp::exchange;
 use lcplab::lcp::file::Problem;
 use lcplab::memory::Memory;
@@ -182,6 +183,16 @@ fn bar(length: u64, message: &str) -> ProgressBar {
     let bar =
         ProgressBar::new(length).with_style(style).with_message(printable(message).into_owned());
     bar.with_finish(ProgressFinish::AndClear) // also where an error ends the work
+}
+
+/// The folder for results: that of the user, or one named after the file that says what to do.
+fn folder_of(out: Option<&Path>, usual: &str, name: &str) -> Result<PathBuf> {
+    if let Some(out) = out {
+        return Ok(out.into());
+    }
+    let reason = |reason| format!("{reason}; --out FOLDER takes another one");
+    file::check_name(name).map_err(|why| Error::invalid(usual, "folder", reason(why)))?;
+    Ok([usual, name].iter().collect())
 }
 
 /// A number of threads.
