@@ -6,6 +6,7 @@ mod convert;
 mod document;
 mod exit_code;
 mod friction;
+mod hostile;
 mod limits;
 mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens
