@@ -112,7 +112,7 @@ fn names_do_not_steer_the_terminal() {
         .unwrap();
     fs::write(folder.path().join("t.toml"), format!("{}\n\"{written}\" = 1\n", scene("b")))
         .unwrap();
-    let long = format!("no such \u{1b}[2J.toml");
+    let long = "no such \u{1b}[2J.toml";
     let commands: [&[&str]; 12] = [
         &["simulate", "s.toml"],
         &["compare", "s.toml", "--solver", "dantzig"],
@@ -124,8 +124,8 @@ fn names_do_not_steer_the_terminal() {
         &["compare-solvers", "p.json"],
         &["solve", "q.json"],
         &["simulate", "t.toml"],
-        &["simulate", &long],
-        &["sweep", "plan", &long],
+        &["simulate", long],
+        &["sweep", "plan", long],
     ];
     for arguments in commands {
         let output = run_in(folder.path(), arguments);
