@@ -20,11 +20,6 @@ impl Budget {
         Budget { limit, taken: Cell::new(0) }
     }
 
-    /// What there is in all.
-    pub fn limit(&self) -> Memory {
-        self.limit
-    }
-
     /// Takes room for `count` numbers of so many bytes each.
     ///
     /// # Errors

@@ -9,6 +9,7 @@ use crate::lcp::exchange::budget::Budget;
 use crate::lcp::exchange::delassus::Motion;
 use crate::lcp::file::{Entries, Parts, Problem};
 use crate::lcp::friction::Model;
+use crate::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
     let name = input.name();
@@ -20,7 +21,8 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
     let file = Hdf5File::from_vec_with_options(input.bytes()?, options)
         .map_err(|cause| Error::invalid(&name, "file", cause.to_string()))?;
     let has = |group: &str| file.group(group).is_ok();
-    let file = File { file: &file, input: &name, budget: Budget::new(input.most()) };
+    let file =
+        File { file: &file, input: &name, most: input.most(), budget: Budget::new(input.most()) };
     let (kind, contents) = match (has("/fclib_local"), has("/fclib_global")) {
         (true, _) => ("/fclib_local", file.local()?),
         (false, true) => ("/fclib_global", file.global()?),
@@ -74,6 +76,7 @@ struct Sparse {
 struct File<'a> {
     file: &'a Hdf5File,
     input: &'a str,
+    most: Memory,
     budget: Budget,
 }
 
@@ -118,7 +121,7 @@ impl File<'_> {
         }
         let mut motion = Motion { mass: m.entries, jacobian: vec![Vec::new(); bias.len()], force };
         columns.into_iter().for_each(|(c, row, value)| motion.jacobian[row].push((c, value)));
-        let dual = motion.dual(&vec![0.0; bias.len()], self.input, self.budget.limit())?;
+        let dual = motion.dual(&vec![0.0; bias.len()], self.input, self.most)?;
         let Some((entries, free)) = dual else {
             return Err(self.fault("/fclib_global/M", "is not positive definite"));
         };
