@@ -18,6 +18,26 @@ pub fn is_there(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|found| !found.is_dir())
 }
 
+/// Whether this can be the name of a file in a folder of ours: letters, digits, `_` and `-`, so that it
+/// leads nowhere else.
+pub fn is_name(name: &str) -> bool {
+    let is_allowed = |c: char| c.is_ascii_alphanumeric() || "_-".contains(c);
+    !name.is_empty() && name.chars().all(is_allowed)
+}
+
+/// What to say of a name that is none.
+///
+/// # Errors
+/// If it [cannot be](is_name) the name of a file.
+pub fn check_name(name: &str) -> std::result::Result<(), String> {
+    match is_name(name) {
+        true => Ok(()),
+        false => {
+            Err(format!("{name:?} becomes a file: only letters, digits, - and _ may be in it"))
+        }
+    }
+}
+
 /// Reads a file of text, or standard input for the path `-`.
 ///
 /// # Errors

@@ -41,6 +41,8 @@ pub mod memory;
 
 pub mod file;
 
+pub mod json;
+
 pub mod body;
 
 pub mod constraint;

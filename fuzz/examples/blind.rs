@@ -8,7 +8,7 @@ use std::{env, fs, process};
 use oorandom::Rand64;
 
 /// What tends to be read wrongly.
-const WORDS: [&str; 26] = [
+const WORDS: [&str; 34] = [
     "-1",
     "0",
     "-0",
@@ -35,6 +35,14 @@ const WORDS: [&str; 26] = [
     "= [",
     "\n=== b\n",
     "\n=== H\n",
+    "$",
+    "\\operatorname{",
+    "\\hat",
+    "<script>",
+    "../",
+    "\u{1b}[2J",
+    "[[section]]",
+    "[axes]",
 ];
 
 fn main() {
@@ -73,6 +81,10 @@ fn main() {
 fn run(target: &str, bytes: &[u8]) {
     match target {
         "scene" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_scene),
+        "markup" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_markup),
+        "report" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_report),
+        "results" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_results),
+        "sweep" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_sweep),
         "solvers" => lcplab_fuzz::solvers(bytes).unwrap_or_default(),
         "judge" => lcplab_fuzz::judge(bytes).unwrap_or_default(),
         "simulator" => lcplab_fuzz::simulator(bytes).unwrap_or_default(),

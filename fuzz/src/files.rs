@@ -25,7 +25,7 @@ pub fn read(format: &str, bytes: &[u8]) {
 }
 
 /// A folder for the life of the process, in memory where there is such a place.
-fn folder() -> &'static PathBuf {
+pub fn folder() -> &'static PathBuf {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
     FOLDER.get_or_init(|| {
         let shared = PathBuf::from("/dev/shm");

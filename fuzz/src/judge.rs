@@ -6,12 +6,18 @@ use lcplab::certificate::{Demand, Verdict, judge as verdict_on};
 use lcplab::lcp::Lcp;
 use lcplab::solver::all_solutions;
 
+use crate::contact;
 use crate::problem::problem;
 
-/// Makes a problem and an x of the bytes.
+/// Makes a problem and an x of the bytes, and a contact of what is left.
 pub fn judge(bytes: &[u8]) -> Result<()> {
     let mut u = Unstructured::new(bytes);
-    let lcp = problem(&mut u)?;
+    of_problem(&mut u)?;
+    contact::judged(&mut u)
+}
+
+fn of_problem(u: &mut Unstructured<'_>) -> Result<()> {
+    let lcp = problem(u)?;
     let x = (0..lcp.len()).map(|_| u.arbitrary()).collect::<Result<Vec<f64>>>()?;
     let verdict = word(&lcp, &x);
     if lcp.coupling().is_some() {

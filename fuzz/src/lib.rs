@@ -1,7 +1,9 @@
 //! What the fuzz targets do, one function each. A broken promise is a panic.
 
+mod contact;
 mod files;
 mod judge;
+mod pages;
 mod problem;
 mod scene;
 mod simulator;
@@ -9,6 +11,7 @@ mod solvers;
 
 pub use files::read;
 pub use judge::judge;
+pub use pages::{read_markup, read_report, read_results, read_sweep};
 pub use scene::read_scene;
 pub use simulator::simulator;
 pub use solvers::solvers;

@@ -68,9 +68,12 @@ pub fn problem(u: &mut Unstructured<'_>) -> Result<Lcp> {
     if n < 2 || u.ratio(3, 4)? {
         return Ok(lcp);
     }
-    let normal = u.int_in_range(0..=n - 1)?;
+    let normals = [u.int_in_range(0..=n - 1)?, u.int_in_range(0..=n - 1)?];
     let mu = numbers(u, n)?.into_iter().map(f64::abs).collect();
-    let index = (0..n).map(|i| (i != normal).then_some(normal)).collect();
+    // One contact or two, with a tangent or several, beside rows of neither.
+    let bound = (0..n).map(|_| u.int_in_range(0..=2)).collect::<Result<Vec<_>>>()?;
+    let is_free = |i: usize| !normals.contains(&i);
+    let index = (0..n).map(|i| normals.get(bound[i]).copied().filter(|_| is_free(i))).collect();
     let coupled = Coupling::new(index, mu).and_then(|coupling| lcp.clone().with_coupling(coupling));
     Ok(coupled.unwrap_or(lcp)) // a normal row that may pull takes no friction
 }

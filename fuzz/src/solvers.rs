@@ -4,9 +4,10 @@ use arbitrary::{Result, Unstructured};
 use lcplab::solver::{ALL, Options, Settings};
 use lcplab::trial::{Claim, claims};
 
+use crate::contact;
 use crate::problem::{numbers, problem};
 
-/// Makes a problem of the bytes, and a start for a third of them.
+/// Makes a problem of the bytes, a start for a third of them, and a contact of what is left.
 pub fn solvers(bytes: &[u8]) -> Result<()> {
     let mut u = Unstructured::new(bytes);
     let lcp = problem(&mut u)?;
@@ -17,5 +18,5 @@ pub fn solvers(bytes: &[u8]) -> Result<()> {
     for (solver, claim) in claims(&lcp, start.as_deref(), &solvers) {
         assert!(!matches!(claim, Claim::Lie(_)), "{solver}: {claim:?} of {lcp:?} from {start:?}");
     }
-    Ok(())
+    contact::solved(&mut u)
 }

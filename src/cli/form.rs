@@ -8,7 +8,7 @@ use lcplab::document::{Document, Format};
 use lcplab::error::Result;
 use lcplab::file;
 
-use super::{Outcome, print};
+use super::{Outcome, print, print_coloured};
 
 /// The form of a document, and where it goes.
 #[derive(Debug, Args)]
@@ -35,9 +35,11 @@ enum Form {
 impl Writing {
     /// Writes it; refuted if it is not accepted.
     pub fn write(&self, document: &Document) -> Result<Outcome> {
-        let text = document.written(self.format())?;
+        let format = self.format();
+        let text = document.written(format)?;
         match &self.out {
             Some(path) => file::write(path, &text)?,
+            None if format == Format::ColouredText => print_coloured(&text)?,
             None => print(&text)?,
         }
         Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })

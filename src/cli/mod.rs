@@ -20,14 +20,17 @@ mod sweep;
 mod trial;
 mod verify;
 
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use lcplab::error::{Error, Result};
+use lcplab::file;
 use lcplab::lcp::exchange;
 use lcplab::lcp::file::Problem;
 use lcplab::memory::Memory;
+use lcplab::report::text::printable;
 use lcplab::solver::Reason;
 
 use limits::{Limits, TimeLimit};
@@ -153,14 +156,14 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Prints a line to standard error; there is nobody to tell if that cannot be done.
+/// Prints a line to standard error, without escapes; there is nobody to tell if that cannot be done.
 fn say(line: &str) {
     use std::io::Write;
-    let _ = writeln!(std::io::stderr().lock(), "{line}");
+    let _ = writeln!(std::io::stderr().lock(), "{}", printable(line));
 }
 
 /// The problem of a file, in the format that its ending says; JSON by default.
-fn read_problem(path: &std::path::Path, most: Memory) -> Result<Problem> {
+fn read_problem(path: &Path, most: Memory) -> Result<Problem> {
     let problem = exchange::read_within(path, None, most)?;
     warn(&problem);
     Ok(problem)
@@ -177,8 +180,19 @@ fn warn(problem: &Problem) {
 fn bar(length: u64, message: &str) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
-    let bar = ProgressBar::new(length).with_style(style).with_message(message.to_string());
+    let bar =
+        ProgressBar::new(length).with_style(style).with_message(printable(message).into_owned());
     bar.with_finish(ProgressFinish::AndClear) // also where an error ends the work
+}
+
+/// The folder for results: that of the user, or one named after the file that says what to do.
+fn folder_of(out: Option<&Path>, usual: &str, name: &str) -> Result<PathBuf> {
+    if let Some(out) = out {
+        return Ok(out.into());
+    }
+    let reason = |reason| format!("{reason}; --out FOLDER takes another one");
+    file::check_name(name).map_err(|why| Error::invalid(usual, "folder", reason(why)))?;
+    Ok([usual, name].iter().collect())
 }
 
 /// A number of threads.
@@ -186,13 +200,18 @@ fn threads() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(1..=1024)
 }
 
-/// Prints to standard output; a reader who has gone away is no error.
+/// Prints to standard output, without escapes; a reader who has gone away is no error.
 fn print(text: &str) -> Result<()> {
+    print_coloured(&printable(text))
+}
+
+/// Prints a text with escapes of our own, which has been rid of all others.
+fn print_coloured(text: &str) -> Result<()> {
     use std::io::Write;
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(cause) if cause.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Error::file(std::path::Path::new("standard output"), &cause))
+            Err(Error::file(Path::new("standard output"), &cause))
         }
         _ => Ok(()),
     }

@@ -14,7 +14,7 @@ use lcplab::report::{difference, run, text, view, write};
 
 use super::limits::Limits;
 use super::pdf::Browser;
-use super::{Outcome, bar, print, say, threads};
+use super::{Outcome, bar, folder_of, print, say, threads};
 use crate::handout::ALL;
 
 /// The walk through the chapter.
@@ -96,8 +96,7 @@ impl Report {
             return self.handout();
         }
         let mut experiment = Experiment::load(&self.report)?;
-        let mut folder =
-            self.out.clone().unwrap_or_else(|| ["reports", &experiment.name].iter().collect());
+        let mut folder = folder_of(self.out.as_deref(), "reports", &experiment.name)?;
         if let Some(id) = &self.section {
             experiment = experiment.only(id)?;
             folder.push(id);

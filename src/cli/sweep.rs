@@ -1,6 +1,6 @@
 //! `sweep`: one scene or problem family at every point of a grid of settings.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 use lcplab::error::Result;
@@ -8,7 +8,7 @@ use lcplab::report::sweep::{Folder, Sweep as File, collect, plan_table};
 use lcplab::report::text;
 
 use super::limits::Limits;
-use super::{Outcome, bar, print, say, threads};
+use super::{Outcome, bar, folder_of, print, say, threads};
 
 /// Rows of the plan that are printed.
 const SHOWN: usize = 40;
@@ -80,8 +80,8 @@ struct Place {
 impl Place {
     fn open(&self) -> Result<(File, Folder)> {
         let sweep = File::load(&self.sweep)?;
-        let usual = || Path::new("sweeps").join(&sweep.name);
-        let folder = Folder::new(&self.out.clone().unwrap_or_else(usual), &sweep)?;
+        let folder = folder_of(self.out.as_deref(), "sweeps", &sweep.name)?;
+        let folder = Folder::new(&folder, &sweep)?;
         Ok((sweep, folder))
     }
 }

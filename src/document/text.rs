@@ -2,6 +2,8 @@
 
 use super::notation::plain;
 use super::{Block, Document, Formula, Grid, Piece, Table};
+use crate::report::page::Align;
+use crate::report::text::{padded, printable};
 
 /// Whether escapes are used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +24,7 @@ impl Ink {
     fn styled(self, code: &str, words: &str) -> String {
         match self {
             Ink::Plain => words.to_string(),
-            Ink::Coloured => format!("\x1b[{code}m{words}\x1b[0m"),
+            Ink::Coloured => format!("\x1b[{code}m{}\x1b[0m", printable(words)),
         }
     }
 }
@@ -66,8 +68,9 @@ fn paragraph(words: &str) -> String {
     wrapped(words, WIDTH).join("\n") + "\n"
 }
 
-/// Words in lines of this width; at least one line.
+/// Words in lines of this width, without escapes of their own; at least one line.
 fn wrapped(words: &str, width: usize) -> Vec<String> {
+    let words = printable(words);
     let (mut lines, mut line, mut length) = (Vec::new(), String::new(), 0);
     for word in words.split(' ') {
         let size = word.chars().count();
@@ -95,7 +98,7 @@ fn formula(formula: &Formula, ink: Ink) -> String {
         let above = (height - piece.len()) / 2;
         for (k, line) in lines.iter_mut().enumerate() {
             let own = k.checked_sub(above).and_then(|k| piece.get(k)).map_or("", String::as_str);
-            *line += &format!(" {own:<width$}");
+            *line += &format!(" {}", padded(own, width, Align::Left));
         }
     }
     let mut lines: Vec<String> = lines.iter().map(|line| line.trim_end().to_string()).collect();
@@ -110,7 +113,7 @@ fn formula(formula: &Formula, ink: Ink) -> String {
 
 fn piece(piece: &Piece) -> Vec<String> {
     match piece {
-        Piece::Symbols { text, .. } => vec![text.clone()],
+        Piece::Symbols { text, .. } => vec![printable(text).into_owned()],
         Piece::Grid(own) => grid(own),
     }
 }
@@ -122,7 +125,7 @@ fn grid(grid: &Grid) -> Vec<String> {
     let width = |c: usize| cells.iter().map(|row| row[c].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let line = |(r, row): (usize, &Vec<String>)| {
-        let cells = row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:>width$}"));
+        let cells = row.iter().zip(&widths).map(|(cell, &width)| padded(cell, width, Align::Right));
         let [open, close] = match r {
             _ if height == 1 => ["[", "]"],
             0 => ["⎡", "⎤"],
@@ -137,15 +140,15 @@ fn grid(grid: &Grid) -> Vec<String> {
 /// A table with its title above; columns of words to the left, of numbers to the right.
 fn table(table: &Table, ink: Ink) -> String {
     let widths = widths(table);
-    let is_numeric: Vec<bool> = (0..widths.len()).map(|c| table.is_numeric(c)).collect();
+    let align = |c: usize| if table.is_numeric(c) { Align::Right } else { Align::Left };
+    let align: Vec<Align> = (0..widths.len()).map(align).collect();
     let lines = |row: &[String]| {
         let cells: Vec<_> =
             row.iter().zip(&widths).map(|(cell, &width)| wrapped(cell, width)).collect();
         let height = cells.iter().map(Vec::len).max().unwrap_or(1);
         let line = |k: usize| {
             let pad = |(c, lines): (usize, &Vec<String>)| {
-                let (cell, width) = (lines.get(k).map_or("", String::as_str), widths[c]);
-                if is_numeric[c] { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
+                padded(lines.get(k).map_or("", String::as_str), widths[c], align[c])
             };
             let cells: Vec<String> = cells.iter().enumerate().map(pad).collect();
             let (margin, gap) = (" ".repeat(MARGIN), " ".repeat(GAP));
@@ -153,7 +156,7 @@ fn table(table: &Table, ink: Ink) -> String {
         };
         (0..height).map(line).collect::<Vec<_>>().join("\n")
     };
-    let mut out = format!("  {}\n{}\n", table.title, ink.faint(&lines(&table.columns)));
+    let mut out = format!("  {}\n{}\n", printable(&table.title), ink.faint(&lines(&table.columns)));
     for row in &table.rows {
         out += &(lines(row) + "\n");
     }

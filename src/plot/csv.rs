@@ -1,6 +1,7 @@
 //! Comma-separated values (RFC 4180, with line feeds alone).
 
-/// Appends one record; a field with a comma, quote or line break is quoted.
+/// Appends one record; a field with a comma, quote or line break is quoted, and one that a spreadsheet
+/// would take for a formula gets an apostrophe before it.
 pub fn record<I>(out: &mut String, fields: I)
 where
     I: IntoIterator,
@@ -8,6 +9,7 @@ where
 {
     for (i, field) in fields.into_iter().enumerate() {
         let field = field.as_ref();
+        let field = if is_formula(field) { &format!("'{field}") } else { field };
         if i > 0 {
             out.push(',');
         }
@@ -18,6 +20,11 @@ where
         }
     }
     out.push('\n');
+}
+
+/// Whether a spreadsheet may compute it: it begins as a formula does, and is no number.
+fn is_formula(field: &str) -> bool {
+    field.starts_with(['=', '+', '-', '@', '\t', '\r']) && field.parse::<f64>().is_err()
 }
 
 /// The shortest decimal that reads back as the same number; `nan`, `inf`, `-inf` otherwise.

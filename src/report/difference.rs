@@ -9,6 +9,7 @@ use serde_json::{Map, Value};
 use super::page::{Cell, Column, Table};
 use crate::error::{Error, Result};
 use crate::file;
+use crate::json;
 use crate::memory::Memory;
 use crate::plot::number::readable;
 
@@ -99,10 +100,10 @@ pub fn table(changes: &[Change]) -> Table {
 /// Reads a results file.
 ///
 /// # Errors
-/// If it cannot be read or is not JSON.
+/// If it cannot be read, is not JSON or has a key twice.
 pub fn read(path: &Path) -> Result<Value> {
     let text = file::read(path, Memory::default())?;
-    serde_json::from_str(&text).map_err(|cause| {
+    json::parse(&text).map_err(|cause| {
         let place = format!("line {}", cause.line());
         Error::invalid(path.display().to_string(), place, cause.to_string())
     })

@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use super::experiment::{Experiment, Section};
 use super::study::Study;
+use super::study::settings::file_name;
 use crate::error::{Error, Result};
 
 /// The results of a report, complete or as far as it has come.
@@ -31,7 +32,8 @@ pub struct Results {
 /// A section and what was found out for it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// The anchor on the page.
+    /// The anchor on the page, and the beginning of the names of its files.
+    #[serde(deserialize_with = "file_name")]
     pub id: String,
     /// The heading.
     pub title: String,

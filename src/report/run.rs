@@ -7,6 +7,7 @@ use indicatif::ProgressBar;
 use super::experiment::Experiment;
 use super::results::{Results, Task};
 use super::tasks::Tasks;
+use super::text::printable;
 use crate::error::Result;
 use crate::solver::Stop;
 
@@ -42,7 +43,8 @@ pub fn run(
     let (names, bar) = (names(&results), progress.clone());
     let work = move |&(section, task): &Place| {
         let study = studies[section].as_ref()?; // a section of words has no tasks
-        bar.set_message(format!("{}: {}", study.name(), names[section][task]));
+        let message = format!("{}: {}", study.name(), names[section][task]);
+        bar.set_message(printable(&message).into_owned());
         Some(study.run(task))
     };
     let mut saved = Instant::now();

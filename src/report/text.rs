@@ -1,6 +1,31 @@
-//! A table as text for a terminal.
+//! Text for a terminal: tables, and what is safe to show there.
+
+use std::borrow::Cow;
 
 use super::page::{Align, Table};
+
+/// The text with a mark in place of every character that would steer a terminal; line feeds and tabs
+/// stay. Names and labels come from files of strangers.
+///
+/// ```
+/// assert_eq!(lcplab::report::text::printable("a\x1b[2Jb\n"), "a\u{fffd}[2Jb\n");
+/// ```
+pub fn printable(text: &str) -> Cow<'_, str> {
+    let steers = |c: char| c.is_control() && c != '\n' && c != '\t';
+    match text.contains(steers) {
+        true => text.replace(steers, "\u{fffd}").into(),
+        false => text.into(),
+    }
+}
+
+/// The text filled up with spaces to a width, which may be more than a format string allows, 65535.
+pub fn padded(text: &str, width: usize, align: Align) -> String {
+    let space = " ".repeat(width.saturating_sub(text.chars().count()));
+    match align {
+        Align::Left => format!("{text}{space}"),
+        Align::Right => format!("{space}{text}"),
+    }
+}
 
 /// The table with its title above and how to read it below.
 pub fn table(table: &Table) -> String {
@@ -20,10 +45,7 @@ pub fn table(table: &Table) -> String {
     };
     let widths: Vec<usize> = (0..table.columns.len()).map(width).collect();
     let line = |text: &dyn Fn(usize) -> String| {
-        let fields = (0..widths.len()).map(|k| match table.columns[k].align {
-            Align::Left => format!("{:<width$}", text(k), width = widths[k]),
-            Align::Right => format!("{:>width$}", text(k), width = widths[k]),
-        });
+        let fields = (0..widths.len()).map(|k| padded(&text(k), widths[k], table.columns[k].align));
         fields.collect::<Vec<_>>().join("  ").trim_end().to_string() + "\n"
     };
     let mut out = format!("{}\n", table.title);

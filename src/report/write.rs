@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::layout;
 use super::results::Results;
 use super::view::{self, Document, FILES};
-use crate::error::{Error, Result};
+use crate::error::{Defects, Error, Result};
 use crate::file;
 
 /// The name of the results beside a page.
@@ -34,8 +34,11 @@ pub fn results(results: &Results, folder: &Path) -> Result<()> {
 /// Writes a document's page, figures and tables; returns the path of the page.
 ///
 /// # Errors
-/// If a file cannot be written, or an equation cannot be set.
+/// If an equation cannot be set or a name cannot be that of a file, and then nothing is written; or if
+/// a file cannot be written.
 pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
+    check_names(document)?;
+    let html = document.page.render()?;
     let data = folder.join(FILES);
     for figure in &document.figures {
         file::write(&data.join(format!("{}.svg", figure.id())), figure.svg())?;
@@ -45,6 +48,17 @@ pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
         file::write(&data.join(format!("{id}.csv")), table.csv())?;
     }
     let page = folder.join("index.html");
-    file::write(&page, &document.page.render()?)?;
+    file::write(&page, &html)?;
     Ok(page)
+}
+
+/// Names of figures and tables are made of those of scenes, runs and sections.
+fn check_names(document: &Document) -> Result<()> {
+    let figures = document.figures.iter().map(|figure| figure.id());
+    let tables = document.tables.iter().map(|(id, _)| id.as_str());
+    let mut defects = Defects::default();
+    for name in figures.chain(tables) {
+        file::check_name(name).unwrap_or_else(|reason| defects.add("name", reason));
+    }
+    defects.into_result(format!("page {:?}", document.page.title))
 }

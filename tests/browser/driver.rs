@@ -1,5 +1,5 @@
-//! A page in headless Chromium: a copy of it, in a frame of a given width, with a script at its end;
-//! and what that script saw.
+//! A page in headless Chromium: a copy of it, in a frame of a given width, with a script before its
+//! policy, which lets no other one in; and what that script saw when all was loaded.
 //!
 //! ```text
 //! page + script ─→ frame.html in index.html ─→ chromium --dump-dom ─→ what the script saw, as JSON
@@ -21,6 +21,7 @@ window.cancelAnimationFrame = clearTimeout;
 window.complaints = [];
 addEventListener('error', (event) => complaints.push(event.message));
 addEventListener('unhandledrejection', (event) => complaints.push(String(event.reason)));
+addEventListener('securitypolicyviolation', (event) => complaints.push(event.violatedDirective));
 for (const kind of ['error', 'warn']) console[kind] = (...words) => complaints.push(words.join(' '));
 ";
 
@@ -52,8 +53,8 @@ impl Page {
              catch (reason) {{ complaints.push(String(reason)); }}\n\
              parent.postMessage(JSON.stringify({{ answer, complaints }}), '*'); }});"
         );
-        let page = self.0.replacen("<head>", &format!("<head><script>{BEFORE}</script>"), 1);
-        let page = page.replacen("</body>", &format!("<script>{after}</script></body>"), 1);
+        let script = format!("<head><script>{BEFORE}{after}</script>");
+        let page = self.0.replacen("<head>", &script, 1);
         fs::write(folder.path().join("frame.html"), page).unwrap();
         let frame = format!(
             "<!DOCTYPE html><html><body style=\"margin:0\"><script>\n\

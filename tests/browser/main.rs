@@ -45,3 +45,11 @@ fn a_complaint_of_the_page_is_heard() {
     )
     .seen(1280, "return 1");
 }
+
+#[test]
+#[should_panic(expected = "Content Security Policy")]
+fn the_policy_stops_what_is_not_the_pages_own() {
+    let Page(html) = sample();
+    let stranger = "<img src=\"https://example.org/eye.png\" onerror=\"console.log(1)\"></body>";
+    Page(html.replacen("</body>", stranger, 1)).seen(1280, "return 1");
+}

@@ -6,12 +6,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Modules by row; physics left, numbers right, both from row 5 on.
-const PHYSICS: [&[&str]; 7] =
-    [&["error"], &["memory"], &["file"], &["body"], &["constraint"], &["scene"], &["assembly"]];
+const PHYSICS: [&[&str]; 7] = [
+    &["error"],
+    &["memory"],
+    &["file", "json"],
+    &["body"],
+    &["constraint"],
+    &["scene"],
+    &["assembly"],
+];
 const NUMBERS: [&[&str]; 7] = [
     &["error"],
     &["memory"],
-    &["file"],
+    &["file", "json"],
     &["lcp"],
     &["solver", "reference", "storage"],
     &["certificate"],

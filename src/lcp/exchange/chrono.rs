@@ -76,7 +76,7 @@ fn read(input: &Input) -> Result<Problem> {
     jacobian.into_iter().for_each(|(i, c, value)| motion.jacobian[i].push((c, value)));
     let mut diagonal = vec![0.0; b.len()];
     compliance.into_iter().for_each(|(i, _, value)| diagonal[i] += f64::abs(value));
-    let Some((entries, free)) = motion.dual(&diagonal) else {
+    let Some((entries, free)) = motion.dual(&diagonal, &name, input.most())? else {
         return Err(Error::invalid(name, "H", "is not positive definite"));
     };
     let b = free.iter().zip(&b).map(|(free, b)| free + b).collect();

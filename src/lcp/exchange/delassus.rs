@@ -8,12 +8,17 @@ use faer::Side;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 
+use crate::error::Result;
 use crate::lcp::file::Entries;
+use crate::memory::Memory;
 
 /// Up to this many rows A is dense, whatever its fill.
 const SMALL: usize = 32;
 /// Beyond SMALL, A is dense where at least this part of its entries is stored.
 const FULL: f64 = 0.25;
+
+/// What an entry of A takes in a list of entries, and in the matrix made of that (bytes).
+const ENTRY: usize = 48;
 
 /// A motion M v = f + Jᵀx with its constraints J.
 pub(super) struct Motion {
@@ -27,16 +32,27 @@ pub(super) struct Motion {
 
 impl Motion {
     /// J M⁻¹ Jᵀ + diag(`compliance`), and J M⁻¹ f; `None` if M is not positive definite.
-    pub fn dual(&self, compliance: &[f64]) -> Option<(Entries, Vec<f64>)> {
+    ///
+    /// # Errors
+    /// If A, which a file need not be large to ask for, takes more memory than this.
+    pub fn dual(
+        &self,
+        compliance: &[f64],
+        input: &str,
+        most: Memory,
+    ) -> Result<Option<(Entries, Vec<f64>)>> {
         let k = self.force.len();
         let triplets: Vec<_> =
             self.mass.iter().map(|&(row, col, val)| Triplet { row, col, val }).collect();
-        let mass = SparseColMat::<usize, f64>::try_new_from_triplets(k, k, &triplets).ok()?;
-        let factor = mass.sp_cholesky(Side::Lower).ok()?;
+        let mass = SparseColMat::<usize, f64>::try_new_from_triplets(k, k, &triplets).ok();
+        let factor = mass.and_then(|mass| mass.sp_cholesky(Side::Lower).ok());
+        let Some(factor) = factor else { return Ok(None) };
         let solve = |right: Mat<f64>| factor.solve(&right).col(0).iter().copied().collect();
         let free: Vec<f64> = solve(Mat::from_fn(k, 1, |i, _| self.force[i]));
         let mut triplets = Vec::new();
         for (i, row) in self.jacobian.iter().enumerate() {
+            let needs = Memory::bytes(ENTRY as u64).times(triplets.len() + 2 * i + 1);
+            most.check(format!("{input}: A of {} rows", self.jacobian.len()), needs)?;
             let mut right = Mat::zeros(k, 1);
             row.iter().for_each(|&(c, value)| right[(c, 0)] += value);
             let y: Vec<f64> = solve(right);
@@ -51,7 +67,7 @@ impl Motion {
             }
         }
         let b = self.jacobian.iter().map(|row| dot(row, &free)).collect();
-        Some((entries(self.jacobian.len(), triplets), b))
+        Ok(Some((entries(self.jacobian.len(), triplets), b)))
     }
 }
 

@@ -32,8 +32,10 @@
 //! writes them. MuJoCo's contacts are soft, so that A + R is the matrix, not A.
 //!
 //! Memory is bounded by what the files hold: no size that a file claims is believed before as many
-//! numbers have been read, and packed data is unpacked up to 1 GiB a matrix.
+//! numbers have been read, and what is packed is unpacked only if all of it together stays within the
+//! limit ([`read_within`]).
 
+mod budget;
 pub mod chrono;
 mod contacts;
 mod delassus;

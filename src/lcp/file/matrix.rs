@@ -18,6 +18,10 @@ impl Entries {
     /// The entries under the key `A` of an n × n matrix.
     pub fn read(a: &Value, n: usize, defects: &mut Defects) -> Self {
         match a {
+            Value::Object(a) if a.contains_key("dense") && a.contains_key("triplets") => {
+                defects.add("A", "has both \"dense\" and \"triplets\"");
+                Entries::Dense(Vec::new())
+            }
             Value::Object(a) if a.contains_key("dense") => {
                 Entries::Dense(dense(&a["dense"], n, defects))
             }

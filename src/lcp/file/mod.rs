@@ -26,7 +26,7 @@
 //! ```
 //!
 //! Other programs' files are read and written by [`exchange`](super::exchange).
-//! Other keys are ignored with a warning. Memory is bounded: n is checked against the length of b
+//! Other keys are ignored with a warning; a key given twice is an error. Memory is bounded: n is checked against the length of b
 //! before anything of that size is made, and a file that would take more than is allowed
 //! ([`Problem::read_within`]) is refused before it is parsed.
 
@@ -49,6 +49,7 @@ use super::friction::{FrictionProblem, Model};
 use super::{Lcp, Matrix};
 use crate::error::{Defects, Error, Result};
 use crate::file;
+use crate::json;
 use crate::memory::Memory;
 
 /// A problem as it stands in a file.
@@ -212,12 +213,13 @@ fn read_text(path: &Path, most: Memory) -> Result<String> {
 }
 
 fn parse_object(text: &str, input: &str) -> Result<Map<String, Value>> {
-    match serde_json::from_str(text) {
+    match json::parse(text) {
         Ok(Value::Object(object)) => Ok(object),
         Ok(_) => Err(Error::invalid(input, "file", "must be a JSON object")),
         Err(cause) => {
             let place = format!("line {}, column {}", cause.line(), cause.column());
-            Err(Error::invalid(input, place, format!("not valid JSON: {cause}")))
+            let not_json = if cause.is_data() { "" } else { "not valid JSON: " };
+            Err(Error::invalid(input, place, format!("{not_json}{cause}")))
         }
     }
 }

@@ -9,6 +9,8 @@
 use math_core::{LatexToMathML, MathDisplay};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, html::push_html};
 
+use super::mathml;
+
 /// Text with every sign that means something in HTML replaced.
 pub fn html(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -98,12 +100,7 @@ impl Renderer {
     }
 
     fn mathml(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
-        let converted = self.math.convert_with_local_state(latex, display);
-        converted.map(|result| result.mathml).map_err(|error| {
-            let mut reason = String::new();
-            error.to_message(&mut reason, latex);
-            format!("the equation {latex:?} at character {reason}")
-        })
+        mathml::converted(&self.math, latex, display)
     }
 }
 

@@ -1,10 +1,12 @@
 //! A page: a document as plain data, and its rendering to one self-contained HTML file.
 //!
 //! The file fetches nothing: equations are MathML, figures inline SVG, and the mathematics font is
-//! embedded. Titles, names and cells are plain text. A lead, text, note, caption, column title and
-//! "how to read" may carry [`markup`]. The same page gives the same bytes.
+//! embedded. Its Content-Security-Policy holds a browser to that, and to the page's own script, whatever
+//! the text may hold. Titles, names and cells are plain text. A lead, text, note, caption, column title
+//! and "how to read" may carry [`markup`]. The same page gives the same bytes.
 
 pub mod markup;
+mod mathml;
 mod origin;
 mod player;
 mod render;

@@ -1,11 +1,13 @@
 //! A page as HTML. All that is wrong with it is reported at once, with the place.
 
 use askama::Template;
+use sha2::{Digest, Sha256};
 
 use super::markup::{Renderer, html};
 use super::player::{self, Player};
 use super::{Align, Block, Cell, Column, Mark, Page, Picture, Section, Table};
 use crate::error::{Defects, Error, Result};
+use crate::file;
 
 const FONT: &[u8] = include_bytes!("../assets/lcplab-math.woff2");
 
@@ -28,7 +30,9 @@ struct Document<'a> {
     font: String,
     style: [&'static str; 3],
     dark: &'static str,
-    script: [&'static str; 3],
+    script: String,
+    /// The script's hash: no other one runs.
+    sha256: String,
 }
 
 #[derive(Template)]
@@ -64,6 +68,12 @@ impl Page {
         let (plots, plays) = (writer.plots, writer.plays);
         let defects = self.ids_checked(writer.defects);
         defects.into_result(format!("page {:?}", self.title))?;
+        let script = [
+            include_str!("page.js"),
+            only(plots, include_str!("plot.js")),
+            only(plays, include_str!("player.js")),
+        ];
+        let script = format!("\n{}", script.concat());
         finished(&Document {
             page: self,
             lead,
@@ -75,19 +85,15 @@ impl Page {
                 only(plays, include_str!("player.css")),
             ],
             dark: include_str!("dark.css"),
-            script: [
-                include_str!("page.js"),
-                only(plots, include_str!("plot.js")),
-                only(plays, include_str!("player.js")),
-            ],
+            sha256: base64(&Sha256::digest(&script)),
+            script,
         })
     }
 
     fn ids_checked(&self, mut defects: Defects) -> Defects {
         for (k, section) in self.sections.iter().enumerate() {
             let id = section.id.as_str();
-            let allowed = |c: char| c.is_ascii_alphanumeric() || "-_".contains(c);
-            if id.is_empty() || !id.chars().all(allowed) {
+            if !file::is_name(id) {
                 defects.add(format!("section {}", k + 1), format!("{id:?} cannot be an anchor"));
             }
             if let Some(first) = self.sections[..k].iter().position(|other| other.id == id) {

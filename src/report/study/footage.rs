@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
+use super::settings::file_name;
 use super::variation::Variation;
 use super::{Study, history};
 use crate::body::{Pose, State};
@@ -16,7 +17,8 @@ use crate::simulation::Motion;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// A name without spaces, unique in the report.
+    /// Letters, digits, `-` and `_`; unique in the report.
+    #[serde(deserialize_with = "file_name")]
     pub name: String,
     /// A shipped scene or a file.
     pub scene: String,
@@ -53,7 +55,8 @@ pub(super) fn shots() -> usize {
 /// A film as numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Footage {
-    /// A name without spaces.
+    /// Letters, digits, `-` and `_`.
+    #[serde(deserialize_with = "file_name")]
     pub id: String,
     /// What moves.
     pub scene: Variation,

@@ -9,6 +9,7 @@ use toml::{Table, Value};
 use super::Study;
 use super::footage::{Footage, Way, shots};
 use super::history::{self, History};
+use super::settings::file_name;
 use super::variation::Variation;
 use crate::error::Result;
 use crate::plot::scene::Take;
@@ -26,7 +27,8 @@ pub struct Plan {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
-    /// A name without spaces, unique in the report.
+    /// Letters, digits, `-` and `_`; unique in the report.
+    #[serde(deserialize_with = "file_name")]
     pub name: String,
     /// What to see in it, a sentence or two.
     pub text: String,

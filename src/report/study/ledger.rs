@@ -10,6 +10,7 @@
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
+use super::settings::file_name;
 use super::variation::Variation;
 use super::{Study, history};
 use crate::error::Result;
@@ -28,7 +29,8 @@ pub struct Plan {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
-    /// A name without spaces, unique in the report.
+    /// Letters, digits, `-` and `_`; unique in the report.
+    #[serde(deserialize_with = "file_name")]
     pub name: String,
     /// The heading of its figure.
     pub title: String,

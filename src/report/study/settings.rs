@@ -1,6 +1,18 @@
 //! Scenes as report files name them.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, de::Error};
+
+use crate::file;
+
+/// A name that becomes that of a file.
+///
+/// # Errors
+/// If it cannot be one.
+pub fn file_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    file::check_name(&name).map_err(D::Error::custom)?;
+    Ok(name)
+}
 
 /// A scene and how many steps it takes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

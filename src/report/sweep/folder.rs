@@ -13,6 +13,7 @@ use super::plan::{Plan, Task};
 use super::theory::Theory;
 use crate::error::{Error, Result};
 use crate::file;
+use crate::json;
 use crate::memory::Memory;
 use crate::report::tasks::Tasks;
 use crate::solver::Stop;
@@ -167,7 +168,7 @@ fn read(path: &Path) -> Result<Option<Json>> {
         return Ok(None);
     }
     let text = file::read(path, Memory::default())?;
-    serde_json::from_str(&text).map(Some).map_err(|cause| unreadable(path, &cause))
+    json::parse(&text).map(Some).map_err(|cause| unreadable(path, &cause))
 }
 
 fn check(path: &Path, found: &str, wanted: &str) -> Result<()> {

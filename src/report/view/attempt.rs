@@ -68,6 +68,11 @@ pub(super) fn section_id(document: &Document) -> String {
     document.page.sections.last().map_or_else(String::new, |section| section.id.clone())
 }
 
+/// A scene's name as part of a file's name: a scene may be called anything.
+pub(super) fn stem(scene: &str) -> String {
+    scene.replace(|c: char| !(c.is_ascii_alphanumeric() || "_-".contains(c)), "-")
+}
+
 /// Words as part of a file's name.
 pub(super) fn anchor(words: &str) -> String {
     let parts = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());

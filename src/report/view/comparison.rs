@@ -1,5 +1,6 @@
 //! All solvers at both levels, scene by scene.
 
+use super::attempt::stem;
 use super::{Document, Outcome, View};
 use crate::plot::scene::Film;
 use crate::plot::{Axis, Lines, Panel, Series};
@@ -23,7 +24,7 @@ impl View for Plan {
              of these claims.",
         ));
         for comparison in findings {
-            let id = format!("comparison_{}", comparison.scene);
+            let id = format!("comparison_{}", stem(&comparison.scene));
             document.text(format!(
                 "**{}.** {}",
                 markup::literal(&comparison.title),
@@ -148,7 +149,7 @@ pub fn document(comparison: &Comparison, film: Film) -> Document {
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
     document.film(film, "The same scene by several solvers, at the same instants.");
     document.open("comparison", "Solvers and levels");
-    document.table(&format!("comparison_{}", comparison.scene), table(comparison));
+    document.table(&format!("comparison_{}", stem(&comparison.scene)), table(comparison));
     document.figure(motion_figure(comparison));
     document
 }
@@ -178,7 +179,7 @@ fn motion_figure(comparison: &Comparison) -> Lines {
         panels.push(panel("penetration", "m", |_, sample| sample.penetration));
     }
     Lines {
-        id: format!("motion_{}", comparison.scene),
+        id: format!("motion_{}", stem(&comparison.scene)),
         title: format!("{}: energy and errors", comparison.title),
         caption: "Solvers whose motions agree to a thousandth of the largest energy change and of \
                   the largest error share a curve; what then differs is the level."

@@ -1,5 +1,6 @@
 //! Residuals by sweep, beside the slopes that theory predicts.
 
+use super::attempt::stem;
 use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -52,7 +53,7 @@ fn figure(study: &Finding) -> Lines {
         "With bounds: a slope is to be expected only once the active set has settled."
     };
     Lines {
-        id: format!("convergence_{}", study.scene),
+        id: format!("convergence_{}", stem(&study.scene)),
         title: format!("{} ({rows} rows)", study.title),
         caption: format!(
             "{kind} Dashed grey: the predicted slopes, set at the middle of each curve. Dantzig \

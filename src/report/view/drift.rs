@@ -1,5 +1,6 @@
 //! Energy and constraint errors, level by level, for shorter and shorter steps.
 
+use super::attempt::stem;
 use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
@@ -43,7 +44,7 @@ fn figure(study: &Finding) -> Lines {
     let drift = series(&|_, sample| 1e3 * sample.drift);
     let dt = study.curves.first().map_or(0.0, |curve| curve.dt);
     Lines {
-        id: format!("drift_{}", study.scene),
+        id: format!("drift_{}", stem(&study.scene)),
         title: study.title.clone(),
         caption: format!(
             "dt = {dt} s. Above: energy error in percent of the largest kinetic energy. Below: the \

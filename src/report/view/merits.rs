@@ -1,5 +1,6 @@
 //! The same iterates, measured in six ways.
 
+use super::attempt::stem;
 use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table, markup};
@@ -27,8 +28,8 @@ impl View for Plan {
 
 fn id(study: &Run) -> String {
     match study.shape {
-        Shape::Box => format!("merits_{}", study.scene),
-        Shape::Cone => format!("merits_{}_cone", study.scene),
+        Shape::Box => format!("merits_{}", stem(&study.scene)),
+        Shape::Cone => format!("merits_{}_cone", stem(&study.scene)),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Where J and A have entries.
 
+use super::attempt::stem;
 use super::{Document, View};
 use crate::plot::Spy;
 use crate::report::study::sparsity::{Patterns, Plan};
@@ -21,7 +22,7 @@ impl View for Plan {
             ];
             let step = scene.step;
             for (kind, name, size, places) in figures {
-                let id = format!("sparsity_{}_{kind}", scene.scene);
+                let id = format!("sparsity_{}_{kind}", stem(&scene.scene));
                 let caption = format!(
                     "{name} in step {step}: {}",
                     crate::report::page::markup::literal(&scene.title)

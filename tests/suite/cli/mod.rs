@@ -6,6 +6,7 @@ mod convert;
 mod document;
 mod exit_code;
 mod friction;
+mod hostile;
 mod limits;
 mod report;
 mod scene;

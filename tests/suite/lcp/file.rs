@@ -116,6 +116,31 @@ fn each_defect_has_its_message() {
 }
 
 #[test]
+fn a_key_given_twice_is_refused_wherever_it_stands() {
+    for (text, key) in [
+        (r#"{"A": {"dense": [[1]]}, "b": [1], "b": [2]}"#, "b"),
+        (r#"{"A": {"dense": [[1]], "dense": [[2]]}, "b": [1]}"#, "dense"),
+        (r#"{"A": {"dense": [[1]]}, "b": [1], "expected": {"x": [0], "x": [1]}}"#, "x"),
+        (r#"{"A": {"dense": [[1]]}, "b": [1], "lo": [0], "\u006co": [-1]}"#, "lo"),
+    ] {
+        let told = message(text);
+        assert!(told.contains(&format!(": the key {key:?} is given twice")), "{told}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.json");
+    std::fs::write(&path, r#"{"x": [0, 0], "x": [1, 1]}"#).unwrap();
+    let told = read_answer(&path, 2, Memory::default()).unwrap_err().to_string();
+    assert!(told.ends_with("the key \"x\" is given twice at line 1 column 17"), "{told}");
+}
+
+#[test]
+fn a_matrix_is_written_down_in_one_way() {
+    let both =
+        r#"{"A": {"dense": [[1]], "rows": 1, "cols": 1, "triplets": [[0, 0, 2]]}, "b": [1]}"#;
+    assert!(message(both).ends_with("A: has both \"dense\" and \"triplets\""), "{}", message(both));
+}
+
+#[test]
 fn an_answer_is_the_vector_x_of_any_object() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("x.json");

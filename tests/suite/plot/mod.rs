@@ -47,6 +47,15 @@ fn csv_quotes_what_needs_quotes() {
 }
 
 #[test]
+fn no_csv_field_is_a_formula_and_numbers_stay_numbers() {
+    let mut out = String::new();
+    csv::record(&mut out, ["=1+2", "+A1", "-A1", "@SUM(1,2)", "\t=1", "a=b"]);
+    csv::record(&mut out, ["-1.5", "+2", "-inf", "-1e-300", "", "-"]);
+    let formulas = "'=1+2,'+A1,'-A1,\"'@SUM(1,2)\",'\t=1,a=b\n";
+    assert_eq!(out, format!("{formulas}-1.5,+2,-inf,-1e-300,,'-\n"));
+}
+
+#[test]
 fn csv_numbers_read_back_as_themselves() {
     for value in [0.1, 1.0 / 3.0, 1e-300, 5e-324, f64::MAX, -0.0, 123456789.0] {
         let text = csv::number(value);

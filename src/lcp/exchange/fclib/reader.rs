@@ -5,20 +5,24 @@ use hdf5_reader::{Dataset, Hdf5File, OpenOptions};
 
 use crate::error::{Error, Result};
 use crate::lcp::exchange::Input;
+use crate::lcp::exchange::budget::Budget;
 use crate::lcp::exchange::delassus::Motion;
 use crate::lcp::file::{Entries, Parts, Problem};
 use crate::lcp::friction::Model;
-
-/// Arrays of more bytes than this are refused: a small file can claim a very large one.
-const MOST_BYTES: usize = 1 << 30;
+use crate::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
     let name = input.name();
-    let options = OpenOptions { max_read_bytes: MOST_BYTES, ..OpenOptions::default() };
+    // An array may be small, and the chunk that it is cut from large.
+    let most = usize::try_from(input.most().in_bytes()).unwrap_or(usize::MAX);
+    let chunk_cache_bytes = 0; // every array is read once
+    let usual = OpenOptions { chunk_cache_bytes, max_read_bytes: most, ..OpenOptions::default() };
+    let options = OpenOptions { max_chunk_bytes: usual.max_chunk_bytes.min(most), ..usual };
     let file = Hdf5File::from_vec_with_options(input.bytes()?, options)
         .map_err(|cause| Error::invalid(&name, "file", cause.to_string()))?;
     let has = |group: &str| file.group(group).is_ok();
-    let file = File { file: &file, input: &name };
+    let file =
+        File { file: &file, input: &name, most: input.most(), budget: Budget::new(input.most()) };
     let (kind, contents) = match (has("/fclib_local"), has("/fclib_global")) {
         (true, _) => ("/fclib_local", file.local()?),
         (false, true) => ("/fclib_global", file.global()?),
@@ -28,7 +32,7 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
         }
     };
     let lcp = contents.parts(&name)?.into_lcp().map_err(|error| error.within(&name))?;
-    let title = file.file.dataset(&format!("{kind}/info/title")).and_then(|t| t.read_string());
+    let title = file.read(&format!("{kind}/info/title"), Some(1), Dataset::read_string);
     let title = title.unwrap_or_else(|_| input.stem());
     let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
     Ok(Problem { model, ..Problem::new(title, lcp) })
@@ -72,6 +76,8 @@ struct Sparse {
 struct File<'a> {
     file: &'a Hdf5File,
     input: &'a str,
+    most: Memory,
+    budget: Budget,
 }
 
 impl File<'_> {
@@ -115,7 +121,8 @@ impl File<'_> {
         }
         let mut motion = Motion { mass: m.entries, jacobian: vec![Vec::new(); bias.len()], force };
         columns.into_iter().for_each(|(c, row, value)| motion.jacobian[row].push((c, value)));
-        let Some((entries, free)) = motion.dual(&vec![0.0; bias.len()]) else {
+        let dual = motion.dual(&vec![0.0; bias.len()], self.input, self.most)?;
+        let Some((entries, free)) = dual else {
             return Err(self.fault("/fclib_global/M", "is not positive definite"));
         };
         let b = free.iter().zip(&bias).map(|(free, bias)| free + bias).collect();
@@ -152,14 +159,21 @@ impl File<'_> {
             return Err(self.fault(path, "is packed, half of a matrix: not FCLIB's format"));
         }
         let (rows, cols) = (self.whole(&part("m"))?, self.whole(&part("n"))?);
-        let (p, i) = (self.integers(&part("p"))?, self.integers(&part("i"))?);
-        let x: Vec<f64> = self.read(&part("x"), floats)?;
         let fault = |reason: &str| self.fault(path, format!("{rows} × {cols}: {reason}"));
-        let (i, j) = match self.integers(&part("nz"))?[..] {
-            [-1] => (wholes(&i), unpacked(&p, cols, x.len())),
-            [-2] => (unpacked(&p, rows, x.len()), wholes(&i)),
-            [nz] if nz >= 0 => (wholes(&i), wholes(&p)), // as CSparse has them
-            _ => return Err(fault("nz must be -1, -2 or a number of triplets")),
+        let nz = self.integer(&part("nz"))?;
+        let starts = match nz {
+            -1 => cols + 1,
+            -2 => rows + 1,
+            nz => usize::try_from(nz)
+                .map_err(|_| fault("nz must be -1, -2 or a number of triplets"))?,
+        };
+        let x: Vec<f64> = self.read(&part("x"), None, floats)?;
+        let i = self.integers(&part("i"), Some(x.len()))?;
+        let p = self.integers(&part("p"), Some(starts))?;
+        let (i, j) = match nz {
+            -1 => (wholes(&i), unpacked(&p, cols, x.len())),
+            -2 => (unpacked(&p, rows, x.len()), wholes(&i)),
+            _ => (wholes(&i), wholes(&p)), // as CSparse has them
         };
         let (Some(i), Some(j)) = (i, j) else {
             return Err(fault("p and i do not tell where the numbers are"));
@@ -174,35 +188,45 @@ impl File<'_> {
     }
 
     fn whole(&self, path: &str) -> Result<usize> {
-        match self.integers(path)?[..] {
-            [value] if value >= 0 => Ok(value as usize),
-            ref other => Err(self.fault(path, format!("must be a size, is {other:?}"))),
-        }
+        let value = self.integer(path)?;
+        let negative = |_| self.fault(path, format!("must be a size, is {value}"));
+        usize::try_from(value).map_err(negative)
     }
 
-    fn integers(&self, path: &str) -> Result<Vec<i64>> {
-        self.read(path, integers)
+    fn integer(&self, path: &str) -> Result<i64> {
+        let values = self.integers(path, Some(1))?;
+        values.first().copied().ok_or_else(|| self.fault(path, "has no number"))
+    }
+
+    fn integers(&self, path: &str, count: Option<usize>) -> Result<Vec<i64>> {
+        self.read(path, count, integers)
     }
 
     /// So many finite numbers.
     fn numbers(&self, path: &str, n: usize) -> Result<Vec<f64>> {
-        let numbers: Vec<f64> = self.read(path, floats)?;
-        if numbers.len() != n {
-            return Err(self.fault(path, format!("has {} numbers, must have {n}", numbers.len())));
-        }
+        let numbers: Vec<f64> = self.read(path, Some(n), floats)?;
         match numbers.iter().find(|number| !number.is_finite()) {
             Some(number) => Err(self.fault(path, format!("has {number}"))),
             None => Ok(numbers),
         }
     }
 
+    /// The values of a dataset, of which there must be so many if that is known, and room for them.
     fn read<T>(
         &self,
         path: &str,
+        count: Option<usize>,
         values: impl Fn(&Dataset) -> hdf5_reader::error::Result<T>,
     ) -> Result<T> {
-        let read = self.file.dataset(path).and_then(|dataset| values(&dataset));
-        read.map_err(|cause| self.fault(path, cause.to_string()))
+        let fault = |cause: hdf5_reader::error::Error| self.fault(path, cause.to_string());
+        let dataset = self.file.dataset(path).map_err(fault)?;
+        let found = usize::try_from(dataset.num_elements().map_err(fault)?).unwrap_or(usize::MAX);
+        if let Some(count) = count.filter(|count| *count != found) {
+            return Err(self.fault(path, format!("has {found} numbers, must have {count}")));
+        }
+        let what = format!("{}: {path} of {found} numbers", self.input);
+        self.budget.take(what, found, size_of::<f64>())?;
+        values(&dataset).map_err(fault)
     }
 
     fn fault(&self, path: &str, reason: impl Into<String>) -> Error {

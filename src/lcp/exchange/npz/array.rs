@@ -6,9 +6,6 @@ use super::header::Header;
 use crate::lcp::exchange::table::{Table, by_rows};
 use crate::lcp::file::Entries;
 
-/// Arrays with more bytes than this are refused: a small archive can hold a very large one.
-const MOST_BYTES: usize = 1 << 30;
-
 /// Why an array cannot be used.
 pub(super) type Reason = String;
 
@@ -28,23 +25,44 @@ enum Values {
     Word(String),
 }
 
-impl Array {
-    /// The array of a `.npy` file.
+/// What stands before the entries of an array, so that their size is known before they are read.
+pub(super) struct Outline {
+    head: Header,
+    kind: Kind,
+}
+
+impl Outline {
+    /// The beginning of a `.npy` file.
     pub fn read(file: &mut dyn Read) -> Result<Self, Reason> {
-        let Header { descr, fortran_order, shape } = Header::read(file)?;
-        let kind = Kind::of(&descr)?;
-        let bytes = shape.iter().try_fold(kind.size, |bytes, length| bytes.checked_mul(*length));
-        let Some(size) = bytes.filter(|bytes| *bytes <= MOST_BYTES) else {
-            return Err(format!("has the shape {shape:?}, which is beyond 1 GiB"));
-        };
-        let mut bytes = Vec::new();
+        let head = Header::read(file)?;
+        let kind = Kind::of(&head.descr)?;
+        Ok(Outline { head, kind })
+    }
+
+    /// The length along each axis.
+    pub fn shape(&self) -> &[usize] {
+        &self.head.shape
+    }
+
+    /// How many entries there are, and the bytes of each.
+    pub fn size(&self) -> (usize, usize) {
+        (self.shape().iter().fold(1, |all, length| all.saturating_mul(*length)), self.kind.size)
+    }
+
+    /// The array, from the rest of the file.
+    pub fn filled(self, file: &mut dyn Read) -> Result<Array, Reason> {
+        let (count, entry) = self.size();
+        let (size, mut bytes) = (count.saturating_mul(entry), Vec::new());
         file.take(size as u64).read_to_end(&mut bytes).map_err(|cause| cause.to_string())?;
+        let Header { fortran_order, shape, .. } = self.head;
         if bytes.len() < size {
             return Err(format!("has {} bytes, the shape {shape:?} needs {size}", bytes.len()));
         }
-        Ok(Array { shape, by_columns: fortran_order, values: kind.values(&bytes)? })
+        Ok(Array { shape, by_columns: fortran_order, values: self.kind.values(&bytes)? })
     }
+}
 
+impl Array {
     /// A list of numbers.
     pub fn floats(values: Vec<f64>) -> Self {
         Array { shape: vec![values.len()], by_columns: false, values: Values::Floats(values) }

@@ -31,12 +31,13 @@ use std::io::{Cursor, Read, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
+use super::budget::Budget;
 use super::table::{Table, parts};
 use super::{Format, Input, Output};
 use crate::error::{Error, Result};
 use crate::lcp::Matrix;
 use crate::lcp::file::{Entries, Problem};
-use array::Array;
+use array::{Array, Outline};
 
 /// NumPy's archives of arrays.
 pub const FORMAT: Format = Format {
@@ -54,7 +55,7 @@ pub const FORMAT: Format = Format {
 
 fn read(input: &Input) -> Result<Problem> {
     let name = input.name();
-    let mut archive = Archive::open(input.bytes()?, &name)?;
+    let mut archive = Archive::open(input, &name)?;
     let known = ["A", "b", "lo", "hi", "mu", "friction_index"];
     let mut arrays = std::collections::HashMap::new();
     for part in known.into_iter().chain(SPARSE) {
@@ -136,13 +137,14 @@ fn unpacked(starts: &[usize], lines: usize, count: usize, input: &str) -> Result
 struct Archive<'a> {
     input: &'a str,
     zip: ZipArchive<Cursor<Vec<u8>>>,
+    budget: Budget,
 }
 
 impl<'a> Archive<'a> {
-    fn open(bytes: Vec<u8>, input: &'a str) -> Result<Self> {
-        let zip = ZipArchive::new(Cursor::new(bytes))
+    fn open(file: &Input, input: &'a str) -> Result<Self> {
+        let zip = ZipArchive::new(Cursor::new(file.bytes()?))
             .map_err(|cause| Error::invalid(input, "archive", cause.to_string()))?;
-        Ok(Archive { input, zip })
+        Ok(Archive { input, zip, budget: Budget::new(file.most()) })
     }
 
     fn names(&self) -> Vec<String> {
@@ -164,7 +166,12 @@ impl<'a> Archive<'a> {
             Err(zip::result::ZipError::FileNotFound) => return Ok(None),
             Err(cause) => return Err(fault(cause.to_string())),
         };
-        Array::read(&mut file as &mut dyn Read).map(Some).map_err(fault)
+        let file = &mut file as &mut dyn Read;
+        let outline = Outline::read(file).map_err(fault)?;
+        let what = format!("{}: {part} of the shape {:?}", self.input, outline.shape());
+        let (count, size) = outline.size();
+        self.budget.take(what, count, size)?;
+        outline.filled(file).map(Some).map_err(fault)
     }
 }
 

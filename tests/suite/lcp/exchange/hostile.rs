@@ -3,7 +3,9 @@
 use std::io::{Cursor, Write};
 use std::path::Path;
 
+use lcplab::error::Error;
 use lcplab::lcp::exchange::{self, ALL, Format};
+use lcplab::memory::Memory;
 use proptest::prelude::*;
 
 use super::{message, sample};
@@ -73,7 +75,7 @@ fn archive(shape: &str) -> Vec<u8> {
 }
 
 #[test]
-fn arrays_are_not_unpacked_beyond_their_limit() {
+fn arrays_are_not_unpacked_beyond_the_limit() {
     let message = |shape: &str| {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("p.npz");
@@ -83,10 +85,49 @@ fn arrays_are_not_unpacked_beyond_their_limit() {
     let whole = |text: String| text.split_once("p.npz: ").unwrap().1.to_string();
     assert_eq!(
         whole(message("(100000, 100000)")),
-        "A: has the shape [100000, 100000], which is beyond 1 GiB"
+        "A of the shape [100000, 100000] needs 560 GB, above the limit of 4 GB: --max-memory"
     );
-    assert!(message("(9999999999, 9999999999, 9999999999)").contains("beyond 1 GiB"));
+    assert!(message("(9999999999, 9999999999, 9999999999)").contains("above the limit"));
     assert_eq!(whole(message("(2, 2)")), "A: has 0 bytes, the shape [2, 2] needs 32");
+}
+
+#[test]
+fn arrays_that_are_small_one_by_one_are_refused_together() {
+    let count = 100_000;
+    let head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({count},), }}\n");
+    let head = [&b"\x93NUMPY\x01\x00"[..], &(head.len() as u16).to_le_bytes(), head.as_bytes()];
+    let array = [head.concat(), vec![0; 8 * count]].concat();
+    let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    for part in ["b", "lo", "hi", "data"] {
+        zip.start_file(format!("{part}.npy"), zip::write::SimpleFileOptions::default()).unwrap();
+        zip.write_all(&array).unwrap();
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.npz");
+    std::fs::write(&path, zip.finish().unwrap().into_inner()).unwrap();
+    assert!(path.metadata().unwrap().len() < 10_000);
+    let read = |most| exchange::read_within(&path, None, Memory::bytes(most)).unwrap_err();
+    assert!(matches!(read(16_000_000), Error::TooLarge { limit: 16_000_000, .. }));
+    assert!(matches!(read(100_000_000), Error::Invalid { .. }), "there is no A");
+}
+
+/// Rows on one mass: their A is full, and larger than the file by the square of it.
+#[test]
+fn a_matrix_that_a_file_only_asks_for_is_refused() {
+    let (folder, rows) = (tempfile::tempdir().unwrap(), 1000);
+    let lines = |line: &dyn Fn(usize) -> String| (0..rows).map(line).collect::<String>();
+    for (part, text) in [
+        ("Cq", lines(&|i| format!("{i} 0 1\n"))),
+        ("H", "0 0 1\n".into()),
+        ("f", "1\n".into()),
+        ("b", lines(&|_| "0\n".into())),
+        ("fric", lines(&|_| "-2\n".into())),
+    ] {
+        std::fs::write(folder.path().join(format!("dump_{part}.dat")), text).unwrap();
+    }
+    let refused = exchange::read_within(folder.path(), None, Memory::bytes(1_000_000));
+    let message = refused.unwrap_err().to_string();
+    assert!(message.contains("A of 1000 rows needs 1.01 MB, above the limit of 1 MB"), "{message}");
 }
 
 #[test]

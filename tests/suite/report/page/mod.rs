@@ -73,6 +73,57 @@ fn text_is_escaped_everywhere() {
 }
 
 #[test]
+fn no_formula_brings_tags_of_its_own() {
+    let evil = [
+        "<script>alert(1)</script>",
+        "<img src=x onerror=alert(1)>",
+        "<mi onclick=\"alert(1)\">x</mi>",
+        "<mi href=\"https://example.org\">x</mi>",
+        "</math>",
+        "<mi>",
+        "<svg/onload=alert(1)>",
+        "<iframe",
+        "<",
+    ];
+    let wraps = ["operatorname", "operatorname*", "mathrm", "text", "textbf", "mathop", "tag"];
+    for (evil, wrap) in evil.iter().flat_map(|evil| wraps.map(|wrap| (evil, wrap))) {
+        let latex = format!("\\{wrap}{{{evil}}}");
+        let blocks = [Block::Equation { latex: latex.clone(), label: None }];
+        let inline = [Block::Text(format!("${latex}$"))];
+        for blocks in [blocks, inline] {
+            if let Ok(html) = page(blocks.into()).render() {
+                let main = &html[html.find("<main").unwrap()..html.find("</main>").unwrap()];
+                let count = |piece: &str| main.matches(piece).count();
+                let acting = ["<script", "<img", "<svg/", "<iframe", "<mi on", "<mi href"];
+                assert!(acting.iter().all(|tag| count(tag) == 0), "{latex}");
+                assert_eq!([count("<math"), count("</math>")], [1, 1], "{latex}");
+                assert_eq!(count("<mi"), count("</mi>"), "{latex}");
+            }
+        }
+    }
+    let message = page(vec![Block::Text(format!("$\\operatorname{{{}}}$", evil[0]))]).render();
+    let message = message.unwrap_err().to_string();
+    assert!(message.contains("a tag that is not MathML: \"script\""), "{message}");
+    assert!(text("$a < b > c \\lt \\operatorname{sign} \\text{a < b}$").contains("&lt;"));
+}
+
+#[test]
+fn formulas_nest_as_deep_as_they_are_long() {
+    let nested =
+        ["{", "\\hat", "\\sqrt ", "\\frac", "\\left(", "\\color{red}", "\\not ", "√", "x^{", "["];
+    for piece in nested {
+        for count in [300, 9_900 / piece.len()] {
+            let latex = format!("{}x{}", piece.repeat(count), "}".repeat(count));
+            let _ = page(vec![Block::Equation { latex, label: None }]).render(); // an error is an answer
+        }
+    }
+    let braces = format!("{}x{}", "{".repeat(5000), "}".repeat(5000));
+    assert!(text(&format!("${braces}$")).contains("<mi>x</mi>"));
+    let long = page(vec![Block::Text(format!("${}$", "x".repeat(30_000)))]).render();
+    assert!(long.unwrap_err().to_string().contains("30000 bytes"));
+}
+
+#[test]
 fn a_bad_equation_is_an_error_that_names_it_and_its_place() {
     let mut page = page(vec![
         Block::Text("good $x$".into()),

@@ -162,8 +162,26 @@ fn faults(html: &str, folder: &Path) -> Vec<String> {
     faults
 }
 
+/// What a page has that its policy would not let in, or that there is no policy before it.
+fn assert_policy(html: &str) {
+    let (elements, _) = parsed(html);
+    let is_script = |e: &&Element| e.name == "script" && e.get("type").is_none();
+    let scripts: Vec<_> = elements.iter().filter(is_script).collect();
+    assert!(matches!(scripts[..], [own] if own.get("src").is_none()), "{} scripts", scripts.len());
+    for element in &elements {
+        let handler = element.attributes.keys().find(|name| name.starts_with("on"));
+        assert!(handler.is_none(), "<{}> has {handler:?}", element.name);
+    }
+    let head = elements.iter().take_while(|e| !["style", "script"].contains(&e.name.as_str()));
+    let policy = head.filter(|e| e.get("http-equiv") == Some("Content-Security-Policy"));
+    let policy = policy.filter_map(|e| e.get("content")).next().unwrap();
+    assert!(policy.starts_with("default-src 'none'; script-src 'sha256-"), "{policy}");
+    assert!(!policy.contains("http") && !policy.contains('*'), "{policy}");
+}
+
 fn assert_valid(html: &str, folder: &Path) {
     assert!(html.len() > 1000 && html.contains("</html>"));
+    assert_policy(html);
     let faults = faults(html, folder);
     assert!(faults.is_empty(), "{faults:#?}");
 }
