@@ -24,7 +24,9 @@
 //! ```
 
 use super::interval::{Interval, add_up, mul_up};
-use super::{Certificate, Demand, Evidence, Refusal, Verdict, accurate_terms, judge, judge_cone};
+use super::{
+    Certificate, Demand, Evidence, Refusal, Refutation, Verdict, accurate_terms, judge, judge_cone,
+};
 use crate::lcp::friction::{Polyhedral, Posed};
 use crate::lcp::merit::RowTerms;
 
@@ -35,16 +37,31 @@ pub struct FrictionCertificate {
     pub w: Vec<f64>,
     /// The largest scaled residual of the model's own problem.
     pub scaled_residual: f64,
+    /// The row of x that has it, t1 for a β and n for a γ of a polygon.
+    pub worst_row: usize,
     /// The decision; its row is one of x, t1 for a β and n for a γ of a polygon.
     pub verdict: Verdict,
     /// What else was shown in exact arithmetic; of boxes only.
     pub evidence: Option<Evidence>,
 }
 
+impl FrictionCertificate {
+    /// The same x as the answer to a problem that has no solution.
+    pub fn refuted_by(self, refutation: Refutation) -> Self {
+        let verdict = self.verdict.refused(self.worst_row, self.scaled_residual);
+        FrictionCertificate { verdict, evidence: Some(Evidence::NoSolution(refutation)), ..self }
+    }
+
+    /// Why the problem has no solution, if that was shown.
+    pub fn refutation(&self) -> Option<&Refutation> {
+        self.evidence.as_ref().and_then(Evidence::refutation)
+    }
+}
+
 impl From<Certificate> for FrictionCertificate {
     fn from(certificate: Certificate) -> Self {
-        let Certificate { w, scaled_residual, verdict, evidence, .. } = certificate;
-        FrictionCertificate { w, scaled_residual, verdict, evidence }
+        let Certificate { w, scaled_residual, worst_row, verdict, evidence, .. } = certificate;
+        FrictionCertificate { w, scaled_residual, worst_row, verdict, evidence }
     }
 }
 
@@ -61,6 +78,7 @@ pub fn judge_friction(problem: &Posed, x: &[f64], demand: &Demand) -> FrictionCe
             FrictionCertificate {
                 w: certificate.w,
                 scaled_residual: certificate.scaled_residual,
+                worst_row: certificate.worst_row,
                 verdict: certificate.verdict,
                 evidence: None,
             }
@@ -93,8 +111,11 @@ fn judge_polyhedral(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fric
         }
         Verdict::Proved { .. } | Verdict::WithinTolerance => Verdict::WithinTolerance,
     };
-    let scaled_residual = certificate.scaled_residual.max(stray);
-    FrictionCertificate { w, scaled_residual, verdict, evidence: None }
+    let (worst_row, scaled_residual) = match certificate.scaled_residual {
+        residual if residual >= stray => (polyhedral.row(certificate.worst_row), residual),
+        _ => (row, stray),
+    };
+    FrictionCertificate { w, scaled_residual, worst_row, verdict, evidence: None }
 }
 
 /// How far the impulses of an exact z* are from x at most, |z − z*| being at most `distance`: each of

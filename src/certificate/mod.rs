@@ -112,6 +112,16 @@ impl Verdict {
         }
     }
 
+    /// The verdict once it is known that the problem has no solution: an x that misses already is
+    /// refused for that.
+    fn refused(self, row: usize, amount: f64) -> Verdict {
+        let why = match self {
+            Verdict::NotASolution { why: Refusal::Residual, .. } => Refusal::Residual,
+            _ => Refusal::Impossible,
+        };
+        Verdict::NotASolution { row, amount, why }
+    }
+
     /// The word used in JSON, tables and plots.
     pub fn word(&self) -> &'static str {
         match self {
@@ -134,7 +144,10 @@ impl std::fmt::Display for Verdict {
                 write!(f, "not a solution: row {row} misses by {amount:.1e} of its terms")
             }
             Verdict::NotASolution { why: Refusal::Worthless, .. } => {
-                write!(f, "not a solution: x is no nearer to one than zero is, only its terms are large")
+                write!(
+                    f,
+                    "not a solution: x is no nearer to one than zero is, only its terms are large"
+                )
             }
             Verdict::NotASolution { why: Refusal::Impossible, .. } => {
                 write!(f, "not a solution: the problem has none")
@@ -217,16 +230,8 @@ pub enum Evidence {
 impl Certificate {
     /// The same x as the answer to a problem that has no solution.
     pub fn refuted_by(self, refutation: Refutation) -> Self {
-        let (row, amount) = (self.worst_row, self.scaled_residual);
-        let why = match self.verdict {
-            Verdict::NotASolution { why: Refusal::Residual, .. } => Refusal::Residual,
-            _ => Refusal::Impossible,
-        };
-        Certificate {
-            verdict: Verdict::NotASolution { row, amount, why },
-            evidence: Some(Evidence::NoSolution(refutation)),
-            ..self
-        }
+        let verdict = self.verdict.refused(self.worst_row, self.scaled_residual);
+        Certificate { verdict, evidence: Some(Evidence::NoSolution(refutation)), ..self }
     }
 
     /// The direction in which the solution can be moved without moving any w, if one was shown.
@@ -239,8 +244,14 @@ impl Certificate {
 
     /// Why the problem has no solution, if that was shown.
     pub fn refutation(&self) -> Option<&Refutation> {
-        match &self.evidence {
-            Some(Evidence::NoSolution(refutation)) => Some(refutation),
+        self.evidence.as_ref().and_then(Evidence::refutation)
+    }
+}
+
+impl Evidence {
+    fn refutation(&self) -> Option<&Refutation> {
+        match self {
+            Evidence::NoSolution(refutation) => Some(refutation),
             _ => None,
         }
     }

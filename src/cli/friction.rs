@@ -6,7 +6,7 @@ use lcplab::certificate::Demand;
 use lcplab::error::{Error, Result};
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::{FrictionProblem, Model, Posed};
-use lcplab::report::answer::status_word;
+use lcplab::report::answer::claim;
 use lcplab::report::friction::Judged;
 use lcplab::report::methods;
 use lcplab::solver::{Method, Options, Status};
@@ -62,8 +62,8 @@ impl Friction {
         let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
         limits.over();
         let judged = Judged::of(&self.problem, &self.posed, &solution.x, demand);
-        let word = status_word(&solution.status);
-        let message = stopped.map_or_else(|| solution.status.to_string(), |by| by.to_string());
+        let judged = judged.with_claim(&self.posed, &solution.status, demand);
+        let (word, message) = claim(&solution.status, judged.certificate.refutation(), stopped);
         if json {
             let mut object = Map::new();
             object.insert("status".into(), json!(word));

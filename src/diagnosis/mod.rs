@@ -99,7 +99,14 @@ fn slow(lcp: &Lcp) -> Option<Cause> {
 
 impl Diagnosis {
     fn named(subject: String, labels: Vec<String>) -> Self {
-        Diagnosis { subject, labels, freedoms: None, regularity: None, is_unique: false, causes: Vec::new() }
+        Diagnosis {
+            subject,
+            labels,
+            freedoms: None,
+            regularity: None,
+            is_unique: false,
+            causes: Vec::new(),
+        }
     }
 
     /// Whether a step can be taken.
@@ -126,9 +133,10 @@ impl Diagnosis {
             self.causes.push(Cause::Impossible { rows: self.names(rows), proof });
         }
         self.is_unique = lcp.coupling().is_none() && error_bound::is_definite(lcp);
-        let is_indefinite = self.causes.iter().any(|cause| {
-            matches!(cause, Cause::Indefinite { .. } | Cause::Unsymmetric)
-        });
+        let is_indefinite = self
+            .causes
+            .iter()
+            .any(|cause| matches!(cause, Cause::Indefinite { .. } | Cause::Unsymmetric));
         self.redundancy(&found, lcp.coupling().is_none() && !is_indefinite);
         if found.condition > ILL {
             self.causes.push(Cause::IllConditioned { condition: found.condition });

@@ -216,8 +216,7 @@ pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
 /// Whether the longest of these steps is a tenth of the longest of those of Π(0) at most, or Π(0) is
 /// within the tolerance.
 pub(super) fn is_better(misses: &[Miss], of_nothing: &[Miss], tolerance: f64) -> bool {
-    let longest =
-        |misses: &[Miss]| misses.iter().map(Miss::step).fold(f64::NEG_INFINITY, f64::max);
+    let longest = |misses: &[Miss]| misses.iter().map(Miss::step).fold(f64::NEG_INFINITY, f64::max);
     longest(misses) <= longest(of_nothing) + libm::log2(BETTER)
         || of_nothing.iter().all(|miss| miss.relative() <= tolerance)
 }

@@ -15,6 +15,9 @@ use crate::lcp::merit::row_scale;
 /// d, if the optimum seems to be negative.
 pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
     let n = lcp.len();
+    if n == 0 {
+        return None; // clarabel knows no empty program
+    }
     let unit: Vec<f64> = (0..n)
         .map(|i| match row_scale(lcp, i) {
             0.0 => 1.0,
@@ -44,6 +47,9 @@ pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
             }
         }
         program.equate(column, 0.0);
+    }
+    if !program.is_finite() {
+        return None; // in these units, some number is too large
     }
     let found = program.solve_within(MAX_ITERATIONS);
     let is_proof = found.solved && found.objective < 0.0;

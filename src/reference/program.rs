@@ -79,6 +79,14 @@ impl Program {
         self.cones.extend(rows.map(|(i, value)| (vec![(i, -value)], 0.0)));
     }
 
+    /// Whether all numbers are.
+    pub(super) fn is_finite(&self) -> bool {
+        let rows = || self.equations.iter().chain(&self.inequalities).chain(&self.cones);
+        let coefficients = rows().flat_map(|(g, h)| g.iter().map(|&(_, g)| g).chain([*h]));
+        let costs = self.linear.iter().copied();
+        coefficients.chain(costs).all(f64::is_finite)
+    }
+
     pub(super) fn solve(self) -> Reference {
         self.solve_within(MAX_ITERATIONS)
     }

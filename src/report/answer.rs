@@ -33,16 +33,7 @@ impl Answer {
     /// judge looks for a proof of that.
     pub fn judged(lcp: &Lcp, solver: &'static str, solution: Solution, demand: &Demand) -> Self {
         let certificate = judge(lcp, &solution.x, demand);
-        let denied = match &solution.status {
-            Status::Ray { direction, .. } => Some(Some(direction.as_slice())),
-            Status::NoSolution => Some(None),
-            _ => None,
-        };
-        let is_open = !matches!(certificate.verdict, Verdict::Proved { .. })
-            && certificate.refutation().is_none()
-            && lcp.len() <= demand.prove_up_to;
-        let refutation = denied.filter(|_| is_open).and_then(|hint| refutation(lcp, hint));
-        let certificate = match refutation {
+        let certificate = match proof_of_denial(lcp, &solution.status, demand) {
             Some(refutation) => certificate.refuted_by(refutation),
             None => certificate,
         };
@@ -57,21 +48,12 @@ impl Answer {
 
     /// The solver's claim in one of four words. `infeasible` is said only with a proof.
     pub fn status_word(&self) -> &'static str {
-        match &self.solution.status {
-            Status::Ray { .. } | Status::NoSolution if self.certificate.refutation().is_some() => {
-                "infeasible"
-            }
-            status => status_word(status),
-        }
+        claim(&self.solution.status, self.certificate.refutation(), self.stopped).0
     }
 
     /// The status in words.
     pub fn message(&self) -> String {
-        if let ("infeasible", Some(refutation)) = (self.status_word(), self.certificate.refutation())
-        {
-            return format!("no solution exists, {}", how(refutation));
-        }
-        self.stopped.map_or_else(|| self.solution.status.to_string(), |by| by.to_string())
+        claim(&self.solution.status, self.certificate.refutation(), self.stopped).1
     }
 
     /// The object that `solve --json` prints.
@@ -92,6 +74,33 @@ impl Answer {
             fields.insert("error_bound".into(), number(bound));
         }
         Value::Object(fields)
+    }
+}
+
+/// What the judge finds where a solver has ended on a ray or says that there is no solution.
+pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Refutation> {
+    let hint = match status {
+        Status::Ray { direction, .. } => Some(direction.as_slice()),
+        Status::NoSolution => None,
+        _ => return None,
+    };
+    (lcp.len() <= demand.prove_up_to).then(|| refutation(lcp, hint)).flatten()
+}
+
+/// A solver's claim, in one of four words and in a sentence. `infeasible` is said only with a proof.
+pub fn claim(
+    status: &Status,
+    refutation: Option<&Refutation>,
+    stopped: Option<Reason>,
+) -> (&'static str, String) {
+    match (status, refutation) {
+        (Status::Ray { .. } | Status::NoSolution, Some(refutation)) => {
+            ("infeasible", format!("no solution exists, {}", how(refutation)))
+        }
+        _ => {
+            let message = stopped.map_or_else(|| status.to_string(), |by| by.to_string());
+            (status_word(status), message)
+        }
     }
 }
 
@@ -146,7 +155,9 @@ pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
         object.insert(key.into(), number(value));
     }
     object.extend(verdict_json(&certificate.verdict));
-    object.extend(certificate.evidence.iter().map(|evidence| ("certificate".into(), evidence_json(evidence))));
+    object.extend(
+        certificate.evidence.iter().map(|evidence| ("certificate".into(), evidence_json(evidence))),
+    );
     object
 }
 

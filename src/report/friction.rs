@@ -3,12 +3,13 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
-use super::answer::{evidence_json, evidence_text, verdict_json};
+use super::answer::{evidence_json, evidence_text, proof_of_denial, verdict_json};
 use crate::certificate::{Demand, FrictionCertificate, judge_cone, judge_friction};
 use crate::lcp::Lcp;
 use crate::lcp::file::number;
 use crate::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Posed};
 use crate::lcp::merit::RowTerms;
+use crate::solver::Status;
 
 /// A contact slides if |w_t| is above this part of the terms it is the sum of.
 const SLIP: f64 = 1e-6;
@@ -48,6 +49,18 @@ impl Judged {
             certificate: judge_friction(posed, x, demand),
             contacts: problem.contacts().iter().map(|c| contact(problem.lcp(), c, x)).collect(),
             coulomb_residual: judge_cone(&coulomb, x, demand).scaled_residual,
+        }
+    }
+
+    /// The same with what the judge finds where the solver says that there is no solution.
+    pub fn with_claim(self, posed: &Posed, status: &Status, demand: &Demand) -> Self {
+        let proof = match posed {
+            Posed::Boxed(lcp) => proof_of_denial(lcp, status, demand),
+            Posed::Polyhedral(_) | Posed::Cone(_) => None,
+        };
+        match proof {
+            Some(proof) => Judged { certificate: self.certificate.refuted_by(proof), ..self },
+            None => self,
         }
     }
 

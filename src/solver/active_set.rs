@@ -131,9 +131,5 @@ pub(super) fn unit(lcp: &Lcp, i: usize) -> f64 {
 
 /// The status of a method that has ended at x by its own rules.
 pub(super) fn claim(lcp: &Lcp, x: &[f64], settings: &Settings) -> Status {
-    if merit::is_solution(lcp, x, settings.tolerance) {
-        Status::Solved
-    } else {
-        Status::Inaccurate
-    }
+    if merit::is_solution(lcp, x, settings.tolerance) { Status::Solved } else { Status::Inaccurate }
 }

@@ -79,12 +79,13 @@ impl Apgd {
             Ok(metric) => metric,
             Err(status) => return Solution::new(problem.lcp(), x, status, 0),
         };
-        let mut inner = self.settings.clone();
+        let (mut inner, mut is_asked_again) = (self.settings.clone(), false);
         frozen::solve(problem, x, &self.settings, |problem, x, first| {
             let lcp = problem.lcp();
-            if first > 0 && problem.scaled_residual(&x) <= inner.tolerance {
+            if is_asked_again && problem.scaled_residual(&x) <= inner.tolerance {
                 inner.tolerance *= TIGHTER; // the frozen problem is measured more kindly
             }
+            is_asked_again = true;
             let (mut y, mut theta, mut curvature) = (x.clone(), 1.0, 1.0);
             iterate(problem, x, first, &inner, observer, |x| {
                 let gradient = metric.gradient(lcp, &y);

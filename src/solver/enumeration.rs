@@ -8,12 +8,16 @@
 //! that the worst case of pivoting, 2ⁿ, is no worse than trying everything.
 //!
 //! Exact elimination costs O(n³) a set, so the number of sets is limited: `OutsideClass` above 65536
-//! (16 contacts, 10 boxes). Sets are counted with row 0 fastest. The start makes no difference.
+//! (16 contacts, 10 boxes), or three contacts with two tangents each; of more of these the bounds are [`frozen`], which
+//! may lead to a solution but proves nothing. Sets are counted with row 0 fastest. The start makes no
+//! difference but for frozen bounds.
 
 use super::active_set::claim;
-use super::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, pivoting};
-use crate::lcp::Lcp;
+use super::{
+    Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen, pivoting,
+};
 use crate::lcp::exact::{Pieces, Point};
+use crate::lcp::{Complementarity, Lcp};
 use crate::memory::Memory;
 
 /// Enumeration of all active sets; stops at the first solution.
@@ -30,20 +34,42 @@ impl Solver for Enumeration {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if let Some(status) =
-            pivoting::begin(lcp, &x, Memory::numbers(0), &self.settings, observer)
+        if let Some(status) = pivoting::begin(lcp, &x, Memory::numbers(0), &self.settings, observer)
         {
             return Solution::new(lcp, x, status, 0);
         }
+        let solution = self.try_all(lcp, x.clone(), 0, observer);
+        if lcp.is_frozen() || !matches!(solution.status, Status::OutsideClass { .. }) {
+            return solution;
+        }
+        frozen::solve(lcp, x, &self.settings, |frozen, x, before| {
+            let solution = self.try_all(frozen, x, before, observer);
+            match solution.status {
+                // with other frozen bounds there may be one
+                Status::NoSolution => Solution { status: Status::Stalled, ..solution },
+                _ => solution,
+            }
+        })
+    }
+}
+
+impl Enumeration {
+    fn try_all(
+        &self,
+        lcp: &Lcp,
+        x: Vec<f64>,
+        before: usize,
+        observer: &mut dyn Observer,
+    ) -> Solution {
         let Some(pieces) = Pieces::of(lcp) else {
             let reason = "more than 65536 active sets";
-            return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
+            return Solution::new(lcp, x, Status::OutsideClass { reason }, before);
         };
         for k in 0..pieces.count() {
-            if k >= self.settings.max_iterations {
-                return Solution::new(lcp, x, Status::IterationLimit, k);
+            let count = before + k + 1;
+            if count > self.settings.max_iterations {
+                return Solution::new(lcp, x, Status::IterationLimit, count - 1);
             }
-            let count = k + 1;
             let found = pieces.solutions(&pieces.piece(k)).first().map(rounded);
             if !found.iter().flatten().all(|x| x.is_finite()) {
                 return Solution::new(lcp, x, Status::NotFinite, count); // beyond 1.8e308
@@ -58,7 +84,7 @@ impl Solver for Enumeration {
                 return Solution::new(lcp, x, status, count);
             }
         }
-        Solution::new(lcp, x, Status::NoSolution, pieces.count())
+        Solution::new(lcp, x, Status::NoSolution, before + pieces.count())
     }
 }
 

@@ -9,8 +9,8 @@ use super::{
     ALL, CONES, Choice, Class, ConeEntry, Entry, MatrixClass, Observer, Options, Solution, Solver,
     Start, Status,
 };
-use crate::lcp::{Complementarity, merit};
 use crate::lcp::friction::{Law, Model, Polyhedral, Posed};
+use crate::lcp::{Complementarity, merit};
 
 /// A solver of either kind.
 #[derive(Debug, Clone, Copy)]
@@ -120,9 +120,7 @@ fn impulses(polyhedral: &Polyhedral, solution: Solution, tolerance: f64) -> Solu
     let Solution { x: z, status, iterations, .. } = solution;
     let x = polyhedral.x(&z);
     let status = match status {
-        Status::Solved
-            if !merit::is_solution(polyhedral.lcp(), &polyhedral.z(&x), tolerance) =>
-        {
+        Status::Solved if !merit::is_solution(polyhedral.lcp(), &polyhedral.z(&x), tolerance) => {
             Status::Inaccurate
         }
         Status::ZeroDiagonal { row } => Status::ZeroDiagonal { row: polyhedral.row(row) },

@@ -78,6 +78,7 @@ pub mod theory;
 mod variable;
 mod warm;
 
+pub use crate::lcp::exact::all_solutions;
 pub use admm::Admm;
 pub use apgd::Apgd;
 pub use block_pgs::BlockPgs;
@@ -87,7 +88,6 @@ pub use code6::Code6;
 pub use cone::{CONES, ConeEntry, ConePgs, ConeSolver, cone_by_name};
 pub use dantzig::{Dantzig, Side};
 pub use enumeration::Enumeration;
-pub use crate::lcp::exact::all_solutions;
 pub use equations::Equations;
 pub use interior_point::InteriorPoint;
 pub use jacobi::{Damping, Jacobi};

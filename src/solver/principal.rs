@@ -7,8 +7,8 @@ use super::kernel::{Width, terms};
 use super::{
     Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen, pivoting,
 };
-use crate::lcp::merit::{self, RowTerms};
 use crate::lcp::Lcp;
+use crate::lcp::merit::{self, RowTerms};
 use crate::memory::Memory;
 
 /// Which of the rows that are not satisfied change sides.

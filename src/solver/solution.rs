@@ -126,7 +126,9 @@ impl fmt::Display for Status {
             Status::ZeroDiagonal { row } => write!(f, "the diagonal of row {row} is not positive"),
             Status::Singular { row } => write!(f, "singular at row {row}"),
             Status::Ray { row, .. } => write!(f, "a ray: row {row} cannot be satisfied"),
-            Status::NoSolution => write!(f, "no solution exists: no active set carries one"),
+            Status::NoSolution => {
+                write!(f, "all active sets were tried, and none carries a solution")
+            }
             Status::TooLarge { needs, limit } => {
                 write!(f, "needs {needs}, above the limit of {limit}: --max-memory")
             }

@@ -228,7 +228,7 @@ class Problem:
         return top < 0
 
     def moves(self, y, d):
-        """Can the solution y move along d or against it, with A d = 0 and y_i inside where d_i != 0?"""
+        """Can the solution y move along d or against it, with A d = 0?  Rows at a coupled bound may follow it."""
         if not any(d) or any(sum(map(mul, row, d)) for row in self.rows):
             return False
         bounds = [(lo, hi, 0) if k < 0 else (lo, hi, self.mu[i] * d[k])
@@ -237,8 +237,7 @@ class Problem:
         step = min((g / abs(rate) / 2 for g, rate in gaps if rate and 0 < g < INF), default=Q(1))
         for t in (step, -step):
             z = [v + t * dv for v, dv in zip(y, d)]
-            is_inside = (lo < v < hi for v, (_, _, lo, hi) in zip(z, self.rows_at(z)))
-            if self.is_solution(z) and all(inside or not dv for inside, dv in zip(is_inside, d)):
+            if self.is_solution(z):
                 return True
         return False
 

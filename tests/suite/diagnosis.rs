@@ -1,7 +1,7 @@
 //! Each cause of trouble that the chapter lists has an input that shows it and a message that names it.
 
 use lcplab::certificate::regularity::regularity;
-use lcplab::diagnosis::{Cause, Proof, Diagnosis, problem, scene};
+use lcplab::diagnosis::{Cause, Diagnosis, Proof, problem, scene};
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::scene::Scene;
@@ -42,7 +42,9 @@ fn a_regular_problem_has_nothing_wrong() {
 #[test]
 fn the_three_rows_of_figure_8_are_proved_impossible() {
     let found = of_scene("fig8");
-    let Cause::Impossible { rows, proof: Proof::Vector } = &found.causes[0] else { panic!("{found:?}") };
+    let Cause::Impossible { rows, proof: Proof::Vector } = &found.causes[0] else {
+        panic!("{found:?}")
+    };
     assert_eq!(
         rows,
         &[
@@ -86,7 +88,10 @@ mass = 1
 position = [0, -9.5, 0]
 "#;
     let found = of_text(&text);
-    assert!(matches!(&found.causes[0], Cause::Impossible { proof: Proof::Vector, .. }), "{found:?}");
+    assert!(
+        matches!(&found.causes[0], Cause::Impossible { proof: Proof::Vector, .. }),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -100,7 +105,10 @@ fn a_rounded_contradiction_is_told_though_not_proved() {
     };
     let rows = [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]];
     let found = of_lcp(equations(&[&rows[0], &rows[1]], &[1.0, 2.0]));
-    assert!(matches!(&found.causes[0], Cause::Impossible { proof: Proof::Rounding, .. }), "{found:?}");
+    assert!(
+        matches!(&found.causes[0], Cause::Impossible { proof: Proof::Rounding, .. }),
+        "{found:?}"
+    );
     let found = of_lcp(equations(&[&rows[0], &rows[1]], &[1.0, 3.0]));
     assert_eq!(names(&found), ["over-constrained"]);
 }

@@ -9,9 +9,7 @@ pub(super) enum System {
     /// One solution: numerators over a positive denominator.
     One(Vec<IBig>, IBig),
     /// So many unknowns can be chosen.
-    Many {
-        open: usize,
-    },
+    Many { open: usize },
 }
 
 /// Solves equations c·y + c₀ = 0, each a row of integers with c₀ last, in m unknowns.

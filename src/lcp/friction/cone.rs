@@ -99,7 +99,8 @@ impl ConeProblem {
     /// contact have that of their plane.
     pub fn misses(&self, terms: &[RowTerms], x: &[f64]) -> Vec<Miss> {
         let Lcp { lo, hi, .. } = &self.friction.lcp;
-        let mut misses: Vec<Miss> = (0..x.len()).map(|i| terms[i].miss(x[i], lo[i], hi[i])).collect();
+        let mut misses: Vec<Miss> =
+            (0..x.len()).map(|i| terms[i].miss(x[i], lo[i], hi[i])).collect();
         for contact in &self.friction.contacts {
             let rows = contact.rows.map(|i| terms[i]);
             let [normal, tangential] = match self.law {

@@ -61,10 +61,12 @@ impl View for Plan {
 fn table(checks: &[CrossCheck]) -> Table {
     Table {
         title: "Differences from the reference solutions".into(),
-        how_to_read: "Largest difference of any entry. “shared” in the column *x* means that x is \
-                      not unique, so that a difference in x is no fault. “u − û at most” is \
-                      proved, by duality and interval arithmetic: no entry of our motion is \
-                      farther from the exact one, with the bounds of friction rows as at our x."
+        how_to_read: "Largest difference of any entry. “shared” in the column *x* means that \
+                      the rows between their bounds depend on each other, so that a difference in x is no \
+                      fault. “u − û at most” is \
+                      bounded by duality and interval arithmetic: no entry of our motion is farther \
+                      from the exact one. Where rows have friction that is the frozen motion, with \
+                      their bounds as at our x, and no proof of the motion itself."
             .into(),
         columns: vec![
             Column::words("scene"),
@@ -87,7 +89,7 @@ fn table(checks: &[CrossCheck]) -> Table {
 }
 
 fn cells(check: &CrossCheck) -> Vec<Cell> {
-    let unique = if check.rank == check.free { "unique" } else { "shared" };
+    let rows = if check.rank == check.free { "independent" } else { "shared" };
     vec![
         Cell::text(&check.scene),
         Cell::text(&check.stage),
@@ -95,7 +97,7 @@ fn cells(check: &CrossCheck) -> Vec<Cell> {
         Cell::count(check.rows),
         Cell::count(check.free),
         Cell::count(check.rank),
-        Cell::text(unique),
+        Cell::text(rows),
         Cell::number(check.x_difference, 2),
         Cell::number(check.w_difference, 2),
         Cell::number(check.u_difference, 2),

@@ -80,7 +80,8 @@ fn a_slip_under_a_heavy_load_is_seen_beside_its_own_terms() {
         let friction = FrictionProblem::new(lcp, vec![contact]).unwrap();
         for law in [Law::Coulomb, Law::Associated] {
             let problem = ConeProblem::new(friction.clone(), law);
-            let accepts = |x: [f64; 3]| judge_cone(&problem, &x, &Demand::default()).verdict.is_solution();
+            let accepts =
+                |x: [f64; 3]| judge_cone(&problem, &x, &Demand::default()).verdict.is_solution();
             assert!(accepts([1.0, -1e-3, 0.0]), "{load} {law:?}");
             for wrong in [[1.0, 0.5, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-3, 0.0], [1.0, 0.0, 1e-3]] {
                 assert!(!accepts(wrong), "{load} {law:?} {wrong:?}");
@@ -98,7 +99,8 @@ fn no_size_of_the_terms_hides_friction_outside_the_cone() {
         let contact = Contact { rows: [0, 1, 2], mu: 1.0 };
         let friction = FrictionProblem::new(lcp, vec![contact]).unwrap();
         let problem = ConeProblem::new(friction, Law::Coulomb);
-        let accepts = |x: [f64; 3]| judge_cone(&problem, &x, &Demand::default()).verdict.is_solution();
+        let accepts =
+            |x: [f64; 3]| judge_cone(&problem, &x, &Demand::default()).verdict.is_solution();
         assert!(accepts([1.0, 1.0, 0.0]), "{unit}");
         assert!(!accepts([1.0, 10.0, 0.0]), "{unit}");
         assert!(!accepts([1.0, 0.0, 0.0]), "{unit}");

@@ -125,8 +125,10 @@ fn small() -> impl Strategy<Value = Lcp> {
             move |(j, b, mu)| {
                 let j = |i: usize, k: usize| f64::from(j[i * columns + k]);
                 let entry = |i: usize, l: usize| (0..columns).map(|k| j(i, k) * j(l, k)).sum();
-                let a: Vec<f64> =
-                    (0..n).flat_map(|i| (0..n).map(move |l| (i, l))).map(|(i, l)| entry(i, l)).collect();
+                let a: Vec<f64> = (0..n)
+                    .flat_map(|i| (0..n).map(move |l| (i, l)))
+                    .map(|(i, l)| entry(i, l))
+                    .collect();
                 let normal = |i: usize| i - i % (1 + tangents);
                 let is_normal = |i: usize| normal(i) == i;
                 let lo = (0..n).map(|i| if is_normal(i) { 0.0 } else { -INF }).collect();

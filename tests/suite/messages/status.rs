@@ -58,7 +58,7 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
         Status::Singular { .. } => said("block-pivoting", &dependent, usual()), "singular at row 1";
         Status::Ray { .. } => said("lemke", &torn, usual()), "a ray: row 0 cannot be satisfied";
         Status::NoSolution => said("enumeration", &negative, usual()),
-            "no solution exists: no active set carries one";
+            "all active sets were tried, and none carries a solution";
         Status::TooLarge { needs, limit } => said("dantzig", &pair, small.clone()),
             format!("needs {needs}, above the limit of {limit}: --max-memory");
         Status::OutsideClass { .. } => said("dantzig", &skew, usual()),

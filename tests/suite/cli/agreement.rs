@@ -1,0 +1,127 @@
+//! One law: status, verdict, diagnosis, message and exit code never contradict each other, whoever
+//! answers.
+
+use serde_json::{Value, json};
+
+use super::{out, run, run_with};
+use lcplab::lcp::file::Problem;
+use lcplab::trial;
+
+/// Problems that have led to contradictions, and whether they have a solution.
+const CASES: [(&str, bool); 9] = [
+    // (2, 1) with friction at its bound
+    (r#"{"A":{"dense":[[1,-1],[-1,1]]},"b":[-1,-5],"friction_index":[-1,0],"mu":[0,0.5]}"#, true),
+    (r#"{"A":{"dense":[[1,-1],[-1,1]]},"b":[-1,-0.5],"friction_index":[-1,0],"mu":[0,1]}"#, false),
+    (r#"{"A":{"dense":[[1,-1],[-1,1]]},"b":[-1e-9,-1],"friction_index":[-1,0],"mu":[0,1]}"#, false),
+    (
+        r#"{"A":{"dense":[[27,21,21],[21,17,17],[21,17,17]]},"b":[-1,-1,-2],"friction_index":[-1,0,0],"mu":[0,2,2]}"#,
+        true,
+    ),
+    (r#"{"A":{"dense":[[10,8],[8,8]]},"b":[1,3],"friction_index":[-1,0],"mu":[0,2]}"#, true),
+    (r#"{"A":{"dense":[[0,1],[1,1]]},"b":[-1.000000001,0],"lo":[0,1],"hi":["inf",1]}"#, false),
+    (r#"{"A":{"dense":[[1,-1],[-1,1]]},"b":[-1,-1]}"#, false),
+    (
+        r#"{"A":{"dense":[[5,-6,-4,-1,-3],[-6,8,4,0,4],[-4,4,4,2,2],[-1,0,2,2,0],[-3,4,2,0,2]]},
+            "b":[-2,-2,3,3,1],"lo":["-inf",-1,-1,"-inf","-inf"],"hi":[0,-1,-1,"inf",2]}"#,
+        false,
+    ),
+    (
+        r#"{"A":{"dense":[[1,1],[1,1.0000000000009095]]},"b":[-2,-2.000000001],"lo":["-inf","-inf"]}"#,
+        true,
+    ),
+];
+
+const SOLVERS: [&str; 8] = [
+    "pgs",
+    "dantzig",
+    "lemke",
+    "block-pivoting",
+    "spectral",
+    "interior-point",
+    "newton",
+    "enumeration",
+];
+
+fn object(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+/// Holds an answer against the law; says whether it is accepted.
+fn holds(answer: &Value, code: Option<i32>, told: &str) -> bool {
+    let verdict = answer["verdict"].as_str().unwrap();
+    let accepts = verdict != "not_a_solution";
+    assert_eq!(code, Some(i32::from(!accepts)), "{told}");
+    let certificate = &answer["certificate"];
+    let denies =
+        certificate.get("no_solution").is_some() || certificate.get("case_split").is_some();
+    assert!(!(denies && accepts), "{told}");
+    assert_eq!(
+        answer["status"] == "infeasible",
+        denies && answer["message"].as_str().unwrap().starts_with("no solution exists"),
+        "{told}"
+    );
+    if answer["status"] == "solved" && !accepts {
+        assert!(denies || answer["amount"].as_f64().unwrap() <= 1e-8, "{told}");
+    }
+    accepts
+}
+
+#[test]
+fn status_verdict_diagnosis_message_and_exit_code_agree() {
+    for (problem, is_solvable) in CASES {
+        let diagnosis = object(&out(&run_with(problem, &["diagnose", "-", "--json"])));
+        let is_impossible = diagnosis["causes"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|cause| cause["name"] == "impossible" && cause["is_proved"] == true);
+        assert_eq!(is_impossible, !is_solvable, "{problem} {diagnosis}");
+        for solver in SOLVERS {
+            let arguments = ["solve", "-", "--solver", solver, "--json"];
+            let output = run_with(problem, &arguments);
+            let answer = object(&out(&output));
+            let told = format!("{solver} of {problem}: {answer}");
+            let accepts = holds(&answer, output.status.code(), &told);
+            assert!(is_solvable || !accepts, "{told}");
+            // The same answer, judged by itself, has the same verdict.
+            let x = json!({ "x": answer["x"] }).to_string();
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("answer.json");
+            std::fs::write(&path, x).unwrap();
+            let judged = run_with(problem, &["judge", "-", path.to_str().unwrap(), "--json"]);
+            let again = object(&out(&judged));
+            assert_eq!(again["verdict"] != "not_a_solution", accepts, "{told} {again}");
+            assert_eq!(judged.status.code(), output.status.code(), "{told}");
+            let text = out(&run_with(problem, &arguments[..4]));
+            let words = text.contains("verdict    not a solution");
+            assert_eq!(words, !accepts, "{text}");
+        }
+    }
+}
+
+#[test]
+fn hostile_problems_and_the_library_agree_with_themselves() {
+    let hostile = (0..trial::KINDS.len())
+        .map(|k| Problem::new("hostile", trial::problem(3, k).0).to_json().to_string());
+    let families = ["wedged", "stack", "friction-pile", "pushed-rod", "redundant", "murty"];
+    let known = out(&run(&["problems"]));
+    let library = families.into_iter().filter(|name| known.contains(&format!("\n{name} ")));
+    let library = library.map(|name| out(&run(&["generate", name])));
+    for problem in hostile.chain(library) {
+        let diagnosis = object(&out(&run_with(&problem, &["diagnose", "-", "--json"])));
+        let is_impossible = diagnosis["causes"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|cause| cause["name"] == "impossible" && cause["is_proved"] == true);
+        let (mut any, mut denied) = (false, is_impossible);
+        for solver in ["dantzig", "lemke", "pgs", "enumeration"] {
+            let output = run_with(&problem, &["solve", "-", "--solver", solver, "--json"]);
+            let answer = object(&out(&output));
+            let told = format!("{solver} of {problem}: {answer}");
+            any |= holds(&answer, output.status.code(), &told) && answer["verdict"] == "proved";
+            denied |= answer["status"] == "infeasible";
+        }
+        assert!(!(any && denied), "{problem}");
+    }
+}
