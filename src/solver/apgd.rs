@@ -79,13 +79,15 @@ impl Apgd {
             Ok(metric) => metric,
             Err(status) => return Solution::new(problem.lcp(), x, status, 0),
         };
-        let (mut inner, mut is_asked_again) = (self.settings.clone(), false);
+        let mut inner = self.settings.clone();
+        let mut is_unsolved = problem.scaled_residual(&x) > inner.tolerance;
         frozen::solve(problem, x, &self.settings, |problem, x, first| {
             let lcp = problem.lcp();
-            if is_asked_again && problem.scaled_residual(&x) <= inner.tolerance {
-                inner.tolerance *= TIGHTER; // the frozen problem is measured more kindly
+            let residual = problem.scaled_residual(&x);
+            if is_unsolved && residual <= inner.tolerance {
+                inner.tolerance = TIGHTER * residual; // the frozen problem is measured more kindly
             }
-            is_asked_again = true;
+            is_unsolved = true; // or nobody would ask again
             let (mut y, mut theta, mut curvature) = (x.clone(), 1.0, 1.0);
             iterate(problem, x, first, &inner, observer, |x| {
                 let gradient = metric.gradient(lcp, &y);
