@@ -182,6 +182,21 @@ pub fn upper_bound(bound: f64) -> String {
     }
 }
 
+/// A number that is at least the bound, also where its shortest decimal form is read exactly.
+pub fn printed_up(bound: f64) -> f64 {
+    let (shown, all) = (format!("{bound:e}"), format!("{bound:.800e}"));
+    let parts = |text: &str| {
+        let (digits, exponent) = text.split_once('e').unwrap_or((text, "0"));
+        let digits: String = digits.chars().filter(char::is_ascii_digit).collect();
+        (exponent.parse::<i32>().unwrap_or(0), format!("{digits:0<801}"))
+    };
+    if bound > 0.0 && bound.is_finite() && parts(&shown) < parts(&all) {
+        bound.next_up()
+    } else {
+        bound
+    }
+}
+
 /// Everything the judge found out about x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {

@@ -29,7 +29,7 @@ pub struct Farkas {
 
 /// Tries to prove from a solver's ray, or any other guess of d, that a problem has no solution.
 ///
-/// `row` is the driven row. Rounding in the other entries is repaired first: as many of them as the
+/// `row` is the driven row. If d is no proof as it is given, rounding in the other entries is repaired: as many of them as the
 /// equations (Aᵀd)_j = 0 determine are solved anew, exactly. The ray of a method for symmetric A is a
 /// d; with any other A it need not be.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
@@ -43,8 +43,11 @@ pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
         (0..lcp.len()).filter(|&j| must_vanish(lcp, &transposed, j, &guess)).collect();
     let entries: Vec<usize> = (0..lcp.len()).filter(|&i| i != row && guess[i] != 0.0).collect();
     let dual = Exact::new(&transposed);
-    let d = dual.repaired(&guess, &zeros, &entries)?;
-    proves(lcp, &dual, &d).then(|| Farkas { vector: d.entries() })
+    let as_given = dual.repaired(&guess, &[], &[]);
+    let d = as_given
+        .filter(|d| proves(lcp, &dual, d))
+        .or_else(|| dual.repaired(&guess, &zeros, &entries).filter(|d| proves(lcp, &dual, d)))?;
+    Some(Farkas { vector: d.entries() })
 }
 
 fn is_coupled(lcp: &Lcp, i: usize) -> bool {

@@ -1,7 +1,7 @@
 //! How far a matrix is from being singular, and in which rows.
 //!
 //! ```text
-//! Ã = D A D,   D = diag(1/√s_i),   s_i = |a_ii|, or max_j |a_ij| where a_ii = 0;   Ã = U Σ Vᵀ
+//! Ã = D A D,   D = diag(1/√s_i),   s_i = |a_ii|, or max_j |a_ij|, |a_ji| where a_ii = 0;   Ã = U Σ Vᵀ
 //! ```
 //!
 //! The rank is the number of singular values above rounding, the condition number the quotient of the
@@ -60,11 +60,13 @@ pub fn regularity(a: &Matrix) -> Option<Regularity> {
         });
     }
     let A = a.to_dense();
-    let size = |i: usize| A.row(i).iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+    let largest = |most: f64, entry: &f64| most.max(entry.abs());
+    let size = |i: usize| A.row(i).iter().fold(0.0, largest);
+    let reach = |i: usize| A.column(i).iter().fold(size(i), largest);
     let d: Vec<f64> = (0..n)
         .map(|i| match A[(i, i)].abs() {
-            0.0 if size(i) == 0.0 => 1.0,
-            0.0 => 1.0 / size(i).sqrt(),
+            0.0 if reach(i) == 0.0 => 1.0,
+            0.0 => 1.0 / reach(i).sqrt(),
             diagonal => 1.0 / diagonal.sqrt(),
         })
         .collect();

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::certificate::{Certificate, Demand, Verdict, judge, upper_bound};
+use lcplab::certificate::{Certificate, Demand, Verdict, judge, printed_up, upper_bound};
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::{Problem, number, read_answer};
@@ -143,7 +143,7 @@ impl Judge {
         if self.json {
             let mut object = certificate_json(&certificate);
             if let Some(bound) = bound {
-                object.insert("error_bound".into(), number(bound));
+                object.insert("error_bound".into(), number(printed_up(bound)));
             }
             print(&format!("{}\n", serde_json::Value::Object(object)))?;
         } else {

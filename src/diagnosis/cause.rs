@@ -34,9 +34,6 @@ pub enum Cause {
         rows: Vec<String>,
         /// How many of them could be left out.
         spare: usize,
-        /// Whether w, and with it the motion, is the same for all solutions: A is symmetric and
-        /// semidefinite, and no row has friction.
-        is_motion_unique: bool,
     },
     /// The bodies do not stand where an equation wants them, or overlap: drift, or a bad start.
     Apart {
@@ -90,11 +87,10 @@ impl Cause {
     pub fn is_fatal(&self) -> bool {
         match self {
             Cause::Impossible { proof, .. } => *proof != Proof::Rounding,
-            Cause::NoDirection { .. }
-            | Cause::ZeroRow { .. }
+            Cause::NoDirection { .. } | Cause::Failed { .. } => true,
+            Cause::ZeroRow { .. }
             | Cause::Indefinite { .. }
-            | Cause::Failed { .. } => true,
-            Cause::Redundant { .. }
+            | Cause::Redundant { .. }
             | Cause::Slow { .. }
             | Cause::Apart { .. }
             | Cause::IllConditioned { .. }
@@ -162,16 +158,11 @@ impl fmt::Display for Cause {
                  a solver raises the forces for ever, take one of them out, or let it yield by a spring.",
                 listed(rows)
             ),
-            Cause::Redundant { rows, spare, is_motion_unique } => write!(
+            Cause::Redundant { rows, spare } => write!(
                 f,
-                "{spare} of the rows {} could be left out, as they depend on each other; {}",
-                listed(rows),
-                if *is_motion_unique {
-                    "the motion is unique, but how they share the load need not be."
-                } else {
-                    "how they share the load need not be unique, and with friction, or without symmetry, \
-                     the motion neither."
-                }
+                "{spare} of the rows {} could be left out, as far as rounding shows, for they depend on each \
+                 other; how they share the load need not be unique, nor, with friction, the motion.",
+                listed(rows)
             ),
             Cause::Apart { row, error } => write!(
                 f,

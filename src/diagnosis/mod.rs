@@ -63,6 +63,8 @@ pub struct Diagnosis {
     /// Whether x is unique: `true` only where that follows from a theorem whose assumptions were verified
     /// (A symmetric and definite, no friction); otherwise nothing is known.
     pub is_unique: bool,
+    /// Whether A is symmetric.
+    pub is_symmetric: bool,
     /// What is wrong, the fatal ones first.
     pub causes: Vec<Cause>,
 }
@@ -99,14 +101,9 @@ fn slow(lcp: &Lcp) -> Option<Cause> {
 
 impl Diagnosis {
     fn named(subject: String, labels: Vec<String>) -> Self {
-        Diagnosis {
-            subject,
-            labels,
-            freedoms: None,
-            regularity: None,
-            is_unique: false,
-            causes: Vec::new(),
-        }
+        let (freedoms, regularity, causes) = (None, None, Vec::new());
+        let (is_unique, is_symmetric) = (false, true);
+        Diagnosis { subject, labels, freedoms, regularity, is_unique, is_symmetric, causes }
     }
 
     /// Whether a step can be taken.
@@ -124,6 +121,7 @@ impl Diagnosis {
             let reason = "its singular values could not be found";
             return Err(Error::invalid(&self.subject, "A", reason));
         };
+        self.is_symmetric = lcp.matrix().is_symmetric();
         self.definiteness(lcp);
         for &row in &found.zero_rows {
             self.causes.push(Cause::ZeroRow { row: self.labels[row].clone() });
@@ -137,7 +135,7 @@ impl Diagnosis {
             .causes
             .iter()
             .any(|cause| matches!(cause, Cause::Indefinite { .. } | Cause::Unsymmetric));
-        self.redundancy(&found, lcp.coupling().is_none() && !is_indefinite);
+        self.redundancy(&found);
         if found.condition > ILL {
             self.causes.push(Cause::IllConditioned { condition: found.condition });
         } else if !is_indefinite {
@@ -157,7 +155,7 @@ impl Diagnosis {
     }
 
     /// Dependent rows, but for those that have nothing but zeros.
-    fn redundancy(&mut self, found: &Regularity, is_motion_unique: bool) {
+    fn redundancy(&mut self, found: &Regularity) {
         let depends = |&i: &usize| found.dependencies.iter().any(|d| d[i] != 0.0);
         let rows: Vec<usize> = (0..self.labels.len())
             .filter(depends)
@@ -165,8 +163,7 @@ impl Diagnosis {
             .collect();
         let spare = found.dependencies.len() - found.zero_rows.len().min(found.dependencies.len());
         if spare > 0 {
-            let rows = self.names(rows);
-            self.causes.push(Cause::Redundant { rows, spare, is_motion_unique });
+            self.causes.push(Cause::Redundant { rows: self.names(rows), spare });
         }
     }
 

@@ -86,7 +86,7 @@ impl Diagnosis {
         let mut section = Section::new("counts");
         let mut rows = vec![
             ["rows of A".to_string(), self.labels.len().to_string()],
-            ["rank of A".into(), found.rank.to_string()],
+            ["rank of A, as far as rounding shows".into(), found.rank.to_string()],
             ["condition number of its independent part, scaled".into(), plain(found.condition)],
         ];
         if let Some(freedoms) = &self.freedoms {
@@ -115,10 +115,12 @@ impl Diagnosis {
 
     fn dependencies(&self, found: &Regularity) -> Section {
         let mut section = Section::new("dependent rows");
-        section.say(
-            "No forces change these sums of w = A x + b: along each, forces can be shifted between the rows, \
-             where their bounds allow it, and the bodies move alike.",
-        );
+        section.say(if self.is_symmetric {
+            "As far as rounding shows, no forces change these sums of w = A x + b: along each, forces can be \
+             shifted between the rows, where their bounds allow it, and the bodies move alike."
+        } else {
+            "As far as rounding shows, no forces change these sums of w = A x + b."
+        });
         let lines = found.dependencies.iter().map(|d| vec![combination(d)]).collect();
         section.table("sums that stay", &["sum"], lines);
         section

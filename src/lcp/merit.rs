@@ -93,8 +93,13 @@ impl RowTerms {
     /// needs no division by s.
     pub fn miss(&self, x: f64, lo: f64, hi: f64) -> Miss {
         let scale = if self.scale == 0.0 { 1.0 } else { self.scale };
-        let slack = |distance: f64| product(scale, distance, -self.exponent);
-        let size = self.w.min(slack(x - lo)).max(slack(x - hi)).abs();
+        let slack = |bound: f64| match x - bound {
+            distance if distance.is_infinite() && bound.is_finite() => {
+                product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent) // beyond the largest number
+            }
+            distance => product(scale, distance, -self.exponent),
+        };
+        let size = self.w.min(slack(lo)).max(slack(hi)).abs();
         Miss { size, magnitude: self.magnitude, scale, exponent: self.exponent }
     }
 

@@ -4,7 +4,8 @@ use dashu_ratio::RBig;
 use serde_json::{Map, Value, json};
 
 use crate::certificate::{
-    Certificate, Demand, Evidence, Refutation, Verdict, error_bound, judge, refutation, upper_bound,
+    Certificate, Demand, Evidence, Refutation, Verdict, error_bound, judge, printed_up, refutation,
+    upper_bound,
 };
 use crate::lcp::Lcp;
 use crate::lcp::file::number;
@@ -71,7 +72,7 @@ impl Answer {
             fields.insert("fallback".into(), json!(fallback.to_string()));
         }
         if let Some(bound) = self.error_bound {
-            fields.insert("error_bound".into(), number(bound));
+            fields.insert("error_bound".into(), number(printed_up(bound)));
         }
         Value::Object(fields)
     }
@@ -165,7 +166,9 @@ pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
 pub fn evidence_json(evidence: &Evidence) -> Value {
     match evidence {
         Evidence::NotUnique(direction) => json!({ "not_unique": fractions(direction) }),
-        Evidence::FarSolution { distance } => json!({ "far_solution": number(*distance) }),
+        Evidence::FarSolution { distance } => {
+            json!({ "far_solution": number(printed_up(*distance)) })
+        }
         Evidence::NoSolution(Refutation::Vector(farkas)) => {
             json!({ "no_solution": fractions(&farkas.vector) })
         }
@@ -179,7 +182,7 @@ pub fn verdict_json(verdict: &Verdict) -> Map<String, Value> {
     object.insert("verdict".into(), json!(verdict.word()));
     match *verdict {
         Verdict::Proved { distance } => {
-            object.insert("distance".into(), number(distance));
+            object.insert("distance".into(), number(printed_up(distance)));
         }
         Verdict::NotASolution { row, amount, .. } => {
             object.insert("row".into(), json!(row));

@@ -45,9 +45,11 @@ impl Judged {
     /// Judges x under the model that the problem is posed under.
     pub fn of(problem: &FrictionProblem, posed: &Posed, x: &[f64], demand: &Demand) -> Self {
         let coulomb = ConeProblem::new(problem.clone(), Law::Coulomb);
+        let certificate = judge_friction(posed, x, demand);
+        let contact = |c: &Contact| contact(problem.lcp(), c, x, &certificate.w);
         Judged {
-            certificate: judge_friction(posed, x, demand),
-            contacts: problem.contacts().iter().map(|c| contact(problem.lcp(), c, x)).collect(),
+            contacts: problem.contacts().iter().map(contact).collect(),
+            certificate,
             coulomb_residual: judge_cone(&coulomb, x, demand).scaled_residual,
         }
     }
@@ -120,13 +122,14 @@ impl Judged {
     }
 }
 
-fn contact(lcp: &Lcp, contact: &Contact, x: &[f64]) -> ContactAnswer {
+fn contact(lcp: &Lcp, contact: &Contact, x: &[f64], w: &[f64]) -> ContactAnswer {
     let terms = contact.rows.map(|i| RowTerms::at(lcp, i, x));
-    let (impulse, velocity) = (contact.of(x), terms.map(|row| row.w));
+    let (impulse, velocity) = (contact.of(x), contact.of(w));
     let [x_n, x1, x2] = impulse;
     let [_, w1, w2] = velocity;
     let limit = contact.mu * x_n;
-    let slides = w1.hypot(w2) > SLIP * terms[1].magnitude.hypot(terms[2].magnitude);
+    let size = |row: &RowTerms| libm::ldexp(row.magnitude, row.exponent);
+    let slides = w1.hypot(w2) > SLIP * size(&terms[1]).hypot(size(&terms[2]));
     let angle = f64::atan2(x1 * w2 - x2 * w1, -(x1 * w1 + x2 * w2)).abs().to_degrees();
     ContactAnswer {
         impulse,

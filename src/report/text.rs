@@ -11,7 +11,8 @@ use super::page::{Align, Table};
 /// assert_eq!(lcplab::report::text::printable("a\x1b[2Jb\n"), "a\u{fffd}[2Jb\n");
 /// ```
 pub fn printable(text: &str) -> Cow<'_, str> {
-    let steers = |c: char| c.is_control() && c != '\n' && c != '\t';
+    let turns = |c: char| matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let steers = |c: char| (c.is_control() && c != '\n' && c != '\t') || turns(c);
     match text.contains(steers) {
         true => text.replace(steers, "\u{fffd}").into(),
         false => text.into(),

@@ -1,4 +1,4 @@
-use lcplab::certificate::{Demand, Evidence, Refusal, Verdict, judge, upper_bound};
+use lcplab::certificate::{Demand, Evidence, Refusal, Verdict, judge, printed_up, upper_bound};
 use lcplab::report::answer::Answer;
 use lcplab::solver::{Options, Start};
 use proptest::prelude::*;
@@ -233,6 +233,9 @@ fn a_bound_is_never_printed_below_itself() {
             assert!(printed <= bound * 1.11 || bound < 1e-322, "{bound:e}");
         }
     }
+    // 4.633182726365703e-12 reads as a decimal below the double that it stands for.
+    assert!(printed_up(4.633182726365703e-12) > 4.633182726365703e-12);
+    assert_eq!(printed_up(0.25), 0.25);
     let verdict = Verdict::Proved { distance: 1.04e-9 };
     assert!(verdict.to_string().contains("within 1.1e-9"));
 }

@@ -8,7 +8,15 @@ use lcplab::lcp::file::Problem;
 use lcplab::trial;
 
 /// Problems that have led to contradictions, and whether they have a solution.
-const CASES: [(&str, bool); 9] = [
+const CASES: [(&str, bool); 13] = [
+    // Solvable, though a sweep would divide by zero or A has a negative eigenvalue
+    (r#"{"A":{"dense":[[-1]]},"b":[1]}"#, true),
+    (r#"{"A":{"dense":[[0]]},"b":[1]}"#, true),
+    (r#"{"A":{"dense":[[1,2],[2,1]]},"b":[-1,-1]}"#, true),
+    (
+        r#"{"A":{"dense":[[2,1],[1,0]]},"b":[-1,-1],"lo":[0,"-inf"],"hi":["inf","inf"],"friction_index":[-1,0],"mu":[0,0.5]}"#,
+        true,
+    ),
     // (2, 1) with friction at its bound
     (r#"{"A":{"dense":[[1,-1],[-1,1]]},"b":[-1,-5],"friction_index":[-1,0],"mu":[0,0.5]}"#, true),
     (r#"{"A":{"dense":[[1,-1],[-1,1]]},"b":[-1,-0.5],"friction_index":[-1,0],"mu":[0,1]}"#, false),
@@ -76,6 +84,7 @@ fn status_verdict_diagnosis_message_and_exit_code_agree() {
             .iter()
             .any(|cause| cause["name"] == "impossible" && cause["is_proved"] == true);
         assert_eq!(is_impossible, !is_solvable, "{problem} {diagnosis}");
+        assert_eq!(diagnosis["is_sound"], is_solvable, "{problem} {diagnosis}");
         for solver in SOLVERS {
             let arguments = ["solve", "-", "--solver", solver, "--json"];
             let output = run_with(problem, &arguments);
