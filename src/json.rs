@@ -10,7 +10,7 @@ use serde_json::{Map, Number, Value};
 ///
 /// ```
 /// let twice = lcplab::json::parse(r#"{"b": [1], "b": [2]}"#).unwrap_err();
-/// assert_eq!(twice.to_string(), "the key \"b\" is given twice at line 1 column 15");
+/// assert_eq!(twice.to_string(), "the key \"b\" is given twice at line 1 column 14");
 /// ```
 ///
 /// # Errors
