@@ -114,9 +114,12 @@ fn record(subject: &Subject, solvers: &[Box<dyn Solver>]) -> Value {
     })
 }
 
+/// An entry of x and its row, changed.
+type Change = fn(f64, usize) -> f64;
+
 /// Answers that are wrong, or right by a hair.
 fn strange<'a>(lcp: &'a Lcp, x: &'a [f64]) -> impl Iterator<Item = (&'static str, Vec<f64>)> + 'a {
-    let changes: [(&'static str, fn(f64, usize) -> f64); 6] = [
+    let changes: [(&'static str, Change); 6] = [
         ("nothing", |_, _| 0.0),
         ("far", |_, _| 1e9),
         ("doubled", |x, _| 2.0 * x),

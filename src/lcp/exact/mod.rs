@@ -1,6 +1,6 @@
 //! A problem in exact arithmetic: floating-point numbers are binary fractions.
 //!
-//! Each row of a solution stands on one of three [`Side`]s. A side is a linear equation, also where
+//! Each row of a solution stands on one of three sides. A side is a linear equation, also where
 //! a row is coupled to another one:
 //!
 //! ```text
@@ -10,7 +10,7 @@
 //! ```
 //!
 //! A choice of a side for every row is a *piece*. Its equations are solved in integers, and whether a
-//! point solves the problem is decided by the definition, row by row ([`Exact::is_solved_by`]).
+//! point solves the problem is decided by the definition, row by row.
 
 pub(crate) mod dyadic;
 mod echelon;
