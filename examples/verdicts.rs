@@ -3,22 +3,24 @@
 //! would give, what the judge says of them, and what the diagnosis says of the problem.
 //!
 //! ```console
-//! $ cargo run --example verdicts -- 2000 | python3 tests/independent/judge.py
+//! $ cargo run --example verdicts -- 2000 > verdicts.jsonl
+//! $ python3 tests/independent/judge.py verdicts.jsonl && python3 tests/independent/cones.py verdicts.jsonl
 //! ```
 //!
 //! The number is that of the random problems. `tests/independent` says what is checked.
 
 use std::io::{self, BufWriter, Write};
 
-use lcplab::certificate::{Demand, judge};
+use lcplab::certificate::{Demand, judge, judge_cone};
 use lcplab::diagnosis;
 use lcplab::error::Result;
 use lcplab::lcp::file::{Problem, number};
+use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model};
 use lcplab::lcp::{Lcp, library};
-use lcplab::report::answer::{Answer, certificate_json};
+use lcplab::report::answer::{Answer, certificate_json, status_word, verdict_json};
 use lcplab::report::study::scene_simulation;
 use lcplab::scene::{Formulation, Scene, catalogue};
-use lcplab::solver::{ALL, Options, Settings, Solver, Start, Status};
+use lcplab::solver::{ALL, CONES, Options, Settings, Solver, Start, Status};
 use lcplab::trial;
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -27,6 +29,8 @@ use serde_json::{Value, json};
 const MOST_ROWS: usize = 60;
 /// Random hostile problems come with this seed.
 const SEED: u64 = 17;
+/// Contacts with a cone in units far apart.
+const CONTACTS: usize = 300;
 /// The steps of each scene that are looked at.
 const STEPS: [usize; 3] = [1, 5, 20];
 
@@ -39,13 +43,63 @@ fn main() -> Result<()> {
     subjects.extend((0..random).map(hostile));
     subjects.extend(of_scenes()?);
     subjects.retain(|subject| subject.problem.lcp.len() <= MOST_ROWS);
-    let records: Vec<Value> =
+    let mut records: Vec<Value> =
         subjects.par_iter().map(|subject| record(subject, &solvers)).collect();
+    records.extend(of_cones(&subjects));
     let mut out = BufWriter::new(io::stdout().lock());
     for record in records {
         writeln!(out, "{record}").expect("standard output");
     }
     Ok(())
+}
+
+/// Every problem with pairs of tangents under both laws of cones, and contacts in units far apart.
+fn of_cones(subjects: &[Subject]) -> Vec<Value> {
+    let friction = |subject: &Subject| {
+        let Problem { name, lcp, .. } = &subject.problem;
+        let problem = lcp.coupling().and_then(|_| FrictionProblem::of(lcp).ok())?;
+        Some((name.clone(), problem))
+    };
+    let single = |k: usize| {
+        let truth = trial::cone::contact(SEED, k);
+        (format!("contact {k}"), truth.problem.friction().clone())
+    };
+    let problems: Vec<_> =
+        subjects.iter().filter_map(friction).chain((0..CONTACTS).map(single)).collect();
+    let models = [Model::CoulombCone, Model::AssociatedCone];
+    let both = problems.par_iter().flat_map_iter(|named| models.map(|model| (named, model)));
+    both.map(|((name, friction), model)| cone_record(name, friction, model)).collect()
+}
+
+fn cone_record(name: &str, friction: &FrictionProblem, model: Model) -> Value {
+    let settings = Settings { max_iterations: 500, ..Settings::default() };
+    let demand = Demand::default();
+    let law = if model == Model::CoulombCone { Law::Coulomb } else { Law::Associated };
+    let cone = ConeProblem::new(friction.clone(), law);
+    let judged = |solver: &str, status: &str, x: &[f64]| {
+        let certificate = judge_cone(&cone, x, &demand);
+        let mut answer = verdict_json(&certificate.verdict);
+        answer.insert("solver".into(), json!(solver));
+        answer.insert("status".into(), json!(status));
+        answer.insert("x".into(), x.iter().map(|&x| number(x)).collect());
+        answer.insert("scaled_residual".into(), number(certificate.scaled_residual));
+        Value::Object(answer)
+    };
+    let mut answers = Vec::new();
+    let mut last = vec![0.0; friction.lcp().len()];
+    for entry in CONES.iter().filter(|entry| entry.laws.contains(&law)) {
+        let solution = (entry.build)(&settings).solve(&cone, &Start::default(), &mut ());
+        answers.push(judged(entry.name, status_word(&solution.status), &solution.x));
+        last = solution.x;
+    }
+    answers.extend(
+        strange(&friction.coupled_box(), &last).map(|(name, x)| judged(name, "failed", &x)),
+    );
+    let problem = Problem::new(name, friction.coupled_box()).to_json();
+    json!({
+        "name": name, "model": model.to_string(), "problem": problem,
+        "tolerance": demand.tolerance, "answers": answers,
+    })
 }
 
 /// A problem, and where the solvers start.

@@ -57,7 +57,7 @@ fn main() {
     let folder = format!("{}/corpus/{target}", env!("CARGO_MANIFEST_DIR"));
     let files = fs::read_dir(folder).expect("a known target");
     let corpus: Vec<_> = files.map(|f| fs::read(f.unwrap().path()).expect("a file")).collect();
-    let is_structured = ["solvers", "judge", "simulator"].contains(&target.as_str());
+    let is_structured = ["solvers", "judge", "diagnose", "simulator"].contains(&target.as_str());
     let mut random = Rand64::new(seed.parse().expect("a seed"));
     let (begin, mut count, mut slowest) = (Instant::now(), 0, Duration::ZERO);
     while begin.elapsed() < seconds {
@@ -87,6 +87,7 @@ fn run(target: &str, bytes: &[u8]) {
         "sweep" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_sweep),
         "solvers" => lcplab_fuzz::solvers(bytes).unwrap_or_default(),
         "judge" => lcplab_fuzz::judge(bytes).unwrap_or_default(),
+        "diagnose" => lcplab_fuzz::diagnose(bytes).unwrap_or_default(),
         "simulator" => lcplab_fuzz::simulator(bytes).unwrap_or_default(),
         format => lcplab_fuzz::read(&format.replace('_', "-"), bytes),
     }

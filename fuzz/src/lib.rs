@@ -1,6 +1,7 @@
 //! What the fuzz targets do, one function each. A broken promise is a panic.
 
 mod contact;
+mod diagnose;
 mod files;
 mod judge;
 mod pages;
@@ -9,6 +10,7 @@ mod scene;
 mod simulator;
 mod solvers;
 
+pub use diagnose::diagnose;
 pub use files::read;
 pub use judge::judge;
 pub use pages::{read_markup, read_report, read_results, read_sweep};

@@ -286,42 +286,45 @@ pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
     }
     let is_small = lcp.len() <= demand.prove_up_to;
     let proof = if is_small { exact::prove(lcp, x, &certificate.w) } else { None };
-    let largest = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
-    let is_near = |distance: f64| distance <= NEAR * largest;
+    let within = Certificate { verdict: Verdict::WithinTolerance, ..certificate };
     match proof {
-        Some(proof) if is_near(proof.distance) => Certificate {
+        Some(proof) if is_near(x, proof.distance) => Certificate {
             verdict: Verdict::Proved { distance: proof.distance },
             evidence: proof.null_direction.map(Evidence::NotUnique),
-            ..certificate
+            ..within
         },
         _ if !merit::is_worth_something(lcp, x, demand.tolerance) => {
-            let (row, amount) = (certificate.worst_row, certificate.scaled_residual);
+            let (row, amount) = (within.worst_row, within.scaled_residual);
             let verdict = Verdict::NotASolution { row, amount, why: Refusal::Worthless };
-            Certificate { verdict, ..certificate }
+            Certificate { verdict, ..within }
         }
-        Some(exact::Proof { distance, .. }) => Certificate {
-            verdict: Verdict::WithinTolerance,
-            evidence: Some(Evidence::FarSolution { distance }),
-            ..certificate
-        },
-        None if is_small => {
-            let sides = exact::sides(lcp, x, &certificate.w);
-            match existence(lcp, &[x], Some(&sides)) {
-                Existence::None(refutation) => {
-                    Certificate { verdict: Verdict::WithinTolerance, ..certificate }
-                        .refuted_by(refutation)
-                }
-                Existence::Solution(point) if is_near(point.distance(x)) => Certificate {
-                    verdict: Verdict::Proved { distance: point.distance(x) },
-                    ..certificate
-                },
-                Existence::Solution(_) | Existence::Unknown => {
-                    Certificate { verdict: Verdict::WithinTolerance, ..certificate }
-                }
-            }
+        Some(exact::Proof { distance, .. }) => {
+            Certificate { evidence: Some(Evidence::FarSolution { distance }), ..within }
         }
-        None => Certificate { verdict: Verdict::WithinTolerance, ..certificate },
+        None if is_small => searched(lcp, x, within),
+        None => within,
     }
+}
+
+/// The certificate of an x within the tolerance whose active set carries no solution, after a search for
+/// one elsewhere.
+fn searched(lcp: &Lcp, x: &[f64], within: Certificate) -> Certificate {
+    let sides = exact::sides(lcp, x, &within.w);
+    match existence(lcp, &[x], Some(&sides)) {
+        Existence::None(refutation) => within.refuted_by(refutation),
+        Existence::Solution(point) => match point.distance(x) {
+            distance if is_near(x, distance) => {
+                Certificate { verdict: Verdict::Proved { distance }, ..within }
+            }
+            _ => within,
+        },
+        Existence::Unknown => within,
+    }
+}
+
+/// Whether a solution at this distance says something of x.
+fn is_near(x: &[f64], distance: f64) -> bool {
+    distance <= NEAR * x.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
 /// The terms of row i in compensated arithmetic.

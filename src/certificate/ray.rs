@@ -29,15 +29,15 @@ pub struct Farkas {
 
 /// Tries to prove from a solver's ray, or any other guess of d, that a problem has no solution.
 ///
-/// `row` is the driven row. If d is no proof as it is given, rounding in the other entries is repaired: as many of them as the
-/// equations (Aᵀd)_j = 0 determine are solved anew, exactly. The ray of a method for symmetric A is a
-/// d; with any other A it need not be.
+/// `row` is the driven row. Where d is no proof as it is given, rounding in the other entries is repaired:
+/// as many of them as the equations (Aᵀd)_j = 0 determine are solved anew, exactly. The ray of a
+/// method for symmetric A is a d; with any other A it need not be.
 pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     if direction.len() != lcp.len() || direction.iter().any(|d| !d.is_finite()) {
         return None;
     }
     let guess: Vec<f64> =
-        (0..lcp.len()).map(|i| if is_coupled(lcp, i) { 0.0 } else { direction[i] }).collect();
+        (0..lcp.len()).map(|i| if lcp.is_coupled(i) { 0.0 } else { direction[i] }).collect();
     let transposed = transposed(lcp)?;
     let zeros: Vec<usize> =
         (0..lcp.len()).filter(|&j| must_vanish(lcp, &transposed, j, &guess)).collect();
@@ -48,10 +48,6 @@ pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
         .filter(|d| proves(lcp, &dual, d))
         .or_else(|| dual.repaired(&guess, &zeros, &entries).filter(|d| proves(lcp, &dual, d)))?;
     Some(Farkas { vector: d.entries() })
-}
-
-fn is_coupled(lcp: &Lcp, i: usize) -> bool {
-    lcp.coupling().is_some_and(|coupling| coupling.index(i).is_some())
 }
 
 /// Equations with the matrix Aᵀ and b = 0.
@@ -68,7 +64,7 @@ fn must_vanish(lcp: &Lcp, transposed: &Lcp, j: usize, d: &[f64]) -> bool {
     let terms = || transposed.matrix().row(j).iter().map(|(i, a)| a * d[i]);
     let (product, size) = (terms().sum::<f64>(), terms().map(f64::abs).sum::<f64>());
     let bound = if product > 0.0 { lcp.hi()[j] } else { lcp.lo()[j] };
-    is_coupled(lcp, j) || bound.is_infinite() || product.abs() <= MEANT_TO_BE_ZERO * size
+    lcp.is_coupled(j) || bound.is_infinite() || product.abs() <= MEANT_TO_BE_ZERO * size
 }
 
 /// Whether max (Aᵀd)ᵀx + bᵀd < 0, with every d_i on an allowed side. All terms carry d's positive
@@ -76,14 +72,14 @@ fn must_vanish(lcp: &Lcp, transposed: &Lcp, j: usize, d: &[f64]) -> bool {
 fn proves(lcp: &Lcp, dual: &Exact, d: &Point) -> bool {
     let mut bound = Dyadic::ZERO;
     for i in 0..lcp.len() {
-        let (lo, hi) = match is_coupled(lcp, i) {
+        let (lo, hi) = match lcp.is_coupled(i) {
             true => (f64::NEG_INFINITY, f64::INFINITY),
             false => (lcp.lo()[i], lcp.hi()[i]),
         };
         let (d_i, product) = (d.scaled(i), dual.scaled_w(i, d));
         let is_forbidden = (*d_i > Dyadic::ZERO && hi.is_finite())
             || (*d_i < Dyadic::ZERO && lo.is_finite())
-            || (*d_i != Dyadic::ZERO && is_coupled(lcp, i));
+            || (*d_i != Dyadic::ZERO && lcp.is_coupled(i));
         let at = if product > Dyadic::ZERO { hi } else { lo };
         if is_forbidden || (product != Dyadic::ZERO && at.is_infinite()) {
             return false;

@@ -37,7 +37,7 @@ pub(super) enum Existence {
     Unknown,
 }
 
-/// Proves that a problem has no solution, if it can: `hint` is a solver's ray or any other vector.
+/// Proves that a problem has no solution, if it can: `hints` are a solver's ray or any other vectors.
 ///
 /// ```
 /// use lcplab::certificate::{Refutation, refutation};
@@ -48,11 +48,11 @@ pub(super) enum Existence {
 /// let (lo, hi) = (vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2]);
 /// let lcp = Lcp::new(a, vec![-1.0, -0.5], lo, hi)?;
 /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0])?)?;
-/// assert_eq!(refutation(&lcp, None), Some(Refutation::CaseSplit { pieces: 6 }));
+/// assert_eq!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { pieces: 6 }));
 /// # Ok::<(), lcplab::error::Error>(())
 /// ```
-pub fn refutation(lcp: &Lcp, hint: Option<&[f64]>) -> Option<Refutation> {
-    match existence(lcp, hint.as_slice(), None) {
+pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {
+    match existence(lcp, hints, None) {
         Existence::None(refutation) => Some(refutation),
         Existence::Solution(_) | Existence::Unknown => None,
     }
@@ -87,7 +87,6 @@ pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]], sides: Option<&[Side]>) -> 
 
 /// The row with the largest |d_i|, of those that can be part of a proof.
 fn largest(lcp: &Lcp, d: &[f64]) -> usize {
-    let is_coupled = |i: &usize| lcp.coupling().is_some_and(|c| c.index(*i).is_some());
-    let rows = (0..d.len().min(lcp.len())).filter(|i| !is_coupled(i));
+    let rows = (0..d.len().min(lcp.len())).filter(|&i| !lcp.is_coupled(i));
     rows.max_by(|&i, &j| d[i].abs().total_cmp(&d[j].abs())).unwrap_or(0)
 }

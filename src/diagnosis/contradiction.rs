@@ -28,12 +28,19 @@ pub(super) fn rows(
     if lcp.len() <= PROVED {
         let ray = ray(lcp);
         let hints: Vec<&[f64]> = falling.iter().chain(&ray).map(Vec::as_slice).collect();
-        if let Some(proof) = refuting_vector(lcp, &hints) {
-            let rows = (0..lcp.len()).filter(|&i| !proof.vector[i].is_zero()).collect();
-            return Some((rows, Proof::Vector));
-        }
-        if let (true, Some(Refutation::CaseSplit { pieces })) = (is_box, refutation(lcp, None)) {
-            return Some((Vec::new(), Proof::CaseSplit { pieces })); // all of them
+        let refutation = match is_box {
+            true => refutation(lcp, &hints),
+            false => refuting_vector(lcp, &hints).map(Refutation::Vector),
+        };
+        match refutation {
+            Some(Refutation::Vector(proof)) => {
+                let rows = (0..lcp.len()).filter(|&i| !proof.vector[i].is_zero()).collect();
+                return Some((rows, Proof::Vector));
+            }
+            Some(Refutation::CaseSplit { pieces }) => {
+                return Some((Vec::new(), Proof::CaseSplit { pieces })); // it takes all rows
+            }
+            None => {}
         }
     }
     let seems = falling.iter().find(|d| is_free(lcp, d) && contradicts(d, lcp.b()))?;
@@ -48,8 +55,8 @@ fn falling(d: &[f64], b: &[f64]) -> Vec<f64> {
 
 /// Whether x has no bound in any row of d: friction rows have one.
 fn is_free(lcp: &Lcp, d: &[f64]) -> bool {
-    let coupled = |i: usize| lcp.coupling().is_some_and(|coupling| coupling.index(i).is_some());
-    let free = |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite() && !coupled(i);
+    let free =
+        |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite() && !lcp.is_coupled(i);
     (0..d.len()).all(|i| d[i] == 0.0 || free(i))
 }
 

@@ -67,7 +67,7 @@ impl Complementarity for Lcp {
 
     fn recedes(&self, d: &[f64]) -> bool {
         let is_open = |i: usize| match d[i] {
-            d_i if self.coupling().is_some_and(|c| c.index(i).is_some()) => {
+            d_i if self.is_coupled(i) => {
                 let (lo, hi) = self.bounds(i, d);
                 lo <= d_i && d_i <= hi
             }

@@ -131,6 +131,11 @@ impl Lcp {
         self.coupling.as_ref()
     }
 
+    /// Whether row i is bounded by another row's x.
+    pub fn is_coupled(&self, i: usize) -> bool {
+        self.coupling.as_ref().is_some_and(|coupling| coupling.index(i).is_some())
+    }
+
     /// The bounds of row i at x: those of the file, or ±μ max(x_k, 0) for a coupled row.
     pub fn bounds(&self, i: usize, x: &[f64]) -> (f64, f64) {
         self.coupling

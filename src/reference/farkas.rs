@@ -24,14 +24,13 @@ pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
             scale => scale.sqrt(),
         })
         .collect();
-    let is_coupled = |i: usize| lcp.coupling().is_some_and(|c| c.index(i).is_some());
     let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
     let mut program = Program::with_costs((0..n).map(|i| lcp.b()[i] / unit[i]).collect());
     for i in 0..n {
         for (j, a) in lcp.matrix().row(i).iter().filter(|&(_, a)| a != 0.0) {
             columns[j].push((i, a / unit[i] / unit[j]));
         }
-        let (lo, hi) = match is_coupled(i) {
+        let (lo, hi) = match lcp.is_coupled(i) {
             true => (0.0, 0.0), // d_i = 0
             false => (lcp.lo()[i], lcp.hi()[i]),
         };
@@ -40,7 +39,7 @@ pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
     }
     for (j, mut column) in columns.into_iter().enumerate() {
         for (bound, sign) in [(lcp.hi()[j], 1.0), (lcp.lo()[j], -1.0)] {
-            if bound.is_finite() && !is_coupled(j) {
+            if bound.is_finite() && !lcp.is_coupled(j) {
                 let part = program.add_variable(sign * bound * unit[j]);
                 program.bound(part, 0.0, f64::INFINITY);
                 column.push((part, -sign));

@@ -80,12 +80,12 @@ impl Answer {
 
 /// What the judge finds where a solver has ended on a ray or says that there is no solution.
 pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Refutation> {
-    let hint = match status {
+    let ray = match status {
         Status::Ray { direction, .. } => Some(direction.as_slice()),
         Status::NoSolution => None,
         _ => return None,
     };
-    (lcp.len() <= demand.prove_up_to).then(|| refutation(lcp, hint)).flatten()
+    (lcp.len() <= demand.prove_up_to).then(|| refutation(lcp, ray.as_slice())).flatten()
 }
 
 /// A solver's claim, in one of four words and in a sentence. `infeasible` is said only with a proof.

@@ -98,9 +98,9 @@ impl Claim {
                 Claim::Lie(Lie::NotFinite)
             }
             Status::Solved => Claim::judged(&judge(lcp, &solution.x, &demand)),
-            Status::NoSolution if refutation(lcp, None).is_some() => Claim::Impossible,
+            Status::NoSolution if refutation(lcp, &[]).is_some() => Claim::Impossible,
             Status::NoSolution => Claim::Lie(Lie::DeniedASolution),
-            Status::Ray { direction, .. } if refutation(lcp, Some(direction)).is_some() => {
+            Status::Ray { direction, .. } if refutation(lcp, &[direction]).is_some() => {
                 Claim::Impossible
             }
             Status::OutsideClass { .. } => Claim::Outside,
