@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector6};
 
 use crate::body::{Gyroscopic, Mass, Pose, State, stack};
-use crate::scene::{Formulation, Scene};
+use crate::scene::Scene;
 
 /// A moving body's columns and its blocks of M and M⁻¹.
 #[derive(Debug, Clone)]
@@ -26,6 +26,16 @@ impl Block {
     /// M⁻¹ times this body's [f; τ].
     pub fn accelerate(&self, wrench: &Vector6<f64>) -> Vector6<f64> {
         self.kind.accelerate(&self.pose, wrench)
+    }
+
+    /// Where the body was when its blocks were made.
+    pub fn pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// This body's state after h (s) without forces.
+    pub(super) fn advanced(&self, gyroscopic: Gyroscopic, state: &State, h: f64) -> State {
+        gyroscopic.advanced(&self.kind, state, h)
     }
 
     /// This body's entries of a vector with one entry a column; 0 where a point mass has none.
@@ -65,14 +75,11 @@ pub(super) fn blocks(scene: &Scene, states: &[State]) -> Vec<Block> {
 
 /// Gravity, the force of its own and the gyroscopic torque on each block's body, [f; τ] (N, N m).
 pub(super) fn forces(scene: &Scene, states: &[State], blocks: &[Block]) -> Vec<Vector6<f64>> {
-    let gyroscopic = match (scene.step.formulation, scene.step.gyroscopic) {
-        // An acceleration is that of one instant: there is no step to be implicit in.
-        (Formulation::Acceleration, Gyroscopic::Implicit) => Gyroscopic::Explicit,
-        (_, chosen) => chosen,
-    };
+    let gyroscopic = scene.step.gyroscopic();
     let force = |block: &Block| {
-        let torque = gyroscopic.torque(&block.kind, &states[block.body], scene.step.dt);
-        stack(scene.gravity * block.mass + scene.bodies[block.body].force, torque)
+        let state = &states[block.body];
+        let torque = gyroscopic.torque(&block.kind, state, scene.step.dt);
+        stack(scene.gravity * block.mass, torque) + scene.bodies[block.body].wrench(&state.pose)
     };
     blocks.iter().map(force).collect()
 }

@@ -15,7 +15,7 @@ use std::fmt;
 
 use nalgebra::Vector6;
 
-use crate::body::State;
+use crate::body::{Gyroscopic, State};
 use crate::constraint::{Bodies, Degenerate};
 use crate::scene::{Found, Scene};
 
@@ -30,6 +30,7 @@ pub struct Assembly {
     pub force: Vec<f64>,
     /// The rows.
     pub rows: Vec<Row>,
+    gyroscopic: Gyroscopic,
 }
 
 impl Assembly {
@@ -51,7 +52,7 @@ impl Assembly {
         let u = moving(blocks.iter().map(|block| states[block.body].velocity()).collect());
         let force = moving(mass::forces(scene, states, &blocks));
         let rows = rows::rows(scene, states, contacts, entering, &blocks)?;
-        Ok(Assembly { blocks, u, force, rows })
+        Ok(Assembly { blocks, u, force, rows, gyroscopic: scene.step.gyroscopic() })
     }
 
     /// The number of velocity components of moving bodies, k.
@@ -115,6 +116,16 @@ impl Assembly {
             states[block.body] = states[block.body].with_velocity(&block.gather(u));
         }
         states
+    }
+
+    /// The states after h (s) with their velocities, s + h S u; moving bodies turn as the scene's
+    /// setting `gyroscopic` says.
+    pub fn advanced(&self, states: &[State], h: f64) -> Vec<State> {
+        let mut moved: Vec<State> = states.iter().map(|state| state.advanced(h)).collect();
+        for block in &self.blocks {
+            moved[block.body] = block.advanced(self.gyroscopic, &states[block.body], h);
+        }
+        moved
     }
 }
 

@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-use nalgebra::Vector6;
+use nalgebra::{Vector3, Vector6};
 
 use super::{Block, Undefined};
-use crate::body::State;
+use crate::body::{State, linear};
 use crate::constraint::{self, Bodies, Bounds, Constraint, Kind, Spring};
-use crate::scene::{ContactId, Found, Scene};
+use crate::scene::{ContactId, Found, Resting, Scene};
 
 /// Which inequalities enter, contacts and limits alike; equations always do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,9 +15,10 @@ pub enum Entering<'a> {
     /// Contacts within the margin and all limits: the velocity level, where gaps may close within
     /// the step.
     Near,
-    /// Those that touch, c ≤ `resting_gap`: impacts.
+    /// Those that [touch](crate::scene::Resting): impacts.
     Touching,
-    /// Those that touch and do not part faster than `resting_speed`: the acceleration level.
+    /// Those that touch and do not part faster than a resting contact may, or than α pushes an overlap
+    /// apart: the acceleration level.
     Resting,
     /// Those with these names and no others, wherever they are: within a step whose rows were chosen.
     Only(&'a [RowId]),
@@ -80,6 +81,13 @@ impl Row {
         self.parts.iter().flatten()
     }
 
+    /// The direction (world) in which a positive x pushes body 1, of rows that push along one; `None` of
+    /// those that only turn.
+    pub fn direction(&self) -> Option<Vector3<f64>> {
+        let [first, second] = self.parts.map(|part| part.map(|part| linear(&part.jacobian)));
+        second.or(first.map(|pull| -pull)).filter(|push| push.norm() > 0.0)
+    }
+
     /// Whether its force is limited by itself or by yielding, so that it has no part in a blow.
     pub fn is_gentle(&self) -> bool {
         self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))
@@ -116,6 +124,7 @@ pub(super) fn rows(
         block_of[block.body] = Some(k);
     }
     let state = |body: Option<usize>| body.map_or(&State::WORLD, |k| &states[k]);
+    let resting = scene.resting();
     let mut rows = Vec::new();
     let mut add = |source: Source, constraint: &dyn Constraint| {
         let bodies = constraint.bodies();
@@ -126,7 +135,7 @@ pub(super) fn rows(
         for (component, row) in own.iter().enumerate() {
             let wanted = match row.bounds {
                 Bounds::Unilateral => {
-                    enters(row, pair, RowId { source, component }, scene, entering)
+                    enters(row, pair, RowId { source, component }, scene, resting, entering)
                 }
                 Bounds::Friction { normal, .. } => places[normal].is_some(),
                 Bounds::Bilateral | Bounds::Effort(_) => true,
@@ -154,15 +163,18 @@ fn enters(
     states: [&State; 2],
     id: RowId,
     scene: &Scene,
+    resting: Resting,
     entering: Entering,
 ) -> bool {
-    let touches = row.c <= scene.contact.resting_gap;
+    let touches = row.c <= resting.gap;
     match entering {
         Entering::Near => {
             matches!(id.source, Source::Constraint(_)) || row.c <= scene.contact.margin
         }
         Entering::Touching => touches,
-        Entering::Resting => touches && rate(row, states) <= scene.contact.resting_speed,
+        Entering::Resting => {
+            touches && rate(row, states) <= resting.speed + scene.step.alpha * (-row.c).max(0.0)
+        }
         Entering::Only(chosen) => chosen.contains(&id),
     }
 }

@@ -1,14 +1,25 @@
-//! The gyroscopic torque −ω × I ω, which the chapter leaves out.
+//! How a body's spin carries on: the gyroscopic torque −ω × I ω, which the chapter leaves out.
 //!
-//! Taken at the old velocity it feeds energy into a spinning body, without bound. Taken at the new
-//! one it is unconditionally stable: with Euler's equations in the body's frame,
+//! A torque-free body keeps its angular momentum L = I ω in the world, and ω changes as I turns with the
+//! body. In the body's frame, with Π = Rᵀ L, the implicit midpoint rule keeps both L and the energy:
 //!
 //! ```text
-//! f(ω⁺) = I (ω⁺ − ω) + dt ω⁺ × I ω⁺ = 0,   f' = I + dt ([ω⁺]× I − [I ω⁺]×)
+//! I ω̄ + ½ h ω̄ × I ω̄ = Π,     q⁺ = q ⊗ (1, ½ h ω̄) normalised,     ω⁺ = I(q⁺)⁻¹ L
 //! ```
 //!
-//! solved by Newton's method from ω (Catto, Numerical Methods, GDC 2015). The body-frame axes of
-//! the step's start are used, where I is constant.
+//! (1, ½ h ω̄) is Cayley's rotation, which takes Π to Π⁺ = I ω̄ − ½ h ω̄ × I ω̄; so |Π⁺| = |Π|, and
+//! Π⁺·I⁻¹Π⁺ = Π·I⁻¹Π because the rule keeps quadratic invariants (Hairer, Lubich & Wanner, IV.2).
+//!
+//! The other choices put a torque into F and let q⁺ = q + h S ω. Taken at the old velocity it feeds energy
+//! into a spinning body, without bound; at the new one it is unconditionally stable, and loses energy
+//! (Catto, *Numerical Methods*, GDC 2015):
+//!
+//! ```text
+//! I ω⁺ + h ω⁺ × I ω⁺ = I ω
+//! ```
+//!
+//! Both equations are solved by Newton's method, f' = I + h ([ω⁺]× I − [I ω⁺]×), in the body's axes at
+//! the step's start, where I is constant.
 
 use nalgebra::{Matrix3, Vector3};
 use schemars::JsonSchema;
@@ -16,8 +27,12 @@ use serde::{Deserialize, Serialize};
 
 use super::{Mass, State};
 
-/// Newton's method converges quadratically from ω; more steps than these change nothing.
-const NEWTON_STEPS: usize = 4;
+/// Newton's method converges quadratically from ω; a body that turns by less than a radian a step
+/// needs four of these.
+const NEWTON_STEPS: usize = 20;
+
+/// A correction of this size beside ω is rounding.
+const ROUNDING: f64 = 1e-15;
 
 /// What becomes of the gyroscopic torque.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -28,35 +43,79 @@ pub enum Gyroscopic {
     /// At the velocity before the step; gains energy.
     Explicit,
     /// At the velocity after the step; loses energy, never diverges.
-    #[default]
     Implicit,
+    /// The body turns by the midpoint rule and keeps its angular momentum: a free body keeps its
+    /// energy too.
+    #[default]
+    Conserving,
 }
 
 impl Gyroscopic {
-    /// The torque (N m, world) that acts on a body during a step of dt (s).
-    pub fn torque(self, mass: &Mass, state: &State, dt: f64) -> Vector3<f64> {
+    /// The torque (N m, world) that acts on a body during a step of h (s).
+    pub fn torque(self, mass: &Mass, state: &State, h: f64) -> Vector3<f64> {
         let Mass::Rigid { moments, .. } = mass else { return Vector3::zeros() };
         let (q, omega) = (state.pose.q, state.pose.q.inverse() * state.omega);
         let inertia = Matrix3::from_diagonal(moments);
         match self {
-            Gyroscopic::Omitted => Vector3::zeros(),
+            Gyroscopic::Omitted | Gyroscopic::Conserving => Vector3::zeros(),
             Gyroscopic::Explicit => q * -omega.cross(&(inertia * omega)),
             Gyroscopic::Implicit => {
-                q * (inertia * (implicit_spin(&inertia, &omega, dt) - omega) / dt)
+                q * (inertia * (implicit_spin(&inertia, &omega, h) - omega) / h)
+            }
+        }
+    }
+
+    /// The state after h (s) without forces: s + h S(s) u, with the spin that the angular momentum
+    /// has in the new pose where it is conserved.
+    pub fn advanced(self, mass: &Mass, state: &State, h: f64) -> State {
+        match tumbling(self, mass) {
+            None => state.advanced(h),
+            Some(inertia) => {
+                let omega = state.pose.q.inverse() * state.omega;
+                let mean = state.pose.q * implicit_spin(&inertia, &omega, 0.5 * h);
+                let momentum = mass.world_inertia(&state.pose) * state.omega;
+                let moved = State { omega: mean, ..*state }.advanced(h);
+                State { omega: mass.spin(&moved.pose, &momentum), ..moved }
+            }
+        }
+    }
+
+    /// The state at the end of a step of h (s) in which the body turned with the velocity that it
+    /// now has: where angular momentum is conserved that was ω̄, and ω⁺ = I⁻¹(I ω̄ − ½ h ω̄ × I ω̄).
+    pub fn arrived(self, mass: &Mass, state: &State, h: f64) -> State {
+        match tumbling(self, mass) {
+            None => *state,
+            Some(inertia) => {
+                let mean = state.pose.q.inverse() * state.omega;
+                let momentum = inertia * mean - 0.5 * h * mean.cross(&(inertia * mean));
+                State { omega: mass.spin(&state.pose, &(state.pose.q * momentum)), ..*state }
             }
         }
     }
 }
 
-/// ω⁺ of the implicit step, in the body's frame.
-fn implicit_spin(inertia: &Matrix3<f64>, omega: &Vector3<f64>, dt: f64) -> Vector3<f64> {
+/// I in the body's axes, if ω changes although L does not: not for a ball or a cube.
+fn tumbling(gyroscopic: Gyroscopic, mass: &Mass) -> Option<Matrix3<f64>> {
+    match mass {
+        Mass::Rigid { moments, .. } if gyroscopic == Gyroscopic::Conserving => {
+            (moments.min() < moments.max()).then(|| Matrix3::from_diagonal(moments))
+        }
+        _ => None,
+    }
+}
+
+/// ω⁺ with I ω⁺ + h ω⁺ × I ω⁺ = I ω, in the body's frame.
+fn implicit_spin(inertia: &Matrix3<f64>, omega: &Vector3<f64>, h: f64) -> Vector3<f64> {
     let mut next = *omega;
     for _ in 0..NEWTON_STEPS {
         let spin = inertia * next;
-        let f = inertia * (next - omega) + dt * next.cross(&spin);
-        let slope = inertia + dt * (next.cross_matrix() * inertia - spin.cross_matrix());
+        let f = inertia * (next - omega) + h * next.cross(&spin);
+        let slope = inertia + h * (next.cross_matrix() * inertia - spin.cross_matrix());
         let Some(correction) = slope.lu().solve(&f) else { break };
         next -= correction;
+        if correction.norm() <= ROUNDING * next.norm() {
+            break;
+        }
     }
     next
 }

@@ -29,8 +29,21 @@ pub struct Body {
     pub shape: Shape,
     /// The coefficient of dry friction of its surface; that of a pair is the geometric mean.
     pub friction: f64,
-    /// A constant force on the centre of mass (N, world), beside gravity.
+    /// The coefficient of restitution of its surface; that of the scene without it.
+    pub restitution: Option<f64>,
+    /// A constant force (N, world), beside gravity.
     pub force: Vector3<f64>,
+    /// The point on which it acts (m, in the body's frame).
+    pub force_at: Vector3<f64>,
+    /// A constant torque (N m, world).
+    pub torque: Vector3<f64>,
+}
+
+impl Body {
+    /// The constant force and torque on the centre of mass, [f; τ] (N, N m), in this pose.
+    pub fn wrench(&self, pose: &Pose) -> Vector6<f64> {
+        stack(self.force, pose.direction(&self.force_at).cross(&self.force) + self.torque)
+    }
 }
 
 /// How a body answers to forces: the blocks of M and M⁻¹.
@@ -113,8 +126,14 @@ impl Mass {
             _ => 1.0 / self.mass(),
         };
         let linear = inverse_mass * linear(wrench);
-        let angular = self.turned(pose, f64::recip) * angular(wrench);
+        let angular = self.spin(pose, &angular(wrench));
         stack(linear, angular)
+    }
+
+    /// The angular velocity I⁻¹ L (rad/s, world) of an angular momentum L about the centre of mass
+    /// (kg m²/s, world); 0 for a body that cannot turn.
+    pub fn spin(&self, pose: &Pose, momentum: &Vector3<f64>) -> Vector3<f64> {
+        self.turned(pose, f64::recip) * momentum
     }
 
     /// Kinetic energy ½ m |v|² + ½ ω·I ω (J).

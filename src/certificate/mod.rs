@@ -209,6 +209,8 @@ pub struct Certificate {
     pub scaled_residual: f64,
     /// The row that has it.
     pub worst_row: usize,
+    /// The size of x below which a row is at rest: [`Lcp::scale`], 0 if the problem states none.
+    pub scale: f64,
     /// max_i of w_i⁺ (x_i − lo_i) and w_i⁻ (hi_i − x_i), over finite bounds.
     pub complementarity_gap: f64,
     /// How far x lies outside its bounds: max_i of lo_i − x_i and x_i − hi_i, or 0.
@@ -359,6 +361,7 @@ fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
         natural_residual: natural,
         scaled_residual,
         worst_row,
+        scale: lcp.scale(),
         complementarity_gap: gap,
         bound_violation: outside,
         dual_infeasibility: infeasible,

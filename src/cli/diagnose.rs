@@ -7,9 +7,9 @@ use lcplab::diagnosis::{problem, scene};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::exchange;
 use lcplab::memory::Memory;
-use lcplab::scene::Scene;
 
 use super::form::Writing;
+use super::scene::Changes;
 use super::{Outcome, print, read_problem};
 
 /// Say why a scene or a problem cannot be solved, or not in one way only
@@ -32,6 +32,8 @@ pub struct Diagnose {
     /// The step of a scene at whose beginning it is examined, from 1; 1 without it
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
+    #[command(flatten)]
+    changes: Changes,
     /// Print what was found as JSON
     #[arg(long, conflicts_with_all = ["format", "out"])]
     json: bool,
@@ -47,8 +49,12 @@ impl Diagnose {
                 let reason = "is for scenes, this is a problem";
                 return Err(Error::invalid(&self.input, "--step", reason));
             }
+            (true, None) if !self.changes.is_empty() => {
+                let reason = "is for scenes, this is a problem";
+                return Err(Error::invalid(&self.input, "--set", reason));
+            }
             (true, None) => problem(&read_problem(Path::new(&self.input), Memory::default())?)?,
-            (false, step) => scene(&Scene::load(&self.input)?, step.unwrap_or(1) as usize)?,
+            (false, step) => scene(&self.changes.load(&self.input)?, step.unwrap_or(1) as usize)?,
         };
         if !self.json {
             return self.writing.write(&found.document());

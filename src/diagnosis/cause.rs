@@ -54,6 +54,12 @@ pub enum Cause {
         /// The sweeps to eight digits.
         sweeps: f64,
     },
+    /// The problem has more than one answer, found in exact arithmetic, and not because rows share a load:
+    /// the answer that is given is one of them.
+    Several {
+        /// How many corners the set of answers has.
+        answers: usize,
+    },
     /// A is not symmetric.
     Unsymmetric,
     /// A is symmetric and has a negative eigenvalue.
@@ -94,6 +100,7 @@ impl Cause {
             | Cause::Slow { .. }
             | Cause::Apart { .. }
             | Cause::IllConditioned { .. }
+            | Cause::Several { .. }
             | Cause::Unsymmetric => false,
         }
     }
@@ -106,6 +113,7 @@ impl Cause {
             Cause::NoDirection { .. }
             | Cause::IllConditioned { .. }
             | Cause::Slow { .. }
+            | Cause::Several { .. }
             | Cause::Unsymmetric
             | Cause::Indefinite { .. }
             | Cause::Failed { .. } => &[],
@@ -122,6 +130,7 @@ impl Cause {
             Cause::Apart { .. } => "drift",
             Cause::IllConditioned { .. } => "ill-conditioned",
             Cause::Slow { .. } => "slow",
+            Cause::Several { .. } => "several answers",
             Cause::Unsymmetric => "not symmetric",
             Cause::Indefinite { .. } => "indefinite",
             Cause::Failed { .. } => "failed",
@@ -181,6 +190,11 @@ impl fmt::Display for Cause {
                  to eight digits; start from the last step's forces, or use a pivoting solver.",
                 readable(*radius, DIGITS),
                 readable(sweeps.round(), DIGITS)
+            ),
+            Cause::Several { answers } => write!(
+                f,
+                "{answers} different answers were found in exact arithmetic, and the law of friction does not \
+                 say which is right; which one is given depends on the solver and where it starts."
             ),
             Cause::Unsymmetric => write!(
                 f,

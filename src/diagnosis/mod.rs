@@ -30,6 +30,7 @@ use crate::certificate::error_bound;
 use crate::certificate::regularity::{Regularity, least_eigenvalue, regularity};
 use crate::error::{Error, Result};
 use crate::lcp::Lcp;
+use crate::lcp::exact::all_solutions;
 use crate::lcp::file::Problem;
 use crate::lcp::friction::Model;
 use crate::solver::theory;
@@ -46,6 +47,9 @@ const MANY_SWEEPS: f64 = 1000.0;
 /// The eigenvalues of a sweep are computed for so many rows.
 const SWEPT: usize = 400;
 
+/// All answers are looked for in problems of so many rows: 3⁸ = 6561 pieces.
+const ENUMERATED: usize = 8;
+
 /// An eigenvalue below minus this is negative, not rounding.
 const NEGATIVE: f64 = 1e-9;
 
@@ -58,7 +62,8 @@ pub struct Diagnosis {
     pub labels: Vec<String>,
     /// Degrees of freedom; of a scene only.
     pub freedoms: Option<Freedoms>,
-    /// Rank, condition and dependent rows of A; without it, no rows were reached.
+    /// Rank, condition and dependent rows of A; without it, no rows were reached, or the numbers in them
+    /// are too large or too small for singular values.
     pub regularity: Option<Regularity>,
     /// Whether x is unique: `true` only where that follows from a theorem whose assumptions were verified
     /// (A symmetric and definite, no friction); otherwise nothing is known.
@@ -99,6 +104,16 @@ fn slow(lcp: &Lcp) -> Option<Cause> {
     (sweeps > MANY_SWEEPS).then_some(Cause::Slow { radius, sweeps })
 }
 
+/// The answers of a small problem with friction or a matrix that is not symmetric, if there are several.
+/// Where A is symmetric and nothing is coupled, redundant rows say as much.
+fn several(lcp: &Lcp) -> Option<Cause> {
+    if lcp.len() > ENUMERATED || (lcp.coupling().is_none() && lcp.matrix().is_symmetric()) {
+        return None;
+    }
+    let answers = all_solutions(lcp)?.len();
+    (answers > 1).then_some(Cause::Several { answers })
+}
+
 impl Diagnosis {
     fn named(subject: String, labels: Vec<String>) -> Self {
         let (freedoms, regularity, causes) = (None, None, Vec::new());
@@ -117,31 +132,35 @@ impl Diagnosis {
             let reason = format!("has {} rows, more than {LARGEST} are not examined", lcp.len());
             return Err(Error::invalid(&self.subject, "A", reason));
         }
-        let Some(found) = regularity(lcp.matrix()) else {
-            let reason = "its singular values could not be found";
-            return Err(Error::invalid(&self.subject, "A", reason));
-        };
+        let found = regularity(lcp.matrix());
         self.is_symmetric = lcp.matrix().is_symmetric();
         self.definiteness(lcp);
-        for &row in &found.zero_rows {
+        for &row in found.iter().flat_map(|found| &found.zero_rows) {
             self.causes.push(Cause::ZeroRow { row: self.labels[row].clone() });
         }
-        let impossible = contradiction::rows(lcp, &found.dependencies, is_box);
+        let dependencies = found.as_ref().map_or(&[][..], |found| &found.dependencies);
+        let impossible = contradiction::rows(lcp, dependencies, is_box);
         if let Some((rows, proof)) = impossible {
             self.causes.push(Cause::Impossible { rows: self.names(rows), proof });
+        } else if is_box {
+            self.causes.extend(several(lcp));
         }
         self.is_unique = lcp.coupling().is_none() && error_bound::is_definite(lcp);
         let is_indefinite = self
             .causes
             .iter()
             .any(|cause| matches!(cause, Cause::Indefinite { .. } | Cause::Unsymmetric));
-        self.redundancy(&found);
-        if found.condition > ILL {
-            self.causes.push(Cause::IllConditioned { condition: found.condition });
-        } else if !is_indefinite {
-            self.causes.extend(slow(lcp));
+        if let Some(found) = &found {
+            self.redundancy(found);
         }
-        self.regularity = Some(found);
+        match found.as_ref().map(|found| found.condition) {
+            Some(condition) if condition > ILL => {
+                self.causes.push(Cause::IllConditioned { condition });
+            }
+            _ if !is_indefinite => self.causes.extend(slow(lcp)),
+            _ => {}
+        }
+        self.regularity = found;
         self.causes.sort_by_key(|cause| !cause.is_fatal());
         Ok(())
     }

@@ -5,15 +5,15 @@ use crate::assembly::{Assembly, Entering, Row};
 use crate::constraint::Bounds;
 use crate::document::notation::plain;
 use crate::error::Result;
-use crate::formulation::Problem;
+use crate::formulation::{Problem, Slide};
 use crate::report::study::scene_simulation;
-use crate::scene::{FrictionModel, Scene, contacts};
+use crate::scene::{Formulation, FrictionModel, Scene, contacts};
 
 /// An error c (m or rad) beyond this is worth a word.
 const APART: f64 = 1e-3;
 
-/// Examines the velocity-level LCP of a scene at the beginning of a step, counted from 1; the steps
-/// before it are taken as the scene says.
+/// Examines the LCP of a scene at the beginning of a step, counted from 1: that of forces at acceleration
+/// level, that of impulses under all other schemes. The steps before it are taken as the scene says.
 ///
 /// # Errors
 /// If the scene's solver does not exist, or the LCP has numbers that are not finite or more than 2000
@@ -28,8 +28,13 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
         }
     }
     let states = simulation.states();
-    let touching = contacts(scene, states, scene.contact.margin);
-    let assembly = match Assembly::new(scene, states, &touching, Entering::Near) {
+    let is_force = scene.step.formulation == Formulation::Acceleration;
+    let (reach, entering) = match is_force {
+        true => (scene.resting().gap, Entering::Resting),
+        false => (scene.contact.margin, Entering::Near),
+    };
+    let touching = contacts(scene, states, reach);
+    let assembly = match Assembly::new(scene, states, &touching, entering) {
         Ok(assembly) => assembly,
         Err(undefined) => {
             let place =
@@ -43,7 +48,14 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
     found.labels = rows.map(|(i, row)| format!("{i} ({})", row.label(scene))).collect();
     found.freedoms = Some(Freedoms::of(&assembly));
     found.causes.extend(apart(&assembly, scene));
-    let problem = Problem::velocity(scene, assembly).map_err(|error| error.within(&scene.name))?;
+    let problem = match is_force {
+        true => {
+            let slides = Slide::of_scene(scene, &assembly);
+            Problem::sliding(scene, assembly, slides)
+        }
+        false => Problem::velocity(scene, assembly),
+    };
+    let problem = problem.map_err(|error| error.within(&scene.name))?;
     found.examine(&problem.lcp, scene.contact.model == FrictionModel::CoupledBox)?;
     Ok(found)
 }

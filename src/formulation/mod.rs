@@ -23,14 +23,13 @@ pub use crate::scene::Formulation;
 pub use factors::Factors;
 pub use friction::{Posing, friction_model, with_friction_model};
 pub use sliding::Slide;
-pub(crate) use velocity::Bias;
+pub(crate) use velocity::{Bias, has_closed};
 
 use crate::assembly::{Assembly, Row};
 use crate::body::State;
 use crate::constraint::Bounds;
 use crate::error::Result;
 use crate::lcp::{Coupling, Gauss, Lcp};
-use crate::memory::Memory;
 use crate::scene::Scene;
 
 /// What an LCP decides within a step.
@@ -57,6 +56,17 @@ impl Stage {
             Stage::Restitution => "restitution",
             Stage::Acceleration => "acceleration",
             Stage::Position => "position",
+        }
+    }
+
+    /// The x below which a row is at rest: the [scale](Scene::scale) of the scene's forces, or what it
+    /// does in a step.
+    fn scale(self, scene: &Scene) -> f64 {
+        let (force, dt) = (scene.scale(), scene.step.dt);
+        match self {
+            Stage::Acceleration => force,
+            Stage::Velocity | Stage::Impact | Stage::Restitution => force * dt,
+            Stage::Position => force * dt * dt,
         }
     }
 
@@ -116,8 +126,7 @@ impl Problem {
 
     fn stepping(scene: &Scene, assembly: Assembly, bias: Vec<f64>) -> Result<Self> {
         let target = velocity::target(&assembly, scene.step.dt);
-        let (dt, most) = (scene.step.dt, scene.memory);
-        Problem::new(Stage::Velocity, assembly, target, bias, dt, Vec::new(), most)
+        Problem::new(scene, Stage::Velocity, assembly, target, bias, scene.step.dt, Vec::new())
     }
 
     /// The impulse LCP of bodies that hit: no force, no bias, only J u⁺ ≥ 0.
@@ -126,11 +135,11 @@ impl Problem {
     /// If a number is not finite, or A takes too much memory.
     pub fn impact(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let (target, bias) = (assembly.u.clone(), vec![0.0; assembly.rows.len()]);
-        Problem::new(Stage::Impact, assembly, target, bias, 0.0, Vec::new(), scene.memory)
+        Problem::new(scene, Stage::Impact, assembly, target, bias, 0.0, Vec::new())
     }
 
-    /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that the first answer x pushes
-    /// and that approached faster than `bounce_speed`; `None` if no row does.
+    /// The impulse LCP again, for w = J u⁺ + e J u⁻ ≥ 0 in the rows that closed under the first answer x
+    /// and had approached faster than `bounce_speed`; `None` if no row did.
     ///
     /// # Errors
     /// If a number is not finite.
@@ -159,8 +168,7 @@ impl Problem {
     pub fn sliding(scene: &Scene, assembly: Assembly, slides: Vec<Slide>) -> Result<Self> {
         let target = assembly.accelerate(&assembly.force);
         let bias = acceleration::bias(&assembly, scene);
-        let (dt, most) = (scene.step.dt, scene.memory);
-        Problem::new(Stage::Acceleration, assembly, target, bias, dt, slides, most)
+        Problem::new(scene, Stage::Acceleration, assembly, target, bias, scene.step.dt, slides)
     }
 
     /// The LCP that corrects positions.
@@ -170,19 +178,19 @@ impl Problem {
     pub fn position(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let target = vec![0.0; assembly.columns()];
         let bias = position::bias(&assembly, scene);
-        Problem::new(Stage::Position, assembly, target, bias, 0.0, Vec::new(), scene.memory)
+        Problem::new(scene, Stage::Position, assembly, target, bias, 0.0, Vec::new())
     }
 
     fn new(
+        scene: &Scene,
         stage: Stage,
         assembly: Assembly,
         target: Vec<f64>,
         bias: Vec<f64>,
         dt: f64,
         slides: Vec<Slide>,
-        most: Memory,
     ) -> Result<Self> {
-        delassus::check(&assembly, most)?;
+        delassus::check(&assembly, scene.memory)?;
         let rows = &assembly.rows;
         let compliance: Vec<f64> = rows.iter().map(|row| compliance(row, stage, dt)).collect();
         let (mut lo, mut hi): (Vec<f64>, Vec<f64>) =
@@ -198,6 +206,7 @@ impl Problem {
         let b = offsets(&assembly, &target, &bias);
         let lcp = Lcp::new(delassus::matrix(&assembly, &compliance, &slides), b, lo, hi)?;
         let lcp = lcp.with_coupling(Coupling::new(index, mu)?)?;
+        let lcp = lcp.with_scale(stage.scale(scene))?;
         Ok(Problem { stage, dt, lcp, assembly, target, bias, compliance, slides })
     }
 
@@ -240,7 +249,7 @@ impl Problem {
             return states.iter().zip(&moves).map(shifted).collect();
         }
         let moved = self.assembly.with_velocities(states, &self.next_velocity(x, dt));
-        moved.iter().map(|state| state.advanced(dt)).collect()
+        self.assembly.advanced(&moved, dt)
     }
 
     /// The same motion as a primal program, by Gauss's principle; coupled rows have the bounds that

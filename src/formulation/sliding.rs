@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 
 use crate::assembly::Assembly;
 use crate::constraint::Bounds;
+use crate::scene::{Scene, Sliding};
 
 /// A sliding contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +26,14 @@ pub struct Slide {
 }
 
 impl Slide {
+    /// The sliding contacts whose friction the scene wants to be substituted.
+    pub fn of_scene(scene: &Scene, assembly: &Assembly) -> Vec<Slide> {
+        match scene.contact.sliding {
+            Sliding::Box => Vec::new(),
+            Sliding::Substituted => Slide::all(assembly, scene.contact.sticking_speed),
+        }
+    }
+
     /// The contacts of an assembly that slip faster than this (m/s).
     pub fn all(assembly: &Assembly, sticking_speed: f64) -> Vec<Slide> {
         let mut contacts: BTreeMap<usize, Vec<(usize, f64)>> = BTreeMap::new();

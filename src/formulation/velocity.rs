@@ -14,7 +14,7 @@
 //! into energy. K&M Code 7 has −x (see the errata), `math §4`.
 
 use super::{Problem, Stage};
-use crate::assembly::Assembly;
+use crate::assembly::{Assembly, Row};
 use crate::constraint::{Bounds, Kind, Spring};
 use crate::scene::{Feedback, Scene};
 
@@ -77,16 +77,26 @@ pub(super) fn bias(assembly: &Assembly, scene: &Scene, beta: f64) -> Vec<f64> {
 /// The bias with e J u⁻ in the rows that bounce after the answer x, if any does.
 pub(super) fn bouncing(problem: &Problem, scene: &Scene, x: &[f64]) -> Option<Vec<f64>> {
     debug_assert!(matches!(problem.stage, Stage::Velocity | Stage::Impact));
-    let e = scene.contact.restitution;
+    let e = |row: &Row| scene.restitution(row.bodies);
+    let is_fast = |row: &Row| {
+        row.kind == Kind::Normal && e(row) > 0.0 && row.velocity < -scene.contact.bounce_speed
+    };
+    let rows = problem.assembly.rows.iter().enumerate().filter(|(_, row)| is_fast(row));
+    let hits = rows.filter(|(i, row)| has_closed(x[*i], problem.lcp.row_w(*i, x), row.velocity));
     let mut bias = problem.bias.clone();
     let mut any = false;
-    for ((row, x), bias) in problem.assembly.rows.iter().zip(x).zip(&mut bias) {
-        let hit =
-            row.kind == Kind::Normal && *x > 0.0 && row.velocity < -scene.contact.bounce_speed;
-        if hit && e > 0.0 {
-            *bias = e * row.velocity;
-            any = true;
-        }
+    for (i, row) in hits {
+        bias[i] = e(row) * row.velocity;
+        any = true;
     }
     any.then_some(bias)
+}
+
+/// Of the speed of its approach, a contact that has closed has kept no more than this part.
+const CLOSED: f64 = 1e-6;
+
+/// Whether a contact with the answer x and w has closed, after an approach with `velocity` = J u⁻ < 0. At a
+/// solution that is w = 0, which is unique where x is not; x > 0 says it where sweeps ended early.
+pub(crate) fn has_closed(x: f64, w: f64, velocity: f64) -> bool {
+    x > 0.0 || w <= CLOSED * -velocity
 }

@@ -3,6 +3,7 @@
 //! Every solver needs the same few things of A, one row at a time: the product of a row with x, the
 //! diagonal, and the entries of a row. Rows are contiguous in both storages.
 
+use dashu_ratio::RBig;
 use faer::reborrow::ReborrowMut;
 use faer::sparse::{SparseRowMat, SparseRowMatRef, Triplet};
 use nalgebra::{DMatrix, DMatrixView};
@@ -33,13 +34,20 @@ impl Matrix {
         Matrix::Dense(DMatrix::from_column_slice(n, n, entries_by_rows))
     }
 
-    /// A sparse A from entries (row, column, value); entries at the same place add up.
+    /// A sparse A from entries (row, column, value); entries at the same place add up exactly, and their
+    /// sum is rounded once.
+    ///
+    /// ```
+    /// # use lcplab::lcp::Matrix;
+    /// let a = Matrix::sparse(1, &[(0, 0, 1e16), (0, 0, 1.0), (0, 0, -1e16)]);
+    /// assert_eq!(a.diagonal(0), 1.0);
+    /// ```
     ///
     /// # Panics
     /// If an index is not below n.
     pub fn sparse(n: usize, entries: &[(usize, usize, f64)]) -> Self {
         let triplets: Vec<_> =
-            entries.iter().map(|&(row, col, val)| Triplet { row, col, val }).collect();
+            summed(entries).into_iter().map(|(row, col, val)| Triplet { row, col, val }).collect();
         let sparse = SparseRowMat::try_new_from_triplets(n, n, &triplets)
             .expect("indices below n, sizes that fit in memory");
         Matrix::Sparse(sparse)
@@ -228,4 +236,27 @@ pub fn dot(x: &[f64], y: &[f64]) -> f64 {
     }
     let [a, b, c, d, e, f, g, h] = lanes;
     (((a + e) + (c + g)) + ((b + f) + (d + h))) + tail
+}
+
+/// The entries with those at the same place as one. In floating point their sum would depend on their order,
+/// and what is proved of A would not hold for the file that A came from.
+fn summed(entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
+    let mut entries = entries.to_vec();
+    let place = |&(row, col, _): &(usize, usize, f64)| (row, col);
+    if entries.is_sorted_by(|a, b| place(a) < place(b)) {
+        return entries;
+    }
+    entries.sort_by_key(place);
+    let groups = entries.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
+    groups.map(|group| (group[0].0, group[0].1, exact_sum(group))).collect()
+}
+
+/// The sum of the values, rounded once; of values that are not all finite, as floating point has it.
+fn exact_sum(group: &[(usize, usize, f64)]) -> f64 {
+    let values = || group.iter().map(|&(_, _, value)| value);
+    if let [(_, _, value)] = group {
+        return *value;
+    }
+    let exact = values().try_fold(RBig::ZERO, |sum, value| Some(sum + RBig::try_from(value).ok()?));
+    exact.map_or_else(|| values().sum(), |sum| sum.to_f64().value())
 }

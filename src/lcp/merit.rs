@@ -14,7 +14,8 @@ const SAFE: std::ops::Range<f64> = 1e-250..1e250;
 pub struct RowTerms {
     /// w_i = Σ_j a_ij x_j + b_i, in units of 2^`exponent`.
     pub w: f64,
-    /// Σ_j |a_ij x_j| + |b_i|: what w_i would be without cancellation, in units of 2^`exponent`.
+    /// Σ_j |a_ij x_j| + |b_i|: what w_i would be without cancellation, in units of 2^`exponent`; at least
+    /// s_i times the [scale](Lcp::scale) of the problem.
     pub magnitude: f64,
     /// s_i = |a_ii|, or max_j |a_ij| where a_ii = 0: how much w_i moves with x_i.
     pub scale: f64,
@@ -48,8 +49,10 @@ impl RowTerms {
     }
 
     /// The terms whose sums were taken elsewhere; none if those may have overflowed or vanished.
-    pub(crate) fn of_sums(w: f64, magnitude: f64, scale: f64) -> Option<Self> {
-        SAFE.contains(&magnitude).then_some(RowTerms { w, magnitude, scale, exponent: 0 })
+    pub(crate) fn of_sums(lcp: &Lcp, w: f64, magnitude: f64, scale: f64) -> Option<Self> {
+        let rest = lcp.scale() * scale;
+        let terms = || RowTerms { w, magnitude: magnitude.max(rest), scale, exponent: 0 };
+        SAFE.contains(&magnitude).then(terms)
     }
 
     /// The terms of row i at x, added up by S.
@@ -62,7 +65,9 @@ impl RowTerms {
             magnitude += (a * x).abs();
         }
         let scale = row_scale(lcp, i);
-        if SAFE.contains(&magnitude) {
+        let rest = lcp.scale() * scale;
+        if SAFE.contains(&magnitude) || magnitude < rest {
+            let magnitude = magnitude.max(rest);
             return RowTerms { w: w.value(), magnitude, scale, exponent: 0 };
         }
         let largest = products().filter_map(|(a, x)| exponent(a, x)).max();
@@ -84,7 +89,8 @@ impl RowTerms {
     /// r_i = |x_i − Π(x_i − w_i / s_i)| s_i / (Σ_j |a_ij x_j| + |b_i|),   0/0 = 0
     /// ```
     ///
-    /// No unit and no scaling of a row or column changes it; rounding alone makes it about 1e-16.
+    /// Terms below s_i times the problem's [scale](Lcp::scale), if it has one, count as that much: such a
+    /// row is at rest. No unit and no scaling of a row or column changes it; rounding alone makes it about 1e-16.
     pub fn scaled_residual(&self, x: f64, lo: f64, hi: f64) -> f64 {
         self.miss(x, lo, hi).relative()
     }

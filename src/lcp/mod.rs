@@ -28,7 +28,7 @@ pub use matrix::{Matrix, Row, dot};
 
 use std::sync::Arc;
 
-use crate::error::{Defects, Result};
+use crate::error::{Defects, Error, Result};
 
 /// A boxed LCP. It is valid from construction on: sizes agree, all numbers of A and b are finite,
 /// no bound is NaN and lo ≤ hi, so no solver checks again.
@@ -40,6 +40,7 @@ pub struct Lcp {
     lo: Vec<f64>,
     hi: Vec<f64>,
     coupling: Option<Coupling>,
+    scale: f64,
 }
 
 impl Lcp {
@@ -75,7 +76,7 @@ impl Lcp {
             check_bounds(i, *lo, *hi, &mut defects);
         }
         defects.into_result("problem")?;
-        Ok(Lcp { matrix: Arc::new(matrix), b, lo, hi, coupling: None })
+        Ok(Lcp { matrix: Arc::new(matrix), b, lo, hi, coupling: None, scale: 0.0 })
     }
 
     /// The same problem with some rows bounded by ±μ times another row's x.
@@ -89,6 +90,28 @@ impl Lcp {
         }
         self.coupling = (!coupling.is_empty()).then_some(coupling);
         Ok(self)
+    }
+
+    /// The same problem with the size of x that counts as something.
+    ///
+    /// Where all terms of a row are rounding, of 1e-19 m/s beside 1 m/s of other rows, say, nothing can
+    /// be said of its w. So a row whose terms are below s_i times this is measured by s_i times this
+    /// ([`RowTerms`](merit::RowTerms)). Scenes state the impulse of their lightest body's weight in a step;
+    /// the default 0 measures each row by its own terms.
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn with_scale(self, scale: f64) -> Result<Self> {
+        if !(scale >= 0.0 && scale.is_finite()) {
+            let reason = format!("must be finite and not negative, is {scale}");
+            return Err(Error::invalid("problem", "scale", reason));
+        }
+        Ok(Lcp { scale, ..self })
+    }
+
+    /// The size of x that counts as something, 0 if the problem does not state one.
+    pub fn scale(&self) -> f64 {
+        self.scale
     }
 
     /// The number of rows, n.
@@ -198,13 +221,13 @@ impl Lcp {
 
     /// The same A and bounds with b = 0.
     pub fn homogeneous(&self) -> Lcp {
-        Lcp { b: vec![0.0; self.len()], ..self.clone() }
+        Lcp { b: vec![0.0; self.len()], scale: 0.0, ..self.clone() }
     }
 
     /// The boxed problem without coupling whose bounds are those of this one at x.
     pub fn frozen_at(&self, x: &[f64]) -> Lcp {
         let (lo, hi) = (0..self.len()).map(|i| self.bounds(i, x)).unzip();
-        Lcp { matrix: Arc::clone(&self.matrix), b: self.b.clone(), lo, hi, coupling: None }
+        Lcp { lo, hi, coupling: None, ..self.clone() }
     }
 }
 

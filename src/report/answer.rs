@@ -98,6 +98,10 @@ pub fn claim(
         (Status::Ray { .. } | Status::NoSolution, Some(refutation)) => {
             ("infeasible", format!("no solution exists, {}", how(refutation)))
         }
+        (Status::Solved, Some(refutation)) => {
+            let how = how(refutation);
+            ("solved", format!("solved within the tolerance, though no solution exists, {how}"))
+        }
         _ => {
             let message = stopped.map_or_else(|| status.to_string(), |by| by.to_string());
             (status_word(status), message)
@@ -155,6 +159,9 @@ pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
     ] {
         object.insert(key.into(), number(value));
     }
+    if certificate.scale > 0.0 {
+        object.insert("scale".into(), number(certificate.scale));
+    }
     object.extend(verdict_json(&certificate.verdict));
     object.extend(
         certificate.evidence.iter().map(|evidence| ("certificate".into(), evidence_json(evidence))),
@@ -210,6 +217,12 @@ pub fn certificate_text(certificate: &Certificate) -> String {
     let mut text = format!("verdict    {}\n", certificate.verdict);
     for (name, value, meaning) in lines {
         text += &format!("  {name:<17}{value:>10.2e}  {meaning}\n");
+    }
+    if certificate.scale > 0.0 {
+        text += &format!(
+            "  scale            {:>10.2e}  rows whose terms are smaller than those of this x are at rest\n",
+            certificate.scale
+        );
     }
     text += &certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
     text

@@ -2,6 +2,7 @@
 //! [`joints`](super::joints).
 
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,7 +10,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::description::{self, Capsule, Description, Rotation};
 use super::joints::Site;
-use super::settings::{not_negative, positive};
+use super::settings::{not_negative, positive, within_one};
 use super::{Scene, friction, generate};
 use crate::body::{Body, Mass, Polytope, Pose, Shape, State, inertia};
 use crate::error::{Defects, Result};
@@ -30,7 +31,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         name: stem(name),
         title: whole.title.clone(),
         teaches: whole.teaches.clone(),
-        gravity: whole.gravity.into(),
+        gravity: leaning(&mut defects, &whole),
         step: whole.step.clone(),
         contact: whole.contact.clone(),
         solver: whole.solver.clone(),
@@ -51,8 +52,22 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         let (shape, frame) = build_shape(&mut defects, &place, &body.shape);
         let mass = build_mass(&mut defects, &place, body, &shape);
         let friction = build_friction(&mut defects, &place, body, whole.contact.friction);
-        let force = build_force(&mut defects, &place, body);
-        scene.bodies.push(Body { name: body.name.clone(), mass, shape, friction, force });
+        if let Some(restitution) = body.restitution {
+            within_one(&mut defects, &format!("{place}.restitution"), restitution);
+        }
+        let force_at =
+            body.force_at.map_or_else(Vector3::zeros, |point| frame.local(&point.into()));
+        build_force(&mut defects, &place, body);
+        scene.bodies.push(Body {
+            name: body.name.clone(),
+            mass,
+            shape,
+            friction,
+            restitution: body.restitution,
+            force: body.force.into(),
+            force_at,
+            torque: body.torque.into(),
+        });
         scene.states.push(build_state(&mut defects, &place, body, &frame));
     }
     for (k, constraint) in whole.constraints.iter().enumerate() {
@@ -74,13 +89,32 @@ fn build_friction(defects: &mut Defects, place: &str, body: &description::Body, 
     body.friction.unwrap_or(usual)
 }
 
-fn build_force(defects: &mut Defects, place: &str, body: &description::Body) -> Vector3<f64> {
-    let place = format!("{place}.force");
-    finite(defects, &place, &body.force);
-    if body.fixed && body.force != [0.0; 3] {
-        defects.add(place, "a fixed body has none");
+/// What acts on a body must be finite, and able to act on it.
+fn build_force(defects: &mut Defects, place: &str, body: &description::Body) {
+    let is_point = body.shape == description::Shape::Point;
+    let given = [("force", body.force), ("torque", body.torque)];
+    for (field, value) in given.into_iter().chain(body.force_at.map(|point| ("force_at", point))) {
+        let place = format!("{place}.{field}");
+        finite(defects, &place, &value);
+        if body.fixed && value != [0.0; 3] {
+            defects.add(place, "a fixed body has none");
+        } else if is_point && field != "force" && value != [0.0; 3] {
+            defects.add(place, "a point does not turn");
+        }
     }
-    body.force.into()
+}
+
+/// Gravity in coordinates along a scene that leans.
+fn leaning(defects: &mut Defects, whole: &Description) -> Vector3<f64> {
+    let gravity: Vector3<f64> = whole.gravity.into();
+    match whole.tilt.map(|tilt| turn(&tilt)) {
+        None => gravity,
+        Some(Some(q)) => q.inverse() * gravity,
+        Some(None) => {
+            defects.add("tilt", "is not a rotation: it must be finite and not 0");
+            gravity
+        }
+    }
 }
 
 /// The shape in the body's frame, and that frame in the axes in which the shape is written: they
@@ -104,6 +138,11 @@ fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -
             positive(defects, format!("{place}.capsule.radius"), *radius);
             Shape::Capsule { half_length: length / 2.0, radius: *radius }
         }
+        description::Shape::Cylinder(Capsule { length, radius }) => {
+            positive(defects, format!("{place}.cylinder.length"), *length);
+            positive(defects, format!("{place}.cylinder.radius"), *radius);
+            return build_hull(defects, &place, &prism(*length, *radius));
+        }
         description::Shape::Hull(points) => return build_hull(defects, &place, points),
         description::Shape::Plane(normal) => {
             Shape::Plane { normal: direction(defects, &place, normal) }
@@ -123,6 +162,20 @@ fn build_hull(defects: &mut Defects, place: &str, points: &[[f64; 3]]) -> (Shape
     (Shape::Hull(Arc::new(hull.seen_from(&frame))), frame)
 }
 
+/// The sides of the prism that stands for a cylinder.
+const SIDES: usize = 32;
+
+/// The corners of a prism along z with as much volume as the cylinder.
+fn prism(length: f64, radius: f64) -> Vec<[f64; 3]> {
+    let step = TAU / SIDES as f64;
+    let reach = radius * (step / libm::sin(step)).sqrt();
+    let corner = |k: usize| {
+        let (sin, cos) = libm::sincos(step * k as f64);
+        [0.5, -0.5].map(|end| [reach * cos, reach * sin, end * length])
+    };
+    (0..SIDES).flat_map(corner).collect()
+}
+
 fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shape: &Shape) -> Mass {
     if body.fixed {
         let given = [body.mass.is_some(), body.density.is_some(), body.inertia.is_some()];
@@ -140,7 +193,14 @@ fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shap
         return STAND_IN;
     }
     let Some(mass) = weigh(defects, place, body, shape) else { return STAND_IN };
-    match (inertia::moments(shape, mass), body.inertia) {
+    let homogeneous = match body.shape {
+        description::Shape::Cylinder(Capsule { length, radius }) => {
+            let (along, square) = (0.5 * mass * radius * radius, mass * length * length / 12.0);
+            Some(Vector3::new(0.5 * along + square, 0.5 * along + square, along))
+        }
+        _ => inertia::moments(shape, mass),
+    };
+    match (homogeneous, body.inertia) {
         (None, None) => Mass::Point { mass },
         (None, Some(_)) => {
             defects.add(format!("{place}.inertia"), "a point has none");

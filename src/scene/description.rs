@@ -36,6 +36,9 @@ pub struct Description {
     pub teaches: String,
     /// The acceleration of gravity (m/s²).
     pub gravity: [f64; 3],
+    /// How the whole scene leans, in degrees: `{ y = 17 }` makes a slope of 17 degrees, down along x, of a
+    /// level ground and all that stands on it. Coordinates stay along the slope; gravity is turned.
+    pub tilt: Option<Rotation>,
     /// How a step is taken.
     pub step: Step,
     /// When contacts count, and what they do.
@@ -67,6 +70,7 @@ impl Default for Description {
             title: String::new(),
             teaches: String::new(),
             gravity: [0.0, 0.0, -9.81],
+            tilt: None,
             step: Step::default(),
             contact: Contacts::default(),
             solver: Solver::default(),
@@ -113,9 +117,19 @@ pub struct Body {
     /// Coefficient of friction; by default that of `[contact]`. A pair has the geometric mean.
     #[serde(default)]
     pub friction: Option<f64>,
-    /// A constant force on the centre of mass (N, world), beside gravity.
+    /// Coefficient of restitution, 0 to 1; by default that of `[contact]`. A pair has the geometric mean.
+    #[serde(default)]
+    pub restitution: Option<f64>,
+    /// A constant force (N, world), beside gravity.
     #[serde(default)]
     pub force: [f64; 3],
+    /// The point of the body on which the force acts (m, from `position`, in the body's axes); by default the
+    /// centre of mass.
+    #[serde(default)]
+    pub force_at: Option<[f64; 3]>,
+    /// A constant torque (N m, world).
+    #[serde(default)]
+    pub torque: [f64; 3],
 }
 
 /// The shape of a body, as `"point"` or `{ sphere = 0.5 }`.
@@ -131,17 +145,19 @@ pub enum Shape {
     Box([f64; 3]),
     /// A cylinder along z with half balls at its ends.
     Capsule(Capsule),
+    /// A cylinder along z: to collisions a prism with 32 sides, as heavy to turn as a round one.
+    Cylinder(Capsule),
     /// The convex hull of these points (m), which must span a volume.
     Hull(Vec<[f64; 3]>),
     /// The half space below a plane with this normal (any length); must be fixed.
     Plane([f64; 3]),
 }
 
-/// All points within a radius of a segment along the body's z axis.
+/// A segment along the body's z axis, and the radius around it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Capsule {
-    /// The length of the segment (m); the whole capsule is longer by two radii.
+    /// The length of the segment (m); a whole capsule is longer by two radii.
     pub length: f64,
     /// Radius (m).
     pub radius: f64,

@@ -88,6 +88,18 @@ pub enum Integrator {
     ImplicitMidpoint,
 }
 
+impl Integrator {
+    /// The word in scene files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Integrator::ExplicitEuler => "explicit-euler",
+            Integrator::SemiImplicitEuler => "semi-implicit-euler",
+            Integrator::Rk4 => "rk4",
+            Integrator::ImplicitMidpoint => "implicit-midpoint",
+        }
+    }
+}
+
 /// How the position error c enters the velocity of a row (Baumgarte; K&M (25)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]

@@ -6,6 +6,7 @@
 
 mod build;
 pub mod catalogue;
+mod change;
 mod contacts;
 pub mod description;
 mod families;
@@ -13,6 +14,8 @@ mod file;
 mod friction;
 pub mod generate;
 mod joints;
+mod notes;
+mod resting;
 mod settings;
 
 pub use contacts::{ContactId, Detector, Feature, Found, contacts};
@@ -20,6 +23,7 @@ pub use description::Description;
 pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;
 pub use friction::FrictionModel;
+pub use resting::Resting;
 pub use settings::{Contacts, Manifold, Order, Persistence, Sliding, Solver, Step};
 
 use std::path::Path;
@@ -28,7 +32,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use crate::body::{Body, State};
-use crate::constraint::Constraint;
+use crate::constraint::{Bodies, Constraint};
 use crate::error::{Defects, Error, Result};
 use crate::file as files;
 use crate::memory::Memory;
@@ -107,6 +111,29 @@ impl Scene {
         file::parse(path, text)
     }
 
+    /// The same with some of its fields set, such as `contact.friction` to `0.3` or `bodies.crate.mass` to
+    /// `2`. A field of a table or a list is named after a dot, the latter by its number from 0 or its name; `mu`,
+    /// `dt` and `angle` stand for `contact.friction`, `step.dt` and `tilt.y`.
+    ///
+    /// # Errors
+    /// As [`load`](Scene::load), or if there is no such field or it cannot have the value.
+    ///
+    /// ```
+    /// use lcplab::scene::Scene;
+    ///
+    /// let changes = [("mu".into(), "0.3".into()), ("bodies.bob.mass".into(), "2".into())];
+    /// let scene = Scene::load_with("pendulum", &changes)?;
+    /// assert_eq!((scene.contact.friction, scene.bodies[0].mass.mass()), (0.3, 2.0));
+    /// # Ok::<(), lcplab::error::Error>(())
+    /// ```
+    pub fn load_with(path_or_name: &str, changes: &[(String, String)]) -> Result<Scene> {
+        if changes.is_empty() {
+            return Scene::load(path_or_name);
+        }
+        let (path, text) = text(path_or_name)?;
+        Scene::new(&path, &change::changed(&path, &text, changes)?)
+    }
+
     /// Reads a scene file, or takes a shipped scene by its name.
     ///
     /// # Errors
@@ -133,6 +160,40 @@ impl Scene {
         friction::check(&mut defects, &self.step, &self.contact);
         self.solver.check(&mut defects);
         defects.into_result(self.name.as_str())
+    }
+
+    /// The coefficient of restitution of a pair: the geometric mean of both, of which the world has none.
+    pub fn restitution(&self, bodies: Bodies) -> f64 {
+        let of = |body: Option<usize>| body.and_then(|k| self.bodies[k].restitution);
+        match bodies.map(of) {
+            [None, None] => self.contact.restitution,
+            pair => {
+                let [a, b] = pair.map(|own| own.unwrap_or(self.contact.restitution));
+                (a * b).sqrt()
+            }
+        }
+    }
+
+    /// When contacts rest at acceleration level.
+    pub fn resting(&self) -> Resting {
+        Resting::of(self)
+    }
+
+    /// The thickness (m) of the thinnest body, if any has one.
+    pub fn thinnest(&self) -> Option<f64> {
+        self.bodies.iter().filter_map(|body| resting::size(&body.shape)).reduce(f64::min)
+    }
+
+    /// The force (N) below which a row is at rest: `solver.scale`, or the weight of the lightest body; where
+    /// nothing has a weight, the least force that a body is given, or 0.
+    pub fn scale(&self) -> f64 {
+        let moving = || self.bodies.iter().filter(|body| body.mass.mass() > 0.0);
+        let least = |forces: &mut dyn Iterator<Item = f64>| {
+            forces.filter(|force| *force > 0.0).reduce(f64::min)
+        };
+        let weight = || least(&mut moving().map(|body| body.mass.mass() * self.gravity.norm()));
+        let force = || least(&mut moving().map(|body| body.force.norm()));
+        self.solver.scale.or_else(weight).or_else(force).unwrap_or(0.0)
     }
 
     /// The index of the body with this name.

@@ -32,6 +32,9 @@ pub struct Step {
     pub alpha: f64,
     /// Acceleration level: how accelerations become motion.
     pub integrator: Integrator,
+    /// Acceleration level: whether a step is divided where a body arrives at another one, so that it
+    /// hits there and does not enter.
+    pub events: bool,
     /// XPBD, soft step and penalty method: into how many substeps a step is divided.
     pub substeps: usize,
     /// Sequential impulses: sweeps over the rows in a solve. NGS: sweeps that correct positions.
@@ -55,6 +58,7 @@ impl Default for Step {
             feedback: Feedback::default(),
             alpha: 0.0,
             integrator: Integrator::default(),
+            events: true,
             substeps: 8,
             sweeps: 20,
             xpbd: Xpbd::default(),
@@ -113,10 +117,12 @@ pub struct Contacts {
     pub bounce_speed: f64,
     /// Velocity level: penetration up to this (m) is not corrected.
     pub slop: f64,
-    /// Acceleration level: a contact with a gap up to this (m) touches.
-    pub resting_gap: f64,
-    /// Acceleration level: a touching contact that parts at up to this speed (m/s) rests.
-    pub resting_speed: f64,
+    /// Acceleration level: a contact with a gap up to this (m) touches. Without it, the way that a body falls
+    /// in a step from rest, at most a thousandth of the smallest body.
+    pub resting_gap: Option<f64>,
+    /// Acceleration level: a touching contact that parts at up to this speed (m/s) rests. Without it, twice
+    /// the speed that a body gains in a step.
+    pub resting_speed: Option<f64>,
     /// How many points of a pair of bodies become contacts.
     pub manifold: Manifold,
     /// What of the contacts of a step is known in the next.
@@ -139,8 +145,8 @@ impl Default for Contacts {
             restitution: 0.0,
             bounce_speed: 0.1,
             slop: 0.0,
-            resting_gap: 1e-9,
-            resting_speed: 1e-9,
+            resting_gap: None,
+            resting_speed: None,
             manifold: Manifold::default(),
             persistence: Persistence::default(),
             model: FrictionModel::default(),
@@ -182,6 +188,9 @@ pub struct Solver {
     pub tolerance: f64,
     /// The most sweeps or pivots a step may take.
     pub max_iterations: usize,
+    /// The force (N) below which a row is at rest: a residual beside smaller terms than those of this
+    /// force is rounding. The weight of the lightest body without it.
+    pub scale: Option<f64>,
 }
 
 impl Default for Solver {
@@ -194,11 +203,23 @@ impl Default for Solver {
             damping: None,
             tolerance: 1e-8,
             max_iterations: 10_000,
+            scale: None,
         }
     }
 }
 
 impl Step {
+    /// What becomes of the gyroscopic torque: an acceleration is that of one instant, without a step to
+    /// be implicit in, so there it is part of F unless it is omitted.
+    pub fn gyroscopic(&self) -> Gyroscopic {
+        match (self.formulation, self.gyroscopic) {
+            (Formulation::Acceleration, Gyroscopic::Implicit | Gyroscopic::Conserving) => {
+                Gyroscopic::Explicit
+            }
+            (_, chosen) => chosen,
+        }
+    }
+
     pub(super) fn check(&self, defects: &mut Defects) {
         positive(defects, "step.dt", self.dt);
         within_one(defects, "step.baumgarte", self.baumgarte);
@@ -224,8 +245,8 @@ impl Contacts {
         within_one(defects, "contact.restitution", self.restitution);
         not_negative(defects, "contact.bounce_speed", self.bounce_speed);
         not_negative(defects, "contact.slop", self.slop);
-        not_negative(defects, "contact.resting_gap", self.resting_gap);
-        not_negative(defects, "contact.resting_speed", self.resting_speed);
+        not_negative(defects, "contact.resting_gap", self.resting_gap.unwrap_or(0.0));
+        not_negative(defects, "contact.resting_speed", self.resting_speed.unwrap_or(0.0));
         not_negative(defects, "contact.sticking_speed", self.sticking_speed);
     }
 }
@@ -239,6 +260,7 @@ impl Solver {
             }
         }
         not_negative(defects, "solver.tolerance", self.tolerance);
+        not_negative(defects, "solver.scale", self.scale.unwrap_or(0.0));
     }
 }
 
@@ -256,7 +278,8 @@ pub(super) fn not_negative(defects: &mut Defects, place: impl Into<String>, valu
     }
 }
 
-fn within_one(defects: &mut Defects, place: &str, value: f64) {
+/// A number that must be finite, at least 0 and at most 1.
+pub(super) fn within_one(defects: &mut Defects, place: &str, value: f64) {
     if !(0.0..=1.0).contains(&value) {
         defects.add(place, format!("must lie between 0 and 1, is {value}"));
     }

@@ -3,10 +3,12 @@
 //! A step is a row of impulses at fixed poses and of moves at fixed velocities. From them the work can be
 //! measured from outside, and held against the states that the step led to: see [`Ledger`](super::Ledger).
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector6;
 
 use super::Solve;
-use crate::assembly::{Assembly, Row};
+use crate::assembly::{Assembly, Row, RowId};
 use crate::constraint::Kind;
 use crate::formulation::{Problem, Stage};
 use crate::scene::Scene;
@@ -42,6 +44,19 @@ pub struct Push {
     pub feedback: Vec<f64>,
     /// Whether the feedback of contacts is a bounce, of all that have an impulse.
     pub bounces: bool,
+}
+
+/// The impulse of each row, summed over all pushes; a row is as it was last.
+pub(super) fn pushed(acts: &[Act]) -> Vec<(Row, f64)> {
+    let mut sums: BTreeMap<RowId, (Row, f64)> = BTreeMap::new();
+    for act in acts {
+        let Act::Push(Push { assembly, impulses, .. }) = act else { continue };
+        for (row, impulse) in assembly.rows.iter().zip(impulses) {
+            let sum = sums.entry(row.id).or_insert_with(|| (row.clone(), 0.0));
+            *sum = (row.clone(), sum.1 + impulse);
+        }
+    }
+    sums.into_values().collect()
 }
 
 /// Impulses at fixed poses, whoever wrote them down.

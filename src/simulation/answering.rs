@@ -3,10 +3,11 @@
 //!
 //! | the problem | the solver | else |
 //! | --- | --- | --- |
-//! | boxed, A symmetric | the simulation's | |
+//! | boxed, A symmetric | the simulation's | Newton's method, in place of pivoting that friction leads astray |
 //! | boxed, A not symmetric | the simulation's, if its class has such A | Lemke's method, then the enumeration of all active sets |
-//! | polygons | the simulation's, if it takes them | Lemke's method |
-//! | the same, not solved | the same, on rows that yield a little | the answer it gave |
+//! | polygons of few contacts | the simulation's, if it takes them, or Lemke's method | sweeps by contact |
+//! | polygons of many contacts | sweeps by contact | the simulation's, or Lemke's method |
+//! | polygons, not solved | the same, on rows that yield a little | the answer it gave |
 //! | cones | the simulation's cone solver | |
 
 use crate::formulation::{Posing, Problem};
@@ -14,8 +15,8 @@ use crate::lcp::friction::{Model, Polyhedral, Posed};
 use crate::lcp::{Lcp, merit};
 use crate::scene::Scene;
 use crate::solver::{
-    self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Observer, Settings,
-    Solution, Solver, Start, Status, solve_polyhedral,
+    self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Newton, Observer,
+    PolygonPgs, Settings, Solution, Solver, Start, Status, solve_polyhedral,
 };
 
 /// The solvers of a simulation.
@@ -44,14 +45,36 @@ impl Solvers<'_> {
             Some((_, Posed::Boxed(lcp))) => self.boxed(lcp, &start, observer),
             Some((model, Posed::Polyhedral(polyhedral))) => {
                 let settings = settings(self.scene);
-                let tolerance = settings.tolerance;
-                let lemke = Lemke { settings };
+                let lemke = Lemke { settings: settings.clone() };
                 let solver = if takes(self.boxed, model) { self.boxed } else { &lemke };
-                (solver.name(), by_polygons(solver, polyhedral, &start, tolerance, observer))
+                by_polygons(solver, polyhedral, &start, &settings, observer)
             }
             Some((_, Posed::Cone(cones))) => {
                 (self.cone.name(), self.cone.solve(cones, &start, observer))
             }
+        }
+    }
+
+    /// The simulation's solver; where friction leads one that pivots astray, Newton's method has a try.
+    fn symmetric(
+        self,
+        lcp: &Lcp,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> (&'static str, Solution) {
+        let first = self.boxed.solve(lcp, start, observer);
+        let is_lost = !matches!(first.status, Status::Solved | Status::Stopped)
+            && lcp.coupling().is_some()
+            && PIVOTING.contains(&self.boxed.name());
+        if !is_lost {
+            return (self.boxed.name(), first);
+        }
+        let settings = Settings { max_iterations: NEWTON_STEPS, ..settings(self.scene) };
+        let newton = Newton { settings, ..Newton::default() };
+        let second = newton.solve(lcp, start, observer);
+        match second.status {
+            Status::Solved | Status::Stopped => (newton.name(), second),
+            _ => (self.boxed.name(), first),
         }
     }
 
@@ -62,7 +85,7 @@ impl Solvers<'_> {
         observer: &mut dyn Observer,
     ) -> (&'static str, Solution) {
         if suits(self.boxed, lcp) {
-            return (self.boxed.name(), self.boxed.solve(lcp, start, observer));
+            return self.symmetric(lcp, start, observer);
         }
         let lemke = Lemke { settings: settings(self.scene) };
         let first = lemke.solve(lcp, start, observer);
@@ -78,21 +101,50 @@ impl Solvers<'_> {
     }
 }
 
+/// Methods that end at a solution or nowhere. Others come nearer with every sweep, and where they end early
+/// that is what a user wants to see.
+const PIVOTING: [&str; 4] = ["dantzig", "block-pivoting", "murty", "lemke"];
+
+/// Newton's method is there in some ten steps, or not at all.
+const NEWTON_STEPS: usize = 50;
+
+/// With more contacts than these, pivoting a polygon's LCP takes longer than sweeps.
+const FEW_CONTACTS: usize = 8;
+
 /// By how much rows yield where a polygon is not solved otherwise, in parts of A's diagonal.
 const SOFTENINGS: [f64; 3] = [1e-12, 1e-10, 1e-9];
 
-/// Redundant contacts make the polyhedral LCP so degenerate that rounding leads pivots astray. Rows
-/// that yield are not redundant; an answer of theirs counts if it solves the rigid problem too.
+/// Sweeps and pivots, in the order that suits the number of contacts. Redundant contacts make the polyhedral
+/// LCP so degenerate that rounding leads pivots astray. Rows that yield are not redundant; an answer of
+/// theirs counts if it solves the rigid problem too.
 fn by_polygons(
     solver: &dyn Solver,
     polyhedral: &Polyhedral,
     start: &Start<'_>,
-    tolerance: f64,
+    settings: &Settings,
     observer: &mut dyn Observer,
-) -> Solution {
+) -> (&'static str, Solution) {
+    let tolerance = settings.tolerance;
+    let ends = |answer: &Solution| matches!(answer.status, Status::Solved | Status::Stopped);
+    let sweeps = PolygonPgs { settings: settings.clone() };
+    let has_few = polyhedral.friction().contacts().len() <= FEW_CONTACTS;
+    let swept =
+        |observer: &mut dyn Observer| (PolygonPgs::NAME, sweeps.solve(polyhedral, start, observer));
+    if !has_few {
+        let answer = swept(observer);
+        if ends(&answer.1) {
+            return answer;
+        }
+    }
     let first = solve_polyhedral(solver, polyhedral, start, tolerance, observer);
-    if matches!(first.status, Status::Solved | Status::Stopped) {
-        return first;
+    if ends(&first) {
+        return (solver.name(), first);
+    }
+    if has_few {
+        let answer = swept(observer);
+        if ends(&answer.1) {
+            return answer;
+        }
     }
     let again = SOFTENINGS.iter().find_map(|&part| {
         let soft = polyhedral.softened(part).ok()?;
@@ -103,7 +155,7 @@ fn by_polygons(
         let solution = || Solution::new(lcp, x, Status::Solved, first.iterations + iterations);
         solves.then(|| solution().with_fallback(Some(Fallback::Softened)))
     });
-    again.unwrap_or(first)
+    (solver.name(), again.unwrap_or(first))
 }
 
 /// Whether a solver is made for a model of friction; one that is not registered is thought to be.

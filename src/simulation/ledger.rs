@@ -45,7 +45,7 @@ pub struct Ledger {
     pub friction: f64,
     /// Motors.
     pub motor: f64,
-    /// The constant forces on bodies, gravity apart.
+    /// The constant forces and torques on bodies, gravity apart.
     pub external: f64,
     /// Springs.
     pub spring: f64,
@@ -150,10 +150,10 @@ impl Ledger {
         let Impulses { assembly, h, .. } = impulses;
         for block in &assembly.blocks {
             let (u, next) = (block.gather(&assembly.u), block.gather(&impulses.next));
-            let torque = angular(&block.gather(&assembly.force));
-            let mean = 0.5 * (u + next);
-            self.external += h * scene.bodies[block.body].force.dot(&linear(&mean));
-            self.gyroscopic += h * torque.dot(&angular(&mean));
+            let (torque, mean) = (angular(&block.gather(&assembly.force)), 0.5 * (u + next));
+            let wrench = scene.bodies[block.body].wrench(block.pose());
+            self.external += h * wrench.dot(&mean);
+            self.gyroscopic += h * (torque - angular(&wrench)).dot(&angular(&mean));
             self.integrator += h * block.mass * scene.gravity.dot(&linear(&mean));
         }
     }
@@ -162,7 +162,8 @@ impl Ledger {
     /// inertia that turns.
     fn advance(&mut self, scene: &Scene, states: &mut [State], h: f64) {
         for (body, state) in states.iter_mut().enumerate() {
-            let (moved, mass) = (state.advanced(h), &scene.bodies[body].mass);
+            let mass = &scene.bodies[body].mass;
+            let moved = scene.step.gyroscopic().advanced(mass, state, h);
             self.integrator -= h * mass.mass() * scene.gravity.dot(&state.v);
             self.gyroscopic += spin(scene, body, &moved) - spin(scene, body, state);
             *state = moved;

@@ -154,9 +154,10 @@ impl Simulation {
             solves: Vec::new(),
             answers: Memory::new(),
             acts: None,
+            pushed: Vec::new(),
         };
         let outcome = family::step(&mut solving, &self.states, &found);
-        let Solving { solves, answers, acts, .. } = solving;
+        let Solving { solves, answers, acts, mut pushed, .. } = solving;
         let is_stopped = |solve: &Solve| solve.solution.status == Status::Stopped;
         let sound = |states: Vec<State>| match self.divergence(&states, &solves) {
             _ if solves.iter().any(is_stopped) => Err(Cause::Stopped(None)),
@@ -171,6 +172,9 @@ impl Simulation {
                 return Err(failure);
             }
         };
+        if pushed.is_empty() {
+            pushed = acts.as_deref().map(acts::pushed).unwrap_or_default();
+        }
         let account =
             |acts: &Vec<Act>| Ledger::of(&self.scene, &self.states, &solves, acts, &states);
         let ledger = acts.as_ref().map(account);
@@ -180,7 +184,7 @@ impl Simulation {
         self.steps += 1;
         let motion = self.motion();
         let number = self.steps;
-        Ok(Step { number, solves, contacts: found, states, motion, acts, ledger, laws })
+        Ok(Step { number, solves, contacts: found, states, motion, acts, pushed, ledger, laws })
     }
 
     /// Takes up to `steps` steps, showing each to `watch`, which may end the run.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{Act, Laws, Ledger, Motion};
-use crate::assembly::Undefined;
+use crate::assembly::{Row, Undefined};
 use crate::body::State;
 use crate::certificate::ray::Farkas;
 use crate::certificate::{Demand, FrictionCertificate, judge, judge_friction};
@@ -28,6 +28,9 @@ pub struct Step {
     /// What acted on the bodies, in its order; `None` where that is not written down: by XPBD, whose
     /// velocities are what positions did, and by integrators with stages.
     pub acts: Option<Vec<Act>>,
+    /// The impulse of each row (N s, N m s) where the scheme poses no problem: all that its substeps gave it
+    /// together, 0 for none.
+    pub pushed: Vec<(Row, f64)>,
     /// Where its energy went; `None` where nobody knows what acted.
     pub ledger: Option<Ledger>,
     /// How well it kept the laws of contact and momentum.

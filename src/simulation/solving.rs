@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::answering::Solvers;
 use super::{Act, Cause, Solve};
-use crate::assembly::{Assembly, Entering, RowId, Source};
+use crate::assembly::{Assembly, Entering, Row, RowId, Source};
 use crate::body::State;
 use crate::formulation::{Problem, Stage, friction_model};
 use crate::scene::{Found, Persistence, Scene};
@@ -29,6 +29,8 @@ pub(super) struct Solving<'a> {
     pub answers: Memory,
     /// What acted so far, if the family writes it down.
     pub acts: Option<Vec<Act>>,
+    /// The impulse of each row, of a family that knows it and does not write down what acted.
+    pub pushed: Vec<(Row, f64)>,
 }
 
 impl Solving<'_> {

@@ -125,7 +125,9 @@ impl fmt::Display for Status {
             Status::NotFinite => write!(f, "an iterate was not finite"),
             Status::ZeroDiagonal { row } => write!(f, "the diagonal of row {row} is not positive"),
             Status::Singular { row } => write!(f, "singular at row {row}"),
-            Status::Ray { row, .. } => write!(f, "a ray: row {row} cannot be satisfied"),
+            Status::Ray { row, .. } => {
+                write!(f, "a ray: row {row} is not reached, which alone proves nothing")
+            }
             Status::NoSolution => {
                 write!(f, "all active sets were tried, and none carries a solution")
             }

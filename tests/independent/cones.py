@@ -11,7 +11,7 @@ How far x is from it: each part beside its own scale s and its own terms T = sum
 
 where D(v) is the point of the disc of radius mu x_n nearest to v. Other rows as in judge.py. The associated law
 (x in K, w in its dual, x.w = 0) is the fixed point x = P(x - w/s), P the nearest point of the cone in the metric
-of s; there T_n has mu |(T_t1, T_t2)| more. x is worth something if the longest |x - its step| sqrt(s) is at most a
+of s. x is worth something if the longest |x - its step| sqrt(s) is at most a
 tenth of that of x = 0, or 0 is within the tolerance.
 
 Records and output as in judge.py. Numbers are exact, roots have 60 digits.
@@ -72,6 +72,7 @@ class Cones:
         """For every row: the residual, and the length of the step times sqrt(s)."""
         w = [sum(a * v for a, v in zip(row, x)) + b for row, b in zip(self.A, self.b)]
         T = [sum(abs(a * v) for a, v in zip(row, x)) + abs(b) for row, b in zip(self.A, self.b)]
+        T = [max(t, rest) for t, rest in zip(T, self.box.rest)]     # the key `scale`, as in judge.py
         w, T, X = [[dec(v) for v in u] for u in (w, T, x)]
         out = [None] * len(x)
 
@@ -92,12 +93,11 @@ class Cones:
             aim_n, aim_t, plane = X[n] - w[n] / s_n, [X[t] - w[t] / s_t for t in (t1, t2)], norm(T[t1], T[t2])
             if self.law == "coulomb-cone":
                 q_n, q_t = max(aim_n, Decimal(0)), in_disc(mu * max(X[n], Decimal(0)), aim_t)
-                load = T[n]
             else:                   # lengths along n count sqrt(s_n / s_t) times: a cone with another slope
                 c = (s_n / s_t).sqrt()
                 q_n, q_t = in_cone(mu / c, aim_n * c, aim_t)
-                q_n, load = q_n / c, T[n] + mu * plane
-            put([n], abs(X[n] - q_n), s_n, load)
+                q_n = q_n / c
+            put([n], abs(X[n] - q_n), s_n, T[n])
             put([t1, t2], norm(*(a - b for a, b in zip((X[t1], X[t2]), q_t))), s_t, plane)
         return out
 

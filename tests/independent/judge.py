@@ -10,6 +10,7 @@ its bounds are -+ mu_i max(x_k, 0); row k is not coupled and has lo_k >= 0.  Eve
 is an exact rational, and all arithmetic below is exact.
 RESIDUALS.  P_i clamps to the bounds of row i at x.  s_i = |a_ii|, else max_j |a_ij|, else 1.
     r_i = |x_i - P_i(x_i - w_i/s_i)| s_i / (sum_j |a_ij x_j| + |b_i|), 0/0 = 0;   scaled_residual = max r_i
+    A problem with the key `scale` has at least s_i scale as that sum (of a row of zeros: no more than |b_i|).
     natural_residual = max_i |x_i - P_i(x_i - w_i)|;       e(x) = max_i |x_i - P_i(x_i - w_i/s_i)| sqrt(s_i)
     x is worth something if e(x) <= e(P(0))/10 or scaled_residual(P(0)) <= tolerance.
 VERDICTS.  proved: scaled_residual <= tolerance, an exact solution within `distance` of x (max norm) exists,
@@ -118,6 +119,8 @@ class Problem:
         # Row i of [A b], times a positive number that makes it whole.
         self.rows, self.den = zip(*(common([*row, v]) for row, v in zip(A, b))) if n else ((), ())
         self.scale = [abs(row[i]) or max(map(abs, row)) or Q(1) for i, row in enumerate(A)]
+        rest = number(data.get("scale") or 0)
+        self.rest = [rest * s if any(row) else Q(0) for s, row in zip(self.scale, A)]
         self.reduced, self.points = {}, {}      # what `point_on` has worked out already
         self.start = self.look([Q(0) if k >= 0 else clamp(Q(0), self.lo[i], self.hi[i])
                                 for i, k in enumerate(self.owner)])
@@ -134,7 +137,8 @@ class Problem:
     def look(self, x):
         """All numbers about x: w, the sizes of its terms, r, both residuals and the square of e(x)."""
         at = SimpleNamespace(w=[], size=[], r=[], natural=Q(0), e2=Q(0))
-        for v, s, (w, size, lo, hi) in zip(x, self.scale, self.rows_at(x)):
+        for v, s, rest, (w, size, lo, hi) in zip(x, self.scale, self.rest, self.rows_at(x)):
+            size = max(size, rest)
             gap = abs(v - clamp(v - w / s, lo, hi))
             at.w.append(w)
             at.size.append(size)

@@ -4,7 +4,7 @@ use lcplab::certificate::regularity::regularity;
 use lcplab::diagnosis::{Cause, Diagnosis, Proof, problem, scene};
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::{Lcp, Matrix};
-use lcplab::scene::Scene;
+use lcplab::scene::{Formulation, Scene};
 use proptest::prelude::*;
 
 use crate::common::{INF, boxed, cases, contacts};
@@ -306,4 +306,33 @@ fn integer_rank(entries: &[i32]) -> usize {
         rank += 1;
     }
     rank
+}
+
+#[test]
+fn the_diagnosis_looks_at_the_level_that_the_scene_is_stepped_on() {
+    // Painlevé's rod slides: at acceleration level no force keeps it out of the ground.
+    let mut rod = Scene::load("painleve").unwrap();
+    rod.step.formulation = Formulation::Acceleration;
+    let found = scene(&rod, 1).unwrap();
+    assert!(!found.is_sound() && names(&found).contains(&"impossible"), "{:?}", found.causes);
+    let mut at_velocity_level = rod.clone();
+    at_velocity_level.step.formulation = Formulation::Velocity;
+    assert!(scene(&at_velocity_level, 1).unwrap().is_sound());
+}
+
+#[test]
+fn a_problem_with_two_answers_is_said_to_have_them() {
+    // A = −1, b = 1: x = 0 with w = 1, and x = 1 with w = 0.
+    let two = r#"{"A": {"dense": [[-1, 0], [1, 1]]}, "b": [1, 1]}"#;
+    let found = problem(&Problem::parse(two, "two.json").unwrap()).unwrap();
+    assert!(found.causes.contains(&Cause::Several { answers: 2 }), "{:?}", found.causes);
+    assert!(!found.is_unique && found.is_sound());
+}
+
+#[test]
+fn numbers_too_large_for_singular_values_are_no_error() {
+    // x = (1, 1e-200·(−2))… w = (1 + x0 + 1e200 x1, 1 + x1) ≥ 0 at x = 0.
+    let text = r#"{"A": {"dense": [[1, 1e200], [0, 1]]}, "b": [1, 1]}"#;
+    let found = problem(&Problem::parse(text, "large.json").unwrap()).unwrap();
+    assert!(found.is_sound() && !found.is_unique, "{found:?}");
 }

@@ -49,9 +49,41 @@ struct SceneArgs {
     #[arg(long)]
     max_iterations: Option<usize>,
     #[command(flatten)]
+    changes: Changes,
+    #[command(flatten)]
     memory: MemoryLimit,
     #[command(flatten)]
     choices: Choices,
+}
+
+/// Fields of the scene file to set.
+#[derive(Debug, Args)]
+pub struct Changes {
+    /// Field of the scene file to set, such as mu=0.3, angle=17, dt=0.001, contact.restitution=0.5 or
+    /// bodies.crate.velocity=[1,0,0]; repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = key_and_value)]
+    set: Vec<(String, String)>,
+}
+
+impl Changes {
+    /// The scene of this file or name with these changes.
+    pub fn load(&self, scene: &str) -> Result<Scene> {
+        Scene::load_with(scene, &self.set)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.set.is_empty()
+    }
+}
+
+fn key_and_value(text: &str) -> std::result::Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.trim().is_empty() => {
+            Ok((key.trim().into(), value.trim().into()))
+        }
+        _ => Err("needs a field and its value, such as contact.friction=0.3".into()),
+    }
 }
 
 /// The names of the families, each of which is one.
@@ -62,7 +94,7 @@ fn families() -> impl TypedValueParser<Value = Formulation> {
 
 impl SceneArgs {
     fn load(&self) -> Result<Scene> {
-        let mut scene = Scene::load(&self.scene)?;
+        let mut scene = self.changes.load(&self.scene)?;
         scene.step.formulation = self.formulation.unwrap_or(scene.step.formulation);
         scene.step.dt = self.dt.unwrap_or(scene.step.dt);
         if let Some(model) = self.model {

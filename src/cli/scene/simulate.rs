@@ -23,9 +23,10 @@ use crate::cli::{Outcome, bar, print};
 #[command(after_help = "\
 Example:
   lcplab simulate pendulum --steps 500 --out swing --frames 8 --forces
+  lcplab simulate sliding --set mu=0.3 --set angle=17     # the same on a slope of 17 degrees
 
 Writes index.html (a page that plays the motion), trajectory.csv (poses and velocities), ledger.csv
-(energy and where it went, momentum, errors), forces.csv (x and w of every row), results.json and
+(energy and where it went, momentum, errors), forces.csv (x and w of every row; of a contact also what touches where), results.json and
 frames.svg (a picture of some instants) to the folder. Exit code 0 if every step was solved, 1 if not
 or if the motion diverged (what was recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
@@ -37,6 +38,9 @@ pub struct Simulate {
     /// Folder for the recorded motion
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Write every so manieth step to the tables
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    every: u64,
     /// Number of instants in frames.svg
     #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u64).range(2..=60))]
     frames: u64,
@@ -58,7 +62,7 @@ impl Simulate {
         let steps = self.steps.unwrap_or(scene.step.count);
         let mut record = Record::start(&scene, &simulation);
         if self.out.is_some() {
-            record = record.with_tables(&simulation);
+            record = record.with_tables(&simulation, self.every as usize);
         }
         let mut camera = Camera {
             shots: self.instants(steps, Film::shots(1)),

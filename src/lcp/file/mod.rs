@@ -8,12 +8,13 @@
 //!
 //! | key | meaning |
 //! | --- | --- |
-//! | `A` | `{"dense": [[…], …]}` or `{"rows": n, "cols": n, "triplets": [[i, j, value], …]}`; indices from 0, triplets at the same place add up |
+//! | `A` | `{"dense": [[…], …]}` or `{"rows": n, "cols": n, "triplets": [[i, j, value], …]}`; indices from 0, triplets at the same place add up exactly, rounded once |
 //! | `b` | n numbers |
 //! | `lo`, `hi` | n numbers or `"inf"`, `"-inf"`; 0 and ∞ where the key is absent |
 //! | `friction_index`, `mu` | row i is bounded by ±mu\[i\]·max(x\[k\], 0) with k = friction_index\[i\]; −1 for none. Its lo and hi are absent or infinite |
 //! | `model` | under which model of friction x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` where the key is absent |
 //! | `frozen_at` | n numbers, of which the box of model 1, `"frozen-box"`, takes the normal impulses x\[k\] |
+//! | `scale` | the size of x that counts as something: a row whose terms are below s_i times this is at rest, and measured by that; see [`Lcp::with_scale`] |
 //! | `name`, `source`, `dt`, `rows`, `expected` | optional, kept as they are |
 //!
 //! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact have the
@@ -42,7 +43,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use parts::{frozen_at, model};
+use parts::{frozen_at, model, scale};
 use value::numbers;
 
 use super::friction::{FrictionProblem, Model};
@@ -70,8 +71,8 @@ pub struct Problem {
 }
 
 const KEPT: [&str; 4] = ["source", "dt", "rows", "expected"];
-const READ: [&str; 9] =
-    ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at"];
+const READ: [&str; 10] =
+    ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale"];
 
 impl Problem {
     /// A problem with a name and nothing else.
@@ -128,8 +129,10 @@ impl Problem {
         let parts = Parts::read(&object, &mut defects);
         let model = model(&object, &mut defects);
         let frozen_at = frozen_at(&object, parts.b.len(), &mut defects);
+        let scale = scale(&object, &mut defects);
         defects.into_result(input)?;
-        let lcp = parts.into_lcp().map_err(|error| error.within(input))?;
+        let lcp = parts.into_lcp().and_then(|lcp| lcp.with_scale(scale));
+        let lcp = lcp.map_err(|error| error.within(input))?;
         let (mut extra, mut warnings) = (Map::new(), Vec::new());
         for (key, value) in &object {
             if KEPT.contains(&key.as_str()) {
@@ -176,6 +179,9 @@ impl Problem {
         }
         if let Some(x) = &self.frozen_at {
             object.insert("frozen_at".into(), json!(x));
+        }
+        if lcp.scale() > 0.0 {
+            object.insert("scale".into(), json!(lcp.scale()));
         }
         object.extend(self.extra.clone());
         Value::Object(object)

@@ -58,6 +58,18 @@ impl Parts {
     }
 }
 
+/// The number under the key `scale`, positive; 0 without it.
+pub(super) fn scale(object: &Map<String, Value>, defects: &mut Defects) -> f64 {
+    match object.get("scale").map(|value| (value.as_f64(), value)) {
+        None => 0.0,
+        Some((Some(scale), _)) if scale > 0.0 && scale.is_finite() => scale,
+        Some((_, value)) => {
+            defects.add("scale", format!("must be a positive number, is {}", brief(value)));
+            0.0
+        }
+    }
+}
+
 /// The model of friction under the key `model`.
 pub(super) fn model(object: &Map<String, Value>, defects: &mut Defects) -> Option<Model> {
     let value = object.get("model")?;

@@ -29,7 +29,7 @@
 //! 4a  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, s_t, s_t)
 //! 4b  x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disc |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
 //!
-//! r_n = |x_n − its step| s_n / terms of w_n (and μ times those of w_t in 4a),   r_t = |x_t − its step| s_t / terms of w_t
+//! r_n = |x_n − its step| s_n / terms of w_n,   r_t = |x_t − its step| s_t / terms of w_t
 //! ```
 //!
 //! `math §5`, model 4.
@@ -120,7 +120,7 @@ impl ConeProblem {
 
     /// The normal as a contact without friction, the tangents against their disc.
     fn coulomb(&self, contact: &Contact, [n, t1, t2]: [RowTerms; 3], x: [f64; 3]) -> [Miss; 2] {
-        let exponent = t1.exponent.max(t2.exponent);
+        let exponent = common_exponent(&[t1, t2]);
         let (scale, normal) = (self.tangential_scale(contact), n.miss(x[0], 0.0, f64::INFINITY));
         let [w1, w2] = [t1, t2].map(|t| libm::ldexp(t.w, t.exponent - exponent));
         let [p1, p2] = [x[1], x[2]].map(|x| merit::product(scale, x, -exponent));
@@ -133,7 +133,7 @@ impl ConeProblem {
     /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ = √(s_t/s_n).
     fn associated(&self, contact: &Contact, rows: [RowTerms; 3], x: [f64; 3]) -> [Miss; 2] {
         let [n, t1, t2] = rows;
-        let exponent = n.exponent.max(t1.exponent).max(t2.exponent);
+        let exponent = common_exponent(&rows);
         let of_normal = if n.scale == 0.0 { 1.0 } else { n.scale };
         let scale = self.tangential_scale(contact);
         let rho = (scale / of_normal).sqrt();
@@ -146,7 +146,7 @@ impl ConeProblem {
         let load = libm::ldexp(n.magnitude, n.exponent - exponent);
         let miss = |size, magnitude, scale| Miss { size, magnitude, scale, exponent };
         [
-            miss((p[0] - q / rho).abs(), load + contact.mu * in_plane, of_normal),
+            miss((p[0] - q / rho).abs(), load, of_normal),
             miss((p[1] - q1).hypot(p[2] - q2), in_plane, scale),
         ]
     }
@@ -252,6 +252,12 @@ fn in_disc(radius: f64, [t1, t2]: [f64; 2]) -> [f64; 2] {
         length if length <= radius => [t1, t2],
         length => [radius * (t1 / length), radius * (t2 / length)],
     }
+}
+
+/// The unit 2^exponent in which none of these rows overflows; a row of zeros has none.
+fn common_exponent(rows: &[RowTerms]) -> i32 {
+    let rows = rows.iter().filter(|row| row.magnitude > 0.0);
+    rows.map(|row| row.exponent).max().unwrap_or(0)
 }
 
 /// The terms of both tangents' w, in units of 2^exponent.

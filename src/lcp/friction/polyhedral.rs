@@ -89,7 +89,8 @@ impl Polyhedral {
         lo.resize(size, 0.0);
         let mut hi: Vec<f64> = others.iter().map(|&i| problem.lcp().hi()[i]).collect();
         hi.resize(size, f64::INFINITY);
-        let lcp = Lcp::new(Matrix::sparse(size, &entries), b, lo, hi)?;
+        let lcp = Lcp::new(Matrix::sparse(size, &entries), b, lo, hi)?
+            .with_scale(problem.lcp().scale())?;
         Ok(Polyhedral { lcp, impulses, friction: problem.clone(), directions: k })
     }
 
@@ -154,6 +155,41 @@ impl Polyhedral {
         let terms = libm::ldexp(t1.magnitude, t1.exponent) + libm::ldexp(t2.magnitude, t2.exponent);
         let slides = speed * (limit.abs() + rubs) >= (limit - rubs) * terms;
         if slides { speed } else { 0.0 }
+    }
+
+    /// The point of the polygon with corners radius d_j that is nearest to p.
+    ///
+    /// ```
+    /// use lcplab::lcp::friction::{FrictionProblem, Polyhedral};
+    /// use lcplab::lcp::{Lcp, Matrix};
+    ///
+    /// let empty = Lcp::new(Matrix::dense(0, &[]), vec![], vec![], vec![])?;
+    /// let square = Polyhedral::new(&FrictionProblem::new(empty, vec![])?, 4)?;
+    /// assert_eq!(square.nearest(1.0, [0.25, 0.5]), [0.25, 0.5]); // inside
+    /// assert_eq!(square.nearest(1.0, [1.0, 1.0]), [0.5, 0.5]); // beyond an edge
+    /// assert_eq!(square.nearest(1.0, [3.0, 0.5]), [1.0, 0.0]); // beyond a corner
+    /// # Ok::<(), lcplab::error::Error>(())
+    /// ```
+    pub fn nearest(&self, radius: f64, p: [f64; 2]) -> [f64; 2] {
+        let k = self.directions;
+        let corner = |j: usize| direction(j % k, k).map(|d| radius * d);
+        let to_edge = |j: usize| -> Option<[f64; 2]> {
+            let (a, b) = (corner(j), corner(j + 1));
+            let edge = [b[0] - a[0], b[1] - a[1]];
+            let way = [p[0] - a[0], p[1] - a[1]];
+            if edge[0] * way[1] - edge[1] * way[0] >= 0.0 {
+                return None; // on the inner side
+            }
+            let length = edge[0] * edge[0] + edge[1] * edge[1];
+            let part = ((edge[0] * way[0] + edge[1] * way[1]) / length).clamp(0.0, 1.0);
+            Some(if part == 1.0 { b } else { [a[0] + part * edge[0], a[1] + part * edge[1]] })
+        };
+        if radius <= 0.0 {
+            return [0.0; 2];
+        }
+        let distance = |q: &[f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
+        let beyond = (0..k).filter_map(to_edge);
+        beyond.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(p)
     }
 
     /// The row of x that an unknown belongs to: its own, t1 for β, n for γ.

@@ -12,6 +12,8 @@ use crate::scene::Scene;
 
 /// How far a patch reaches beyond what is above it, as a share of the motion's size.
 const MARGIN: f64 = 0.1;
+/// No grid has more lines than these, not even under a body that is 1e155 m away.
+const MOST_LINES: f64 = 1000.0;
 /// The distance of two grid lines, about, as a share of the motion's size.
 const MESH: f64 = 0.12;
 
@@ -82,6 +84,6 @@ fn range(landmarks: &[Landmark], pose: &Pose, t: &Vector3<f64>, size: f64) -> (f
 /// The multiples of a step strictly inside a range.
 fn multiples((lo, hi): (f64, f64), step: f64) -> impl Iterator<Item = f64> {
     let first = (lo / step).floor() + 1.0;
-    let count = ((hi / step).ceil() - first).max(0.0) as usize;
+    let count = ((hi / step).ceil() - first).clamp(0.0, MOST_LINES) as usize;
     (0..count).map(move |k| (first + k as f64) * step)
 }

@@ -2,22 +2,29 @@
 
 mod tables;
 
+use std::fmt;
 use std::path::Path;
 
+use nalgebra::Vector3;
 use serde_json::{Value, json};
 
 use tables::Tables;
 
-use crate::certificate::Demand;
+use crate::body::{Body, State};
+use crate::certificate::{Demand, FrictionCertificate};
 use crate::error::Result;
 use crate::file;
 use crate::formulation::friction_model;
 use crate::lcp::file::number;
 use crate::memory::Memory;
-use crate::scene::Scene;
-use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Step};
+use crate::scene::{Formulation, Resting, Scene};
+use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Solve, Step};
 use crate::solver::Status;
 
+/// Bodies whose end is printed.
+const SHOWN: usize = 12;
+/// A drift beyond this part of the scene's size is worth a word.
+const DRIFT: f64 = 1e-3;
 /// What stands in place of the work where nobody wrote down what acted.
 const NOT_ACCOUNTED: &str = "not accounted";
 
@@ -27,8 +34,12 @@ pub struct Record {
     scene: Scene,
     /// None where only totals are kept.
     tables: Option<Tables>,
+    /// Of so many steps one stands in the tables.
+    every: usize,
     first: Motion,
     last: Motion,
+    /// The states now.
+    states: Vec<State>,
     steps: usize,
     problems: usize,
     accepted: usize,
@@ -41,6 +52,8 @@ pub struct Record {
     laws: Laws,
     books: Option<Books>,
     conflict: Vec<String>,
+    /// The first answer that the judge did not accept.
+    refused: Option<Refused>,
     failure: Option<String>,
     /// The proof that the failed step had no solution.
     proof: Option<Value>,
@@ -53,8 +66,10 @@ impl Record {
         let mut record = Record {
             scene: scene.clone(),
             tables: None,
+            every: 1,
             first: motion.clone(),
             last: motion.clone(),
+            states: simulation.states().to_vec(),
             steps: 0,
             problems: 0,
             accepted: 0,
@@ -66,6 +81,7 @@ impl Record {
             laws: Laws::default(),
             books: Some(Books::default()),
             conflict: Vec::new(),
+            refused: None,
             failure: None,
             proof: None,
         };
@@ -73,8 +89,10 @@ impl Record {
         record
     }
 
-    /// The same with a table of every pose, motion and force; they grow from step to step.
-    pub fn with_tables(mut self, simulation: &Simulation) -> Self {
+    /// The same with a table of every pose, motion and force of each `every`th step; they grow from step
+    /// to step.
+    pub fn with_tables(mut self, simulation: &Simulation, every: usize) -> Self {
+        self.every = every;
         let mut tables = Tables::new();
         tables.start(&self.scene, &simulation.motion(), simulation.states());
         self.tables = Some(tables);
@@ -99,12 +117,18 @@ impl Record {
             if !self.solvers.contains(&solve.solver) {
                 self.solvers.push(solve.solver);
             }
+            if !holds && self.refused.is_none() {
+                self.refused = Some(Refused::of(&self.scene, step.number, solve, &certificate));
+            }
             if !holds && self.conflict.is_empty() {
                 self.conflict = solve.conflict(&self.scene);
             }
         }
         self.steps = step.number;
-        if let Some(tables) = &mut self.tables {
+        self.states.clone_from(&step.states);
+        if let Some(tables) =
+            self.tables.as_mut().filter(|_| step.number.is_multiple_of(self.every))
+        {
             tables.add(&self.scene, step);
         }
         self.laws = self.laws.worse(step.laws);
@@ -174,6 +198,9 @@ impl Record {
                 "internal_torque": number(self.laws.internal_torque),
             },
             "conflict": self.conflict,
+            "first_refused": self.refused.as_ref().map(Refused::to_json),
+            "notes": self.scene.notes(),
+            "states": self.states_json(),
             "failure": self.failure,
             "certificate": self.proof,
         })
@@ -205,7 +232,7 @@ impl Record {
              problems     {}, accepted by the judge {}\n\
              residual     {}\n\
              energy       {start:.6} J at the start, {end:.6} J at the end\n\
-             drift        {:.2e} m at worst\n\
+             drift        {:.2e} m at worst{}\n\
              penetration  {:.2e} m at worst\n\
              laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {}\n\
              ledger       {}",
@@ -221,6 +248,7 @@ impl Record {
                 _ => format!("{:.1e} at worst", self.worst_residual),
             },
             self.worst_drift,
+            self.drift_in_words(),
             self.worst_penetration,
             self.laws.attraction,
             100.0 * self.laws.cone_excess,
@@ -231,6 +259,18 @@ impl Record {
             self.books.as_ref().map_or(NOT_ACCOUNTED.into(), Books::text),
         );
         text.push('\n');
+        if self.scene.step.formulation == Formulation::Acceleration {
+            let Resting { gap, speed } = self.scene.resting();
+            text +=
+                &format!("resting      gaps up to {gap:.1e} m, parting at up to {speed:.1e} m/s\n");
+        }
+        text += &self.states_text();
+        for note in self.scene.notes() {
+            text += &format!("note         {note}\n");
+        }
+        if let Some(refused) = &self.refused {
+            text += &format!("refused      {refused}\n");
+        }
         if !self.conflict.is_empty() {
             text +=
                 &format!("conflict     no forces satisfy together: {}\n", self.conflict.join(", "));
@@ -241,10 +281,111 @@ impl Record {
         text
     }
 
+    /// The drift beside the scene, and what takes it away, where it can be seen.
+    fn drift_in_words(&self) -> String {
+        let points = self.states.iter().map(|state| state.pose.p);
+        let size = points.clone().flat_map(|p| points.clone().map(move |q| (p - q).norm()));
+        let size = size.fold(0.0, f64::max).max(points.map(|p| p.norm()).fold(0.0, f64::max));
+        let part = self.worst_drift / size;
+        if !(part > DRIFT) {
+            return String::new();
+        }
+        let setting = match self.scene.step.formulation {
+            Formulation::Velocity | Formulation::SequentialImpulses => "step.baumgarte",
+            Formulation::Acceleration => "step.alpha",
+            _ => "a shorter step",
+        };
+        format!(", {:.1} % of the scene's size; {setting} feeds it back", 100.0 * part)
+    }
+
+    /// Where the bodies that move are now, and how fast.
+    fn states_text(&self) -> String {
+        let moving = || {
+            let bodies = self.scene.bodies.iter().zip(&self.states);
+            bodies.filter(|(body, _)| body.mass.dof() > 0)
+        };
+        let vector = |v: &Vector3<f64>| {
+            let short = |x: f64| match x.abs() {
+                size if size < 1e5 => format!("{:>11.5}", if size < 5e-6 { 0.0 } else { x }),
+                _ => format!("{x:>11.3e}"),
+            };
+            let parts = [v.x, v.y, v.z].map(short);
+            parts.join(" ")
+        };
+        let mut text = String::from("at the end   position (m), velocity (m/s)\n");
+        for (body, state) in moving().take(SHOWN) {
+            let (p, v) = (vector(&state.pose.p), vector(&state.v));
+            text += &format!("             {:<12} {p}   {v}\n", body.name);
+        }
+        match moving().count().saturating_sub(SHOWN) {
+            0 => text,
+            more => text + &format!("             and {more} more: see --json and --out\n"),
+        }
+    }
+
+    /// The same of all bodies, for machines.
+    fn states_json(&self) -> Value {
+        let vector = |v: &Vector3<f64>| [v.x, v.y, v.z].map(number);
+        let state = |(body, state): (&Body, &State)| {
+            let q = state.pose.q.quaternion();
+            let rotation = [q.w, q.i, q.j, q.k].map(number);
+            json!({
+                "body": body.name,
+                "position": vector(&state.pose.p),
+                "rotation": rotation,
+                "velocity": vector(&state.v),
+                "angular_velocity": vector(&state.omega),
+            })
+        };
+        self.scene.bodies.iter().zip(&self.states).map(state).collect()
+    }
+
     fn note(&mut self, motion: &Motion) {
         self.worst_drift = self.worst_drift.max(motion.drift);
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
         self.last = motion.clone();
+    }
+}
+
+/// An answer that the judge did not accept.
+#[derive(Debug, Clone)]
+struct Refused {
+    step: usize,
+    stage: &'static str,
+    row: String,
+    residual: f64,
+    solver: &'static str,
+    status: String,
+}
+
+impl Refused {
+    fn of(scene: &Scene, step: usize, solve: &Solve, certificate: &FrictionCertificate) -> Self {
+        Refused {
+            step,
+            stage: solve.problem.stage.name(),
+            row: solve.problem.assembly.rows[certificate.worst_row].label(scene),
+            residual: certificate.scaled_residual,
+            solver: solve.solver,
+            status: solve.solution.status.to_string(),
+        }
+    }
+
+    fn to_json(&self) -> Value {
+        json!({
+            "step": self.step, "stage": self.stage, "row": self.row, "solver": self.solver,
+            "residual": number(self.residual), "status": self.status,
+        })
+    }
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Refused { step, stage, row, residual, solver, status } = self;
+        write!(f, "first in step {step}, {stage} stage, row {row:?}: residual {residual:.1e}, ")?;
+        match *solver {
+            "none" => write!(f, "{status}"),
+            solver => write!(f, "{solver}: {status}"),
+        }
     }
 }
 

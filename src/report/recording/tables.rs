@@ -1,7 +1,11 @@
 //! The tables of a simulation as CSV: trajectory, ledger and forces.
 
+use nalgebra::Vector3;
+
 use super::NOT_ACCOUNTED;
+use crate::assembly::{Row, Source};
 use crate::body::State;
+use crate::formulation::Stage;
 use crate::memory::Memory;
 use crate::plot::csv::{number, record};
 use crate::scene::Scene;
@@ -14,7 +18,9 @@ pub(super) struct Tables {
     pub trajectory: String,
     /// A line a step: energy and momentum, where the energy went, and how well laws were kept.
     pub ledger: String,
-    /// A line a row and solve: the force or impulse of every constraint.
+    /// A line a row and solve: the force or impulse of every constraint; of a contact, what touches, where,
+    /// and in which direction it pushes the second body. Schemes that pose no problem have a line a row and
+    /// step, with the sum of the substeps.
     pub forces: String,
 }
 
@@ -41,7 +47,11 @@ impl Tables {
         self.add_motion(&step.motion, step.ledger.as_ref(), &step.laws);
         self.add_states(scene, &step.motion, &step.states);
         for solve in &step.solves {
-            self.add_forces(scene, step.number, solve);
+            self.add_forces(scene, step, solve);
+        }
+        for (row, impulse) in &step.pushed {
+            let unit = Stage::Velocity.unit(row.kind.is_angular());
+            self.add_force(scene, step, row, ["substeps", &number(*impulse), unit, ""]);
         }
     }
 
@@ -79,15 +89,30 @@ impl Tables {
         }
     }
 
-    fn add_forces(&mut self, scene: &Scene, step: usize, solve: &Solve) {
+    fn add_forces(&mut self, scene: &Scene, step: &Step, solve: &Solve) {
         let Solve { problem, solution, .. } = solve;
         for (i, row) in problem.assembly.rows.iter().enumerate() {
-            let [x, w] = [solution.x[i], solution.w[i]].map(number);
             let unit = problem.stage.unit(row.kind.is_angular());
-            let stage = problem.stage.name();
-            let (step, label) = (step.to_string(), row.label(scene));
-            record(&mut self.forces, [&step, stage, &label, &x, unit, &w]);
+            let [x, w] = [solution.x[i], solution.w[i]].map(number);
+            self.add_force(scene, step, row, [problem.stage.name(), &x, unit, &w]);
         }
+    }
+
+    /// A row with its stage, x, unit and w; of a contact also what touches where, and the row's direction.
+    fn add_force(&mut self, scene: &Scene, step: &Step, row: &Row, of: [&str; 4]) {
+        let found = match row.id.source {
+            Source::Contact(id) => step.contacts.iter().find(|found| found.id == id),
+            Source::Constraint(_) => None,
+        };
+        let numbers = |v: Vector3<f64>| [v.x, v.y, v.z].map(number);
+        let nothing = || [const { String::new() }; 3];
+        let [stage, x, unit, w] = of.map(String::from);
+        let mut cells = vec![step.number.to_string(), stage, row.label(scene), x, unit, w];
+        let features = found.map(|found| found.id.features.map(|feature| feature.to_string()));
+        cells.push(features.map_or(String::new(), |features| features.join(" on ")));
+        cells.extend(found.map_or_else(nothing, |found| numbers(found.point)));
+        cells.extend(found.and_then(|_| row.direction()).map_or_else(nothing, numbers));
+        record(&mut self.forces, cells);
     }
 }
 
@@ -136,4 +161,18 @@ const LAWS: [&str; 6] = [
     "internal torque (N m s)",
 ];
 
-const FORCES: [&str; 6] = ["step", "stage", "row", "x", "unit of x", "w"];
+const FORCES: [&str; 13] = [
+    "step",
+    "stage",
+    "row",
+    "x",
+    "unit of x",
+    "w",
+    "features",
+    "point x (m)",
+    "point y (m)",
+    "point z (m)",
+    "direction x",
+    "direction y",
+    "direction z",
+];

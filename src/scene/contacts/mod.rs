@@ -26,6 +26,8 @@ mod reduce;
 mod separation;
 mod solid;
 
+use std::fmt;
+
 use nalgebra::Vector3;
 
 use super::{Manifold, Scene};
@@ -43,6 +45,16 @@ pub enum Feature {
     Edge(usize),
     /// A face, or the surface of a half space.
     Face(usize),
+}
+
+impl fmt::Display for Feature {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Feature::Vertex(k) => write!(f, "vertex {k}"),
+            Feature::Edge(k) => write!(f, "edge {k}"),
+            Feature::Face(k) => write!(f, "face {k}"),
+        }
+    }
 }
 
 /// The name of a contact point: the same from step to step while the same features touch.

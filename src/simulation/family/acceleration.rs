@@ -4,58 +4,124 @@
 //! u' = M⁻¹(F + Jᵀλ),   and an integrator;   semi-implicit: u⁺ = u + dt u',   s⁺ = s + dt S u⁺
 //! ```
 //!
-//! Which contacts rest is decided once a step, at its beginning; each stage of an integrator solves
-//! for their forces anew. The gyroscopic torque is always part of F. Errors are fed back by α.
-//! Springs, friction and motors look one dt ahead in every stage, so with them an integrator of
-//! higher order is of first order again.
+//! A step is divided where a body arrives at another one: it hits there, and the rest of the step goes on
+//! from what the impact left. Which contacts rest ([`Resting`](crate::scene::Resting)) is decided at the
+//! beginning of each part; each stage of an integrator solves for their forces anew. The gyroscopic
+//! torque is always part of F. Errors are fed back by α. Springs, friction and motors look one dt ahead
+//! in every stage, so with them an integrator of higher order is of first order again.
 //!
 //! Where friction of sliding contacts is substituted, a contact whose slip would turn round within
-//! the step sticks. Restitution is part of the impacts. Baraff 1994; K&M (U2), `math §4`.
+//! the step sticks. Restitution is part of the impacts. Baraff 1989, 1994; K&M (U2), `math §4`.
 
-use super::moved;
+use super::arrival::Way;
 use crate::assembly::{Assembly, Entering, Row, RowId};
 use crate::body::State;
 use crate::certificate::ray::refute;
 use crate::constraint::Bounds;
 use crate::formulation::{Problem, Slide};
-use crate::scene::{Found, Integrator, Scene, Sliding};
+use crate::scene::{Found, Integrator, Scene, Step, contacts};
 use crate::simulation::integrator::{self, Rate};
 use crate::simulation::solving::Solving;
-use crate::simulation::{Cause, Solve};
+use crate::simulation::{Act, Cause, Solve};
 use crate::solver::Status;
+
+/// A step is divided no more often than this; a ball that has nearly stopped bouncing would go on for ever.
+const MOST_ARRIVALS: usize = 64;
+/// A contact that approaches faster than this part of the speed at which one rests is hit.
+const HIT: f64 = 1e-6;
 
 pub(super) fn step(
     solving: &mut Solving,
     states: &[State],
     found: &[Found],
 ) -> Result<Vec<State>, Cause> {
-    let states = impacts(solving, states, found)?;
-    let assembly = solving.assemble(&states, found, Entering::Resting)?;
-    let dt = solving.scene.step.dt;
-    let method = match solving.scene.step.integrator {
+    let after = parts(solving, states, found)?;
+    if solving.scene.step.integrator != Integrator::SemiImplicitEuler {
+        solving.acts = None; // the work of forces along the stages' path is nobody's to say
+    }
+    Ok(after)
+}
+
+/// The parts of a step, from one arrival to the next.
+fn parts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<Vec<State>, Cause> {
+    let mut found = found.to_vec();
+    let mut states = impacts(solving, states, &found)?;
+    let mut left = solving.scene.step.dt;
+    for _ in 0..MOST_ARRIVALS {
+        let kept = Mark::of(solving);
+        let (after, resting) = part(solving, &states, &found, left)?;
+        let way = Way { scene: solving.scene, before: &states, after: &after, h: left };
+        let arrival = solving.scene.step.events.then(|| way.arrival(&resting)).flatten();
+        let Some(theta) = arrival else { return Ok(after) };
+        kept.restore(solving);
+        if theta > 0.0 {
+            (states, _) = part(solving, &states, &found, theta * left)?;
+            left *= 1.0 - theta;
+        }
+        found = contacts(solving.scene, &states, super::reach(solving.scene));
+        states = impacts(solving, &states, &found)?;
+    }
+    Ok(part(solving, &states, &found, left)?.0)
+}
+
+/// What was solved and done before an attempt.
+struct Mark {
+    solves: usize,
+    acts: Option<usize>,
+}
+
+impl Mark {
+    fn of(solving: &Solving) -> Self {
+        Mark { solves: solving.solves.len(), acts: solving.acts.as_ref().map(Vec::len) }
+    }
+
+    fn restore(&self, solving: &mut Solving) {
+        solving.solves.truncate(self.solves);
+        match (&mut solving.acts, self.acts) {
+            (Some(acts), Some(count)) => acts.truncate(count),
+            (acts, _) => *acts = None,
+        }
+    }
+}
+
+/// The states after a part of h (s) of the step, without arrivals, and the rows that took part.
+fn part(
+    solving: &mut Solving,
+    states: &[State],
+    found: &[Found],
+    h: f64,
+) -> Result<(Vec<State>, Vec<RowId>), Cause> {
+    let scene =
+        &Scene { step: Step { dt: h, ..solving.scene.step.clone() }, ..solving.scene.clone() };
+    let assembly = solving.assemble(states, found, Entering::Resting)?;
+    let resting: Vec<RowId> = assembly.rows.iter().map(|row| row.id).collect();
+    let method = match scene.step.integrator {
         Integrator::SemiImplicitEuler => {
-            forces(solving, assembly)?;
-            return Ok(moved(solving, &states, dt));
+            let solve = forces(solving, scene, assembly)?;
+            let after = solve.problem.next_states(states, &solve.solution.x, h);
+            solving.note_answer();
+            solving.note(Act::Advance(h));
+            return Ok((after, resting));
         }
         Integrator::ExplicitEuler => integrator::explicit_euler,
         Integrator::Rk4 => integrator::rk4,
         Integrator::ImplicitMidpoint => integrator::implicit_midpoint,
     };
-    solving.acts = None; // the work of forces along the stages' path is nobody's to say
-    let resting: Vec<RowId> = assembly.rows.iter().map(|row| row.id).collect();
-    method(dt, &states, &mut |stage| rates(solving, stage, found, &resting))
+    let after = method(h, states, &mut |stage| rates(solving, scene, stage, found, &resting))?;
+    Ok((after, resting))
 }
 
 /// y' at a stage, with the rows that were chosen at the beginning.
 fn rates(
     solving: &mut Solving,
+    scene: &Scene,
     stage: &[State],
     found: &[Found],
     resting: &[RowId],
 ) -> Result<Vec<Rate>, Cause> {
     let unit = integrator::normalised(stage);
     let assembly = solving.assemble(&unit, found, Entering::Only(resting))?;
-    let solve = forces(solving, assembly)?;
+    let solve = forces(solving, scene, assembly)?;
     let accelerations = solve.problem.motion(&solve.solution.x);
     let still = vec![State::WORLD; stage.len()];
     let accelerations = solve.problem.assembly.with_velocities(&still, &accelerations);
@@ -65,12 +131,12 @@ fn rates(
 
 /// The force LCP at an instant. Contacts that slide and would turn round are made to stick, one
 /// round after the other.
-fn forces<'s>(solving: &'s mut Solving, assembly: Assembly) -> Result<&'s Solve, Cause> {
-    let scene = solving.scene;
-    let mut slides = match scene.contact.sliding {
-        Sliding::Box => Vec::new(),
-        Sliding::Substituted => Slide::all(&assembly, scene.contact.sticking_speed),
-    };
+fn forces<'s>(
+    solving: &'s mut Solving,
+    scene: &Scene,
+    assembly: Assembly,
+) -> Result<&'s Solve, Cause> {
+    let mut slides = Slide::of_scene(scene, &assembly);
     loop {
         let problem = Problem::sliding(scene, assembly.clone(), slides.clone())?;
         let solve = solving.solve(problem)?;
@@ -124,7 +190,7 @@ fn impossible(solve: &Solve, scene: &Scene) -> Option<Cause> {
 /// The states after the impacts, where bodies touch or limits are met, and approach.
 fn impacts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<Vec<State>, Cause> {
     let assembly = solving.assemble(states, found, Entering::Touching)?;
-    let limit = -solving.scene.contact.resting_speed;
+    let limit = -HIT * solving.scene.resting().speed;
     let hits = |row: &Row| row.bounds == Bounds::Unilateral && row.velocity < limit;
     if !assembly.rows.iter().any(hits) {
         return Ok(states.to_vec());

@@ -1,6 +1,7 @@
 //! The families of methods, one a file: how a step is taken from the states at its beginning.
 
 mod acceleration;
+mod arrival;
 mod gauss_seidel;
 mod penalty;
 mod sequential;
@@ -36,7 +37,7 @@ pub(super) fn step(
 /// How near (m) contacts must be to matter to a step.
 pub(super) fn reach(scene: &Scene) -> f64 {
     match scene.step.formulation {
-        Formulation::Acceleration => scene.contact.resting_gap,
+        Formulation::Acceleration => scene.resting().gap,
         _ => scene.contact.margin,
     }
 }

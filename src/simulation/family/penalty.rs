@@ -36,7 +36,7 @@ pub(super) fn step(
         let rates = assembly.accelerate(&force);
         let u: Vec<f64> = assembly.u.iter().zip(rates).map(|(u, rate)| u + h * rate).collect();
         let moved = assembly.with_velocities(&states, &u);
-        states = moved.iter().map(|state| state.advanced(h)).collect();
+        states = assembly.advanced(&moved, h);
         let impulses: Vec<f64> = x.iter().map(|x| h * x).collect();
         let feedback = vec![0.0; impulses.len()];
         solving.note(Act::Push(Push { assembly, h, impulses, feedback, bounces: false }));

@@ -47,14 +47,12 @@ pub(super) fn step(
         states = moved;
         solving.note(Act::Push(push));
         solving.note(Act::Advance(scene.step.dt));
-        for (&id, &x) in &impulses {
-            let most = pushed.entry(id).or_insert(x);
-            *most = most.max(x);
-        }
+        raise(&mut pushed, &impulses);
         for _ in 0..scene.step.soft.relax {
             let (relaxed, push) = swept(&scene, &states, found, &mut impulses, relaxed_aim)?;
             states = relaxed;
             solving.note(Act::Push(push));
+            raise(&mut pushed, &impulses); // it may close a gap and hit, too
         }
     }
     let last = assembled(&scene, &states, found, Entering::Near)?;
@@ -80,7 +78,7 @@ fn substep(
         assembly.u.iter().zip(rates).zip(push).map(|((u, rate), push)| u + h * rate + push);
     let kicked = assembly.with_velocities(states, &kicked.collect::<Vec<_>>());
     let (swept, push) = swept(scene, &kicked, found, impulses, soft_aim)?;
-    let states = swept.iter().map(|state| state.advanced(h)).collect();
+    let states = assembly.advanced(&swept, h);
     let push = Push { h, impulses: placed(&assembly, impulses), assembly, ..push };
     Ok((states, push))
 }
@@ -158,12 +156,12 @@ fn bounced(
     approach: &Impulses,
     pushed: &Impulses,
 ) -> (Vec<State>, Push) {
-    let e = scene.contact.restitution;
     let sweeper = Sweeper::new(&assembly, scene.step.dt);
     let (mut impulses, mut feedback) = (vec![0.0; x.len()], vec![0.0; x.len()]);
     let mut u = assembly.u.clone();
     for (i, row) in assembly.rows.iter().enumerate() {
         let before = approach.get(&row.id).copied().unwrap_or(0.0);
+        let e = scene.restitution(row.bodies);
         let hit = row.kind == Kind::Normal && pushed.get(&row.id).is_some_and(|&x| x > 0.0);
         if hit && e > 0.0 && before < -scene.contact.bounce_speed && sweeper.diagonal(i) > 0.0 {
             let wanted = x[i] - (sweeper.velocity(i, &u) + e * before) / sweeper.diagonal(i);
@@ -174,6 +172,14 @@ fn bounced(
     }
     let states = assembly.with_velocities(states, &u);
     (states, Push { assembly, h: 0.0, impulses, feedback, bounces: true })
+}
+
+/// The most that each row has pushed.
+fn raise(pushed: &mut Impulses, impulses: &Impulses) {
+    for (&id, &x) in impulses {
+        let most = pushed.entry(id).or_insert(x);
+        *most = most.max(x);
+    }
 }
 
 /// x by name.

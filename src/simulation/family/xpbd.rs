@@ -5,7 +5,7 @@
 //! u = u⁻ + h M⁻¹F,   s = s⁻ + h S u
 //! each row:   Δx = −((1 − β) J u + (β/h) c + γ x)/(J M⁻¹Jᵀ + γ),   x ← Π(x + Δx)
 //!             s ← s + h S M⁻¹Jᵀ Δx,   u ← u + M⁻¹Jᵀ Δx                  J, c at the newest s and u
-//! u = (s − s⁻)/h,   ω = 2 vec(q (q⁻)⁻¹)/h
+//! u = (s − s⁻)/h,   ω = 2 vec(q (q⁻)⁻¹)/(h w)          w, vec: the parts of q (q⁻)⁻¹
 //! ```
 //!
 //! The published multiplier is h x. A row of compliance α has β = 1 and γ = α/h²: rigid for α = 0. A
@@ -18,8 +18,10 @@
 //! contacts the velocity is set afterwards, to −e J u⁻ if that bounces, else to 0, so that bodies that
 //! overlap are moved and not thrown. Macklin, Müller & Chentanez 2016; Müller et al. 2020.
 
+use std::collections::BTreeMap;
+
 use super::substepped;
-use crate::assembly::{Entering, Source};
+use crate::assembly::{self, Entering, RowId, Source};
 use crate::body::State;
 use crate::constraint::{Bounds, Constraint, Kind, Row};
 use crate::scene::{Found, Scene};
@@ -34,14 +36,30 @@ pub(super) fn step(
 ) -> Result<Vec<State>, Cause> {
     let scene = substepped(solving.scene);
     let mut states = states.to_vec();
+    let mut sums: BTreeMap<RowId, f64> = BTreeMap::new();
     for _ in 0..scene.step.substeps {
-        states = substep(&scene, &states, found)?;
+        let (moved, impulses) = substep(&scene, &states, found)?;
+        states = moved;
+        for (id, x) in impulses {
+            *sums.entry(id).or_default() += x;
+        }
     }
+    let ids: Vec<RowId> = sums.keys().copied().collect();
+    let assembly = assembled(&scene, &states, found, Entering::Only(&ids))?;
+    let of_row = |row: assembly::Row| {
+        let sum = sums.get(&row.id).copied().unwrap_or(0.0);
+        (row, sum)
+    };
+    solving.pushed = assembly.rows.into_iter().map(of_row).collect();
     Ok(states)
 }
 
-fn substep(scene: &Scene, before: &[State], found: &[Found]) -> Result<Vec<State>, Cause> {
-    let h = scene.step.dt;
+/// The states after a substep, and the impulse of each row in it (N s, N m s).
+fn substep(
+    scene: &Scene,
+    before: &[State],
+    found: &[Found],
+) -> Result<(Vec<State>, Vec<(RowId, f64)>), Cause> {
     let mut states = free(scene, before)?;
     let sources = sources(scene, found);
     let mut x: Vec<Vec<f64>> = Vec::with_capacity(sources.len());
@@ -54,13 +72,19 @@ fn substep(scene: &Scene, before: &[State], found: &[Found]) -> Result<Vec<State
         }
     }
     let mut states: Vec<State> =
-        before.iter().zip(&states).map(|(old, new)| with_rate(old, new, h)).collect();
+        (0..states.len()).map(|k| with_rate(scene, k, &before[k], &states[k])).collect();
     for _ in 0..scene.step.xpbd.sweeps {
         for (&(source, constraint), x) in sources.iter().zip(&mut x) {
             settle(scene, source, constraint, x, before, &mut states)?;
         }
     }
-    Ok(states)
+    let named = |((source, _), x): (&(Source, &dyn Constraint), &Vec<f64>)| {
+        let source = *source;
+        let rows = x.clone().into_iter().enumerate();
+        rows.map(move |(component, x)| (RowId { source, component }, x)).collect::<Vec<_>>()
+    };
+    let impulses = sources.iter().zip(&x).flat_map(named).collect();
+    Ok((states, impulses))
 }
 
 /// The states after h without constraints.
@@ -70,7 +94,7 @@ fn free(scene: &Scene, states: &[State]) -> Result<Vec<State>, Cause> {
     let rates = assembly.accelerate(&assembly.force);
     let u: Vec<f64> = assembly.u.iter().zip(rates).map(|(u, rate)| u + h * rate).collect();
     let kicked = assembly.with_velocities(states, &u);
-    Ok(kicked.iter().map(|state| state.advanced(h)).collect())
+    Ok(assembly.advanced(&kicked, h))
 }
 
 /// Corrects the rows of a constraint, one after the other; x are their impulses so far (N s).
@@ -124,11 +148,14 @@ fn project(row: &Row, value: f64, before: &[f64], h: f64) -> f64 {
     value.max(lo).min(hi)
 }
 
-/// The new pose with the velocity that led to it; of a body that did not move, 0.
-fn with_rate(old: &State, new: &State, h: f64) -> State {
+/// The new pose with the velocity that led to it; of a body that did not move, 0. q⁺ = q + h S ω,
+/// normalised, turns by (1, ½ h ω): so ω = 2 vec/(h w) of q⁺ q⁻¹.
+fn with_rate(scene: &Scene, body: usize, old: &State, new: &State) -> State {
+    let h = scene.step.dt;
     let turn = new.pose.q.into_inner() * old.pose.q.inverse().into_inner();
-    let way = if turn.w < 0.0 { -2.0 / h } else { 2.0 / h };
-    State { v: (new.pose.p - old.pose.p) / h, omega: turn.imag() * way, ..*new }
+    let omega = turn.imag() * (2.0 / (h * turn.w));
+    let mean = State { v: (new.pose.p - old.pose.p) / h, omega, ..*new };
+    scene.step.gyroscopic().arrived(&scene.bodies[body].mass, &mean, h)
 }
 
 /// A contact that pushed neither throws nor holds: J u = −e J u⁻ where that bounces, else 0, as far
@@ -146,7 +173,8 @@ fn settle(
         if row.kind == Kind::Normal && x[k] > 0.0 {
             let approach = Lever::new(scene, constraint, &old[k], before).velocity;
             let bounces = approach < -scene.contact.bounce_speed;
-            let aim = if bounces { -scene.contact.restitution * approach } else { 0.0 };
+            let e = scene.restitution(constraint.bodies());
+            let aim = if bounces { -e * approach } else { 0.0 };
             let lever = Lever::new(scene, constraint, &row, states);
             let push = ((aim - lever.velocity) / lever.mobility).max(-x[k]);
             lever.push(push, states);

@@ -6,6 +6,7 @@
 use super::masses::Masses;
 use super::rows::{Place, Rows};
 use super::sweeper::Sweeper;
+use crate::formulation::has_closed;
 use crate::scene::{Persistence, Scene};
 use crate::solver::Status;
 
@@ -38,7 +39,7 @@ impl Impulses {
         self.bounced.x.clear();
     }
 
-    /// Sweeps over the rows, and again for J u⁺ = −e J u⁻ in those that push and approached fast.
+    /// Sweeps over the rows, and again for J u⁺ = −e J u⁻ in those that closed and approached fast.
     pub fn solve(
         &mut self,
         scene: &Scene,
@@ -53,9 +54,12 @@ impl Impulses {
         contacts.clone_from(&rows.contacts);
         sweeper.sweep(&rows.system, &mut first.x, &masses.free, sweeps)?;
         let mut bounces = false;
-        for &(i, speed) in rows.approaching.iter().filter(|(i, _)| first.x[*i] > 0.0) {
-            rows.system.aims_mut()[i].b = scene.contact.restitution * speed;
-            bounces = true;
+        for &(i, speed, e) in &rows.approaching {
+            let w = rows.system.rows()[i].rate(&sweeper.v) + rows.system.aims_mut()[i].b;
+            if has_closed(first.x[i], w, speed) {
+                rows.system.aims_mut()[i].b = e * speed;
+                bounces = true;
+            }
         }
         if bounces {
             return sweeper.sweep(&rows.system, &mut bounced.x, &masses.free, sweeps);

@@ -76,8 +76,8 @@ impl Masses {
         for (moving, (before, free)) in self.bodies.iter_mut().zip(velocities) {
             let (body, state) = (&scene.bodies[moving.body], &states[moving.body]);
             moving.rotation = state.pose.q.to_rotation_matrix().into_inner();
-            let torque = scene.step.gyroscopic.torque(&body.mass, state, dt);
-            let force = stack(scene.gravity * body.mass.mass() + body.force, torque);
+            let torque = scene.step.gyroscopic().torque(&body.mass, state, dt);
+            let force = stack(scene.gravity * body.mass.mass(), torque) + body.wrench(&state.pose);
             *before = moving.scaled_velocity(&state.velocity());
             let change = moving.scaled_row(&force);
             *free = std::array::from_fn(|k| before[k] + dt * change[k]);
@@ -89,14 +89,16 @@ impl Masses {
         self.bodies[place].scaled_row(j)
     }
 
-    /// Moves the bodies with u = L v for dt (s).
-    pub fn advance(&self, dt: f64, v: &[Velocity], states: &[State], next: &mut [State]) {
-        next.copy_from_slice(states);
+    /// Moves the bodies with u = L v for a step.
+    pub fn advance(&self, scene: &Scene, v: &[Velocity], states: &[State], next: &mut [State]) {
+        let dt = scene.step.dt;
+        let gyroscopic = scene.step.gyroscopic();
+        next.iter_mut().zip(states).for_each(|(next, state)| *next = state.advanced(dt));
         for (moving, v) in self.bodies.iter().zip(v) {
-            let next = &mut next[moving.body];
-            *next = next.with_velocity(&moving.velocity(v));
+            let state = states[moving.body].with_velocity(&moving.velocity(v));
+            let mass = &scene.bodies[moving.body].mass;
+            next[moving.body] = gyroscopic.advanced(mass, &state, dt);
         }
-        next.iter_mut().for_each(|state| *state = state.advanced(dt));
     }
 
     /// The bytes that its arrays hold.

@@ -203,7 +203,7 @@ impl Stepper {
         let refused = |status: Status| Error::invalid(&*scene.name, "rows", status.to_string());
         impulses.solve(scene, rows, masses, sweeper, self.sweeps).map_err(refused)?;
         done(Part::Sweeps);
-        masses.advance(scene.step.dt, &sweeper.v, states, next);
+        masses.advance(scene, &sweeper.v, states, next);
         if let Some(cause) = self.divergence() {
             return Err(cause);
         }

@@ -18,8 +18,8 @@ pub(super) struct Rows {
     pub system: System,
     /// The contacts' names and places, ascending by their bodies.
     pub contacts: Vec<Place>,
-    /// The normal rows that approach fast enough to bounce, with J u⁻ (m/s).
-    pub approaching: Vec<(usize, f64)>,
+    /// The normal rows that approach fast enough to bounce, with J u⁻ (m/s) and e.
+    pub approaching: Vec<(usize, f64, f64)>,
     /// Those of one constraint.
     own: Vec<constraint::Row>,
 }
@@ -79,10 +79,11 @@ impl Rows {
             .map_err(|cause| Cause::Undefined(Undefined { source, bodies, cause }))?;
         for (k, row) in self.own.iter().enumerate() {
             let scaled = scaled(row, places, masses);
-            if row.kind == Kind::Normal && asking.restitution {
+            let e = if row.kind == Kind::Normal { asking.scene.restitution(bodies) } else { 0.0 };
+            if e > 0.0 {
                 let speed = scaled.rate(&masses.before);
                 if speed < -asking.bounce_speed {
-                    self.approaching.push((first + k, speed));
+                    self.approaching.push((first + k, speed, e));
                 }
             }
             let pushed = self.system.push(scaled, asking.aim(row, first));
@@ -95,7 +96,7 @@ impl Rows {
     pub fn bytes(&self) -> usize {
         self.system.bytes()
             + self.contacts.capacity() * size_of::<Place>()
-            + self.approaching.capacity() * size_of::<(usize, f64)>()
+            + self.approaching.capacity() * size_of::<(usize, f64, f64)>()
             + self.own.capacity() * size_of::<constraint::Row>()
     }
 }
@@ -121,7 +122,7 @@ struct Asking<'a> {
     name: &'a str,
     dt: f64,
     bias: Bias,
-    restitution: bool,
+    scene: &'a Scene,
     bounce_speed: f64,
 }
 
@@ -131,7 +132,7 @@ impl<'a> Asking<'a> {
             name: &scene.name,
             dt: scene.step.dt,
             bias: Bias::new(scene, scene.step.baumgarte),
-            restitution: scene.contact.restitution > 0.0,
+            scene,
             bounce_speed: scene.contact.bounce_speed,
         }
     }

@@ -41,7 +41,7 @@ pub fn terms(lcp: &Lcp, x: &[f64], width: Width) -> Vec<RowTerms> {
     };
     let terms = |(i, [product, size]): (usize, [f64; 2])| {
         let b = lcp.b()[i];
-        RowTerms::of_sums(product + b, size + b.abs(), row_scale(lcp, i))
+        RowTerms::of_sums(lcp, product + b, size + b.abs(), row_scale(lcp, i))
             .unwrap_or_else(|| RowTerms::at(lcp, i, x))
     };
     sums.into_iter().enumerate().map(terms).collect()
@@ -59,7 +59,7 @@ fn of_stored(lcp: &Lcp, i: usize, x: &[f64]) -> RowTerms {
         }
     }
     let b = lcp.b()[i];
-    let terms = RowTerms::of_sums(w + b, size + b.abs(), diagonal);
+    let terms = RowTerms::of_sums(lcp, w + b, size + b.abs(), diagonal);
     terms.filter(|_| diagonal > 0.0).unwrap_or_else(|| RowTerms::at(lcp, i, x))
 }
 

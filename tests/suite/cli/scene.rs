@@ -142,3 +142,36 @@ fn simulate_says_where_the_energy_is_not_accounted_for() {
     let penalty = out(&run(&["simulate", "pendulum", "--steps", "3", "--formulation", "penalty"]));
     assert!(penalty.contains("ledger       closes to"), "{penalty}");
 }
+
+#[test]
+fn simulate_prints_where_the_bodies_end_and_which_answer_was_refused_first() {
+    let good = run(&["simulate", "sliding", "--steps", "3", "--set", "mu=0.3", "--json"]);
+    let summary: Value = serde_json::from_str(&out(&good)).unwrap();
+    let states = summary["states"].as_array().unwrap();
+    assert_eq!(states.len(), 2);
+    assert!(states[1]["velocity"][0].as_f64().unwrap() > 0.0);
+    assert!(summary["first_refused"].is_null());
+    let few =
+        run(&["simulate", "stack", "--steps", "2", "--solver", "pgs", "--max-iterations", "2"]);
+    assert_eq!(few.status.code(), Some(1));
+    let text = out(&few);
+    assert!(text.contains("at the end") && text.contains("refused      first in step 1"), "{text}");
+    assert!(text.contains("pgs: iteration limit"), "{text}");
+}
+
+#[test]
+fn a_body_that_is_far_beyond_the_picture_is_no_panic() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("far.toml");
+    let text = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n\
+                [[bodies]]\nname = \"near\"\nshape = { box = [1, 1, 1] }\nmass = 1\n\
+                [[bodies]]\nname = \"far\"\nshape = { box = [1, 1, 1] }\nmass = 1\n\
+                position = [1e155, 0, 3.5]\n";
+    std::fs::write(&scene, text).unwrap();
+    let page = folder.path().join("out");
+    let arguments =
+        ["simulate", scene.to_str().unwrap(), "--steps", "1", "--out", page.to_str().unwrap()];
+    let output = run(&arguments);
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", err(&output));
+    assert!(page.join("index.html").exists());
+}

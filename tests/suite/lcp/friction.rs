@@ -267,3 +267,41 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_normal_force_that_is_wrong_is_refused_however_stiff_the_tangents_are() {
+    // A = diag(1, s, s), b = (−1, 0, −s), μ = 10: x = (1, 0, 1) with w = 0, the only solution.
+    for s in [1.0, 1e4, 1e7, 1e12] {
+        let a = [1.0, 0.0, 0.0, 0.0, s, 0.0, 0.0, 0.0, s];
+        let lcp = Lcp::new(
+            lcplab::lcp::Matrix::dense(3, &a),
+            vec![-1.0, 0.0, -s],
+            vec![0.0, -INF, -INF],
+            vec![INF; 3],
+        );
+        let friction =
+            FrictionProblem::new(lcp.unwrap(), vec![Contact { rows: [0, 1, 2], mu: 10.0 }])
+                .unwrap();
+        for law in [Law::Associated, Law::Coulomb] {
+            let problem = ConeProblem::new(friction.clone(), law);
+            assert_eq!(problem.scaled_residual(&[1.0, 0.0, 1.0]), 0.0);
+            for wrong in [-1.0, 0.1, 0.5, 2.0] {
+                let residual = problem.scaled_residual(&[wrong, 0.0, 1.0]);
+                assert!(residual > 0.1, "{law:?}, s = {s:e}, x_n = {wrong}: {residual:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_smallest_numbers_are_seen_beside_rows_of_zeros() {
+    // No force, no friction: x_t = 0 and nothing else, however small.
+    let rows = [&[1e-8, 0.0, 0.0][..], &[0.0, 1e-8, 0.0], &[0.0, 0.0, 1e-8]];
+    let lcp = boxed(&rows, &[0.0; 3], &[0.0, -INF, -INF], &[INF; 3]);
+    let friction = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.0 }]).unwrap();
+    for law in [Law::Associated, Law::Coulomb] {
+        let problem = ConeProblem::new(friction.clone(), law);
+        assert!(problem.scaled_residual(&[0.0, 0.0, 2.3399e-319]) > 0.5, "{law:?}");
+        assert_eq!(problem.scaled_residual(&[0.0; 3]), 0.0);
+    }
+}

@@ -56,7 +56,7 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
         Status::ZeroDiagonal { .. } => said("pgs", &flat, usual()),
             "the diagonal of row 1 is not positive";
         Status::Singular { .. } => said("block-pivoting", &dependent, usual()), "singular at row 1";
-        Status::Ray { .. } => said("lemke", &torn, usual()), "a ray: row 0 cannot be satisfied";
+        Status::Ray { .. } => said("lemke", &torn, usual()), "a ray: row 0 is not reached, which alone proves nothing";
         Status::NoSolution => said("enumeration", &negative, usual()),
             "all active sets were tried, and none carries a solution";
         Status::TooLarge { needs, limit } => said("dantzig", &pair, small.clone()),

@@ -44,9 +44,9 @@ fn unknown_keys_are_reported_with_the_known_ones() {
         "bad.toml: 2 defects\n  \
          line 5: bodies[0].weight: unknown field \"weight\", expected one of \"name\", \"shape\", \
          \"fixed\", \"mass\", \"density\", \"inertia\", \"position\", \"rotation\", \"velocity\", \
-         \"angular_velocity\", \"friction\", \"force\"\n  \
+         \"angular_velocity\", \"friction\", \"restitution\", \"force\", \"force_at\", \"torque\"\n  \
          line 8: step.dtt: unknown field \"dtt\", expected one of \"dt\", \"count\", \
-         \"formulation\", \"gyroscopic\", \"baumgarte\", \"feedback\", \"alpha\", \"integrator\", \"substeps\", \"sweeps\", \"xpbd\", \"soft\", \"penalty\""
+         \"formulation\", \"gyroscopic\", \"baumgarte\", \"feedback\", \"alpha\", \"integrator\", \"events\", \"substeps\", \"sweeps\", \"xpbd\", \"soft\", \"penalty\""
     );
 }
 

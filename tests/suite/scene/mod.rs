@@ -5,3 +5,4 @@ mod catalogue;
 mod contacts;
 mod generate;
 mod hulls;
+mod settings;

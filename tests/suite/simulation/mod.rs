@@ -1,5 +1,6 @@
 //! Motions against closed forms.
 
+mod acceleration;
 mod demonstrations;
 mod failures;
 mod families;

@@ -13,7 +13,7 @@ const G: f64 = 9.81;
 
 /// The force LCP of a scene at its start.
 fn problem(scene: &Scene) -> Problem {
-    let found = contacts(scene, &scene.states, scene.contact.resting_gap);
+    let found = contacts(scene, &scene.states, scene.resting().gap);
     let assembly = Assembly::new(scene, &scene.states, &found, Entering::Resting).unwrap();
     let slides = Slide::all(&assembly, scene.contact.sticking_speed);
     Problem::sliding(scene, assembly, slides).unwrap()
@@ -101,8 +101,6 @@ fn diagonal(sliding: Sliding, time: f64) -> f64 {
         formulation = \"acceleration\"
         [contact]
         friction = 0.2
-        resting_gap = 1e-6
-        resting_speed = 1e-6
         [[bodies]]
         name = \"ground\"
         fixed = true

@@ -1,0 +1,59 @@
+//! Fields of a scene file set to other values: what `--set key=value` does.
+
+use toml::{Table, Value};
+
+use super::Description;
+use crate::error::{Error, Result};
+
+/// Short names of what is changed most.
+const SHORT: [(&str, &str); 3] =
+    [("mu", "contact.friction"), ("dt", "step.dt"), ("angle", "tilt.y")];
+
+/// The description in a text with these fields changed.
+pub(super) fn changed(path: &str, text: &str, changes: &[(String, String)]) -> Result<Description> {
+    Description::from_toml(path, text)?; // its defects have lines, those of the changed one have not
+    let mut table: Table = text
+        .parse()
+        .map_err(|error: toml::de::Error| Error::invalid(path, "the file", error.message()))?;
+    for (key, value) in changes {
+        let key =
+            SHORT.iter().find(|(short, _)| short == key).map_or(key.as_str(), |(_, long)| long);
+        set(&mut table, key, value).map_err(|reason| Error::invalid(path, key, reason))?;
+    }
+    let named = changes.iter().map(|(key, _)| key.as_str()).collect::<Vec<_>>().join(", ");
+    table.try_into().map_err(|error: toml::de::Error| Error::invalid(path, named, error.message()))
+}
+
+/// Sets the field of this name; a table that is not there yet is made.
+fn set(table: &mut Table, key: &str, value: &str) -> std::result::Result<(), String> {
+    let (parents, last) = key.rsplit_once('.').map_or(("", key), |(parents, last)| (parents, last));
+    let mut place = table;
+    let mut names = parents.split('.').filter(|name| !name.is_empty());
+    while let Some(name) = names.next() {
+        let next = place.entry(name).or_insert_with(|| Value::Table(Table::new()));
+        place = match next {
+            Value::Table(table) => table,
+            Value::Array(items) => {
+                let item = names.next().ok_or("names a list, of which an item must follow")?;
+                item_of(items, item).ok_or_else(|| format!("has no item {item:?}"))?
+            }
+            _ => return Err(format!("{name:?} is a value and has no fields")),
+        };
+    }
+    place.insert(last.into(), parsed(value));
+    Ok(())
+}
+
+/// The item with this number or name.
+fn item_of<'a>(items: &'a mut [Value], name: &str) -> Option<&'a mut Table> {
+    let has_name = |item: &Value| item.get("name").and_then(Value::as_str) == Some(name);
+    let index = name.parse().ok().or_else(|| items.iter().position(has_name))?;
+    items.get_mut(index)?.as_table_mut()
+}
+
+/// A value in TOML, or a text where it is none.
+fn parsed(value: &str) -> Value {
+    let table = format!("value = {value}").parse::<Table>().ok();
+    let value_of = |mut table: Table| table.remove("value").filter(|_| table.is_empty());
+    table.and_then(value_of).unwrap_or_else(|| Value::String(value.into()))
+}

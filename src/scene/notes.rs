@@ -1,0 +1,66 @@
+//! Settings that a scene states in vain, or that cannot work: said once, where it is simulated.
+
+use std::f64::consts::SQRT_2;
+
+use super::{Formulation, Integrator, Scene, Step};
+
+impl Scene {
+    /// What of the settings the scheme does not read though nothing else stands in its place, and what
+    /// makes it unstable; one sentence each.
+    pub fn notes(&self) -> Vec<String> {
+        let (step, usual) = (&self.step, Step::default());
+        let scheme = step.formulation;
+        let is_force = scheme == Formulation::Acceleration;
+        let feeds_back = matches!(scheme, Formulation::Velocity | Formulation::SequentialImpulses);
+        let mut notes = Vec::new();
+        let mut unread = |is_set: bool, setting: &str, reads: &str| {
+            if is_set {
+                let scheme = scheme.name();
+                notes.push(format!("{setting} is not read by the scheme {scheme}; {reads}"));
+            }
+        };
+        unread(
+            step.alpha != usual.alpha && step.baumgarte == usual.baumgarte && !is_force,
+            "step.alpha",
+            "it is for the acceleration level, at velocity level step.baumgarte feeds errors back",
+        );
+        unread(
+            step.baumgarte != usual.baumgarte && step.alpha == usual.alpha && !feeds_back,
+            "step.baumgarte",
+            "it is for velocity and sequential-impulses, at acceleration level step.alpha feeds errors back",
+        );
+        unread(
+            step.integrator != usual.integrator && !is_force,
+            "step.integrator",
+            "it is for the acceleration level",
+        );
+        let substeps =
+            matches!(scheme, Formulation::Xpbd | Formulation::Soft | Formulation::Penalty);
+        unread(
+            step.substeps != usual.substeps && !substeps,
+            "step.substeps",
+            "it is for xpbd, soft and penalty",
+        );
+        let (rate, limit) = (step.alpha * step.dt, most_alpha_dt(step.integrator));
+        if is_force && rate >= limit {
+            let name = step.integrator.name();
+            notes.push(format!(
+                "step.alpha times dt is {rate}, and errors grow from {limit:.4} on with the integrator {name}"
+            ));
+        }
+        notes
+    }
+}
+
+/// The α dt from which on the error c'' = −2 α c' − α² c grows.
+///
+/// Semi-implicit Euler has λ² − (2 − 2a − a²) λ + 1 − 2a = 0 with a = α dt, which reaches λ = −1 at
+/// a = 2 (√2 − 1); explicit Euler λ = 1 − a twice; Runge-Kutta the end of its stability on the real axis.
+fn most_alpha_dt(integrator: Integrator) -> f64 {
+    match integrator {
+        Integrator::SemiImplicitEuler => 2.0 * (SQRT_2 - 1.0),
+        Integrator::ExplicitEuler => 2.0,
+        Integrator::Rk4 => 2.785_293_563_405_282,
+        Integrator::ImplicitMidpoint => f64::INFINITY,
+    }
+}

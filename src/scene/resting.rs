@@ -1,0 +1,61 @@
+//! Which contacts rest at acceleration level: thresholds that follow from the scene.
+//!
+//! A force needs a contact that touches, c ≤ slop, and that does not part, ċ ≤ v_slop. Numbers that are
+//! never exact ask for both to be positive; too small, a contact is lost and the body falls until it hits
+//! again. A body that parts more slowly than it would fall back within the step has not parted:
+//!
+//! ```text
+//! a = max |g + f/m|,   v_slop = 2 a dt,   slop = a dt², at most 1/1000 of the smallest body
+//! ```
+
+use super::Scene;
+use crate::body::Shape;
+
+/// The slop is at most this part of the smallest body.
+const OF_SIZE: f64 = 1e-3;
+/// Where nothing falls, a body counts as falling by this part of the smallest one in a step.
+const WITHOUT_WEIGHT: f64 = 1e-6;
+
+/// When a contact rests.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resting {
+    /// The gap (m) up to which it touches.
+    pub gap: f64,
+    /// The speed (m/s) of parting up to which it stays.
+    pub speed: f64,
+}
+
+impl Resting {
+    /// What the scene says, or what follows from it.
+    pub(super) fn of(scene: &Scene) -> Self {
+        let (dt, contact) = (scene.step.dt, &scene.contact);
+        let moving = scene.bodies.iter().filter(|body| body.mass.mass() > 0.0);
+        let accelerations =
+            moving.map(|body| (scene.gravity + body.force / body.mass.mass()).norm());
+        let size = scene.thinnest().unwrap_or(1.0);
+        let acceleration = match accelerations.fold(0.0, f64::max) {
+            0.0 => WITHOUT_WEIGHT * size / (dt * dt),
+            acceleration => acceleration,
+        };
+        Resting {
+            gap: contact.resting_gap.unwrap_or((acceleration * dt * dt).min(OF_SIZE * size)),
+            speed: contact.resting_speed.unwrap_or(2.0 * acceleration * dt),
+        }
+    }
+}
+
+/// The thickness of a shape (m), if it has one.
+pub(super) fn size(shape: &Shape) -> Option<f64> {
+    match shape {
+        Shape::Point | Shape::Plane { .. } => None,
+        Shape::Sphere { radius } | Shape::Capsule { radius, .. } => Some(2.0 * radius),
+        Shape::Box { half } => Some(2.0 * half.min()),
+        Shape::Hull(hull) => {
+            let deepest = hull.faces.iter().map(|face| {
+                let heights = hull.vertices.iter().map(|v| face.normal.dot(v));
+                heights.clone().fold(f64::MIN, f64::max) - heights.fold(f64::MAX, f64::min)
+            });
+            deepest.reduce(f64::min)
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Projected Gauss-Seidel for polygons: a contact at a time, its normal and then its tangents.
+//!
+//! ```text
+//! x_n ← max(x_n − w_n/a_nn, 0)
+//! x_t ← the point of μ x_n conv{d_j} nearest to x_t − w_t/s_t          d_j the polygon's corners
+//! x_i ← Π(x_i − w_i/a_ii)                                              each other row
+//! ```
+//!
+//! The friction that dissipates most, among the impulses of a polygon, is a fixed point of the second line,
+//! and with it of the whole; β and γ of the [LCP](crate::lcp::friction::Polyhedral) need not be known, and the
+//! matrix has a row for each of x alone. s_t bounds the eigenvalues of the contact's block of tangents. Each
+//! update uses the newest x. As the coupled box, which it is with four corners along the tangents turned by
+//! 45°, it has no minimum behind it: that a sweep comes nearer is seen, not proved.
+//!
+//! What it claims is judged by the LCP, on the z that x leads back to.
+
+use super::{Event, Iterate, Observer, Settings, Solution, Start, Status};
+use crate::lcp::friction::{Contact, Polyhedral};
+use crate::lcp::{Lcp, merit};
+
+/// Whether x is a solution costs as much as some sweeps, and is looked at after so many of them.
+const LOOK_EVERY: usize = 10;
+
+/// Projected Gauss-Seidel for polygons of friction.
+#[derive(Debug, Clone, Default)]
+pub struct PolygonPgs {
+    /// The common settings; an iteration is a sweep over all contacts and other rows.
+    pub settings: Settings,
+}
+
+impl PolygonPgs {
+    /// Its name in tables.
+    pub const NAME: &'static str = "polygon-pgs";
+
+    /// Solves a polyhedral problem from an x, for x.
+    pub fn solve(
+        &self,
+        problem: &Polyhedral,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        let friction = problem.friction();
+        let (lcp, contacts) = (friction.lcp(), friction.contacts());
+        let mut x = start.x.map_or_else(|| vec![0.0; lcp.len()], <[f64]>::to_vec);
+        let normals = contacts.iter().map(|contact| contact.rows[0]);
+        let divided = friction.others().iter().copied().chain(normals);
+        if let Some(row) = divided.into_iter().find(|&i| !(lcp.matrix().diagonal(i) > 0.0)) {
+            return Solution::new(lcp, x, Status::ZeroDiagonal { row }, 0);
+        }
+        let tolerance = self.settings.tolerance;
+        let solves = |x: &[f64]| merit::is_solution(problem.lcp(), &problem.z(x), tolerance);
+        let mut event = Event::Start;
+        for iteration in 0..=self.settings.max_iterations {
+            if iteration > 0 {
+                sweep(problem, &mut x);
+                event = Event::Sweep;
+            }
+            if observer.observe(&Iterate { iteration, x: &x, event }).is_break() {
+                return Solution::new(lcp, x, Status::Stopped, iteration);
+            }
+            if x.iter().any(|x| !x.is_finite()) {
+                return Solution::new(lcp, x, Status::Diverged, iteration);
+            }
+            if iteration % LOOK_EVERY == 0 && solves(&x) {
+                return Solution::new(lcp, x, Status::Solved, iteration);
+            }
+        }
+        Solution::new(lcp, x, Status::IterationLimit, self.settings.max_iterations)
+    }
+}
+
+fn sweep(problem: &Polyhedral, x: &mut [f64]) {
+    let friction = problem.friction();
+    let lcp = friction.lcp();
+    for &i in friction.others() {
+        x[i] = lcp.project(i, x[i] - lcp.row_w(i, x) / lcp.matrix().diagonal(i), x);
+    }
+    for contact in friction.contacts() {
+        let [n, t1, t2] = contact.rows;
+        x[n] = (x[n] - lcp.row_w(n, x) / lcp.matrix().diagonal(n)).max(0.0);
+        let s = tangential_scale(lcp, contact);
+        let aim = [t1, t2].map(|t| x[t] - lcp.row_w(t, x) / s);
+        [x[t1], x[t2]] = problem.nearest(contact.mu * x[n], aim);
+    }
+}
+
+/// The largest absolute row sum of the block of tangents; 1 for a block of zeros.
+fn tangential_scale(lcp: &Lcp, contact: &Contact) -> f64 {
+    let [_, t1, t2] = contact.rows;
+    let row_sum = |i: usize| [t1, t2].iter().map(|&j| lcp.matrix().entry(i, j).abs()).sum();
+    match f64::max(row_sum(t1), row_sum(t2)) {
+        0.0 => 1.0,
+        s => s,
+    }
+}
