@@ -3,6 +3,7 @@
 mod bad_files;
 mod catalogue;
 mod contacts;
+mod documentation;
 mod generate;
 mod hulls;
 mod settings;

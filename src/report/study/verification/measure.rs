@@ -15,6 +15,7 @@ pub(super) enum Method {
     Acceleration,
     Rk4,
     Midpoint,
+    Scheme(Formulation),
 }
 
 impl Method {
@@ -24,12 +25,14 @@ impl Method {
             Method::Acceleration => "acceleration",
             Method::Rk4 => "acceleration, RK4",
             Method::Midpoint => "acceleration, midpoint",
+            Method::Scheme(scheme) => scheme.name(),
         }
     }
 
     fn apply(self, scene: &mut Scene) {
         scene.step.formulation = match self {
             Method::Velocity => Formulation::Velocity,
+            Method::Scheme(scheme) => scheme,
             _ => Formulation::Acceleration,
         };
         scene.step.integrator = match self {

@@ -22,6 +22,7 @@ mod pendulum;
 mod rolling;
 mod rope;
 mod rotation;
+mod schemes;
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -180,6 +181,8 @@ const CASES: &[(&str, Case)] = &[
     ("double-pendulum", pendulum::double),
     ("flip", rotation::flip),
     ("top", rotation::top),
+    ("free-body", schemes::free_body),
+    ("top-lean", schemes::lean),
     ("landing", contact::landing),
     ("stack", contact::stack),
     ("incline", contact::incline),
@@ -187,6 +190,7 @@ const CASES: &[(&str, Case)] = &[
     ("rolling-sphere", rolling::sphere),
     ("rolling-balls", rolling::balls),
     ("bouncing-ball", impact::bouncing),
+    ("bounce-to-rest", schemes::rest),
     ("cradle", impact::cradle),
     ("catenary", rope::catenary),
     ("atwood", rope::atwood),

@@ -1,0 +1,120 @@
+//! What every scheme owes: a free body's momentum, a top that does not fall, a ball that comes to rest.
+
+use super::measure::{Case, Known, Method, ROUNDING, last, start};
+use super::{Row, Size};
+use crate::error::Result;
+use crate::scene::catalogue::bounce::Drop;
+use crate::scene::{Formulation, Integrator};
+
+/// The schemes whose steps are impulses, and moves with the velocities that these leave.
+const IMPULSIVE: [Formulation; 7] = [
+    Formulation::Velocity,
+    Formulation::SplitImpulse,
+    Formulation::GaussSeidel,
+    Formulation::Xpbd,
+    Formulation::Soft,
+    Formulation::Penalty,
+    Formulation::SequentialImpulses,
+];
+/// What bounces, and how far (m) its rest may be from the ground: a soft contact sinks in.
+const BOUNCING: [(Formulation, f64); 5] = [
+    (Formulation::Velocity, 1e-6),
+    (Formulation::Acceleration, 1e-6),
+    (Formulation::SequentialImpulses, 1e-6),
+    (Formulation::Xpbd, 1e-4),
+    (Formulation::Soft, 1e-3),
+];
+/// XPBD divides differences of positions by a substep.
+const SUMMED: (f64, &str) = (1e-9, "rounding of differences over substeps, summed");
+
+/// The brick that turns over, for ten seconds: the midpoint rule keeps its angular momentum and energy.
+pub(super) fn free_body(size: Size) -> Result<Vec<Row>> {
+    let mut case = Case::load("free-body", "dzhanibekov", size)?;
+    case.scene.step.dt = 0.01;
+    let before = match start(&case.scene) {
+        Some(simulation) => simulation.motion(),
+        None => return Ok(Vec::new()),
+    };
+    let mut rows = Vec::new();
+    for scheme in IMPULSIVE {
+        let criterion = if scheme == Formulation::Xpbd { SUMMED } else { ROUNDING };
+        let momentum = before.angular_momentum.norm();
+        let known = vec![
+            Known::exact(
+                criterion,
+                "angular momentum after 10 s",
+                ["L0", "L_0"],
+                "N m s",
+                momentum,
+            ),
+            Known::exact(criterion, "energy after 10 s", ["E0", "E_0"], "J", before.kinetic),
+        ];
+        rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
+            let motion = last(scene, 10.0)?.motion;
+            Some(vec![motion.angular_momentum.norm(), motion.kinetic])
+        }));
+    }
+    Ok(rows)
+}
+
+/// The steady top for five seconds: it goes on to lean by 30 degrees.
+pub(super) fn lean(size: Size) -> Result<Vec<Row>> {
+    let mut case = Case::load("top-lean", "top", size)?;
+    (case.scene.step.dt, case.scene.step.baumgarte) = (0.002, 0.2);
+    let half_a_degree = (0.5 / 30.0, "half a degree, at 2 ms and below");
+    let mut rows = Vec::new();
+    for scheme in [Formulation::Velocity, Formulation::SequentialImpulses] {
+        let what = "lean after 5 s";
+        let known = vec![Known::exact(half_a_degree, what, ["theta", "\\theta"], "°", 30.0)];
+        rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
+            let state = last(scene, 5.0)?.states[0];
+            Some(vec![(state.pose.q * nalgebra::Vector3::z()).z.acos().to_degrees()])
+        }));
+    }
+    Ok(rows)
+}
+
+/// The bouncing ball, until it lies: every scheme's second flight has the height e² h as near as its step
+/// finds the blow, and at the end the ball rests on the ground.
+pub(super) fn rest(size: Size) -> Result<Vec<Row>> {
+    let mut case = Case::load("bounce-to-rest", "bouncing_ball", size)?;
+    let radius = 0.1;
+    case.scene.step.integrator = Integrator::SemiImplicitEuler;
+    let e = case.scene.contact.restitution;
+    let height = case.scene.states[1].pose.p.z - radius;
+    let drop = Drop { height, restitution: e, gravity: -case.scene.gravity.z };
+    let end = drop.time_of(1) * (1.0 + e) / (1.0 - e) + 1.0;
+    let mut rows = Vec::new();
+    for (scheme, sinking) in BOUNCING {
+        let found = (0.1, "the blow is found to within a substep");
+        let lies = (sinking, "what a contact sinks in or leaves open");
+        let (what, formula, height) =
+            ("height after one bounce", ["e^2 h", "e^2 h"], drop.height_after(1));
+        let known = vec![
+            match scheme {
+                // A substep is where it is: its errors do not shrink evenly.
+                Formulation::Xpbd | Formulation::Soft => {
+                    Known::exact(found, what, formula, "m", height)
+                }
+                _ => Known::order(1.0, what, formula, "m", height),
+            },
+            Known::exact(lies, "height at rest", ["0", "0"], "m", 0.0),
+        ];
+        rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
+            let mut simulation = start(scene)?;
+            let (mut bounced, mut top, mut ended) = (0, 0.0f64, false);
+            let mut before = 0.0;
+            for _ in 0..(end / scene.step.dt).ceil() as usize {
+                let state = simulation.step().ok()?.states[1];
+                bounced += usize::from(before < 0.0 && state.v.z > 0.1);
+                ended |= bounced > 1;
+                if bounced == 1 && !ended {
+                    top = top.max(state.pose.p.z - radius);
+                }
+                before = state.v.z;
+            }
+            Some(vec![top, simulation.states()[1].pose.p.z - radius])
+        }));
+    }
+    Ok(rows)
+}
