@@ -114,6 +114,11 @@ const FEW_CONTACTS: usize = 8;
 /// By how much rows yield where a polygon is not solved otherwise, in parts of A's diagonal.
 const SOFTENINGS: [f64; 3] = [1e-12, 1e-10, 1e-9];
 
+/// An answer, and who gave it.
+type Answered = (&'static str, Solution);
+/// A way to get one.
+type Attempt<'a> = &'a dyn Fn(&mut dyn Observer) -> Answered;
+
 /// Sweeps and pivots, in the order that suits the number of contacts. Redundant contacts make the polyhedral
 /// LCP so degenerate that rounding leads pivots astray. Rows that yield are not redundant; an answer of
 /// theirs counts if it solves the rigid problem too.
@@ -125,26 +130,22 @@ fn by_polygons(
     observer: &mut dyn Observer,
 ) -> (&'static str, Solution) {
     let tolerance = settings.tolerance;
-    let ends = |answer: &Solution| matches!(answer.status, Status::Solved | Status::Stopped);
     let sweeps = PolygonPgs { settings: settings.clone() };
+    let swept: Attempt<'_> =
+        &|observer| (PolygonPgs::NAME, sweeps.solve(polyhedral, start, observer));
+    let pivoted: Attempt<'_> = &|observer| {
+        (solver.name(), solve_polyhedral(solver, polyhedral, start, tolerance, observer))
+    };
     let has_few = polyhedral.friction().contacts().len() <= FEW_CONTACTS;
-    let swept =
-        |observer: &mut dyn Observer| (PolygonPgs::NAME, sweeps.solve(polyhedral, start, observer));
-    if !has_few {
-        let answer = swept(observer);
-        if ends(&answer.1) {
-            return answer;
-        }
-    }
-    let first = solve_polyhedral(solver, polyhedral, start, tolerance, observer);
+    let [one, other] = if has_few { [pivoted, swept] } else { [swept, pivoted] };
+    let ends = |(_, answer): &Answered| matches!(answer.status, Status::Solved | Status::Stopped);
+    let first = one(observer);
     if ends(&first) {
-        return (solver.name(), first);
+        return first;
     }
-    if has_few {
-        let answer = swept(observer);
-        if ends(&answer.1) {
-            return answer;
-        }
+    let second = other(observer);
+    if ends(&second) {
+        return second;
     }
     let again = SOFTENINGS.iter().find_map(|&part| {
         let soft = polyhedral.softened(part).ok()?;
@@ -152,10 +153,10 @@ fn by_polygons(
             solve_polyhedral(solver, &soft, start, tolerance, observer);
         let solves = merit::is_solution(polyhedral.lcp(), &polyhedral.z(&x), tolerance);
         let lcp = polyhedral.friction().lcp();
-        let solution = || Solution::new(lcp, x, Status::Solved, first.iterations + iterations);
+        let solution = || Solution::new(lcp, x, Status::Solved, iterations);
         solves.then(|| solution().with_fallback(Some(Fallback::Softened)))
     });
-    (solver.name(), again.unwrap_or(first))
+    again.map_or(first, |answer| (solver.name(), answer))
 }
 
 /// Whether a solver is made for a model of friction; one that is not registered is thought to be.

@@ -15,6 +15,7 @@ mod integrator;
 mod laws;
 mod ledger;
 mod motion;
+mod path;
 mod record;
 mod solving;
 pub mod stepper;
@@ -179,12 +180,24 @@ impl Simulation {
             |acts: &Vec<Act>| Ledger::of(&self.scene, &self.states, &solves, acts, &states);
         let ledger = acts.as_ref().map(account);
         let laws = Laws::of(&self.states, &solves, ledger.as_ref());
+        let passed = path::passages(&self.scene, &self.states, &states, &found, self.scene.step.dt);
         self.previous = answers;
         self.states.clone_from(&states);
         self.steps += 1;
         let motion = self.motion();
         let number = self.steps;
-        Ok(Step { number, solves, contacts: found, states, motion, acts, pushed, ledger, laws })
+        Ok(Step {
+            number,
+            solves,
+            contacts: found,
+            passed,
+            states,
+            motion,
+            acts,
+            pushed,
+            ledger,
+            laws,
+        })
     }
 
     /// Takes up to `steps` steps, showing each to `watch`, which may end the run.

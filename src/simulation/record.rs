@@ -21,6 +21,8 @@ pub struct Step {
     pub solves: Vec<Solve>,
     /// The contacts at its beginning.
     pub contacts: Vec<Found>,
+    /// The pairs of bodies of which one went through the other, by a step that is too long for it.
+    pub passed: Vec<[usize; 2]>,
     /// The states at its end.
     pub states: Vec<State>,
     /// Energy, momentum and errors at its end.

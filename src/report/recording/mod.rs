@@ -52,6 +52,8 @@ pub struct Record {
     laws: Laws,
     books: Option<Books>,
     conflict: Vec<String>,
+    /// The first step in which a body went through another one, and both names.
+    passed: Option<(usize, [String; 2])>,
     /// The first answer that the judge did not accept.
     refused: Option<Refused>,
     failure: Option<String>,
@@ -81,6 +83,7 @@ impl Record {
             laws: Laws::default(),
             books: Some(Books::default()),
             conflict: Vec::new(),
+            passed: None,
             refused: None,
             failure: None,
             proof: None,
@@ -123,6 +126,10 @@ impl Record {
             if !holds && self.conflict.is_empty() {
                 self.conflict = solve.conflict(&self.scene);
             }
+        }
+        if let (None, Some(pair)) = (&self.passed, step.passed.first()) {
+            self.passed =
+                Some((step.number, pair.map(|body| self.scene.bodies[body].name.clone())));
         }
         self.steps = step.number;
         self.states.clone_from(&step.states);
@@ -198,6 +205,7 @@ impl Record {
                 "internal_torque": number(self.laws.internal_torque),
             },
             "conflict": self.conflict,
+            "first_passage": self.passed.as_ref().map(|(step, bodies)| json!({ "step": step, "bodies": bodies })),
             "first_refused": self.refused.as_ref().map(Refused::to_json),
             "notes": self.scene.notes(),
             "states": self.states_json(),
@@ -267,6 +275,12 @@ impl Record {
         text += &self.states_text();
         for note in self.scene.notes() {
             text += &format!("note         {note}\n");
+        }
+        if let Some((step, [one, other])) = &self.passed {
+            text += &format!(
+                "passed       {one:?} went through {other:?}, or the other way round, in step {step}: shorten dt, \
+                 or let contact.margin cover a step's way\n"
+            );
         }
         if let Some(refused) = &self.refused {
             text += &format!("refused      {refused}\n");

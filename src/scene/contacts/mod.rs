@@ -239,8 +239,8 @@ fn touches(
     }
 }
 
-/// The contact of two features; none where it has no normal, as between balls with one centre:
-/// there is nothing to be pushed apart along.
+/// The contact of two features; balls with one centre, which have no normal, are pushed apart along the
+/// world's z axis. None where there is no direction either.
 fn point(scene: &Scene, states: &[State], pair: [usize; 2], touch: &Touch) -> Option<Found> {
     let [k0, k1] = if touch.swapped { [pair[1], pair[0]] } else { pair };
     let local = |k: usize, anchor: &Vector3<f64>| states[k].pose.local(anchor);
@@ -251,7 +251,17 @@ fn point(scene: &Scene, states: &[State], pair: [usize; 2], touch: &Touch) -> Op
         normal: touch.normal,
         friction: (scene.bodies[k0].friction * scene.bodies[k1].friction).sqrt(),
     };
-    let (gap, normal) = contact.gap([&states[k0], &states[k1]]).ok()?;
+    let pair_of = [&states[k0], &states[k1]];
+    let (contact, (gap, normal)) = match (contact.gap(pair_of), touch.normal) {
+        (Ok(measured), _) => (contact, measured),
+        (Err(_), Normal::Centres) => {
+            let normal = Normal::Face(states[k0].pose.q.inverse() * Vector3::z());
+            let contact = Contact { normal, ..contact };
+            let measured = contact.gap(pair_of).ok()?;
+            (contact, measured)
+        }
+        (Err(_), _) => return None,
+    };
     let point = states[k1].pose.point(&contact.anchors[1]) - contact.radii[1] * normal;
     let id = ContactId { bodies: pair, features: touch.names() };
     Some(Found { id, contact, gap, normal, point })

@@ -30,8 +30,10 @@ fn vertices_of_second(a: &Solid, b: &Solid, reach: f64) -> impl Iterator<Item = 
     let vertices = b.vertices.iter().enumerate();
     vertices.filter_map(move |(k, vertex)| {
         let touch = nearest_feature(a, k, vertex);
-        let towards = (touch.anchors[0] - vertex).try_normalize(0.0)?;
-        let counts = touch.separation <= reach && b.vertex_faces(k, &towards, LEVEL);
+        let counts = match (touch.anchors[0] - vertex).try_normalize(0.0) {
+            Some(towards) => touch.separation <= reach && b.vertex_faces(k, &towards, LEVEL),
+            None => a.vertices.len() == 1 && b.vertices.len() == 1, // balls with one centre
+        };
         counts.then_some(touch)
     })
 }

@@ -13,6 +13,8 @@
 //! Where friction of sliding contacts is substituted, a contact whose slip would turn round within
 //! the step sticks. Restitution is part of the impacts. Baraff 1989, 1994; K&M (U2), `math §4`.
 
+use std::borrow::Cow;
+
 use super::arrival::Way;
 use crate::assembly::{Assembly, Entering, Row, RowId};
 use crate::body::State;
@@ -91,8 +93,12 @@ fn part(
     found: &[Found],
     h: f64,
 ) -> Result<(Vec<State>, Vec<RowId>), Cause> {
-    let scene =
-        &Scene { step: Step { dt: h, ..solving.scene.step.clone() }, ..solving.scene.clone() };
+    let whole = solving.scene;
+    let scene: Cow<'_, Scene> = match h == whole.step.dt {
+        true => Cow::Borrowed(whole),
+        false => Cow::Owned(Scene { step: Step { dt: h, ..whole.step.clone() }, ..whole.clone() }),
+    };
+    let scene = scene.as_ref();
     let assembly = solving.assemble(states, found, Entering::Resting)?;
     let resting: Vec<RowId> = assembly.rows.iter().map(|row| row.id).collect();
     let method = match scene.step.integrator {

@@ -1,22 +1,15 @@
 //! Where within a step a body first arrives at another one.
 //!
-//! ```text
-//! p(θ) = p₀ + θ h v₀ + θ² (p₁ − p₀ − h v₀),   0 ≤ θ ≤ 1,   and the angle likewise
-//! ```
-//!
-//! is the path of Euler's methods under constant acceleration, and meets the ends of any other. It is looked
-//! at so often that no body moves by more than half of the thinnest one in between; where a contact that is
-//! not at rest has become an overlap, the instant is found by bisection (Baraff 1989).
-
-use nalgebra::UnitQuaternion;
+//! The [path](crate::simulation::path) is looked at so often that no body moves by more than half of the
+//! thinnest one in between; where a contact that is not at rest has become an overlap, the instant is found
+//! by bisection (Baraff 1989).
 
 use crate::assembly::{RowId, Source};
-use crate::body::{Pose, State};
+use crate::body::State;
 use crate::constraint::{Bounds, Row};
-use crate::scene::{Scene, contacts};
+use crate::scene::{Detector, Scene};
+use crate::simulation::path;
 
-/// The path is looked at no more often than this.
-const MOST_LOOKS: usize = 256;
 /// Halvings until the instant is known to the last digits of a step.
 const HALVINGS: usize = 48;
 /// An overlap below this part of the slop is rounding.
@@ -34,11 +27,13 @@ impl Way<'_> {
     /// The part θ of the way, before 1, after which a contact or limit that is not among the resting
     /// ones would become an overlap.
     pub fn arrival(&self, resting: &[RowId]) -> Option<f64> {
-        let known = self.overlaps(0.0);
-        let arrives = |theta: f64| {
-            self.overlaps(theta).iter().any(|overlap| self.is_new(overlap, &known, resting))
+        let mut detector = Detector::new(self.scene);
+        let known = self.overlaps(0.0, &mut detector);
+        let mut arrives = |theta: f64| {
+            let overlaps = self.overlaps(theta, &mut detector);
+            overlaps.iter().any(|overlap| self.is_new(overlap, &known, resting))
         };
-        let looks = self.looks();
+        let looks = path::looks(self.scene, self.before, self.after);
         let at = |look: usize| look as f64 / looks as f64;
         let seen = (1..=looks).find(|&look| arrives(at(look)))?;
         let (mut low, mut high) = (at(seen - 1), at(seen));
@@ -47,14 +42,6 @@ impl Way<'_> {
             if arrives(middle) { high = middle } else { low = middle }
         }
         Some(low)
-    }
-
-    /// How often to look.
-    fn looks(&self) -> usize {
-        let way = |(a, b): (&State, &State)| (b.pose.p - a.pose.p).norm();
-        let longest = self.before.iter().zip(self.after).map(way).fold(0.0, f64::max);
-        let stride = self.scene.thinnest().map_or(f64::INFINITY, |thickness| 0.5 * thickness);
-        ((longest / stride).ceil() as usize).clamp(1, MOST_LOOKS)
     }
 
     /// Whether an overlap was not there at first, and is not that of a resting pair whose features have
@@ -74,10 +61,11 @@ impl Way<'_> {
     }
 
     /// All overlaps at a part of the way.
-    fn overlaps(&self, theta: f64) -> Vec<Overlap> {
+    fn overlaps(&self, theta: f64, detector: &mut Detector) -> Vec<Overlap> {
         let ends = self.before.iter().zip(self.after);
-        let states: Vec<State> = ends.map(|(a, b)| between(a, b, self.h, theta)).collect();
-        let contacts = contacts(self.scene, &states, 0.0).into_iter().map(|found| Overlap {
+        let states: Vec<State> = ends.map(|(a, b)| path::between(a, b, self.h, theta)).collect();
+        let found = detector.find(self.scene, &states, 0.0);
+        let contacts = found.iter().map(|found| Overlap {
             id: RowId { source: Source::Contact(found.id), component: 0 },
             depth: -found.gap,
         });
@@ -108,13 +96,4 @@ fn bodies(id: &RowId) -> Option<[usize; 2]> {
         Source::Contact(id) => Some(id.bodies),
         Source::Constraint(_) => None,
     }
-}
-
-/// The state at a part of the way between two, h (s) apart; the velocity is the earlier one.
-fn between(a: &State, b: &State, h: f64, theta: f64) -> State {
-    let curve = |first, way| h * theta * first + theta * theta * (way - h * first);
-    let turn = (b.pose.q * a.pose.q.inverse()).scaled_axis();
-    let angle = UnitQuaternion::from_scaled_axis(curve(a.omega, turn));
-    let pose = Pose { p: a.pose.p + curve(a.v, b.pose.p - a.pose.p), q: angle * a.pose.q };
-    State { pose, ..*a }
 }

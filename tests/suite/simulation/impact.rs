@@ -132,3 +132,50 @@ fn what_bounces_does_not_depend_on_how_a_solver_shares_the_blow() {
         assert!((after(other) - dantzig).norm() < 1e-6, "{other}: {} {dantzig}", after(other));
     }
 }
+
+#[test]
+fn a_bullet_that_goes_through_a_wall_in_one_step_is_named() {
+    let text = "
+        gravity = [0, 0, 0]
+        [[bodies]]
+        name = \"wall\"
+        fixed = true
+        shape = { box = [0.02, 2, 2] }
+        [[bodies]]
+        name = \"bullet\"
+        shape = { sphere = 0.01 }
+        mass = 0.01
+        position = [-1.234, 0, 0]
+        velocity = [300, 0, 0]
+    ";
+    let mut scene = Scene::from_toml("bullet.toml", text).unwrap();
+    let passed = |scene: &Scene| simulation(scene.clone()).step().unwrap().passed;
+    assert_eq!(passed(&scene), [[0, 1]]);
+    // A margin of a step's way finds the wall in time.
+    scene.contact.margin = 4.0;
+    assert!(passed(&scene).is_empty());
+    // Beside the wall there is nothing to go through.
+    scene.contact.margin = 0.05;
+    scene.states[1].pose.p.y = 1.5;
+    assert!(passed(&scene).is_empty());
+}
+
+#[test]
+fn two_balls_with_one_centre_are_a_penetration_of_both_radii() {
+    let text = "
+        gravity = [0, 0, 0]
+        step.formulation = \"split-impulse\"
+        step.baumgarte = 0.2
+        bodies = [
+            { name = \"a\", shape = { sphere = 0.5 }, mass = 1 },
+            { name = \"b\", shape = { sphere = 0.25 }, mass = 1 },
+        ]
+    ";
+    let mut balls = simulation(Scene::from_toml("one.toml", text).unwrap());
+    assert_near(balls.motion().penetration, 0.75, 1e-12);
+    for _ in 0..50 {
+        balls.step().unwrap();
+    }
+    let [a, b] = [0, 1].map(|k| balls.states()[k].pose.p);
+    assert!((a - b).norm() > 0.7, "{a} {b}");
+}
