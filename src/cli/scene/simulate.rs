@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::error::Result;
+use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::plot::Figure;
 use lcplab::plot::scene::{Film, Frame, Strip, Take, instants};
@@ -18,6 +18,9 @@ use super::SceneArgs;
 use crate::cli::limits::Limits;
 use crate::cli::{Outcome, bar, print};
 
+/// The steps that a duration may stand for.
+const MOST_STEPS: f64 = 1e9;
+
 /// Step a scene through time
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -26,15 +29,19 @@ Example:
   lcplab simulate sliding --set mu=0.3 --set angle=17     # the same on a slope of 17 degrees
 
 Writes index.html (a page that plays the motion), trajectory.csv (poses and velocities), ledger.csv
-(energy and where it went, momentum, errors), forces.csv (x and w of every row; of a contact also what touches where), results.json and
+(energy and where it went, momentum, errors), forces.csv (x and w of every row; of a contact also what touches, and where
+at the beginning of the step), results.json and
 frames.svg (a picture of some instants) to the folder. Exit code 0 if every step was solved, 1 if not
 or if the motion diverged (what was recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
     #[command(flatten)]
     scene: SceneArgs,
     /// Number of steps; the scene's own without it
-    #[arg(long)]
+    #[arg(long, conflicts_with = "duration")]
     steps: Option<usize>,
+    /// Time to simulate, in place of a number of steps
+    #[arg(long, value_name = "SECONDS")]
+    duration: Option<f64>,
     /// Folder for the recorded motion
     #[arg(long)]
     out: Option<PathBuf>,
@@ -59,7 +66,7 @@ impl Simulate {
         if let Some(folder) = &self.out {
             file::prepare(folder)?;
         }
-        let steps = self.steps.unwrap_or(scene.step.count);
+        let steps = self.count(&scene)?;
         let mut record = Record::start(&scene, &simulation);
         if self.out.is_some() {
             record = record.with_tables(&simulation, self.every as usize);
@@ -85,6 +92,21 @@ impl Simulate {
             None if record.is_good() => Outcome::Good,
             None => Outcome::Refuted,
         })
+    }
+
+    /// How many steps are asked for.
+    fn count(&self, scene: &Scene) -> Result<usize> {
+        match self.duration {
+            None => Ok(self.steps.unwrap_or(scene.step.count)),
+            Some(time) if time >= 0.0 && time / scene.step.dt <= MOST_STEPS => {
+                Ok((time / scene.step.dt).round() as usize)
+            }
+            Some(time) => {
+                let reason =
+                    format!("must be at least 0 s and at most {MOST_STEPS} steps, is {time}");
+                Err(Error::invalid(&scene.name, "--duration", reason))
+            }
+        }
     }
 
     /// Records the steps; returns why they ended early. They are taken on a thread of their own: one

@@ -23,7 +23,9 @@ use crate::solver::Status;
 
 /// Bodies whose end is printed.
 const SHOWN: usize = 12;
-/// A drift beyond this part of the scene's size is worth a word.
+/// Friction that is so many percent too strong is worth a word.
+const MUCH: f64 = 1.0;
+/// A drift or an overlap beyond this part of the scene's size is worth a word.
 const DRIFT: f64 = 1e-3;
 /// What stands in place of the work where nobody wrote down what acted.
 const NOT_ACCOUNTED: &str = "not accounted";
@@ -207,7 +209,7 @@ impl Record {
             "conflict": self.conflict,
             "first_passage": self.passed.as_ref().map(|(step, bodies)| json!({ "step": step, "bodies": bodies })),
             "first_refused": self.refused.as_ref().map(Refused::to_json),
-            "notes": self.scene.notes(),
+            "notes": self.notes(),
             "states": self.states_json(),
             "failure": self.failure,
             "certificate": self.proof,
@@ -273,7 +275,7 @@ impl Record {
                 &format!("resting      gaps up to {gap:.1e} m, parting at up to {speed:.1e} m/s\n");
         }
         text += &self.states_text();
-        for note in self.scene.notes() {
+        for note in self.notes() {
             text += &format!("note         {note}\n");
         }
         if let Some((step, [one, other])) = &self.passed {
@@ -293,6 +295,24 @@ impl Record {
             text += &format!("failed       {failure}\n");
         }
         text
+    }
+
+    /// What the settings, the start and the friction model are worth a word for.
+    fn notes(&self) -> Vec<String> {
+        let mut notes = self.scene.notes();
+        if self.first.penetration > DRIFT * self.scene.thinnest().unwrap_or(f64::INFINITY) {
+            let depth = self.first.penetration;
+            notes.push(format!("bodies overlap by {depth:.1e} m at the start"));
+        }
+        let excess = 100.0 * self.laws.cone_excess;
+        if excess > MUCH {
+            let model = friction_model(&self.scene.contact);
+            notes.push(format!(
+                "friction of the model {model} reached {excess:.0} % beyond Coulomb's cone in one step at least; \
+                 --model coulomb-cone does not"
+            ));
+        }
+        notes
     }
 
     /// The drift beside the scene, and what takes it away, where it can be seen.

@@ -38,6 +38,15 @@ fn is_in(child: &Child, set: &str, signal: u32) -> bool {
     mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
 }
 
+/// Whether a command has begun and sleeps: of one that reads standard input, until something comes.
+fn is_reading(child: &Child) -> bool {
+    let process = format!("/proc/{}", child.id());
+    let program = fs::read_link(format!("{process}/exe")).unwrap_or_default();
+    let status = fs::read_to_string(format!("{process}/status")).unwrap_or_default();
+    program == Path::new(env!("CARGO_BIN_EXE_lcplab"))
+        && status.lines().any(|line| line.starts_with("State:") && line.contains("S (sleeping)"))
+}
+
 /// Waits until something is so; not for ever.
 #[track_caller]
 fn wait_until(is_so: impl Fn() -> bool) {
@@ -189,7 +198,7 @@ fn a_command_that_has_nothing_to_keep_ends_by_the_signal_itself() {
     use std::os::unix::process::ExitStatusExt;
     for (signal, number) in ENDS {
         let child = lcplab(&["judge", "-", "-"]); // waits for its input
-        wait_until(|| Path::new(&format!("/proc/{}/exe", child.id())).exists());
+        wait_until(|| is_reading(&child));
         send(&child, signal);
         let output = child.wait_with_output().unwrap();
         assert_eq!((output.status.signal(), err(&output)), (Some(number as i32), String::new()));
