@@ -50,7 +50,7 @@ impl Lcp {
     /// or a force.
     ///
     /// # Errors
-    /// One [`Error::Invalid`](crate::error::Error::Invalid) that lists every defect.
+    /// One [`Error::Invalid`] that lists every defect.
     ///
     /// ```
     /// use lcplab::lcp::{Lcp, Matrix};

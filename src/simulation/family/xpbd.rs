@@ -54,12 +54,15 @@ pub(super) fn step(
     Ok(states)
 }
 
+/// The impulse of each row, by name.
+type Impulses = Vec<(RowId, f64)>;
+
 /// The states after a substep, and the impulse of each row in it (N s, N m s).
 fn substep(
     scene: &Scene,
     before: &[State],
     found: &[Found],
-) -> Result<(Vec<State>, Vec<(RowId, f64)>), Cause> {
+) -> Result<(Vec<State>, Impulses), Cause> {
     let mut states = free(scene, before)?;
     let sources = sources(scene, found);
     let mut x: Vec<Vec<f64>> = Vec::with_capacity(sources.len());

@@ -1,5 +1,6 @@
 //! The four models as problems: sizes, entries, bad input.
 
+use lcplab::certificate::{Demand, Verdict, judge_friction};
 use lcplab::lcp::friction::{
     ConeProblem, Contact, FrictionProblem, Law, Model, Polyhedral, Posed, project,
 };
@@ -303,5 +304,19 @@ fn the_smallest_numbers_are_seen_beside_rows_of_zeros() {
         let problem = ConeProblem::new(friction.clone(), law);
         assert!(problem.scaled_residual(&[0.0, 0.0, 2.3399e-319]) > 0.5, "{law:?}");
         assert_eq!(problem.scaled_residual(&[0.0; 3]), 0.0);
+    }
+}
+
+#[test]
+fn a_polygon_s_proof_is_a_proof_of_x_and_not_of_the_slips_beside_it() {
+    // Pushed with 1e9 against μ x_n = 0.3: x_t = −0.3. The slip of 1e9 is part of z, and makes +0.3 near.
+    let rows = [&[1.0, 0.0, 0.0][..], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
+    let lcp = boxed(&rows, &[-1.0, 1e9, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
+    let friction = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.3 }]).unwrap();
+    let posed = Posed::Polyhedral(Polyhedral::new(&friction, 4).unwrap());
+    let verdict = |x: [f64; 3]| judge_friction(&posed, &x, &Demand::default()).verdict;
+    assert!(matches!(verdict([1.0, -0.3, 0.0]), Verdict::Proved { .. }));
+    for wrong in [[1.0, 0.3, 0.0], [1.0, 0.0, 0.3]] {
+        assert!(!matches!(verdict(wrong), Verdict::Proved { .. }), "{wrong:?}");
     }
 }
