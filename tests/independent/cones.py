@@ -102,6 +102,12 @@ class Cones:
         return out
 
 
+def differ(told, worst):
+    if told.is_infinite() or worst.is_infinite():       # a float may be infinite where a decimal is not yet
+        return not min(told, worst) > Decimal("1e300")
+    return abs(told - worst) > max(CLOSE * worst, TINY)
+
+
 def judge(cones, tolerance, answer):
     """Yields what is wrong with an answer."""
     x = [number(v, False) for v in answer["x"]]
@@ -115,7 +121,7 @@ def judge(cones, tolerance, answer):
     rows, start = cones.look(x), cones.look(cones.nothing())
     worst = max(r for r, _ in rows)
     told = Decimal(str(answer["scaled_residual"]))
-    if abs(told - worst) > max(CLOSE * worst, TINY) and not (told.is_infinite() and worst > Decimal("1e300")):
+    if differ(told, worst):
         yield f"scaled_residual is {float(worst):.6g}, not {told}"
     limit = Decimal(tolerance)
     is_worth = (max(e for _, e in rows) <= max(e for _, e in start) / 10 * (1 + CLOSE)
@@ -124,7 +130,7 @@ def judge(cones, tolerance, answer):
         yield f"accepted with residual {float(worst):.6g}, worth something: {is_worth}"
     if not accepts and worst < limit * (1 - CLOSE) and is_worth and cones.box.n:
         yield f"refused with residual {float(worst):.6g}"
-    if not accepts and abs(rows[answer["row"]][0] - worst) > max(CLOSE * worst, TINY):
+    if not accepts and differ(rows[answer["row"]][0], worst):
         yield f"row {answer['row']} is not the worst"
     if answer["status"] == "solved" and not accepts:
         yield "solved, and refused"
