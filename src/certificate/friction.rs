@@ -87,19 +87,17 @@ pub fn judge_friction(problem: &Posed, x: &[f64], demand: &Demand) -> FrictionCe
     }
 }
 
-/// The verdict on z, and what z does not show of x: the tangents of contacts without friction, where
-/// x_t must be 0, and how far an exact solution is from x itself.
+/// The verdict on z, and what z does not show of x: friction without a cause, and how far an
+/// exact solution is from x itself.
 fn judge_polyhedral(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> FrictionCertificate {
     let lcp = polyhedral.friction().lcp();
     let terms: Vec<_> = (0..x.len()).map(|i| accurate_terms(lcp, i, x)).collect();
     let w = terms.iter().map(RowTerms::w).collect();
     let z = polyhedral.z(x);
     let certificate = judge(polyhedral.lcp(), &z, demand);
-    let smooth = polyhedral.friction().contacts().iter().filter(|contact| contact.mu == 0.0);
-    let stray = smooth.flat_map(|contact| [contact.rows[1], contact.rows[2]]);
-    let stray = stray.map(|i| (i, terms[i].scaled_residual(x[i], 0.0, 0.0)));
-    let (row, stray) = stray.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0));
-    let is_exact = polyhedral.directions() == 4 && stray == 0.0;
+    let smooth = of_smooth(polyhedral, &terms, x);
+    let is_exact = polyhedral.directions() == 4 && smooth.1 == 0.0;
+    let (row, stray) = worst([smooth, of_beta(polyhedral, &z)].into_iter());
     let verdict = match certificate.verdict {
         _ if !(stray <= demand.tolerance) => {
             Verdict::NotASolution { row, amount: stray, why: Refusal::Residual }
@@ -120,6 +118,29 @@ fn judge_polyhedral(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fric
         _ => (row, stray),
     };
     FrictionCertificate { w, scaled_residual, worst_row, verdict, evidence: None }
+}
+
+/// The residual of an x_t where there is no friction, which z does not hold: the worst with its row of x.
+fn of_smooth(polyhedral: &Polyhedral, terms: &[RowTerms], x: &[f64]) -> (usize, f64) {
+    let smooth = polyhedral.friction().contacts().iter().filter(|contact| contact.mu == 0.0);
+    let tangents = smooth.flat_map(|contact| [contact.rows[1], contact.rows[2]]);
+    let miss = |i: usize| terms[i].miss_between(x[i], 0.0, 0.0, || f64::INFINITY);
+    worst(tangents.map(|i| (i, miss(i).residual)))
+}
+
+/// The residual of a β against the slip: it must be small beside μ x_n, and beside the terms of a fast
+/// slip it always is ([`RowTerms::reach`]).
+fn of_beta(polyhedral: &Polyhedral, z: &[f64]) -> (usize, f64) {
+    let at = |k: usize| accurate_terms(polyhedral.lcp(), k, z);
+    worst(polyhedral.beta().map(|(unknown, normal, mu)| {
+        let reach = || at(unknown).reach_of_friction(mu, &at(normal), z[normal]);
+        let miss = at(unknown).miss_between(z[unknown], 0.0, f64::INFINITY, reach);
+        (polyhedral.row(unknown), miss.residual)
+    }))
+}
+
+fn worst(residuals: impl Iterator<Item = (usize, f64)>) -> (usize, f64) {
+    residuals.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0))
 }
 
 /// How far the impulses of an exact z* are from x at most, |z − z*| being at most `distance`: each of

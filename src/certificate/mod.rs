@@ -280,9 +280,8 @@ impl Evidence {
 /// If x has not n entries.
 pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
     assert_eq!(x.len(), lcp.len(), "x needs one entry a row");
-    let frozen = &lcp.frozen_at(x);
     let terms: Vec<RowTerms> = (0..lcp.len()).map(|i| accurate_terms(lcp, i, x)).collect();
-    let certificate = measure(frozen, x, &terms);
+    let certificate = measure(lcp, x, &terms);
     if x.iter().any(|x| !x.is_finite()) || !(certificate.scaled_residual <= demand.tolerance) {
         return certificate;
     }
@@ -339,8 +338,8 @@ fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
     let (mut natural, mut gap, mut outside, mut infeasible) = (0.0, 0.0, 0.0, 0.0);
     let (mut objective, mut duality_gap) = (Sum::default(), Sum::default());
     for (i, row) in terms.iter().enumerate() {
-        let (lo, hi, w) = (lcp.lo()[i], lcp.hi()[i], row.w());
-        let residual = finite_or_infinite(row.scaled_residual(x[i], lo, hi));
+        let ((lo, hi), w) = (lcp.bounds(i, x), row.w());
+        let residual = row.scaled_residual(lcp, i, x);
         if residual > scaled_residual {
             (worst_row, scaled_residual) = (i, residual);
         }

@@ -36,8 +36,7 @@ impl Point {
 
     /// r_i.
     pub(super) fn residual(&self, lcp: &Lcp, i: usize) -> f64 {
-        let (lo, hi) = lcp.bounds(i, &self.x);
-        self.terms[i].scaled_residual(self.x[i], lo, hi)
+        self.terms[i].scaled_residual(lcp, i, &self.x)
     }
 
     /// max_i r_i; ∞ if x is not finite.

@@ -9,6 +9,7 @@ How far x is from it: each part beside its own scale s and its own terms T = sum
     r_n = |x_n - max(x_n - w_n/s_n, 0)| s_n / T_n                    s_n = |a_nn|
     r_t = |x_t - D(x_t - w_t/s_t)| s_t / |(T_t1, T_t2)|              s_t = the largest row sum of |A| among t1, t2
 
+but s_t is at least |(T_t1, T_t2)| / R, R = max(mu x_n, mu T_n/s_n, 1e-6 |(T_t1, T_t2)| / s_t), and
 where D(v) is the point of the disc of radius mu x_n nearest to v. Other rows as in judge.py. The associated law
 (x in K, w in its dual, x.w = 0) is the fixed point x = P(x - w/s), P the nearest point of the cone in the metric
 of s. x is worth something if the longest |x - its step| sqrt(s) is at most a
@@ -76,29 +77,40 @@ class Cones:
         w, T, X = [[dec(v) for v in u] for u in (w, T, x)]
         out = [None] * len(x)
 
-        def put(rows, gap, s, terms):
-            r = gap * s / terms if terms else Decimal(0) if not gap else Decimal("inf")
+        def put(rows, step, s, miss, terms):
+            r = miss / terms if terms else Decimal(0) if not miss else Decimal("inf")
             for i in rows:
-                out[i] = (r, gap * s.sqrt())
+                out[i] = (r, step * s.sqrt())
 
         taken = {i for n, t1, t2, _ in self.contacts for i in (n, t1, t2)}
         for i in set(range(len(x))) - taken:
             s = dec(self.box.scale[i])
             lo, hi = (v if abs(v) == float("inf") else dec(v) for v in (self.box.lo[i], self.box.hi[i]))
-            put([i], abs(X[i] - max(lo, min(hi, X[i] - w[i] / s))), s, T[i])
+            largest = max([abs(v) for v in (lo, hi) if abs(v) != float("inf")], default=Decimal(0))
+            near = max(s, T[i] / max(largest, dec(self.box.least))) if largest else s
+            step, gap = (abs(X[i] - max(lo, min(hi, X[i] - w[i] / s))) for s in (s, near))
+            put([i], step, s, gap * near, T[i])
         for n, t1, t2, mu in self.contacts:
             s_n = dec(self.box.scale[n])
             s_t = dec(max(abs(self.A[i][t1]) + abs(self.A[i][t2]) for i in (t1, t2)))
             s_t = s_t or dec(max(self.box.scale[t1], self.box.scale[t2]))
-            aim_n, aim_t, plane = X[n] - w[n] / s_n, [X[t] - w[t] / s_t for t in (t1, t2)], norm(T[t1], T[t2])
-            if self.law == "coulomb-cone":
-                q_n, q_t = max(aim_n, Decimal(0)), in_disc(mu * max(X[n], Decimal(0)), aim_t)
-            else:                   # lengths along n count sqrt(s_n / s_t) times: a cone with another slope
-                c = (s_n / s_t).sqrt()
-                q_n, q_t = in_cone(mu / c, aim_n * c, aim_t)
-                q_n = q_n / c
-            put([n], abs(X[n] - q_n), s_n, T[n])
-            put([t1, t2], norm(*(a - b for a, b in zip((X[t1], X[t2]), q_t))), s_t, plane)
+            plane = norm(T[t1], T[t2])
+            reach = max(mu * X[n], mu * T[n] / s_n, plane / s_t / 10**6)
+            near = max(s_t, plane / reach) if reach else s_t
+
+            def gaps(s_t):
+                aim_n, aim_t = X[n] - w[n] / s_n, [X[t] - w[t] / s_t for t in (t1, t2)]
+                if self.law == "coulomb-cone":
+                    q_n, q_t = max(aim_n, Decimal(0)), in_disc(mu * max(X[n], Decimal(0)), aim_t)
+                else:               # lengths along n count sqrt(s_n / s_t) times: a cone with another slope
+                    c = (s_n / s_t).sqrt()
+                    q_n, q_t = in_cone(mu / c, aim_n * c, aim_t)
+                    q_n = q_n / c
+                return abs(X[n] - q_n), norm(*(a - b for a, b in zip((X[t1], X[t2]), q_t)))
+
+            (step_n, step_t), (gap_n, gap_t) = gaps(s_t), gaps(near)
+            put([n], step_n, s_n, gap_n * s_n, T[n])
+            put([t1, t2], step_t, s_t, gap_t * near, plane)
         return out
 
 

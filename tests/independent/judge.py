@@ -9,7 +9,9 @@ only where x_i = hi_i (lo_i = hi_i leaves w_i free).  A row i with friction_inde
 its bounds are -+ mu_i max(x_k, 0); row k is not coupled and has lo_k >= 0.  Every floating-point number
 is an exact rational, and all arithmetic below is exact.
 RESIDUALS.  P_i clamps to the bounds of row i at x.  s_i = |a_ii|, else max_j |a_ij|, else 1.
-    r_i = |x_i - P_i(x_i - w_i/s_i)| s_i / (sum_j |a_ij x_j| + |b_i|), 0/0 = 0;   scaled_residual = max r_i
+    T_i = sum_j |a_ij x_j| + |b_i|;   e_i = min(T_i/s_i, R_i);   r_i = |x_i - P_i(x_i - e_i w_i/T_i)| / e_i, 0/0 = 0;
+    scaled_residual = max r_i.   R_i = max(mu_i x_k, mu_i T_k/s_k, 1e-6 T_i/s_i) in a coupled row, elsewhere the
+    largest of the finite |lo_i|, |hi_i| (but at least the key `scale`), infinity if they are 0 or infinite.
     A problem with the key `scale` has at least s_i scale as that sum (of a row of zeros: no more than |b_i|).
     natural_residual = max_i |x_i - P_i(x_i - w_i)|;       e(x) = max_i |x_i - P_i(x_i - w_i/s_i)| sqrt(s_i)
     x is worth something if e(x) <= e(P(0))/10 or scaled_residual(P(0)) <= tolerance.
@@ -119,7 +121,7 @@ class Problem:
         # Row i of [A b], times a positive number that makes it whole.
         self.rows, self.den = zip(*(common([*row, v]) for row, v in zip(A, b))) if n else ((), ())
         self.scale = [abs(row[i]) or max(map(abs, row)) or Q(1) for i, row in enumerate(A)]
-        rest = number(data.get("scale") or 0)
+        self.least = rest = number(data.get("scale") or 0)
         self.rest = [rest * s if any(row) else Q(0) for s, row in zip(self.scale, A)]
         self.reduced, self.points = {}, {}      # what `point_on` has worked out already
         self.start = self.look([Q(0) if k >= 0 else clamp(Q(0), self.lo[i], self.hi[i])
@@ -137,16 +139,26 @@ class Problem:
     def look(self, x):
         """All numbers about x: w, the sizes of its terms, r, both residuals and the square of e(x)."""
         at = SimpleNamespace(w=[], size=[], r=[], natural=Q(0), e2=Q(0))
-        for v, s, rest, (w, size, lo, hi) in zip(x, self.scale, self.rest, self.rows_at(x)):
-            size = max(size, rest)
+        rows = [(w, max(size, rest), lo, hi) for rest, (w, size, lo, hi) in zip(self.rest, self.rows_at(x))]
+        for i, (v, s, (w, size, lo, hi)) in enumerate(zip(x, self.scale, rows)):
             gap = abs(v - clamp(v - w / s, lo, hi))
             at.w.append(w)
             at.size.append(size)
-            at.r.append(gap * s / size if size else (INF if gap else Q(0)))
+            unit = min(size / s, self.reach(i, x, rows))
+            at.r.append(abs(v - clamp(v - unit * w / size, lo, hi)) / unit if unit else (INF if gap else Q(0)))
             at.natural = max(at.natural, abs(v - clamp(v - w, lo, hi)))
             at.e2 = max(at.e2, gap * gap * s)
         at.scaled = max(at.r, default=Q(0))
         return at
+
+    def reach(self, i, x, rows):
+        """R_i: the largest x_i that the bounds of row i speak of."""
+        k = self.owner[i]
+        if k >= 0:
+            natural = max(x[k], rows[k][1] / self.scale[k])
+            return max(self.mu[i] * natural, rows[i][1] / self.scale[i] / 10**6)
+        largest = max([abs(v) for v in (self.lo[i], self.hi[i]) if abs(v) != INF], default=Q(0))
+        return max(largest, self.least) if largest else INF
 
     def is_solution(self, x):
         return all(lo <= v <= hi and (w <= 0 or v == lo) and (w >= 0 or v == hi)
@@ -632,7 +644,7 @@ def self_test():
         ("e true", e, [answer(e, [1, -1.375], PROVED, distance=0)], yes | {"unique": False}, None),
         ("f true", f, [answer(f, [third], PROVED, distance=tiny)], yes, None),
         ("f one ulp", f, [answer(f, [third], PROVED, distance=math.nextafter(tiny, 0))], None, "could not confirm"),
-        ("f wrong row", a, [answer(a, [9, 1], NOT, "failed", row=1)], None, "not the worst one"),
+        ("f wrong row", a, [answer(a, [9, 2], NOT, "failed", row=1)], None, "not the worst one"),
         ("f nan", f, [answer(f, ["nan"], PROVED, distance=0)], None, "x is not finite"),
         ("f nan true", f, [answer(f, ["nan"], NOT, "failed")], None, None),
         ("f far", f, [answer(f, [third * 1.001], PROVED, distance=1e-3)], None, "scaled residual is"),

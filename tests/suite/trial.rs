@@ -86,14 +86,15 @@ fn an_answer_to_a_problem_that_misses_a_solution_by_less_than_the_tolerance_is_r
 }
 
 #[test]
-fn a_start_within_the_tolerance_is_no_proof_that_a_solution_exists() {
+fn a_bound_that_is_missed_is_seen_beside_terms_of_any_size() {
     // w1 = −1e300 x1 + e x2, w2 = e x1 + 3, x1 ≥ 0, x2 ≥ −2, e = 5e-324: w2 > 0 asks for x2 = −2, and then
-    // w1 < 0 whatever x1. At 0 row 2 misses by 2, but in units of e hardly at all.
+    // w1 < 0 whatever x1. At 0 row 2 misses its bound by all of it, though in units of 3/e hardly at all.
     let (a, e) = (-1e300, 5e-324);
     let lcp = boxed(&[&[a, e], &[e, 0.0]], &[0.0, 3.0], &[0.0, -2.0], &[INF; 2]);
     assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
     assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
-    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::Refused);
+    let refuted = Lie::Refuted { row: 1, amount: 1.0 };
+    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::Lie(refuted));
 }
 
 #[test]

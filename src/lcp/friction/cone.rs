@@ -29,8 +29,12 @@
 //! 4a  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, s_t, s_t)
 //! 4b  x_n = max(x_n − w_n/s_n, 0),   x_t = the point of the disc |x_t| ≤ μ x_n nearest to x_t − w_t/s_t
 //!
-//! r_n = |x_n − its step| s_n / terms of w_n,   r_t = |x_t − its step| s_t / terms of w_t
+//! r_n = |x_n − its step| s_n / terms_n,   r_t = |x_t − its step| s_t / terms_t
 //! ```
+//!
+//! s_t is the scale of the tangents' block of A, but at least terms_t / R with the disc's reach
+//! R = max(μ x_n, μ terms_n / s_n, 10⁻⁶ terms_t / s_t), so that no step is longer than the disc is wide, as in a row with
+//! bounds ([`scaled_residual`](merit::scaled_residual)).
 //!
 //! `math §5`, model 4.
 
@@ -98,9 +102,8 @@ impl ConeProblem {
     /// How far each row is from its own step, from the terms of all rows at x; both tangents of a
     /// contact have that of their plane.
     pub fn misses(&self, terms: &[RowTerms], x: &[f64]) -> Vec<Miss> {
-        let Lcp { lo, hi, .. } = &self.friction.lcp;
         let mut misses: Vec<Miss> =
-            (0..x.len()).map(|i| terms[i].miss(x[i], lo[i], hi[i])).collect();
+            (0..x.len()).map(|i| terms[i].miss(&self.friction.lcp, i, x)).collect();
         for contact in &self.friction.contacts {
             let rows = contact.rows.map(|i| terms[i]);
             let [normal, tangential] = match self.law {
@@ -115,19 +118,31 @@ impl ConeProblem {
 
     /// The scaled residual r_i of each row from the terms of all rows at x. NaN counts as ∞.
     pub fn residuals(&self, terms: &[RowTerms], x: &[f64]) -> Vec<f64> {
-        self.misses(terms, x).iter().map(Miss::relative).collect()
+        self.misses(terms, x).iter().map(|miss| miss.residual).collect()
     }
 
     /// The normal as a contact without friction, the tangents against their disc.
     fn coulomb(&self, contact: &Contact, [n, t1, t2]: [RowTerms; 3], x: [f64; 3]) -> [Miss; 2] {
         let exponent = common_exponent(&[t1, t2]);
-        let (scale, normal) = (self.tangential_scale(contact), n.miss(x[0], 0.0, f64::INFINITY));
-        let [w1, w2] = [t1, t2].map(|t| libm::ldexp(t.w, t.exponent - exponent));
-        let [p1, p2] = [x[1], x[2]].map(|x| merit::product(scale, x, -exponent));
-        let radius = contact.mu * merit::product(scale, x[0].max(0.0), -exponent);
-        let [d1, d2] = in_disc(radius, [p1 - w1, p2 - w2]);
-        let size = (p1 - d1).hypot(p2 - d2);
-        [normal, Miss { size, magnitude: plane(t1, t2, exponent), scale, exponent }]
+        let scale = self.tangential_scale(contact);
+        let normal = n.miss_between(x[0], 0.0, f64::INFINITY, || f64::INFINITY);
+        let w = [t1, t2].map(|t| libm::ldexp(t.w, t.exponent - exponent));
+        let in_plane = plane(t1, t2, exponent);
+        let tangential = RowTerms { w: 0.0, magnitude: in_plane, scale, exponent };
+        let size = |unit: &dyn Fn(f64) -> f64| {
+            let p = [x[1], x[2]].map(unit);
+            let [d1, d2] = in_disc(contact.mu * unit(x[0].max(0.0)), [p[0] - w[0], p[1] - w[1]]);
+            (p[0] - d1).hypot(p[1] - d2)
+        };
+        let of_scale = size(&|x| merit::product(scale, x, -exponent));
+        let of_reach = match tangential.reach_of_friction(contact.mu, &n, x[0]) {
+            reach if merit::product(scale, reach, -exponent) < in_plane => {
+                size(&|x| in_plane * (x / reach))
+            }
+            _ => of_scale,
+        };
+        let residual = merit::relative(of_reach, in_plane);
+        [normal, Miss { size: of_scale, scale, exponent, residual }]
     }
 
     /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ = √(s_t/s_n).
@@ -136,19 +151,30 @@ impl ConeProblem {
         let exponent = common_exponent(&rows);
         let of_normal = if n.scale == 0.0 { 1.0 } else { n.scale };
         let scale = self.tangential_scale(contact);
-        let rho = (scale / of_normal).sqrt();
         let w = rows.map(|row| libm::ldexp(row.w, row.exponent - exponent));
-        let p = [of_normal, scale, scale];
-        let p: [f64; 3] = std::array::from_fn(|i| merit::product(p[i], x[i], -exponent));
-        let step = [rho * (p[0] - w[0]), p[1] - w[1], p[2] - w[2]];
-        let [q, q1, q2] = project(contact.mu * rho, step);
         let in_plane = plane(t1, t2, exponent);
+        let tangential = RowTerms { w: 0.0, magnitude: in_plane, scale, exponent };
+        let sizes = |scale: f64, unit: &dyn Fn(f64) -> f64| {
+            let rho = (scale / of_normal).sqrt();
+            let p = [merit::product(of_normal, x[0], -exponent), unit(x[1]), unit(x[2])];
+            let step = [rho * (p[0] - w[0]), p[1] - w[1], p[2] - w[2]];
+            let [q, q1, q2] = project(contact.mu * rho, step);
+            [(p[0] - q / rho).abs(), (p[1] - q1).hypot(p[2] - q2)]
+        };
+        let of_scale = sizes(scale, &|x| merit::product(scale, x, -exponent));
+        let of_reach = match tangential.reach_of_friction(contact.mu, &n, x[0]) {
+            reach if merit::product(scale, reach, -exponent) < in_plane => {
+                let scale = libm::ldexp(in_plane / reach, exponent);
+                sizes(scale, &|x| in_plane * (x / reach))
+            }
+            _ => of_scale,
+        };
         let load = libm::ldexp(n.magnitude, n.exponent - exponent);
-        let miss = |size, magnitude, scale| Miss { size, magnitude, scale, exponent };
-        [
-            miss((p[0] - q / rho).abs(), load, of_normal),
-            miss((p[1] - q1).hypot(p[2] - q2), in_plane, scale),
-        ]
+        let miss = |k: usize, scale, terms| {
+            let residual = merit::relative(of_reach[k], terms);
+            Miss { size: of_scale[k], scale, exponent, residual }
+        };
+        [miss(0, of_normal, load), miss(1, scale, in_plane)]
     }
 
     /// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the
@@ -186,7 +212,7 @@ impl Complementarity for ConeProblem {
     }
 
     fn scaled_residual(&self, x: &[f64]) -> f64 {
-        self.all_misses(x).iter().map(Miss::relative).fold(0.0, f64::max)
+        self.all_misses(x).iter().map(|miss| miss.residual).fold(0.0, f64::max)
     }
 
     fn is_worth_something(&self, x: &[f64], tolerance: f64) -> bool {
@@ -222,10 +248,14 @@ impl Complementarity for ConeProblem {
     }
 }
 
+/// The part of μ |v_t| by which v_n may exceed −μ |v_t| and be rounding.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 /// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n, for v = (n, t1, t2).
 ///
 /// Inside the cone v itself, in the opposite cone μ |v_t| ≤ −v_n its tip, elsewhere the nearest point
-/// of the side that faces v.
+/// of the side that faces v. What is outside the opposite cone by rounding counts as inside, so that a
+/// contact that slides and carries nothing carries 0 and not 10⁻¹⁷.
 ///
 /// ```
 /// use lcplab::lcp::friction::project;
@@ -236,7 +266,7 @@ impl Complementarity for ConeProblem {
 /// ```
 pub fn project(mu: f64, [n, t1, t2]: [f64; 3]) -> [f64; 3] {
     let t = t1.hypot(t2);
-    if n + mu * t <= 0.0 {
+    if n + mu * t <= ROUNDING * mu * t {
         return [0.0; 3];
     }
     if t <= mu * n {

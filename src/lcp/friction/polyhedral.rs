@@ -192,6 +192,16 @@ impl Polyhedral {
         beyond.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(p)
     }
 
+    /// The unknowns β, each with the unknown x_n that limits it, and μ.
+    pub fn beta(&self) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
+        let normals = self.friction.others().len()..;
+        let (contacts, k) = (self.friction.contacts(), self.directions);
+        let rubbing = normals.zip(contacts).filter(|(_, contact)| contact.mu > 0.0);
+        let limits = rubbing.flat_map(move |(n, contact)| (0..k).map(move |_| (n, contact.mu)));
+        let first = self.friction.others().len() + contacts.len();
+        (first..).zip(limits).map(|(unknown, (n, mu))| (unknown, n, mu))
+    }
+
     /// The row of x that an unknown belongs to: its own, t1 for β, n for γ.
     pub fn row(&self, unknown: usize) -> usize {
         let rubbing = self.friction.contacts().iter().filter(|contact| contact.mu > 0.0);

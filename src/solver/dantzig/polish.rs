@@ -31,15 +31,15 @@ impl Run<'_> {
         self.w = self.lcp.w(&self.x);
         let most = self.settings.tolerance.min(EXACT);
         (0..self.x.len()).all(|j| {
-            let (lo, hi) = (self.lcp.lo()[j], self.lcp.hi()[j]);
             let b = self.lcp.b()[j];
             // at most Σ |a_jk x_k| + |b_j|, and enough in most cases
             let magnitude = (self.w[j] - b).abs() + b.abs();
             let scale = self.lcp.matrix().diagonal(j);
             let terms = merit::RowTerms { w: self.w[j], magnitude, scale, exponent: 0 };
-            (scale > 0.0 && magnitude > TINY && terms.scaled_residual(self.x[j], lo, hi) <= most)
-                || merit::RowTerms::at(self.lcp, j, &self.x).scaled_residual(self.x[j], lo, hi)
-                    <= most
+            let is_within =
+                |terms: merit::RowTerms| terms.scaled_residual(self.lcp, j, &self.x) <= most;
+            scale > 0.0 && magnitude > TINY && is_within(terms)
+                || is_within(merit::RowTerms::at(self.lcp, j, &self.x))
         })
     }
 
@@ -102,8 +102,7 @@ impl Run<'_> {
         let unsatisfied: Vec<usize> = (0..self.x.len())
             .filter(|&j| {
                 let terms = merit::RowTerms::at(self.lcp, j, &self.x);
-                let (lo, hi) = (self.lcp.lo()[j], self.lcp.hi()[j]);
-                !(terms.scaled_residual(self.x[j], lo, hi) <= self.settings.tolerance)
+                !(terms.scaled_residual(self.lcp, j, &self.x) <= self.settings.tolerance)
             })
             .collect();
         for &j in &unsatisfied {

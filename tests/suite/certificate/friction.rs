@@ -3,10 +3,8 @@
 use lcplab::certificate::{Demand, Verdict, judge_friction};
 use lcplab::lcp::friction::{Contact, FrictionProblem, Model};
 
-use crate::common::{pushed_mass, rubbing};
+use crate::common::{INF, boxed, cases, pushed_mass, rubbing};
 use proptest::prelude::*;
-
-use crate::common::cases;
 
 fn verdict(problem: &FrictionProblem, model: Model, x: &[f64]) -> Verdict {
     let posed = model.pose(problem, Some(x)).unwrap();
@@ -32,6 +30,29 @@ fn each_model_accepts_its_own_closed_form_and_no_other() {
         for model in models.filter(|model| *model != Model::Polyhedral { directions: 16 }) {
             let accepted = verdict(&problem, model, x).is_solution();
             assert_eq!(accepted, own.contains(&model), "{model} on {x:?}");
+        }
+    }
+}
+
+#[test]
+fn no_speed_of_the_slip_hides_friction_that_is_missing() {
+    // Pressed with 1, pushed with s v along the tangents, which weigh s: whatever v > 1, x = (1, ½, 0).
+    for (s, v) in [(1.0, 10.0), (1.0, 1e9), (1e-4, 1e8), (1e4, 1e10)] {
+        let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, s, 0.0], &[0.0, 0.0, s]];
+        let lcp = boxed(&rows, &[-1.0, -s * v, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
+        let problem =
+            FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }]).unwrap();
+        for model in [
+            Model::CoupledBox,
+            Model::FrozenBox,
+            Model::Polyhedral { directions: 4 },
+            Model::CoulombCone,
+        ] {
+            assert!(verdict(&problem, model, &[1.0, 0.5, 0.0]).is_solution(), "{model:?} {s} {v}");
+            for wrong in [0.0, -0.5, 0.499, 0.501] {
+                let verdict = verdict(&problem, model, &[1.0, wrong, 0.0]);
+                assert!(!verdict.is_solution(), "{model:?} {s} {v} {wrong}: {verdict}");
+            }
         }
     }
 }

@@ -18,6 +18,23 @@ fn a_small_relative_residual_far_along_a_ray_is_no_better_than_nothing() {
 }
 
 #[test]
+fn a_bound_is_missed_by_a_part_of_the_bound_and_not_of_the_terms() {
+    // Two motors of 1 N m that are asked for 10⁹: (1, −1), and doing nothing is wrong by all of it.
+    let lcp = boxed(&[&[2.0, 1.0], &[1.0, 2.0]], &[-1e9, 1e9], &[-1.0, -1.0], &[1.0, 1.0]);
+    assert_eq!(merit::scaled_residual(&lcp, &[1.0, -1.0]), 0.0);
+    assert_eq!(merit::scaled_residual(&lcp, &[0.0, 0.0]), 1.0);
+    assert!((merit::scaled_residual(&lcp, &[0.75, -1.0]) - 0.25).abs() < 1e-15);
+    // A soft row asks for 10¹² and may have 1; 9000 is outside by 8999 times the bound.
+    let soft = boxed(&[&[1e-12]], &[-1.0], &[0.0], &[1.0]);
+    assert_eq!(merit::scaled_residual(&soft, &[9000.0]), 8999.0);
+    // Inside the bounds it is w beside its terms, 1 − 0.5 beside 1.5, however wide the bounds are.
+    for hi in [1.0, 2.0, 1e9, INF] {
+        let lcp = boxed(&[&[1.0]], &[-1.0], &[0.0], &[hi]);
+        assert_eq!(merit::scaled_residual(&lcp, &[0.5]), 1.0 / 3.0);
+    }
+}
+
+#[test]
 fn each_measure_is_its_definition() {
     // w = (2, −1) at x = (1, 0): residuals 1 and −1.
     let lcp = contacts(&[&[4.0, 1.0], &[1.0, 2.0]], &[-2.0, -2.0]);
@@ -105,8 +122,7 @@ proptest! {
             prop_assert_eq!(within, residual <= tolerance);
             if !within {
                 let terms = merit::RowTerms::at(&m.lcp, first, &x);
-                let (lo, hi) = m.lcp.bounds(first, &x);
-                prop_assert!(terms.scaled_residual(x[first], lo, hi) > tolerance);
+                prop_assert!(terms.scaled_residual(&m.lcp, first, &x) > tolerance);
             }
         }
         let mut first = start;

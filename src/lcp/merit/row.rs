@@ -1,0 +1,234 @@
+//! One row: its w with the sizes to measure it by, and how far its x is from where it should be.
+
+use crate::lcp::Lcp;
+
+/// Terms in this range lose nothing to overflow or underflow, nor do their sums.
+const SAFE: std::ops::Range<f64> = 1e-250..1e250;
+
+/// The part of what its terms ask for that a friction force must be to be told from rounding.
+const SEEN: f64 = 1e-6;
+
+/// What one row contributes to a residual: w_i with the sizes to measure it by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RowTerms {
+    /// w_i = Σ_j a_ij x_j + b_i, in units of 2^`exponent`.
+    pub w: f64,
+    /// Σ_j |a_ij x_j| + |b_i|: what w_i would be without cancellation, in units of 2^`exponent`; at least
+    /// s_i times the [scale](Lcp::scale) of the problem.
+    pub magnitude: f64,
+    /// s_i = |a_ii|, or max_j |a_ij| where a_ii = 0: how much w_i moves with x_i.
+    pub scale: f64,
+    /// 0 unless the terms are so large or so small that they would overflow or vanish.
+    pub exponent: i32,
+}
+
+/// How the terms of a row are added up.
+pub trait Sum: Default {
+    /// Adds a b.
+    fn add_product(&mut self, a: f64, b: f64);
+    /// The sum, rounded.
+    fn value(&self) -> f64;
+}
+
+/// Plain floating-point summation.
+impl Sum for f64 {
+    fn add_product(&mut self, a: f64, b: f64) {
+        *self += a * b;
+    }
+
+    fn value(&self) -> f64 {
+        *self
+    }
+}
+
+impl RowTerms {
+    /// The terms of row i at x, in plain floating point.
+    pub fn at(lcp: &Lcp, i: usize, x: &[f64]) -> Self {
+        Self::summed::<f64>(lcp, i, x)
+    }
+
+    /// The terms whose sums were taken elsewhere; none if those may have overflowed or vanished.
+    pub(crate) fn of_sums(lcp: &Lcp, w: f64, magnitude: f64, scale: f64) -> Option<Self> {
+        let rest = lcp.scale() * scale;
+        let terms = || RowTerms { w, magnitude: magnitude.max(rest), scale, exponent: 0 };
+        SAFE.contains(&magnitude).then(terms)
+    }
+
+    /// The terms of row i at x, added up by S.
+    pub fn summed<S: Sum>(lcp: &Lcp, i: usize, x: &[f64]) -> Self {
+        let products =
+            || lcp.matrix().row(i).iter().map(|(j, a)| (a, x[j])).chain([(lcp.b()[i], 1.0)]);
+        let (mut w, mut magnitude) = (S::default(), 0.0);
+        for (a, x) in products() {
+            w.add_product(a, x);
+            magnitude += (a * x).abs();
+        }
+        let scale = row_scale(lcp, i);
+        let rest = lcp.scale() * scale;
+        if SAFE.contains(&magnitude) || magnitude < rest {
+            let magnitude = magnitude.max(rest);
+            return RowTerms { w: w.value(), magnitude, scale, exponent: 0 };
+        }
+        let largest = products().filter_map(|(a, x)| exponent(a, x)).max();
+        match largest {
+            Some(largest) if x.iter().all(|x| x.is_finite()) => {
+                let (mut w, mut magnitude) = (S::default(), 0.0);
+                for (a, x) in products() {
+                    let (a, x) = shifted(a, x, -largest);
+                    w.add_product(a, x);
+                    magnitude += (a * x).abs();
+                }
+                RowTerms { w: w.value(), magnitude, scale, exponent: largest }
+            }
+            _ => RowTerms { w: w.value(), magnitude, scale, exponent: 0 },
+        }
+    }
+
+    /// r_i at x, where these terms were taken ([`scaled_residual`](super::scaled_residual)).
+    pub fn scaled_residual(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
+        self.miss(lcp, i, x).residual
+    }
+
+    /// How far x_i is from its own projected step, between the bounds of row i at x.
+    pub fn miss(&self, lcp: &Lcp, i: usize, x: &[f64]) -> Miss {
+        let (lo, hi) = lcp.bounds(i, x);
+        self.miss_between(x[i], lo, hi, || self.reach(lcp, i, x))
+    }
+
+    /// The same for an x_i between any bounds, with their [reach](Self::reach), which is asked for only where it
+    /// matters: where x_i is not at the bound to which its step leads.
+    ///
+    /// The step is the median of x − lo, w/s and x − hi: times s it needs no division by s, and in units
+    /// of e = R none by the terms.
+    pub fn miss_between(&self, x: f64, lo: f64, hi: f64, reach: impl FnOnce() -> f64) -> Miss {
+        let scale = if self.scale == 0.0 { 1.0 } else { self.scale };
+        let slack = |bound: f64| match x - bound {
+            distance if distance.is_infinite() && bound.is_finite() => {
+                product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent) // beyond the largest number
+            }
+            distance => product(scale, distance, -self.exponent),
+        };
+        let size = self.w.min(slack(lo)).max(slack(hi)).abs();
+        let mut residual = relative(size, self.magnitude);
+        let is_inside = lo <= x && x <= hi;
+        let is_held = self.w >= 0.0 && x == lo || self.w <= 0.0 && x == hi;
+        let is_settled = is_inside && (is_held || size == self.w.abs());
+        if !is_settled && residual.is_finite() {
+            let reach = reach();
+            if product(scale, reach, -self.exponent) < self.magnitude {
+                let part = relative(self.w, self.magnitude);
+                let away = |bound: f64| match (x - bound) / reach {
+                    away if away.is_infinite() && bound.is_finite() => x / reach - bound / reach,
+                    away => away,
+                };
+                residual = part.min(away(lo)).max(away(hi)).abs();
+            }
+        }
+        Miss { size, scale, exponent: self.exponent, residual }
+    }
+
+    /// R_i: the largest x_i that the bounds of row i speak of, where these are its terms
+    /// ([`scaled_residual`](super::scaled_residual)).
+    ///
+    /// ```text
+    /// R_i = max(|lo_i|, |hi_i|) of those that are finite, ∞ if they are all 0
+    /// R_i = max(μ_i x_k, μ_i terms_k / s_k, 10⁻⁶ terms_i / s_i)      where row i is coupled to row k
+    /// ```
+    ///
+    /// A bound of 0 has no size of its own, and none is below the [scale](Lcp::scale) of the problem. The
+    /// bounds of a coupled row may vanish with x_k, but x_k is not known better than beside its terms; and
+    /// friction whose whole effect on w_i is in the last digits of its terms is rounding.
+    pub fn reach(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
+        if let Some((k, mu)) = lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
+            return self.reach_of_friction(mu, &RowTerms::at(lcp, k, x), x[k]);
+        }
+        let size = |bound: f64| if bound.is_finite() { bound.abs() } else { 0.0 };
+        match size(lcp.lo()[i]).max(size(lcp.hi()[i])) {
+            0.0 => f64::INFINITY,
+            reach => reach.max(lcp.scale()),
+        }
+    }
+
+    /// The same for a friction row with these terms under a normal x_k with those.
+    pub(crate) fn reach_of_friction(&self, mu: f64, normal: &RowTerms, x_k: f64) -> f64 {
+        (mu * normal.natural().max(x_k)).max(SEEN * self.natural())
+    }
+
+    /// terms_i / s_i: the x that the terms ask for.
+    fn natural(&self) -> f64 {
+        let scale = if self.scale == 0.0 { 1.0 } else { self.scale };
+        libm::ldexp(self.magnitude / scale, self.exponent)
+    }
+
+    /// w_i itself, which may overflow.
+    pub fn w(&self) -> f64 {
+        libm::ldexp(self.w, self.exponent)
+    }
+}
+
+/// How far a row or a contact is from its own projected step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Miss {
+    /// |x − Π(x − w/s)| s, in units of 2^`exponent`.
+    pub size: f64,
+    /// s.
+    pub scale: f64,
+    /// 0 unless the terms are so large or so small that they would overflow or vanish.
+    pub exponent: i32,
+    /// The scaled residual; NaN counts as ∞.
+    pub residual: f64,
+}
+
+impl Miss {
+    /// log₂ of |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever the units of x
+    /// and w.
+    pub fn step(&self) -> f64 {
+        match self.size {
+            0.0 => f64::NEG_INFINITY,
+            size => libm::log2(size) + f64::from(self.exponent) - 0.5 * libm::log2(self.scale),
+        }
+    }
+}
+
+/// The size beside the terms, with its sign, 0/0 = 0; NaN counts as ∞.
+pub(in crate::lcp) fn relative(size: f64, magnitude: f64) -> f64 {
+    match size / magnitude {
+        _ if size == 0.0 => 0.0,
+        _ if magnitude.is_infinite() => f64::INFINITY, // x is not finite
+        relative if relative.is_nan() => f64::INFINITY,
+        relative => relative,
+    }
+}
+
+/// a b 2^shift, which does not overflow on the way.
+pub(in crate::lcp) fn product(a: f64, b: f64, shift: i32) -> f64 {
+    match shift {
+        0 => a * b,
+        shift => {
+            let (a, b) = shifted(a, b, shift);
+            a * b
+        }
+    }
+}
+
+/// The exponent of a b, unless it is 0.
+fn exponent(a: f64, b: f64) -> Option<i32> {
+    (a != 0.0 && b != 0.0).then(|| libm::frexp(a).1 + libm::frexp(b).1)
+}
+
+/// Two factors whose product is a b 2^shift, neither of them extreme if the product is not.
+fn shifted(a: f64, b: f64, shift: i32) -> (f64, f64) {
+    if a == 0.0 || b == 0.0 || !b.is_finite() {
+        return (a, b);
+    }
+    let ((a, m), (b, k)) = (libm::frexp(a), libm::frexp(b));
+    (libm::ldexp(a, m + k + shift), b)
+}
+
+/// s_i: |a_ii|, or max_j |a_ij| where a_ii = 0.
+pub fn row_scale(lcp: &Lcp, i: usize) -> f64 {
+    match lcp.matrix().diagonal(i).abs() {
+        0.0 => lcp.matrix().row(i).iter().fold(0.0, |s, (_, a)| f64::max(s, a.abs())),
+        s => s,
+    }
+}
