@@ -25,7 +25,10 @@ use nalgebra::{Matrix3, Vector3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Mass, State};
+use super::{Mass, Pose, State};
+
+/// The most parts of a step, for bodies that turn by more than a radian in it.
+const PARTS: usize = 64;
 
 /// Newton's method converges quadratically from ω; a body that turns by less than a radian a step
 /// needs four of these.
@@ -45,7 +48,7 @@ pub enum Gyroscopic {
     /// At the velocity after the step; loses energy, never diverges.
     Implicit,
     /// The body turns by the midpoint rule and keeps its angular momentum: a free body keeps its
-    /// energy too.
+    /// energy too, as long as it turns by less than some 64 radians a step.
     #[default]
     Conserving,
 }
@@ -66,18 +69,25 @@ impl Gyroscopic {
     }
 
     /// The state after h (s) without forces: s + h S(s) u, with the spin that the angular momentum
-    /// has in the new pose where it is conserved.
+    /// has in the new pose where it is conserved. A body that turns by more than a radian does so in parts,
+    /// 64 at most.
     pub fn advanced(self, mass: &Mass, state: &State, h: f64) -> State {
-        match tumbling(self, mass) {
-            None => state.advanced(h),
-            Some(inertia) => {
-                let omega = state.pose.q.inverse() * state.omega;
-                let mean = state.pose.q * implicit_spin(&inertia, &omega, 0.5 * h);
-                let momentum = mass.world_inertia(&state.pose) * state.omega;
-                let moved = State { omega: mean, ..*state }.advanced(h);
-                State { omega: mass.spin(&moved.pose, &momentum), ..moved }
-            }
+        let Some(inertia) = tumbling(self, mass) else { return state.advanced(h) };
+        let momentum = mass.spin_momentum(state);
+        let start = Pose { p: state.pose.p + h * state.v, ..state.pose };
+        let (mut moved, mut done) = (State { pose: start, ..*state }, 0);
+        while done < PARTS {
+            let parts = ((PARTS - done) as f64 * (h / PARTS as f64) * moved.omega.norm()).abs();
+            let next = ((PARTS - done) as f64 / parts.ceil().max(1.0)).ceil() as usize;
+            let h = h * (next as f64 / PARTS as f64);
+            let omega = moved.pose.q.inverse() * moved.omega;
+            let mean = moved.pose.q * implicit_spin(&inertia, &omega, 0.5 * h);
+            let q = State { omega: mean, ..moved }.advanced(h).pose.q;
+            let pose = Pose { q, ..moved.pose };
+            moved = State { pose, omega: spin(&inertia, &pose, &momentum), ..moved };
+            done += next;
         }
+        moved
     }
 
     /// The state at the end of a step of h (s) in which the body turned with the velocity that it
@@ -88,7 +98,7 @@ impl Gyroscopic {
             Some(inertia) => {
                 let mean = state.pose.q.inverse() * state.omega;
                 let momentum = inertia * mean - 0.5 * h * mean.cross(&(inertia * mean));
-                State { omega: mass.spin(&state.pose, &(state.pose.q * momentum)), ..*state }
+                State { omega: spin(&inertia, &state.pose, &(state.pose.q * momentum)), ..*state }
             }
         }
     }
@@ -102,6 +112,11 @@ fn tumbling(gyroscopic: Gyroscopic, mass: &Mass) -> Option<Matrix3<f64>> {
         }
         _ => None,
     }
+}
+
+/// I⁻¹ L (rad/s, world), by way of the body's axes.
+fn spin(inertia: &Matrix3<f64>, pose: &Pose, momentum: &Vector3<f64>) -> Vector3<f64> {
+    pose.q * (pose.q.inverse() * momentum).component_div(&inertia.diagonal())
 }
 
 /// ω⁺ with I ω⁺ + h ω⁺ × I ω⁺ = I ω, in the body's frame.

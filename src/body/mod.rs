@@ -138,8 +138,19 @@ impl Mass {
 
     /// Kinetic energy ½ m |v|² + ½ ω·I ω (J).
     pub fn kinetic_energy(&self, state: &State) -> f64 {
-        let spin = state.omega.dot(&(self.world_inertia(&state.pose) * state.omega));
-        0.5 * self.mass() * state.v.norm_squared() + 0.5 * spin
+        0.5 * self.mass() * state.v.norm_squared() + self.spin_energy(state)
+    }
+
+    /// Its part ½ ω·I ω (J).
+    pub fn spin_energy(&self, state: &State) -> f64 {
+        0.5 * state.omega.dot(&self.spin_momentum(state))
+    }
+
+    /// The angular momentum I ω about the centre of mass (kg m²/s, world), by way of the body's axes: in
+    /// the world's the small moment of a thin body drowns in the rounding of the large ones.
+    pub fn spin_momentum(&self, state: &State) -> Vector3<f64> {
+        let Mass::Rigid { moments, .. } = self else { return Vector3::zeros() };
+        state.pose.q * moments.component_mul(&(state.pose.q.inverse() * state.omega))
     }
 
     /// Linear momentum m v (kg m/s).
@@ -149,7 +160,7 @@ impl Mass {
 
     /// Angular momentum about the world's origin, p × m v + I ω (kg m²/s).
     pub fn angular_momentum(&self, state: &State) -> Vector3<f64> {
-        state.pose.p.cross(&self.momentum(state)) + self.world_inertia(&state.pose) * state.omega
+        state.pose.p.cross(&self.momentum(state)) + self.spin_momentum(state)
     }
 
     /// R diag(f(moments)) Rᵀ, made exactly symmetric: rounding alone would leave A unsymmetric.

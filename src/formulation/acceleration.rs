@@ -7,6 +7,14 @@
 //! b = J M⁻¹F + J'u + (J u + (β/dt) c)/dt    a spring, with γ on the diagonal: x = −(k c⁺ + d ċ⁺)
 //! ```
 //!
+//! A contact or limit that parts as slowly as one at rest may ([`Resting`](crate::scene::Resting)) is held
+//! only so far as the body would be back within the step, and not in the air: with ċ beyond what α pushes
+//! an overlap apart,
+//!
+//! ```text
+//! b = J M⁻¹F + J'u + 2α J u + α² c + max(0, 1/dt − 2α) max(0, J u − α max(−c, 0))
+//! ```
+//!
 //! A friction force opposes the slip, not its acceleration. With J u/dt in its row the force stops
 //! the slip within the step where its bound allows, and is at the bound, against the slip, where it
 //! does not: the box model of the velocity level, on accelerations. Without it, a force at its bound
@@ -23,7 +31,14 @@ pub(super) fn bias(assembly: &Assembly, scene: &Scene) -> Vec<f64> {
         let error = match (row.spring, row.bounds) {
             (Some(spring), _) => (row.velocity + spring.feedback(dt) * row.c) / dt,
             (None, Bounds::Friction { .. } | Bounds::Effort(_)) => (row.velocity - row.speed) / dt,
-            (None, _) => 2.0 * alpha * row.velocity + alpha * alpha * row.c,
+            (None, bounds) => {
+                let feedback = 2.0 * alpha * row.velocity + alpha * alpha * row.c;
+                let parting = row.velocity - alpha * (-row.c).max(0.0);
+                match bounds == Bounds::Unilateral && parting > 0.0 {
+                    true => feedback + (1.0 / dt - 2.0 * alpha).max(0.0) * parting,
+                    false => feedback,
+                }
+            }
         };
         row.velocity_product + error
     };

@@ -78,8 +78,15 @@ pub(super) fn bias(assembly: &Assembly, scene: &Scene, beta: f64) -> Vec<f64> {
 pub(super) fn bouncing(problem: &Problem, scene: &Scene, x: &[f64]) -> Option<Vec<f64>> {
     debug_assert!(matches!(problem.stage, Stage::Velocity | Stage::Impact));
     let e = |row: &Row| scene.restitution(row.bodies);
+    let least = match problem.stage {
+        Stage::Impact => scene.resting().bounce,
+        _ => 0.0,
+    };
     let is_fast = |row: &Row| {
-        row.kind == Kind::Normal && e(row) > 0.0 && row.velocity < -scene.contact.bounce_speed
+        let approach = -row.velocity;
+        row.kind == Kind::Normal
+            && approach > scene.contact.bounce_speed
+            && e(row) * approach > least
     };
     let rows = problem.assembly.rows.iter().enumerate().filter(|(_, row)| is_fast(row));
     let hits = rows.filter(|(i, row)| has_closed(x[*i], problem.lcp.row_w(*i, x), row.velocity));

@@ -7,6 +7,9 @@
 //! ```text
 //! a = max |g + f/m|,   v_slop = 2 a dt,   slop = a dt², at most 1/1000 of the smallest body
 //! ```
+//!
+//! And a body that bounces off with less than a dt/2, so that it would be back within the step, does not
+//! bounce: it would go on for ever, step by step.
 
 use super::Scene;
 use crate::body::Shape;
@@ -23,6 +26,8 @@ pub struct Resting {
     pub gap: f64,
     /// The speed (m/s) of parting up to which it stays.
     pub speed: f64,
+    /// The speed (m/s) below which a bounce would be over within the step.
+    pub bounce: f64,
 }
 
 impl Resting {
@@ -40,6 +45,7 @@ impl Resting {
         Resting {
             gap: contact.resting_gap.unwrap_or((acceleration * dt * dt).min(OF_SIZE * size)),
             speed: contact.resting_speed.unwrap_or(2.0 * acceleration * dt),
+            bounce: 0.5 * acceleration * dt,
         }
     }
 }

@@ -199,9 +199,8 @@ fn shift(scene: &Scene, body: usize, from: &State, to: &State, by: &Vector3<f64>
     lifted + spin(scene, body, to) - spin(scene, body, from)
 }
 
-/// ½ ω·I ω (J).
 fn spin(scene: &Scene, body: usize, state: &State) -> f64 {
-    0.5 * state.omega.dot(&(scene.bodies[body].mass.world_inertia(&state.pose) * state.omega))
+    scene.bodies[body].mass.spin_energy(state)
 }
 
 fn scene_kinetic(scene: &Scene, states: &[State]) -> f64 {

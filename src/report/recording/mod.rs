@@ -270,7 +270,7 @@ impl Record {
         );
         text.push('\n');
         if self.scene.step.formulation == Formulation::Acceleration {
-            let Resting { gap, speed } = self.scene.resting();
+            let Resting { gap, speed, .. } = self.scene.resting();
             text +=
                 &format!("resting      gaps up to {gap:.1e} m, parting at up to {speed:.1e} m/s\n");
         }

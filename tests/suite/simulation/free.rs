@@ -1,10 +1,10 @@
 //! Bodies that nothing touches.
 
-use lcplab::body::Gyroscopic;
+use lcplab::body::{Gyroscopic, Mass, Pose, State};
 use lcplab::scene::{Formulation, Scene};
 
 use lcplab::scene::catalogue::spin::SteadyTop;
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{assert_near, simulation};
 
@@ -68,6 +68,34 @@ fn a_turning_brick_keeps_its_angular_momentum_and_its_energy_under_every_impulsi
             assert!(change < size, "{scheme:?} {change:e}");
             let energy = (now.kinetic - start.kinetic) / start.kinetic;
             assert!(energy.abs() < 1e-9, "{scheme:?} {energy:e}");
+        }
+    }
+}
+
+#[test]
+fn a_free_body_keeps_momentum_and_energy_however_fast_it_turns_and_thin_it_is() {
+    // About all three axes at once, by 0.1, 2 and 20 radians a step of 1 s.
+    for moments in [[5.0, 10.0, 13.0], [1e-9, 1.0, 1.0], [1.0, 1.0, 2.0], [1e-3, 1.0, 1.0]] {
+        let moments = Vector3::from(moments);
+        let mass = Mass::Rigid { mass: 1.0, moments };
+        for speed in [0.1, 2.0, 20.0] {
+            let q = UnitQuaternion::from_scaled_axis(Vector3::new(0.3, -0.7, 1.1));
+            let omega = q * Vector3::new(1.0, 0.5, -0.25) * speed;
+            let mut state = State { pose: Pose { q, ..State::WORLD.pose }, omega, ..State::WORLD };
+            let kept = |state: &State| {
+                let own = state.pose.q.inverse() * state.omega;
+                let momentum = state.pose.q * moments.component_mul(&own);
+                (momentum, own.component_mul(&own).dot(&moments))
+            };
+            let (momentum, energy) = kept(&state);
+            for _ in 0..100 {
+                state = Gyroscopic::Conserving.advanced(&mass, &state, 1.0);
+            }
+            let (momentum_now, energy_now) = kept(&state);
+            let change = (momentum_now - momentum).norm() / momentum.norm();
+            assert!(change < 1e-12, "{moments:?} {speed}: {change:e}");
+            let change = (energy_now - energy).abs() / energy;
+            assert!(change < 1e-9, "{moments:?} {speed}: {change:e}");
         }
     }
 }

@@ -6,20 +6,11 @@ use crate::error::Result;
 use crate::scene::catalogue::bounce::Drop;
 use crate::scene::{Formulation, Integrator};
 
-/// The schemes whose steps are impulses, and moves with the velocities that these leave.
-const IMPULSIVE: [Formulation; 7] = [
-    Formulation::Velocity,
-    Formulation::SplitImpulse,
-    Formulation::GaussSeidel,
-    Formulation::Xpbd,
-    Formulation::Soft,
-    Formulation::Penalty,
-    Formulation::SequentialImpulses,
-];
-/// What bounces, and how far (m) its rest may be from the ground: a soft contact sinks in.
+/// What bounces, and how far (m) its rest may be from the ground: a soft contact sinks in, and
+/// at acceleration level a ball lies at any gap at which it counts as touching, 1/1000 of its size.
 const BOUNCING: [(Formulation, f64); 5] = [
     (Formulation::Velocity, 1e-6),
-    (Formulation::Acceleration, 1e-6),
+    (Formulation::Acceleration, 2e-4),
     (Formulation::SequentialImpulses, 1e-6),
     (Formulation::Xpbd, 1e-4),
     (Formulation::Soft, 1e-3),
@@ -36,7 +27,7 @@ pub(super) fn free_body(size: Size) -> Result<Vec<Row>> {
         None => return Ok(Vec::new()),
     };
     let mut rows = Vec::new();
-    for scheme in IMPULSIVE {
+    for scheme in Formulation::FAMILIES.into_iter().filter(|s| *s != Formulation::Acceleration) {
         let criterion = if scheme == Formulation::Xpbd { SUMMED } else { ROUNDING };
         let momentum = before.angular_momentum.norm();
         let known = vec![
