@@ -55,6 +55,8 @@ pub struct Row {
     pub c: f64,
     /// J u at the instant's velocities (m/s or rad/s).
     pub velocity: f64,
+    /// The part of it that bodies without columns have: a fixed body may move as it is told.
+    pub drift: f64,
     /// J'u (m/s² or rad/s²).
     pub velocity_product: f64,
     /// What J u is to be (m/s or rad/s).
@@ -201,12 +203,15 @@ fn placed(
         own => own,
     };
     let part = |k: usize| blocks[k].map(|block| Part { block, jacobian: row.jacobian[k] });
+    let driven = [0, 1].into_iter().filter(|&k| blocks[k].is_none());
+    let drift = driven.map(|k| row.jacobian[k].dot(&states[k].velocity())).sum();
     Row {
         id,
         kind: row.kind,
         bodies,
         c: row.c,
         velocity: rate(row, states),
+        drift,
         velocity_product: row.velocity_product,
         speed: row.speed,
         spring: row.spring,

@@ -54,7 +54,7 @@ pub(super) const TRANSLATION: Joint = Joint {
     name: "lock_translation",
     title: "no translation along an axis",
     bodies: (1, 2),
-    turns: false,
+    turns: 0,
     needs: &[Field::Axis],
     takes: &[],
     build: |at| {
@@ -68,7 +68,7 @@ pub(super) const ROTATION: Joint = Joint {
     name: "lock_rotation",
     title: "no rotation about an axis",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[Field::Axis],
     takes: &[],
     build: |at| {

@@ -30,7 +30,7 @@ pub(super) const BALL: Joint = Joint {
     name: "ball",
     title: "ball and socket between two bodies",
     bodies: (2, 2),
-    turns: false,
+    turns: 0,
     needs: &[],
     takes: &[Field::Point],
     build: |at| Ok(Arc::new(Coincidence { bodies: at.bodies, anchors: at.anchors() })),

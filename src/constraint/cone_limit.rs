@@ -42,7 +42,7 @@ pub(super) const CONE: Joint = Joint {
     name: "limit_cone",
     title: "an axis stays within a cone of this half angle",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[Field::Axis, Field::Angle],
     takes: &[],
     build: |at| {

@@ -18,7 +18,7 @@ pub(super) const CYLINDRICAL: Joint = Joint {
     name: "cylindrical",
     title: "a shaft in a sleeve: moves along an axis and turns about it",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[Field::Axis],
     takes: &[Field::Point],
     build: |at| Ok(Arc::new((AxisLock::on_line(at)?, Perpendicular::parallel(at)?))),

@@ -35,7 +35,7 @@ pub(super) const DISTANCE: Joint = Joint {
     name: "distance",
     title: "a massless rod between two points",
     bodies: (1, 2),
-    turns: false,
+    turns: 0,
     needs: &[],
     takes: &[Field::Points, Field::Length],
     build: |at| Ok(Arc::new(Distance::of(at)?)),

@@ -41,7 +41,7 @@ pub(super) const GEAR: Joint = Joint {
     name: "gear",
     title: "two gear wheels that mesh, on axes at rest in the world",
     bodies: (2, 2),
-    turns: true,
+    turns: 2,
     needs: &[Field::Axes, Field::Teeth],
     takes: &[],
     build: |at| {

@@ -19,9 +19,9 @@ pub(super) const HINGE: Joint = Joint {
     name: "hinge",
     title: "a hinge: turns about an axis through a point",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[Field::Axis],
-    takes: &[Field::Point],
+    takes: &[Field::Point, Field::StartSpeed],
     build: |at| {
         let point = Coincidence { bodies: at.bodies, anchors: at.anchors() };
         Ok(Arc::new((point, Perpendicular::parallel(at)?)))

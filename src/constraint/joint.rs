@@ -9,7 +9,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{
     Bodies, Verifiable, axis_lock, coincidence, cone_limit, cylindrical, distance, gear, hinge,
-    limit, motor, orientation, pulley, rope, slider, spring, squared_distance, universal, weld,
+    limit, motor, orientation, pulley, rack, rope, slider, spring, squared_distance, universal,
+    weld,
 };
 use crate::body::Pose;
 
@@ -37,6 +38,7 @@ pub const ALL: &[&Joint] = &[
     &limit::ROTATION,
     &cone_limit::CONE,
     &gear::GEAR,
+    &rack::RACK,
 ];
 
 /// A constraint as scene files write it.
@@ -48,8 +50,8 @@ pub struct Joint {
     pub title: &'static str,
     /// The least and the greatest number of bodies it names; one is joined to the world.
     pub bodies: (usize, usize),
-    /// Whether its bodies need an orientation, which a point mass has not.
-    pub turns: bool,
+    /// How many of its bodies, the first ones, need an orientation, which a point mass has not.
+    pub turns: usize,
     /// The fields it must have.
     pub needs: &'static [Field],
     /// The fields it may have besides.
@@ -77,6 +79,8 @@ pub enum Field {
     Limits,
     /// The speed of a motor.
     Speed,
+    /// The speed at the start.
+    StartSpeed,
     /// The greatest force or torque of a motor.
     Effort,
     /// The stiffness of a spring.
@@ -202,7 +206,7 @@ impl Placement {
 
 impl Field {
     /// All of them, in the order of the scene format.
-    pub const ALL: [Field; 12] = [
+    pub const ALL: [Field; 13] = [
         Field::Point,
         Field::Points,
         Field::Axis,
@@ -211,6 +215,7 @@ impl Field {
         Field::Angle,
         Field::Limits,
         Field::Speed,
+        Field::StartSpeed,
         Field::Effort,
         Field::Stiffness,
         Field::Damping,
@@ -228,6 +233,7 @@ impl Field {
             Field::Angle => "angle",
             Field::Limits => "limits",
             Field::Speed => "speed",
+            Field::StartSpeed => "start_speed",
             Field::Effort => "effort",
             Field::Stiffness => "stiffness",
             Field::Damping => "damping",

@@ -34,7 +34,7 @@ pub(super) const TRANSLATION: Joint = Joint {
     name: "limit_translation",
     title: "two stops for the motion along an axis",
     bodies: (1, 2),
-    turns: false,
+    turns: 0,
     needs: &[Field::Axis, Field::Limits],
     takes: &[Field::Point],
     build: |at| Ok(Arc::new(Limit { coordinate: Coordinate::along(at)?, stops: stops(at)? })),
@@ -45,7 +45,7 @@ pub(super) const ROTATION: Joint = Joint {
     name: "limit_rotation",
     title: "two stops for the rotation about an axis",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[Field::Axis, Field::Limits],
     takes: &[],
     build: |at| {

@@ -61,7 +61,7 @@ pub(super) const ORIENTATION: Joint = Joint {
     name: "orientation",
     title: "no relative rotation",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[],
     takes: &[],
     build: |at| Ok(Arc::new(Orientation { bodies: at.bodies, relative: at.relative() })),

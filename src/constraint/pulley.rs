@@ -35,7 +35,7 @@ pub(super) const PULLEY: Joint = Joint {
     name: "pulley",
     title: "a rope from the centre of one body over two points of the world to another's",
     bodies: (2, 2),
-    turns: false,
+    turns: 0,
     needs: &[Field::Points],
     takes: &[Field::Length],
     build: |at| Ok(Arc::new(Pulley::of(at)?)),

@@ -22,7 +22,7 @@ pub(super) const ROPE: Joint = Joint {
     name: "rope",
     title: "a rope: two points at most a length apart",
     bodies: (1, 2),
-    turns: false,
+    turns: 0,
     needs: &[],
     takes: &[Field::Points, Field::Length],
     build: |at| Ok(Arc::new(Rope(Distance::of(at)?))),

@@ -18,9 +18,9 @@ pub(super) const SLIDER: Joint = Joint {
     name: "slider",
     title: "a slider: moves along an axis, does not turn",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[Field::Axis],
-    takes: &[Field::Point],
+    takes: &[Field::Point, Field::StartSpeed],
     build: |at| {
         let orientation = Orientation { bodies: at.bodies, relative: at.relative() };
         Ok(Arc::new((AxisLock::on_line(at)?, orientation)))

@@ -38,7 +38,7 @@ pub(super) const SQUARED_DISTANCE: Joint = Joint {
     name: "squared_distance",
     title: "a massless rod, with the square of its length in c",
     bodies: (1, 2),
-    turns: false,
+    turns: 0,
     needs: &[],
     takes: &[Field::Points, Field::Length],
     build: |at| {

@@ -23,7 +23,7 @@ pub(super) const UNIVERSAL: Joint = Joint {
     name: "universal",
     title: "a universal joint: turns about two perpendicular axes, one on each body",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[Field::Axes],
     takes: &[Field::Point],
     build: |at| {

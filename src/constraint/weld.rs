@@ -16,7 +16,7 @@ pub(super) const FIXED: Joint = Joint {
     name: "fixed",
     title: "a weld: no relative motion at all",
     bodies: (1, 2),
-    turns: true,
+    turns: 2,
     needs: &[],
     takes: &[Field::Point],
     build: |at| {

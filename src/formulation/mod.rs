@@ -134,7 +134,8 @@ impl Problem {
     /// # Errors
     /// If a number is not finite, or A takes too much memory.
     pub fn impact(scene: &Scene, assembly: Assembly) -> Result<Self> {
-        let (target, bias) = (assembly.u.clone(), vec![0.0; assembly.rows.len()]);
+        let bias = assembly.rows.iter().map(|row| row.drift).collect();
+        let target = assembly.u.clone();
         Problem::new(scene, Stage::Impact, assembly, target, bias, 0.0, Vec::new())
     }
 
@@ -244,7 +245,8 @@ impl Problem {
     /// s + S M⁻¹Jᵀx with the velocities they had.
     pub fn next_states(&self, states: &[State], x: &[f64], dt: f64) -> Vec<State> {
         if self.stage == Stage::Position {
-            let moves = self.assembly.with_velocities(states, &self.motion(x));
+            let still = vec![State::WORLD; states.len()];
+            let moves = self.assembly.with_velocities(&still, &self.motion(x));
             let shifted = |(state, shift): (&State, &State)| state.displaced(&shift.velocity());
             return states.iter().zip(&moves).map(shifted).collect();
         }

@@ -71,7 +71,8 @@ impl Bias {
 pub(super) fn bias(assembly: &Assembly, scene: &Scene, beta: f64) -> Vec<f64> {
     let bias = Bias::new(scene, beta);
     let rows = assembly.rows.iter();
-    rows.map(|row| bias.of(row.kind, row.bounds, row.spring, row.c, row.speed)).collect()
+    let own = |row: &Row| bias.of(row.kind, row.bounds, row.spring, row.c, row.speed);
+    rows.map(|row| own(row) + row.drift).collect()
 }
 
 /// The bias with e J u⁻ in the rows that bounce after the answer x, if any does.
@@ -93,7 +94,7 @@ pub(super) fn bouncing(problem: &Problem, scene: &Scene, x: &[f64]) -> Option<Ve
     let mut bias = problem.bias.clone();
     let mut any = false;
     for (i, row) in hits {
-        bias[i] = e(row) * row.velocity;
+        bias[i] = e(row) * row.velocity + row.drift;
         any = true;
     }
     any.then_some(bias)

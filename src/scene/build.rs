@@ -74,6 +74,24 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         let site = Site { place: format!("constraints[{k}]"), written: constraint };
         scene.constraints.extend(site.build(&mut defects, &names, &scene));
     }
+    for (k, constraint) in whole.constraints.iter().enumerate() {
+        let site = Site { place: format!("constraints[{k}]"), written: constraint };
+        site.start(&mut defects, &names, &whole.bodies, &mut scene);
+    }
+    for (k, start) in whole.start.iter().enumerate() {
+        let place = format!("start[{k}]");
+        match names.get(start.body.as_str()) {
+            None => {
+                let reason = format!("there is no body named {:?}", start.body);
+                defects.add(format!("{place}.body"), reason);
+            }
+            Some(&body) => {
+                let written = started(&whole.bodies[body], start);
+                let frame = State::WORLD.pose;
+                scene.states[body] = build_state(&mut defects, &place, &written, &frame);
+            }
+        }
+    }
     defects.into_result(name)?;
     Ok(scene)
 }
@@ -249,6 +267,17 @@ fn check_moments(defects: &mut Defects, place: &str, moments: &Vector3<f64>) {
     }
 }
 
+/// A body that begins elsewhere.
+fn started(body: &description::Body, start: &description::Start) -> description::Body {
+    description::Body {
+        position: start.position,
+        rotation: start.orientation.map(Rotation::Quaternion),
+        velocity: start.velocity,
+        angular_velocity: start.angular_velocity,
+        ..body.clone()
+    }
+}
+
 fn build_state(
     defects: &mut Defects,
     place: &str,
@@ -261,9 +290,7 @@ fn build_state(
     for (field, motion) in motions {
         let place = format!("{place}.{field}");
         finite(defects, &place, motion);
-        if body.fixed && *motion != [0.0; 3] {
-            defects.add(place, "a fixed body does not move");
-        } else if point && field == "angular_velocity" && *motion != [0.0; 3] {
+        if point && field == "angular_velocity" && *motion != [0.0; 3] {
             defects.add(place, "a point does not turn");
         }
     }

@@ -12,16 +12,32 @@ const SHORT: [(&str, &str); 3] =
 /// The description in a text with these fields changed.
 pub(super) fn changed(path: &str, text: &str, changes: &[(String, String)]) -> Result<Description> {
     Description::from_toml(path, text)?; // its defects have lines, those of the changed one have not
+    let mut table = table(path, text, &[])?;
+    let mut description = None;
+    for change in changes {
+        let (key, _) = change;
+        apply(path, &mut table, change)?;
+        let read = table.clone().try_into();
+        let error = |error: toml::de::Error| Error::invalid(path, key.as_str(), error.message());
+        description = Some(read.map_err(error)?);
+    }
+    description.map_or_else(|| Description::from_toml(path, text), Ok)
+}
+
+/// The fields of a text, with these changed.
+pub(super) fn table(path: &str, text: &str, changes: &[(String, String)]) -> Result<Table> {
     let mut table: Table = text
         .parse()
         .map_err(|error: toml::de::Error| Error::invalid(path, "the file", error.message()))?;
-    for (key, value) in changes {
-        let key =
-            SHORT.iter().find(|(short, _)| short == key).map_or(key.as_str(), |(_, long)| long);
-        set(&mut table, key, value).map_err(|reason| Error::invalid(path, key, reason))?;
-    }
-    let named = changes.iter().map(|(key, _)| key.as_str()).collect::<Vec<_>>().join(", ");
-    table.try_into().map_err(|error: toml::de::Error| Error::invalid(path, named, error.message()))
+    changes.iter().try_for_each(|change| apply(path, &mut table, change))?;
+    Ok(table)
+}
+
+/// Sets a field, which may be written short.
+fn apply(path: &str, table: &mut Table, (key, value): &(String, String)) -> Result<()> {
+    let short = SHORT.iter().find(|(short, _)| short == key);
+    let key = short.map_or(key.as_str(), |(_, long)| long);
+    set(table, key, value).map_err(|reason| Error::invalid(path, key, reason))
 }
 
 /// Sets the field of this name; a table that is not there yet is made.

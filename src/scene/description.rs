@@ -51,6 +51,8 @@ pub struct Description {
     pub bodies: Vec<Body>,
     /// The constraints; contacts are found, not written.
     pub constraints: Vec<Constraint>,
+    /// Where bodies are when the simulation begins, if not where joints were made: what `simulate` saves.
+    pub start: Vec<Start>,
 }
 
 impl Description {
@@ -77,6 +79,7 @@ impl Default for Description {
             generate: Vec::new(),
             bodies: Vec::new(),
             constraints: Vec::new(),
+            start: Vec::new(),
         }
     }
 }
@@ -89,7 +92,8 @@ pub struct Body {
     pub name: String,
     /// What it looks like.
     pub shape: Shape,
-    /// Whether it never moves.
+    /// Whether nothing moves it: it keeps its velocities, which are 0 for the ground, and not for a belt, a
+    /// turntable or a lift.
     #[serde(default)]
     pub fixed: bool,
     /// Mass (kg).
@@ -130,6 +134,25 @@ pub struct Body {
     /// A constant torque (N m, world).
     #[serde(default)]
     pub torque: [f64; 3],
+}
+
+/// The state in which a body begins, as a row of trajectory.csv has it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Start {
+    /// The body's name.
+    pub body: String,
+    /// Its centre of mass (m).
+    pub position: [f64; 3],
+    /// The quaternion [w, x, y, z] that turns its principal axes to the world's; a point has none.
+    #[serde(default)]
+    pub orientation: Option<[f64; 4]>,
+    /// Velocity (m/s).
+    #[serde(default)]
+    pub velocity: [f64; 3],
+    /// Angular velocity (rad/s), world axes.
+    #[serde(default)]
+    pub angular_velocity: [f64; 3],
 }
 
 /// The shape of a body, as `"point"` or `{ sphere = 0.5 }`.
@@ -196,7 +219,7 @@ pub struct Constraint {
     /// default the centres of two bodies.
     #[serde(default)]
     pub points: Option<[[f64; 3]; 2]>,
-    /// The length (m); by default the distance at the start.
+    /// The length (m); by default the distance at the start. Of a rack the radius of its wheel.
     #[serde(default)]
     pub length: Option<f64>,
     /// The axis (any length), fixed to the first of two bodies or to the world; in world axes at
@@ -204,7 +227,8 @@ pub struct Constraint {
     #[serde(default)]
     pub axis: Option<[f64; 3]>,
     /// Two axes (any length) in world axes at the start: of a universal joint the first on the first
-    /// of two bodies or the world, the second on the other body; of a gear those of its wheels.
+    /// of two bodies or the world, the second on the other body; of a gear those of its wheels, of a rack
+    /// that of its wheel and the direction of the other body.
     #[serde(default)]
     pub axes: Option<[[f64; 3]; 2]>,
     /// The half angle of a cone (rad).
@@ -217,6 +241,10 @@ pub struct Constraint {
     /// The speed of a motor (m/s or rad/s), that of the last body against the other.
     #[serde(default)]
     pub speed: Option<f64>,
+    /// The speed at the start of what turns on a hinge (rad/s) or moves on a slider (m/s): that of the last
+    /// body against the other, which is looked at first if it hangs on a joint further up in the file.
+    #[serde(default)]
+    pub start_speed: Option<f64>,
     /// The greatest force of a motor (N or N m).
     #[serde(default)]
     pub effort: Option<f64>,

@@ -47,6 +47,46 @@ impl Site<'_> {
         }
     }
 
+    /// Gives what hangs on the joint its speed at the start, if one is written.
+    pub fn start(
+        &self,
+        defects: &mut Defects,
+        names: &HashMap<&str, usize>,
+        bodies: &[description::Body],
+        scene: &mut Scene,
+    ) {
+        let Some(speed) = self.written.start_speed else { return };
+        let mut refuse = |reason: String| defects.add(self.at(Field::StartSpeed), reason);
+        let place = |name: &String| names.get(name.as_str()).copied();
+        let (Some(axis), Some(last)) =
+            (self.written.axis, self.written.bodies.last().and_then(place))
+        else {
+            return; // said already
+        };
+        if !speed.is_finite() {
+            return refuse(format!("must be finite, is {speed}"));
+        }
+        let written = &bodies[last];
+        if (written.velocity, written.angular_velocity) != ([0.0; 3], [0.0; 3]) {
+            return refuse(format!("{:?} has velocities of its own", written.name));
+        }
+        let axis = Vector3::from(axis).normalize() * speed;
+        let first = self.written.bodies.first().filter(|_| self.written.bodies.len() == 2);
+        let first = first.and_then(place).map_or(State::WORLD, |k| scene.states[k]);
+        let state = &mut scene.states[last];
+        let carried = |p: Vector3<f64>| first.v + first.omega.cross(&(p - first.pose.p));
+        match self.written.kind.as_str() {
+            "slider" => {
+                (state.v, state.omega) = (carried(state.pose.p) + axis, first.omega);
+            }
+            _ => {
+                let point = self.written.point.map_or(state.pose.p, Vector3::from);
+                state.omega = first.omega + axis;
+                state.v = carried(point) + state.omega.cross(&(state.pose.p - point));
+            }
+        }
+    }
+
     /// The place of a field in the file.
     fn at(&self, field: Field) -> String {
         format!("{}.{field}", self.place)
@@ -78,6 +118,7 @@ impl Site<'_> {
             Field::Angle => written.angle.is_some(),
             Field::Limits => written.limits.is_some(),
             Field::Speed => written.speed.is_some(),
+            Field::StartSpeed => written.start_speed.is_some(),
             Field::Effort => written.effort.is_some(),
             Field::Stiffness => written.stiffness.is_some(),
             Field::Damping => written.damping.is_some(),
@@ -183,8 +224,8 @@ impl Site<'_> {
             defects.add(place, "joins only bodies that do not move");
             return None;
         }
-        for body in bodies.iter().flatten().map(|&k| &scene.bodies[k]) {
-            if joint.turns && body.shape == Shape::Point {
+        for body in bodies.iter().flatten().take(joint.turns).map(|&k| &scene.bodies[k]) {
+            if body.shape == Shape::Point {
                 let reason = format!("{:?} is a point, it has no orientation", body.name);
                 defects.add(place.as_str(), reason);
             }

@@ -16,6 +16,7 @@ pub mod generate;
 mod joints;
 mod notes;
 mod resting;
+mod saved;
 mod settings;
 
 pub use contacts::{ContactId, Detector, Feature, Found, contacts};
@@ -24,6 +25,7 @@ pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;
 pub use friction::FrictionModel;
 pub use resting::Resting;
+pub use saved::saved;
 pub use settings::{Contacts, Manifold, Order, Persistence, Sliding, Solver, Step};
 
 use std::path::Path;

@@ -132,6 +132,8 @@ fn feedback(problem: &Problem, i: usize) -> f64 {
             problem.dt * (problem.bias[i] - problem.assembly.rows[i].velocity_product)
         }
         Stage::Position => 0.0,
-        Stage::Velocity | Stage::Impact | Stage::Restitution => problem.bias[i],
+        Stage::Velocity | Stage::Impact | Stage::Restitution => {
+            problem.bias[i] - problem.assembly.rows[i].drift
+        }
     }
 }

@@ -125,7 +125,7 @@ impl Ledger {
         let next = impulses.assembly.push_forward(&impulses.next);
         for (i, row) in impulses.assembly.rows.iter().enumerate() {
             let impulse = impulses.x[i];
-            let work = 0.5 * impulse * (row.velocity + next[i]);
+            let work = 0.5 * impulse * (row.velocity - row.drift + next[i]);
             let bias = -0.5 * impulse * impulses.feedback[i];
             self.scale += work.abs();
             match row.bounds {

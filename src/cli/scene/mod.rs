@@ -12,6 +12,7 @@ pub use simulate::Simulate;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use lcplab::body::State;
 use lcplab::error::{Error, Result};
 use lcplab::formulation::{friction_model, with_friction_model};
 use lcplab::lcp::friction::Model;
@@ -69,6 +70,11 @@ impl Changes {
     /// The scene of this file or name with these changes.
     pub fn load(&self, scene: &str) -> Result<Scene> {
         Scene::load_with(scene, &self.set)
+    }
+
+    /// The file of this scene with these changes, whose bodies begin with these states.
+    pub fn saved(&self, path: &str, scene: &Scene, states: &[State]) -> Result<String> {
+        scene::saved(path, &self.set, scene, states)
     }
 
     /// Whether there are none.

@@ -30,8 +30,9 @@ Example:
 
 Writes index.html (a page that plays the motion), trajectory.csv (poses and velocities), ledger.csv
 (energy and where it went, momentum, errors), forces.csv (x and w of every row; of a contact also what touches, and where
-at the beginning of the step), results.json and
-frames.svg (a picture of some instants) to the folder. Exit code 0 if every step was solved, 1 if not
+at the beginning of the step), results.json,
+frames.svg (a picture of some instants) and final.toml (the scene with its last state, to go on from; of the options --set
+is in it) to the folder. Exit code 0 if every step was solved, 1 if not
 or if the motion diverged (what was recorded until then is written), 2 for bad input.")]
 pub struct Simulate {
     #[command(flatten)]
@@ -154,6 +155,9 @@ impl Simulate {
     fn write(&self, scene: &Scene, record: &Record, camera: Camera) -> Result<()> {
         let Some(folder) = &self.out else { return Ok(()) };
         record.write(folder)?;
+        let states = &camera.last.states;
+        let saved = self.scene.changes.saved(&self.scene.scene, scene, states)?;
+        file::write(&folder.join("final.toml"), &saved)?;
         let page = view::simulation_page(Film::new("film", scene, vec![camera.take]), record);
         file::write(&folder.join("index.html"), &page.render()?)?;
         let strip = Strip::new(scene, camera.frames);

@@ -67,6 +67,7 @@ pub const SHIPPED: &[Shipped] = shipped![
     "spring_damped",
     "motor",
     "atwood",
+    "massive_pulley",
     "capstan",
     "catenary",
     "top",

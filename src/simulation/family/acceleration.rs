@@ -150,7 +150,9 @@ fn forces<'s>(
             return Err(cause);
         }
         let u = solve.problem.next_velocity(&solve.solution.x, scene.step.dt);
-        let [before, after] = [&assembly.u, &u].map(|u| assembly.push_forward(u));
+        let before: Vec<f64> = assembly.rows.iter().map(|row| row.velocity).collect();
+        let moved = assembly.push_forward(&u).into_iter().zip(&assembly.rows);
+        let after: Vec<f64> = moved.map(|(speed, row)| speed + row.drift).collect();
         let count = slides.len();
         slides.retain(|slide| !slide.reverses(&before, &after));
         if slides.len() == count {

@@ -94,13 +94,18 @@ fn swept(
     let assembly = assembled(scene, states, found, Entering::Near)?;
     let sweeper = Sweeper::new(&assembly, scene.step.dt);
     let rows = assembly.rows.iter().enumerate();
-    let aims: Vec<Aim> = rows.map(|(i, row)| aim(row, sweeper.diagonal(i), scene)).collect();
+    let of_row = |(i, row): (usize, &Row)| {
+        let aim = aim(row, sweeper.diagonal(i), scene);
+        Aim { bias: aim.bias + row.drift, ..aim }
+    };
+    let aims: Vec<Aim> = rows.map(of_row).collect();
     let (before, mut u) = (placed(&assembly, impulses), assembly.u.clone());
     let mut x = before.clone();
     sweeper.sweep(&aims, &mut x, &mut u);
     *impulses = named(&assembly, &x);
     let states = assembly.with_velocities(states, &u);
-    let feedback = aims.iter().zip(&x).map(|(aim, x)| aim.bias + aim.compliance * x).collect();
+    let own = |((aim, x), row): ((&Aim, &f64), &Row)| aim.bias - row.drift + aim.compliance * x;
+    let feedback = aims.iter().zip(&x).zip(&assembly.rows).map(own).collect();
     let added = x.iter().zip(before).map(|(x, before)| x - before).collect();
     Ok((states, Push { assembly, h: 0.0, impulses: added, feedback, bounces: false }))
 }
@@ -164,7 +169,8 @@ fn bounced(
         let e = scene.restitution(row.bodies);
         let hit = row.kind == Kind::Normal && pushed.get(&row.id).is_some_and(|&x| x > 0.0);
         if hit && e > 0.0 && before < -scene.contact.bounce_speed && sweeper.diagonal(i) > 0.0 {
-            let wanted = x[i] - (sweeper.velocity(i, &u) + e * before) / sweeper.diagonal(i);
+            let w = sweeper.velocity(i, &u) + row.drift + e * before;
+            let wanted = x[i] - w / sweeper.diagonal(i);
             let next = wanted.max(0.0);
             sweeper.push(i, next - x[i], &mut u);
             (impulses[i], feedback[i]) = (next - x[i], e * before);

@@ -1,6 +1,6 @@
 //! What the stepper does not do.
 
-use crate::body::State;
+use crate::body::{Mass, State};
 use crate::error::{Defects, Result};
 use crate::scene::{Formulation, FrictionModel, Scene};
 
@@ -24,6 +24,13 @@ pub(super) fn check(scene: &Scene) -> Result<()> {
         let yields = |row: &crate::constraint::Row| row.spring.is_some();
         if constraint.rows(states).is_ok_and(|rows| rows.iter().any(yields)) {
             defects.add(format!("constraints[{k}]"), "the stepper has no rows that yield");
+        }
+    }
+    for (k, (body, state)) in scene.bodies.iter().zip(&scene.states).enumerate() {
+        if body.mass == Mass::Fixed
+            && (state.v, state.omega) != (State::WORLD.v, State::WORLD.omega)
+        {
+            defects.add(format!("bodies[{k}].velocity"), "the stepper's fixed bodies stand still");
         }
     }
     defects.into_result(scene.name.as_str())

@@ -99,6 +99,10 @@ pub fn cases() -> Vec<Case> {
         },
         turns("limit_rotation", 1, 0.3, &with(across, "limits = [-1, 0.3]")),
         turns("limit_cone", 1, 0.3, "axis = [1, 0, 0]\nangle = 0.3\n"),
+        Case {
+            moment: 0.0,
+            ..carries("rack", 1, Beside, "axes = [[0, 1, 0], [0, 0, 1]]\nlength = 0.25\n")
+        },
         turns("gear", 1, 0.0, "axes = [[0, 1, 0], [0, 1, 0]]\nteeth = [3, 2]\n"),
     ]
 }

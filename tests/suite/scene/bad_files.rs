@@ -163,10 +163,6 @@ fn impossible_bodies_are_refused() {
             "line 5: bodies[0].inertia: the moment 3 exceeds the sum 2 of the other two",
         ),
         (
-            format!("{plane}fixed = true\nvelocity = [1, 0, 0]\n"),
-            "line 5: bodies[0].velocity: a fixed body does not move",
-        ),
-        (
             "[[bodies]]\nname = \"a\"\nshape = { sphere = 1 }\n".into(),
             "line 1: bodies[0].mass: is missing: give mass or density, or fixed = true",
         ),

@@ -7,3 +7,4 @@ mod documentation;
 mod generate;
 mod hulls;
 mod settings;
+mod start;

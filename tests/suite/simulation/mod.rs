@@ -2,6 +2,7 @@
 
 mod acceleration;
 mod demonstrations;
+mod driven;
 mod failures;
 mod families;
 mod free;

@@ -194,6 +194,7 @@ const CASES: &[(&str, Case)] = &[
     ("cradle", impact::cradle),
     ("catenary", rope::catenary),
     ("atwood", rope::atwood),
+    ("massive-pulley", rope::massive_pulley),
     ("capstan", rope::capstan),
     ("feedback", joint::feedback),
     ("spring", joint::spring),

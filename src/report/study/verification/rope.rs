@@ -66,6 +66,44 @@ pub(super) fn atwood(size: Size) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
+/// Atwood's machine with a wheel: its inertia moves with the weights, and the rope's two ends differ.
+pub(super) fn massive_pulley(size: Size) -> Result<Vec<Row>> {
+    let case = Case::load("massive-pulley", "massive_pulley", size)?;
+    let (g, time, radius) = (-case.scene.gravity.z, 0.5, 0.5);
+    let [wheel, m1, m2] = [0, 1, 2].map(|k: usize| case.scene.bodies[k].mass.mass());
+    let inertia = 0.5 * wheel * radius * radius;
+    let a = (m1 - m2) / (m1 + m2 + inertia / (radius * radius)) * g;
+    let mut rows = Vec::new();
+    for method in LEVELS {
+        let formula =
+            ["(m1 - m2) g / (m1 + m2 + I/r^2)", "\\frac{m_1 - m_2}{m_1 + m_2 + I/r^2}\\,g"];
+        let known = vec![
+            Known::exact(ROUNDING, "acceleration of the heavier weight", formula, "m/s²", a),
+            Known::exact(
+                ROUNDING,
+                "tension over the heavier weight",
+                ["m1 (g - a)", "m_1\\,(g - a)"],
+                "N",
+                m1 * (g - a),
+            ),
+            Known::exact(
+                ROUNDING,
+                "tension over the lighter weight",
+                ["m2 (g + a)", "m_2\\,(g + a)"],
+                "N",
+                m2 * (g + a),
+            ),
+        ];
+        rows.extend(case.rows(method, known, |scene| {
+            let step = last(scene, time)?;
+            let unit = if method == Method::Velocity { scene.step.dt } else { 1.0 };
+            let x = &step.solves[0].solution.x;
+            Some(vec![-step.states[1].v.z / time, x[5].abs() / unit, x[6].abs() / unit])
+        }));
+    }
+    Ok(rows)
+}
+
 /// The capstan: 1 % below the ratio that friction allows nothing moves, 1 % above the rope slides.
 pub(super) fn capstan(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("capstan", "capstan", size)?;
