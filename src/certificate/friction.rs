@@ -97,7 +97,7 @@ fn judge_polyhedral(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fric
     let certificate = judge(polyhedral.lcp(), &z, demand);
     let smooth = of_smooth(polyhedral, &terms, x);
     let is_exact = polyhedral.directions() == 4 && smooth.1 == 0.0;
-    let (row, stray) = worst([smooth, of_beta(polyhedral, &z)].into_iter());
+    let (row, stray) = worst([smooth, polyhedral.rubbing(&z, accurate_terms)].into_iter());
     let verdict = match certificate.verdict {
         _ if !(stray <= demand.tolerance) => {
             Verdict::NotASolution { row, amount: stray, why: Refusal::Residual }
@@ -126,17 +126,6 @@ fn of_smooth(polyhedral: &Polyhedral, terms: &[RowTerms], x: &[f64]) -> (usize, 
     let tangents = smooth.flat_map(|contact| [contact.rows[1], contact.rows[2]]);
     let miss = |i: usize| terms[i].miss_between(x[i], 0.0, 0.0, || f64::INFINITY);
     worst(tangents.map(|i| (i, miss(i).residual)))
-}
-
-/// The residual of a β against the slip: it must be small beside μ x_n, and beside the terms of a fast
-/// slip it always is ([`RowTerms::reach`]).
-fn of_beta(polyhedral: &Polyhedral, z: &[f64]) -> (usize, f64) {
-    let at = |k: usize| accurate_terms(polyhedral.lcp(), k, z);
-    worst(polyhedral.beta().map(|(unknown, normal, mu)| {
-        let reach = || at(unknown).reach_of_friction(mu, &at(normal), z[normal]);
-        let miss = at(unknown).miss_between(z[unknown], 0.0, f64::INFINITY, reach);
-        (polyhedral.row(unknown), miss.residual)
-    }))
 }
 
 fn worst(residuals: impl Iterator<Item = (usize, f64)>) -> (usize, f64) {

@@ -238,10 +238,9 @@ pub fn evidence_text(evidence: &Evidence) -> String {
         Evidence::NotUnique(direction) => {
             format!("  not unique: x can move along ({}), and no w moves\n", listed(direction))
         }
-        Evidence::FarSolution { distance } => format!(
-            "  an exact solution with the same active rows exists, but {} away from x\n",
-            upper_bound(*distance)
-        ),
+        Evidence::FarSolution { distance } => {
+            format!("  an exact solution exists, but {} away from x\n", upper_bound(*distance))
+        }
         Evidence::NoSolution(Refutation::Vector(farkas)) => {
             format!("  no solution exists: d = ({}) proves it\n", listed(&farkas.vector))
         }

@@ -45,6 +45,8 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         let place = format!("bodies[{k}]");
         if body.name.is_empty() {
             defects.add(format!("{place}.name"), "is empty");
+        } else if body.name.contains(char::is_control) {
+            defects.add(format!("{place}.name"), "has a line break or another control character");
         } else if let Some(first) = names.insert(body.name.as_str(), k) {
             let reason = format!("{:?} is the name of bodies[{first}] too", body.name);
             defects.add(format!("{place}.name"), reason);

@@ -17,11 +17,21 @@ pub(super) fn changed(path: &str, text: &str, changes: &[(String, String)]) -> R
     for change in changes {
         let (key, _) = change;
         apply(path, &mut table, change)?;
-        let read = table.clone().try_into();
-        let error = |error: toml::de::Error| Error::invalid(path, key.as_str(), error.message());
-        description = Some(read.map_err(error)?);
+        let text = toml::to_string(&table).map_err(|e| Error::invalid(path, key, e.to_string()))?;
+        description = Some(Description::from_toml(path, &text).map_err(|e| of_change(e, key))?);
     }
     description.map_or_else(|| Description::from_toml(path, text), Ok)
+}
+
+/// The error of a changed text: its lines are nobody's, the change is what is wrong.
+fn of_change(error: Error, key: &str) -> Error {
+    match error {
+        Error::Invalid { input, defects } => {
+            let reasons: Vec<String> = defects.into_iter().map(|defect| defect.reason).collect();
+            Error::invalid(input, key, reasons.join("; "))
+        }
+        error => error,
+    }
 }
 
 /// The fields of a text, with these changed.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::SQRT_2;
 
-use super::{Formulation, Integrator, Scene, Step};
+use super::{Formulation, Integrator, Scene, Solver, Step};
 
 impl Scene {
     /// What of the settings the scheme does not read though nothing else stands in its place, and what
@@ -41,6 +41,13 @@ impl Scene {
             "step.substeps",
             "it is for xpbd, soft and penalty",
         );
+        let usual = Scene { solver: Solver { scale: None, ..self.solver.clone() }, ..self.clone() };
+        if let Some(scale) = self.solver.scale.filter(|scale| *scale > usual.scale()) {
+            notes.push(format!(
+                "rows below solver.scale = {scale} N count as at rest, whatever they do; without it that is {} N",
+                usual.scale()
+            ));
+        }
         let (rate, limit) = (step.alpha * step.dt, most_alpha_dt(step.integrator));
         if is_force && rate >= limit {
             let name = step.integrator.name();

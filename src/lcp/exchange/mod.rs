@@ -221,6 +221,7 @@ pub fn model(problem: &Problem) -> Option<Model> {
 /// What is known of a problem and does not fit into a format.
 fn left_behind(problem: &Problem) -> Option<String> {
     let mut left: Vec<&str> = problem.extra.keys().map(String::as_str).collect();
+    left.extend((problem.lcp.scale() > 0.0).then_some("scale"));
     left.extend(problem.frozen_at.as_ref().map(|_| "frozen_at"));
     (!left.is_empty()).then(|| format!("left behind: {}", left.join(", ")))
 }

@@ -106,9 +106,10 @@ impl ConeProblem {
             (0..x.len()).map(|i| terms[i].miss(&self.friction.lcp, i, x)).collect();
         for contact in &self.friction.contacts {
             let rows = contact.rows.map(|i| terms[i]);
+            let normal = rows[0].size(&self.friction.lcp, contact.rows[0], x);
             let [normal, tangential] = match self.law {
-                Law::Associated => self.associated(contact, rows, contact.of(x)),
-                Law::Coulomb => self.coulomb(contact, rows, contact.of(x)),
+                Law::Associated => self.associated(contact, rows, contact.of(x), normal),
+                Law::Coulomb => self.coulomb(contact, rows, contact.of(x), normal),
             };
             let [n, t1, t2] = contact.rows;
             (misses[n], misses[t1], misses[t2]) = (normal, tangential, tangential);
@@ -122,7 +123,13 @@ impl ConeProblem {
     }
 
     /// The normal as a contact without friction, the tangents against their disc.
-    fn coulomb(&self, contact: &Contact, [n, t1, t2]: [RowTerms; 3], x: [f64; 3]) -> [Miss; 2] {
+    fn coulomb(
+        &self,
+        contact: &Contact,
+        [n, t1, t2]: [RowTerms; 3],
+        x: [f64; 3],
+        normal_size: f64,
+    ) -> [Miss; 2] {
         let exponent = common_exponent(&[t1, t2]);
         let scale = self.tangential_scale(contact);
         let normal = n.miss_between(x[0], 0.0, f64::INFINITY, || f64::INFINITY);
@@ -135,7 +142,7 @@ impl ConeProblem {
             (p[0] - d1).hypot(p[1] - d2)
         };
         let of_scale = size(&|x| merit::product(scale, x, -exponent));
-        let of_reach = match tangential.reach_of_friction(contact.mu, &n, x[0]) {
+        let of_reach = match tangential.reach_of_friction(contact.mu, normal_size) {
             reach if merit::product(scale, reach, -exponent) < in_plane => {
                 size(&|x| in_plane * (x / reach))
             }
@@ -146,7 +153,13 @@ impl ConeProblem {
     }
 
     /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ = √(s_t/s_n).
-    fn associated(&self, contact: &Contact, rows: [RowTerms; 3], x: [f64; 3]) -> [Miss; 2] {
+    fn associated(
+        &self,
+        contact: &Contact,
+        rows: [RowTerms; 3],
+        x: [f64; 3],
+        normal_size: f64,
+    ) -> [Miss; 2] {
         let [n, t1, t2] = rows;
         let exponent = common_exponent(&rows);
         let of_normal = if n.scale == 0.0 { 1.0 } else { n.scale };
@@ -162,7 +175,7 @@ impl ConeProblem {
             [(p[0] - q / rho).abs(), (p[1] - q1).hypot(p[2] - q2)]
         };
         let of_scale = sizes(scale, &|x| merit::product(scale, x, -exponent));
-        let of_reach = match tangential.reach_of_friction(contact.mu, &n, x[0]) {
+        let of_reach = match tangential.reach_of_friction(contact.mu, normal_size) {
             reach if merit::product(scale, reach, -exponent) < in_plane => {
                 let scale = libm::ldexp(in_plane / reach, exponent);
                 sizes(scale, &|x| in_plane * (x / reach))

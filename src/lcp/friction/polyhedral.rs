@@ -192,8 +192,27 @@ impl Polyhedral {
         beyond.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(p)
     }
 
+    /// The worst scaled residual of a β as friction, with its row of x: a β against the slip must be small
+    /// beside μ x_n, and beside the terms of a fast slip it always is ([`RowTerms::reach`]). `terms` says how
+    /// those of a row of the LCP at z are added up.
+    pub fn rubbing(
+        &self,
+        z: &[f64],
+        terms: impl Fn(&Lcp, usize, &[f64]) -> RowTerms,
+    ) -> (usize, f64) {
+        let at = |unknown: usize| terms(&self.lcp, unknown, z);
+        let residual = |(unknown, normal, mu): (usize, usize, f64)| {
+            let size = || at(normal).size(&self.lcp, normal, z);
+            let reach = || at(unknown).reach_of_friction(mu, size());
+            let miss = at(unknown).miss_between(z[unknown], 0.0, f64::INFINITY, reach);
+            (self.row(unknown), miss.residual)
+        };
+        let residuals = self.beta().map(residual);
+        residuals.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0))
+    }
+
     /// The unknowns β, each with the unknown x_n that limits it, and μ.
-    pub fn beta(&self) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
+    fn beta(&self) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
         let normals = self.friction.others().len()..;
         let (contacts, k) = (self.friction.contacts(), self.directions);
         let rubbing = normals.zip(contacts).filter(|(_, contact)| contact.mu > 0.0);

@@ -14,7 +14,8 @@ use super::Lcp;
 /// max_i r_i, the dimensionless residual that every stop test and the judge use; ∞ if x is not finite.
 ///
 /// ```text
-/// terms_i = Σ_j |a_ij x_j| + |b_i|              at least s_i times the problem's scale, if it has one
+/// terms_i = Σ_j |a_ij x_j| + |b_i|              at least s_i times the problem's scale, if it has one, and
+///                                               10⁻⁶ s_i μ_i x_k where row i is coupled to row k
 /// e_i = min(terms_i / s_i, R_i)                 s_i = row_scale, R_i = RowTerms::reach
 /// r_i = |x_i − Π(x_i − e_i w_i / terms_i)| / e_i,   0/0 = 0
 /// ```

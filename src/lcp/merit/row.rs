@@ -92,7 +92,11 @@ impl RowTerms {
     /// How far x_i is from its own projected step, between the bounds of row i at x.
     pub fn miss(&self, lcp: &Lcp, i: usize, x: &[f64]) -> Miss {
         let (lo, hi) = lcp.bounds(i, x);
-        self.miss_between(x[i], lo, hi, || self.reach(lcp, i, x))
+        // The bounds of a coupled row are rounded, and its terms may be none.
+        let least = if lcp.is_coupled(i) { SEEN * self.positive_scale() * hi } else { 0.0 };
+        let magnitude = self.magnitude.max(libm::ldexp(least, -self.exponent));
+        let terms = RowTerms { magnitude, ..*self };
+        terms.miss_between(x[i], lo, hi, || terms.reach(lcp, i, x))
     }
 
     /// The same for an x_i between any bounds, with their [reach](Self::reach), which is asked for only where it
@@ -101,7 +105,7 @@ impl RowTerms {
     /// The step is the median of x − lo, w/s and x − hi: times s it needs no division by s, and in units
     /// of e = R none by the terms.
     pub fn miss_between(&self, x: f64, lo: f64, hi: f64, reach: impl FnOnce() -> f64) -> Miss {
-        let scale = if self.scale == 0.0 { 1.0 } else { self.scale };
+        let scale = self.positive_scale();
         let slack = |bound: f64| match x - bound {
             distance if distance.is_infinite() && bound.is_finite() => {
                 product(scale, 0.5 * x - 0.5 * bound, 1 - self.exponent) // beyond the largest number
@@ -132,15 +136,15 @@ impl RowTerms {
     ///
     /// ```text
     /// R_i = max(|lo_i|, |hi_i|) of those that are finite, ∞ if they are all 0
-    /// R_i = max(μ_i x_k, μ_i terms_k / s_k, 10⁻⁶ terms_i / s_i)      where row i is coupled to row k
+    /// R_i = max(μ_i x_k, μ_i e_k, 10⁻⁶ terms_i / s_i)      where row i is coupled to row k
     /// ```
     ///
     /// A bound of 0 has no size of its own, and none is below the [scale](Lcp::scale) of the problem. The
-    /// bounds of a coupled row may vanish with x_k, but x_k is not known better than beside its terms; and
+    /// bounds of a coupled row may vanish with x_k, but x_k is not known better than beside e_k; and
     /// friction whose whole effect on w_i is in the last digits of its terms is rounding.
     pub fn reach(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
         if let Some((k, mu)) = lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
-            return self.reach_of_friction(mu, &RowTerms::at(lcp, k, x), x[k]);
+            return self.reach_of_friction(mu, RowTerms::at(lcp, k, x).size(lcp, k, x));
         }
         let size = |bound: f64| if bound.is_finite() { bound.abs() } else { 0.0 };
         match size(lcp.lo()[i]).max(size(lcp.hi()[i])) {
@@ -149,15 +153,24 @@ impl RowTerms {
         }
     }
 
-    /// The same for a friction row with these terms under a normal x_k with those.
-    pub(crate) fn reach_of_friction(&self, mu: f64, normal: &RowTerms, x_k: f64) -> f64 {
-        (mu * normal.natural().max(x_k)).max(SEEN * self.natural())
+    /// The same for a friction row under a normal of this [size](Self::size).
+    pub(crate) fn reach_of_friction(&self, mu: f64, normal: f64) -> f64 {
+        (mu * normal).max(SEEN * self.natural())
+    }
+
+    /// max(x_k, e_k): how large x_k is, as far as it is known.
+    pub(crate) fn size(&self, lcp: &Lcp, k: usize, x: &[f64]) -> f64 {
+        self.natural().min(self.reach(lcp, k, x)).max(x[k])
     }
 
     /// terms_i / s_i: the x that the terms ask for.
     fn natural(&self) -> f64 {
-        let scale = if self.scale == 0.0 { 1.0 } else { self.scale };
-        libm::ldexp(self.magnitude / scale, self.exponent)
+        libm::ldexp(self.magnitude / self.positive_scale(), self.exponent)
+    }
+
+    /// s_i, or 1 where the whole row is 0.
+    fn positive_scale(&self) -> f64 {
+        if self.scale == 0.0 { 1.0 } else { self.scale }
     }
 
     /// w_i itself, which may overflow.

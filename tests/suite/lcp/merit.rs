@@ -1,5 +1,5 @@
 use lcplab::lcp::friction::{ConeProblem, Law, merit as cone};
-use lcplab::lcp::merit;
+use lcplab::lcp::{Coupling, Lcp, merit};
 use lcplab::solver::{Dantzig, Solver, Start};
 use proptest::prelude::*;
 
@@ -32,6 +32,29 @@ fn a_bound_is_missed_by_a_part_of_the_bound_and_not_of_the_terms() {
         let lcp = boxed(&[&[1.0]], &[-1.0], &[0.0], &[hi]);
         assert_eq!(merit::scaled_residual(&lcp, &[0.5]), 1.0 / 3.0);
     }
+}
+
+#[test]
+fn friction_is_measured_beside_what_its_normal_may_be() {
+    // The normal is held at its bound of 1 by w = 10⁹, so that friction is at most ½ and opposes the slip.
+    let lcp = coupled(&[&[1.0, 0.0], &[0.0, 1.0]], &[1e9, 1e9], [1.0, -INF], 0.5);
+    assert_eq!(merit::scaled_residual(&lcp, &[1.0, -0.5]), 0.0);
+    for wrong in [0.0, 0.5, -0.49] {
+        assert!(merit::scaled_residual(&lcp, &[1.0, wrong]) > 1e-6, "{wrong}");
+    }
+    // A row of zeros asks for nothing: any x within the bounds, but for their last digit.
+    let nothing = coupled(&[&[3.0, 0.0], &[0.0, 0.0]], &[-1.0, 0.0], [0.0, -INF], 0.3);
+    let third = 1.0 / 3.0;
+    for x in [0.0, 0.1, -0.1, (0.3f64 * third).next_up()] {
+        assert!(merit::scaled_residual(&nothing, &[third, x]) < 1e-9, "{x}");
+    }
+    assert!(merit::scaled_residual(&nothing, &[third, 0.11]) > 0.1);
+}
+
+/// A problem whose second row is friction under the first one.
+fn coupled(rows: &[&[f64]], b: &[f64], lo: [f64; 2], mu: f64) -> Lcp {
+    let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, mu]).unwrap();
+    boxed(rows, b, &lo, &[INF; 2]).with_coupling(coupling).unwrap()
 }
 
 #[test]

@@ -183,3 +183,15 @@ fn errors_grow_where_alpha_dt_is_said_to_be_too_large_and_nowhere_else() {
         assert!(left_of_error(105.0 * limit, integrator) > 10.0);
     }
 }
+
+#[test]
+fn every_shipped_scene_can_be_changed() {
+    for shipped in lcplab::scene::catalogue::SHIPPED {
+        let scene = changed(shipped.name, &[("mu", "0.35"), ("step.dt", "0.002")]).unwrap();
+        assert_eq!((scene.contact.friction, scene.step.dt), (0.35, 0.002), "{}", shipped.name);
+    }
+    let three = changed("stack", &[("generate.count", "3")]).unwrap();
+    assert_eq!(three.bodies.len(), 4);
+    let error = changed("stack", &[("dt", "0.1"), ("mu", "rough")]).unwrap_err();
+    assert_eq!(error.to_string(), "stack.toml: mu: invalid type: string \"rough\", expected f64");
+}
