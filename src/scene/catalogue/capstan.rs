@@ -12,6 +12,11 @@
 //! sliding (a = 0) the pulls differ by ((1 + μ tan δ/2)/(1 − μ tan δ/2))^n, Euler's e^(μ n δ) for
 //! short links.
 
+use std::iter;
+
+use crate::scene::Contacts;
+use crate::scene::description::{Body, Capsule, Constraint, Description, Rotation, Shape};
+
 /// The rope.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Capstan {
@@ -36,6 +41,44 @@ impl Capstan {
     pub fn acceleration(&self, weak: f64, strong: f64) -> f64 {
         let [at_rest, slope] = [self.pull(weak, 0.0), self.pull(0.0, 1.0)];
         (strong - at_rest) / slope
+    }
+
+    /// The rope from rest around a post of radius 1 m along y, its first point at −x, pulled with these forces (N).
+    /// Points do not touch each other, so that more turns than one lie in one plane.
+    pub fn description(&self, weak: f64, strong: f64) -> Description {
+        let step = self.angle / f64::from(self.links);
+        let name = |k: u32| format!("p{k}");
+        let point = |k: u32| {
+            let (sin, cos) = libm::sincos(step * f64::from(k));
+            let pull = |force: f64| [-force * sin, 0.0, -force * cos];
+            let force = match k {
+                0 => pull(weak),
+                k if k == self.links => pull(-strong),
+                _ => [0.0; 3],
+            };
+            let position = [-cos, 0.0, sin];
+            Body { name: name(k), mass: Some(self.mass), position, force, ..Body::default() }
+        };
+        let link = |k: u32| Constraint {
+            kind: "distance".into(),
+            bodies: vec![name(k), name(k + 1)],
+            ..Constraint::default()
+        };
+        let post = Body {
+            name: "post".into(),
+            fixed: true,
+            shape: Shape::Capsule(Capsule { length: 1.0, radius: 1.0 }),
+            rotation: Some(Rotation::X(90.0)),
+            ..Body::default()
+        };
+        Description {
+            title: "A rope around a post, pulled at both ends".into(),
+            gravity: [0.0; 3],
+            contact: Contacts { friction: self.friction, ..Contacts::default() },
+            bodies: iter::once(post).chain((0..=self.links).map(point)).collect(),
+            constraints: (0..self.links).map(link).collect(),
+            ..Description::default()
+        }
     }
 
     /// The strong pull (N) that goes with a weak one and an acceleration (m/s²).

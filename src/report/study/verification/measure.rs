@@ -86,16 +86,21 @@ pub(super) const ROUNDING: (f64, &str) = (1e-10, "rounding, over all steps");
 pub(super) struct Case {
     pub name: &'static str,
     pub scene: Scene,
-    pub size: Size,
+    /// How many step lengths, each half of the one before.
+    pub levels: usize,
 }
 
 impl Case {
     /// A case of a shipped scene, without feedback of errors.
     pub fn load(name: &'static str, scene: &str, size: Size) -> Result<Self> {
-        let mut scene = Scene::load(scene)?;
+        Ok(Case::of(name, Scene::load(scene)?, size))
+    }
+
+    /// A case of a scene, without feedback of errors.
+    pub fn of(name: &'static str, mut scene: Scene, size: Size) -> Self {
         (scene.step.alpha, scene.step.baumgarte) = (0.0, 0.0);
         scene.solver.tolerance = 1e-12;
-        Ok(Case { name, scene, size })
+        Case { name, scene, levels: size.levels() }
     }
 
     /// The rows of quantities that one run of the scene measures, in the order of `known`; the scene
@@ -108,7 +113,7 @@ impl Case {
     ) -> Vec<Row> {
         let mut scene = self.scene.clone();
         method.apply(&mut scene);
-        let runs: Vec<(f64, Option<Vec<f64>>)> = (0..self.size.levels())
+        let runs: Vec<(f64, Option<Vec<f64>>)> = (0..self.levels)
             .map(|level| {
                 let mut scene = scene.clone();
                 scene.step.dt /= f64::from(1u32 << level);

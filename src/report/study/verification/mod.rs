@@ -196,6 +196,7 @@ const CASES: &[(&str, Case)] = &[
     ("atwood", rope::atwood),
     ("massive-pulley", rope::massive_pulley),
     ("capstan", rope::capstan),
+    ("capstan-two-turns", rope::two_turns),
     ("feedback", joint::feedback),
     ("spring", joint::spring),
     ("motor", joint::motor),
@@ -203,18 +204,32 @@ const CASES: &[(&str, Case)] = &[
     ("painleve", painleve::rod),
 ];
 
-/// The names of the cases.
+/// A simulated minute each, at two step lengths: minutes of work, so that no report runs them.
+const LONG: [(&str, Case); 2] =
+    [("long-pendulum", schemes::long_pendulum), ("long-stack", schemes::long_stack)];
+
+/// The names of the cases, the long ones last.
 pub fn names() -> Vec<&'static str> {
-    CASES.iter().map(|(name, _)| *name).collect()
+    CASES.iter().chain(&LONG).map(|(name, _)| *name).collect()
 }
 
-/// The rows of all cases, or of one. They do not depend on the number of threads.
+/// The rows of the long cases.
+///
+/// # Errors
+/// None; every scene is our own.
+pub fn run_long() -> Result<Vec<Row>> {
+    let rows: Result<Vec<Vec<Row>>> = LONG.iter().map(|(_, study)| study(Size::Fast)).collect();
+    Ok(rows?.concat())
+}
+
+/// The rows of all cases but the long ones, or of one. They do not depend on the number of threads.
 ///
 /// # Errors
 /// If there is no case of that name.
 pub fn run(size: Size, only: Option<&str>) -> Result<Vec<Row>> {
-    let chosen: Vec<_> =
-        CASES.iter().filter(|(name, _)| only.is_none_or(|only| only == *name)).collect();
+    let is_long = |name: &str| LONG.iter().any(|(long, _)| *long == name);
+    let is_chosen = |name: &str| only.map_or(!is_long(name), |only| only == name);
+    let chosen: Vec<_> = CASES.iter().chain(&LONG).filter(|(name, _)| is_chosen(name)).collect();
     if let (Some(only), true) = (only, chosen.is_empty()) {
         let known = names().into_iter().map(String::from).collect();
         return Err(Error::Unknown { kind: "closed form", name: only.into(), known });

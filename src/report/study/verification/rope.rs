@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::measure::{Case, Known, Method, ROUNDING, first, last};
 use super::{Row, Size};
 use crate::error::Result;
+use crate::scene::Scene;
 use crate::scene::catalogue::capstan::Capstan;
 use crate::scene::generate::Rope;
 
@@ -106,8 +107,18 @@ pub(super) fn massive_pulley(size: Size) -> Result<Vec<Row>> {
 
 /// The capstan: 1 % below the ratio that friction allows nothing moves, 1 % above the rope slides.
 pub(super) fn capstan(size: Size) -> Result<Vec<Row>> {
-    let case = Case::load("capstan", "capstan", size)?;
     let post = Capstan { links: 12, angle: PI, friction: 0.3, mass: 0.1 };
+    Ok(wound(&Case::load("capstan", "capstan", size)?, post))
+}
+
+/// The same rope wound twice around: 10 N hold 430 N.
+pub(super) fn two_turns(size: Size) -> Result<Vec<Row>> {
+    let post = Capstan { links: 48, angle: 4.0 * PI, friction: 0.3, mass: 0.1 };
+    let scene = Scene::new("two_turns", &post.description(10.0, 400.0))?;
+    Ok(wound(&Case::of("capstan-two-turns", scene, size), post))
+}
+
+fn wound(case: &Case, post: Capstan) -> Vec<Row> {
     let weak = case.scene.bodies[1].force.norm();
     let [holds, slides] = [0.99, 1.01].map(|part: f64| part * post.ratio() * weak);
     let ratio = [
@@ -129,12 +140,13 @@ pub(super) fn capstan(size: Size) -> Result<Vec<Row>> {
         rows.extend(case.rows(method, known, |scene| {
             let pulled = |strong: f64| {
                 let mut scene = scene.clone();
-                scene.bodies.last_mut()?.force.z = -strong;
+                let last = scene.bodies.last_mut()?;
+                last.force = last.force.normalize() * strong;
                 let step = first(&scene)?;
                 Some(step.states.last()?.v.norm())
             };
             Some(vec![pulled(holds)?, pulled(slides)? / scene.step.dt])
         }));
     }
-    Ok(rows)
+    rows
 }
