@@ -491,3 +491,20 @@ fn sweeps_and_pivots_find_the_same_friction_in_a_polygon() {
         assert!((u - v).abs() < 1e-7, "{u} {v}");
     }
 }
+
+#[test]
+fn a_stack_under_a_polygon_moves_in_the_same_bits_whatever_the_unit_of_mass() {
+    // 2⁻¹⁰ times the mass: A grows by 2¹⁰, and so shrinks x; the motion has no mass in it.
+    let after = |mass: &str| {
+        let changes = [("generate.mass".to_string(), mass.to_string())];
+        let stack = Scene::load_with("stack", &changes).unwrap();
+        let contact = with_friction_model(&stack.contact, POLYGON_4);
+        let mut stack = simulation(Scene { contact, ..stack });
+        let steps = steps(&mut stack, 30);
+        let mut solves = steps.iter().flat_map(|step| &step.solves);
+        let all_solved = solves.all(|solve| solve.solution.status == Status::Solved);
+        (stack.states().to_vec(), all_solved)
+    };
+    assert_eq!(after("1"), after("0.0009765625"));
+    assert!(after("1").1);
+}
