@@ -23,7 +23,8 @@ pub struct Laws {
     /// How far friction reaches out of the cone: the largest |x_t| − μ x_n, in parts of the largest
     /// μ x_n of the solve. Up to √2 − 1 in the corners of a box.
     pub cone_excess: f64,
-    /// The work that friction put in (J), 0 if it took some out, and where no ledger knows it.
+    /// The work that friction put in (J), 0 if it took some out, and where no ledger knows it. The belt of a
+    /// fixed body that moves may put some in.
     pub friction_gain: f64,
     /// The momentum (N s) that rows between two moving bodies made.
     pub internal_impulse: f64,
