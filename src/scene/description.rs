@@ -241,8 +241,8 @@ pub struct Constraint {
     /// The speed of a motor (m/s or rad/s), that of the last body against the other.
     #[serde(default)]
     pub speed: Option<f64>,
-    /// The speed at the start of what turns on a hinge (rad/s) or moves on a slider (m/s): that of the last
-    /// body against the other, which is looked at first if it hangs on a joint further up in the file.
+    /// The speed at which the last body starts to turn on a hinge (rad/s) or to move on a slider (m/s), against
+    /// the other body. Where that one has a `start_speed` too, its joint must come earlier in the file.
     #[serde(default)]
     pub start_speed: Option<f64>,
     /// The greatest force of a motor (N or N m).

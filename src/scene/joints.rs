@@ -67,6 +67,12 @@ impl Site<'_> {
             return refuse(format!("must be finite, is {speed}"));
         }
         let written = &bodies[last];
+        if written.fixed {
+            return refuse(format!(
+                "{:?} is fixed: name the body that is to move last",
+                written.name
+            ));
+        }
         if (written.velocity, written.angular_velocity) != ([0.0; 3], [0.0; 3]) {
             return refuse(format!("{:?} has velocities of its own", written.name));
         }

@@ -32,12 +32,13 @@
 //! r_n = |x_n − its step| s_n / terms_n,   r_t = |x_t − its step| s_t / terms_t
 //! ```
 //!
-//! s_t is the scale of the tangents' block of A, but at least terms_t / R with the disc's reach
-//! R = max(μ x_n, μ terms_n / s_n, 10⁻⁶ terms_t / s_t), so that no step is longer than the disc is wide, as in a row with
-//! bounds ([`scaled_residual`](merit::scaled_residual)).
+//! s_t is the scale of the tangents' block of A, but at least terms_t / R, so that no step is longer than
+//! the disc may be wide: R = max(μ x_n, μ terms_n / s_n, 10⁻⁶ terms_t / s_t), as in a row with bounds
+//! ([`scaled_residual`](merit::scaled_residual)).
 //!
 //! `math §5`, model 4.
 
+use super::tangents::Tangents;
 use super::{Contact, FrictionProblem};
 use crate::lcp::merit::{self, Miss, RowTerms};
 use crate::lcp::{Complementarity, Lcp};
@@ -106,10 +107,10 @@ impl ConeProblem {
             (0..x.len()).map(|i| terms[i].miss(&self.friction.lcp, i, x)).collect();
         for contact in &self.friction.contacts {
             let rows = contact.rows.map(|i| terms[i]);
-            let normal = rows[0].size(&self.friction.lcp, contact.rows[0], x);
+            let size = rows[0].size(&self.friction.lcp, contact.rows[0], x);
             let [normal, tangential] = match self.law {
-                Law::Associated => self.associated(contact, rows, contact.of(x), normal),
-                Law::Coulomb => self.coulomb(contact, rows, contact.of(x), normal),
+                Law::Associated => self.associated(contact, rows, contact.of(x), size),
+                Law::Coulomb => self.coulomb(contact, rows, contact.of(x), size),
             };
             let [n, t1, t2] = contact.rows;
             (misses[n], misses[t1], misses[t2]) = (normal, tangential, tangential);
@@ -123,32 +124,20 @@ impl ConeProblem {
     }
 
     /// The normal as a contact without friction, the tangents against their disc.
-    fn coulomb(
-        &self,
-        contact: &Contact,
-        [n, t1, t2]: [RowTerms; 3],
-        x: [f64; 3],
-        normal_size: f64,
-    ) -> [Miss; 2] {
+    fn coulomb(&self, contact: &Contact, rows: [RowTerms; 3], x: [f64; 3], size: f64) -> [Miss; 2] {
+        let [n, t1, t2] = rows;
         let exponent = common_exponent(&[t1, t2]);
         let scale = self.tangential_scale(contact);
+        let tangents = Tangents::new([t1, t2], scale, contact.mu, size, exponent);
+        let [w1, w2] = tangents.w;
+        let [of_scale, of_reach] = tangents.measured(|unit| {
+            let [p1, p2] = [x[1], x[2]].map(|x| unit.of(x));
+            let radius = contact.mu * unit.of(x[0].max(0.0));
+            let [d1, d2] = in_disc(radius, [p1 - w1, p2 - w2]);
+            (p1 - d1).hypot(p2 - d2)
+        });
+        let residual = merit::relative(of_reach, tangents.magnitude);
         let normal = n.miss_between(x[0], 0.0, f64::INFINITY, || f64::INFINITY);
-        let w = [t1, t2].map(|t| libm::ldexp(t.w, t.exponent - exponent));
-        let in_plane = plane(t1, t2, exponent);
-        let tangential = RowTerms { w: 0.0, magnitude: in_plane, scale, exponent };
-        let size = |unit: &dyn Fn(f64) -> f64| {
-            let p = [x[1], x[2]].map(unit);
-            let [d1, d2] = in_disc(contact.mu * unit(x[0].max(0.0)), [p[0] - w[0], p[1] - w[1]]);
-            (p[0] - d1).hypot(p[1] - d2)
-        };
-        let of_scale = size(&|x| merit::product(scale, x, -exponent));
-        let of_reach = match tangential.reach_of_friction(contact.mu, normal_size) {
-            reach if merit::product(scale, reach, -exponent) < in_plane => {
-                size(&|x| in_plane * (x / reach))
-            }
-            _ => of_scale,
-        };
-        let residual = merit::relative(of_reach, in_plane);
         [normal, Miss { size: of_scale, scale, exponent, residual }]
     }
 
@@ -158,36 +147,26 @@ impl ConeProblem {
         contact: &Contact,
         rows: [RowTerms; 3],
         x: [f64; 3],
-        normal_size: f64,
+        size: f64,
     ) -> [Miss; 2] {
         let [n, t1, t2] = rows;
         let exponent = common_exponent(&rows);
-        let of_normal = if n.scale == 0.0 { 1.0 } else { n.scale };
-        let scale = self.tangential_scale(contact);
-        let w = rows.map(|row| libm::ldexp(row.w, row.exponent - exponent));
-        let in_plane = plane(t1, t2, exponent);
-        let tangential = RowTerms { w: 0.0, magnitude: in_plane, scale, exponent };
-        let sizes = |scale: f64, unit: &dyn Fn(f64) -> f64| {
-            let rho = (scale / of_normal).sqrt();
-            let p = [merit::product(of_normal, x[0], -exponent), unit(x[1]), unit(x[2])];
-            let step = [rho * (p[0] - w[0]), p[1] - w[1], p[2] - w[2]];
-            let [q, q1, q2] = project(contact.mu * rho, step);
-            [(p[0] - q / rho).abs(), (p[1] - q1).hypot(p[2] - q2)]
-        };
-        let of_scale = sizes(scale, &|x| merit::product(scale, x, -exponent));
-        let of_reach = match tangential.reach_of_friction(contact.mu, normal_size) {
-            reach if merit::product(scale, reach, -exponent) < in_plane => {
-                let scale = libm::ldexp(in_plane / reach, exponent);
-                sizes(scale, &|x| in_plane * (x / reach))
-            }
-            _ => of_scale,
-        };
-        let load = libm::ldexp(n.magnitude, n.exponent - exponent);
+        let [of_normal, scale] = [n.positive_scale(), self.tangential_scale(contact)];
+        let tangents = Tangents::new([t1, t2], scale, contact.mu, size, exponent);
+        let [w1, w2] = tangents.w;
+        let [w_n, load] = [n.w, n.magnitude].map(|v| libm::ldexp(v, n.exponent - exponent));
+        let p_n = merit::product(of_normal, x[0], -exponent);
+        let [of_scale, of_reach] = tangents.measured(|unit| {
+            let rho = (unit.value() / of_normal).sqrt();
+            let [p1, p2] = [x[1], x[2]].map(|x| unit.of(x));
+            let [q, q1, q2] = project(contact.mu * rho, [rho * (p_n - w_n), p1 - w1, p2 - w2]);
+            [(p_n - q / rho).abs(), (p1 - q1).hypot(p2 - q2)]
+        });
         let miss = |k: usize, scale, terms| {
             let residual = merit::relative(of_reach[k], terms);
             Miss { size: of_scale[k], scale, exponent, residual }
         };
-        [miss(0, of_normal, load), miss(1, scale, in_plane)]
+        [miss(0, of_normal, load), miss(1, scale, tangents.magnitude)]
     }
 
     /// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the
@@ -301,10 +280,4 @@ fn in_disc(radius: f64, [t1, t2]: [f64; 2]) -> [f64; 2] {
 fn common_exponent(rows: &[RowTerms]) -> i32 {
     let rows = rows.iter().filter(|row| row.magnitude > 0.0);
     rows.map(|row| row.exponent).max().unwrap_or(0)
-}
-
-/// The terms of both tangents' w, in units of 2^exponent.
-fn plane(t1: RowTerms, t2: RowTerms, exponent: i32) -> f64 {
-    let [m1, m2] = [t1, t2].map(|t| libm::ldexp(t.magnitude, t.exponent - exponent));
-    m1.hypot(m2)
 }

@@ -45,6 +45,7 @@ mod frozen_box;
 pub mod merit;
 mod model;
 mod polyhedral;
+mod tangents;
 
 pub use cone::{ConeProblem, Law, project};
 pub use model::{Model, Posed};

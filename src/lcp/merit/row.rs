@@ -99,8 +99,8 @@ impl RowTerms {
         terms.miss_between(x[i], lo, hi, || terms.reach(lcp, i, x))
     }
 
-    /// The same for an x_i between any bounds, with their [reach](Self::reach), which is asked for only where it
-    /// matters: where x_i is not at the bound to which its step leads.
+    /// The same for an x_i between any bounds with their [reach](Self::reach). That is asked for only where
+    /// it matters: where x_i is not at the bound to which its step leads.
     ///
     /// The step is the median of x − lo, w/s and x − hi: times s it needs no division by s, and in units
     /// of e = R none by the terms.
@@ -169,7 +169,7 @@ impl RowTerms {
     }
 
     /// s_i, or 1 where the whole row is 0.
-    fn positive_scale(&self) -> f64 {
+    pub(in crate::lcp) fn positive_scale(&self) -> f64 {
         if self.scale == 0.0 { 1.0 } else { self.scale }
     }
 

@@ -44,4 +44,5 @@ pub fn simulation_page(film: Film, record: &Record) -> Page {
 }
 
 /// What `simulate` writes beside the page.
-const FILES: [&str; 4] = ["trajectory.csv", "ledger.csv", "forces.csv", "results.json"];
+const FILES: [&str; 5] =
+    ["trajectory.csv", "ledger.csv", "forces.csv", "results.json", "final.toml"];

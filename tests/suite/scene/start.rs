@@ -62,6 +62,9 @@ fn a_start_speed_is_that_of_the_hinge_on_whatever_it_hangs() {
         error.contains("constraints[1].start_speed: \"lower\" has velocities of its own"),
         "{error}"
     );
+    let refused = text.replace("name = 'lower'", "name = 'lower'\nfixed = true");
+    let error = Scene::from_toml("arms.toml", &refused).unwrap_err().to_string();
+    assert!(error.contains("constraints[1].start_speed: \"lower\" is fixed"), "{error}");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use lcplab::scene::{Formulation, Scene};
 use lcplab::simulation::Simulation;
 use lcplab::solver;
 
-use super::{assert_near, simulation};
+use super::{assert_near, bullet, simulation};
 
 fn drop_from(height: f64, restitution: f64, dt: f64, level: Formulation) -> Scene {
     let text = format!(
@@ -135,20 +135,7 @@ fn what_bounces_does_not_depend_on_how_a_solver_shares_the_blow() {
 
 #[test]
 fn a_bullet_that_goes_through_a_wall_in_one_step_is_named() {
-    let text = "
-        gravity = [0, 0, 0]
-        [[bodies]]
-        name = \"wall\"
-        fixed = true
-        shape = { box = [0.02, 2, 2] }
-        [[bodies]]
-        name = \"bullet\"
-        shape = { sphere = 0.01 }
-        mass = 0.01
-        position = [-1.234, 0, 0]
-        velocity = [300, 0, 0]
-    ";
-    let mut scene = Scene::from_toml("bullet.toml", text).unwrap();
+    let mut scene = bullet();
     let passed = |scene: &Scene| simulation(scene.clone()).step().unwrap().passed;
     assert_eq!(passed(&scene), [[0, 1]]);
     // A margin of a step's way finds the wall in time.

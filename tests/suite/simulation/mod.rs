@@ -14,6 +14,7 @@ mod ledger;
 mod long_run;
 mod painleve;
 mod pendulum;
+mod polygons;
 mod resting;
 mod shipped;
 mod stacking;
@@ -23,6 +24,24 @@ mod symmetry;
 use lcplab::scene::{Formulation, Scene, catalogue};
 use lcplab::simulation::{Simulation, Step};
 use lcplab::solver;
+
+/// A ball of 1 cm that flies at a wall of 2 cm with 300 m/s, 3 m in a step.
+fn bullet() -> Scene {
+    let text = "
+        gravity = [0, 0, 0]
+        [[bodies]]
+        name = \"wall\"
+        fixed = true
+        shape = { box = [0.02, 2, 2] }
+        [[bodies]]
+        name = \"bullet\"
+        shape = { sphere = 0.01 }
+        mass = 0.01
+        position = [-1.234, 0, 0]
+        velocity = [300, 0, 0]
+    ";
+    Scene::from_toml("bullet.toml", text).unwrap()
+}
 
 /// The shipped scene of this name at this level.
 fn scene(name: &str, formulation: Formulation) -> Scene {

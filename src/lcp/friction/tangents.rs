@@ -1,0 +1,70 @@
+//! The two tangents of a contact, measured together: in which unit their impulses stand beside their w.
+//!
+//! ```text
+//! s_t x_t                where the disc is wider than what the terms ask for, terms_t / s_t
+//! (terms_t / R) x_t      where it is narrower: then no step is longer than the disc is wide
+//! ```
+
+use crate::lcp::merit::{self, RowTerms};
+
+/// The tangents' w and the sizes to measure them by, in units of 2^`exponent`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tangents {
+    pub w: [f64; 2],
+    /// The terms of both.
+    pub magnitude: f64,
+    /// s_t.
+    pub scale: f64,
+    pub exponent: i32,
+    /// R: how wide the disc may be, as far as the normal is known.
+    reach: f64,
+}
+
+/// What turns x_t into a number to hold beside w_t.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Unit {
+    /// s_t, in units of 2^`exponent`.
+    Scale { scale: f64, exponent: i32 },
+    /// terms_t / R, which may be beyond the largest number.
+    Reach { magnitude: f64, reach: f64, exponent: i32 },
+}
+
+impl Unit {
+    pub fn of(self, x: f64) -> f64 {
+        match self {
+            Unit::Scale { scale, exponent } => merit::product(scale, x, -exponent),
+            Unit::Reach { magnitude, reach, .. } => magnitude * (x / reach),
+        }
+    }
+
+    /// The unit as a number.
+    pub fn value(self) -> f64 {
+        match self {
+            Unit::Scale { scale, .. } => scale,
+            Unit::Reach { magnitude, reach, exponent } => libm::ldexp(magnitude / reach, exponent),
+        }
+    }
+}
+
+impl Tangents {
+    /// Those with these terms and s_t under a normal of this size.
+    pub fn new(rows: [RowTerms; 2], scale: f64, mu: f64, normal: f64, exponent: i32) -> Self {
+        let w = rows.map(|row| libm::ldexp(row.w, row.exponent - exponent));
+        let [m1, m2] = rows.map(|row| libm::ldexp(row.magnitude, row.exponent - exponent));
+        let magnitude = m1.hypot(m2);
+        let both = RowTerms { w: 0.0, magnitude, scale, exponent };
+        let reach = both.reach_of_friction(mu, normal);
+        Tangents { w, magnitude, scale, exponent, reach }
+    }
+
+    /// What is measured in the unit of s_t, and in that of the disc where it is narrower.
+    pub fn measured<T: Copy>(&self, measure: impl Fn(Unit) -> T) -> [T; 2] {
+        let Tangents { magnitude, scale, exponent, reach, .. } = *self;
+        let own = Unit::Scale { scale, exponent };
+        let by_scale = measure(own);
+        match own.of(reach) < magnitude {
+            true => [by_scale, measure(Unit::Reach { magnitude, reach, exponent })],
+            false => [by_scale; 2],
+        }
+    }
+}
