@@ -9,6 +9,7 @@
 //!
 //! The number is that of the random problems. `tests/independent` says what is checked.
 
+use lcplab::simulation::Simulation;
 use std::io::{self, BufWriter, Write};
 
 use lcplab::certificate::{Demand, judge, judge_cone};
@@ -18,7 +19,6 @@ use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model};
 use lcplab::lcp::{Lcp, library};
 use lcplab::report::answer::{Answer, certificate_json, status_word, verdict_json};
-use lcplab::report::study::scene_simulation;
 use lcplab::scene::{Formulation, Scene, catalogue};
 use lcplab::solver::{ALL, CONES, Options, Settings, Solver, Start, Status};
 use lcplab::trial;
@@ -131,7 +131,7 @@ fn of_scenes() -> Result<Vec<Subject>> {
         for level in Formulation::LEVELS {
             let mut scene = Scene::load(shipped.name)?;
             scene.step.formulation = level;
-            let mut simulation = scene_simulation(&scene)?;
+            let mut simulation = Simulation::of(&scene)?;
             for step in 1..=STEPS[2] {
                 let Ok(taken) = simulation.step() else { break };
                 let solves = taken.solves.iter().filter(|_| STEPS.contains(&step));

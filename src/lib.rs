@@ -35,53 +35,32 @@
 //! [`explain`] derives a step line by line, [`diagnosis`] says why one cannot be taken, [`chapter`] shows
 //! what K&M print beside what holds, and [`lesson`] teaches it.
 
-pub mod error;
-
-pub mod memory;
-
-pub mod file;
-
-pub mod json;
-
-pub mod body;
-
-pub mod constraint;
-
-pub mod scene;
-
-pub mod assembly;
-
-pub mod lcp;
-
-pub mod storage;
-
-pub mod solver;
-
-pub mod reference;
-
-pub mod certificate;
-
-pub mod formulation;
-
-pub mod simulation;
-
-pub mod trace;
-
-pub mod trial;
-
-pub mod plot;
-
-pub mod report;
-
-pub mod document;
-
-pub mod explain;
-
-pub mod diagnosis;
+pub use lcplab_judge as certificate;
+pub use lcplab_judge::reference;
+pub use lcplab_mechanics::{assembly, body, constraint, formulation, scene, simulation};
+pub use lcplab_page::{document, page, plot};
+pub use lcplab_problem::{error, json, memory};
+pub use lcplab_solver as solver;
+pub use lcplab_solver::trace;
+pub use lcplab_study::{diagnosis, explain, trial};
 
 pub mod chapter;
-
+pub mod film;
 pub mod lesson;
+pub mod report;
+pub mod storage;
+
+/// Problems in numbers alone, and the files they come from.
+pub mod lcp {
+    pub use lcplab_files as exchange;
+    pub use lcplab_problem::*;
+}
+
+/// Files: read whole, but not beyond a size, and written whole or not at all.
+pub mod file {
+    pub use lcplab_files::disk::*;
+    pub use lcplab_problem::disk::*;
+}
 
 /// The examples of the README run as tests.
 #[cfg(doctest)]

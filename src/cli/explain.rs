@@ -1,5 +1,6 @@
 //! `explain`: a time step or a problem, derived line by line.
 
+use lcplab::simulation;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
@@ -10,7 +11,6 @@ use lcplab::formulation::with_friction_model;
 use lcplab::lcp::exchange;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
-use lcplab::report::study::scene_options;
 use lcplab::scene::{Formulation, Scene};
 use lcplab::solver::{Options, default_for};
 
@@ -110,7 +110,7 @@ impl Explain {
             None if own => scene.solver.name.as_str(),
             None => "dantzig",
         };
-        let method = self.method(name, scene_options(&scene))?;
+        let method = self.method(name, simulation::options(&scene))?;
         if let Some(model) = self.model {
             scene.contact = with_friction_model(&scene.contact, model);
         }

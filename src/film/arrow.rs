@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use super::clip::Place;
+use super::colours::FORCES;
 use super::frame::{Force, Frame, Origin};
 use super::ink::tenth;
 use super::layout::Lens;
 use crate::plot::canvas::hex;
-use crate::plot::style::FORCES;
 
 /// The head of an arrow in px: length and half of its width.
 const HEAD: (f64, f64) = (6.0, 2.4);

@@ -78,7 +78,7 @@ impl Camera {
     /// viewer.
     ///
     /// ```
-    /// use lcplab::plot::scene::{Camera, View};
+    /// use lcplab::film::{Camera, View};
     /// use nalgebra::Vector3;
     ///
     /// let seen = Camera::new(View::Front).project(&Vector3::new(1.0, 2.0, 3.0));

@@ -71,7 +71,7 @@ impl Frame {
 /// 0 being the start and the last step among them; fewer where there are fewer steps.
 ///
 /// ```
-/// use lcplab::plot::scene::instants;
+/// use lcplab::film::instants;
 ///
 /// assert_eq!(instants(100, 6), [0, 20, 40, 60, 80, 100]);
 /// assert_eq!(instants(2, 6), [0, 1, 2]);

@@ -7,7 +7,7 @@ use super::extent::{self, Landmark};
 use super::layout::Window;
 use crate::body::{Pose, Shape};
 use crate::constraint::tangents;
-use crate::plot::axis::round_step;
+use crate::plot::round_step;
 use crate::scene::Scene;
 
 /// How far a patch reaches beyond what is above it, as a share of the motion's size.

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 
 use super::clip::{Place, cut};
+use super::colours::{FIXED, GROUND, POINT, body_color};
 use super::coverage::Coverage;
 use super::ground::Patch;
 use super::joint::Mark;
@@ -12,7 +13,7 @@ use super::layout::Lens;
 use super::solid::{Part, Solid};
 use crate::body::{Body, Mass, Shape};
 use crate::plot::canvas::hex;
-use crate::plot::style::{FAINT_INK, FIXED, GRID, GROUND, INK, POINT, body_color};
+use crate::plot::style::{FAINT_INK, GRID, INK};
 
 /// The radius of joint marks in px.
 pub(super) const MARK: f64 = 2.6;

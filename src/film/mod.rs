@@ -14,21 +14,22 @@
 mod arrow;
 mod camera;
 mod clip;
+mod colours;
 mod coverage;
 mod depth;
 mod extent;
-mod film;
 mod frame;
 mod ground;
 mod ink;
 mod joint;
 mod layout;
+mod player;
 mod solid;
 mod strip;
 
 #[cfg(doc)]
-use super::Figure;
+use crate::plot::Figure;
 pub use camera::{Camera, View};
-pub use film::{Film, Measure, Pane, Shot, Take};
 pub use frame::{Force, Frame, Origin, instants};
+pub use player::{Film, Measure, Shot, Take};
 pub use strip::{Arrows, Strip};

@@ -17,9 +17,10 @@ mod show;
 pub mod source;
 mod table;
 
+pub use crate::document::Show;
 pub use plot::Plot;
 pub use record::{Output, Record, cell, put, say};
-pub use show::{Show, show};
+pub use show::show;
 pub use table::{Entry, row, table};
 
 use crate::chapter::exhibit;

@@ -4,69 +4,31 @@ use serde_json::{Value, json};
 
 use super::record::{Output, put_out};
 use crate::chapter::exhibit::Exhibit;
-use crate::document::{Block, Document, Section, Table};
+use crate::document::{Block, Show};
 use crate::error::Result;
-use crate::plot::Figure;
-use crate::report::page::{self, Picture};
+use crate::page;
 
 /// Puts a table, a plot, a derivation or an exhibit under the cell.
 ///
 /// # Errors
 /// If an exhibit's example cannot be set up.
 pub fn show(what: &impl Show) -> Result<()> {
-    what.outputs()?.into_iter().for_each(put_out);
+    what.blocks()?.into_iter().map(Output::Block).for_each(put_out);
     Ok(())
 }
 
-/// Something that can stand under a cell.
-pub trait Show {
-    /// Its pieces from top to bottom.
-    ///
-    /// # Errors
-    /// If an exhibit's example cannot be set up.
-    fn outputs(&self) -> Result<Vec<Output>>;
-}
-
-impl<F: Figure> Show for F {
-    fn outputs(&self) -> Result<Vec<Output>> {
-        let picture =
-            Picture { svg: self.svg(), caption: self.caption().into(), ..Picture::default() };
-        Ok(vec![Output::Block(Block::Figure(picture))])
-    }
-}
-
-impl Show for Table {
-    fn outputs(&self) -> Result<Vec<Output>> {
-        Ok(vec![Output::Block(Block::Table(self.clone()))])
-    }
-}
-
-impl Show for Document {
-    fn outputs(&self) -> Result<Vec<Output>> {
-        let sections: Result<Vec<_>> = self.sections.iter().map(Show::outputs).collect();
-        Ok(sections?.concat())
-    }
-}
-
-impl Show for Section {
-    fn outputs(&self) -> Result<Vec<Output>> {
-        let title = Block::Text(format!("{}.", self.title));
-        Ok([title].into_iter().chain(self.blocks.iter().cloned()).map(Output::Block).collect())
-    }
-}
-
 impl Show for Exhibit {
-    fn outputs(&self) -> Result<Vec<Output>> {
+    fn blocks(&self) -> Result<Vec<Block>> {
         let words = [
             ("Erratum", format!("{}, {}: {}.", self.id, self.place, self.title)),
             ("Printed", self.printed.to_string()),
             ("Holds", self.holds.to_string()),
             ("Why", self.why.to_string()),
         ];
-        let words = words.map(|(head, text)| Output::Block(Block::Text(format!("{head}: {text}"))));
+        let words = words.map(|(head, text)| Block::Text(format!("{head}: {text}")));
         let document = self.document()?;
         let evidence = document.sections.into_iter().last().map(|section| section.blocks);
-        let evidence = evidence.unwrap_or_default().into_iter().map(Output::Block);
+        let evidence = evidence.unwrap_or_default();
         Ok(words.into_iter().chain(evidence).collect())
     }
 }

@@ -9,7 +9,7 @@ use crate::storage::{BlockRows, Entry, Factored, Result, Storage, WIDTH};
 /// The factors of A = J M⁻¹ Jᵀ with six columns a moving body; a point mass leaves its last three empty.
 ///
 /// ```
-/// use lcplab::formulation::Factors;
+/// use lcplab::storage::Factors;
 /// use lcplab::scene::Scene;
 /// use lcplab::simulation::Simulation;
 /// use lcplab::solver::{Options, by_name};

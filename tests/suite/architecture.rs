@@ -1,66 +1,39 @@
-//! Who may import whom: each module may use those of the rows above its own, never a neighbour's,
-//! and physics and numbers do not know each other until `formulation`.
+//! Who may import whom. Between crates Cargo sees to it, by their manifests; within a crate a module may use
+//! those of the rows above its own, never a neighbour's.
 
-use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Modules by row; physics left, numbers right, both from row 5 on.
-const PHYSICS: [&[&str]; 7] = [
-    &["error"],
-    &["memory"],
-    &["file", "json"],
-    &["body"],
-    &["constraint"],
-    &["scene"],
-    &["assembly"],
+/// The libraries, and those of ours that each may use. The judge must not see a solver, a page neither
+/// solvers nor scenes.
+const CRATES: [(&str, &[&str]); 7] = [
+    ("problem", &[]),
+    ("solver", &["problem"]),
+    ("judge", &["problem"]),
+    ("files", &["problem"]),
+    ("page", &["problem"]),
+    ("mechanics", &["problem", "solver", "judge"]),
+    ("study", &["problem", "solver", "judge", "mechanics", "page"]),
 ];
-const NUMBERS: [&[&str]; 7] = [
-    &["error"],
-    &["memory"],
-    &["file", "json"],
-    &["lcp"],
-    &["solver", "reference", "storage"],
-    &["certificate"],
-    &["trial"],
-];
-const BOTH: [&[&str]; 8] = [
-    &["formulation"],
-    &["simulation"],
-    &["trace"],
-    &["plot"],
-    &["report"],
-    &["document"],
-    &["explain", "diagnosis", "chapter"],
-    &["lesson"],
-];
-/// The judge must not see a solver, a solver no reference.
-const FORBIDDEN: [(&str, &str); 2] = [("certificate", "solver"), ("solver", "reference")];
 
-fn allowed() -> HashMap<&'static str, Vec<&'static str>> {
-    let mut allowed = HashMap::new();
-    for column in [&PHYSICS[..], &NUMBERS[..]] {
-        let mut above: Vec<&str> = Vec::new();
-        for row in column {
-            for module in *row {
-                allowed.insert(*module, above.clone());
-            }
-            above.extend(*row);
-        }
-    }
-    let mut above: Vec<&str> = PHYSICS.concat();
-    above.extend(NUMBERS.concat());
-    for row in BOTH {
-        for module in row {
-            allowed.insert(*module, above.clone());
-        }
-        above.extend(row);
-    }
-    for (module, other) in FORBIDDEN {
-        allowed.get_mut(module).unwrap().retain(|name| *name != other);
-    }
-    allowed
-}
+/// The modules of the crates that have rows of them; `src` is the program's.
+const ROWS: [(&str, &[&[&str]]); 4] = [
+    ("src", &[&["storage", "film"], &["report"], &["chapter"], &["lesson"]]),
+    ("crates/page/src", &[&["plot"], &["page"], &["text"], &["document"]]),
+    (
+        "crates/mechanics/src",
+        &[&["body"], &["constraint"], &["scene"], &["assembly"], &["formulation"], &["simulation"]],
+    ),
+    (
+        "crates/study/src",
+        &[
+            &["answer", "aside", "clarabel"],
+            &["friction", "methods", "tasks"],
+            &["trial"],
+            &["explain", "diagnosis"],
+        ],
+    ),
+];
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
@@ -89,22 +62,45 @@ fn imports(text: &str) -> Vec<String> {
 }
 
 #[test]
+fn every_crate_depends_on_those_it_may_use_and_no_others() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (name, allowed) in CRATES {
+        let manifest =
+            fs::read_to_string(root.join("crates").join(name).join("Cargo.toml")).unwrap();
+        let manifest: toml::Table = manifest.parse().unwrap();
+        let ours = |table: &str| {
+            let names =
+                manifest.get(table).and_then(|table| table.as_table()).into_iter().flatten();
+            names.filter_map(|(name, _)| name.strip_prefix("lcplab-")).collect::<Vec<_>>()
+        };
+        let mut named = ours("dependencies");
+        named.sort_unstable();
+        let mut allowed = allowed.to_vec();
+        allowed.sort_unstable();
+        assert_eq!(named, allowed, "{name}");
+    }
+}
+
+#[test]
 fn every_module_imports_only_what_lies_above_it() {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let allowed = allowed();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut wrong = Vec::new();
-    for file in sources(&src) {
-        let inside = file.strip_prefix(&src).unwrap();
-        let first = inside.iter().next().unwrap().to_str().unwrap();
-        let module = first.trim_end_matches(".rs");
-        if ["lib", "main", "cli"].contains(&module) {
-            continue;
-        }
-        let above =
-            allowed.get(module).unwrap_or_else(|| panic!("{module} has no row in this test"));
-        for name in imports(&fs::read_to_string(&file).unwrap()) {
-            if name != module && !above.contains(&name.as_str()) {
-                wrong.push(format!("{} imports {name}", inside.display()));
+    for (folder, rows) in ROWS {
+        let src = root.join(folder);
+        for file in sources(&src) {
+            let inside = file.strip_prefix(&src).unwrap();
+            let first = inside.iter().next().unwrap().to_str().unwrap();
+            let module = first.trim_end_matches(".rs");
+            if ["lib", "main", "cli"].contains(&module) {
+                continue;
+            }
+            let own = rows.iter().position(|row| row.contains(&module));
+            let own = own.unwrap_or_else(|| panic!("{module} has no row in this test"));
+            let is_below = |name: &str| rows[own..].iter().any(|row| row.contains(&name));
+            for name in imports(&fs::read_to_string(&file).unwrap()) {
+                if name != module && is_below(&name) {
+                    wrong.push(format!("{} imports {name}", file.display()));
+                }
             }
         }
     }

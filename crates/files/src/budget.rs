@@ -2,8 +2,8 @@
 
 use std::cell::Cell;
 
-use crate::error::Result;
-use crate::memory::Memory;
+use lcplab_problem::error::Result;
+use lcplab_problem::memory::Memory;
 
 /// What a number takes beside its bytes until it stands in the problem: as a float or an index, with its
 /// row and column in a list of entries, and in the matrix made of that (bytes).

@@ -36,9 +36,9 @@
 use super::delassus::Motion;
 use super::words::Words;
 use super::{Format, Input};
-use crate::error::{Error, Result};
-use crate::lcp::file::{Parts, Problem};
-use crate::lcp::friction::Model;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::{Parts, Problem};
+use lcplab_problem::friction::Model;
 
 /// Chrono's dumps.
 pub const FORMAT: Format = Format {

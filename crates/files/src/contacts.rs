@@ -1,8 +1,8 @@
 //! The rows of a problem as programs for friction list them: contact after contact, each as n, t1, t2,
 //! then the equations.
 
-use crate::error::{Error, Result};
-use crate::lcp::file::Problem;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::Problem;
 
 /// Rows in that order.
 pub(super) struct Arrangement {

@@ -8,9 +8,9 @@ use faer::Side;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 
-use crate::error::Result;
-use crate::lcp::file::Entries;
-use crate::memory::Memory;
+use lcplab_problem::error::Result;
+use lcplab_problem::file::Entries;
+use lcplab_problem::memory::Memory;
 
 /// Up to this many rows A is dense, whatever its fill.
 const SMALL: usize = 32;

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::error::{Error, Result};
-use crate::file;
-use crate::memory::Memory;
+use lcplab_problem::disk;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::memory::Memory;
 
 /// A file, with those that belong to it beside it, or standard input.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -47,7 +47,7 @@ impl Input {
     /// # Errors
     /// If it cannot be read.
     pub fn bytes(&self) -> Result<Vec<u8>> {
-        file::read_bytes(&self.path, self.most)
+        disk::read_bytes(&self.path, self.most)
     }
 
     /// Everything in it as text.

@@ -15,8 +15,8 @@
 //! and the reason.
 //!
 //! ```
-//! use lcplab::lcp::exchange;
-//! use lcplab::lcp::library;
+//! use lcplab_files;
+//! use lcplab_problem::library;
 //!
 //! let folder = std::env::temp_dir().join("lcplab-exchange");
 //! std::fs::create_dir_all(&folder).unwrap();
@@ -25,7 +25,7 @@
 //! exchange::write(&problem, &path, None)?;
 //! let back = exchange::read(&path, None)?;
 //! assert_eq!(back.lcp.w(&[0.0, 0.0, 0.0, 1.0]), [1.0, 1.0, 1.0, 0.0]);
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 //!
 //! Problems of a scene's own kind, MuJoCo's, come as `json`: `examples/python/mujoco_contacts.py`
@@ -39,6 +39,7 @@ mod budget;
 pub mod chrono;
 mod contacts;
 mod delassus;
+pub mod disk;
 pub mod fclib;
 mod input;
 pub mod matrix_market;
@@ -54,10 +55,10 @@ pub use output::Output;
 
 use std::path::{Path, PathBuf};
 
-use super::file::Problem;
-use super::friction::Model;
-use crate::error::{Error, Result};
-use crate::memory::Memory;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::Problem;
+use lcplab_problem::friction::Model;
+use lcplab_problem::memory::Memory;
 
 /// A format of problem files.
 #[derive(Debug, Clone, Copy)]

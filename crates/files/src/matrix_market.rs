@@ -4,7 +4,7 @@
 //! NISTIR 5935 (1996); it knows one matrix a file. Beside the matrix, in `problem.mtx`, `problem_A.mtx`
 //! or `A.mtx`, stand `problem_b.mtx` (or `b.mtx`), as in the SuiteSparse collection, `lo` and `hi`, 0
 //! and ∞ where there is no file; with friction `friction_index` (rows counted from 0, −1 for none) and
-//! `mu`. They mean what they mean in [`file`](crate::lcp::file): w = A x + b.
+//! `mu`. They mean what they mean in [`file`](lcplab_problem::file): w = A x + b.
 //!
 //! ```text
 //! %%MatrixMarket matrix coordinate real symmetric      %%MatrixMarket matrix array real general
@@ -25,9 +25,9 @@ use super::output::decimal;
 use super::table::{Table, by_rows, parts};
 use super::words::{Words, brief};
 use super::{Format, Input, MATRIX, Output};
-use crate::error::Result;
-use crate::lcp::Matrix;
-use crate::lcp::file::{Entries, Problem};
+use lcplab_problem::Matrix;
+use lcplab_problem::error::Result;
+use lcplab_problem::file::{Entries, Problem};
 
 /// Matrix Market.
 pub const FORMAT: Format = Format {

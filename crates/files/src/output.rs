@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::MATRIX;
 use super::input::beside;
-use crate::error::Result;
-use crate::file;
+use crate::disk;
+use lcplab_problem::error::Result;
 
 /// The file of a problem, or several, in some format.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -30,9 +30,9 @@ impl Output {
     /// If a file cannot be written.
     pub fn save(&self, path: &Path) -> Result<()> {
         for (part, text) in &self.parts {
-            file::write(&beside(path, MATRIX, part), text)?;
+            disk::write(&beside(path, MATRIX, part), text)?;
         }
-        file::write(path, &self.main)
+        disk::write(path, &self.main)
     }
 }
 

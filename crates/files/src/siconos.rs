@@ -37,10 +37,10 @@ use super::output::decimal;
 use super::table::{Table, by_rows};
 use super::words::Words;
 use super::{Format, Input, Output};
-use crate::error::{Error, Result};
-use crate::lcp::file::{Entries, Problem};
-use crate::lcp::friction::Model;
-use crate::lcp::{Coupling, Lcp};
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::{Entries, Problem};
+use lcplab_problem::friction::Model;
+use lcplab_problem::{Coupling, Lcp};
 
 /// Siconos' LCPs and friction problems.
 pub const FORMAT: Format = Format {

@@ -1,7 +1,7 @@
 //! A table of numbers from a file, before anything is known of the problem.
 
-use crate::error::{Error, Result};
-use crate::lcp::file::{Entries, Parts};
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::{Entries, Parts};
 
 /// More rows than this are not believed of a table that is written down sparsely.
 const MOST_ROWS: usize = 10_000_000;

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::str::FromStr;
 
-use crate::error::{Error, Result};
+use lcplab_problem::error::{Error, Result};
 
 /// The words of a text that are still to be read.
 #[derive(Clone)]

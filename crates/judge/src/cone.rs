@@ -6,9 +6,9 @@
 //! points.
 //!
 //! ```
-//! use lcplab::certificate::{Demand, judge_cone};
-//! use lcplab::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
-//! use lcplab::lcp::{Lcp, Matrix};
+//! use lcplab_judge::{Demand, judge_cone};
+//! use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
+//! use lcplab_problem::{Lcp, Matrix};
 //!
 //! // A unit mass slides along t1: pressed with 2 N s, pushed with 3 N s, μ = ½.
 //! let a = Matrix::dense(3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
@@ -23,13 +23,13 @@
 //! // Half of it.
 //! let bad = judge_cone(&coulomb, &[2.0, 0.5, 0.0], &Demand::default());
 //! assert_eq!((bad.verdict.is_solution(), bad.worst_contact), (false, Some(0)));
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
 use super::{Demand, Refusal, Verdict, accurate_terms};
-use crate::lcp::Complementarity;
-use crate::lcp::friction::{ConeProblem, Contact};
-use crate::lcp::merit::RowTerms;
+use lcplab_problem::Complementarity;
+use lcplab_problem::friction::{ConeProblem, Contact};
+use lcplab_problem::merit::RowTerms;
 
 /// Everything the judge found out about x.
 #[derive(Debug, Clone, PartialEq)]

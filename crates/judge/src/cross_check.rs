@@ -4,8 +4,8 @@
 //! on its own.
 
 use super::{Certificate, Demand, judge};
-use crate::lcp::{Lcp, merit};
 use crate::reference;
+use lcplab_problem::{Lcp, merit};
 
 /// The answer beside the box QP's.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,7 +17,7 @@ use faer::{Mat, Side};
 
 use super::accurate_terms;
 use super::interval::{Interval, add_up, div_up, mul_up, norm_up};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Half the distance from 1 to the next number.
 const U: f64 = f64::EPSILON / 2.0;
@@ -28,13 +28,13 @@ const MAX_ROWS: usize = 2_000;
 /// symmetric and verifiably definite, or too large.
 ///
 /// ```
-/// use lcplab::certificate::error_bound;
-/// use lcplab::lcp::{Lcp, Matrix};
+/// use lcplab_judge::error_bound;
+/// use lcplab_problem::{Lcp, Matrix};
 ///
 /// let lcp = Lcp::new(Matrix::dense(1, &[4.0]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
 /// let bound = error_bound::error_bound(&lcp, &[0.5001]).unwrap(); // x* = 0.5
 /// assert!(bound > 1e-4 && bound < 5e-4);
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let n = lcp.len();

@@ -3,7 +3,7 @@
 //! Floating-point numbers are exact rationals. From x and w the active set is read off: row i is at
 //! its lower bound, at its upper bound or free according to Π_i(x_i − w_i/s_i), where a coupled row has
 //! the bounds ±μ x_k of x. Then the equations of these sides are solved over the rationals
-//! ([`lcp::exact`](crate::lcp::exact)), and the point is held against the problem as it was posed: every
+//! ([`lcp::exact`](lcplab_problem::exact)), and the point is held against the problem as it was posed: every
 //! bound, that of a coupled row with the x_k of the point itself, and every sign of w is decided exactly.
 //! Where the equations are singular, the unknowns that they leave open keep the value they have in x.
 //!
@@ -12,9 +12,9 @@
 
 use dashu_ratio::RBig;
 
-use crate::lcp::Lcp;
-use crate::lcp::exact::{Exact, Side};
-use crate::lcp::merit::row_scale;
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::{Exact, Side};
+use lcplab_problem::merit::row_scale;
 
 /// A solution that exists exactly, near the x it was read off from.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,21 +6,21 @@
 //! are rounded numbers. Cones: [`judge_cone`], never *proved*.
 //!
 //! ```
-//! use lcplab::certificate::{Demand, judge_friction};
-//! use lcplab::lcp::file::Problem;
-//! use lcplab::lcp::friction::Model;
+//! use lcplab_judge::{Demand, judge_friction};
+//! use lcplab_problem::file::Problem;
+//! use lcplab_problem::friction::Model;
 //!
 //! let text = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, 0],
 //!                "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
 //! let friction = Problem::parse(text, "push.json")?.friction().expect("friction rows")?;
 //! let accepts = |model: Model, x: [f64; 3]| {
 //!     let certificate = judge_friction(&model.pose(&friction, None)?, &x, &Demand::default());
-//!     lcplab::error::Result::Ok(certificate.verdict.is_solution())
+//!     lcplab_problem::error::Result::Ok(certificate.verdict.is_solution())
 //! };
 //! assert!(accepts(Model::CoulombCone, [2.0, 1.0, 0.0])?);
 //! assert!(accepts(Model::Polyhedral { directions: 8 }, [2.0, 1.0, 0.0])?);
 //! assert!(!accepts(Model::AssociatedCone, [2.0, 1.0, 0.0])?); // that one lifts off: (2.8, 1.4, 0)
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
 use super::interval::{Interval, add_up, mul_up};
@@ -28,8 +28,8 @@ use super::{
     Certificate, Demand, Evidence, Refusal, Refutation, Verdict, accurate_terms, is_near, judge,
     judge_cone,
 };
-use crate::lcp::friction::{Polyhedral, Posed};
-use crate::lcp::merit::RowTerms;
+use lcplab_problem::friction::{Polyhedral, Posed};
+use lcplab_problem::merit::RowTerms;
 
 /// What the judge found out about x.
 #[derive(Debug, Clone, PartialEq)]

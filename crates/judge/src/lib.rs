@@ -10,8 +10,8 @@
 //! - *not a solution*: row i misses by so much, or one of the other two.
 //!
 //! ```
-//! use lcplab::certificate::{Verdict, judge, Demand};
-//! use lcplab::lcp::{Lcp, Matrix};
+//! use lcplab_judge::{Verdict, judge, Demand};
+//! use lcplab_problem::{Lcp, Matrix};
 //!
 //! let a = Matrix::dense(2, &[3.0, 1.0, 1.0, 3.0]);
 //! let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
@@ -19,7 +19,7 @@
 //! assert!(matches!(good.verdict, Verdict::Proved { distance } if distance < 2e-17)); // 1/3 rounds
 //! let bad = judge(&lcp, &[0.3, 0.0], &Demand::default());
 //! assert!(matches!(bad.verdict, Verdict::NotASolution { row: 0, .. }));
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
 mod cone;
@@ -30,6 +30,7 @@ mod friction;
 mod interval;
 pub mod motion_bound;
 pub mod ray;
+pub mod reference;
 mod refutation;
 pub mod regularity;
 pub mod uniqueness;
@@ -40,9 +41,9 @@ pub use refutation::{Refutation, refutation, refuting_vector};
 
 use dashu_ratio::RBig;
 
-use crate::lcp::Lcp;
-use crate::lcp::accurate::Sum;
-use crate::lcp::merit::{self, RowTerms, Sum as _};
+use lcplab_problem::Lcp;
+use lcplab_problem::accurate::Sum;
+use lcplab_problem::merit::{self, RowTerms, Sum as _};
 use refutation::{Existence, existence};
 
 /// What the judge asks of a solution.
@@ -159,7 +160,7 @@ impl std::fmt::Display for Verdict {
 /// A bound with two digits, rounded up as a bound must be: 1.04e-9 is `1.1e-9`.
 ///
 /// ```
-/// use lcplab::certificate::upper_bound;
+/// use lcplab_judge::upper_bound;
 ///
 /// assert_eq!(upper_bound(1.04e-9), "1.1e-9");
 /// assert_eq!(upper_bound(9.96e3), "1.0e4");
@@ -205,7 +206,7 @@ pub struct Certificate {
     /// max_i |x_i − Π(x_i − w_i)|.
     pub natural_residual: f64,
     /// max_i r_i, dimensionless: see
-    /// [`RowTerms::scaled_residual`](crate::lcp::merit::RowTerms::scaled_residual).
+    /// [`RowTerms::scaled_residual`](lcplab_problem::merit::RowTerms::scaled_residual).
     pub scaled_residual: f64,
     /// The row that has it.
     pub worst_row: usize,

@@ -13,9 +13,9 @@
 
 use dashu_ratio::RBig;
 
-use crate::lcp::exact::dyadic::{Dyadic, dyadic};
-use crate::lcp::exact::{Exact, Point};
-use crate::lcp::{Lcp, Matrix};
+use lcplab_problem::exact::dyadic::{Dyadic, dyadic};
+use lcplab_problem::exact::{Exact, Point};
+use lcplab_problem::{Lcp, Matrix};
 
 /// (Aᵀd)_j below this part of its terms is meant to be 0.
 const MEANT_TO_BE_ZERO: f64 = 1e-6;

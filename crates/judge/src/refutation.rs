@@ -6,9 +6,9 @@
 //! program, and else all pieces of the problem, one by one, in exact arithmetic.
 
 use super::ray::{Farkas, refute};
-use crate::lcp::Lcp;
-use crate::lcp::exact::{Pieces, Point, Search, Side};
 use crate::reference;
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::{Pieces, Point, Search, Side};
 
 /// Of larger problems only the vectors that are at hand are tried.
 const MOST_ROWS: usize = 50;
@@ -40,8 +40,8 @@ pub(super) enum Existence {
 /// Proves that a problem has no solution, if it can: `hints` are a solver's ray or any other vectors.
 ///
 /// ```
-/// use lcplab::certificate::{Refutation, refutation};
-/// use lcplab::lcp::{Coupling, Lcp, Matrix};
+/// use lcplab_judge::{Refutation, refutation};
+/// use lcplab_problem::{Coupling, Lcp, Matrix};
 ///
 /// // w_n = x_n − x_t − 1 and w_t = x_t − x_n − ½ with |x_t| ≤ x_n: Painlevé's trouble in two rows.
 /// let a = Matrix::dense(2, &[1.0, -1.0, -1.0, 1.0]);
@@ -49,7 +49,7 @@ pub(super) enum Existence {
 /// let lcp = Lcp::new(a, vec![-1.0, -0.5], lo, hi)?;
 /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0])?)?;
 /// assert_eq!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { pieces: 6 }));
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {
     match existence(lcp, hints, None) {

@@ -15,7 +15,7 @@
 
 use faer::Mat;
 
-use crate::lcp::{Lcp, Matrix};
+use lcplab_problem::{Lcp, Matrix};
 
 /// A singular value below this part of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-11;
@@ -40,8 +40,8 @@ pub struct Regularity {
 /// Rank, condition and dependent rows of A; `None` if its singular values cannot be found.
 ///
 /// ```
-/// use lcplab::certificate::regularity::regularity;
-/// use lcplab::lcp::Matrix;
+/// use lcplab_judge::regularity::regularity;
+/// use lcplab_problem::Matrix;
 ///
 /// let twice = Matrix::dense(2, &[2.0, 2.0, 2.0, 2.0]); // one contact listed two times
 /// let found = regularity(&twice).expect("a small matrix");

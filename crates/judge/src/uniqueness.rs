@@ -6,7 +6,7 @@
 
 use faer::{Mat, Side};
 
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// An eigenvalue below this part of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-11;

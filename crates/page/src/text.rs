@@ -8,7 +8,7 @@ use super::page::{Align, Table};
 /// stay. Names and labels come from files of strangers.
 ///
 /// ```
-/// assert_eq!(lcplab::report::text::printable("a\x1b[2Jb\n"), "a\u{fffd}[2Jb\n");
+/// assert_eq!(lcplab_page::text::printable("a\x1b[2Jb\n"), "a\u{fffd}[2Jb\n");
 /// ```
 pub fn printable(text: &str) -> Cow<'_, str> {
     let turns = |c: char| matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');

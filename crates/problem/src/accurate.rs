@@ -8,7 +8,7 @@ use super::merit;
 
 /// A running sum Σ a·b with its accumulated rounding errors.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Sum {
+pub struct Sum {
     value: f64,
     error: f64,
 }

@@ -1,6 +1,6 @@
 //! Everything that can be wrong with an input, as a value.
 //!
-//! Trouble that arises while solving is not an error: it is a [`Status`](crate::solver::Status) in
+//! Trouble that arises while solving is not an error: it is a [`Status`](lcplab_solver::Status) in
 //! the solution. An [`Error`] says that the input itself cannot be used, where, and why.
 
 use std::fmt;
@@ -70,7 +70,7 @@ impl fmt::Display for Defect {
 /// Collects the defects of an input, so that one message reports all of them.
 ///
 /// ```
-/// use lcplab::error::Defects;
+/// use lcplab_problem::error::Defects;
 ///
 /// let mut defects = Defects::default();
 /// defects.add("lo[3]", "is 2, above hi[3] = 1");

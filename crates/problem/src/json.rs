@@ -9,7 +9,7 @@ use serde_json::{Map, Number, Value};
 /// The value that a text holds.
 ///
 /// ```
-/// let twice = lcplab::json::parse(r#"{"b": [1], "b": [2]}"#).unwrap_err();
+/// let twice = lcplab_problem::json::parse(r#"{"b": [1], "b": [2]}"#).unwrap_err();
 /// assert_eq!(twice.to_string(), "the key \"b\" is given twice at line 1 column 14");
 /// ```
 ///

@@ -21,7 +21,7 @@ impl Matrix {
     /// A dense A from its rows.
     ///
     /// ```
-    /// # use lcplab::lcp::Matrix;
+    /// # use lcplab_problem::Matrix;
     /// let a = Matrix::dense(2, &[2.0, -1.0, 0.0, 3.0]);
     /// assert_eq!(a.row_dot(0, &[1.0, 1.0]), 1.0);
     /// assert_eq!(a.diagonal(1), 3.0);
@@ -38,7 +38,7 @@ impl Matrix {
     /// sum is rounded once.
     ///
     /// ```
-    /// # use lcplab::lcp::Matrix;
+    /// # use lcplab_problem::Matrix;
     /// let a = Matrix::sparse(1, &[(0, 0, 1e16), (0, 0, 1.0), (0, 0, -1e16)]);
     /// assert_eq!(a.diagonal(0), 1.0);
     /// ```

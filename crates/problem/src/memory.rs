@@ -12,7 +12,7 @@ use crate::error::{Error, Result, size};
 /// An amount of memory; as a limit, 4 GB unless told otherwise.
 ///
 /// ```
-/// use lcplab::memory::Memory;
+/// use lcplab_problem::memory::Memory;
 ///
 /// let limit: Memory = "500MB".parse().unwrap();
 /// let refused = limit.check("A of 60000 rows as a dense matrix", Memory::square(60_000)).unwrap_err();

@@ -12,7 +12,7 @@
 use super::elimination::Lu;
 use super::principal::Point;
 use super::{Settings, Start, Status};
-use crate::lcp::{Lcp, merit};
+use lcplab_problem::{Lcp, merit};
 
 /// A row whose scaled residual is below this is satisfied: what is left is rounding.
 pub(super) const ROUNDING: f64 = 1e-12;

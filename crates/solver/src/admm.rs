@@ -26,8 +26,8 @@ use nalgebra::{DMatrix, DVector};
 use super::iterate::iterate;
 use super::metric::Metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use crate::lcp::Lcp;
-use crate::memory::Memory;
+use lcplab_problem::Lcp;
+use lcplab_problem::memory::Memory;
 
 /// Over-relaxation.
 const RELAXATION: f64 = 1.6;

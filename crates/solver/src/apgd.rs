@@ -28,8 +28,8 @@ use std::ops::ControlFlow;
 use super::iterate::iterate;
 use super::metric::{Metric, energy_product};
 use super::{ConeSolver, Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use crate::lcp::friction::ConeProblem;
-use crate::lcp::{Complementarity, Lcp};
+use lcplab_problem::friction::ConeProblem;
+use lcplab_problem::{Complementarity, Lcp};
 
 /// By so much a frozen problem is solved better, where its solution is none of the problem itself.
 const TIGHTER: f64 = 0.1;

@@ -23,7 +23,7 @@ use std::ops::ControlFlow;
 use super::iterate::iterate;
 use super::theory::principal_submatrix;
 use super::{Dantzig, Event, Observer, Settings, Solution, Solver, Start, Status};
-use crate::lcp::{Coupling, Lcp};
+use lcplab_problem::{Coupling, Lcp};
 
 /// The tolerance of the small problems: about rounding.
 const BLOCK_TOLERANCE: f64 = 1e-14;

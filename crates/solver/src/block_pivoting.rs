@@ -27,7 +27,7 @@ use std::ops::ControlFlow;
 use super::free_rows::FreeRows;
 use super::principal::{self, Change, Search};
 use super::{Fallback, Observer, Settings, Solution, Solver, Start, Status, proximal};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Block principal pivoting with Júdice and Pires' safeguard.
 #[derive(Debug, Clone)]

@@ -9,7 +9,7 @@ use faer::linalg::cholesky::llt;
 use faer::{MatMut, MatRef, Par};
 
 use super::active_set::unit;
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// A pivot below this part of its diagonal entry is zero.
 pub(super) const RELATIVE_ZERO: f64 = 1e-13;

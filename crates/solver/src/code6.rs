@@ -19,7 +19,7 @@ use std::ops::ControlFlow;
 
 use super::iterate::iterate;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Code 6, a specimen.
 #[derive(Debug, Clone, Default)]

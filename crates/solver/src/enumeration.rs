@@ -3,7 +3,7 @@
 //! Each row is at its lower bound, free, or at its upper bound: 2ⁿ sets for contacts, 3ⁿ for boxes, and
 //! coupled rows at −μ x_k, free, or at +μ x_k. For each set the linear equations are solved over the
 //! rationals (every floating-point number is one) and all bounds and signs are decided exactly
-//! ([`exact`](crate::lcp::exact)). So the answer is the truth: a solution, or `NoSolution`. It knows no
+//! ([`exact`](lcplab_problem::exact)). So the answer is the truth: a solution, or `NoSolution`. It knows no
 //! class of matrices; it is the reference that the other methods are tested against, and the proof
 //! that the worst case of pivoting, 2ⁿ, is no worse than trying everything.
 //!
@@ -16,9 +16,9 @@ use super::active_set::claim;
 use super::{
     Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen, pivoting,
 };
-use crate::lcp::exact::{Pieces, Point};
-use crate::lcp::{Complementarity, Lcp};
-use crate::memory::Memory;
+use lcplab_problem::exact::{Pieces, Point};
+use lcplab_problem::memory::Memory;
+use lcplab_problem::{Complementarity, Lcp};
 
 /// Enumeration of all active sets; stops at the first solution.
 #[derive(Debug, Clone, Default)]

@@ -9,7 +9,7 @@
 //! contacts numbered along a stack or a chain an envelope is hardly larger than A, and the cost of n
 //! rows of b entries is n b²/2; a dense A is its own envelope. Rows are not reordered.
 
-use crate::lcp::{Matrix, dot};
+use lcplab_problem::{Matrix, dot};
 
 /// The factors, or before the first factorisation room for them.
 #[derive(Debug, Clone)]

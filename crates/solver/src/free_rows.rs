@@ -16,8 +16,8 @@ use super::cholesky::{Cholesky, RELATIVE_ZERO};
 use super::elimination::Lu;
 use super::envelope::Envelope;
 use super::principal::Point;
-use crate::lcp::merit::RowTerms;
-use crate::lcp::{Lcp, Matrix, accurate};
+use lcplab_problem::merit::RowTerms;
+use lcplab_problem::{Lcp, Matrix, accurate};
 
 /// Steps of refinement, where rounding is left in the free rows.
 const REFINEMENTS: usize = 2;

@@ -13,7 +13,7 @@
 //! the latest after 200 rounds.
 
 use super::{Observer, Part, Settings, Solution, Status};
-use crate::lcp::{Complementarity, Lcp};
+use lcplab_problem::{Complementarity, Lcp};
 
 /// Frozen problems solved before giving up.
 const MAX_ROUNDS: usize = 200;

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{Event, Iterate, Observer, Settings, Solution, Status};
-use crate::lcp::{Complementarity, Lcp, dot};
+use lcplab_problem::{Complementarity, Lcp, dot};
 
 /// dᵀA d below this part of the terms it is summed from counts as zero.
 const RELATIVE_ZERO: f64 = 1e-14;

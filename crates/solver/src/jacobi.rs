@@ -23,7 +23,7 @@ use std::ops::ControlFlow;
 use super::iterate::iterate;
 use super::metric::Metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Projected Jacobi.
 #[derive(Debug, Clone, Default)]

@@ -40,8 +40,8 @@ use super::{
     Event, Fallback, Iterate, Leaving, Observer, Part, Settings, Solution, Solver, Start, Status,
     Tableau, Variable, frozen, pivoting,
 };
-use crate::lcp::{Lcp, merit};
-use crate::memory::Memory;
+use lcplab_problem::memory::Memory;
+use lcplab_problem::{Lcp, merit};
 
 /// A pivot below this part of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;

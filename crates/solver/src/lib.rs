@@ -1,7 +1,7 @@
 //! Methods that solve an LCP, one a file, all behind one trait.
 //!
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
-//! [`Status`]; whether the answer is one is for [`certificate`](crate::certificate) to decide. Methods
+//! [`Status`]; whether the answer is one is for [`certificate`](lcplab_judge) to decide. Methods
 //! for circular friction cones have a trait of their own, [`ConeSolver`].
 //!
 //! # Four families, a page a method
@@ -76,10 +76,10 @@ pub mod spectral;
 mod standard_form;
 mod stop;
 pub mod theory;
+pub mod trace;
 mod variable;
 mod warm;
 
-pub use crate::lcp::exact::all_solutions;
 pub use admm::Admm;
 pub use apgd::Apgd;
 pub use block_pgs::BlockPgs;
@@ -92,6 +92,7 @@ pub use enumeration::Enumeration;
 pub use equations::Equations;
 pub use interior_point::InteriorPoint;
 pub use jacobi::{Damping, Jacobi};
+pub use lcplab_problem::exact::all_solutions;
 pub use lemke::Lemke;
 pub use method::{Method, methods, solve_polyhedral};
 pub use mprgp::Mprgp;
@@ -110,7 +111,7 @@ pub use stop::{Reason, Stop, Watched};
 pub use variable::Variable;
 pub use warm::Warm;
 
-use crate::lcp::{Complementarity, Lcp};
+use lcplab_problem::{Complementarity, Lcp};
 
 /// A method that solves boxed LCPs.
 pub trait Solver: Send + Sync {

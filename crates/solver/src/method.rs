@@ -9,8 +9,8 @@ use super::{
     ALL, CONES, Choice, Class, ConeEntry, Entry, MatrixClass, Observer, Options, Solution, Solver,
     Start, Status,
 };
-use crate::lcp::friction::{Law, Model, Polyhedral, Posed};
-use crate::lcp::{Complementarity, merit};
+use lcplab_problem::friction::{Law, Model, Polyhedral, Posed};
+use lcplab_problem::{Complementarity, merit};
 
 /// A solver of either kind.
 #[derive(Debug, Clone, Copy)]

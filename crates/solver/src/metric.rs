@@ -6,8 +6,8 @@
 //! no choice of units changes them.
 
 use super::Status;
-use crate::lcp::friction::ConeProblem;
-use crate::lcp::{Complementarity, Lcp};
+use lcplab_problem::friction::ConeProblem;
+use lcplab_problem::{Complementarity, Lcp};
 
 /// dᵀA d below this part of λ dᵀD d counts as zero.
 const RELATIVE_ZERO: f64 = 1e-14;

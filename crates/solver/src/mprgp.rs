@@ -26,7 +26,7 @@ use std::ops::ControlFlow;
 use super::iterate::{iterate, largest};
 use super::metric::{Curvature, Metric, energy_product};
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// MPRGP, projected conjugate gradients.
 #[derive(Debug, Clone, Default)]

@@ -23,7 +23,7 @@ use std::ops::ControlFlow;
 use super::active_set::ActiveSet;
 use super::principal::{self, Change, Point};
 use super::{Observer, Settings, Solution, Solver, Start, Status};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Murty's least-index principal pivoting.
 #[derive(Debug, Clone, Default)]

@@ -49,8 +49,8 @@ use super::equations::{Equations, Row};
 use super::iterate::iterate;
 use super::metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status};
-use crate::lcp::Lcp;
-use crate::memory::Memory;
+use lcplab_problem::Lcp;
+use lcplab_problem::memory::Memory;
 
 /// Halvings of a step before a sweep is taken instead.
 const HALVINGS: i32 = 12;

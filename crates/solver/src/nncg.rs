@@ -25,7 +25,7 @@ use std::ops::ControlFlow;
 use super::iterate::iterate;
 use super::metric::Metric;
 use super::{Event, Observer, Settings, Solution, Solver, Start};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Nonsmooth nonlinear conjugate gradients.
 #[derive(Debug, Clone, Default)]

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{Side, Variable};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Is told of every iterate, and may ask the solver to stop. `()` observes nothing.
 pub trait Observer {

@@ -4,7 +4,7 @@
 //! solution is not unique, to another one. For tridiagonal and other consistently ordered A the
 //! rates of the natural and the coloured order are the same.
 
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// The order of the rows in a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

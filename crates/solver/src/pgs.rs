@@ -24,7 +24,7 @@ use std::ops::ControlFlow;
 use super::iterate::iterate_in_parts;
 use super::metric::Metric;
 use super::{Event, Observer, Order, Part, RowUpdate, Settings, Solution, Solver, Start};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Projected Gauss-Seidel with relaxation.
 #[derive(Debug, Clone)]

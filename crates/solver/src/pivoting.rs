@@ -1,8 +1,8 @@
 //! What the pivoting methods have in common before their first pivot.
 
 use super::{Event, Iterate, Observer, Settings, Status};
-use crate::lcp::{Lcp, merit};
-use crate::memory::Memory;
+use lcplab_problem::memory::Memory;
+use lcplab_problem::{Lcp, merit};
 
 /// Above this many rows a dense factor or tableau takes too long.
 pub(super) const MAX_ROWS: usize = 8_000;

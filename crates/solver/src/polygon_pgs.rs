@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The friction that dissipates most, among the impulses of a polygon, is a fixed point of the second line,
-//! and with it of the whole; β and γ of the [LCP](crate::lcp::friction::Polyhedral) need not be known, and the
+//! and with it of the whole; β and γ of the [LCP](lcplab_problem::friction::Polyhedral) need not be known, and the
 //! matrix has a row for each of x alone. s_t bounds the eigenvalues of the contact's block of tangents. Each
 //! update uses the newest x. As the coupled box, which it is with four corners along the tangents turned by
 //! 45°, it has no minimum behind it: that a sweep comes nearer is seen, not proved.
@@ -15,8 +15,8 @@
 //! What it claims is judged by the LCP, on the z that x leads back to.
 
 use super::{Event, Iterate, Observer, Settings, Solution, Start, Status};
-use crate::lcp::friction::{Contact, Polyhedral};
-use crate::lcp::{Lcp, merit};
+use lcplab_problem::friction::{Contact, Polyhedral};
+use lcplab_problem::{Lcp, merit};
 
 /// Whether x is a solution costs as much as some sweeps, and is looked at after so many of them.
 const LOOK_EVERY: usize = 10;

@@ -7,9 +7,9 @@ use super::kernel::{Width, terms};
 use super::{
     Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen, pivoting,
 };
-use crate::lcp::Lcp;
-use crate::lcp::merit::{self, RowTerms};
-use crate::memory::Memory;
+use lcplab_problem::Lcp;
+use lcplab_problem::memory::Memory;
+use lcplab_problem::merit::{self, RowTerms};
 
 /// Which of the rows that are not satisfied change sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

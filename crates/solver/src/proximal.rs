@@ -28,7 +28,7 @@ use super::block_pivoting::rule;
 use super::free_rows::FreeRows;
 use super::principal::{Change, Point, Search};
 use super::{Event, Fallback, Solution, Status, iterate};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// The least ρ is 2 to this power: the null space of A costs half of all digits there.
 const LEAST: i32 = -28;

@@ -5,8 +5,8 @@ use super::{
     InteriorPoint, Jacobi, Lemke, MatrixClass, Mprgp, Murty, Newton, Nncg, Order, Pgs, Settings,
     Solver, Spectral,
 };
-use crate::error::{Defects, Error, Result};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
+use lcplab_problem::error::{Defects, Error, Result};
 
 /// A solver in the registry.
 #[derive(Debug, Clone, Copy)]
@@ -279,15 +279,15 @@ fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {
 /// The solver or specimen of this name.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::solver::{self, Options, Start, Status};
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{self, Options, Start, Status};
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let solution = solver::by_name("dantzig", &Options::default())?.solve(&lcp, &Start::default(), &mut ());
 /// assert_eq!(solution.status, Status::Solved);
 /// assert_eq!(solution.x, [0.5, 0.0]);
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 ///
 /// # Errors

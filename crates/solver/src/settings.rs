@@ -1,14 +1,14 @@
 //! What every solver can be told.
 
 use super::Status;
-use crate::error::{Defects, Result};
-use crate::memory::Memory;
+use lcplab_problem::error::{Defects, Result};
+use lcplab_problem::memory::Memory;
 
 /// The settings that all solvers share.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// Stop when the scaled residual
-    /// ([`merit::scaled_residual`](crate::lcp::merit::scaled_residual)) is at most this.
+    /// ([`merit::scaled_residual`](lcplab_problem::merit::scaled_residual)) is at most this.
     pub tolerance: f64,
     /// Stop after this many iterations (sweeps, pivots).
     pub max_iterations: usize,

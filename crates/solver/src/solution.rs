@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use crate::lcp::Lcp;
-use crate::memory::Memory;
+use lcplab_problem::Lcp;
+use lcplab_problem::memory::Memory;
 
 /// A solver's answer. There is no time in it: a solution is the same on every machine.
 #[derive(Debug, Clone, PartialEq)]

@@ -32,7 +32,7 @@ use std::ops::ControlFlow;
 use super::iterate::iterate;
 use super::metric::{Curvature, Metric};
 use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// The objective may rise above the last one, but not above the largest of this many.
 const MEMORY: usize = 10;

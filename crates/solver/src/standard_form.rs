@@ -22,7 +22,7 @@
 use super::active_set::{ActiveSet, Side, unit};
 use super::dictionary::{Dictionary, Taken};
 use super::variable::Variable;
-use crate::lcp::{Lcp, merit::RowTerms};
+use lcplab_problem::{Lcp, merit::RowTerms};
 
 /// What a constant may lose to rounding in a block of exchanges, relative to its terms.
 pub(super) const FORGIVEN: f64 = 1e-11;

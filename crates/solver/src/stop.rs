@@ -15,8 +15,8 @@ use super::{Iterate, Observer, Part};
 /// Says when to stop. Clones share the flag.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::solver::{Options, Start, Status, Stop, by_name};
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{Options, Start, Status, Stop, by_name};
 ///
 /// let stop = Stop::default();
 /// stop.raise();
@@ -25,7 +25,7 @@ use super::{Iterate, Observer, Part};
 /// let solution = pgs.solve(&lcp, &Start::default(), &mut stop.watch(&mut ()));
 /// assert_eq!(solution.status, Status::Stopped);
 /// assert_eq!(stop.reason().unwrap().to_string(), "interrupted");
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Stop {

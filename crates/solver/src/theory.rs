@@ -26,7 +26,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::lcp::Matrix;
+use lcplab_problem::Matrix;
 
 /// The rows and columns `rows` of A, in that order: the matrix of a phase with these rows free.
 pub fn principal_submatrix(a: &Matrix, rows: &[usize]) -> Matrix {
@@ -119,7 +119,7 @@ pub fn optimal_omega(jacobi_radius: f64) -> f64 {
 /// infinite for ρ ≥ 1.
 ///
 /// ```
-/// use lcplab::solver::theory::sweeps_to;
+/// use lcplab_solver::theory::sweeps_to;
 ///
 /// assert_eq!(sweeps_to(1e-6, 0.1).round(), 6.0);
 /// assert_eq!(sweeps_to(1e-6, 1.0), f64::INFINITY);

@@ -14,12 +14,12 @@ use super::free_rows::FreeRows;
 ///
 /// [`BlockPivoting`](super::BlockPivoting) uses the factor only while the free rows and the matrix are the
 /// same: *the same matrix*, not an equal one, that is one which the problems share, as
-/// [`Lcp::with_b`](crate::lcp::Lcp::with_b) makes them. A matrix never changes, and this one is held
+/// [`Lcp::with_b`](lcplab_problem::Lcp::with_b) makes them. A matrix never changes, and this one is held
 /// here, so that no other one can take its place.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::solver::{BlockPivoting, Solver, Start, Warm};
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{BlockPivoting, Solver, Start, Warm};
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
@@ -29,7 +29,7 @@ use super::free_rows::FreeRows;
 /// let next = lcp.with_b(vec![-1.25, 2.0])?;
 /// let solution = solver.solve(&next, &start, &mut ());
 /// assert!((solution.x[0] - 0.625).abs() < 1e-15 && solution.iterations == 0);
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Default)]
 pub struct Warm(RefCell<Left>);

@@ -3,13 +3,13 @@
 use dashu_ratio::RBig;
 use serde_json::{Map, Value, json};
 
-use crate::certificate::{
+use lcplab_judge::{
     Certificate, Demand, Evidence, Refutation, Verdict, error_bound, judge, printed_up, refutation,
     upper_bound,
 };
-use crate::lcp::Lcp;
-use crate::lcp::file::number;
-use crate::solver::{Reason, Solution, Status};
+use lcplab_problem::Lcp;
+use lcplab_problem::file::number;
+use lcplab_solver::{Reason, Solution, Status};
 
 /// Entries of an exact vector that are printed at most.
 const SHOWN: usize = 12;

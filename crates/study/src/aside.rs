@@ -5,7 +5,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use crate::solver::Stop;
+use lcplab_solver::Stop;
 
 /// What asks when to stop, but cannot be cut short at every place, has so much time to come to its end.
 pub const GRACE: Duration = Duration::from_secs(2);

@@ -6,11 +6,11 @@
 //! interior is near its bounds, not on them. It takes no start, and its
 //! point is the one iterate that is observed.
 
-use crate::lcp::friction::{ConeProblem, Law};
-use crate::lcp::{Complementarity, Lcp};
-use crate::memory::Memory;
-use crate::reference::{Reference, box_qp_within, cone_qp_within};
-use crate::solver::{
+use lcplab_judge::reference::{Reference, box_qp_within, cone_qp_within};
+use lcplab_problem::friction::{ConeProblem, Law};
+use lcplab_problem::memory::Memory;
+use lcplab_problem::{Complementarity, Lcp};
+use lcplab_solver::{
     Class, ConeEntry, ConeSolver, Entry, Event, Iterate, MatrixClass, Observer, Settings, Solution,
     Solver, Start, Status,
 };

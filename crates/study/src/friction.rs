@@ -4,12 +4,12 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use super::answer::{evidence_json, evidence_text, proof_of_denial, verdict_json};
-use crate::certificate::{Demand, FrictionCertificate, judge_cone, judge_friction};
-use crate::lcp::Lcp;
-use crate::lcp::file::number;
-use crate::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Posed};
-use crate::lcp::merit::RowTerms;
-use crate::solver::Status;
+use lcplab_judge::{Demand, FrictionCertificate, judge_cone, judge_friction};
+use lcplab_problem::Lcp;
+use lcplab_problem::file::number;
+use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Posed};
+use lcplab_problem::merit::RowTerms;
+use lcplab_solver::Status;
 
 /// A contact slides if |w_t| is above this part of the terms it is the sum of.
 const SLIP: f64 = 1e-6;

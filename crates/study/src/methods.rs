@@ -1,9 +1,9 @@
 //! All methods that can be named and compared: the registered solvers and the reference.
 
 use super::clarabel;
-use crate::error::{Error, Result};
-use crate::lcp::friction::Model;
-use crate::solver::{ALL, Entry, Method, SPECIMENS, methods};
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::friction::Model;
+use lcplab_solver::{ALL, Entry, Method, SPECIMENS, methods};
 
 /// The registered methods, then clarabel for boxes and for cones.
 pub fn all() -> Vec<Method> {

@@ -6,11 +6,11 @@ use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 
 use super::aside::Aside;
-use crate::error::{Error, Result};
-use crate::solver::Stop;
+use lcplab_problem::error::{Error, Result};
+use lcplab_solver::Stop;
 
 /// Tasks that do not depend on each other.
-pub(super) struct Tasks<T> {
+pub struct Tasks<T> {
     /// Those that may run side by side, on as many threads as rayon's pool has.
     pub together: Vec<T>,
     /// Those that run after them, one after the other, because they are timed.

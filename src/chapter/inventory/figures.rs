@@ -5,7 +5,7 @@ use super::Verdict::{Confirmed, Misleading, Rebuilt, Wrong};
 
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::new("Fig 1", Rebuilt, "Pictures: a stable stack, an articulated figure, chains.")
-        .code(&["scene stack", "scene ragdoll", "scene chain", "plot::scene"])
+        .code(&["scene stack", "scene ragdoll", "scene chain", "film"])
         .lesson(&[11]),
     Entry::new(
         "Fig 2",

@@ -61,7 +61,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .lesson(&[2])
         .remark("See W3; lcplab scenes --joints lists them."),
     Entry::new("W10", Rebuilt, "Show external forces and those of constraints.")
-        .code(&["plot::scene::arrow", "lcplab simulate"])
+        .code(&["film::arrow", "lcplab simulate"])
         .lesson(&[7])
         .remark("lcplab simulate --forces draws them, forces.csv has every row."),
     Entry::new("W11", Rebuilt, "Different masses in structures of points.")

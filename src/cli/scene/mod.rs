@@ -17,7 +17,6 @@ use lcplab::error::{Error, Result};
 use lcplab::formulation::{friction_model, with_friction_model};
 use lcplab::lcp::friction::Model;
 use lcplab::report::methods;
-use lcplab::report::study::scene_simulation;
 use lcplab::scene::{self, Formulation, Scene};
 use lcplab::simulation::Simulation;
 use lcplab::solver::{Method, entry};
@@ -121,7 +120,7 @@ impl SceneArgs {
 
     /// The scene at its start, with its solver; options that it does not look at are refused.
     fn simulation(&self, scene: &Scene) -> Result<Simulation> {
-        let simulation = scene_simulation(scene).map_err(|error| self.blamed(error))?;
+        let simulation = Simulation::of(scene).map_err(|error| self.blamed(error))?;
         self.check(&[self.method(&scene.solver.name, scene)?], scene)?;
         Ok(simulation)
     }

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use super::{Film, Shot, Take};
+use crate::film::extent;
 use crate::plot::Scale;
 use crate::plot::canvas::escape;
-use crate::plot::scene::extent;
 use crate::plot::style::WIDTH;
 
 /// The sides of the plot in px: left, right, top, bottom; and the height of the picture.

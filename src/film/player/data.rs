@@ -2,16 +2,16 @@
 
 use serde_json::{Value, json};
 
+use super::super::colours::POINT;
 use super::chart::{self, PLOT};
 use super::stage::Stage;
 use super::{Film, Take};
 use crate::body::{Body, Mass, Shape, State};
-use crate::plot::scene::frame::{Force, Frame, Origin};
-use crate::plot::scene::ink::{FACE, LIGHT, LIT, MARK, PLAIN, paint, tenth};
-use crate::plot::scene::layout::Lens;
-use crate::plot::scene::solid::{Part, Solid};
-use crate::plot::scene::{Camera, arrow, depth, joint};
-use crate::plot::style::POINT;
+use crate::film::frame::{Force, Frame, Origin};
+use crate::film::ink::{FACE, LIGHT, LIT, MARK, PLAIN, paint, tenth};
+use crate::film::layout::Lens;
+use crate::film::solid::{Part, Solid};
+use crate::film::{Camera, arrow, depth, joint};
 use crate::scene::Scene;
 
 /// A position is rounded to a power of ten of metres below so many px.

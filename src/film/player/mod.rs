@@ -13,9 +13,10 @@ use super::extent;
 use super::frame::{Frame, instants};
 use super::strip::Strip;
 use super::{Camera, View};
+use crate::page::{Chart, Pane, Reel};
 use crate::plot::canvas::hex;
 use crate::plot::number::readable;
-use crate::plot::style;
+use crate::plot::{Figure as _, style};
 use crate::scene::Scene;
 use crate::simulation::{Failure, Motion, Simulation, Step};
 use crate::solver::Stop;
@@ -32,7 +33,7 @@ const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"
 /// One scene, simulated in several ways.
 ///
 /// ```
-/// use lcplab::plot::scene::{Film, Take};
+/// use lcplab::film::{Film, Take};
 /// use lcplab::{scene::Scene, simulation::Simulation, solver};
 ///
 /// let scene = Scene::load("stack")?;
@@ -72,19 +73,6 @@ pub struct Shot {
     pub frame: Frame,
     /// Energy, momentum and errors.
     pub motion: Motion,
-}
-
-/// What a page needs to show one take.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Pane {
-    /// The take's name.
-    pub name: String,
-    /// The colour of its curves, `#0072b2`.
-    pub color: String,
-    /// What never moves, as markup in px.
-    pub backdrop: String,
-    /// How it went, in a sentence.
-    pub description: String,
 }
 
 impl Take {
@@ -167,8 +155,26 @@ impl Film {
         longest.map_or(&[], |take| &take.shots)
     }
 
+    /// The film, drawn for a page.
+    pub fn reel(&self) -> Reel {
+        let chart = |measure: Measure| Chart {
+            name: measure.name().into(),
+            unit: measure.unit().into(),
+            svg: chart::svg(self, measure),
+        };
+        Reel {
+            columns: self.columns(),
+            size: self.size(),
+            times: self.times(),
+            panes: self.panes(),
+            charts: self.measures().into_iter().map(chart).collect(),
+            strips: (0..self.takes.len()).map(|k| self.strip(k).svg()).collect(),
+            data: self.data(),
+        }
+    }
+
     /// How many takes stand side by side.
-    pub fn columns(&self) -> usize {
+    fn columns(&self) -> usize {
         match self.takes.len() {
             4 => 2,
             takes => takes.clamp(1, 3),

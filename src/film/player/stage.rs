@@ -3,15 +3,15 @@
 use std::fmt::Write;
 
 use super::Film;
-use crate::plot::axis::round_step;
+use crate::film::Camera;
+use crate::film::arrow;
+use crate::film::extent::Landmark;
+use crate::film::frame::Origin;
+use crate::film::ground::{self, Patch};
+use crate::film::ink::Ink;
+use crate::film::layout::{Layout, Lens};
 use crate::plot::number::readable;
-use crate::plot::scene::Camera;
-use crate::plot::scene::arrow;
-use crate::plot::scene::extent::Landmark;
-use crate::plot::scene::frame::Origin;
-use crate::plot::scene::ground::{self, Patch};
-use crate::plot::scene::ink::Ink;
-use crate::plot::scene::layout::{Layout, Lens};
+use crate::plot::round_step;
 use crate::plot::style::{WIDTH, width};
 
 /// The least and the greatest height of a stage in px.

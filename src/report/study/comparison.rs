@@ -7,8 +7,8 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use super::settings::Stepped;
-use super::{Study, at_level, simulation_by};
 use crate::certificate::Demand;
 use crate::error::Result;
 use crate::formulation::friction_model;
@@ -186,7 +186,7 @@ pub fn compare(
     let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
     let pairs = contenders(scene, &Formulation::LEVELS, &methods);
     let runs = pairs.par_iter().map(|&(formulation, solver)| {
-        let ended = run(&at_level(scene, formulation), &solver, steps, &Stop::default());
+        let ended = run(&scene.at_level(formulation), &solver, steps, &Stop::default());
         progress.inc(1);
         ended
     });
@@ -211,7 +211,7 @@ pub fn compare_families(
     let pairs: Vec<_> = contenders(scene, families, methods).into_iter().enumerate().collect();
     let (own, asked) = (scene.clone(), stop.clone());
     let work = move |&(_, (formulation, solver)): &(usize, (Formulation, Method))| {
-        run(&at_level(&own, formulation), &solver, steps, &asked)
+        run(&own.at_level(formulation), &solver, steps, &asked)
     };
     let mut ended = BTreeMap::new();
     Tasks { together: pairs, alone: Vec::new(), grace: GRACE }.run(stop, work, |(k, _), run| {
@@ -254,7 +254,7 @@ pub fn contenders(
             false => vec![Method::Boxed(NONE)],
         }
     };
-    let able = families.iter().filter(|&&family| at_level(scene, family).validate().is_ok());
+    let able = families.iter().filter(|&&family| scene.at_level(family).validate().is_ok());
     able.flat_map(|&family| of(family).into_iter().map(move |method| (family, method))).collect()
 }
 
@@ -274,7 +274,7 @@ fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timin
         trouble: None,
         motion: Vec::new(),
     };
-    let simulation = simulation_by(scene, solver);
+    let simulation = Simulation::by(scene, solver);
     let seconds = step_through(simulation, steps, stop, &mut run);
     let (scene, solver) = (scene.name.clone(), solver.name().to_string());
     let timing = Timing { scene, formulation, solver, steps: run.steps, seconds };

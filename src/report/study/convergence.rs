@@ -1,8 +1,9 @@
 //! How the residual falls, sweep by sweep, beside the rate that theory predicts.
 
+use crate::simulation;
 use serde::{Deserialize, Serialize};
 
-use super::{Study, problem_of, scene_options};
+use super::Study;
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::scene::Scene;
@@ -87,8 +88,8 @@ const FLOOR: f64 = 1e-12;
 /// # Errors
 /// If the simulation fails before.
 pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Result<Finding> {
-    let lcp = problem_of(scene, step)?.lcp;
-    let mut options = scene_options(scene);
+    let lcp = simulation::problem_of(scene, step)?.lcp;
+    let mut options = simulation::options(scene);
     options.settings.tolerance = 1e-12;
     let direct = Dantzig { settings: options.settings };
     let pivots = direct.solve(&lcp, &Start::default(), &mut ()).iterations;

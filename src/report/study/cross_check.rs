@@ -1,9 +1,10 @@
 //! Dantzig's answer beside two independent ones: the box QP and Gauss's principle.
 
+use crate::simulation;
 use serde::{Deserialize, Serialize};
 
 use super::settings::AtStep;
-use super::{STEPPER, Study, at_level, problem_of, scene_options};
+use super::{STEPPER, Study};
 use crate::assembly::Block;
 use crate::certificate::cross_check::{cross_check, max_difference};
 use crate::certificate::motion_bound::motion_bound;
@@ -96,13 +97,13 @@ pub struct Wrench {
 /// A level whose simulation fails before that step gives no entry; the comparison of the scene says
 /// why.
 pub fn run(scene: &Scene, step: usize) -> Vec<CrossCheck> {
-    Formulation::LEVELS.into_iter().filter_map(|level| one(&at_level(scene, level), step)).collect()
+    Formulation::LEVELS.into_iter().filter_map(|level| one(&scene.at_level(level), step)).collect()
 }
 
 fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
-    let problem = problem_of(scene, step).ok()?;
+    let problem = simulation::problem_of(scene, step).ok()?;
     let lcp = &problem.lcp;
-    let mut options = scene_options(scene);
+    let mut options = simulation::options(scene);
     options.settings.tolerance = 1e-12;
     let solver = by_name(STEPPER, &options).ok()?;
     let x = solver.solve(lcp, &Start::default(), &mut ()).x;

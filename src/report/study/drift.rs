@@ -1,12 +1,13 @@
 //! Energy and constraint errors over time, for shorter and shorter steps.
 
+use crate::simulation;
 use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
 use super::comparison::{Sample, thinned};
 use super::settings::Timed;
-use super::{STEPPER, Study, at_level, scene_options};
+use super::{STEPPER, Study};
 use crate::error::Result;
 use crate::scene::{Formulation, Scene};
 use crate::simulation::Simulation;
@@ -71,7 +72,7 @@ pub fn run(scene: &Scene, duration: f64) -> Finding {
     let mut curves = Vec::new();
     for level in Formulation::LEVELS {
         for division in [1, 2, 4] {
-            let mut scene = at_level(scene, level);
+            let mut scene = scene.at_level(level);
             scene.step.dt /= division as f64;
             let (curve, kinetic) = curve(&scene, division, duration);
             scale = f64::max(scale, kinetic);
@@ -91,7 +92,7 @@ fn curve(scene: &Scene, division: usize, duration: f64) -> (Curve, f64) {
         samples: Vec::new(),
         failure: None,
     };
-    let solver = match by_name(STEPPER, &scene_options(scene)) {
+    let solver = match by_name(STEPPER, &simulation::options(scene)) {
         Ok(solver) => solver,
         Err(error) => {
             curve.failure = Some(error.to_string());

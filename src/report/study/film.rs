@@ -1,10 +1,10 @@
 //! One scene by several solvers, recorded for a player.
 
+use crate::simulation::Simulation;
 use rayon::prelude::*;
 
 use super::comparison::Run;
-use super::{at_level, simulation_by};
-use crate::plot::scene::{Film, Take};
+use crate::film::{Film, Take};
 use crate::report::methods;
 use crate::scene::{Formulation, Scene};
 use crate::solver::{Method, Stop};
@@ -60,9 +60,9 @@ pub fn film(
 ) -> Film {
     let shots = Film::shots(actors.len());
     let take = |(name, actor): &(String, Actor)| {
-        let mut own = at_level(scene, actor.formulation);
+        let mut own = scene.at_level(actor.formulation);
         own.solver.max_iterations = actor.max_iterations.unwrap_or(own.solver.max_iterations);
-        Take::until(stop, name, &mut simulation_by(&own, &actor.method), steps, shots)
+        Take::until(stop, name, &mut Simulation::by(&own, &actor.method), steps, shots)
     };
     Film::new(id, scene, actors.par_iter().map(take).collect())
 }

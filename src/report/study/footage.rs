@@ -10,7 +10,7 @@ use super::variation::Variation;
 use super::{Study, history};
 use crate::body::{Pose, State};
 use crate::error::Result;
-use crate::plot::scene::{Film, Force, Frame, Origin, Shot, Take};
+use crate::film::{Film, Force, Frame, Origin, Shot, Take};
 use crate::simulation::Motion;
 
 /// A film as a section of its own.

@@ -9,10 +9,11 @@
 //!
 //! Every solve is the first step's, from 0: nothing is known of an earlier one.
 
+use crate::simulation::Simulation;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{Study, scene_simulation};
+use super::Study;
 use crate::assembly::Source;
 use crate::constraint::Kind;
 use crate::error::{Error, Result};
@@ -152,7 +153,7 @@ fn first_step(scene: &Scene, solver: &str, sweeps: Option<usize>) -> Result<Step
     let mut scene = scene.clone();
     scene.solver.name = solver.into();
     scene.solver.max_iterations = sweeps.unwrap_or(scene.solver.max_iterations);
-    let step = scene_simulation(&scene)?.step();
+    let step = Simulation::of(&scene)?.step();
     step.map_err(|failure| Error::invalid(&scene.name, "first step", failure.to_string()))
 }
 

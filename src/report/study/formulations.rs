@@ -12,7 +12,7 @@ use super::history::{self, History};
 use super::settings::file_name;
 use super::variation::Variation;
 use crate::error::Result;
-use crate::plot::scene::Take;
+use crate::film::Take;
 use crate::scene::Formulation;
 
 /// Scenes, each stepped by every family that knows its model of friction.

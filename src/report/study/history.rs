@@ -3,10 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::comparison::Sample;
-use super::scene_simulation;
 use crate::assembly::{Assembly, Entering};
 use crate::error::Result;
-use crate::plot::scene::{Take, instants};
+use crate::film::{Take, instants};
 use crate::scene::{Formulation, Scene};
 use crate::simulation::{Simulation, Step};
 use crate::solver::Status;
@@ -63,7 +62,7 @@ impl History {
 /// # Errors
 /// If the scene names no solver that there is.
 pub fn run(scene: &Scene, duration: f64, watch: impl FnMut(&Step)) -> Result<History> {
-    let simulation = scene_simulation(scene)?;
+    let simulation = Simulation::of(scene)?;
     Ok(stepped(simulation, duration, (KEPT, None), watch).0)
 }
 
@@ -77,7 +76,7 @@ pub fn filmed(
     (name, shots): (&str, usize),
     watch: impl FnMut(&Step),
 ) -> Result<(History, Take)> {
-    let simulation = scene_simulation(scene)?;
+    let simulation = Simulation::of(scene)?;
     let take = Take::start(name, &simulation);
     let (history, take) = stepped(simulation, duration, (shots, Some(take)), watch);
     Ok((history, take.expect("a take was begun")))

@@ -14,7 +14,7 @@ use super::settings::file_name;
 use super::variation::Variation;
 use super::{Study, history};
 use crate::error::Result;
-use crate::plot::scene::instants;
+use crate::film::instants;
 use crate::simulation::Ledger;
 
 /// Runs whose energy is accounted for.

@@ -1,11 +1,12 @@
 //! The same iterates of one run, measured by every merit function.
 
+use crate::simulation;
 use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use super::settings::AtStep;
-use super::{Study, problem_of};
 use crate::error::Result;
 use crate::lcp::friction::{ConeProblem, FrictionProblem, Law, merit as cone_merit};
 use crate::lcp::{Complementarity, Lcp, merit};
@@ -145,7 +146,7 @@ const SWEEPS: usize = 60;
 /// # Errors
 /// If the simulation fails before.
 pub fn run(scene: &Scene, step: usize) -> Result<Vec<Run>> {
-    let lcp = problem_of(scene, step)?.lcp;
+    let lcp = simulation::problem_of(scene, step)?.lcp;
     let settings = Settings {
         tolerance: 0.0,
         max_iterations: SWEEPS,

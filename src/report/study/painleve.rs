@@ -10,10 +10,11 @@
 //! At μ* = (I/m + r_x²)/(−r_x r_z) it is 0; beyond, to press is to be pressed harder, and no force stops the end
 //! from sinking in.
 
+use crate::simulation::Simulation;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{Study, scene_simulation};
+use super::Study;
 use crate::body::{Mass, Shape};
 use crate::constraint::Kind;
 use crate::error::{Error, Result};
@@ -94,14 +95,14 @@ fn measure(mu: f64) -> Result<Finding> {
         let normals = rows.filter(|(row, _)| row.kind == Kind::Normal);
         Some(normals.map(|(_, x)| x).sum::<f64>())
     };
-    let forces = match scene_simulation(&scene)?.step() {
+    let forces = match Simulation::of(&scene)?.step() {
         Ok(step) => Forces::Found(normal(&step).unwrap_or(0.0) / weight),
         Err(failure) if matches!(failure.cause, Cause::NoSolution { .. }) => Forces::Impossible,
         Err(failure) => Forces::Failed(failure.to_string()),
     };
     let scene = rod(mu, Formulation::Velocity)?;
     let before = scene.states[1].v.x;
-    let step = scene_simulation(&scene)?.step();
+    let step = Simulation::of(&scene)?.step();
     let step = step.map_err(|f| Error::invalid("painleve", "velocity level", f.to_string()))?;
     Ok(Finding {
         mu,

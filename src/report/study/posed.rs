@@ -1,11 +1,11 @@
 //! The LCPs that studies of solvers are about, as settings: a step of a scene, a problem of the
 //! library, or a stack with a heavy load on top.
 
+use crate::simulation;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::problem_of;
 use super::settings::AtStep;
 use crate::error::Result;
 use crate::lcp::{Lcp, library};
@@ -72,14 +72,14 @@ impl Source {
     pub fn lcp(&self) -> Result<Lcp> {
         match self {
             Source::Scene(AtStep { scene, step }) => {
-                Ok(problem_of(&Scene::load(scene)?, *step)?.lcp)
+                Ok(simulation::problem_of(&Scene::load(scene)?, *step)?.lcp)
             }
             Source::Family(OfFamily { family, values }) => {
                 let values: Vec<(&str, f64)> =
                     values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
                 Ok(library::by_name(family)?.generate(&values)?.lcp)
             }
-            Source::Stack(stack) => Ok(problem_of(&stack.scene()?, 1)?.lcp),
+            Source::Stack(stack) => Ok(simulation::problem_of(&stack.scene()?, 1)?.lcp),
         }
     }
 }

@@ -72,7 +72,7 @@ impl Plan {
         let (sin, cos) = (-down.z, down.x);
         let g = scene.gravity.norm();
         let steps = (self.duration / scene.step.dt).round() as usize;
-        let kept = crate::plot::scene::instants(steps, KEPT);
+        let kept = crate::film::instants(steps, KEPT);
         let mut boxes: Vec<Slid> = (1..scene.bodies.len())
             .map(|k| {
                 let mu = pair_friction(&scene, k);

@@ -16,12 +16,12 @@
 //! a start from which nothing rocks. For the two bodies all is known: their scaled residual after k sweeps
 //! is ρ^k / (2 (1 + r)), nearly.
 
+use crate::simulation;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
 use super::attempt::{Attempt, attempt, entries, options};
 use super::posed::{BLOW, Loaded, column};
-use super::problem_of;
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::solver::{Options, Order, theory};
@@ -162,7 +162,7 @@ fn boxes(boxes: usize, ratio: f64) -> Result<Posed> {
     let ground = scene.body("ground");
     let mass = (boxes - 1) as f64 + ratio;
     let weight = mass * scene.gravity.norm() * scene.step.dt;
-    let problem = problem_of(&scene, 1)?;
+    let problem = simulation::problem_of(&scene, 1)?;
     let rows = problem.assembly.rows.iter().enumerate();
     let carries = rows.filter(|(_, row)| row.id.component == 0 && row.bodies.contains(&ground));
     let ground = carries.map(|(i, _)| i).collect();

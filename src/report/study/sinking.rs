@@ -13,7 +13,7 @@ use super::history::{self, History};
 use super::variation::Variation;
 use super::{Study, force_path};
 use crate::error::Result;
-use crate::plot::scene::Take;
+use crate::film::Take;
 use crate::scene::Scene;
 
 /// A stack of cubes whose top one is heavier, by several mass ratios and solvers.

@@ -15,12 +15,12 @@
 //! On the disc it is straight at once, for v²/(2 μ g). Where what slides floats, the block starts at the
 //! height dt μ v at which it does: from the floor it would be thrown up.
 
+use crate::simulation::Simulation;
 use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::scene_simulation;
 use super::sliding::Figure;
 use crate::certificate::Demand;
 use crate::error::Result;
@@ -83,7 +83,7 @@ fn path(model: Model, mu: f64) -> Result<Path> {
     let mu_g = mu * scene.gravity.norm();
     let steps = (1.5 * speed / (mu_g * DT)).ceil() as usize; // a polygon rubs with μ g/√2 at least
     let demand = Demand { prove_up_to: 0, ..Demand::default() };
-    let mut simulation = scene_simulation(&scene)?;
+    let mut simulation = Simulation::of(&scene)?;
     let mut path = Path {
         model,
         solver: String::new(),

@@ -19,11 +19,11 @@ use super::settings::AtStep;
 use super::sweep_speed::posed;
 use super::timing::Time;
 use crate::error::{Error, Result};
-use crate::formulation::Factors;
 use crate::lcp::{Lcp, merit};
 use crate::reference::{box_qp_to, velocity_qp_to};
 use crate::solver::kernel::impulses::{Row, RowByRow, System, WIDTH};
 use crate::solver::{InteriorPoint, Settings, Solver, Start};
+use crate::storage::Factors;
 
 /// The name of our solver by rows.
 pub const ROWS: &str = "interior-point, rows";

@@ -1,9 +1,10 @@
 //! Where J and A have entries: the chapter's Figure 13.
 
+use crate::simulation;
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use super::settings::AtStep;
-use super::{Study, problem_of};
 use crate::error::Result;
 use crate::scene::Scene;
 
@@ -54,7 +55,7 @@ pub struct Patterns {
 /// # Errors
 /// If the simulation fails before.
 pub fn run(scene: &Scene, step: usize) -> Result<Patterns> {
-    let problem = problem_of(scene, step)?;
+    let problem = simulation::problem_of(scene, step)?;
     Ok(Patterns {
         scene: scene.name.clone(),
         title: scene.title.clone(),

@@ -1,13 +1,14 @@
 //! What the last step's answer is worth as a start: each problem of a simulation is solved as it
 //! comes, from the impulses that the same rows had before, and once more from 0.
 
+use crate::simulation;
 use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use super::attempt::entries;
 use super::settings::Stepped;
-use super::{Study, scene_options};
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Solve};
@@ -90,7 +91,7 @@ impl Study for Plan {
                 max_iterations: self.max_iterations,
                 ..Settings::default()
             },
-            ..scene_options(&scene)
+            ..simulation::options(&scene)
         };
         let (name, title) = (scene.name.clone(), scene.title.clone());
         let mut pairs = Vec::new();

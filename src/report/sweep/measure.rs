@@ -1,5 +1,7 @@
 //! What is measured at a point: claims, verdicts and residuals of its solves, and how a scene moved.
 
+use crate::simulation;
+use crate::simulation::Simulation;
 use std::time::Instant;
 
 use dashu_ratio::RBig;
@@ -15,7 +17,6 @@ use crate::lcp::Lcp;
 use crate::lcp::file::{Problem, as_number, number};
 use crate::report::answer::status_word;
 use crate::report::methods;
-use crate::report::study::{scene_options, scene_simulation};
 use crate::scene::Scene;
 use crate::simulation::{Motion, Step};
 use crate::solver::{Solution, Start, Status};
@@ -96,7 +97,7 @@ fn simulate(
     steps: usize,
     theory: Option<Theory>,
 ) -> Result<(Finding, f64)> {
-    let mut simulation = scene_simulation(scene)?;
+    let mut simulation = Simulation::of(scene)?;
     let demand = Demand { tolerance: scene.solver.tolerance, prove_up_to: 0 };
     let mut tally = Tally::default();
     let mut course = Course::from(simulation.motion());
@@ -132,7 +133,7 @@ fn solve(
     settings: &Scene,
     theory: Option<Theory>,
 ) -> Result<(Finding, f64)> {
-    let options = scene_options(settings);
+    let options = simulation::options(settings);
     let solver = (methods::entry(&settings.solver.name)?.build)(&options);
     let start = Instant::now();
     let solution = solver.solve(&problem.lcp, &Start::default(), &mut ());

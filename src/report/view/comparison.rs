@@ -2,7 +2,7 @@
 
 use super::attempt::stem;
 use super::{Document, Outcome, View};
-use crate::plot::scene::Film;
+use crate::film::Film;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{Comparison, Plan, Run, Sample, Timing};
@@ -147,7 +147,7 @@ pub fn document(comparison: &Comparison, film: Film) -> Document {
         ..Page::default()
     };
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
-    document.film(film, "The same scene by several solvers, at the same instants.");
+    document.film(&film, "The same scene by several solvers, at the same instants.");
     document.open("comparison", "Solvers and levels");
     document.table(&format!("comparison_{}", stem(&comparison.scene)), table(comparison));
     document.figure(motion_figure(comparison));

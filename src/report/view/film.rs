@@ -1,7 +1,7 @@
 //! Films on pages of their own and beside the tables of a comparison.
 
 use super::Document;
-use crate::plot::scene::Film;
+use crate::film::Film;
 use crate::report::page::{Block, Page, Player, markup};
 use crate::report::recording::Record;
 
@@ -11,11 +11,11 @@ const HOW: &str = "Arrows are forces on the moving body; the curves are of all i
 
 impl Document {
     /// Adds a film with a section of its own.
-    pub fn film(&mut self, film: Film, caption: &str) {
+    pub fn film(&mut self, film: &Film, caption: &str) {
         self.open("film", "The motion");
         let caption = format!("{caption} {HOW}");
         self.add(Block::Player(Box::new(Player {
-            film,
+            reel: film.reel(),
             caption,
             files: Vec::new(),
             origin: None,
@@ -32,7 +32,7 @@ pub fn simulation_page(film: Film, record: &Record) -> Page {
         ..Page::default()
     };
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
-    document.film(film, "What was simulated, instant by instant.");
+    document.film(&film, "What was simulated, instant by instant.");
     if let Some(Block::Player(player)) =
         document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()
     {

@@ -10,7 +10,12 @@ impl Document {
         match footage.film() {
             Ok(film) => {
                 let (caption, files) = (caption.into(), Vec::new());
-                self.add(Block::Player(Box::new(Player { film, caption, files, origin: None })));
+                self.add(Block::Player(Box::new(Player {
+                    reel: film.reel(),
+                    caption,
+                    files,
+                    origin: None,
+                })));
             }
             Err(error) => self.text(format!("The film cannot be shown: {error}.")),
         }

@@ -1,9 +1,9 @@
 //! Claims of the chapter that the other tests do not measure on their way.
 
+use lcplab::simulation::Simulation;
 use std::ops::ControlFlow;
 
 use lcplab::body::State;
-use lcplab::report::study::scene_simulation;
 use lcplab::scene::Scene;
 use nalgebra::{Quaternion, Vector3};
 
@@ -13,7 +13,7 @@ fn a_stack_stands_at_large_steps() {
     for rate in [240.0, 120.0, 60.0, 30.0] {
         let mut scene = Scene::load("stack").unwrap();
         scene.step.dt = 1.0 / rate;
-        let mut stack = scene_simulation(&scene).unwrap();
+        let mut stack = Simulation::of(&scene).unwrap();
         let recording = stack.run(rate as usize, |_| ControlFlow::Continue(()));
         assert!(recording.failure.is_none());
         for (before, after) in scene.states.iter().zip(stack.states()) {
@@ -48,7 +48,7 @@ fn rods_stretch_when_sweeps_are_few() {
         let mut scene = Scene::load("chain").unwrap();
         scene.solver.name = "pgs".into();
         scene.solver.max_iterations = sweeps;
-        let mut chain = scene_simulation(&scene).unwrap();
+        let mut chain = Simulation::of(&scene).unwrap();
         let recording = chain.run(200, |_| ControlFlow::Continue(()));
         recording.motion.iter().map(|motion| motion.drift).fold(0.0, f64::max)
     };

@@ -89,8 +89,15 @@ fn what_does_not_exist_is_told() {
 fn exists(place: &str) -> bool {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     match place.split_once(' ') {
-        None => is_declared(&root.join("src"), place),
-        Some(("test", path)) => is_declared(&root.join("tests/suite"), path),
+        None => home(root, place).is_some_and(|(folder, rest)| is_declared(&folder, rest)),
+        Some(("test", path)) => {
+            let module = path.split("::").next().unwrap_or_default();
+            let folder = root.join("tests/suite").join(module);
+            match path.split_once("::") {
+                Some((_, rest)) if folder.is_dir() => is_declared(&folder, rest),
+                _ => is_declared(&root.join("tests/suite"), path),
+            }
+        }
         Some(("scene", name)) => lcplab::scene::catalogue::text(name).is_some(),
         Some(("bench", name)) => root.join(format!("benches/{name}.rs")).exists(),
         Some(("example", name)) => root.join(format!("examples/{name}.rs")).exists(),
@@ -102,6 +109,44 @@ fn exists(place: &str) -> bool {
     }
 }
 
+/// Where the modules of `lcplab` are that have a crate of their own or are part of one; the others are in `src`.
+const HOMES: [(&str, &str); 18] = [
+    ("lcp::exchange", "files/src"),
+    ("lcp", "problem/src"),
+    ("error", "problem/src"),
+    ("solver", "solver/src"),
+    ("trace", "solver/src/trace"),
+    ("certificate", "judge/src"),
+    ("reference", "judge/src/reference"),
+    ("body", "mechanics/src/body"),
+    ("constraint", "mechanics/src/constraint"),
+    ("scene", "mechanics/src/scene"),
+    ("assembly", "mechanics/src/assembly"),
+    ("formulation", "mechanics/src/formulation"),
+    ("simulation", "mechanics/src/simulation"),
+    ("document", "page/src/document"),
+    ("plot", "page/src/plot"),
+    ("trial", "study/src/trial"),
+    ("explain", "study/src/explain"),
+    ("diagnosis", "study/src/diagnosis"),
+];
+
+/// In which folder a path is, and what is left of it there.
+fn home<'a>(root: &Path, path: &'a str) -> Option<(PathBuf, &'a str)> {
+    let within = |module: &str| match path.strip_prefix(module)? {
+        "" => Some(""),
+        rest => rest.strip_prefix("::"),
+    };
+    let moved = HOMES.iter().find_map(|(module, folder)| {
+        within(module).map(|rest| (root.join("crates").join(folder), rest))
+    });
+    moved.or_else(|| {
+        let (module, rest) = path.split_once("::").unwrap_or((path, ""));
+        let folder = root.join("src").join(module);
+        folder.is_dir().then_some((folder, rest))
+    })
+}
+
 /// `compare-solvers` as the name of a variant.
 fn pascal(name: &str) -> String {
     let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
@@ -111,7 +156,7 @@ fn pascal(name: &str) -> String {
 /// Follows a path through folders and files; what is left of it must be declared there.
 fn is_declared(root: &Path, path: &str) -> bool {
     let mut place: PathBuf = root.to_path_buf();
-    let mut parts = path.split("::").peekable();
+    let mut parts = path.split("::").filter(|part| !part.is_empty()).peekable();
     while let Some(part) = parts.peek() {
         let (folder, file) = (place.join(part), place.join(format!("{part}.rs")));
         if folder.is_dir() {
@@ -122,9 +167,6 @@ fn is_declared(root: &Path, path: &str) -> bool {
             break;
         }
         parts.next();
-    }
-    if place == root {
-        return false;
     }
     let text = if place.is_dir() { text_of(&place) } else { fs::read_to_string(&place).unwrap() };
     parts.all(|name| declares(&text, name))

@@ -1,11 +1,11 @@
 //! Films: the numbers of the page are those of the simulation.
 
+use lcplab::simulation;
 use std::ops::ControlFlow;
 
 use lcplab::body::State;
-use lcplab::plot::scene::{Film, Measure, Take, instants};
+use lcplab::film::{Film, Measure, Take, instants};
 use lcplab::report::page::{Block, Page, Player, SPEEDS, Section, speed};
-use lcplab::report::study::scene_solver;
 use lcplab::scene::{Formulation, Scene};
 use lcplab::simulation::{Motion, Simulation};
 use serde_json::Value;
@@ -13,7 +13,7 @@ use serde_json::Value;
 const STEPS: usize = 40;
 
 fn simulation(scene: &Scene) -> Simulation {
-    Simulation::new(scene.clone(), scene_solver(scene).unwrap())
+    Simulation::new(scene.clone(), simulation::solver(scene).unwrap())
 }
 
 /// Two takes of the same motion, of which the second has fewer sweeps.
@@ -50,7 +50,8 @@ fn numbers(changes: &Value, count: usize) -> Vec<f64> {
 }
 
 fn page(film: Film) -> String {
-    let player = Player { film, caption: "A *film*.".into(), files: Vec::new(), origin: None };
+    let player =
+        Player { reel: film.reel(), caption: "A *film*.".into(), files: Vec::new(), origin: None };
     let blocks = vec![Block::Player(Box::new(player))];
     let section = Section { id: "one".into(), title: "One".into(), blocks };
     Page { sections: vec![section], ..Page::default() }.render().unwrap()

@@ -1,10 +1,10 @@
 //! Pictures of scenes: lengths, order and visibility as geometry has them.
 
+use lcplab::simulation;
 use std::ops::ControlFlow;
 
+use lcplab::film::{Camera, Frame, Origin, Strip, View, instants};
 use lcplab::plot::Figure;
-use lcplab::plot::scene::{Camera, Frame, Origin, Strip, View, instants};
-use lcplab::report::study::scene_solver;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -30,7 +30,7 @@ fn strip(scene: &Scene, view: View) -> Strip {
 /// The frames after some steps of a scene's own simulation.
 fn run(scene: &Scene, steps: usize) -> Vec<Frame> {
     let mut frames = vec![Frame::start(scene)];
-    let mut simulation = Simulation::new(scene.clone(), scene_solver(scene).unwrap());
+    let mut simulation = Simulation::new(scene.clone(), simulation::solver(scene).unwrap());
     simulation.run(steps, |step| {
         frames.push(Frame::after(scene, step));
         ControlFlow::Continue(())

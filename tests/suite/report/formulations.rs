@@ -1,13 +1,14 @@
 //! Families side by side, their films, and scenes with changed fields.
 
-use lcplab::plot::scene::{Film, Take};
+use lcplab::film::{Film, Take};
 use lcplab::report::page::Mark;
+use lcplab::report::study::Study;
 use lcplab::report::study::footage::{self, Footage};
 use lcplab::report::study::formulations::{Case, Finding, Plan};
 use lcplab::report::study::variation::Variation;
-use lcplab::report::study::{Study, scene_simulation};
 use lcplab::report::view::Document;
 use lcplab::scene::Formulation;
+use lcplab::simulation::Simulation;
 
 use super::standard;
 
@@ -74,7 +75,7 @@ fn an_explicit_spring_explodes_just_above_its_longest_step() {
 #[test]
 fn a_film_survives_as_plain_data() {
     let scene = variation("scene = 'double_pendulum'");
-    let mut simulation = scene_simulation(&scene.scene().unwrap()).unwrap();
+    let mut simulation = Simulation::of(&scene.scene().unwrap()).unwrap();
     let take = Take::of("velocity", &mut simulation, 20, 6);
     let footage = Footage::of("film", scene.clone(), std::slice::from_ref(&take));
     let text = serde_json::to_string(&footage).unwrap();

@@ -4,9 +4,9 @@ use lcplab::assembly::{Row, Source};
 use lcplab::body::{State, alignment};
 use lcplab::constraint::{Bounds, Kind};
 use lcplab::report::recording::Record;
-use lcplab::report::study::scene_solver;
 use lcplab::scene::Formulation;
 use lcplab::scene::generate::{Bridge, Rope};
+use lcplab::simulation;
 use lcplab::simulation::{Simulation, Step};
 use lcplab::solver::{self, Options, Settings, Status};
 use nalgebra::{Vector2, Vector3};
@@ -273,7 +273,7 @@ fn a_grid_of_soft_joints_swings_and_holds() {
 #[test]
 fn a_hasty_warm_start_does_not_drive_a_chain() {
     let scene = scene("warm_start", Formulation::Velocity);
-    let mut chain = Simulation::new(scene.clone(), scene_solver(&scene).unwrap());
+    let mut chain = Simulation::new(scene.clone(), simulation::solver(&scene).unwrap());
     let mut unsolved = 0;
     for _ in 0..400 {
         let step = chain.step().unwrap();

@@ -1,8 +1,8 @@
 //! Piles of bodies that only contacts and friction hold: Solver2D's scenes, and the chapter's tower.
 
 use lcplab::constraint::Kind;
-use lcplab::report::study::scene_solver;
 use lcplab::scene::{Formulation, Scene};
+use lcplab::simulation;
 use lcplab::simulation::{Simulation, Step};
 use nalgebra::Vector3;
 
@@ -163,7 +163,7 @@ fn a_tower_stands_on_few_sweeps() {
         &[("count = 700", "count = 60"), ("ring = 35", &format!("ring = {ring}"))],
     );
     let dt = small.step.dt;
-    let solver = scene_solver(&small).unwrap();
+    let solver = simulation::solver(&small).unwrap();
     let mut tower = Simulation::new(small, solver);
     let mut carried = Vec::new();
     for _ in 0..60 {

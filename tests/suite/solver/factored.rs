@@ -1,6 +1,6 @@
 //! The interior point on velocities, and by rows in another order: the same steps, eliminated otherwise.
 
-use lcplab::formulation::{Factors, Problem};
+use lcplab::formulation::Problem;
 use lcplab::lcp::{Lcp, Matrix, merit};
 use lcplab::reference::{box_qp, velocity_qp_to};
 use lcplab::scene::Scene;
@@ -8,6 +8,7 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::elimination::Lu;
 use lcplab::solver::kernel::impulses::{Row, System, WIDTH};
 use lcplab::solver::{InteriorPoint, Options, Settings, Solution, Solver, Start, Status, by_name};
+use lcplab::storage::Factors;
 use proptest::prelude::*;
 
 use crate::common::{INF, cases};

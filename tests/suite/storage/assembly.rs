@@ -1,8 +1,8 @@
-use lcplab::formulation::Factors;
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::{Options, Order, Pgs, Settings, Solver, Start, by_name};
+use lcplab::storage::Factors;
 use lcplab::storage::{ALL, Entry, Kind, Storage, Workspace, sweep, triple_product};
 use nalgebra::{DMatrix, Matrix6};
 use proptest::prelude::*;

@@ -36,7 +36,7 @@ mod reader;
 mod writer;
 
 use super::Format;
-use crate::lcp::friction::Model;
+use lcplab_problem::friction::Model;
 
 /// FCLIB's HDF5 files.
 pub const FORMAT: Format = Format {
@@ -59,7 +59,7 @@ pub const FORMAT: Format = Format {
 };
 
 #[cfg(not(feature = "fclib"))]
-fn left_out(input: String) -> crate::error::Error {
+fn left_out(input: String) -> lcplab_problem::error::Error {
     let reason = "HDF5 is left out of this build: its feature is fclib";
-    crate::error::Error::invalid(input, "format", reason)
+    lcplab_problem::error::Error::invalid(input, "format", reason)
 }

@@ -3,13 +3,13 @@
 use hdf5_reader::messages::datatype::Datatype;
 use hdf5_reader::{Dataset, Hdf5File, OpenOptions};
 
-use crate::error::{Error, Result};
-use crate::lcp::exchange::Input;
-use crate::lcp::exchange::budget::Budget;
-use crate::lcp::exchange::delassus::Motion;
-use crate::lcp::file::{Entries, Parts, Problem};
-use crate::lcp::friction::Model;
-use crate::memory::Memory;
+use crate::Input;
+use crate::budget::Budget;
+use crate::delassus::Motion;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::{Entries, Parts, Problem};
+use lcplab_problem::friction::Model;
+use lcplab_problem::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
     let name = input.name();

@@ -2,11 +2,11 @@
 
 use hdf5_writer::{DatasetBuilder, H5WriteElement, Hdf5Builder, WriteOptions};
 
-use crate::error::{Error, Result};
-use crate::lcp::Lcp;
-use crate::lcp::exchange::Output;
-use crate::lcp::exchange::contacts::Arrangement;
-use crate::lcp::file::Problem;
+use crate::Output;
+use crate::contacts::Arrangement;
+use lcplab_problem::Lcp;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::Problem;
 
 pub(super) fn write(problem: &Problem) -> Result<Output> {
     let order = Arrangement::of(problem, "fclib")?;

@@ -3,8 +3,8 @@
 use std::io::Read;
 
 use super::header::Header;
-use crate::lcp::exchange::table::{Table, by_rows};
-use crate::lcp::file::Entries;
+use crate::table::{Table, by_rows};
+use lcplab_problem::file::Entries;
 
 /// Why an array cannot be used.
 pub(super) type Reason = String;

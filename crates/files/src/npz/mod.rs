@@ -9,7 +9,7 @@
 //! | `data`, `indices`, `indptr`, `shape`, `format` | as SciPy | the matrix, if it is sparse; `format` is `csr`, `csc` or, with `row` and `col`, `coo` |
 //! | `b` | numbers, n | the offset of w = A x + b |
 //! | `lo`, `hi` | numbers, n | bounds; 0 and ∞ where they are absent |
-//! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](crate::lcp::file): rows from 0, −1 for none |
+//! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](lcplab_problem::file): rows from 0, −1 for none |
 //!
 //! ```text
 //! numpy.savez("problem.npz", A=A, b=b)                              # NumPy
@@ -34,10 +34,10 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 use super::budget::Budget;
 use super::table::{Table, parts};
 use super::{Format, Input, Output};
-use crate::error::{Error, Result};
-use crate::lcp::Matrix;
-use crate::lcp::file::{Entries, Problem};
 use array::{Array, Outline};
+use lcplab_problem::Matrix;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::{Entries, Problem};
 
 /// NumPy's archives of arrays.
 pub const FORMAT: Format = Format {

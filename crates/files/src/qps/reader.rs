@@ -2,10 +2,10 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::error::{Error, Result};
-use crate::lcp::exchange::Input;
-use crate::lcp::exchange::words::{Words, brief};
-use crate::lcp::file::{Entries, Parts, Problem};
+use crate::Input;
+use crate::words::{Words, brief};
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::{Entries, Parts, Problem};
 
 /// Bounds of this size are infinite.
 const INFINITE: f64 = 1e20;

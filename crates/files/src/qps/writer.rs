@@ -1,9 +1,9 @@
 //! QPS written in free form, columns x0, x1, …
 
-use crate::error::{Error, Result};
-use crate::lcp::exchange::Output;
-use crate::lcp::exchange::output::decimal;
-use crate::lcp::file::Problem;
+use crate::Output;
+use crate::output::decimal;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::Problem;
 
 pub(super) fn write(problem: &Problem) -> Result<Output> {
     let lcp = &problem.lcp;

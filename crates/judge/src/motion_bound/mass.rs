@@ -4,8 +4,8 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
 use super::Unproved;
-use crate::certificate::error_bound::least_eigenvalue;
-use crate::certificate::interval::{Interval, add_up, div_up, norm_up, sqrt_up};
+use crate::error_bound::least_eigenvalue;
+use crate::interval::{Interval, add_up, div_up, norm_up, sqrt_up};
 
 /// d M d for powers of two d, in blocks that no entry joins.
 pub(super) struct Mass {

@@ -49,7 +49,7 @@ mod scaled;
 use std::fmt;
 
 use super::interval::{Interval, add_up, mul_up, sqrt_up};
-use crate::lcp::Gauss;
+use lcplab_problem::Gauss;
 use repair::Repair;
 use scaled::Scaled;
 
@@ -110,8 +110,8 @@ impl fmt::Display for Unproved {
 /// If x has not n entries.
 ///
 /// ```
-/// use lcplab::certificate::motion_bound::motion_bound;
-/// use lcplab::lcp::Gauss;
+/// use lcplab_judge::motion_bound::motion_bound;
+/// use lcplab_problem::Gauss;
 ///
 /// // 2 kg fall at 3 m/s on two contacts that share the load in any way: A = [½ ½; ½ ½].
 /// let gauss = Gauss {

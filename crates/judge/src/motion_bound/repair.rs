@@ -3,7 +3,7 @@
 use faer::{Mat, Side};
 
 use super::scaled::Scaled;
-use crate::certificate::interval::Interval;
+use crate::interval::Interval;
 
 /// An eigenvalue below this part of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-12;

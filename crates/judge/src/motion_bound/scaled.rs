@@ -6,9 +6,9 @@ use faer::Mat;
 
 use super::Unproved;
 use super::mass::{Mass, power};
-use crate::certificate::error_bound::least_eigenvalue;
-use crate::certificate::interval::{Interval, add_up, div_up, mul_up, norm_up, sqrt_up};
-use crate::lcp::Gauss;
+use crate::error_bound::least_eigenvalue;
+use crate::interval::{Interval, add_up, div_up, mul_up, norm_up, sqrt_up};
+use lcplab_problem::Gauss;
 
 /// Above this many rows or columns dense matrices are too large.
 const MOST: usize = 2_000;

@@ -9,7 +9,7 @@
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};
-use crate::lcp::Lcp;
+use lcplab_problem::Lcp;
 
 /// Solves the problem as a box QP; `None` where that is not the same problem: A is not symmetric, or
 /// a row is coupled (freeze the bounds first with [`Lcp::frozen_at`]).

@@ -9,8 +9,8 @@
 //! units in which a_ii is about 1.
 
 use super::program::{MAX_ITERATIONS, Program};
-use crate::lcp::Lcp;
-use crate::lcp::merit::row_scale;
+use lcplab_problem::Lcp;
+use lcplab_problem::merit::row_scale;
 
 /// d, if the optimum seems to be negative.
 pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {

@@ -4,7 +4,7 @@
 //! −lo z where z ≥ 0, −hi z where z ≤ 0, and an infinite bound forbids that side.
 
 use super::{Reference, program::Program};
-use crate::lcp::Gauss;
+use lcplab_problem::Gauss;
 
 /// The velocities u of least constraint. The optimal value includes the constant ½ u*ᵀ M u*.
 pub fn gauss(problem: &Gauss) -> Reference {

@@ -33,8 +33,8 @@ impl Assembly {
     /// The degrees of freedom that are left if every row holds as an equation: k − rank J.
     ///
     /// ```
-    /// use lcplab::assembly::{Assembly, Entering};
-    /// use lcplab::scene::Scene;
+    /// use lcplab_mechanics::assembly::{Assembly, Entering};
+    /// use lcplab_mechanics::scene::Scene;
     ///
     /// let scene = Scene::load("bricard")?; // 5 rods, 6 hinges: 30 columns and 30 rows
     /// let assembly = Assembly::new(&scene, &scene.states, &[], Entering::Near)?;

@@ -11,9 +11,9 @@ use nalgebra::Vector6;
 
 use super::Slide;
 use crate::assembly::{Assembly, Part};
-use crate::error::Result;
-use crate::lcp::Matrix;
-use crate::memory::Memory;
+use lcplab_problem::Matrix;
+use lcplab_problem::error::Result;
+use lcplab_problem::memory::Memory;
 
 /// Up to this many rows A is dense, whatever its fill.
 const SMALL: usize = 32;

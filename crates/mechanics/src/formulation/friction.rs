@@ -6,10 +6,10 @@
 //! rows have w_t = slip⁺/dt, so the laws that look at the slip mean the same there. `math §5`.
 
 use super::{Problem, Stage};
-use crate::error::Result;
-use crate::lcp::Coupling;
-use crate::lcp::friction::{FrictionProblem, Model, Posed};
 use crate::scene::{Contacts, FrictionModel};
+use lcplab_problem::Coupling;
+use lcplab_problem::error::Result;
+use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 
 /// A problem as a model of friction other than the coupled box states it.
 #[derive(Debug, Clone)]

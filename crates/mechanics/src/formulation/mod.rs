@@ -13,14 +13,12 @@
 
 mod acceleration;
 mod delassus;
-mod factors;
 mod friction;
 mod position;
 mod sliding;
 mod velocity;
 
 pub use crate::scene::Formulation;
-pub use factors::Factors;
 pub use friction::{Posing, friction_model, with_friction_model};
 pub use sliding::Slide;
 pub(crate) use velocity::{Bias, has_closed};
@@ -28,9 +26,9 @@ pub(crate) use velocity::{Bias, has_closed};
 use crate::assembly::{Assembly, Row};
 use crate::body::State;
 use crate::constraint::Bounds;
-use crate::error::Result;
-use crate::lcp::{Coupling, Gauss, Lcp};
 use crate::scene::Scene;
+use lcplab_problem::error::Result;
+use lcplab_problem::{Coupling, Gauss, Lcp};
 
 /// What an LCP decides within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

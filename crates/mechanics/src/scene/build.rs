@@ -13,8 +13,8 @@ use super::joints::Site;
 use super::settings::{not_negative, positive, within_one};
 use super::{Scene, friction, generate};
 use crate::body::{Body, Mass, Polytope, Pose, Shape, State, inertia};
-use crate::error::{Defects, Result};
-use crate::memory::Memory;
+use lcplab_problem::error::{Defects, Result};
+use lcplab_problem::memory::Memory;
 
 /// The mass of a body whose own cannot be used: one that causes no further defects.
 const STAND_IN: Mass = Mass::Point { mass: 1.0 };

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::Description;
-use crate::error::{Error, Result};
+use lcplab_problem::error::{Error, Result};
 
 /// Short names of what is changed most.
 const SHORT: [(&str, &str); 3] =

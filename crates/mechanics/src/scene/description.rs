@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use super::generate::Generator;
 use super::settings::{Contacts, Solver, Step};
-use crate::error::Result;
+use lcplab_problem::error::Result;
 
 /// A scene as it is written down. [`Scene::new`](super::Scene::new) makes a scene of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

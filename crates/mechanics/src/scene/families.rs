@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::settings::{not_negative, positive};
-use crate::error::Defects;
+use lcplab_problem::error::Defects;
 
 /// How a step is taken. `math §4`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]

@@ -11,7 +11,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use super::{Description, Scene};
-use crate::error::{Defects, Error, Result};
+use lcplab_problem::error::{Defects, Error, Result};
 
 /// The JSON schema of the scene format.
 pub fn schema() -> serde_json::Value {

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::families::Formulation;
 use super::settings::{Contacts, Persistence, Sliding, Step};
-use crate::error::Defects;
+use lcplab_problem::error::Defects;
 
 /// What the tangential impulse x_t of a contact may be, x_n being the normal one. `math §5`; the
 /// words are those of `--model` and of problem files.

@@ -12,7 +12,7 @@ use super::description;
 use super::settings::{not_negative, positive};
 use crate::body::{Mass, Shape, State};
 use crate::constraint::{ALL, Bodies, Constraint, Field, Joint, Placement};
-use crate::error::Defects;
+use lcplab_problem::error::Defects;
 
 /// A constraint as it was written, and where.
 pub(super) struct Site<'a> {

@@ -35,9 +35,9 @@ use nalgebra::Vector3;
 
 use crate::body::{Body, State};
 use crate::constraint::{Bodies, Constraint};
-use crate::error::{Defects, Error, Result};
-use crate::file as files;
-use crate::memory::Memory;
+use lcplab_problem::disk;
+use lcplab_problem::error::{Defects, Error, Result};
+use lcplab_problem::memory::Memory;
 
 /// The path and the text of a scene file, or of a shipped scene.
 ///
@@ -45,8 +45,8 @@ use crate::memory::Memory;
 /// A file that cannot be read; a name that is neither a file nor shipped.
 pub fn text(path_or_name: &str) -> Result<(String, String)> {
     let path = Path::new(path_or_name);
-    if files::is_there(path) {
-        let text = files::read(path, files::WRITTEN_BY_HAND)?;
+    if disk::is_there(path) {
+        let text = disk::read(path, disk::WRITTEN_BY_HAND)?;
         return Ok((path_or_name.into(), text));
     }
     match catalogue::text(path_or_name) {
@@ -93,7 +93,7 @@ impl Scene {
     /// One error with every defect, each at its field, such as `bodies[2].mass`.
     ///
     /// ```
-    /// use lcplab::scene::{Description, Scene};
+    /// use lcplab_mechanics::scene::{Description, Scene};
     ///
     /// let mut description = Description::default();
     /// description.step.dt = -1.0;
@@ -121,12 +121,12 @@ impl Scene {
     /// As [`load`](Scene::load), or if there is no such field or it cannot have the value.
     ///
     /// ```
-    /// use lcplab::scene::Scene;
+    /// use lcplab_mechanics::scene::Scene;
     ///
     /// let changes = [("mu".into(), "0.3".into()), ("bodies.bob.mass".into(), "2".into())];
     /// let scene = Scene::load_with("pendulum", &changes)?;
     /// assert_eq!((scene.contact.friction, scene.bodies[0].mass.mass()), (0.3, 2.0));
-    /// # Ok::<(), lcplab::error::Error>(())
+    /// # Ok::<(), lcplab_problem::error::Error>(())
     /// ```
     pub fn load_with(path_or_name: &str, changes: &[(String, String)]) -> Result<Scene> {
         if changes.is_empty() {
@@ -142,9 +142,9 @@ impl Scene {
     /// A file that cannot be read or is not a scene; a name that is neither a file nor shipped.
     ///
     /// ```
-    /// let scene = lcplab::scene::Scene::load("pendulum")?;
+    /// let scene = lcplab_mechanics::scene::Scene::load("pendulum")?;
     /// assert_eq!(scene.bodies[0].name, "bob");
-    /// # Ok::<(), lcplab::error::Error>(())
+    /// # Ok::<(), lcplab_problem::error::Error>(())
     /// ```
     pub fn load(path_or_name: &str) -> Result<Scene> {
         let (path, text) = text(path_or_name)?;

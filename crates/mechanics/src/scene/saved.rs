@@ -5,7 +5,7 @@ use toml::{Table, Value};
 use super::description::Start;
 use super::{Scene, change, text};
 use crate::body::{Body, Mass, Shape, State};
-use crate::error::{Error, Result};
+use lcplab_problem::error::{Error, Result};
 
 /// The text of a scene file, or of a shipped scene, with some fields set as by
 /// [`Scene::load_with`], whose bodies begin with these states of the scene made of it. Joints are still made
@@ -15,14 +15,14 @@ use crate::error::{Error, Result};
 /// As [`Scene::load_with`].
 ///
 /// ```
-/// use lcplab::scene::{Scene, saved};
+/// use lcplab_mechanics::scene::{Scene, saved};
 ///
 /// let scene = Scene::load("pendulum")?;
 /// let mut states = scene.states.clone();
 /// states[0].v.x = 0.25;
 /// let text = saved("pendulum", &[], &scene, &states)?;
 /// assert_eq!(Scene::from_toml("later.toml", &text)?.states, states);
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub fn saved(
     path_or_name: &str,

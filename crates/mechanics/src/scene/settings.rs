@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 use super::friction::FrictionModel;
 use crate::body::Gyroscopic;
-use crate::error::Defects;
+use lcplab_problem::error::Defects;
 
 /// A step has at most so many substeps, and so many sweeps.
 const MOST_PARTS: usize = 1_000_000;

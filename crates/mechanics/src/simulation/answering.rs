@@ -11,10 +11,10 @@
 //! | cones | the simulation's cone solver | |
 
 use crate::formulation::{Posing, Problem};
-use crate::lcp::friction::{Model, Polyhedral, Posed};
-use crate::lcp::{Lcp, merit};
 use crate::scene::Scene;
-use crate::solver::{
+use lcplab_problem::friction::{Model, Polyhedral, Posed};
+use lcplab_problem::{Lcp, merit};
+use lcplab_solver::{
     self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Newton, Observer,
     PolygonPgs, Settings, Solution, Solver, Start, Status, solve_polyhedral,
 };
@@ -161,14 +161,14 @@ fn by_polygons(
 
 /// Whether a solver is made for a model of friction; one that is not registered is thought to be.
 fn takes(solver: &dyn Solver, model: Model) -> bool {
-    let entry = solver::entry(solver.name());
+    let entry = lcplab_solver::entry(solver.name());
     entry.map_or(true, |entry| Method::Boxed(*entry).takes(Some(model)))
 }
 
 /// Whether a solver is made for A, or A is symmetric, which all are.
 fn suits(solver: &dyn Solver, lcp: &Lcp) -> bool {
     use MatrixClass::{Definite, Semidefinite};
-    let class = solver::entry(solver.name()).ok().map(|entry| entry.class.matrix);
+    let class = lcplab_solver::entry(solver.name()).ok().map(|entry| entry.class.matrix);
     lcp.matrix().is_symmetric() || !matches!(class, Some(Definite | Semidefinite))
 }
 

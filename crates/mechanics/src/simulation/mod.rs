@@ -18,6 +18,7 @@ mod motion;
 mod path;
 mod record;
 mod solving;
+mod stated;
 pub mod stepper;
 mod sweep;
 
@@ -26,14 +27,15 @@ pub use laws::Laws;
 pub use ledger::Ledger;
 pub use motion::Motion;
 pub use record::{Cause, Failure, Recording, Solve, Step};
+pub use stated::{options, problem_of, solver};
 pub use stepper::Stepper;
 
 use std::ops::ControlFlow;
 
 use crate::body::State;
 use crate::scene::{Scene, contacts};
-use crate::solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
 use answering::Solvers;
+use lcplab_solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
 use solving::{Memory, Solving};
 
 /// A speed (m/s or rad/s) beyond which a motion counts as diverged.
@@ -48,7 +50,7 @@ const DIVERGED: f64 = 1e8;
 /// let mut simulation = Simulation::new(Scene::load("fig7")?, solver);
 /// let step = simulation.step().expect("a step that can be taken");
 /// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub struct Simulation {
     scene: Scene,

@@ -5,12 +5,12 @@ use std::fmt;
 use super::{Act, Laws, Ledger, Motion};
 use crate::assembly::{Row, Undefined};
 use crate::body::State;
-use crate::certificate::ray::Farkas;
-use crate::certificate::{Demand, FrictionCertificate, judge, judge_friction};
-use crate::error::Error;
 use crate::formulation::{Posing, Problem};
 use crate::scene::Found;
-use crate::solver::{Reason, Solution};
+use lcplab_judge::ray::Farkas;
+use lcplab_judge::{Demand, FrictionCertificate, judge, judge_friction};
+use lcplab_problem::error::Error;
+use lcplab_solver::{Reason, Solution};
 
 /// What happened in one step.
 #[derive(Debug, Clone)]

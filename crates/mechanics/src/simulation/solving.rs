@@ -8,7 +8,7 @@ use crate::assembly::{Assembly, Entering, Row, RowId, Source};
 use crate::body::State;
 use crate::formulation::{Problem, Stage, friction_model};
 use crate::scene::{Found, Persistence, Scene};
-use crate::solver::{Observer, Solution};
+use lcplab_solver::{Observer, Solution};
 
 /// The x of each row at the end of a step, by what it decided.
 pub(super) type Memory = BTreeMap<(Stage, RowId), f64>;

@@ -2,9 +2,9 @@
 
 use super::Document;
 use super::markdown::formula;
-use crate::error::Result;
-use crate::report::page::markup::literal;
-use crate::report::page::{Block, Cell, Column, Page, Section, Table};
+use crate::page::markup::literal;
+use crate::page::{Block, Cell, Column, Page, Section, Table};
+use lcplab_problem::error::Result;
 
 pub(super) fn written(document: &Document) -> Result<String> {
     let section = |(k, section): (usize, &super::Section)| Section {

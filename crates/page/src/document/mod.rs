@@ -4,10 +4,13 @@
 mod html;
 mod markdown;
 pub mod notation;
+mod show;
 mod text;
 
-use crate::error::Result;
-use crate::report::page::Picture;
+pub use show::Show;
+
+use crate::page::Picture;
+use lcplab_problem::error::Result;
 use notation::{latex, plain};
 
 /// At most so many rows and columns of a matrix, and lines of a table, are written.

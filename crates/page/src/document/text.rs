@@ -2,8 +2,8 @@
 
 use super::notation::plain;
 use super::{Block, Document, Formula, Grid, Piece, Table};
-use crate::report::page::Align;
-use crate::report::text::{padded, printable};
+use crate::page::Align;
+use crate::text::{padded, printable};
 
 /// Whether escapes are used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -14,18 +14,18 @@ mod render;
 use crate::plot;
 use crate::plot::number::significant;
 pub use origin::Origin;
-pub use player::{Player, SPEEDS, speed};
+pub use player::{Chart, Pane, Player, Reel, SPEEDS, speed};
 
 /// A document.
 ///
 /// ```
-/// use lcplab::report::page::{Block, Page, Section};
+/// use lcplab_page::page::{Block, Page, Section};
 ///
 /// let text = Block::Text("The *natural residual* is $|x - \\Pi(x - w)|$.".into());
 /// let section = Section { id: "judge".into(), title: "The judge".into(), blocks: vec![text] };
 /// let page = Page { title: "Report".into(), sections: vec![section], ..Page::default() };
 /// assert!(page.render()?.contains("<em>natural residual</em> is <math>"));
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Page {

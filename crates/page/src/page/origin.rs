@@ -26,7 +26,7 @@ impl Section {
     /// an origin of its own.
     ///
     /// ```
-    /// use lcplab::report::page::{Block, Origin, Section, Table};
+    /// use lcplab_page::page::{Block, Origin, Section, Table};
     ///
     /// let mut section = Section { blocks: vec![Block::Table(Table::default())], ..Section::default() };
     /// section.obtained(&Origin { command: "lcplab verify".into(), ..Origin::default() });

@@ -5,14 +5,55 @@ use askama::Template;
 
 use super::Origin;
 use super::markup::html;
-use crate::plot::Figure;
-use crate::plot::scene::{Film, Measure, Pane};
+
+/// A film, drawn: what a page plays, whatever it is of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reel {
+    /// How many takes stand side by side.
+    pub columns: usize,
+    /// The width and height of a take's stage in px.
+    pub size: (f64, f64),
+    /// The instants (s).
+    pub times: Vec<f64>,
+    /// The takes.
+    pub panes: Vec<Pane>,
+    /// What is measured over time, a curve a take.
+    pub charts: Vec<Chart>,
+    /// Some instants of each take as an SVG document, for print and where no script runs.
+    pub strips: Vec<String>,
+    /// All that the script needs, as one JSON object.
+    pub data: String,
+}
+
+/// One take of a film.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pane {
+    /// The take's name.
+    pub name: String,
+    /// The colour of its curves, `#0072b2`.
+    pub color: String,
+    /// What never moves, as markup in px.
+    pub backdrop: String,
+    /// How it went, in a sentence.
+    pub description: String,
+}
+
+/// A measure over time.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Chart {
+    /// What is measured.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// The curves as an SVG element, for a page that has the colours.
+    pub svg: String,
+}
 
 /// A numbered film with its caption.
 #[derive(Debug, Clone)]
 pub struct Player {
     /// What is played.
-    pub film: Film,
+    pub reel: Reel,
     /// What to see in it.
     pub caption: String,
     /// Files behind it: the name of the link and its address, relative to the page.
@@ -29,7 +70,7 @@ const LONG_ENOUGH: f64 = 4.0;
 /// The speed, of [`SPEEDS`], at which a motion is long enough to be seen: never faster than it is.
 ///
 /// ```
-/// use lcplab::report::page::speed;
+/// use lcplab_page::page::speed;
 ///
 /// assert_eq!((speed(10.0), speed(1.0), speed(1e-9)), (1.0, 0.25, 0.015625));
 /// ```
@@ -46,9 +87,9 @@ struct View<'a> {
     caption: String,
     columns: usize,
     size: (f64, f64),
-    panes: Vec<Pane>,
-    charts: Vec<(Measure, String)>,
-    strips: Vec<String>,
+    panes: &'a [Pane],
+    charts: &'a [Chart],
+    strips: &'a [String],
     speeds: Vec<(f64, String, bool)>,
     last: usize,
     data: String,
@@ -60,21 +101,20 @@ pub(super) fn rendered(
     number: usize,
     caption: String,
 ) -> std::result::Result<String, String> {
-    let Player { film, .. } = player;
-    let times = film.times();
-    let own = speed(times.last().copied().unwrap_or(0.0));
+    let reel = &player.reel;
+    let own = speed(reel.times.last().copied().unwrap_or(0.0));
     let view = View {
         number,
         player,
         caption,
-        columns: film.columns(),
-        size: film.size(),
-        panes: film.panes(),
-        charts: film.measures().into_iter().map(|own| (own, film.chart(own))).collect(),
-        strips: (0..film.takes.len()).map(|k| film.strip(k).svg()).collect(),
+        columns: reel.columns,
+        size: reel.size,
+        panes: &reel.panes,
+        charts: &reel.charts,
+        strips: &reel.strips,
         speeds: SPEEDS.map(|speed| (speed, name(speed), speed == own)).into(),
-        last: times.len().saturating_sub(1),
-        data: film.data().replace('<', "\\u003c"),
+        last: reel.times.len().saturating_sub(1),
+        data: reel.data.replace('<', "\\u003c"),
     };
     view.render().map_err(|error| error.to_string())
 }

@@ -6,8 +6,8 @@ use sha2::{Digest, Sha256};
 use super::markup::{Renderer, html};
 use super::player::{self, Player};
 use super::{Align, Block, Cell, Column, Mark, Page, Picture, Section, Table};
-use crate::error::{Defects, Error, Result};
-use crate::file;
+use lcplab_problem::disk;
+use lcplab_problem::error::{Defects, Error, Result};
 
 const FONT: &[u8] = include_bytes!("../assets/lcplab-math.woff2");
 
@@ -93,7 +93,7 @@ impl Page {
     fn ids_checked(&self, mut defects: Defects) -> Defects {
         for (k, section) in self.sections.iter().enumerate() {
             let id = section.id.as_str();
-            if !file::is_name(id) {
+            if !disk::is_name(id) {
                 defects.add(format!("section {}", k + 1), format!("{id:?} cannot be an anchor"));
             }
             if let Some(first) = self.sections[..k].iter().position(|other| other.id == id) {

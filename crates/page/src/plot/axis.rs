@@ -23,8 +23,10 @@ pub enum Scale {
 }
 
 /// A labelled place on an axis.
-pub(super) struct Tick {
+pub struct Tick {
+    /// Where.
     pub at: f64,
+    /// What stands there.
     pub label: String,
 }
 
@@ -77,7 +79,7 @@ impl Scale {
     }
 
     /// The labelled places between two positions, about `wanted` of them.
-    pub(super) fn ticks(self, (lo, hi): (f64, f64), wanted: usize) -> Vec<Tick> {
+    pub fn ticks(self, (lo, hi): (f64, f64), wanted: usize) -> Vec<Tick> {
         match self {
             Scale::Log if hi - lo > 2.2 => decades(lo, hi, wanted),
             Scale::Log => parts_of_decades(lo, hi),
@@ -87,7 +89,7 @@ impl Scale {
 }
 
 /// The least of 1, 2 and 5 times a power of ten that is not less than a positive number.
-pub(super) fn round_step(rough: f64) -> f64 {
+pub fn round_step(rough: f64) -> f64 {
     let power = 10f64.powf(rough.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|step| *step >= rough);
     step.unwrap_or(10.0 * power)

@@ -16,7 +16,7 @@ use super::style::{self, FONTS, PAPER, WIDTH};
 const FINE: f64 = 10.0;
 
 /// What plotters draws on.
-pub(super) type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// A layer addressed by axis positions.
 pub(super) type Plane<'a> =
@@ -24,9 +24,12 @@ pub(super) type Plane<'a> =
 
 /// Where a text is held.
 #[derive(Clone, Copy)]
-pub(super) enum Anchor {
+pub enum Anchor {
+    /// At its beginning.
     Start,
+    /// In the middle.
     Middle,
+    /// At its end.
     End,
 }
 
@@ -58,12 +61,13 @@ impl Frame {
 }
 
 /// An SVG document in the making.
-pub(super) struct Canvas {
+pub struct Canvas {
     height: f64,
     body: String,
 }
 
 impl Canvas {
+    /// Paper of the usual width and this height (px).
     pub fn new(height: f64) -> Self {
         let mut canvas = Canvas { height, body: String::new() };
         let corner = (fine(WIDTH), fine(height));
@@ -133,12 +137,12 @@ impl Canvas {
 }
 
 /// A length in px as plotters wants it.
-pub(super) fn fine(px: f64) -> i32 {
+pub fn fine(px: f64) -> i32 {
     (px * FINE).round() as i32
 }
 
 /// A line of this width in px.
-pub(super) fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
+pub fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
     color.stroke_width(fine(width) as u32)
 }
 
@@ -153,12 +157,12 @@ pub(super) fn dashes(pattern: &[u32]) -> String {
 }
 
 /// `#0072b2`.
-pub(super) fn hex((r, g, b): (u8, u8, u8)) -> String {
+pub fn hex((r, g, b): (u8, u8, u8)) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 /// The text with the characters that mean something in XML replaced, and those XML forbids removed.
-pub(super) fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

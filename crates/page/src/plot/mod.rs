@@ -6,7 +6,7 @@
 
 mod axis;
 mod bars;
-mod canvas;
+pub mod canvas;
 pub mod csv;
 mod cut;
 mod heat;
@@ -18,12 +18,11 @@ pub mod plane;
 mod points;
 pub mod profile;
 mod raster;
-pub mod scene;
 mod spies;
 mod spy;
 pub mod style;
 
-pub use axis::{Axis, Scale};
+pub use axis::{Axis, Scale, Tick, round_step};
 pub use bars::{Bar, Bars};
 pub use heat::{Heat, Shaded};
 pub use line::{Lines, Look, Panel, Series};

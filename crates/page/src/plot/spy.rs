@@ -10,7 +10,7 @@ use super::number::{count, readable};
 use super::raster::Raster;
 use super::style::{self, FAINT_INK, INK, TEXT};
 use super::{Figure, csv};
-use crate::error::{Defects, Result};
+use lcplab_problem::error::{Defects, Result};
 
 /// Cells along the longer side; beyond that, several entries share a cell.
 const CELLS: usize = 160;

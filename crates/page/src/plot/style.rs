@@ -7,51 +7,33 @@
 use plotters::style::RGBColor;
 
 /// Width of every figure in px.
-pub(super) const WIDTH: f64 = 720.0;
+pub const WIDTH: f64 = 720.0;
 /// Size of all text but the title in px.
-pub(super) const TEXT: f64 = 14.0;
+pub const TEXT: f64 = 14.0;
 /// Size of the title in px.
-pub(super) const TITLE: f64 = 17.0;
+pub const TITLE: f64 = 17.0;
 /// Width of a measured line in px.
-pub(super) const LINE: f64 = 2.0;
+pub const LINE: f64 = 2.0;
 /// Width of theory, reference and frame lines in px.
-pub(super) const THIN: f64 = 1.3;
+pub const THIN: f64 = 1.3;
 /// Distance of text from the left edge in px.
-pub(super) const EDGE: f64 = 6.0;
+pub const EDGE: f64 = 6.0;
 /// Radius of a marker in px.
-pub(super) const MARKER: f64 = 4.2;
+pub const MARKER: f64 = 4.2;
 
-/// Paper, ink, and the greys between them.
-pub(super) const PAPER: RGBColor = RGBColor(255, 255, 255);
-pub(super) const INK: RGBColor = RGBColor(34, 38, 45);
-pub(super) const FAINT_INK: RGBColor = RGBColor(92, 98, 108);
-pub(super) const GRID: RGBColor = RGBColor(228, 230, 234);
-pub(super) const THEORY: RGBColor = RGBColor(112, 112, 112);
-
-/// The ground in pictures of scenes.
-pub(super) const GROUND: Rgb = (238, 240, 243);
-/// Bodies in pictures of scenes: those that are fixed, point masses, and the others in turn.
-pub(super) const FIXED: Rgb = (206, 209, 214);
-pub(super) const POINT: Rgb = BLUE;
-const BODIES: [Rgb; 6] = [
-    (124, 181, 222),
-    (238, 180, 92),
-    (110, 190, 160),
-    (212, 154, 188),
-    (226, 214, 124),
-    (228, 146, 104),
-];
-
-/// The colour of the body with this index.
-pub(super) fn body_color(index: usize) -> Rgb {
-    BODIES[index % BODIES.len()]
-}
-
-/// Forces in pictures of scenes: normal, friction, of other constraints.
-pub(super) const FORCES: [Rgb; 3] = [(0, 76, 140), (190, 50, 0), (130, 40, 110)];
+/// Paper.
+pub const PAPER: RGBColor = RGBColor(255, 255, 255);
+/// Ink.
+pub const INK: RGBColor = RGBColor(34, 38, 45);
+/// Ink of what matters less.
+pub const FAINT_INK: RGBColor = RGBColor(92, 98, 108);
+/// Lines of the grid.
+pub const GRID: RGBColor = RGBColor(228, 230, 234);
+/// Lines of theory.
+pub const THEORY: RGBColor = RGBColor(112, 112, 112);
 
 /// Fonts that are on the reader's machine.
-pub(super) const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
+pub const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
                                 'Noto Sans', 'Liberation Sans', Arial, sans-serif";
 
 /// Dash patterns in px; the first is a solid line.
@@ -232,7 +214,7 @@ pub fn styles(names: &[&str]) -> Vec<Style> {
 }
 
 /// Width of a text in px, near enough to lay out labels without a font at hand.
-pub(super) fn width(text: &str, size: f64) -> f64 {
+pub fn width(text: &str, size: f64) -> f64 {
     let em = |c: char| match c {
         '⁰'..='⁹' | '¹' | '²' | '³' | '⁻' => 0.4,
         'i' | 'j' | 'l' | 't' | 'f' | 'r' | ' ' | '.' | ',' | '(' | ')' | '/' | '|' | '\'' => 0.36,

@@ -7,15 +7,15 @@ use dashu_int::ops::UnsignedAbs;
 use dashu_ratio::RBig;
 
 /// An exact binary fraction.
-pub(crate) type Dyadic = FBig<Zero, 2>;
+pub type Dyadic = FBig<Zero, 2>;
 
 /// A finite number, exactly.
-pub(crate) fn dyadic(x: f64) -> Dyadic {
+pub fn dyadic(x: f64) -> Dyadic {
     exact_precision(Dyadic::try_from(x + 0.0).expect("a finite number")) // + 0 turns −0 into 0
 }
 
 /// An integer, exactly.
-pub(crate) fn whole(x: IBig) -> Dyadic {
+pub fn whole(x: IBig) -> Dyadic {
     exact_precision(Dyadic::from(x))
 }
 
@@ -25,7 +25,7 @@ fn exact_precision(x: Dyadic) -> Dyadic {
 }
 
 /// The same number as a fraction.
-pub(crate) fn rational(x: &Dyadic) -> RBig {
+pub fn rational(x: &Dyadic) -> RBig {
     let (significand, exponent) = x.repr().clone().into_parts();
     let power = IBig::ONE << exponent.unsigned_abs();
     if exponent >= 0 {
@@ -36,7 +36,7 @@ pub(crate) fn rational(x: &Dyadic) -> RBig {
 }
 
 /// The numbers of an equation times the power of two that makes all of them integers.
-pub(crate) fn integers(equation: &[Dyadic]) -> Vec<IBig> {
+pub fn integers(equation: &[Dyadic]) -> Vec<IBig> {
     let nonzero = || equation.iter().filter(|x| **x != Dyadic::ZERO);
     let least = nonzero().map(|x| x.repr().exponent()).min().unwrap_or(0);
     let integer = |x: &Dyadic| {
@@ -52,7 +52,7 @@ pub(crate) fn integers(equation: &[Dyadic]) -> Vec<IBig> {
 /// The least number that is not below x.
 ///
 /// ```
-/// use lcplab::lcp::exact::rounded_up;
+/// use lcplab_problem::exact::rounded_up;
 ///
 /// let third = dashu_ratio::RBig::from_parts(1.into(), 3u8.into());
 /// assert_eq!(rounded_up(&third), (1.0_f64 / 3.0).next_up()); // 1/3 is rounded down

@@ -12,15 +12,15 @@
 //! A choice of a side for every row is a *piece*. Its equations are solved in integers, and whether a
 //! point solves the problem is decided by the definition, row by row.
 
-pub(crate) mod dyadic;
+pub mod dyadic;
 mod echelon;
-pub(crate) mod modular;
+pub mod modular;
 mod pieces;
 mod point;
 
 pub use dyadic::rounded_up;
 pub use pieces::{MAX_PIECES, all_solutions};
-pub(crate) use pieces::{Pieces, Search};
+pub use pieces::{Pieces, Search};
 pub use point::Point;
 
 use super::Lcp;
@@ -28,14 +28,17 @@ use dyadic::{Dyadic, dyadic, integers};
 
 /// Where a row stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
+pub enum Side {
+    /// x at its lower bound, w ≥ 0.
     Lower,
+    /// w = 0, x between its bounds.
     Free,
+    /// x at its upper bound, w ≤ 0.
     Upper,
 }
 
 /// A problem in binary fractions.
-pub(crate) struct Exact {
+pub struct Exact {
     /// The entries of A other than 0, row by row.
     a: Vec<Vec<(usize, Dyadic)>>,
     b: Vec<Dyadic>,
@@ -61,7 +64,7 @@ enum Place {
 
 impl Exact {
     /// The problem, exactly as it stands.
-    pub(crate) fn new(lcp: &Lcp) -> Self {
+    pub fn new(lcp: &Lcp) -> Self {
         let row = |i: usize| lcp.matrix().row(i).iter().filter(|&(_, a)| a != 0.0);
         let number = |x: f64| x.is_finite().then(|| dyadic(x));
         let bounds = |i: usize| match lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
@@ -77,13 +80,13 @@ impl Exact {
     }
 
     /// The number of rows.
-    pub(crate) fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         self.b.len()
     }
 
     /// The point of a piece where w = 0 in as many free rows as the equations determine; free rows
     /// that they leave open keep their x. With it a null vector of the equations, if there is such a row.
-    pub(crate) fn point(&self, sides: &[Side], x: &[f64]) -> Option<(Point, Option<Point>)> {
+    pub fn point(&self, sides: &[Side], x: &[f64]) -> Option<(Point, Option<Point>)> {
         if (0..self.len()).any(|i| self.is_at_infinity(i, sides[i])) {
             return None;
         }
@@ -102,7 +105,7 @@ impl Exact {
     }
 
     /// x with w = 0 in as many of these rows as these entries of x, changed, can bring about.
-    pub(crate) fn repaired(&self, x: &[f64], rows: &[usize], entries: &[usize]) -> Option<Point> {
+    pub fn repaired(&self, x: &[f64], rows: &[usize], entries: &[usize]) -> Option<Point> {
         let sides = vec![Side::Free; self.len()];
         let (rows, unknowns) = self.independent(&sides, rows, entries);
         let places = self.places(&sides, &unknowns, &|i| dyadic(x[i]));
@@ -139,7 +142,7 @@ impl Exact {
     }
 
     /// Whether a point solves the problem, by the definition.
-    pub(crate) fn is_solved_by(&self, x: &Point) -> bool {
+    pub fn is_solved_by(&self, x: &Point) -> bool {
         (0..self.len()).all(|i| {
             let w = self.scaled_w(i, x);
             let ((lo, hi), x) = (self.scaled_bounds(i, x), x.scaled(i));
@@ -152,7 +155,7 @@ impl Exact {
 
     /// Whether x can be moved along d from a solution, both ways, without any w being moved and within
     /// all bounds.
-    pub(crate) fn is_free_along(&self, d: &Point, solution: &Point, sides: &[Side]) -> bool {
+    pub fn is_free_along(&self, d: &Point, solution: &Point, sides: &[Side]) -> bool {
         let zero = |i: usize| *d.scaled(i) == Dyadic::ZERO;
         let inside = |i: usize| {
             let ((lo, hi), x) = (self.scaled_bounds(i, solution), solution.scaled(i));
@@ -170,7 +173,7 @@ impl Exact {
     }
 
     /// w_i times the point's denominator.
-    pub(crate) fn scaled_w(&self, i: usize, x: &Point) -> Dyadic {
+    pub fn scaled_w(&self, i: usize, x: &Point) -> Dyadic {
         let terms = self.a[i].iter().map(|(j, a)| a * x.scaled(*j));
         terms.fold(&self.b[i] * x.denominator(), |sum, term| sum + term)
     }

@@ -17,13 +17,15 @@ use dashu_int::ops::{Abs, BitTest};
 const P: u64 = (1 << 61) - 1;
 
 /// The rows and columns of a largest submatrix that is invertible mod p, hence invertible.
-pub(crate) struct RankProfile {
-    pub(crate) rows: Vec<usize>,
-    pub(crate) columns: Vec<usize>,
+pub struct RankProfile {
+    /// Its rows, ascending.
+    pub rows: Vec<usize>,
+    /// Its columns, ascending.
+    pub columns: Vec<usize>,
 }
 
 /// Gaussian elimination mod p. Rows and columns come out in ascending order.
-pub(crate) fn rank_profile(a: &[Vec<IBig>]) -> RankProfile {
+pub fn rank_profile(a: &[Vec<IBig>]) -> RankProfile {
     let mut m: Vec<Vec<u64>> = a.iter().map(|row| row.iter().map(residue).collect()).collect();
     let mut order: Vec<usize> = (0..m.len()).collect();
     let mut columns = Vec::new();
@@ -47,7 +49,7 @@ pub(crate) fn rank_profile(a: &[Vec<IBig>]) -> RankProfile {
 
 /// The solution of the square system A x = r as numerators over one positive denominator; `None`
 /// if A is singular mod p.
-pub(crate) fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
+pub fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
     if a.is_empty() {
         return Some((Vec::new(), IBig::ONE));
     }

@@ -12,13 +12,13 @@ use dashu_ratio::RBig;
 use super::dyadic::{Dyadic, integers};
 use super::echelon::{self, System};
 use super::{Bounds, Exact, Place, Point, Side};
-use crate::lcp::Lcp;
+use crate::Lcp;
 
 /// More pieces than this are not tried.
 pub const MAX_PIECES: usize = 1 << 16;
 
 /// The pieces of a problem.
-pub(crate) struct Pieces {
+pub struct Pieces {
     exact: Exact,
     /// The sides of each row, in the order in which they are tried.
     choices: Vec<Vec<Side>>,
@@ -29,16 +29,19 @@ pub(crate) struct Pieces {
 
 /// What a search through all pieces has found.
 #[derive(Debug)]
-pub(crate) enum Search {
+pub enum Search {
     /// A solution.
     Solution(Point),
     /// None of so many pieces has a solution.
-    Nothing { pieces: usize },
+    Nothing {
+        /// How many there are.
+        pieces: usize,
+    },
 }
 
 impl Pieces {
     /// All pieces; `None` if there are more than [`MAX_PIECES`].
-    pub(crate) fn of(lcp: &Lcp) -> Option<Self> {
+    pub fn of(lcp: &Lcp) -> Option<Self> {
         let exact = Exact::new(lcp);
         let choices: Vec<Vec<Side>> = (0..lcp.len()).map(|i| exact.sides(i).to_vec()).collect();
         let count = choices.iter().try_fold(1usize, |n, sides| n.checked_mul(sides.len()))?;
@@ -51,7 +54,7 @@ impl Pieces {
     }
 
     /// The same, tried in an order that begins with this piece.
-    pub(crate) fn beginning_with(mut self, sides: &[Side]) -> Self {
+    pub fn beginning_with(mut self, sides: &[Side]) -> Self {
         for (choices, first) in self.choices.iter_mut().zip(sides) {
             choices.sort_by_key(|side| side != first);
         }
@@ -59,12 +62,12 @@ impl Pieces {
     }
 
     /// How many there are.
-    pub(crate) fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.count
     }
 
     /// Piece number k, row 0 changing fastest.
-    pub(crate) fn piece(&self, mut k: usize) -> Vec<Side> {
+    pub fn piece(&self, mut k: usize) -> Vec<Side> {
         let mut digit = |sides: &Vec<Side>| {
             let side = sides[k % sides.len()];
             k /= sides.len();
@@ -74,7 +77,7 @@ impl Pieces {
     }
 
     /// The first solution in the order of the pieces, or that there is none.
-    pub(crate) fn search(&self) -> Search {
+    pub fn search(&self) -> Search {
         let mut all = (0..self.count).map(|k| self.solutions(&self.piece(k)));
         match all.find_map(|found| found.into_iter().next()) {
             Some(solution) => Search::Solution(solution),
@@ -83,7 +86,7 @@ impl Pieces {
     }
 
     /// The solutions in a piece: none, one, or the corners of a polyhedron.
-    pub(crate) fn solutions(&self, sides: &[Side]) -> Vec<Point> {
+    pub fn solutions(&self, sides: &[Side]) -> Vec<Point> {
         let (free, bound): (Vec<usize>, Vec<usize>) =
             (0..sides.len()).partition(|&i| sides[i] == Side::Free);
         let unknowns: Vec<usize> =
@@ -140,15 +143,15 @@ impl Pieces {
 /// `None` if there are more than 65536 pieces.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::lcp::exact::all_solutions;
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_problem::exact::all_solutions;
 ///
 /// // The segment x1 + x2 = 1.
 /// let a = Matrix::dense(2, &[1.0; 4]);
 /// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let corners = all_solutions(&lcp).unwrap();
 /// assert_eq!(corners, [[1.into(), 0.into()], [0.into(), 1.into()]]);
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub fn all_solutions(lcp: &Lcp) -> Option<Vec<Vec<RBig>>> {
     let pieces = Pieces::of(lcp)?;

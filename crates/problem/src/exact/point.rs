@@ -28,12 +28,12 @@ impl Point {
     }
 
     /// Entry i times the denominator.
-    pub(crate) fn scaled(&self, i: usize) -> &Dyadic {
+    pub fn scaled(&self, i: usize) -> &Dyadic {
         &self.numerators[i]
     }
 
     /// The denominator that all entries have.
-    pub(crate) fn denominator(&self) -> &Dyadic {
+    pub fn denominator(&self) -> &Dyadic {
         &self.denominator
     }
 

@@ -3,11 +3,11 @@
 use serde_json::{Map, Value};
 
 use super::value::{as_number, brief};
+use crate::Matrix;
 use crate::error::Defects;
-use crate::lcp::Matrix;
 
 /// The entries of a matrix, as they are written.
-pub(in crate::lcp) enum Entries {
+pub enum Entries {
     /// Row by row, n² of them.
     Dense(Vec<f64>),
     /// Row, column and value.

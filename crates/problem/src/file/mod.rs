@@ -35,8 +35,8 @@ mod matrix;
 mod parts;
 mod value;
 
-pub(super) use matrix::Entries;
-pub(super) use parts::Parts;
+pub use matrix::Entries;
+pub use parts::Parts;
 pub use value::{as_number, number};
 
 use std::path::Path;
@@ -48,8 +48,8 @@ use value::numbers;
 
 use super::friction::{FrictionProblem, Model};
 use super::{Lcp, Matrix};
+use crate::disk;
 use crate::error::{Defects, Error, Result};
-use crate::file;
 use crate::json;
 use crate::memory::Memory;
 
@@ -109,12 +109,12 @@ impl Problem {
     /// Reads a problem from the text of a file called `input`.
     ///
     /// ```
-    /// use lcplab::lcp::file::Problem;
+    /// use lcplab_problem::file::Problem;
     ///
     /// let text = r#"{"A": {"rows": 1, "cols": 1, "triplets": [[0, 0, 2]]}, "b": [-1]}"#;
     /// let problem = Problem::parse(text, "one.json")?;
     /// assert_eq!(problem.lcp.w(&[0.5]), [0.0]);
-    /// # Ok::<(), lcplab::error::Error>(())
+    /// # Ok::<(), lcplab_problem::error::Error>(())
     /// ```
     ///
     /// # Errors
@@ -211,7 +211,7 @@ const VALUE: usize = 64;
 
 /// The text of a file that can be read within this memory.
 fn read_text(path: &Path, most: Memory) -> Result<String> {
-    let text = file::read(path, most)?;
+    let text = disk::read(path, most)?;
     let values = 1 + text.bytes().filter(|byte| b",[{".contains(byte)).count();
     let needs = Memory::bytes((text.len() + VALUE * values) as u64);
     most.check(format!("{}: reading {values} JSON values", path.display()), needs)?;

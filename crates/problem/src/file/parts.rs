@@ -5,17 +5,23 @@ use serde_json::{Map, Value};
 use super::matrix::Entries;
 use super::value::{brief, numbers};
 use crate::error::{Defects, Error, Result};
-use crate::lcp::friction::Model;
-use crate::lcp::{Coupling, Lcp};
+use crate::friction::Model;
+use crate::{Coupling, Lcp};
 
 /// The keys of a problem file, each well-formed in itself; the entries are those of an n × n matrix,
 /// n the length of b.
-pub(in crate::lcp) struct Parts {
+pub struct Parts {
+    /// A.
     pub entries: Entries,
+    /// b, n numbers.
     pub b: Vec<f64>,
+    /// lo; 0 without it.
     pub lo: Option<Vec<f64>>,
+    /// hi; ∞ without it.
     pub hi: Option<Vec<f64>>,
+    /// The key `friction_index`.
     pub index: Option<Vec<Option<usize>>>,
+    /// The key `mu`.
     pub mu: Option<Vec<f64>>,
 }
 

@@ -40,8 +40,8 @@
 
 use super::tangents::Tangents;
 use super::{Contact, FrictionProblem};
-use crate::lcp::merit::{self, Miss, RowTerms};
-use crate::lcp::{Complementarity, Lcp};
+use crate::merit::{self, Miss, RowTerms};
+use crate::{Complementarity, Lcp};
 
 /// What a sliding contact does along its normal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -250,7 +250,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// contact that slides and carries nothing carries 0 and not 10⁻¹⁷.
 ///
 /// ```
-/// use lcplab::lcp::friction::project;
+/// use lcplab_problem::friction::project;
 ///
 /// assert_eq!(project(0.75, [4.0, 0.0, 3.0]), [4.0, 0.0, 3.0]);
 /// assert_eq!(project(0.75, [-3.0, 0.0, 4.0]), [0.0; 3]);

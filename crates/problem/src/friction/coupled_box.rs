@@ -14,7 +14,7 @@
 //! game engines are this model. `math §5`, model 2.
 
 use super::FrictionProblem;
-use crate::lcp::{Coupling, Lcp};
+use crate::{Coupling, Lcp};
 
 impl FrictionProblem {
     /// Model 2, the LCP with |x_t1|, |x_t2| ≤ μ x_n.

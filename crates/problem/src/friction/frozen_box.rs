@@ -11,7 +11,7 @@
 //! until nothing changes leads to [`FrictionProblem::coupled_box`]. `math §5`, model 1.
 
 use super::FrictionProblem;
-use crate::lcp::Lcp;
+use crate::Lcp;
 
 impl FrictionProblem {
     /// Model 1, the boxed LCP with |x_t1|, |x_t2| ≤ μ max(x̄_n, 0), given the x̄_n of each contact.

@@ -2,11 +2,11 @@
 //!
 //! All of them look at the natural map F(x) = x − Π_K(x − ŵ), ŵ = w + μ |w_t| n under Coulomb's law; they
 //! differ in what they divide it by. F adds impulses and velocities as if s were 1, so a change of
-//! units changes it; [`scaled_residual`](crate::lcp::Complementarity::scaled_residual) does not.
+//! units changes it; [`scaled_residual`](crate::Complementarity::scaled_residual) does not.
 
 use super::ConeProblem;
-use crate::lcp::Complementarity;
-use crate::lcp::merit::euclidean;
+use crate::Complementarity;
+use crate::merit::euclidean;
 
 /// F(x) = x − Π_K(x − ŵ), one entry a row; rows of no contact have their interval in place of a cone.
 pub fn natural_map(problem: &ConeProblem, x: &[f64]) -> Vec<f64> {

@@ -27,8 +27,8 @@
 //! across an edge, one with k corners 1 − cos(π/k). `math §5`.
 //!
 //! ```
-//! use lcplab::lcp::{Lcp, Matrix};
-//! use lcplab::lcp::friction::{Contact, FrictionProblem};
+//! use lcplab_problem::{Lcp, Matrix};
+//! use lcplab_problem::friction::{Contact, FrictionProblem};
 //!
 //! // A unit mass, pressed to the floor with 2 N s and pushed along t1 with 3 N s; μ = ½.
 //! let a = Matrix::dense(3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
@@ -36,7 +36,7 @@
 //! let lcp = Lcp::new(a, vec![-2.0, -3.0, 0.0], lo, hi)?;
 //! let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
 //! assert_eq!(problem.coupled_box().bounds(1, &[2.0, 0.0, 0.0]), (-1.0, 1.0));
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
 mod cone;

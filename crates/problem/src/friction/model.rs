@@ -6,13 +6,13 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use super::{ConeProblem, FrictionProblem, Law, Polyhedral};
+use crate::Lcp;
 use crate::error::{Error, Result};
-use crate::lcp::Lcp;
 
 /// The most corners of a polygon that a name can ask for.
 const MOST_DIRECTIONS: usize = 256;
 
-/// A model of friction, see [`lcp::friction`](crate::lcp::friction).
+/// A model of friction, see [`lcp::friction`](crate::friction).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Model {
     /// 1: a box frozen at normal impulses that are known beforehand.
@@ -91,7 +91,7 @@ impl fmt::Display for Model {
 }
 
 /// ```
-/// use lcplab::lcp::friction::Model;
+/// use lcplab_problem::friction::Model;
 ///
 /// assert_eq!("polygon-12".parse(), Ok(Model::Polyhedral { directions: 12 }));
 /// assert!("polygon-6".parse::<Model>().unwrap_err().to_string().contains("multiple of 4"));

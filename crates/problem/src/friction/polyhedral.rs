@@ -35,9 +35,9 @@ use std::f64::consts::TAU;
 
 use super::{Contact, FrictionProblem};
 use crate::error::{Error, Result};
-use crate::lcp::merit::RowTerms;
-use crate::lcp::{Lcp, Matrix};
 use crate::memory::Memory;
+use crate::merit::RowTerms;
+use crate::{Lcp, Matrix};
 
 /// What an entry takes while the matrix is made (numbers): its place and value, twice, and the matrix.
 const ENTRY: usize = 8;
@@ -160,15 +160,15 @@ impl Polyhedral {
     /// The point of the polygon with corners radius d_j that is nearest to p.
     ///
     /// ```
-    /// use lcplab::lcp::friction::{FrictionProblem, Polyhedral};
-    /// use lcplab::lcp::{Lcp, Matrix};
+    /// use lcplab_problem::friction::{FrictionProblem, Polyhedral};
+    /// use lcplab_problem::{Lcp, Matrix};
     ///
     /// let empty = Lcp::new(Matrix::dense(0, &[]), vec![], vec![], vec![])?;
     /// let square = Polyhedral::new(&FrictionProblem::new(empty, vec![])?, 4)?;
     /// assert_eq!(square.nearest(1.0, [0.25, 0.5]), [0.25, 0.5]); // inside
     /// assert_eq!(square.nearest(1.0, [1.0, 1.0]), [0.5, 0.5]); // beyond an edge
     /// assert_eq!(square.nearest(1.0, [3.0, 0.5]), [1.0, 0.0]); // beyond a corner
-    /// # Ok::<(), lcplab::error::Error>(())
+    /// # Ok::<(), lcplab_problem::error::Error>(())
     /// ```
     pub fn nearest(&self, radius: f64, p: [f64; 2]) -> [f64; 2] {
         let k = self.directions;

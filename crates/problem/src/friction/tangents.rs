@@ -5,7 +5,7 @@
 //! (terms_t / R) x_t      where it is narrower: then no step is longer than the disc is wide
 //! ```
 
-use crate::lcp::merit::{self, RowTerms};
+use crate::merit::{self, RowTerms};
 
 /// The tangents' w and the sizes to measure them by, in units of 2^`exponent`.
 #[derive(Debug, Clone, Copy)]

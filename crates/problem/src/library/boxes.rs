@@ -4,8 +4,8 @@
 use super::contact::delassus;
 use super::random::Random;
 use super::{Generated, Parameter, Values};
-use crate::lcp::file::Problem;
-use crate::lcp::{Lcp, Matrix};
+use crate::file::Problem;
+use crate::{Lcp, Matrix};
 
 pub(super) const FAMILIES: &[Generated] = &[Generated {
     name: "box-stack",

@@ -4,8 +4,8 @@ use dashu_ratio::RBig;
 
 use super::random::Random;
 use super::{Expected, Generated, Parameter, Values, contacts, offset, rational};
-use crate::lcp::file::Problem;
-use crate::lcp::{Lcp, Matrix};
+use crate::file::Problem;
+use crate::{Lcp, Matrix};
 
 pub(super) const FAMILIES: &[Generated] = &[
     Generated {

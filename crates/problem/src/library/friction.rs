@@ -10,9 +10,9 @@ use dashu_ratio::RBig;
 use super::contact::delassus;
 use super::random::Random;
 use super::{Expected, Generated, Parameter, Values, offset, rational};
-use crate::lcp::file::Problem;
-use crate::lcp::friction::{Contact, FrictionProblem};
-use crate::lcp::{Lcp, Matrix};
+use crate::file::Problem;
+use crate::friction::{Contact, FrictionProblem};
+use crate::{Lcp, Matrix};
 
 pub(super) const FAMILIES: &[Generated] = &[
     Generated {

@@ -5,8 +5,8 @@ use dashu_ratio::RBig;
 use nalgebra::DMatrix;
 
 use super::{Expected, Generated, Parameter, contacts, offset};
-use crate::lcp::Matrix;
-use crate::lcp::file::Problem;
+use crate::Matrix;
+use crate::file::Problem;
 
 const ORDER: Parameter =
     Parameter::whole("reversed", "1: rows numbered backwards, the easy way round", 0, [0, 1]);

@@ -9,8 +9,8 @@ use nalgebra::DMatrix;
 
 use super::random::Random;
 use super::{Expected, Generated, Parameter, Values, boxed, contacts, offset, rational};
-use crate::lcp::Matrix;
-use crate::lcp::file::Problem;
+use crate::Matrix;
+use crate::file::Problem;
 
 pub(super) const FAMILIES: &[Generated] = &[
     Generated {

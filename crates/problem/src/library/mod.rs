@@ -13,12 +13,12 @@
 //! model 2, the coupled box, and what they expect holds under every model but the associated one.
 //!
 //! ```
-//! use lcplab::lcp::library;
+//! use lcplab_problem::library;
 //!
 //! let problem = library::by_name("murty")?.generate(&[("n", 4.0)])?;
 //! assert_eq!(problem.lcp.matrix().row_dot(0, &[1.0; 4]), 7.0);
 //! assert_eq!(problem.extra["expected"]["solutions"][0], serde_json::json!(["0", "0", "0", "1"]));
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
 mod boxes;

@@ -20,7 +20,7 @@
 //! and
 //!
 //! - b < 0: no solution; with a x ≤ 0, d = 1 is a Farkas vector
-//!   ([`refute`](crate::certificate::ray::refute));
+//!   ([`refute`](lcplab_judge::ray::refute));
 //! - b > 0: two, x = 0 and x = b / |a|.
 //!
 //! Forces do not suffice, impulses do. The same rod with a time step, b_n = −fall, slip −1 and the
@@ -43,9 +43,9 @@
 use dashu_ratio::RBig;
 
 use super::{Expected, Generated, Parameter, Values, contacts, rational};
-use crate::lcp::file::Problem;
-use crate::lcp::friction::{Contact, FrictionProblem, Polyhedral};
-use crate::lcp::{Lcp, Matrix};
+use crate::file::Problem;
+use crate::friction::{Contact, FrictionProblem, Polyhedral};
+use crate::{Lcp, Matrix};
 
 const MU: Parameter = Parameter::real("mu", "coefficient of friction", 2.0, [0.0, 100.0]);
 const TAN: Parameter =

@@ -4,8 +4,8 @@
 //! stands by rows.
 
 use super::{Expected, Family, Parameter, Values, boxed};
-use crate::lcp::Matrix;
-use crate::lcp::file::Problem;
+use crate::Matrix;
+use crate::file::Problem;
 
 /// A problem without parameters.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! One row: its w with the sizes to measure it by, and how far its x is from where it should be.
 
-use crate::lcp::Lcp;
+use crate::Lcp;
 
 /// Terms in this range lose nothing to overflow or underflow, nor do their sums.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
@@ -48,7 +48,7 @@ impl RowTerms {
     }
 
     /// The terms whose sums were taken elsewhere; none if those may have overflowed or vanished.
-    pub(crate) fn of_sums(lcp: &Lcp, w: f64, magnitude: f64, scale: f64) -> Option<Self> {
+    pub fn of_sums(lcp: &Lcp, w: f64, magnitude: f64, scale: f64) -> Option<Self> {
         let rest = lcp.scale() * scale;
         let terms = || RowTerms { w, magnitude: magnitude.max(rest), scale, exponent: 0 };
         SAFE.contains(&magnitude).then(terms)
@@ -154,12 +154,12 @@ impl RowTerms {
     }
 
     /// The same for a friction row under a normal of this [size](Self::size).
-    pub(crate) fn reach_of_friction(&self, mu: f64, normal: f64) -> f64 {
+    pub fn reach_of_friction(&self, mu: f64, normal: f64) -> f64 {
         (mu * normal).max(SEEN * self.natural())
     }
 
     /// max(x_k, e_k): how large x_k is, as far as it is known.
-    pub(crate) fn size(&self, lcp: &Lcp, k: usize, x: &[f64]) -> f64 {
+    pub fn size(&self, lcp: &Lcp, k: usize, x: &[f64]) -> f64 {
         self.natural().min(self.reach(lcp, k, x)).max(x[k])
     }
 
@@ -169,7 +169,7 @@ impl RowTerms {
     }
 
     /// s_i, or 1 where the whole row is 0.
-    pub(in crate::lcp) fn positive_scale(&self) -> f64 {
+    pub fn positive_scale(&self) -> f64 {
         if self.scale == 0.0 { 1.0 } else { self.scale }
     }
 
@@ -204,7 +204,7 @@ impl Miss {
 }
 
 /// The size beside the terms, with its sign, 0/0 = 0; NaN counts as ∞.
-pub(in crate::lcp) fn relative(size: f64, magnitude: f64) -> f64 {
+pub fn relative(size: f64, magnitude: f64) -> f64 {
     match size / magnitude {
         _ if size == 0.0 => 0.0,
         _ if magnitude.is_infinite() => f64::INFINITY, // x is not finite
@@ -214,7 +214,7 @@ pub(in crate::lcp) fn relative(size: f64, magnitude: f64) -> f64 {
 }
 
 /// a b 2^shift, which does not overflow on the way.
-pub(in crate::lcp) fn product(a: f64, b: f64, shift: i32) -> f64 {
+pub fn product(a: f64, b: f64, shift: i32) -> f64 {
     match shift {
         0 => a * b,
         shift => {

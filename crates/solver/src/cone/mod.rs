@@ -9,8 +9,8 @@ mod pgs;
 pub use pgs::ConePgs;
 
 use super::{Apgd, Class, MatrixClass, Observer, Settings, Solution, Start};
-use crate::error::{Error, Result};
-use crate::lcp::friction::{ConeProblem, Law};
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::friction::{ConeProblem, Law};
 
 /// A method that solves friction problems with circular cones.
 pub trait ConeSolver: Send + Sync {
@@ -19,7 +19,7 @@ pub trait ConeSolver: Send + Sync {
 
     /// Solves the problem from a start, telling the observer of each iterate. `Solved` is claimed
     /// for a scaled residual
-    /// ([`Complementarity::scaled_residual`](crate::lcp::Complementarity::scaled_residual)) within
+    /// ([`Complementarity::scaled_residual`](lcplab_problem::Complementarity::scaled_residual)) within
     /// the tolerance.
     fn solve(
         &self,

@@ -5,13 +5,13 @@
 //! for each other row:   x_i ← Π(x_i − w_i / a_ii)
 //! ```
 //!
-//! [`Pgs`](crate::solver::Pgs) with a cone in place of an interval; s_c, a bound on the largest
+//! [`Pgs`](crate::Pgs) with a cone in place of an interval; s_c, a bound on the largest
 //! eigenvalue of the contact's block of A, is in place of a_ii. Each update uses the newest x.
 //!
 //! Under the associated law and for symmetric positive semidefinite A no update raises
 //! ½ xᵀAx + bᵀx, and x converges to a minimum (Tasora & Anitescu 2011). Under Coulomb's law the same
 //! line with ŵ is the projection of De Saxcé & Feng (1991): one sweep solves and freezes at once,
-//! where [`frozen`](crate::solver) solves to the end before it freezes again. Nothing is guaranteed
+//! where [`frozen`](crate) solves to the end before it freezes again. Nothing is guaranteed
 //! then, and little goes wrong as long as μ is not large. A contact on its own with A = 1 contracts by
 //! μ²/(1 + μ²) a sweep under Coulomb's law, and is solved by one update under the other. Like all
 //! sweeps it is slow where forces pass through many bodies, and where a contact is about to slide but
@@ -22,10 +22,10 @@
 use std::ops::ControlFlow;
 
 use super::ConeSolver;
-use crate::lcp::Complementarity;
-use crate::lcp::friction::{ConeProblem, Contact};
-use crate::solver::iterate::iterate;
-use crate::solver::{Event, Observer, Settings, Solution, Start, Status};
+use crate::iterate::iterate;
+use crate::{Event, Observer, Settings, Solution, Start, Status};
+use lcplab_problem::Complementarity;
+use lcplab_problem::friction::{ConeProblem, Contact};
 
 /// Projected Gauss-Seidel for cones.
 #[derive(Debug, Clone, Default)]

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use super::direction::Direction;
 use super::{Run, Side};
-use crate::solver::Status;
+use crate::Status;
 
 /// Moves whose lengths differ by less than this part of them end together.
 const TIE: f64 = 1e-10;

@@ -21,7 +21,7 @@ use std::ops::ControlFlow;
 
 use super::direction::{Direction, RELATIVE_ZERO};
 use super::{Run, Side};
-use crate::solver::{Centring, Part};
+use crate::{Centring, Part};
 
 impl Run<'_> {
     /// Makes row i idle, in the middle, if it is at a bound, depends on C, and its w is zero.

@@ -4,9 +4,9 @@ use std::iter;
 use std::ops::ControlFlow;
 
 use super::Run;
-use crate::lcp::merit;
-use crate::solver::Status;
-use crate::solver::ldlt::Elimination;
+use crate::Status;
+use crate::ldlt::Elimination;
+use lcplab_problem::merit;
 
 /// A number below this part of the terms it is summed from counts as zero.
 pub(super) const RELATIVE_ZERO: f64 = 1e-13;

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use super::blocking::Block;
 use super::direction::{Direction, ROUNDING};
 use super::{Run, Side};
-use crate::solver::Status;
-use crate::solver::elimination::difference;
+use crate::Status;
+use crate::elimination::difference;
 
 impl Run<'_> {
     /// x ← x + t d, w ← w + t A d.

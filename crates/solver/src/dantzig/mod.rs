@@ -46,8 +46,8 @@ use super::{
     Event, Fallback, Iterate, Move, Observer, Part, Settings, Solution, Solver, Start, Status,
     frozen,
 };
-use crate::lcp::{Lcp, merit};
-use crate::memory::Memory;
+use lcplab_problem::memory::Memory;
+use lcplab_problem::{Lcp, merit};
 
 /// Rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 20;

@@ -1,9 +1,9 @@
 //! The end: w is recomputed from x, x refined, and what is not satisfied is named.
 
 use super::{Run, Side};
-use crate::lcp::{accurate, merit};
-use crate::solver::Fallback;
-use crate::solver::ldlt::Ldlt;
+use crate::Fallback;
+use crate::ldlt::Ldlt;
+use lcplab_problem::{accurate, merit};
 
 /// A row whose pivot is below this part of its diagonal entry depends on those before.
 const INDEPENDENT: f64 = 1e-14;

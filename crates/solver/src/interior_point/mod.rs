@@ -44,8 +44,8 @@ use super::iterate::iterate;
 use super::kernel::impulses::System;
 use super::metric::diagonal_of_symmetric;
 use super::{Observer, Settings, Solution, Solver, Start, Status, frozen};
-use crate::lcp::Lcp;
-use crate::memory::Memory;
+use lcplab_problem::Lcp;
+use lcplab_problem::memory::Memory;
 
 /// The factor may have this many entries: with more it takes too long.
 const MAX_ENTRIES: usize = 32_000_000;

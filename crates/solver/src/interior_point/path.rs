@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use super::step::{LEAST, StepEquations};
-use crate::lcp::Lcp;
-use crate::solver::{Event, Status};
+use crate::{Event, Status};
+use lcplab_problem::Lcp;
 
 /// The part of the way to the nearest bound that a step may use.
 const STAY_INSIDE: f64 = 0.995;

@@ -17,12 +17,12 @@
 //! By columns, a row costs nothing but a look where x_i stays at its bound: for symmetric A only, whose
 //! columns are rows. w collects rounding, so it is made anew every [`RENEWED`] sweeps.
 //!
-//! For bounds that follow another row, [`Pgs`](crate::solver::Pgs).
+//! For bounds that follow another row, [`Pgs`](crate::Pgs).
 
 use super::lanes::{Lanes, Width, Work, sum};
-use crate::lcp::{Lcp, Matrix, dot};
-use crate::solver::Status;
-use crate::solver::metric::Metric;
+use crate::Status;
+use crate::metric::Metric;
+use lcplab_problem::{Lcp, Matrix, dot};
 
 /// Sweeps by columns after which w is computed from x.
 pub const RENEWED: usize = 64;
@@ -73,15 +73,15 @@ impl<'a> Dense<'a> {
 /// Projected SOR by rows.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::solver::kernel::{Width, dense::Rows};
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::kernel::{Width, dense::Rows};
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let mut x = [0.0; 2];
 /// Rows::of(&lcp, 1.0, Width::widest()).expect("a positive diagonal").sweep(&mut x);
 /// assert_eq!(x, [0.5, 0.0]);
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Rows<'a>(Dense<'a>);
@@ -155,7 +155,7 @@ fn products<V: Lanes>(rows: [&[f64]; TOGETHER], x: &[f64]) -> [f64; TOGETHER] {
     products
 }
 
-/// [`dot`](crate::lcp::dot) of several rows with the same x, bit by bit.
+/// [`dot`](lcplab_problem::dot) of several rows with the same x, bit by bit.
 #[inline(always)]
 fn dots<V: Lanes, const R: usize>(rows: [&[f64]; R], x: &[f64]) -> [f64; R] {
     let (x_blocks, x_tail) = x.as_chunks::<8>();

@@ -57,7 +57,7 @@ pub(super) fn prefetch(numbers: &[f64; 8]) {
     }
 }
 
-/// The sum of eight lanes, in the order of [`dot`](crate::lcp::dot).
+/// The sum of eight lanes, in the order of [`dot`](lcplab_problem::dot).
 #[inline(always)]
 pub(super) fn sum([a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
     ((a + e) + (c + g)) + ((b + f) + (d + h))

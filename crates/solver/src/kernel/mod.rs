@@ -21,9 +21,9 @@
 pub mod dense;
 pub mod impulses;
 mod lanes;
-pub(in crate::solver) mod panels;
+pub(crate) mod panels;
 pub(super) mod rank_one;
-pub(in crate::solver) mod rows;
+pub(crate) mod rows;
 pub mod table;
 mod terms;
 

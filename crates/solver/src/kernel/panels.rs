@@ -12,14 +12,14 @@
 use super::lanes::{Lanes, Width, Work, sum};
 
 /// What stands in eight rows: of a vector, or of a column.
-pub(in crate::solver) type Eight = [f64; 8];
+pub(crate) type Eight = [f64; 8];
 
 /// Eight columns of eight rows: `tile[column][row]`.
-pub(in crate::solver) type Tile = [Eight; 8];
+pub(crate) type Tile = [Eight; 8];
 
 /// A unit lower triangular matrix. The unit diagonal is not stored; a row may be all zero beside it.
 #[derive(Debug, Clone)]
-pub(in crate::solver) struct Panels {
+pub(crate) struct Panels {
     tiles: Vec<Tile>,
     /// The tile in which each panel begins.
     begin: Vec<usize>,
@@ -34,28 +34,28 @@ fn place(panel: usize) -> std::ops::Range<usize> {
 
 impl Panels {
     /// No rows yet.
-    pub(in crate::solver) fn new(width: Width) -> Self {
+    pub(crate) fn new(width: Width) -> Self {
         Panels { tiles: Vec::new(), begin: Vec::new(), width }
     }
 
     /// With which instructions the loops run.
-    pub(in crate::solver) fn width(&self) -> Width {
+    pub(crate) fn width(&self) -> Width {
         self.width
     }
 
     /// An entry left of the diagonal.
-    pub(in crate::solver) fn entry(&self, row: usize, column: usize) -> f64 {
+    pub(crate) fn entry(&self, row: usize, column: usize) -> f64 {
         let tiles = &self.tiles[place(row / 8)];
         tiles[column / 8][column % 8][row % 8]
     }
 
     /// The first column in which `row` may have an entry.
-    pub(in crate::solver) fn first(&self, row: usize) -> usize {
+    pub(crate) fn first(&self, row: usize) -> usize {
         8 * self.begin[row / 8]
     }
 
     /// Writes the row after the last or one that is zero; its entries before tile `begin` are zero.
-    pub(in crate::solver) fn set(&mut self, row: usize, entries: &[Eight], begin: usize) {
+    pub(crate) fn set(&mut self, row: usize, entries: &[Eight], begin: usize) {
         let (panel, lane) = (row / 8, row % 8);
         if panel == self.begin.len() {
             self.begin.push(panel);
@@ -75,25 +75,25 @@ impl Panels {
     }
 
     /// Drops the panels from this one on.
-    pub(in crate::solver) fn truncate(&mut self, panels: usize) {
+    pub(crate) fn truncate(&mut self, panels: usize) {
         self.begin.truncate(panels);
         self.tiles.truncate(place(panels).start);
     }
 
     /// z ← L⁻¹ z; z is zero before panel `begin`.
-    pub(in crate::solver) fn forward(&self, z: &mut [Eight], begin: usize) {
+    pub(crate) fn forward(&self, z: &mut [Eight], begin: usize) {
         self.width.run(Forward { l: self, z, begin });
     }
 
     /// z ← L⁻ᵀ z.
-    pub(in crate::solver) fn backward(&self, z: &mut [Eight], sums: &mut Vec<Tile>) {
+    pub(crate) fn backward(&self, z: &mut [Eight], sums: &mut Vec<Tile>) {
         sums.clear();
         sums.resize(z.len(), [[0.0; 8]; 8]);
         self.width.run(Backward { l: self, z, sums });
     }
 
     /// L D Lᵀ ← L D Lᵀ without row and column k, which are left as those of the unit matrix.
-    pub(in crate::solver) fn remove(&mut self, k: usize, diagonal: &mut [Eight]) {
+    pub(crate) fn remove(&mut self, k: usize, diagonal: &mut [Eight]) {
         let (begin, width) = (self.begin[k / 8], self.width);
         for tile in &mut self.tiles[place(k / 8)][begin..] {
             tile.iter_mut().for_each(|column| column[k % 8] = 0.0);

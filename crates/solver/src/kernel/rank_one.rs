@@ -3,7 +3,7 @@
 //! It is done as [`difference`] does it: an entry of which only rounding is left becomes exactly 0.
 
 use super::lanes::{Lanes, Width, Work};
-use crate::solver::elimination::{RELATIVE_ZERO, difference};
+use crate::elimination::{RELATIVE_ZERO, difference};
 
 /// Eight numbers that begin where a line of the cache does, so that none is loaded in two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +52,7 @@ fn sum<V: Lanes>(before: V, change: V) -> V {
 }
 
 /// y ← y + f x for slices of one length.
-pub(in crate::solver) fn add_multiple(factor: f64, x: &[f64], y: &mut [f64]) {
+pub(crate) fn add_multiple(factor: f64, x: &[f64], y: &mut [f64]) {
     Width::widest().run(Multiple { factor, x, y });
 }
 

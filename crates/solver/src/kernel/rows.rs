@@ -7,11 +7,11 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::lanes::{Lanes, Width, Work};
-use crate::lcp::Matrix;
+use lcplab_problem::Matrix;
 
 /// The rows of a square matrix.
 #[derive(Debug, Clone)]
-pub(in crate::solver) struct Rows<'a> {
+pub(crate) struct Rows<'a> {
     values: Cow<'a, [f64]>,
     /// Of each row, its first column and where it lies in `values`.
     runs: Vec<(usize, Range<usize>)>,
@@ -20,32 +20,32 @@ pub(in crate::solver) struct Rows<'a> {
 
 /// The entries of a row from its first to its last.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::solver) struct Run<'a> {
-    pub(in crate::solver) first: usize,
-    pub(in crate::solver) values: &'a [f64],
+pub(crate) struct Run<'a> {
+    pub(crate) first: usize,
+    pub(crate) values: &'a [f64],
 }
 
 impl Run<'_> {
     /// The entry in this column.
     #[inline]
-    pub(in crate::solver) fn entry(&self, column: usize) -> f64 {
+    pub(crate) fn entry(&self, column: usize) -> f64 {
         self.values.get(column.wrapping_sub(self.first)).copied().unwrap_or(0.0)
     }
 
     /// The product with x.
-    pub(in crate::solver) fn dot(&self, x: &[f64]) -> f64 {
-        crate::lcp::dot(self.values, &x[self.first..self.first + self.values.len()])
+    pub(crate) fn dot(&self, x: &[f64]) -> f64 {
+        lcplab_problem::dot(self.values, &x[self.first..self.first + self.values.len()])
     }
 
     /// Σ |a_k x_k|, given |x|.
-    pub(in crate::solver) fn magnitude(&self, sizes: &[f64]) -> f64 {
+    pub(crate) fn magnitude(&self, sizes: &[f64]) -> f64 {
         self.values.iter().zip(&sizes[self.first..]).map(|(a, size)| a.abs() * size).sum()
     }
 }
 
 impl<'a> Rows<'a> {
     /// The rows of this matrix.
-    pub(in crate::solver) fn of(matrix: &'a Matrix, width: Width) -> Self {
+    pub(crate) fn of(matrix: &'a Matrix, width: Width) -> Self {
         let n = matrix.len();
         match matrix {
             Matrix::Dense(transposed) => {
@@ -76,19 +76,13 @@ impl<'a> Rows<'a> {
 
     /// Row i.
     #[inline]
-    pub(in crate::solver) fn row(&self, i: usize) -> Run<'_> {
+    pub(crate) fn row(&self, i: usize) -> Run<'_> {
         let (first, range) = &self.runs[i];
         Run { first: *first, values: &self.values[range.clone()] }
     }
 
     /// sum ← A_i + Σ_k factors_k A_rows_k, as far as `sum` goes.
-    pub(in crate::solver) fn combine(
-        &self,
-        i: usize,
-        rows: &[usize],
-        factors: &[f64],
-        sum: &mut [f64],
-    ) {
+    pub(crate) fn combine(&self, i: usize, rows: &[usize], factors: &[f64], sum: &mut [f64]) {
         sum.fill(0.0);
         self.width.run(Combine { a: self, rows: &[i], factors: &[1.0], sum });
         self.width.run(Combine { a: self, rows, factors, sum });

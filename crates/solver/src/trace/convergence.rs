@@ -4,15 +4,15 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::lcp::{Lcp, merit};
-use crate::solver::{Iterate, Observer};
+use crate::{Iterate, Observer};
+use lcplab_problem::{Lcp, merit};
 
 /// An observer that records the merits of every iterate.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::solver::{self, Options, Start};
-/// use lcplab::trace::Convergence;
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{self, Options, Start};
+/// use lcplab_solver::trace::Convergence;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, -1.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
@@ -20,7 +20,7 @@ use crate::solver::{Iterate, Observer};
 /// solver::by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut trace);
 /// let objective: Vec<f64> = trace.records.iter().map(|record| record.objective).collect();
 /// assert!(objective.windows(2).all(|pair| pair[1] <= pair[0]));
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Convergence<'a> {

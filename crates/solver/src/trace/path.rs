@@ -2,21 +2,21 @@
 
 use std::ops::ControlFlow;
 
-use crate::solver::{Event, Iterate, Observer};
+use crate::{Event, Iterate, Observer};
 
 /// An observer that keeps every iterate and what led to it, the start first.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::solver::{self, Options, Start};
-/// use lcplab::trace::Path;
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{self, Options, Start};
+/// use lcplab_solver::trace::Path;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, -1.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let mut path = Path::default();
 /// solver::by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut path);
 /// assert_eq!(path.points[..2], [[0.0, 0.0], [0.5, 0.75]]);
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Path {

@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::lcp::{Lcp, merit};
-use crate::solver::{Event, Iterate, Observer};
+use crate::{Event, Iterate, Observer};
+use lcplab_problem::{Lcp, merit};
 
 /// An observer that condenses all iterates into one number.
 ///
@@ -11,9 +11,9 @@ use crate::solver::{Event, Iterate, Observer};
 /// for bit from the start on; so a method that secretly runs another one is found out.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::solver::{self, Options, Start};
-/// use lcplab::trace::Provenance;
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{self, Options, Start};
+/// use lcplab_solver::trace::Provenance;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, -1.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
@@ -25,7 +25,7 @@ use crate::solver::{Event, Iterate, Observer};
 /// };
 /// assert_eq!(path("pgs"), path("pgs"));
 /// assert_ne!(path("pgs").fingerprint, path("sor").fingerprint);
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Provenance<'a> {

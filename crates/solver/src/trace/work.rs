@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::lcp::{Lcp, merit};
-use crate::solver::{Event, Iterate, Observer};
+use crate::{Event, Iterate, Observer};
+use lcplab_problem::{Lcp, merit};
 
 /// An observer that adds up the multiplications of a solve, as the formula of each method has them.
 ///
@@ -30,16 +30,16 @@ use crate::solver::{Event, Iterate, Observer};
 /// another product, line searches and additions are left out.
 ///
 /// ```
-/// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::solver::{self, Options, Start};
-/// use lcplab::trace::Work;
+/// use lcplab_problem::{Lcp, Matrix};
+/// use lcplab_solver::{self, Options, Start};
+/// use lcplab_solver::trace::Work;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let mut work = Work::of("pgs", &lcp);
 /// solver::by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut work);
 /// assert_eq!(work.multiplications, 6.0); // one sweep: four entries, two divisions
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Work<'a> {

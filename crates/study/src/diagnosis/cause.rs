@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use crate::document::notation::plain;
-use crate::plot::number::readable;
+use lcplab_page::document::notation::plain;
+use lcplab_page::plot::number::readable;
 
 /// Significant digits of a factor near 1 and of a number of sweeps.
 const DIGITS: usize = 6;

@@ -7,9 +7,9 @@
 //! piece.
 
 use super::cause::Proof;
-use crate::certificate::{Refutation, refutation, refuting_vector};
-use crate::lcp::Lcp;
-use crate::solver::{Dantzig, Settings, Solver, Start, Status};
+use lcplab_judge::{Refutation, refutation, refuting_vector};
+use lcplab_problem::Lcp;
+use lcplab_solver::{Dantzig, Settings, Solver, Start, Status};
 
 /// Problems up to this size are proved exactly.
 const PROVED: usize = 150;

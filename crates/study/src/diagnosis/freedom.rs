@@ -10,8 +10,8 @@
 
 use nalgebra::DMatrix;
 
-use crate::assembly::Assembly;
-use crate::constraint::Bounds;
+use lcplab_mechanics::assembly::Assembly;
+use lcplab_mechanics::constraint::Bounds;
 
 /// A singular value below this part of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-9;

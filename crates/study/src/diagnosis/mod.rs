@@ -2,18 +2,18 @@
 //!
 //! A problem may have no solution, many, or one that no iteration reaches in time. [`scene`] and
 //! [`problem`] look for the reason before anything is solved: rank, condition and dependent rows
-//! ([`regularity`]), rows that contradict each other ([`refutation`](crate::certificate::refutation())),
+//! ([`regularity`]), rows that contradict each other ([`refutation`](lcplab_judge::refutation())),
 //! bodies that are not where they should be, constraints without direction. K&M "Debugging" and
 //! "Bad Constraints".
 //!
 //! ```
-//! use lcplab::diagnosis::{Cause, Proof, scene};
-//! use lcplab::scene::Scene;
+//! use lcplab_study::diagnosis::{Cause, Proof, scene};
+//! use lcplab_mechanics::scene::Scene;
 //!
 //! let found = scene(&Scene::load("fig8")?, 1)?; // two nails farther apart than the rod between them
 //! let is_proof = |cause: &Cause| matches!(cause, Cause::Impossible { proof: Proof::Vector, .. });
 //! assert!(found.causes.iter().any(is_proof));
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
 mod cause;
@@ -26,14 +26,14 @@ pub use cause::{Cause, Proof};
 pub use freedom::Freedoms;
 pub use situation::scene;
 
-use crate::certificate::error_bound;
-use crate::certificate::regularity::{Regularity, least_eigenvalue, regularity};
-use crate::error::{Error, Result};
-use crate::lcp::Lcp;
-use crate::lcp::exact::all_solutions;
-use crate::lcp::file::Problem;
-use crate::lcp::friction::Model;
-use crate::solver::theory;
+use lcplab_judge::error_bound;
+use lcplab_judge::regularity::{Regularity, least_eigenvalue, regularity};
+use lcplab_problem::Lcp;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::exact::all_solutions;
+use lcplab_problem::file::Problem;
+use lcplab_problem::friction::Model;
+use lcplab_solver::theory;
 
 /// Problems with more rows are not examined.
 const LARGEST: usize = 2000;

@@ -3,10 +3,10 @@
 use serde_json::{Value, json};
 
 use super::{Cause, Diagnosis, Proof};
-use crate::certificate::regularity::Regularity;
-use crate::document::notation::{indexed, plain};
-use crate::document::{Document, SHOWN, Section};
-use crate::plot::number::readable;
+use lcplab_judge::regularity::Regularity;
+use lcplab_page::document::notation::{indexed, plain};
+use lcplab_page::document::{Document, SHOWN, Section};
+use lcplab_page::plot::number::readable;
 
 /// Significant digits of the factors in a sum.
 const DIGITS: usize = 3;

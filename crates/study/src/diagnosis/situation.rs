@@ -1,13 +1,13 @@
 //! A scene at an instant, examined.
 
 use super::{Cause, Diagnosis, Freedoms};
-use crate::assembly::{Assembly, Entering, Row};
-use crate::constraint::Bounds;
-use crate::document::notation::plain;
-use crate::error::Result;
-use crate::formulation::{Problem, Slide};
-use crate::report::study::scene_simulation;
-use crate::scene::{Formulation, FrictionModel, Scene, contacts};
+use lcplab_mechanics::assembly::{Assembly, Entering, Row};
+use lcplab_mechanics::constraint::Bounds;
+use lcplab_mechanics::formulation::{Problem, Slide};
+use lcplab_mechanics::scene::{Formulation, FrictionModel, Scene, contacts};
+use lcplab_mechanics::simulation::Simulation;
+use lcplab_page::document::notation::plain;
+use lcplab_problem::error::Result;
 
 /// An error c (m or rad) beyond this is worth a word.
 const APART: f64 = 1e-3;
@@ -20,7 +20,7 @@ const APART: f64 = 1e-3;
 /// rows. What keeps a step from being taken is a cause, not an error.
 pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
     let mut found = Diagnosis::named(format!("{}, step {step}", scene.name), Vec::new());
-    let mut simulation = scene_simulation(scene)?;
+    let mut simulation = Simulation::of(scene)?;
     for _ in 1..step {
         if let Err(failure) = simulation.step() {
             found.causes.push(Cause::Failed { reason: failure.to_string() });

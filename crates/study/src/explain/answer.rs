@@ -1,11 +1,11 @@
 //! The answer: x, w, what they say, and the judge's word.
 
 use super::units::{Units, with_unit};
-use crate::certificate::{Demand, Verdict, judge, upper_bound};
-use crate::document::Section;
-use crate::document::notation::{indexed, interval, plain};
-use crate::lcp::Lcp;
-use crate::solver::Solution;
+use lcplab_judge::{Demand, Verdict, judge, upper_bound};
+use lcplab_page::document::Section;
+use lcplab_page::document::notation::{indexed, interval, plain};
+use lcplab_problem::Lcp;
+use lcplab_solver::Solution;
 
 /// A problem with what its rows mean.
 pub(super) struct Reading<'a> {

@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use super::answer::Reading;
 use super::solve::{self, Scribe};
 use super::units::{headed, with_unit};
-use crate::document::notation::{bracketed, indexed, interval, plain, set, vector};
-use crate::document::{Formula, SHOWN, Section};
-use crate::solver::{Centring, Event, Iterate, Move, Observer, Part, Side, Solution};
+use lcplab_page::document::notation::{bracketed, indexed, interval, plain, set, vector};
+use lcplab_page::document::{Formula, SHOWN, Section};
+use lcplab_solver::{Centring, Event, Iterate, Move, Observer, Part, Side, Solution};
 
 pub(super) struct Moves<'a> {
     reading: &'a Reading<'a>,

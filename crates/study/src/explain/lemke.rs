@@ -5,10 +5,10 @@ use std::ops::ControlFlow;
 use super::answer::Reading;
 use super::solve::{self, Scribe};
 use super::units::with_unit;
-use crate::document::notation::{bracketed, indexed, plain};
-use crate::document::{Block, Formula, SHOWN, Section, Table};
-use crate::lcp::Lcp;
-use crate::solver::{Iterate, Leaving, Observer, Part, Solution, Tableau, Variable};
+use lcplab_page::document::notation::{bracketed, indexed, plain};
+use lcplab_page::document::{Block, Formula, SHOWN, Section, Table};
+use lcplab_problem::Lcp;
+use lcplab_solver::{Iterate, Leaving, Observer, Part, Solution, Tableau, Variable};
 
 pub(super) struct Tableaux<'a> {
     reading: &'a Reading<'a>,

@@ -1,7 +1,7 @@
 //! The methods whose every line can be written down.
 
-use crate::error::{Error, Result};
-use crate::solver::{Options, Solver, by_name};
+use lcplab_problem::error::{Error, Result};
+use lcplab_solver::{Options, Solver, by_name};
 
 /// A method that tells its parts, with its options.
 #[derive(Debug, Clone)]

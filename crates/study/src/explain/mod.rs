@@ -3,19 +3,19 @@
 //! What is written down is what a student would write: states and forces, each row's c, J and J'u,
 //! the four steps that lead from Newton's law to the LCP (K&M Figure 4), A and b, and then the solver
 //! at work, row by row, move by move, or tableau by tableau, as it tells an observer that asks
-//! ([`Part`](crate::solver::Part)). Friction within polygons or cones is posed as what it is, and of a
+//! ([`Part`](lcplab_solver::Part)). Friction within polygons or cones is posed as what it is, and of a
 //! problem without solution the proof is written that there is none. Nothing is computed for show: the numbers are those of the
 //! simulation.
 //!
 //! ```
-//! use lcplab::document::Format;
-//! use lcplab::explain::{Method, step};
-//! use lcplab::scene::Scene;
+//! use lcplab_page::document::Format;
+//! use lcplab_study::explain::{Method, step};
+//! use lcplab_mechanics::scene::Scene;
 //!
 //! let document = step(&Scene::load("fig6")?, &Method::named("pgs")?, 1)?;
 //! let text = document.written(Format::Text)?;
 //! assert!(text.contains("x₀ = 2 N s")); // the ground's impulse on the body that lands
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
 mod answer;

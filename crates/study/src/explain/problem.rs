@@ -4,10 +4,10 @@ use super::answer::{self, Reading};
 use super::solve::{self, Solved};
 use super::units::Units;
 use super::{Method, derivation, refutation};
-use crate::certificate::Demand;
-use crate::document::Document;
-use crate::error::Result;
-use crate::lcp::file::Problem;
+use lcplab_judge::Demand;
+use lcplab_page::document::Document;
+use lcplab_problem::error::Result;
+use lcplab_problem::file::Problem;
 
 /// Explains how a problem is solved from x = 0.
 ///

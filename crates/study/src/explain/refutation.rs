@@ -4,11 +4,11 @@ use dashu_ratio::RBig;
 
 use super::answer::Reading;
 use super::units::with_unit;
-use crate::certificate::ray::{Farkas, refute};
-use crate::document::notation::{bracketed, interval, plain};
-use crate::document::{Formula, Section};
-use crate::lcp::Lcp;
-use crate::solver::{Solution, Status};
+use lcplab_judge::ray::{Farkas, refute};
+use lcplab_page::document::notation::{bracketed, interval, plain};
+use lcplab_page::document::{Formula, Section};
+use lcplab_problem::Lcp;
+use lcplab_solver::{Solution, Status};
 
 /// Problems up to this size are proved exactly.
 const PROVED: usize = 150;

@@ -3,14 +3,14 @@
 use nalgebra::Vector3;
 
 use super::units::of_motion;
-use crate::body::{Mass, State, angular, linear};
-use crate::constraint::Kind;
-use crate::document::notation::{bracketed, interval, plain, vector};
-use crate::document::{SHOWN, Section};
-use crate::formulation::{Posing, Problem, Stage};
-use crate::lcp::friction::Posed;
-use crate::scene::{Feedback, Scene};
-use crate::simulation::Step;
+use lcplab_mechanics::body::{Mass, State, angular, linear};
+use lcplab_mechanics::constraint::Kind;
+use lcplab_mechanics::formulation::{Posing, Problem, Stage};
+use lcplab_mechanics::scene::{Feedback, Scene};
+use lcplab_mechanics::simulation::Step;
+use lcplab_page::document::notation::{bracketed, interval, plain, vector};
+use lcplab_page::document::{SHOWN, Section};
+use lcplab_problem::friction::Posed;
 
 /// s and u of all bodies, over this time.
 pub(super) fn states(when: &str, scene: &Scene, states: &[State]) -> Section {
@@ -32,7 +32,7 @@ pub(super) fn after(scene: &Scene, step: &Step) -> Section {
 }
 
 fn state_table(section: &mut Section, title: &str, scene: &Scene, states: &[State]) {
-    let line = |(body, state): (&crate::body::Body, &State)| {
+    let line = |(body, state): (&lcplab_mechanics::body::Body, &State)| {
         let q = state.pose.q;
         let turns = body.mass.dof() == 6;
         let only = |shown: bool, text: String| if shown { text } else { "—".into() };
@@ -46,7 +46,7 @@ fn state_table(section: &mut Section, title: &str, scene: &Scene, states: &[Stat
     };
     let columns = ["body", "p (m)", "q", "v (m/s)", "ω (rad/s)"];
     section.table(title, &columns, scene.bodies.iter().zip(states).map(line).collect());
-    let is_fixed = |body: &&crate::body::Body| body.mass == Mass::Fixed;
+    let is_fixed = |body: &&lcplab_mechanics::body::Body| body.mass == Mass::Fixed;
     let fixed: Vec<&str> =
         scene.bodies.iter().filter(is_fixed).take(SHOWN).map(|body| body.name.as_str()).collect();
     if !fixed.is_empty() {
@@ -62,7 +62,7 @@ fn triple(v: &Vector3<f64>) -> String {
 pub(super) fn masses(scene: &Scene, problem: &Problem) -> Section {
     let assembly = &problem.assembly;
     let mut section = Section::new("masses and forces");
-    let line = |block: &crate::assembly::Block| {
+    let line = |block: &lcplab_mechanics::assembly::Block| {
         let (force, u) = (block.gather(&assembly.force), block.gather(&assembly.u));
         let turns = block.dof == 6;
         let only = |text: String| if turns { text } else { "—".into() };
@@ -103,7 +103,7 @@ pub(super) fn rows(scene: &Scene, problem: &Problem, posing: Option<&Posing>) ->
     let mut section = Section::new("constraints");
     let rows = &problem.assembly.rows;
     let lcp = &problem.lcp;
-    let line = |(i, row): (usize, &crate::assembly::Row)| {
+    let line = |(i, row): (usize, &lcplab_mechanics::assembly::Row)| {
         let bounds = match lcp.coupling().and_then(|coupling| Some((coupling.index(i)?, coupling)))
         {
             Some((normal, coupling)) => {

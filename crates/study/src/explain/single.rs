@@ -5,15 +5,15 @@ use super::answer::{self, Reading};
 use super::solve::{self, Solved};
 use super::units::Units;
 use super::{Method, derivation, friction, refutation, setup};
-use crate::certificate::Demand;
-use crate::certificate::ray::Farkas;
-use crate::document::Document;
-use crate::error::Result;
-use crate::formulation::Posing;
-use crate::lcp::friction::Posed;
-use crate::scene::Scene;
-use crate::simulation::Solve;
-use crate::solver::Solution;
+use lcplab_judge::Demand;
+use lcplab_judge::ray::Farkas;
+use lcplab_mechanics::formulation::Posing;
+use lcplab_mechanics::scene::Scene;
+use lcplab_mechanics::simulation::Solve;
+use lcplab_page::document::Document;
+use lcplab_problem::error::Result;
+use lcplab_problem::friction::Posed;
+use lcplab_solver::Solution;
 
 /// How the solve of an LCP ended.
 #[derive(Clone, Copy)]

@@ -3,11 +3,11 @@
 use super::answer::Reading;
 use super::units::with_unit;
 use super::{Method, dantzig, lemke, sweeps};
-use crate::document::notation::{indexed, interval, plain, vector};
-use crate::document::{Formula, Section};
-use crate::error::Result;
-use crate::lcp::Lcp;
-use crate::solver::{Observer, Solution, Start, Status};
+use lcplab_page::document::notation::{indexed, interval, plain, vector};
+use lcplab_page::document::{Formula, Section};
+use lcplab_problem::Lcp;
+use lcplab_problem::error::Result;
+use lcplab_solver::{Observer, Solution, Start, Status};
 
 /// Someone who writes down what a solver does.
 pub(super) trait Scribe: Observer {

@@ -4,11 +4,11 @@ use std::ops::RangeInclusive;
 
 use super::single::{Ending, Single};
 use super::{Method, setup};
-use crate::document::notation::plain;
-use crate::document::{Document, Section};
-use crate::error::{Error, Result};
-use crate::scene::{Formulation, Scene};
-use crate::simulation::{Cause, Failure, Simulation, Solve};
+use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::simulation::{Cause, Failure, Simulation, Solve};
+use lcplab_page::document::notation::plain;
+use lcplab_page::document::{Document, Section};
+use lcplab_problem::error::{Error, Result};
 
 /// Explains the first so many steps of a scene at velocity or acceleration level.
 ///

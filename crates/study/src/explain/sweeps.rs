@@ -5,10 +5,10 @@ use std::ops::ControlFlow;
 use super::answer::Reading;
 use super::solve::Scribe;
 use super::units::{headed, with_unit};
-use crate::document::notation::{bracketed, interval, plain, sum, vector};
-use crate::document::{Formula, SHOWN, Section};
-use crate::lcp::merit;
-use crate::solver::{Event, Iterate, Observer, Part, RowUpdate, Solution};
+use lcplab_page::document::notation::{bracketed, interval, plain, sum, vector};
+use lcplab_page::document::{Formula, SHOWN, Section};
+use lcplab_problem::merit;
+use lcplab_solver::{Event, Iterate, Observer, Part, RowUpdate, Solution};
 
 /// Sweeps that are written row by row; of the others x alone.
 const IN_FULL: usize = 3;

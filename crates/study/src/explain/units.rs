@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use crate::formulation::{Problem, Stage};
-use crate::lcp::file;
+use lcplab_mechanics::formulation::{Problem, Stage};
+use lcplab_problem::file;
 
 /// What is said in place of a unit that not all rows have.
 const DIFFERENT: &str = "units row by row";

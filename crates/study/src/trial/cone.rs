@@ -11,8 +11,8 @@
 //! slip beside a large force, have to be seen.
 
 use super::problem::Random;
-use crate::lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
-use crate::lcp::{Lcp, Matrix};
+use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
+use lcplab_problem::{Lcp, Matrix};
 
 /// A contact and its solution under Coulomb's law.
 #[derive(Debug, Clone)]
@@ -28,8 +28,8 @@ pub struct ConeTruth {
 /// Contact number k of a seed.
 ///
 /// ```
-/// use lcplab::certificate::{Demand, judge_cone};
-/// use lcplab::trial::cone::contact;
+/// use lcplab_judge::{Demand, judge_cone};
+/// use lcplab_study::trial::cone::contact;
 ///
 /// let truth = contact(1, 5);
 /// assert!(judge_cone(&truth.problem, &truth.x, &Demand::default()).verdict.is_solution());

@@ -9,7 +9,7 @@
 //! - accepted by the judge, and none exists; refused by the judge as impossible, and one exists.
 //!
 //! What is true is decided in rational numbers, by trying all pieces of the problem
-//! ([`all_solutions`](crate::lcp::exact::all_solutions)), coupled rows included. *Solved* means that x
+//! ([`all_solutions`](lcplab_problem::exact::all_solutions)), coupled rows included. *Solved* means that x
 //! solves a problem whose numbers differ by no more than the tolerance, and one without solution may
 //! have such a neighbour: a solver may take that for a solution, the judge may not
 //! ([`Claim::Refused`]).
@@ -17,13 +17,13 @@
 //! Cones have closed forms instead: [`cone`].
 //!
 //! ```
-//! use lcplab::solver::{Options, by_name};
-//! use lcplab::trial::Trial;
+//! use lcplab_solver::{Options, by_name};
+//! use lcplab_study::trial::Trial;
 //!
 //! let solvers = [by_name("pgs", &Options::default())?, by_name("dantzig", &Options::default())?];
 //! let record = Trial { problems: 40, seed: 7 }.of(&solvers, &|| ());
 //! assert!(record.tallies.iter().all(|tally| tally.lies.is_empty()));
-//! # Ok::<(), lcplab::error::Error>(())
+//! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 //!
 //! Problem k of a seed is the same in every trial, on any number of threads: [`problem`].
@@ -39,8 +39,8 @@ pub use truth::{Claim, Lie, Truth};
 
 use rayon::prelude::*;
 
-use crate::lcp::Lcp;
-use crate::solver::{Solver, Start, Stop};
+use lcplab_problem::Lcp;
+use lcplab_solver::{Solver, Start, Stop};
 
 /// So many problems of a seed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,7 +6,7 @@
 
 use oorandom::Rand64;
 
-use crate::lcp::{Coupling, Lcp, Matrix};
+use lcplab_problem::{Coupling, Lcp, Matrix};
 
 /// A kind of problem.
 #[derive(Debug, Clone, Copy)]
@@ -312,7 +312,7 @@ fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
     Numbers { lo, friction: Some((index, mu)), ..Numbers::new(a, b) }
 }
 
-/// The unknowns x_n, β₁ … β₄ and γ of one contact, as [`Polyhedral`](crate::lcp::friction::Polyhedral)
+/// The unknowns x_n, β₁ … β₄ and γ of one contact, as [`Polyhedral`](lcplab_problem::friction::Polyhedral)
 /// has them, along ±t1 and ±t2.
 fn polygon(random: &mut Random) -> Numbers {
     let Numbers { a, b, .. } = friction(random, 1, 2);

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{Claim, KINDS, Lie};
-use crate::solver::Solver;
+use lcplab_solver::Solver;
 
 /// At most this many lies of a solver are kept; all are counted.
 const KEPT: usize = 20;

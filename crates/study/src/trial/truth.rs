@@ -1,9 +1,9 @@
 //! What a solver claims of a problem, what the judge says of it, and what is true.
 
-use crate::certificate::{Certificate, Demand, Refusal, Verdict, judge, refutation};
-use crate::lcp::Lcp;
-use crate::lcp::exact::all_solutions;
-use crate::solver::{Settings, Solution, Status};
+use lcplab_judge::{Certificate, Demand, Refusal, Verdict, judge, refutation};
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::all_solutions;
+use lcplab_solver::{Settings, Solution, Status};
 
 /// What exact arithmetic knows of a problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -21,7 +21,7 @@ pub use expected::Expected;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::{Study, scene_simulation};
+use super::Study;
 use crate::error::{Error, Result};
 use crate::scene::catalogue::bounce::Drop;
 use crate::scene::catalogue::fall::Fall;
@@ -108,7 +108,7 @@ impl Problem {
 
     /// The errors of the quantities; `None` if the simulation fails.
     fn measure(self, scene: &Scene) -> Option<Vec<f64>> {
-        let mut simulation = scene_simulation(scene).ok()?;
+        let mut simulation = Simulation::of(scene).ok()?;
         let g = scene.gravity.norm();
         let start = scene.states[scene.states.len() - 1];
         match self {

@@ -12,10 +12,11 @@ pub mod steps;
 pub mod structure;
 pub mod time;
 
+use crate::simulation;
 use serde::{Deserialize, Serialize};
 
+use super::Study;
 use super::settings::{AtStep, Stepped};
-use super::{Study, at_level, problem_of};
 use crate::error::Result;
 use crate::formulation::Problem;
 use crate::scene::{Formulation, Scene};
@@ -127,10 +128,10 @@ fn each<R>(tasks: &[AtStep], study: impl Fn(&AtStep, &Problem) -> Result<R>) -> 
 fn problem(task: &AtStep) -> Result<Option<Problem>> {
     let mut scene = Scene::load(&task.scene)?;
     if !scene.step.formulation.solves_lcps() {
-        scene = at_level(&scene, Formulation::Velocity);
+        scene = scene.at_level(Formulation::Velocity);
     }
     if task.step > 1 {
-        return problem_of(&scene, task.step).map(Some);
+        return simulation::problem_of(&scene, task.step).map(Some);
     }
     first_problem(scene)
 }

@@ -1,12 +1,12 @@
 //! How often a step asks for memory: matrices made anew, and matrices that are kept.
 
+use crate::simulation::Simulation;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
-use crate::formulation::Factors;
-use crate::report::study::scene_simulation;
 use crate::report::study::settings::Stepped;
 use crate::scene::Scene;
+use crate::storage::Factors;
 use crate::storage::{ALL, Kind, Storage, Workspace, triple_product};
 
 /// A scene's steps assembled over and over.
@@ -35,7 +35,7 @@ pub struct Count {
 
 /// Steps a scene with its own solver, then assembles A of each step in every storage.
 pub(super) fn run(task: &Stepped) -> Result<Steps> {
-    let mut simulation = scene_simulation(&Scene::load(&task.scene)?)?;
+    let mut simulation = Simulation::of(&Scene::load(&task.scene)?)?;
     let mut steps = Vec::new();
     for _ in 0..task.steps {
         let Ok(step) = simulation.step() else { break };

@@ -3,8 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
-use crate::formulation::{Factors, Problem};
+use crate::formulation::Problem;
 use crate::report::study::settings::AtStep;
+use crate::storage::Factors;
 use crate::storage::{ALL, CompressedRows, Entry, Storage, Workspace, triple_product};
 
 /// The matrices of a scene.

@@ -8,9 +8,10 @@ use serde::{Deserialize, Serialize};
 use super::structure::assembled;
 use super::{Plan as Task, SEED, first_problem, scattered, shuffled};
 use crate::error::Result;
-use crate::formulation::{Factors, Problem};
+use crate::formulation::Problem;
 use crate::lcp::{Lcp, Matrix};
 use crate::scene::Scene;
+use crate::storage::Factors;
 use crate::storage::{ALL, Entry, Kind, Storage, Tree, Workspace, sweep, triple_product};
 
 /// All times.

@@ -2,7 +2,7 @@
 
 use super::{Checked, Finding, Form, Plan, Sweeper, Times, clocked};
 use crate::error::{Error, Result};
-use crate::formulation::{Factors, Problem};
+use crate::formulation::Problem;
 use crate::report::study::Study;
 use crate::report::study::settings::AtStep;
 use crate::scene::Scene;
@@ -10,6 +10,7 @@ use crate::simulation::Simulation;
 use crate::solver::kernel::Width;
 use crate::solver::kernel::impulses::{EightPairs, RowByRow, System};
 use crate::solver::{Options, Settings, by_name};
+use crate::storage::Factors;
 
 /// The name of the form without A in the natural order.
 pub const ROW_BY_ROW: &str = "row by row";

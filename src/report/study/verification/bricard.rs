@@ -1,12 +1,12 @@
 //! Bricard's mechanism: six hinges in a ring that count as rigid and are not.
 
+use crate::simulation;
 use nalgebra::{DMatrix, DVector};
 
 use super::measure::{Case, Known, Method, first};
 use super::{Row, Size};
 use crate::assembly::{Assembly, Entering};
 use crate::error::Result;
-use crate::report::study::scene_options;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 use crate::solver::by_name;
@@ -41,7 +41,7 @@ pub(super) fn bricard(size: Size) -> Result<Vec<Row>> {
     });
     rows.extend(case.rows(Method::Acceleration, known.into(), |scene| {
         let start = |name: &str| {
-            let mut options = scene_options(scene);
+            let mut options = simulation::options(scene);
             options.settings.tolerance = 1e-9;
             let mut simulation = Simulation::new(scene.clone(), by_name(name, &options).ok()?);
             Some(simulation.step().ok()?.states[2].v.norm() / scene.step.dt)

@@ -3,8 +3,9 @@
 use super::{Criterion, Row, Sample, Size};
 use crate::body::State;
 use crate::error::Result;
-use crate::report::study::{STEPPER, scene_options};
+use crate::report::study::STEPPER;
 use crate::scene::{Formulation, Integrator, Scene};
+use crate::simulation;
 use crate::simulation::{Simulation, Step};
 use crate::solver::by_name;
 
@@ -147,7 +148,7 @@ impl Case {
 
 /// The scene on its way.
 pub(super) fn start(scene: &Scene) -> Option<Simulation> {
-    let solver = by_name(STEPPER, &scene_options(scene)).ok()?;
+    let solver = by_name(STEPPER, &simulation::options(scene)).ok()?;
     Some(Simulation::new(scene.clone(), solver))
 }
 

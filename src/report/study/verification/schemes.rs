@@ -1,5 +1,6 @@
 //! What every scheme owes: a free body's momentum, a top that does not fall, a ball that comes to rest.
 
+use crate::simulation::Simulation;
 use rayon::prelude::*;
 
 use super::measure::{Case, Known, Method, ROUNDING, last, start};
@@ -7,7 +8,6 @@ use super::{Row, Size};
 use crate::error::Result;
 use crate::formulation::with_friction_model;
 use crate::lcp::friction::Model;
-use crate::report::study::scene_simulation;
 use crate::scene::catalogue::bounce::Drop;
 use crate::scene::{Formulation, Integrator, Scene};
 
@@ -139,7 +139,7 @@ pub(super) fn long_stack(size: Size) -> Result<Vec<Row>> {
         let what = format!("farthest way in a minute, {model}");
         let known = vec![Known::exact(lies, what, ["0", "0"], "m", 0.0)];
         Ok(case.rows(Method::Scheme(scheme), known, |scene| {
-            let mut simulation = scene_simulation(scene).ok()?;
+            let mut simulation = Simulation::of(scene).ok()?;
             for _ in 0..(60.0 / scene.step.dt).round() as usize {
                 simulation.step().ok()?;
             }

@@ -8,8 +8,8 @@ use lcplab::plot::Figure;
 use super::sample;
 
 const AA: f64 = 4.5;
-const LIGHT: &str = include_str!("../../../../src/report/page/page.css");
-const DARK: &str = include_str!("../../../../src/report/page/dark.css");
+const LIGHT: &str = include_str!("../../../../crates/page/src/page/page.css");
+const DARK: &str = include_str!("../../../../crates/page/src/page/dark.css");
 
 type Rgb = [f64; 3];
 

@@ -1,12 +1,12 @@
 //! A page with every kind of block, whose numbers are known.
 
-use lcplab::plot::scene::{Film, Strip, Take};
+use lcplab::film::{Film, Strip, Take};
 use lcplab::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series, Spy};
 use lcplab::report::page::{
     Block, Cell, Column, Mark, Origin, Page, Picture, Player, Section, Table,
 };
-use lcplab::report::study::scene_solver;
 use lcplab::scene::Scene;
+use lcplab::simulation;
 use lcplab::simulation::Simulation;
 
 /// Every kind of block.
@@ -113,7 +113,7 @@ fn pattern() -> Spy {
 
 fn strip() -> Strip {
     let scene = Scene::load("stack").unwrap();
-    let frame = lcplab::plot::scene::Frame::start(&scene);
+    let frame = lcplab::film::Frame::start(&scene);
     Strip::new(&scene, vec![frame])
 }
 
@@ -121,11 +121,11 @@ fn strip() -> Strip {
 fn player() -> Player {
     let scene = Scene::load("pendulum").unwrap();
     let take = |name: &str| {
-        let mut simulation = Simulation::new(scene.clone(), scene_solver(&scene).unwrap());
+        let mut simulation = Simulation::new(scene.clone(), simulation::solver(&scene).unwrap());
         Take::of(name, &mut simulation, 100, 11)
     };
     let film = Film::new("swing", &scene, vec![take("dantzig"), take("pgs")]);
-    Player { film, caption: "It swings.".into(), files: Vec::new(), origin: None }
+    Player { reel: film.reel(), caption: "It swings.".into(), files: Vec::new(), origin: None }
 }
 
 /// A small table: the order of its rows is neither that of the names nor that of the numbers.

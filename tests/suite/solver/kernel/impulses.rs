@@ -1,4 +1,4 @@
-use lcplab::formulation::{Factors, Problem};
+use lcplab::formulation::Problem;
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
@@ -6,6 +6,7 @@ use lcplab::solver::Status;
 use lcplab::solver::kernel::Width;
 use lcplab::solver::kernel::impulses::{EightPairs, Row, RowByRow, System};
 use lcplab::solver::{Options, Settings, by_name};
+use lcplab::storage::Factors;
 
 use super::{assert_close, plain, reordered};
 use crate::common::INF;

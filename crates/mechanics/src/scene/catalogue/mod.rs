@@ -10,7 +10,7 @@ pub mod rolling;
 pub mod spin;
 
 use super::Scene;
-use crate::error::Result;
+use lcplab_problem::error::Result;
 
 /// A shipped scene.
 #[derive(Debug, Clone, Copy)]
@@ -25,7 +25,7 @@ macro_rules! shipped {
     ($($name:literal),* $(,)?) => {
         &[$(Shipped {
             name: $name,
-            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/", $name, ".toml")),
+            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/", $name, ".toml")),
         }),*]
     };
 }

@@ -76,7 +76,7 @@ impl Pendulum {
     /// The swing a time (s) later.
     ///
     /// ```
-    /// use lcplab::scene::catalogue::pendulum::{Pendulum, Swing};
+    /// use lcplab_mechanics::scene::catalogue::pendulum::{Pendulum, Swing};
     ///
     /// let pendulum = Pendulum { length: 1.0, gravity: 9.81 };
     /// let start = Swing { angles: [1.0], rates: [0.0] };

@@ -26,7 +26,7 @@ impl FreeBody {
     /// The period (s) of the rates; the body turns over twice in it.
     ///
     /// ```
-    /// use lcplab::scene::catalogue::spin::FreeBody;
+    /// use lcplab_mechanics::scene::catalogue::spin::FreeBody;
     ///
     /// // A small disturbance of the turn about axis 3 goes round like ω √((I3 − I1)(I3 − I2)/(I1 I2)).
     /// let body = FreeBody { moments: [1.0, 2.0, 3.0], rates: [1e-6, 0.0, 1.0] };

@@ -41,7 +41,7 @@ use serde::{Deserialize, Serialize};
 
 use super::description::{Body, Constraint, Description, Shape};
 use super::settings::positive;
-use crate::error::Defects;
+use lcplab_problem::error::Defects;
 
 /// More bodies than this are refused: a typing error should not fill the memory.
 const MOST_BODIES: usize = 50_000;

@@ -18,14 +18,14 @@ use std::borrow::Cow;
 use super::arrival::Way;
 use crate::assembly::{Assembly, Entering, Row, RowId};
 use crate::body::State;
-use crate::certificate::ray::refute;
 use crate::constraint::Bounds;
 use crate::formulation::{Problem, Slide};
 use crate::scene::{Found, Integrator, Scene, Step, contacts};
 use crate::simulation::integrator::{self, Rate};
 use crate::simulation::solving::Solving;
 use crate::simulation::{Act, Cause, Solve};
-use crate::solver::Status;
+use lcplab_judge::ray::refute;
+use lcplab_solver::Status;
 
 /// A step is divided no more often than this; a ball that has nearly stopped bouncing would go on for ever.
 const MOST_ARRIVALS: usize = 64;

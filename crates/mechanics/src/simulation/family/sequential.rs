@@ -13,12 +13,12 @@ use super::moved;
 use crate::assembly::Entering;
 use crate::body::State;
 use crate::formulation::Problem;
-use crate::lcp::Complementarity;
 use crate::scene::Found;
 use crate::simulation::Cause;
 use crate::simulation::solving::Solving;
 use crate::simulation::sweep::{Aim, Sweeper};
-use crate::solver::{Event, Iterate, Observer, Solution, Status};
+use lcplab_problem::Complementarity;
+use lcplab_solver::{Event, Iterate, Observer, Solution, Status};
 
 pub(super) fn step(
     solving: &mut Solving,

@@ -8,7 +8,7 @@ use super::rows::{Place, Rows};
 use super::sweeper::Sweeper;
 use crate::formulation::has_closed;
 use crate::scene::{Persistence, Scene};
-use crate::solver::Status;
+use lcplab_solver::Status;
 
 /// The impulses of the last step, and whose they are.
 #[derive(Default)]

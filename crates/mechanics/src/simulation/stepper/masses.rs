@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3, Vector6};
 
 use crate::body::{Mass, State, angular, linear, stack};
 use crate::scene::Scene;
-use crate::solver::kernel::impulses::Velocity;
+use lcplab_solver::kernel::impulses::Velocity;
 
 /// All moving bodies of a scene.
 pub(super) struct Masses {

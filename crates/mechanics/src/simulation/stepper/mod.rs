@@ -6,7 +6,7 @@
 //! ```
 //!
 //! A = Ĵ Ĵᵀ is never formed: a sweep changes the scaled velocities v = L⁻¹ u, which start at
-//! L⁻¹ (u + dt M⁻¹F) + Ĵᵀ x ([`impulses`](crate::solver::kernel::impulses)). So x need not be
+//! L⁻¹ (u + dt M⁻¹F) + Ĵᵀ x ([`impulses`](lcplab_solver::kernel::impulses)). So x need not be
 //! turned into velocities afterwards, and a step costs as much as its contacts, whatever they touch.
 //!
 //! Once warm, a step asks for no memory: while there are no more pairs, contacts and rows than ever
@@ -25,10 +25,10 @@ mod sweeper;
 use super::{Cause, DIVERGED, Failure};
 use crate::assembly::{Assembly, Entering};
 use crate::body::State;
-use crate::error::{Error, Result};
 use crate::scene::{Detector, Found, Scene};
-use crate::solver::Status;
 use impulses::Impulses;
+use lcplab_problem::error::{Error, Result};
+use lcplab_solver::Status;
 use masses::Masses;
 use rows::Rows;
 use sweeper::Sweeper;
@@ -79,15 +79,15 @@ impl Part {
 /// A scene on its way through time, as fast as it goes.
 ///
 /// ```
-/// use lcplab::scene::Scene;
-/// use lcplab::simulation::stepper::{Kernel, Stepper};
+/// use lcplab_mechanics::scene::Scene;
+/// use lcplab_mechanics::simulation::stepper::{Kernel, Stepper};
 ///
 /// let mut stepper = Stepper::new(Scene::load("stack")?, 50, Kernel::RowByRow)?;
 /// for _ in 0..10 {
 ///     stepper.step().expect("a step that can be taken");
 /// }
 /// assert_eq!(stepper.found().len(), 20); // five boxes on four points each
-/// # Ok::<(), lcplab::error::Error>(())
+/// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub struct Stepper {
     scene: Scene,

@@ -4,12 +4,12 @@ use super::masses::Masses;
 use crate::assembly::{Source, Undefined};
 use crate::body::State;
 use crate::constraint::{self, Bounds, Constraint, Kind};
-use crate::error::Error;
 use crate::formulation::Bias;
 use crate::scene::{ContactId, Found, Scene};
 use crate::simulation::Cause;
-use crate::solver::Status;
-use crate::solver::kernel::impulses::{Aim, Row, System};
+use lcplab_problem::error::Error;
+use lcplab_solver::Status;
+use lcplab_solver::kernel::impulses::{Aim, Row, System};
 
 /// All rows: those of the constraints, then those of the contacts.
 #[derive(Default)]

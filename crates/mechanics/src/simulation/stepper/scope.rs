@@ -1,8 +1,8 @@
 //! What the stepper does not do.
 
 use crate::body::{Mass, State};
-use crate::error::{Defects, Result};
 use crate::scene::{Formulation, FrictionModel, Scene};
+use lcplab_problem::error::{Defects, Result};
 
 /// Whether the stepper can take a scene's steps.
 ///

@@ -1,9 +1,9 @@
 //! The kernel of a stepper.
 
 use super::Kernel;
-use crate::solver::Status;
-use crate::solver::kernel::Width;
-use crate::solver::kernel::impulses::{EightPairs, RowByRow, System, Velocity};
+use lcplab_solver::Status;
+use lcplab_solver::kernel::Width;
+use lcplab_solver::kernel::impulses::{EightPairs, RowByRow, System, Velocity};
 
 /// Something that sweeps, and the velocities it ended with.
 pub(super) struct Sweeper {

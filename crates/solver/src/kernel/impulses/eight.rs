@@ -6,8 +6,8 @@ use super::colour::Colouring;
 use super::octet::{self, NOBODIES, Share};
 use super::team::{Shared, Team};
 use super::{System, Velocity, WIDTH, bytes};
-use crate::solver::Status;
-use crate::solver::kernel::lanes::Width;
+use crate::Status;
+use crate::kernel::lanes::Width;
 
 /// Projected Gauss-Seidel by colours, eight pairs of bodies at a time.
 ///

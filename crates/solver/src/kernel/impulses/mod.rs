@@ -30,8 +30,8 @@ mod velocities;
 pub use eight::EightPairs;
 pub use rows::RowByRow;
 
-use crate::lcp::Lcp;
-use crate::solver::Status;
+use crate::Status;
+use lcplab_problem::Lcp;
 
 /// Velocity components of a body.
 pub const WIDTH: usize = 6;
@@ -215,7 +215,7 @@ impl System {
     }
 
     /// Runs of rows between the same two bodies.
-    pub(in crate::solver) fn pairs(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
         let mut end = 0;
         self.rows.chunk_by(|a, b| a.bodies == b.bodies).map(move |run| {
             end += run.len();

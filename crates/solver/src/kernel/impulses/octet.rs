@@ -11,7 +11,7 @@ use std::ops::Range;
 use super::colour::{Colouring, Pair};
 use super::velocities::Velocities;
 use super::{System, WIDTH, bytes};
-use crate::solver::kernel::lanes::{Lanes, prefetch};
+use crate::kernel::lanes::{Lanes, prefetch};
 
 /// A thread's share of the octets: of each colour some.
 #[derive(Debug, Default)]

@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use super::octet::Share;
 use super::velocities::Velocities;
-use crate::solver::kernel::lanes::{Lanes, Width, Work};
+use crate::kernel::lanes::{Lanes, Width, Work};
 
 /// Looks at a barrier before a thread gives its turn away.
 const LOOKS: usize = 200;

@@ -7,7 +7,7 @@
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 use super::{Velocity, WIDTH};
-use crate::solver::kernel::lanes::Lanes;
+use crate::kernel::lanes::Lanes;
 
 /// A body's velocity: six numbers, and two zeros for the sake of whole cache lines.
 #[derive(Debug, Default)]

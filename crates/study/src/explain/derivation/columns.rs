@@ -1,9 +1,9 @@
 //! The columns of a problem that some row touches, and its matrices in them.
 
-use crate::document::{Formula, SHOWN};
 use crate::explain::units::of_motion;
-use crate::formulation::Problem;
-use crate::scene::Scene;
+use lcplab_mechanics::formulation::Problem;
+use lcplab_mechanics::scene::Scene;
+use lcplab_page::document::{Formula, SHOWN};
 
 /// A problem without the columns that no row touches.
 pub(super) struct Columns<'a> {

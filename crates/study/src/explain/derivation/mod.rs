@@ -9,10 +9,10 @@ mod sliding;
 mod statement;
 
 use super::units::Units;
-use crate::document::{Formula, Section};
-use crate::formulation::{Posing, Problem, Stage};
-use crate::scene::Scene;
 use columns::Columns;
+use lcplab_mechanics::formulation::{Posing, Problem, Stage};
+use lcplab_mechanics::scene::Scene;
+use lcplab_page::document::{Formula, Section};
 pub(super) use motion::motion;
 pub(super) use statement::statement;
 

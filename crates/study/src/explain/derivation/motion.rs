@@ -2,9 +2,9 @@
 
 use super::columns::Columns;
 use super::{effort, moved, target};
-use crate::document::{Formula, Section};
 use crate::explain::units::of_motion;
-use crate::formulation::{Problem, Stage};
+use lcplab_mechanics::formulation::{Problem, Stage};
+use lcplab_page::document::{Formula, Section};
 
 /// The motion that an answer leads to.
 pub(in crate::explain) fn motion(problem: &Problem, x: &[f64], dt: f64) -> Section {

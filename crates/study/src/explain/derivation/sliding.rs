@@ -1,9 +1,9 @@
 //! Contacts that slide at acceleration level: their friction is put in for the unknown.
 
-use crate::document::notation::{indexed, plain, vector};
-use crate::document::{Formula, Section};
-use crate::formulation::{Problem, Slide};
-use crate::scene::Scene;
+use lcplab_mechanics::formulation::{Problem, Slide};
+use lcplab_mechanics::scene::Scene;
+use lcplab_page::document::notation::{indexed, plain, vector};
+use lcplab_page::document::{Formula, Section};
 
 /// x_t = −μ x_n v_t/|v_t| with numbers, and S, by which it enters.
 pub(super) fn substitution(section: &mut Section, scene: &Scene, problem: &Problem) {

@@ -2,10 +2,10 @@
 
 use super::columns::Columns;
 use super::target;
-use crate::document::{Formula, Section};
 use crate::explain::units::Units;
-use crate::formulation::{Posing, Stage};
-use crate::lcp::Lcp;
+use lcplab_mechanics::formulation::{Posing, Stage};
+use lcplab_page::document::{Formula, Section};
+use lcplab_problem::Lcp;
 
 /// Step 4: A and b.
 pub(super) fn lcp(

@@ -1,16 +1,16 @@
 //! Friction within circular cones: the problem stated, its answer contact by contact, and beside it the
 //! box, whose solver can be followed.
 
-use crate::certificate::judge_cone;
-use crate::document::notation::{interval, plain};
-use crate::document::{Document, Formula, Section};
-use crate::error::Result;
 use crate::explain::answer;
 use crate::explain::single::Single;
 use crate::explain::solve::Solved;
 use crate::explain::units::with_unit;
-use crate::lcp::friction::{ConeProblem, Contact, Law};
-use crate::solver::Solution;
+use lcplab_judge::judge_cone;
+use lcplab_page::document::notation::{interval, plain};
+use lcplab_page::document::{Document, Formula, Section};
+use lcplab_problem::error::Result;
+use lcplab_problem::friction::{ConeProblem, Contact, Law};
+use lcplab_solver::Solution;
 
 /// The cones with their answer, then the box beside them; whether the judge accepts the cones' x.
 pub(in crate::explain) fn cones(

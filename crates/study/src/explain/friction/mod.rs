@@ -9,9 +9,9 @@ pub(super) use polygon::polygons;
 
 use super::answer::Reading;
 use super::units::with_unit;
-use crate::document::Section;
-use crate::document::notation::{indexed, interval, plain};
-use crate::lcp::Lcp;
+use lcplab_page::document::Section;
+use lcplab_page::document::notation::{indexed, interval, plain};
+use lcplab_problem::Lcp;
 
 /// The frozen box: bounds ±μ x_n with the x_n of the start, or of the first answer in a bounce.
 pub(super) fn frozen(reading: &Reading, problem: &Lcp, at: &[f64]) -> Section {

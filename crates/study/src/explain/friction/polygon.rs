@@ -1,18 +1,18 @@
 //! Friction within polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's method.
 
-use crate::certificate::judge_friction;
-use crate::document::notation::{indexed, plain};
-use crate::document::{Document, Formula, Section};
-use crate::error::Result;
 use crate::explain::answer::{self, Reading};
 use crate::explain::derivation;
 use crate::explain::refutation;
 use crate::explain::single::Single;
 use crate::explain::solve::Solved;
 use crate::explain::units::{Units, with_unit};
-use crate::formulation::Stage;
-use crate::lcp::friction::{Polyhedral, Posed};
-use crate::solver::Solution;
+use lcplab_judge::judge_friction;
+use lcplab_mechanics::formulation::Stage;
+use lcplab_page::document::notation::{indexed, plain};
+use lcplab_page::document::{Document, Formula, Section};
+use lcplab_problem::error::Result;
+use lcplab_problem::friction::{Polyhedral, Posed};
+use lcplab_solver::Solution;
 
 /// The LCP of the polygons, its solution, and the x that it means; whether the judge accepts x.
 pub(in crate::explain) fn polygons(

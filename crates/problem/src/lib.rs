@@ -9,16 +9,19 @@
 //! another one ([`Coupling`]): its bounds are then ±μ times that row's x, which is dry friction in one of
 //! the four models of [`friction`].
 
-pub(crate) mod accurate;
+pub mod accurate;
 mod complementarity;
 mod coupled;
+pub mod disk;
+pub mod error;
 pub mod exact;
-pub mod exchange;
 pub mod file;
 pub mod friction;
 mod gauss;
+pub mod json;
 pub mod library;
 mod matrix;
+pub mod memory;
 pub mod merit;
 
 pub use complementarity::Complementarity;
@@ -28,7 +31,7 @@ pub use matrix::{Matrix, Row, dot};
 
 use std::sync::Arc;
 
-use crate::error::{Defects, Error, Result};
+use error::{Defects, Error, Result};
 
 /// A boxed LCP. It is valid from construction on: sizes agree, all numbers of A and b are finite,
 /// no bound is NaN and lo ≤ hi, so no solver checks again.
@@ -53,12 +56,12 @@ impl Lcp {
     /// One [`Error::Invalid`] that lists every defect.
     ///
     /// ```
-    /// use lcplab::lcp::{Lcp, Matrix};
+    /// use lcplab_problem::{Lcp, Matrix};
     ///
     /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
     /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
     /// assert_eq!(lcp.w(&[0.5, 0.0]), [0.0, 1.5]); // row 0 is free, row 1 rests at its lower bound
-    /// # Ok::<(), lcplab::error::Error>(())
+    /// # Ok::<(), lcplab_problem::error::Error>(())
     /// ```
     pub fn new(matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Result<Self> {
         let mut defects = Defects::default();
@@ -130,7 +133,7 @@ impl Lcp {
     }
 
     /// The matrix as it is shared with the problems that were made of this one.
-    pub(crate) fn shared_matrix(&self) -> &Arc<Matrix> {
+    pub fn shared_matrix(&self) -> &Arc<Matrix> {
         &self.matrix
     }
 

@@ -1,0 +1,113 @@
+//! A simulation as its scene states it: which solver, with which settings.
+
+use lcplab_problem::error::{Error, Result};
+use lcplab_solver::{Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name, methods};
+
+use super::{Simulation, Step};
+use crate::formulation::{Problem, friction_model};
+use crate::scene::{self, Formulation, Scene};
+
+/// The solver that finds a step's problem where the solver does not matter.
+const STEPPER: &str = "dantzig";
+
+/// The options that a scene states for its solver.
+pub fn options(scene: &Scene) -> Options {
+    let settings = Settings {
+        tolerance: scene.solver.tolerance,
+        max_iterations: scene.solver.max_iterations,
+        memory: scene.memory,
+        ..Settings::default()
+    };
+    let order = match scene.solver.order {
+        scene::Order::Natural => Order::Natural,
+        scene::Order::Reverse => Order::Reverse,
+        scene::Order::Shuffled => Order::Shuffled { seed: scene.solver.seed },
+    };
+    let damping = scene.solver.damping.map_or(Damping::Safe, Damping::Factor);
+    Options { settings, omega: scene.solver.omega, order, damping }
+}
+
+/// The solver for LCPs that a scene states.
+///
+/// # Errors
+/// If there is none of that name.
+pub fn solver(scene: &Scene) -> Result<Box<dyn Solver>> {
+    by_name(&scene.solver.name, &options(scene)).map_err(|error| error.within(&scene.name))
+}
+
+impl Simulation {
+    /// The scene at its start, to be stepped by the solver that it states: one for LCPs, or, if its
+    /// friction is in cones, one for cones.
+    ///
+    /// ```
+    /// use lcplab_mechanics::{scene::Scene, simulation::Simulation};
+    ///
+    /// let mut simulation = Simulation::of(&Scene::load("fig7")?)?;
+    /// let step = simulation.step().expect("a step that can be taken");
+    /// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there is none of that name.
+    pub fn of(scene: &Scene) -> Result<Self> {
+        let model = friction_model(&scene.contact);
+        let is_stated =
+            |method: &Method| method.takes(Some(model)) && method.name() == scene.solver.name;
+        match methods().into_iter().find(is_stated) {
+            Some(method @ Method::Cone(_)) => Ok(Simulation::by(scene, &method)),
+            _ => Ok(Simulation::new(scene.clone(), solver(scene)?)),
+        }
+    }
+
+    /// The scene at its start, to be stepped by a method; what a cone solver is not made for, problems
+    /// without friction, is left to another one.
+    pub fn by(scene: &Scene, method: &Method) -> Self {
+        let options = options(scene);
+        match method {
+            Method::Boxed(entry) => Simulation::new(scene.clone(), (entry.build)(&options)),
+            Method::Cone(entry) => {
+                let boxed = Box::new(Dantzig { settings: options.settings.clone() });
+                let cone_solver = (entry.build)(&options.settings);
+                Simulation::new(scene.clone(), boxed).with_cone_solver(cone_solver)
+            }
+        }
+    }
+}
+
+impl Step {
+    /// The scene's step of this number, from 1, solved by Dantzig's method.
+    ///
+    /// # Errors
+    /// If the simulation fails before.
+    pub fn of(scene: &Scene, number: usize) -> Result<Self> {
+        let mut simulation = Simulation::new(scene.clone(), by_name(STEPPER, &options(scene))?);
+        let refused =
+            |reason: String| Error::invalid(&*scene.name, format!("step {number}"), reason);
+        let mut last = None;
+        for _ in 0..number {
+            last = Some(simulation.step().map_err(|failure| refused(failure.to_string()))?);
+        }
+        last.ok_or_else(|| refused("steps are counted from 1".into()))
+    }
+}
+
+/// The last LCP of the scene's step of this number, from 1.
+///
+/// # Errors
+/// If the simulation fails before, or the step solves none.
+pub fn problem_of(scene: &Scene, number: usize) -> Result<Problem> {
+    let solve = Step::of(scene, number)?.solves.pop().ok_or_else(|| {
+        Error::invalid(&*scene.name, format!("step {number}"), "it solves no problem")
+    })?;
+    Ok(solve.problem)
+}
+
+impl Scene {
+    /// The scene stepped at another level.
+    pub fn at_level(&self, formulation: Formulation) -> Scene {
+        let mut scene = self.clone();
+        scene.step.formulation = formulation;
+        scene
+    }
+}

@@ -1,0 +1,44 @@
+//! What can stand in a document, piece by piece.
+
+use lcplab_problem::error::Result;
+
+use super::{Block, Document, Section, Table};
+use crate::page::Picture;
+use crate::plot::Figure;
+
+/// Something that can stand in a document.
+pub trait Show {
+    /// Its pieces from top to bottom.
+    ///
+    /// # Errors
+    /// If it has to be computed and cannot be.
+    fn blocks(&self) -> Result<Vec<Block>>;
+}
+
+impl<F: Figure> Show for F {
+    fn blocks(&self) -> Result<Vec<Block>> {
+        let picture =
+            Picture { svg: self.svg(), caption: self.caption().into(), ..Picture::default() };
+        Ok(vec![Block::Figure(picture)])
+    }
+}
+
+impl Show for Table {
+    fn blocks(&self) -> Result<Vec<Block>> {
+        Ok(vec![Block::Table(self.clone())])
+    }
+}
+
+impl Show for Document {
+    fn blocks(&self) -> Result<Vec<Block>> {
+        let sections: Result<Vec<_>> = self.sections.iter().map(Show::blocks).collect();
+        Ok(sections?.concat())
+    }
+}
+
+impl Show for Section {
+    fn blocks(&self) -> Result<Vec<Block>> {
+        let title = Block::Text(format!("{}.", self.title));
+        Ok([title].into_iter().chain(self.blocks.iter().cloned()).collect())
+    }
+}

@@ -1,0 +1,72 @@
+//! Files are read whole, but not beyond a size.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::error::{Error, Result};
+use crate::memory::Memory;
+
+/// A file that people write, such as a scene, is not larger than this.
+pub const WRITTEN_BY_HAND: Memory = Memory::bytes(100_000_000);
+
+/// Whether there is something to read: a file, a pipe, a device, but no folder, which may have the
+/// name of something that is shipped.
+pub fn is_there(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|found| !found.is_dir())
+}
+
+/// Whether this can be the name of a file in a folder of ours: letters, digits, `_` and `-`, so that it
+/// leads nowhere else.
+pub fn is_name(name: &str) -> bool {
+    let is_allowed = |c: char| c.is_ascii_alphanumeric() || "_-".contains(c);
+    !name.is_empty() && name.chars().all(is_allowed)
+}
+
+/// What to say of a name that is none.
+///
+/// # Errors
+/// If it [cannot be](is_name) the name of a file.
+pub fn check_name(name: &str) -> std::result::Result<(), String> {
+    match is_name(name) {
+        true => Ok(()),
+        false => {
+            Err(format!("{name:?} becomes a file: only letters, digits, - and _ may be in it"))
+        }
+    }
+}
+
+/// Reads a file of text, or standard input for the path `-`.
+///
+/// # Errors
+/// If it cannot be read, is larger than `most`, or is not UTF-8.
+pub fn read(path: &Path, most: Memory) -> Result<String> {
+    let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "is not UTF-8 text");
+    let text = String::from_utf8(read_bytes(path, most)?).map_err(not_text);
+    text.map_err(|cause| Error::file(path, &cause))
+}
+
+/// Reads a file of any kind, or standard input for the path `-`.
+///
+/// # Errors
+/// If it cannot be read or is larger than `most`.
+pub fn read_bytes(path: &Path, most: Memory) -> Result<Vec<u8>> {
+    let bytes = match path == Path::new("-") {
+        true => read_from(io::stdin().lock(), most),
+        false => File::open(path).and_then(|file| read_from(file, most)),
+    };
+    match bytes.map_err(|cause| Error::file(path, &cause))? {
+        Some(bytes) => Ok(bytes),
+        None => Err(Error::File {
+            path: path.display().to_string(),
+            reason: format!("has more than {most}, the most that is read"),
+        }),
+    }
+}
+
+/// All bytes; nothing if there are more than `most`.
+fn read_from(source: impl Read, most: Memory) -> io::Result<Option<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    source.take(most.in_bytes().saturating_add(1)).read_to_end(&mut bytes)?;
+    Ok((bytes.len() as u64 <= most.in_bytes()).then_some(bytes))
+}

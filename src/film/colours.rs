@@ -1,0 +1,26 @@
+//! The colours of bodies, ground and forces.
+
+/// Red, green, blue.
+type Rgb = (u8, u8, u8);
+
+/// The ground in pictures of scenes.
+pub(super) const GROUND: Rgb = (238, 240, 243);
+/// Bodies in pictures of scenes: those that are fixed, point masses, and the others in turn.
+pub(super) const FIXED: Rgb = (206, 209, 214);
+pub(super) const POINT: Rgb = (0, 114, 178);
+const BODIES: [Rgb; 6] = [
+    (124, 181, 222),
+    (238, 180, 92),
+    (110, 190, 160),
+    (212, 154, 188),
+    (226, 214, 124),
+    (228, 146, 104),
+];
+
+/// The colour of the body with this index.
+pub(super) fn body_color(index: usize) -> Rgb {
+    BODIES[index % BODIES.len()]
+}
+
+/// Forces in pictures of scenes: normal, friction, of other constraints.
+pub(super) const FORCES: [Rgb; 3] = [(0, 76, 140), (190, 50, 0), (130, 40, 110)];
