@@ -33,7 +33,7 @@ pub enum Arrows {
 /// Instants of a motion side by side, all seen by one camera at one scale.
 ///
 /// ```
-/// use lcplab::plot::{Figure, scene::{Frame, Strip}};
+/// use lcplab::{film::{Frame, Strip}, plot::Figure};
 /// use lcplab::scene::Scene;
 ///
 /// let scene = Scene::load("stack")?;

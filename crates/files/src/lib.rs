@@ -15,7 +15,7 @@
 //! and the reason.
 //!
 //! ```
-//! use lcplab_files;
+//! use lcplab_files as exchange;
 //! use lcplab_problem::library;
 //!
 //! let folder = std::env::temp_dir().join("lcplab-exchange");

@@ -280,11 +280,11 @@ fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{self, Options, Start, Status};
+/// use lcplab_solver::{by_name, Options, Start, Status};
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
-/// let solution = solver::by_name("dantzig", &Options::default())?.solve(&lcp, &Start::default(), &mut ());
+/// let solution = by_name("dantzig", &Options::default())?.solve(&lcp, &Start::default(), &mut ());
 /// assert_eq!(solution.status, Status::Solved);
 /// assert_eq!(solution.x, [0.5, 0.0]);
 /// # Ok::<(), lcplab_problem::error::Error>(())

@@ -44,9 +44,10 @@ const DIVERGED: f64 = 1e8;
 /// A scene on its way through time.
 ///
 /// ```
-/// use lcplab::{scene::Scene, simulation::Simulation, solver};
+/// use lcplab_mechanics::{scene::Scene, simulation::Simulation};
+/// use lcplab_solver::{Options, by_name};
 ///
-/// let solver = solver::by_name("dantzig", &solver::Options::default())?;
+/// let solver = by_name("dantzig", &Options::default())?;
 /// let mut simulation = Simulation::new(Scene::load("fig7")?, solver);
 /// let step = simulation.step().expect("a step that can be taken");
 /// assert_eq!(step.solves[0].solution.x, [4.0, 3.0, 1.0]); // N s, from the ground up

@@ -79,6 +79,11 @@ impl Exact {
         }
     }
 
+    /// Whether there are no rows.
+    pub fn is_empty(&self) -> bool {
+        self.b.is_empty()
+    }
+
     /// The number of rows.
     pub fn len(&self) -> usize {
         self.b.len()

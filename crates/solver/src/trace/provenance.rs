@@ -12,14 +12,14 @@ use lcplab_problem::{Lcp, merit};
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{self, Options, Start};
+/// use lcplab_solver::{by_name, Options, Start};
 /// use lcplab_solver::trace::Provenance;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, -1.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let path = |name| {
 ///     let mut provenance = Provenance::of(&lcp);
-///     let solver = solver::by_name(name, &Options::default()).unwrap();
+///     let solver = by_name(name, &Options::default()).unwrap();
 ///     solver.solve(&lcp, &Start::default(), &mut provenance);
 ///     provenance
 /// };

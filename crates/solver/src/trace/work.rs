@@ -31,13 +31,13 @@ use lcplab_problem::{Lcp, merit};
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{self, Options, Start};
+/// use lcplab_solver::{by_name, Options, Start};
 /// use lcplab_solver::trace::Work;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let mut work = Work::of("pgs", &lcp);
-/// solver::by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut work);
+/// by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut work);
 /// assert_eq!(work.multiplications, 6.0); // one sweep: four entries, two divisions
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
