@@ -1,6 +1,6 @@
 //! Everything that can be wrong with an input, as a value.
 //!
-//! Trouble that arises while solving is not an error: it is a [`Status`](lcplab_solver::Status) in
+//! Trouble that arises while solving is not an error: it is a `Status` in
 //! the solution. An [`Error`] says that the input itself cannot be used, where, and why.
 
 use std::fmt;

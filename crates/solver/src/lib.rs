@@ -1,7 +1,7 @@
 //! Methods that solve an LCP, one a file, all behind one trait.
 //!
 //! A solver sees numbers only: no body, no contact. What it says of its own answer is its
-//! [`Status`]; whether the answer is one is for [`certificate`](lcplab_judge) to decide. Methods
+//! [`Status`]; whether the answer is one is for the judge, the crate `lcplab-judge`, to decide. Methods
 //! for circular friction cones have a trait of their own, [`ConeSolver`].
 //!
 //! # Four families, a page a method

@@ -26,7 +26,7 @@
 //!  "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}
 //! ```
 //!
-//! Other programs' files are read and written by [`exchange`](super::exchange).
+//! Other programs' files are read and written by the crate `lcplab-files`.
 //! Other keys are ignored with a warning; a key given twice is an error. Memory is bounded: n is checked against the length of b
 //! before anything of that size is made, and a file that would take more than is allowed
 //! ([`Problem::read_within`]) is refused before it is parsed.

@@ -20,7 +20,7 @@
 //! and
 //!
 //! - b < 0: no solution; with a x ≤ 0, d = 1 is a Farkas vector
-//!   ([`refute`](lcplab_judge::ray::refute));
+//!   (the judge proves it);
 //! - b > 0: two, x = 0 and x = b / |a|.
 //!
 //! Forces do not suffice, impulses do. The same rod with a time step, b_n = −fall, slip −1 and the

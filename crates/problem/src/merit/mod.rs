@@ -1,7 +1,7 @@
 //! How far is x from a solution? One function a measure, each with its definition.
 //!
 //! The bounds are those at x where rows are coupled. All sums here are plain floating point: what a
-//! solver needs to know when to stop. The [judge](lcplab_judge) has its own, more careful
+//! solver needs to know when to stop. The judge has its own, more careful
 //! arithmetic, and the same definitions.
 
 mod row;

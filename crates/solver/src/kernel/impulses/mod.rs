@@ -8,10 +8,10 @@
 //! ```
 //!
 //! v − Ĵᵀ x is the same before and after: 0 for the LCP with this b, or the velocities without
-//! constraints where b is what is added to Ĵ v. That is Gauss-Seidel on A in exact arithmetic; a row
-//! costs 24 products whatever it touches, where a row of A has as many entries as rows meet in its two
-//! bodies. Once scaled, the same twelve numbers serve w and v, so a sweep reads half of what J and M⁻¹Jᵀ
-//! ([`storage::Factored`](crate::storage::Factored)) hold.
+//! constraints where b is what is added to Ĵ v. That is Gauss-Seidel on A in exact arithmetic. A row
+//! costs 24 multiplications however many neighbours it has; a row of A has an entry for every row on the
+//! same two bodies. Once scaled, the same twelve numbers serve w and v, so a sweep reads half of what J and
+//! M⁻¹Jᵀ hold.
 //!
 //! [`RowByRow`] waits for each row's sum before the next begins: some 60 cycles a row, nearly all of them
 //! latency. [`EightPairs`] takes eight pairs of bodies that share none at once; for that the pairs are
