@@ -1,24 +1,12 @@
 //! The tests, one binary. The modules mirror `src`.
 
 mod architecture;
-mod assembly;
-mod body;
-mod certificate;
 mod chapter;
 mod cli;
-mod common;
-mod constraint;
-mod diagnosis;
-mod explain;
-mod formulation;
-mod lcp;
+mod film;
 mod lesson;
+mod long_run;
 mod messages;
-mod plot;
-mod reference;
+mod own_constraint;
 mod report;
-mod scene;
-mod simulation;
-mod solver;
 mod storage;
-mod trial;

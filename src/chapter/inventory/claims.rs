@@ -104,7 +104,7 @@ pub(super) const ENTRIES: &[Entry] = &[
          rows.",
     )
     .errata(&["E08"])
-    .code(&["solver::dantzig", "solver::lemke", "test solver::piles", "report::study::worst_cases"])
+    .code(&["solver::dantzig", "solver::lemke", "test piles", "report::study::worst_cases"])
     .lesson(&[5])
     .remark(
         "Finite, at worst exponential. In double precision large stacks are solved and \

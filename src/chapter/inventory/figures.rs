@@ -39,7 +39,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .code(&[
             "scene fig6",
             "test simulation::resting::figure_6_stops_within_a_step",
-            "test solver::chapter",
+            "test worked_examples",
         ])
         .lesson(&[1, 3])
         .remark(
@@ -55,7 +55,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     .code(&[
         "scene fig7",
         "test simulation::resting::figure_7_has_the_impulses_of_the_errata",
-        "test solver::chapter",
+        "test worked_examples",
     ])
     .lesson(&[1, 4])
     .remark("The impulses are 4, 3, 1 for m = g = dt = 1, proved exactly."),

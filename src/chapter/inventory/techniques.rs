@@ -22,7 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         ),
     Entry::new("T38", Right, "Check small examples in one dimension by hand first.")
         .errata(&["E48"])
-        .code(&["scene fig6", "scene fig7", "lcplab explain", "test solver::chapter"])
+        .code(&["scene fig6", "scene fig7", "lcplab explain", "test worked_examples"])
         .lesson(&[1, 3]),
     Entry::new("T39", Right, "Common mistakes are a wrong sign and a division by zero.")
         .errata(&["E30"])

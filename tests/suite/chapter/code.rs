@@ -16,7 +16,7 @@ use lcplab::solver;
 use nalgebra::{DMatrix, DVector, Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
-use crate::common::cases;
+use lcplab_testing::cases;
 
 const DT: f64 = 1.0 / 60.0;
 const G: f64 = 9.81;

@@ -7,7 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
 use super::both;
-use crate::common::cases;
+use lcplab_testing::cases;
 
 fn vector() -> impl Strategy<Value = Vector3<f64>> {
     [-2.0..2.0, -2.0..2.0, -2.0..2.0].prop_map(Vector3::from)

@@ -90,14 +90,7 @@ fn exists(place: &str) -> bool {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     match place.split_once(' ') {
         None => home(root, place).is_some_and(|(folder, rest)| is_declared(&folder, rest)),
-        Some(("test", path)) => {
-            let module = path.split("::").next().unwrap_or_default();
-            let folder = root.join("tests/suite").join(module);
-            match path.split_once("::") {
-                Some((_, rest)) if folder.is_dir() => is_declared(&folder, rest),
-                _ => is_declared(&root.join("tests/suite"), path),
-            }
-        }
+        Some(("test", path)) => is_test(root, path),
         Some(("scene", name)) => lcplab::scene::catalogue::text(name).is_some(),
         Some(("bench", name)) => root.join(format!("benches/{name}.rs")).exists(),
         Some(("example", name)) => root.join(format!("examples/{name}.rs")).exists(),
@@ -145,6 +138,18 @@ fn home<'a>(root: &Path, path: &'a str) -> Option<(PathBuf, &'a str)> {
         let folder = root.join("src").join(module);
         folder.is_dir().then_some((folder, rest))
     })
+}
+
+/// Whether one of the suites has this test or module; that of a crate may be named before it.
+fn is_test(root: &Path, path: &str) -> bool {
+    let crates = ["problem", "solver", "judge", "files", "mechanics", "page", "study"];
+    let within = |name: &str| {
+        let suite = root.join("crates").join(name).join("tests/suite");
+        let known = if name == "problem" { "lcp" } else { name };
+        let rest = path.strip_prefix(known).and_then(|rest| rest.strip_prefix("::"));
+        suite.is_dir() && is_declared(&suite, rest.unwrap_or(path))
+    };
+    is_declared(&root.join("tests/suite"), path) || crates.into_iter().any(within)
 }
 
 /// `compare-solvers` as the name of a variant.

@@ -5,7 +5,7 @@ use lcplab::solver::{Pgs, Settings};
 use proptest::prelude::*;
 
 use super::{assert_near, both, measure, outcomes};
-use crate::common::{cases, contacts, iterates};
+use lcplab_testing::{cases, contacts, iterates};
 
 #[test]
 fn contradicting_rows_gain_half_the_rods_demand_in_every_sweep() {

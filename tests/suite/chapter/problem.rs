@@ -10,7 +10,7 @@ use lcplab::solver::theory::{
 use lcplab::solver::{Options, Start, by_name};
 
 use super::{assert_near, both};
-use crate::common::{assert_proved, contacts, tridiagonal};
+use lcplab_testing::{assert_proved, contacts, tridiagonal};
 
 #[test]
 fn e01_no_number_obeys_the_printed_conditions_unless_it_is_at_a_limit() {

@@ -4,7 +4,7 @@ use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::memory::Memory;
 use lcplab::solver::{Options, Settings, Start, Status, Stop, by_name};
 
-use crate::common::{INF, boxed, contacts};
+use lcplab_testing::{INF, boxed, contacts};
 
 /// The status of a solver on a problem from 0.
 fn said(solver: &str, lcp: &Lcp, settings: Settings) -> Status {

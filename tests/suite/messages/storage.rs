@@ -3,7 +3,7 @@
 use lcplab::storage::{BlockRows, Dense, Error, Factored, Storage, sweep};
 use nalgebra::Matrix6;
 
-use crate::common::contacts;
+use lcplab_testing::contacts;
 
 #[test]
 fn every_refusal_of_a_storage_is_made_and_has_the_numbers() {

@@ -9,7 +9,7 @@ use lcplab::report::study::friction::{Answer, ContactAnswer, Model, compare};
 use lcplab::solver::Settings;
 use proptest::prelude::*;
 
-use crate::common::{INF, boxed, cases, pushed_mass, rubbing};
+use lcplab_testing::{INF, boxed, cases, pushed_mass, rubbing};
 
 const POLYGON: Model = Model::Polyhedral { directions: 4 };
 

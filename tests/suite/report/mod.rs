@@ -8,6 +8,7 @@ mod page;
 mod performance;
 mod published;
 mod rates;
+mod recording;
 mod reference;
 mod rubbing;
 mod sliding;

@@ -15,7 +15,7 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Pgs, Settings};
 
 use super::standard::{experiment, run_all, table};
-use crate::common::iterates;
+use lcplab_testing::iterates;
 
 /// All kinds on problems that take milliseconds.
 const SMALL: &str = r#"

@@ -7,7 +7,7 @@ use lcplab::storage::{ALL, Entry, Kind, Storage, Workspace, sweep, triple_produc
 use nalgebra::{DMatrix, Matrix6};
 use proptest::prelude::*;
 
-use crate::common::{Iterates, cases};
+use lcplab_testing::{Iterates, cases};
 
 const BODIES: usize = 4;
 

@@ -3,7 +3,7 @@ use nalgebra::DMatrix;
 use proptest::prelude::*;
 
 use super::{in_order, values};
-use crate::common::cases;
+use lcplab_testing::cases;
 
 const ROWS: usize = 9;
 const COLUMNS: usize = 14; // two bodies of six columns, and a part of a third

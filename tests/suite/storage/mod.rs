@@ -2,6 +2,8 @@
 
 mod assembly;
 mod errors;
+mod factored_sweeps;
+mod impulses;
 mod laws;
 mod memory;
 mod ordering;

@@ -2,7 +2,7 @@ use lcplab::storage::{Graph, Ordering};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
-use crate::common::cases;
+use lcplab_testing::cases;
 
 /// The entries of L by elimination on a dense pattern, the textbook way.
 fn eliminated(n: usize, pairs: &[(usize, usize)], order: &[usize]) -> Vec<(usize, usize)> {

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use toml::Value;
 
 use super::sweep;
-use crate::common::cases;
+use lcplab_testing::cases;
 
 /// The defects of a text, one a line.
 fn defects(text: &str) -> String {

@@ -1,0 +1,54 @@
+//! A step of MuJoCo's, written by examples/python/mujoco_contacts.py, beside the forces that MuJoCo
+//! found: A + R is positive definite, so there is one answer.
+
+use std::path::{Path, PathBuf};
+
+use lcplab_files as exchange;
+use lcplab_judge::{Demand, Verdict, judge, judge_friction};
+use lcplab_problem::file::read_answer;
+use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::memory::Memory;
+use lcplab_solver::{Options, Settings, Start, Status, by_name, cone_by_name};
+
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/problems").join(name)
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// Forces of up to 122 N.
+#[test]
+fn with_pyramids_both_forces_are_proved_and_agree_to_a_piconewton() {
+    let lcp = exchange::read(&file("mujoco_pyramidal.json"), None).unwrap().lcp;
+    let theirs =
+        read_answer(&file("mujoco_pyramidal_answer.json"), lcp.len(), Memory::default()).unwrap();
+    let dantzig = by_name("dantzig", &Options::default()).unwrap();
+    let ours = dantzig.solve(&lcp, &Start::default(), &mut ()).x;
+    for x in [&theirs, &ours] {
+        assert!(matches!(judge(&lcp, x, &Demand::default()).verdict, Verdict::Proved { .. }));
+    }
+    assert!(distance(&theirs, &ours) < 1e-12);
+}
+
+/// Forces of up to 114 N; the lower box slides, and the associated cone lifts it.
+#[test]
+fn elliptic_cones_are_the_associated_model_and_not_coulombs_law() {
+    let problem = exchange::read(&file("mujoco_elliptic.json"), None).unwrap();
+    let theirs =
+        read_answer(&file("mujoco_elliptic_answer.json"), problem.lcp.len(), Memory::default())
+            .unwrap();
+    let friction = problem.friction().unwrap().unwrap();
+    let posed = |model: Model| model.pose(&friction, None).unwrap();
+    let verdict = |model| judge_friction(&posed(model), &theirs, &Demand::default()).verdict;
+    assert_eq!(problem.model, Some(Model::AssociatedCone));
+    assert!(verdict(Model::AssociatedCone).is_solution());
+    assert!(!verdict(Model::CoulombCone).is_solution());
+    let Posed::Cone(cone) = posed(Model::AssociatedCone) else { unreachable!() };
+    let settings = Settings { tolerance: 1e-13, max_iterations: 5000, ..Settings::default() };
+    let sweeps = cone_by_name("cone-pgs", &settings).unwrap();
+    let ours = sweeps.solve(&cone, &Start::default(), &mut ());
+    assert_eq!(ours.status, Status::Solved);
+    assert!(distance(&theirs, &ours.x) < 1e-8);
+}

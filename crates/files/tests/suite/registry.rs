@@ -1,0 +1,65 @@
+use std::collections::HashSet;
+use std::path::Path;
+
+use lcplab_files as exchange;
+use lcplab_files::{ALL, Format};
+use lcplab_problem::file::Problem;
+
+use super::{again, assert_same, sample};
+use lcplab_testing::contacts;
+
+#[test]
+fn names_and_endings_are_unique() {
+    let names: HashSet<_> = ALL.iter().map(|format| format.name).collect();
+    let endings: Vec<_> = ALL.iter().flat_map(|format| format.endings).collect();
+    assert_eq!(names.len(), ALL.len());
+    assert_eq!(endings.iter().collect::<HashSet<_>>().len(), endings.len());
+    assert!(Format::by_name("xml").unwrap_err().to_string().contains("json, matrix-market"));
+}
+
+#[test]
+fn the_longest_ending_decides_whatever_its_letters() {
+    let name = |path: &str| Format::of(Path::new(path)).map(|format| format.name);
+    assert_eq!(name("a/dump_Cq.dat"), Some("chrono"));
+    assert_eq!(name("a/lcp.dat"), Some("siconos"));
+    assert_eq!(name("AUG2D.QPS"), Some("qps"));
+    assert_eq!(name("scene.toml"), None);
+}
+
+#[test]
+fn a_name_without_a_known_ending_is_read_as_json_but_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("problem");
+    std::fs::write(&path, r#"{"A": {"dense": [[2]]}, "b": [-1]}"#).unwrap();
+    let problem = exchange::read(&path, None).unwrap();
+    assert_eq!(problem.lcp.b(), [-1.0]);
+    let error = exchange::write(&problem, &path, None).unwrap_err().to_string();
+    assert!(error.contains("ending: says no format; there are json .json"), "{error}");
+}
+
+#[test]
+fn problems_are_told_from_scenes() {
+    assert!(exchange::is_problem(Path::new("-")));
+    assert!(exchange::is_problem(Path::new("missing.mtx")));
+    assert!(exchange::is_problem(&sample("chrono")));
+    assert!(exchange::is_problem(&sample("scipy")));
+    assert!(!exchange::is_problem(Path::new("stack")));
+    assert!(!exchange::is_problem(&sample("")));
+}
+
+#[test]
+fn what_is_not_text_has_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.mtx");
+    std::fs::write(&path, b"%%MatrixMarket\n\xff").unwrap();
+    let error = exchange::read(&path, None).unwrap_err().to_string();
+    assert!(error.ends_with("p.mtx: line 2: is not text"), "{error}");
+}
+
+#[test]
+fn json_keeps_everything() {
+    let problem = Problem::new("pair", contacts(&[&[2.0, -1.0], &[0.0, 2.0]], &[-1.0, 1.0 / 3.0]));
+    let back = again(&problem, "json");
+    assert_same(&problem.lcp, &back.lcp);
+    assert_eq!(back.name, "pair");
+}

@@ -1,0 +1,61 @@
+//! Gears: the ratio of the speeds, of the torques, and no tooth lost over many turns.
+
+use lcplab_mechanics::scene::Formulation;
+
+use super::{assert_near, forces, simulation};
+
+/// I of the wheels (kg m²): ⅖ m r² of balls.
+const INERTIA: [f64; 2] = [0.2, 0.9];
+/// z0/z1.
+const RATIO: f64 = 20.0 / 45.0;
+
+/// Two wheels on hinges, the first driven by a torque of 3 N m up to this speed.
+fn wheels(baumgarte: f64, speed: f64) -> String {
+    let axis = "axis = [0, 0, 1]";
+    format!(
+        "gravity = [0, 0, 0]\n[step]\ndt = 0.01\nbaumgarte = {baumgarte}\n\
+         [[bodies]]\nname = \"small\"\nshape = {{ sphere = 0.5 }}\nmass = 2\n\
+         [[bodies]]\nname = \"large\"\nshape = {{ sphere = 0.75 }}\nmass = 4\nposition = [2, 0, 0]\n\
+         [[constraints]]\nkind = \"gear\"\nbodies = [\"small\", \"large\"]\naxes = [[0, 0, 1], [0, 0, 1]]\nteeth = [20, 45]\n\
+         [[constraints]]\nkind = \"motor_rotation\"\nbodies = [\"small\"]\n{axis}\nspeed = {speed}\neffort = 3\n\
+         [[constraints]]\nkind = \"hinge\"\nbodies = [\"small\"]\n{axis}\n\
+         [[constraints]]\nkind = \"hinge\"\nbodies = [\"large\"]\n{axis}\n"
+    )
+}
+
+#[test]
+fn wheels_turn_in_the_ratio_of_their_teeth_with_the_inertia_of_both() {
+    // The large wheel is felt as RATIO² of its inertia.
+    let acceleration = 3.0 / (INERTIA[0] + RATIO * RATIO * INERTIA[1]);
+    for level in Formulation::LEVELS {
+        let mut pair = simulation(&wheels(0.0, 1e3), level);
+        for n in 1..=50 {
+            let step = pair.step().unwrap();
+            let [small, large] = [0, 1].map(|k| pair.states()[k].omega.z);
+            assert_near(small, acceleration * 0.01 * f64::from(n), 1e-10);
+            assert_near(large, -RATIO * small, 1e-10);
+            // What turns the large wheel, and RATIO of it holds the small one back.
+            let x = forces(&step, &pair, 0)[0];
+            assert_near(x, -INERTIA[1] * RATIO * acceleration, 1e-9);
+            assert_near(INERTIA[0] * acceleration, 3.0 + RATIO * x, 1e-9);
+        }
+    }
+}
+
+#[test]
+fn no_tooth_is_lost_over_many_turns() {
+    let mut pair = simulation(&wheels(0.2, 8.0), Formulation::Velocity);
+    let mut turned = [0.0; 2];
+    for _ in 0..3000 {
+        pair.step().unwrap();
+        for (turned, state) in turned.iter_mut().zip(pair.states()) {
+            *turned += 2.0 * (0.005 * state.omega.z).atan(); // what a step of the quaternion turns
+        }
+    }
+    // 30 s at 8 rad/s are 38 turns. A step of the quaternion turns by ωh − (ωh)³/12, so the wheels
+    // part by (R − R³)(ωh)³/12 a step, and the feedback holds c where β c makes up for it.
+    assert!(turned[0] > 220.0);
+    let exact = -(RATIO - RATIO.powi(3)) * 0.08_f64.powi(3) / 12.0 / 0.2;
+    let parted = turned[1] + RATIO * turned[0];
+    assert!((parted / exact - 1.0).abs() < 0.01, "{parted} {exact}");
+}

@@ -1,0 +1,117 @@
+//! One case a joint of the registry: what it removes and what it carries.
+
+use lcplab_mechanics::constraint::ALL;
+
+/// The mass (kg), the acceleration of gravity (m/s²) and the lever (m) of the hanging body.
+pub const MASS: f64 = 2.0;
+pub const G: f64 = 9.81;
+pub const LEVER: f64 = 0.4;
+
+/// A joint between a post and a body of which it is known what must be carried.
+pub struct Case {
+    /// The joint's name in the registry.
+    pub name: &'static str,
+    /// The degrees of freedom that it removes while all its rows act.
+    pub removes: usize,
+    /// Where the body hangs.
+    pub place: Place,
+    /// The joint's fields in a scene file.
+    pub fields: String,
+    /// Other constraints that hold what the joint does not.
+    pub help: &'static str,
+    /// How far (rad) the body is turned about y, around the post, before it is let go.
+    pub turned: f64,
+    /// What part of the weight the joint carries.
+    pub force: f64,
+    /// What part of the weight's torque about the post its angular rows carry.
+    pub moment: f64,
+}
+
+/// Where the body hangs; the post is at (0, 0, 1).
+#[derive(Clone, Copy, PartialEq)]
+pub enum Place {
+    /// Half a metre under the post.
+    Under,
+    /// Beside it, out on the lever.
+    Beside,
+}
+
+const NAIL: &str = "[[constraints]]\nkind = \"nail\"\nbodies = [\"body\"]\npoint = [0, 0, 1]\n";
+
+/// A case that carries the weight at the post.
+fn carries(name: &'static str, removes: usize, place: Place, fields: &str) -> Case {
+    let moment = if place == Place::Beside { 1.0 } else { 0.0 };
+    let fields = fields.into();
+    Case { name, removes, place, fields, help: "", turned: 0.0, force: 1.0, moment }
+}
+
+/// A case that carries the torque alone while a nail carries the weight.
+fn turns(name: &'static str, removes: usize, turned: f64, fields: &str) -> Case {
+    let carried = carries(name, removes, Place::Beside, fields);
+    Case { help: NAIL, turned, force: 0.0, moment: 1.0, ..carried }
+}
+
+pub fn cases() -> Vec<Case> {
+    use Place::{Beside, Under};
+    let post = "point = [0, 0, 1]\n";
+    let along = "point = [0, 0, 1]\naxis = [1, 0, 0]\n"; // the axis runs from the post to the body
+    let across = "axis = [0, 1, 0]\n"; // the weight turns the body about it, towards positive angles
+    let up = "axis = [0, 0, 1]\n";
+    let rod = "points = [[0, 0, 1], [0, 0, 0.6]]\n";
+    let with = |fields: &str, more: &str| format!("{fields}{more}\n");
+    let torque = MASS * G * LEVER;
+    vec![
+        carries("ball", 3, Under, post),
+        carries("nail", 3, Under, post),
+        carries("fixed", 6, Beside, post),
+        turns("orientation", 3, 0.0, ""),
+        Case { moment: 0.0, ..carries("lock_translation", 1, Beside, up) },
+        turns("lock_rotation", 1, 0.0, across),
+        carries("hinge", 5, Beside, along),
+        carries("slider", 5, Beside, along),
+        carries("cylindrical", 4, Beside, along),
+        carries("universal", 4, Beside, &with(post, "axes = [[1, 0, 0], [0, 0, 1]]")),
+        carries("distance", 1, Under, rod),
+        carries("squared_distance", 1, Under, rod),
+        carries("rope", 1, Under, rod),
+        carries("pulley", 1, Under, "points = [[0.3, 0, 2], [0, 0, 1.5]]\n"),
+        // It is 0.4 long and was 0.38: 0.02 = m g/k.
+        carries(
+            "spring",
+            1,
+            Under,
+            &with(rod, &format!("length = 0.38\nstiffness = {}", 50.0 * MASS * G)),
+        ),
+        turns(
+            "spring_rotation",
+            1,
+            0.3,
+            &with(across, &format!("stiffness = {}", torque * 0.3_f64.cos() / 0.3)),
+        ),
+        Case {
+            moment: 0.0,
+            ..carries("motor_translation", 1, Beside, &with(up, "speed = 0\neffort = 50"))
+        },
+        turns("motor_rotation", 1, 0.0, &with(across, "speed = 0\neffort = 50")),
+        Case {
+            moment: 0.0,
+            ..carries("limit_translation", 1, Beside, &with(up, "limits = [0, inf]"))
+        },
+        turns("limit_rotation", 1, 0.3, &with(across, "limits = [-1, 0.3]")),
+        turns("limit_cone", 1, 0.3, "axis = [1, 0, 0]\nangle = 0.3\n"),
+        Case {
+            moment: 0.0,
+            ..carries("rack", 1, Beside, "axes = [[0, 1, 0], [0, 0, 1]]\nlength = 0.25\n")
+        },
+        turns("gear", 1, 0.0, "axes = [[0, 1, 0], [0, 1, 0]]\nteeth = [3, 2]\n"),
+    ]
+}
+
+#[test]
+fn every_joint_of_the_registry_has_a_case() {
+    let mut cases: Vec<_> = cases().iter().map(|case| case.name).collect();
+    let mut all: Vec<_> = ALL.iter().map(|joint| joint.name).collect();
+    cases.sort_unstable();
+    all.sort_unstable();
+    assert_eq!(cases, all);
+}

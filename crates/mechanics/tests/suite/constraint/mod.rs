@@ -1,0 +1,57 @@
+//! Every constraint by exact derivatives, by what it removes, by the weight it carries and by the
+//! closed form of the motion that it leaves. Every joint of the registry is in each of the first
+//! three: [`joints`] has the table.
+
+mod degenerate;
+mod dual;
+mod friction;
+mod gear;
+mod joints;
+mod limit;
+mod motor;
+mod rank;
+mod rope;
+mod spring;
+mod verify;
+mod weight;
+
+use lcplab_mechanics::body::State;
+use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::simulation::{Simulation, Step};
+use lcplab_solver as solver;
+use nalgebra::Vector3;
+
+/// The scene of this text at this level, with Dantzig's method.
+fn simulation(text: &str, level: Formulation) -> Simulation {
+    let mut scene = Scene::from_toml("test.toml", text).unwrap();
+    scene.step.formulation = level;
+    start(scene)
+}
+
+fn start(scene: Scene) -> Simulation {
+    Simulation::new(scene, solver::by_name("dantzig", &solver::Options::default()).unwrap())
+}
+
+/// The forces (N, N m) of a step's rows of the constraint with this index: x at acceleration level,
+/// x/dt at velocity level.
+fn forces(step: &Step, simulation: &Simulation, constraint: usize) -> Vec<f64> {
+    let scene = simulation.scene();
+    let unit = match scene.step.formulation {
+        Formulation::Acceleration => 1.0,
+        _ => scene.step.dt,
+    };
+    let solve = step.solves.last().unwrap();
+    let rows = solve.problem.assembly.rows.iter().zip(&solve.solution.x);
+    let source = lcplab_mechanics::assembly::Source::Constraint(constraint);
+    rows.filter(|(row, _)| row.id.source == source).map(|(_, x)| x / unit).collect()
+}
+
+/// The angle (rad) of a body that has turned about an axis alone, −π to π.
+fn angle(state: &State, axis: &Vector3<f64>) -> f64 {
+    state.pose.q.scaled_axis().dot(axis)
+}
+
+#[track_caller]
+fn assert_near(ours: f64, exact: f64, tolerance: f64) {
+    assert!((ours - exact).abs() <= tolerance * exact.abs().max(1.0), "{ours}, exactly {exact}");
+}

@@ -1,0 +1,56 @@
+//! Motors: all they have until the speed, then what keeps it.
+
+use lcplab_mechanics::scene::{Formulation, Scene};
+
+use super::{assert_near, forces, start};
+
+/// A ball of 2 kg with I = 0.2 kg m² on a guide, driven at speed 3 with effort 4.
+fn driven(guide: &str, motor: &str, velocity: &str, level: Formulation) -> Scene {
+    let text = format!(
+        "gravity = [0, 0, 0]\n[step]\ndt = 0.01\n\
+         [[bodies]]\nname = \"body\"\nshape = {{ sphere = 0.5 }}\nmass = 2\n{velocity}\n\
+         [[constraints]]\nkind = \"{motor}\"\nbodies = [\"body\"]\naxis = [0, 0, 1]\nspeed = 3\neffort = 4\n\
+         [[constraints]]\nkind = \"{guide}\"\nbodies = [\"body\"]\naxis = [0, 0, 1]\n"
+    );
+    let mut scene = Scene::from_toml("motor.toml", &text).unwrap();
+    scene.step.formulation = level;
+    scene
+}
+
+/// From this speed on, the speed is that of constant effort until 3, and the effort reported 4, 0 or
+/// between.
+fn follows(
+    scene: Scene,
+    inertia: f64,
+    from: f64,
+    speed: impl Fn(&lcplab_mechanics::body::State) -> f64,
+) {
+    let mut motor = start(scene);
+    let (mut before, full) = (from, 4.0 / inertia * 0.01);
+    for _ in 0..400 {
+        let step = motor.step().unwrap();
+        let exact = before + (3.0 - before).clamp(-full, full);
+        assert_near(speed(&motor.states()[0]), exact, 1e-12);
+        assert_near(forces(&step, &motor, 0)[0], inertia * (exact - before) / 0.01, 1e-9);
+        before = exact;
+    }
+    assert_eq!(before, 3.0);
+}
+
+#[test]
+fn a_motor_speeds_up_with_its_effort_and_then_keeps_its_speed() {
+    for level in Formulation::LEVELS {
+        follows(driven("hinge", "motor_rotation", "", level), 0.2, 0.0, |s| s.omega.z);
+        follows(driven("slider", "motor_translation", "", level), 2.0, 0.0, |s| s.v.z);
+    }
+}
+
+#[test]
+fn a_motor_brakes_what_is_too_fast() {
+    for level in Formulation::LEVELS {
+        let fast = "angular_velocity = [0, 0, 20]";
+        follows(driven("hinge", "motor_rotation", fast, level), 0.2, 20.0, |s| s.omega.z);
+        let back = "velocity = [0, 0, -1]";
+        follows(driven("slider", "motor_translation", back, level), 2.0, -1.0, |s| s.v.z);
+    }
+}

@@ -1,0 +1,189 @@
+//! Every message about a broken scene names the file, the line and the field.
+
+use lcplab_mechanics::scene::Scene;
+
+fn message(text: &str) -> String {
+    Scene::from_toml("bad.toml", text).unwrap_err().to_string()
+}
+
+const BALL: &str = "[[bodies]]\nname = \"ball\"\nshape = { sphere = 1 }\nmass = 1\n";
+
+#[test]
+fn a_negative_mass_is_reported_with_file_line_and_field() {
+    let text = BALL.replace("mass = 1", "mass = -1");
+    assert_eq!(message(&text), "bad.toml: line 4: bodies[0].mass: must be positive, is -1");
+}
+
+#[test]
+fn one_defect_does_not_cause_others() {
+    let text = lcplab_mechanics::scene::catalogue::text("pendulum").unwrap();
+    let text = text.replace("mass = 1", "mass = 0");
+    let line = 1 + text.lines().position(|line| line == "mass = 0").unwrap();
+    let expected = format!("bad.toml: line {line}: bodies[0].mass: must be positive, is 0");
+    assert_eq!(message(&text), expected);
+}
+
+#[test]
+fn all_defects_come_at_once() {
+    let text = format!("gravity = [0, 0, nan]\n[step]\ndt = 0\nbaumgarte = 2\n{BALL}{BALL}");
+    assert_eq!(
+        message(&text),
+        "bad.toml: 4 defects\n  \
+         line 3: step.dt: must be positive, is 0\n  \
+         line 4: step.baumgarte: must lie between 0 and 1, is 2\n  \
+         line 1: gravity: must be finite, has NaN\n  \
+         line 10: bodies[1].name: \"ball\" is the name of bodies[0] too"
+    );
+}
+
+#[test]
+fn unknown_keys_are_reported_with_the_known_ones() {
+    let text = format!("{BALL}weight = 3\n\n[step]\ndtt = 1\n");
+    assert_eq!(
+        message(&text),
+        "bad.toml: 2 defects\n  \
+         line 5: bodies[0].weight: unknown field \"weight\", expected one of \"name\", \"shape\", \
+         \"fixed\", \"mass\", \"density\", \"inertia\", \"position\", \"rotation\", \"velocity\", \
+         \"angular_velocity\", \"friction\", \"restitution\", \"force\", \"force_at\", \"torque\"\n  \
+         line 8: step.dtt: unknown field \"dtt\", expected one of \"dt\", \"count\", \
+         \"formulation\", \"gyroscopic\", \"baumgarte\", \"feedback\", \"alpha\", \"integrator\", \"events\", \"substeps\", \"sweeps\", \"xpbd\", \"soft\", \"penalty\""
+    );
+}
+
+#[test]
+fn a_text_for_a_number_is_reported_where_it_stands() {
+    let text = BALL.replace("mass = 1", "mass = \"heavy\"");
+    assert_eq!(
+        message(&text),
+        "bad.toml: line 4: bodies[0].mass: invalid type: string \"heavy\", expected f64"
+    );
+}
+
+#[test]
+fn a_missing_field_is_reported_at_its_body() {
+    let text = format!("{BALL}\n[[bodies]]\nname = \"other\"\n");
+    assert_eq!(message(&text), "bad.toml: line 6: bodies[1]: missing field \"shape\"");
+}
+
+#[test]
+fn what_is_not_toml_is_reported_with_its_line() {
+    let message = message("gravity = [0, 0, 1]\n[step\ndt = 1\n");
+    assert!(message.starts_with("bad.toml: line 2: "), "{message}");
+}
+
+#[test]
+fn a_constraint_with_an_unknown_body_names_it() {
+    let text = format!("{BALL}\n[[constraints]]\nkind = \"nail\"\nbodies = [\"bal\"]\n");
+    assert_eq!(
+        message(&text),
+        "bad.toml: line 8: constraints[0].bodies: there is no body named \"bal\""
+    );
+}
+
+#[test]
+fn a_rod_of_no_length_is_refused() {
+    let rod = "kind = \"distance\"\nbodies = [\"ball\"]\npoints = [[0, 0, 0], [0, 0, 0]]\n";
+    assert_eq!(
+        message(&format!("{BALL}\n[[constraints]]\n{rod}")),
+        "bad.toml: line 6: constraints[0].length: must be positive, is 0"
+    );
+}
+
+#[test]
+fn impossible_joints_are_refused() {
+    let cases = [
+        (
+            "kind = \"motor_rotation\"\nspeed = inf",
+            "3 defects\n  \
+             line 6: constraints[0].axis: is missing\n  \
+             line 6: constraints[0].effort: is missing\n  \
+             line 8: constraints[0].speed: must be finite, is inf",
+        ),
+        (
+            "kind = \"rope\"\naxis = [0, 0, 1]\nlength = -1",
+            "2 defects\n  \
+             line 8: constraints[0].axis: a rope has none\n  \
+             line 9: constraints[0].length: must be positive, is -1",
+        ),
+        (
+            "kind = \"universal\"\naxes = [[1, 0, 0], [1, 1, 0]]",
+            "line 8: constraints[0].axes: must be perpendicular, are 45.0° apart",
+        ),
+        (
+            "kind = \"limit_translation\"\naxis = [0, 0, 1]\nlimits = [2, 1]",
+            "line 9: constraints[0].limits: the lower one must be below the upper, are 2, 1",
+        ),
+        (
+            "kind = \"limit_rotation\"\naxis = [0, 0, 1]\nlimits = [-inf, 1]",
+            "line 9: constraints[0].limits: must be less than a turn apart, 2π",
+        ),
+        (
+            "kind = \"limit_cone\"\naxis = [0, 0, 1]\nangle = 4",
+            "line 9: constraints[0].angle: must be below π, is 4",
+        ),
+        (
+            "kind = \"spring\"\npoints = [[0, 0, 0], [0, 0, 1]]\nstiffness = 0",
+            "line 9: constraints[0].stiffness: is 0 and so is the damping: nothing would hold",
+        ),
+        (
+            "kind = \"spring_rotation\"\naxis = [0, 0, 0]\nstiffness = -2\ndamping = nan",
+            "3 defects\n  \
+             line 9: constraints[0].stiffness: must be at least 0, is -2\n  \
+             line 10: constraints[0].damping: must be at least 0, is NaN\n  \
+             line 8: constraints[0].axis: needs a direction, has length 0",
+        ),
+        (
+            "kind = \"gear\"\naxes = [[0, 0, 1], [0, 0, 1]]\nteeth = [3, 0]",
+            "line 10: constraints[0].bodies: names 1 bodies, must name 2",
+        ),
+    ];
+    for (joint, expected) in cases {
+        let text = format!("{BALL}\n[[constraints]]\n{joint}\nbodies = [\"ball\"]\n");
+        assert_eq!(message(&text), format!("bad.toml: {expected}"));
+    }
+    let gear = "kind = \"gear\"\nbodies = [\"ball\", \"other\"]\naxes = [[0, 0, 1], [0, 0, 1]]\n";
+    let other = BALL.replace("ball", "other");
+    assert_eq!(
+        message(&format!("{BALL}{other}\n[[constraints]]\n{gear}teeth = [3, 0]\n")),
+        "bad.toml: line 14: constraints[0].teeth: must be at least 1 each"
+    );
+}
+
+#[test]
+fn impossible_bodies_are_refused() {
+    let plane = "[[bodies]]\nname = \"a\"\nshape = { plane = [0, 0, 1] }\n";
+    let cases = [
+        (plane.to_string(), "line 3: bodies[0].shape: a plane must be fixed"),
+        (
+            "[[bodies]]\nname = \"a\"\nshape = \"point\"\ndensity = 2\n".into(),
+            "line 4: bodies[0].density: a point has no volume, give its mass",
+        ),
+        (
+            format!("{BALL}inertia = [1, 1, 3]\n"),
+            "line 5: bodies[0].inertia: the moment 3 exceeds the sum 2 of the other two",
+        ),
+        (
+            "[[bodies]]\nname = \"a\"\nshape = { sphere = 1 }\n".into(),
+            "line 1: bodies[0].mass: is missing: give mass or density, or fixed = true",
+        ),
+        (
+            "generate = { kind = \"net\", rows = 100000, columns = 100000, spacing = 1, hang = 1, mass = 1 }".into(),
+            "line 1: generate[0]: makes 10000000000 bodies, at most 50000 are allowed",
+        ),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(message(&text), format!("bad.toml: {expected}"));
+    }
+}
+
+#[test]
+fn no_broken_text_makes_the_reader_panic() {
+    let good = lcplab_mechanics::scene::catalogue::text("incline").unwrap();
+    for cut in (0..good.len()).filter(|&cut| good.is_char_boundary(cut)) {
+        let _ = Scene::from_toml("cut.toml", &good[..cut]);
+        let _ = Scene::from_toml(
+            "hole.toml",
+            &format!("{}{}", &good[..cut], good[cut..].get(7..).unwrap_or("")),
+        );
+    }
+}

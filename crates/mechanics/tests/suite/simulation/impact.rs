@@ -1,0 +1,168 @@
+//! Bodies that hit the ground.
+
+use lcplab_mechanics::formulation::Stage;
+use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::simulation::Simulation;
+use lcplab_solver as solver;
+
+use super::{assert_near, bullet, simulation};
+
+fn drop_from(height: f64, restitution: f64, dt: f64, level: Formulation) -> Scene {
+    let text = format!(
+        "[step]\ndt = {dt}\nformulation = \"{}\"\n[contact]\nrestitution = {restitution}\n\
+         [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
+         [[bodies]]\nname = \"ball\"\nshape = {{ sphere = 0.5 }}\nmass = 2\nposition = [0, 0, {}]\n",
+        level.name(),
+        0.5 + height
+    );
+    Scene::from_toml("drop.toml", &text).unwrap()
+}
+
+#[test]
+fn a_speculative_contact_closes_its_gap_and_no_more() {
+    // 0.03 m at 5 m/s: within a step of 0.01 s the ball may only come down to the ground.
+    let mut scene = drop_from(0.03, 0.0, 0.01, Formulation::Velocity);
+    scene.states[1].v.z = -5.0;
+    let mut ball = simulation(scene);
+    ball.step().unwrap();
+    assert_near(ball.states()[1].pose.p.z, 0.5, 1e-14);
+    ball.step().unwrap();
+    assert_near(ball.states()[1].pose.p.z, 0.5, 1e-14);
+    assert_near(ball.states()[1].v.z, 0.0, 1e-13);
+}
+
+#[test]
+fn a_ball_bounces_to_e_squared_of_its_height() {
+    let (height, e) = (1.0, 0.8);
+    for level in Formulation::LEVELS {
+        let error = |dt: f64| {
+            let mut ball = simulation(drop_from(height, e, dt, level));
+            let mut bounced = false;
+            let mut top = 0.0f64;
+            for _ in 0..(0.9 / dt) as usize {
+                let step = ball.step().unwrap();
+                bounced |=
+                    step.solves.iter().any(|solve| solve.problem.stage == Stage::Restitution);
+                if bounced {
+                    top = top.max(ball.states()[1].pose.p.z - 0.5);
+                }
+            }
+            (top - e * e * height).abs()
+        };
+        // The impact is found to within a step, so the height is first order in dt.
+        assert!(error(1e-3) < 0.02, "{}", error(1e-3));
+        assert!(error(1e-4) < 0.002, "{}", error(1e-4));
+    }
+}
+
+#[test]
+fn restitution_reverses_exactly_e_of_the_approach() {
+    // Touching at −3 m/s without gravity: +0.5 · 3 m/s after the step, in both formulations.
+    for level in Formulation::LEVELS {
+        let mut scene = drop_from(0.0, 0.5, 0.01, level);
+        scene.gravity.z = 0.0;
+        scene.states[1].v.z = -3.0;
+        let mut ball = simulation(scene);
+        ball.step().unwrap();
+        assert_near(ball.states()[1].v.z, 1.5, 1e-14);
+    }
+}
+
+#[test]
+fn slow_approach_does_not_bounce() {
+    let mut scene = drop_from(0.0, 0.5, 0.01, Formulation::Velocity);
+    scene.gravity.z = 0.0;
+    scene.states[1].v.z = -0.09; // below bounce_speed = 0.1 m/s
+    let mut ball = simulation(scene);
+    ball.step().unwrap();
+    assert_eq!(ball.states()[1].v.z, 0.0);
+}
+
+#[test]
+fn every_scheme_that_bounces_gives_back_e_of_the_approach_wherever_in_a_step_it_hits() {
+    let schemes = [Formulation::Velocity, Formulation::Acceleration, Formulation::Soft];
+    for scheme in schemes.into_iter().chain([Formulation::Xpbd, Formulation::SequentialImpulses]) {
+        for (e, dt) in [(0.5, 0.01), (1.0, 0.004), (0.8, 1.0 / 60.0)] {
+            for k in 0..6 {
+                let mut ball = simulation(drop_from(0.5 + 0.037 * f64::from(k), e, dt, scheme));
+                let (mut down, mut up) = (0.0f64, 0.0f64);
+                for _ in 0..(0.55 / dt) as usize {
+                    let speed = ball.step().unwrap().states[1].v.z;
+                    (down, up) = (down.max(-speed), up.max(speed));
+                }
+                // Gravity acts for a step or two between both speeds.
+                let slack = 2.0 * 9.81 * dt;
+                assert!((up - e * down).abs() < slack, "{scheme:?} e {e} dt {dt} {k}: {up} {down}");
+            }
+        }
+    }
+}
+
+/// A box that falls flat, turning a little: its corners come at different speeds, and four of them share
+/// the blow in many ways.
+#[test]
+fn what_bounces_does_not_depend_on_how_a_solver_shares_the_blow() {
+    let text = "
+        [step]
+        dt = 0.01
+        [contact]
+        restitution = 0.5
+        [[bodies]]
+        name = \"ground\"
+        fixed = true
+        shape = { plane = [0, 0, 1] }
+        [[bodies]]
+        name = \"box\"
+        shape = { box = [1, 2, 0.4] }
+        mass = 2
+        position = [0, 0, 0.2]
+        velocity = [0, 0, -2]
+        angular_velocity = [0.3, 0.5, 0]
+    ";
+    let scene = Scene::from_toml("flat.toml", text).unwrap();
+    let after = |solver: &str| {
+        let solver = solver::by_name(solver, &solver::Options::default()).unwrap();
+        let mut flat = Simulation::new(scene.clone(), solver);
+        flat.step().unwrap().states[1].velocity()
+    };
+    let dantzig = after("dantzig");
+    // v − 2 of each corner, at (±½, ±1): 1.5 times as fast back, as Newton's law has it for each.
+    assert_near(dantzig[2], 1.0, 1e-7);
+    for other in ["pgs", "block-pivoting", "lemke", "enumeration"] {
+        assert!((after(other) - dantzig).norm() < 1e-6, "{other}: {} {dantzig}", after(other));
+    }
+}
+
+#[test]
+fn a_bullet_that_goes_through_a_wall_in_one_step_is_named() {
+    let mut scene = bullet();
+    let passed = |scene: &Scene| simulation(scene.clone()).step().unwrap().passed;
+    assert_eq!(passed(&scene), [[0, 1]]);
+    // A margin of a step's way finds the wall in time.
+    scene.contact.margin = 4.0;
+    assert!(passed(&scene).is_empty());
+    // Beside the wall there is nothing to go through.
+    scene.contact.margin = 0.05;
+    scene.states[1].pose.p.y = 1.5;
+    assert!(passed(&scene).is_empty());
+}
+
+#[test]
+fn two_balls_with_one_centre_are_a_penetration_of_both_radii() {
+    let text = "
+        gravity = [0, 0, 0]
+        step.formulation = \"split-impulse\"
+        step.baumgarte = 0.2
+        bodies = [
+            { name = \"a\", shape = { sphere = 0.5 }, mass = 1 },
+            { name = \"b\", shape = { sphere = 0.25 }, mass = 1 },
+        ]
+    ";
+    let mut balls = simulation(Scene::from_toml("one.toml", text).unwrap());
+    assert_near(balls.motion().penetration, 0.75, 1e-12);
+    for _ in 0..50 {
+        balls.step().unwrap();
+    }
+    let [a, b] = [0, 1].map(|k| balls.states()[k].pose.p);
+    assert!((a - b).norm() > 0.7, "{a} {b}");
+}

@@ -1,0 +1,77 @@
+//! Motions against closed forms.
+
+mod acceleration;
+mod demonstrations;
+mod driven;
+mod failures;
+mod families;
+mod free;
+mod friction;
+mod friction_models;
+mod impact;
+mod integrators;
+mod ledger;
+mod painleve;
+mod pendulum;
+mod polygons;
+mod resting;
+mod shipped;
+mod stacking;
+mod stepper;
+mod symmetry;
+
+use lcplab_mechanics::scene::{Formulation, Scene, catalogue};
+use lcplab_mechanics::simulation::{Simulation, Step};
+use lcplab_solver as solver;
+
+/// A ball of 1 cm that flies at a wall of 2 cm with 300 m/s, 3 m in a step.
+fn bullet() -> Scene {
+    let text = "
+        gravity = [0, 0, 0]
+        [[bodies]]
+        name = \"wall\"
+        fixed = true
+        shape = { box = [0.02, 2, 2] }
+        [[bodies]]
+        name = \"bullet\"
+        shape = { sphere = 0.01 }
+        mass = 0.01
+        position = [-1.234, 0, 0]
+        velocity = [300, 0, 0]
+    ";
+    Scene::from_toml("bullet.toml", text).unwrap()
+}
+
+/// The shipped scene of this name at this level.
+fn scene(name: &str, formulation: Formulation) -> Scene {
+    let mut scene = Scene::load(name).unwrap();
+    scene.step.formulation = formulation;
+    scene
+}
+
+/// The shipped scene of this name with words of its file exchanged.
+fn changed(name: &str, words: &[(&str, &str)]) -> Scene {
+    let mut text = catalogue::text(name).unwrap().to_string();
+    for (old, new) in words {
+        assert!(text.contains(old), "{name} has no {old:?}");
+        text = text.replace(old, new);
+    }
+    Scene::from_toml(&format!("{name}.toml"), &text).unwrap()
+}
+
+/// The scene on its way, with Dantzig's method.
+fn simulation(scene: Scene) -> Simulation {
+    scene.validate().unwrap();
+    Simulation::new(scene, solver::by_name("dantzig", &solver::Options::default()).unwrap())
+}
+
+/// The x of the last solve of a step.
+fn x(step: &Step) -> &[f64] {
+    &step.solves.last().unwrap().solution.x
+}
+
+/// Whether two numbers agree to this relative or absolute difference.
+#[track_caller]
+fn assert_near(ours: f64, exact: f64, tolerance: f64) {
+    assert!((ours - exact).abs() <= tolerance * exact.abs().max(1.0), "{ours}, exactly {exact}");
+}

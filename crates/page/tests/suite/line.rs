@@ -1,0 +1,142 @@
+use lcplab_page::plot::{Axis, Figure, Lines, Panel, Scale, Series};
+
+use super::assert_well_formed;
+
+fn figure(x: Scale, y: Scale, series: Vec<Series>) -> Lines {
+    let axis = |scale, label: &str| Axis { label: label.into(), unit: "s".into(), scale };
+    let panels = vec![Panel { y: axis(y, "y"), series }];
+    let (title, caption) = ("A title".into(), "A caption.".into());
+    Lines { id: "test".into(), title, caption, x: axis(x, "x"), panels }
+}
+
+/// The vertices of the polylines in the picture.
+fn vertices(svg: &str) -> usize {
+    let lines = svg.split("<polyline").skip(1);
+    let points = lines.filter_map(|line| line.split("points=\"").nth(1)?.split('"').next());
+    points.map(|points| points.split_whitespace().count()).sum()
+}
+
+#[test]
+fn the_drawing_is_thinned_and_the_csv_is_not() {
+    let points: Vec<_> = (0..100_000).map(|k| (k.into(), (f64::from(k) * 0.1).sin())).collect();
+    let figure = figure(Scale::Linear, Scale::Linear, vec![Series::measured("pgs", points)]);
+    assert_eq!(figure.csv().lines().count(), 100_001);
+    assert!(vertices(&figure.svg()) < 4 * 720);
+    assert_well_formed(&figure);
+}
+
+#[test]
+fn points_are_all_marked_none_joined_and_decide_the_range() {
+    let points: Vec<_> = (0..40).map(|k| (f64::from(k), f64::from(k % 7))).collect();
+    let theory = Series::theory("theory", vec![(-1e3, -1e3), (1e3, 1e3)]);
+    let alone = |series| figure(Scale::Linear, Scale::Linear, series).svg();
+    let svg = alone(vec![Series::points("pgs", points.clone())]);
+    // A marker each and one in the legend, no curve.
+    let series = svg.split("class=\"series\"").nth(1).unwrap();
+    assert_eq!(series.matches("<polygon").count(), points.len());
+    assert_eq!(series.matches("<polyline").count(), 0);
+    let both = alone(vec![Series::points("pgs", points), theory]);
+    let ticks = |svg: &str| svg.matches(">20</text>").count();
+    assert_eq!((ticks(&svg), ticks(&both)), (1, 1));
+}
+
+#[test]
+fn a_lone_peak_survives_thinning() {
+    let heights = |k: i32| if k == 54_321 { 1.0 } else { 0.0 };
+    let points = |wide| (0..100_000).map(|k| (k.into(), wide * heights(k))).collect();
+    let drawn = |wide| {
+        figure(Scale::Linear, Scale::Linear, vec![Series::measured("pgs", points(wide))]).svg()
+    };
+    assert!(vertices(&drawn(1.0)) > vertices(&drawn(0.0)));
+}
+
+#[test]
+fn points_without_a_place_neither_panic_nor_leave_the_csv() {
+    let wild = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0, 5e-324, f64::MAX, 1.0];
+    let points: Vec<_> = wild.iter().flat_map(|x| wild.map(|y| (*x, y))).collect();
+    for x in [Scale::Linear, Scale::Log] {
+        for y in [Scale::Linear, Scale::Log] {
+            let kinds = [Series::measured, Series::theory, Series::reference];
+            let series = kinds.map(|new| new("pgs".to_string(), points.clone())).into();
+            let figure = figure(x, y, series);
+            assert_well_formed(&figure);
+            assert_eq!(figure.csv().lines().count(), 3 * points.len() + 1);
+        }
+    }
+}
+
+#[test]
+fn any_range_has_a_picture() {
+    for value in [0.0, 1.0, -3.0, 1e-300, 1e300, 5e-324, f64::MAX] {
+        for spread in [0.0, 1e-16, 1e-3, 1.0, 1e9] {
+            for scale in [Scale::Linear, Scale::Log] {
+                let points = vec![(value, value), (value + value * spread, value * spread)];
+                assert_well_formed(&figure(scale, scale, vec![Series::measured("pgs", points)]));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_figure_without_points_is_drawn() {
+    let mut figure = figure(Scale::Log, Scale::Log, vec![Series::measured("pgs", Vec::new())]);
+    assert_well_formed(&figure);
+    figure.panels[0].series.clear();
+    assert_well_formed(&figure);
+    figure.panels.clear();
+    assert_well_formed(&figure);
+}
+
+#[test]
+fn an_exact_zero_on_a_log_axis_is_marked_and_named() {
+    let points = vec![(0.0, 1.0), (1.0, 1e-3), (2.0, 0.0)];
+    let log = figure(Scale::Linear, Scale::Log, vec![Series::measured("pgs", points.clone())]);
+    assert!(log.svg().contains(">exactly 0</text>"));
+    let linear = figure(Scale::Linear, Scale::Linear, vec![Series::measured("pgs", points)]);
+    assert!(!linear.svg().contains("exactly 0"));
+}
+
+#[test]
+fn a_prediction_does_not_widen_the_axis() {
+    let fall = |to: i32| (0..=to).map(|k| (k.into(), 10f64.powi(-k))).collect();
+    let mut series = vec![Series::measured("pgs", fall(4))];
+    let alone = figure(Scale::Linear, Scale::Log, series.clone()).svg();
+    series.push(Series::theory("slope", fall(40)));
+    let both = figure(Scale::Linear, Scale::Log, series).svg();
+    assert!(alone.contains(">10⁻⁴<") && both.contains(">10⁻⁴<") && !both.contains(">10⁻⁸<"));
+}
+
+#[test]
+fn names_are_escaped() {
+    let mut figure = figure(
+        Scale::Linear,
+        Scale::Linear,
+        vec![Series::measured("<b>\"&\u{1}", vec![(0.0, 0.0), (1.0, 1.0)])],
+    );
+    figure.title = "</title><script>".into();
+    figure.caption = "a < b".into();
+    assert_well_formed(&figure);
+    assert!(figure.svg().contains("&lt;b&gt;&quot;&amp;</text>"));
+    assert!(figure.csv().contains("\"<b>\"\"&\u{1}\",measured,1,1\n"));
+}
+
+#[test]
+fn stacked_panels_share_the_time_and_have_a_column_each() {
+    let panel = |label: &str, unit: &str| Panel {
+        y: Axis::linear(label, unit),
+        series: vec![Series::measured("velocity, dt/2", vec![(0.0, 0.5)])],
+    };
+    let panels = vec![panel("energy", "J"), panel("drift", "m")];
+    let (title, caption) = ("Pendulum".into(), String::new());
+    let figure =
+        Lines { id: "energy".into(), title, caption, x: Axis::linear("time", "s"), panels };
+    assert_well_formed(&figure);
+    assert_eq!(figure.svg().matches(">time (s)</text>").count(), 1);
+    assert_eq!(figure.svg().matches(">velocity, dt/2</text>").count(), 1);
+    assert_eq!(
+        figure.csv(),
+        "series,kind,time (s),energy (J),drift (m)\n\
+         \"velocity, dt/2\",measured,0,0.5,\n\
+         \"velocity, dt/2\",measured,0,,0.5\n"
+    );
+}

@@ -1,0 +1,63 @@
+//! Figures: nothing is lost in the data, nothing panics, the same bytes each time.
+
+mod heat;
+mod line;
+mod plane;
+mod profile;
+mod spy;
+mod style;
+mod well_formed;
+
+pub use well_formed::assert_well_formed;
+
+use lcplab_page::plot::{Axis, Bar, Bars, Figure, csv, number};
+
+#[test]
+fn bars_without_a_place_are_written() {
+    for axis in [Axis::linear("time", "s"), Axis::log("time", "s")] {
+        let bars = [("pgs", 3.0), ("lemke", 0.0), ("murty", f64::NAN), ("dantzig", -1.0)];
+        let bars = bars.map(|(name, value)| Bar { name: name.into(), value }).into();
+        let (title, caption) = ("Time <by> solver".into(), String::new());
+        let figure = Bars { id: "time".into(), title, caption, x: axis, bars };
+        assert_well_formed(&figure);
+        assert!(figure.svg().contains("not a number") && figure.svg().contains("&lt;by&gt;"));
+        assert_eq!(figure.csv(), "name,time (s)\npgs,3\nlemke,0\nmurty,nan\ndantzig,-1\n");
+    }
+}
+
+#[test]
+fn csv_quotes_what_needs_quotes() {
+    let mut out = String::new();
+    csv::record(&mut out, ["plain", "a,b", "say \"w\"", "two\nlines"]);
+    assert_eq!(out, "plain,\"a,b\",\"say \"\"w\"\"\",\"two\nlines\"\n");
+}
+
+#[test]
+fn no_csv_field_is_a_formula_and_numbers_stay_numbers() {
+    let mut out = String::new();
+    csv::record(&mut out, ["=1+2", "+A1", "-A1", "@SUM(1,2)", "\t=1", "a=b"]);
+    csv::record(&mut out, ["-1.5", "+2", "-inf", "-1e-300", "", "-"]);
+    let formulas = "'=1+2,'+A1,'-A1,\"'@SUM(1,2)\",'\t=1,a=b\n";
+    assert_eq!(out, format!("{formulas}-1.5,+2,-inf,-1e-300,,'-\n"));
+}
+
+#[test]
+fn csv_numbers_read_back_as_themselves() {
+    for value in [0.1, 1.0 / 3.0, 1e-300, 5e-324, f64::MAX, -0.0, 123456789.0] {
+        let text = csv::number(value);
+        assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{text}");
+    }
+    assert_eq!(csv::number(3.0), "3");
+    assert_eq!(csv::number(f64::NEG_INFINITY), "-inf");
+}
+
+#[test]
+fn numbers_read_well() {
+    assert_eq!(number::readable(0.0, 3), "0");
+    assert_eq!(number::readable(9.996, 3), "10");
+    assert_eq!(number::readable(99999.6, 3), "10⁵");
+    assert_eq!(number::readable(-1e-7, 2), "−10⁻⁷");
+    assert_eq!(number::significant(3e-8, 2), "3.0×10⁻⁸");
+    assert_eq!(number::significant(0.25, 3), "0.250");
+    assert_eq!(number::count(1234567), "1\u{202f}234\u{202f}567");
+}

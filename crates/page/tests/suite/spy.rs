@@ -1,0 +1,67 @@
+use lcplab_page::plot::{Figure, Spy};
+
+use super::assert_well_formed;
+
+fn spy(shape: (usize, usize), entries: Vec<(usize, usize)>) -> Spy {
+    Spy::new("a", "Pattern of A", "Where A is not zero.", shape, entries).unwrap()
+}
+
+#[test]
+fn counts_are_exact() {
+    let pattern = spy((4, 5), vec![(0, 0), (3, 4), (1, 2), (3, 4)]);
+    assert_eq!((pattern.nonzeros(), pattern.fill()), (3, 15.0));
+    assert_eq!(pattern.csv(), "row,column\n0,0\n1,2\n3,4\n");
+    assert!(pattern.svg().contains("4 × 5,  3 nonzeros,  15 % filled"));
+    assert_well_formed(&pattern);
+}
+
+#[test]
+fn a_large_pattern_stays_small_and_whole() {
+    let band = (0..760usize)
+        .flat_map(|i| [0, 1, 39].map(|d| (i, (i + d).min(759))))
+        .chain([(759, 0)])
+        .collect();
+    let pattern = spy((760, 760), band);
+    let svg = pattern.svg();
+    assert!(svg.len() < 40_000, "{} bytes", svg.len());
+    assert!(svg.contains("M0 755h5v5h-5z"), "a lone entry in the corner is seen");
+    assert_eq!(pattern.csv().lines().count(), pattern.nonzeros() + 1);
+    assert_well_formed(&pattern);
+}
+
+#[test]
+fn every_shape_is_drawn() {
+    for shape in [(0, 0), (0, 3), (1, 1), (1, 5000), (5000, 1), (161, 161), (7, 300)] {
+        let entries = if shape.0 * shape.1 > 0 { vec![(shape.0 - 1, shape.1 - 1)] } else { vec![] };
+        assert_well_formed(&spy(shape, entries));
+    }
+}
+
+#[test]
+fn an_entry_outside_is_an_error_with_its_place() {
+    let error = Spy::new("a", "Pattern of A", "", (2, 3), [(0, 2), (2, 0)]).unwrap_err();
+    assert_eq!(error.to_string(), "Pattern of A: entry (2, 0): is outside 2 × 3");
+}
+
+#[test]
+fn many_patterns_share_a_sheet_and_say_what_they_are() {
+    use lcplab_page::plot::{Raster, Small, Spies};
+    let raster = |n: usize| Raster::new((n, n), 8, |mark| (0..n).for_each(|i| mark(i, i)));
+    assert_eq!(raster(3).cells, ["4", "04", "004"]);
+    // 20 rows in cells of 3: three of nine entries are a third; the last cell has two of four.
+    assert_eq!((raster(20).block, raster(20).nonzeros, raster(20).fill()), (3, 20, 5.0));
+    assert_eq!(raster(20).cells[0], "3");
+    assert_eq!(raster(20).cells[6], "0000004");
+    let panel =
+        |n: usize| Small { name: format!("<{n}>"), note: "a note".into(), raster: raster(n) };
+    let sheet = Spies {
+        id: "a".into(),
+        title: "Patterns".into(),
+        caption: "Where they are not zero.".into(),
+        across: 3,
+        panels: [0, 1, 3, 20].map(panel).to_vec(),
+    };
+    assert_well_formed(&sheet);
+    assert!(sheet.svg().contains("&lt;20&gt;") && sheet.svg().contains("a note"));
+    assert_eq!(sheet.csv().lines().count(), 1 + 1 + 3 + 7);
+}

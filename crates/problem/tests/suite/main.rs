@@ -1,0 +1,9 @@
+//! The problem, its files in JSON, its friction and its known solutions.
+
+mod file;
+mod friction;
+mod library;
+mod matrix;
+mod merit;
+mod painleve;
+mod problem;

@@ -1,0 +1,154 @@
+use lcplab_problem::friction::{ConeProblem, Law, merit as cone};
+use lcplab_problem::{Coupling, Lcp, merit};
+use lcplab_solver::{Dantzig, Solver, Start};
+use proptest::prelude::*;
+
+use lcplab_testing::{INF, boxed, cases, chain, contacts, manufactured, pushed_mass};
+
+#[test]
+fn a_small_relative_residual_far_along_a_ray_is_no_better_than_nothing() {
+    // A d = 0 for d = (1, 1), so that w is there what it is at 0, and little beside terms of 10⁹.
+    let lcp = |b2| contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-0.125, b2]);
+    assert!(merit::scaled_residual(&lcp(0.0625), &[1e9; 2]) < 1e-9);
+    assert!(!merit::is_worth_something(&lcp(0.0625), &[1e9; 2], 1e-8));
+    assert!(merit::is_worth_something(&lcp(0.125), &[0.125, 0.0], 1e-8)); // w = 0
+    // Zero solves it, so that nothing has to be gained by another x.
+    let rest = contacts(&[&[1.0]], &[1.0]);
+    assert!(merit::is_worth_something(&rest, &[1e-20], 1e-8));
+}
+
+#[test]
+fn a_bound_is_missed_by_a_part_of_the_bound_and_not_of_the_terms() {
+    // Two motors of 1 N m that are asked for 10⁹: (1, −1), and doing nothing is wrong by all of it.
+    let lcp = boxed(&[&[2.0, 1.0], &[1.0, 2.0]], &[-1e9, 1e9], &[-1.0, -1.0], &[1.0, 1.0]);
+    assert_eq!(merit::scaled_residual(&lcp, &[1.0, -1.0]), 0.0);
+    assert_eq!(merit::scaled_residual(&lcp, &[0.0, 0.0]), 1.0);
+    assert!((merit::scaled_residual(&lcp, &[0.75, -1.0]) - 0.25).abs() < 1e-15);
+    // A soft row asks for 10¹² and may have 1; 9000 is outside by 8999 times the bound.
+    let soft = boxed(&[&[1e-12]], &[-1.0], &[0.0], &[1.0]);
+    assert_eq!(merit::scaled_residual(&soft, &[9000.0]), 8999.0);
+    // Inside the bounds it is w beside its terms, 1 − 0.5 beside 1.5, however wide the bounds are.
+    for hi in [1.0, 2.0, 1e9, INF] {
+        let lcp = boxed(&[&[1.0]], &[-1.0], &[0.0], &[hi]);
+        assert_eq!(merit::scaled_residual(&lcp, &[0.5]), 1.0 / 3.0);
+    }
+}
+
+#[test]
+fn friction_is_measured_beside_what_its_normal_may_be() {
+    // The normal is held at its bound of 1 by w = 10⁹, so that friction is at most ½ and opposes the slip.
+    let lcp = coupled(&[&[1.0, 0.0], &[0.0, 1.0]], &[1e9, 1e9], [1.0, -INF], 0.5);
+    assert_eq!(merit::scaled_residual(&lcp, &[1.0, -0.5]), 0.0);
+    for wrong in [0.0, 0.5, -0.49] {
+        assert!(merit::scaled_residual(&lcp, &[1.0, wrong]) > 1e-6, "{wrong}");
+    }
+    // A row of zeros asks for nothing: any x within the bounds, but for their last digit.
+    let nothing = coupled(&[&[3.0, 0.0], &[0.0, 0.0]], &[-1.0, 0.0], [0.0, -INF], 0.3);
+    let third = 1.0 / 3.0;
+    for x in [0.0, 0.1, -0.1, (0.3f64 * third).next_up()] {
+        assert!(merit::scaled_residual(&nothing, &[third, x]) < 1e-9, "{x}");
+    }
+    assert!(merit::scaled_residual(&nothing, &[third, 0.11]) > 0.1);
+}
+
+/// A problem whose second row is friction under the first one.
+fn coupled(rows: &[&[f64]], b: &[f64], lo: [f64; 2], mu: f64) -> Lcp {
+    let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, mu]).unwrap();
+    boxed(rows, b, &lo, &[INF; 2]).with_coupling(coupling).unwrap()
+}
+
+#[test]
+fn each_measure_is_its_definition() {
+    // w = (2, −1) at x = (1, 0): residuals 1 and −1.
+    let lcp = contacts(&[&[4.0, 1.0], &[1.0, 2.0]], &[-2.0, -2.0]);
+    let x = [1.0, 0.0];
+    assert_eq!(lcp.w(&x), [2.0, -1.0]);
+    assert_eq!(merit::natural_residual(&lcp, &x), 1.0);
+    assert_eq!(merit::siconos(&lcp, &x), 2f64.sqrt() / 8f64.sqrt());
+    assert_eq!(merit::dart(&lcp, &x), 1.0 / 5.0); // |A|∞ = 5, |x|∞ = 1, |b|∞ = 2
+}
+
+#[test]
+fn fischer_and_burmeister_measure_the_distance_to_each_bound() {
+    // φ(a, b) = a + b − √(a² + b²): φ(3, 4) = 2, and with a bound at infinity what is left is w.
+    let at = |lo: f64, hi: f64, w: f64| {
+        merit::fischer_burmeister(&boxed(&[&[1.0]], &[w - 3.0], &[lo], &[hi]), &[3.0])
+    };
+    assert_eq!(at(0.0, INF, 4.0), 2.0);
+    assert_eq!(at(-INF, INF, -4.0), 4.0);
+    assert_eq!(at(-INF, 6.0, -4.0), 2.0); // −φ(hi − x, −w)
+    // Both bounds (Billups): φ(3, −φ(4, −w)), φ(4, −3) = −4, φ(3, 4) = 2.
+    assert_eq!(at(0.0, 7.0, 3.0), 2.0);
+    assert_eq!([at(3.0, 9.0, 2.0), at(0.0, 3.0, -2.0), at(0.0, 9.0, 0.0)], [0.0; 3]);
+}
+
+#[test]
+fn all_but_the_chapters_vanish_at_a_solution() {
+    let lcp = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, 3.0]);
+    let x = Dantzig::default().solve(&lcp, &Start::default(), &mut ()).x;
+    for measure in [merit::scaled_residual, merit::natural_residual, merit::siconos, merit::dart] {
+        assert_eq!(measure(&lcp, &x), 0.0);
+    }
+    assert!((merit::km4(&lcp, &x) - 2.5 / 10f64.sqrt()).abs() < 1e-15); // E04
+}
+
+#[test]
+fn dart_accepts_any_small_impulse() {
+    let lcp = chain(3);
+    let small = lcp.with_b(lcp.b().iter().map(|b| b * 1e-6).collect()).unwrap();
+    assert!(merit::dart(&small, &[0.0; 3]) < 1e-4);
+    assert!(merit::scaled_residual(&small, &[0.0; 3]) > 0.9);
+}
+
+#[test]
+fn the_cone_measures_are_their_definitions() {
+    // A = 1, μ = ½, b = (−2, −3, 0), x = (2, 0, 0): w = (0, −3, 0), ŵ = (1.5, −3, 0), x − ŵ = (0.5, 3, 0);
+    // its projection has x_n = (0.5 + 1.5) / 1.25 = 1.6 and x_t = 0.8. So F = (0.4, −0.8, 0).
+    let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 0.0), Law::Coulomb);
+    let x = [2.0, 0.0, 0.0];
+    for (entry, expected) in cone::natural_map(&problem, &x).into_iter().zip([0.4, -0.8, 0.0]) {
+        assert!((entry - expected).abs() < 1e-15, "{entry}");
+    }
+    let (error, b) = (0.8f64.sqrt(), 13f64.sqrt());
+    assert!((cone::rr9118(&problem, &x) - error / b).abs() < 1e-15);
+    assert!((cone::fclib(&problem, &x) - error / (1.0 + b.sqrt())).abs() < 1e-15);
+    // Full friction solves it.
+    let solution = [2.0, 1.0, 0.0];
+    assert!(cone::rr9118(&problem, &solution) < 1e-15 && cone::fclib(&problem, &solution) < 1e-15);
+}
+
+#[test]
+fn oblique_slip_tells_the_cone_from_the_box() {
+    // Pushed at 45°: Coulomb's friction is (1, 1)/√2, the box's (1, 1).
+    let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 45.0), Law::Coulomb);
+    let half = 0.5f64.sqrt();
+    let (disc, square) = ([2.0, half, half], [2.0, 1.0, 1.0]);
+    let coupled = problem.friction().coupled_box();
+    assert!(cone::rr9118(&problem, &disc) < 1e-15 && merit::siconos(&coupled, &disc) > 0.1);
+    assert!(cone::rr9118(&problem, &square) > 0.1 && merit::siconos(&coupled, &square) < 1e-15);
+    assert!(merit::dart(&coupled, &disc) > 0.1 && merit::dart(&coupled, &square) < 1e-15);
+}
+
+proptest! {
+    #![proptest_config(cases(100))]
+
+    #[test]
+    fn a_look_that_stops_at_the_first_row_outside_sees_what_a_whole_one_sees(
+        m in manufactured(5, 3, 0.0),
+        x in proptest::collection::vec(-2.0..2.0f64, 5),
+        start in 0..7usize,
+    ) {
+        let residual = merit::scaled_residual(&m.lcp, &x);
+        for tolerance in [0.5 * residual, residual.next_down(), residual, 2.0 * residual] {
+            let mut first = start;
+            let within = merit::is_within(&m.lcp, &x, tolerance, &mut first);
+            prop_assert_eq!(within, residual <= tolerance);
+            if !within {
+                let terms = merit::RowTerms::at(&m.lcp, first, &x);
+                prop_assert!(terms.scaled_residual(&m.lcp, first, &x) > tolerance);
+            }
+        }
+        let mut first = start;
+        prop_assert!(!merit::is_within(&m.lcp, &[f64::NAN; 5], 1.0, &mut first));
+    }
+}

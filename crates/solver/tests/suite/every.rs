@@ -1,0 +1,244 @@
+//! Laws that every registered solver keeps.
+
+use std::collections::HashMap;
+
+use lcplab_judge::ray::refute;
+use lcplab_judge::{Demand, judge};
+use lcplab_problem::merit::RowTerms;
+use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_solver::trace::Provenance;
+use lcplab_solver::{ALL, Options, SPECIMENS, Settings, Solver, Start, Status, by_name};
+use nalgebra::DMatrix;
+use proptest::prelude::*;
+
+use lcplab_testing::{INF, Manufactured, assert_certified, boxed, cases, contacts, manufactured};
+
+fn all() -> Vec<Box<dyn Solver>> {
+    ALL.iter().map(|entry| by_name(entry.name, &Options::default()).unwrap()).collect()
+}
+
+#[test]
+fn each_has_the_name_it_is_registered_under() {
+    for entry in ALL {
+        assert_eq!(by_name(entry.name, &Options::default()).unwrap().name(), entry.name);
+    }
+}
+
+#[test]
+fn an_unknown_name_is_answered_with_the_known_ones() {
+    let error = by_name("gauss", &Options::default()).err().unwrap();
+    let known: Vec<&str> = ALL.iter().chain(SPECIMENS).map(|entry| entry.name).collect();
+    let expected = format!("there is no solver named \"gauss\"; there are {}", known.join(", "));
+    assert_eq!(error.to_string(), expected);
+}
+
+#[test]
+fn no_two_take_the_same_path() {
+    // Contacts of unequal weight, some of which open; the first sweep is on the wrong side of several.
+    let a: [&[f64]; 5] = [
+        &[4.0, -1.5, 0.5, 0.0, 0.25],
+        &[-1.5, 3.0, -1.0, 0.5, 0.0],
+        &[0.5, -1.0, 2.0, -0.75, 0.5],
+        &[0.0, 0.5, -0.75, 5.0, -2.0],
+        &[0.25, 0.0, 0.5, -2.0, 2.5],
+    ];
+    let lcp = boxed(&a, &[-1.0, 0.75, -2.0, 1.5, -3.0], &[0.0; 5], &[INF, INF, INF, 0.5, 1.75]);
+    let mut paths: HashMap<u64, &str> = HashMap::new();
+    for entry in ALL.iter().chain(SPECIMENS) {
+        let solver = by_name(entry.name, &Options::default()).unwrap();
+        let mut provenance = Provenance::of(&lcp);
+        let solution = solver.solve(&lcp, &Start::default(), &mut provenance);
+        assert_eq!(provenance.iterations, solution.iterations, "{}", entry.name);
+        assert!(provenance.iterations > 0, "{}", entry.name);
+        let other = paths.insert(provenance.fingerprint, entry.name);
+        assert_eq!(other, None, "{} does the same", entry.name);
+    }
+}
+
+#[test]
+fn the_empty_problem_is_solved() {
+    for solver in all() {
+        let solution = solver.solve(&contacts(&[], &[]), &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved, "{}", solver.name());
+    }
+}
+
+#[test]
+fn one_row_is_clamped_to_its_box() {
+    // 2 (x − 3) on [lo, hi]: x = clamp(3, lo, hi), the cases of GAMS mcp09.
+    for (lo, hi, x) in [
+        (4.0, INF, 4.0),
+        (-INF, 2.0, 2.0),
+        (0.0, INF, 3.0),
+        (4.0, 8.0, 4.0),
+        (0.0, 2.0, 2.0),
+        (4.0, 4.0, 4.0),
+        (2.0, 2.0, 2.0),
+        (-INF, INF, 3.0),
+    ] {
+        let lcp = boxed(&[&[2.0]], &[-6.0], &[lo], &[hi]);
+        for solver in all() {
+            let solution = solver.solve(&lcp, &Start::default(), &mut ());
+            assert_eq!(solution.status, Status::Solved, "{} on [{lo}, {hi}]", solver.name());
+            assert!(
+                (solution.x[0] - x).abs() < 1e-7,
+                "{} on [{lo}, {hi}]: {:?}",
+                solver.name(),
+                solution.x
+            );
+        }
+    }
+}
+
+#[test]
+fn a_problem_without_solution_is_never_called_solved() {
+    // w = −1 whatever x is; and x1 + x2 must equal 1 and 2.
+    let flat = contacts(&[&[0.0]], &[-1.0]);
+    let torn = boxed(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -2.0], &[-INF; 2], &[INF; 2]);
+    for lcp in [flat, torn] {
+        for solver in all() {
+            let solution = solver.solve(&lcp, &Start::default(), &mut ());
+            assert_ne!(solution.status, Status::Solved, "{}", solver.name());
+            assert!(solution.x.iter().all(|x| x.is_finite()), "{}", solver.name());
+        }
+    }
+}
+
+#[test]
+fn a_box_on_a_slope_is_held_by_friction_below_the_cone_and_slides_above() {
+    // One contact, unit mass: rows n, t. Weight (gn, gt) per step; held if gt ≤ μ gn.
+    let slope = |gn: f64, gt: f64| {
+        let lcp = boxed(&[&[1.0, 0.0], &[0.0, 1.0]], &[-gn, -gt], &[0.0, -INF], &[INF, INF]);
+        lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap()).unwrap()
+    };
+    for solver in all() {
+        let held = solver.solve(&slope(2.0, 0.9), &Start::default(), &mut ());
+        let slides = solver.solve(&slope(2.0, 1.5), &Start::default(), &mut ());
+        for (solution, x, w) in [(held, 0.9, 0.0), (slides, 1.0, -0.5)] {
+            assert_eq!(solution.status, Status::Solved, "{}", solver.name());
+            assert!((solution.x[1] - x).abs() < 1e-7 && (solution.w[1] - w).abs() < 1e-7);
+        }
+    }
+}
+
+#[test]
+fn a_mass_ratio_of_1e12_is_no_ray() {
+    let a: [&[f64]; 2] = [&[1.0, -1.0], &[-1.0, 1.0 + 1e-12]];
+    let lcp = boxed(&a, &[-0.1635, 0.0], &[-INF; 2], &[INF; 2]);
+    for solver in all() {
+        let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
+        assert!(!matches!(status, Status::Ray { .. }), "{}: {status}", solver.name());
+    }
+}
+
+/// Whether each row has terms at x*: where all vanish, the rounding of other rows is never small beside
+/// them, and a solver that cannot meet 0 says that it has not.
+fn is_measurable(m: &Manufactured) -> bool {
+    (0..m.x.len()).all(|i| RowTerms::at(&m.lcp, i, &m.x).magnitude > 0.0)
+}
+
+proptest! {
+    #![proptest_config(cases(150))]
+
+    #[test]
+    fn what_is_called_solved_is_never_refuted(m in manufactured(6, 4, 0.0)) {
+        for solver in all() {
+            let solution = solver.solve(&m.lcp, &Start::default(), &mut ());
+            if solution.status == Status::Solved {
+                let verdict = judge(&m.lcp, &solution.x, &Demand::default()).verdict;
+                prop_assert!(verdict.is_solution(), "{}: {verdict}", solver.name());
+            }
+        }
+    }
+
+    #[test]
+    fn all_find_the_one_solution_of_a_definite_problem(m in manufactured(6, 6, 1.0)) {
+        prop_assume!(is_measurable(&m));
+        for solver in all() {
+            let solution = solver.solve(&m.lcp, &Start::default(), &mut ());
+            prop_assert_eq!(&solution.status, &Status::Solved, "{}", solver.name());
+            for (found, x) in solution.x.iter().zip(&m.x) {
+                prop_assert!((found - x).abs() < 1e-5, "{}: {:?} for {:?}", solver.name(), solution.x, m.x);
+            }
+        }
+    }
+
+    #[test]
+    fn a_singular_system_with_a_solution_is_no_ray(
+        j in proptest::collection::vec(-1.0f64..1.0, 18),
+        x in proptest::collection::vec(-1.0f64..1.0, 6),
+    ) {
+        let j = DMatrix::from_vec(6, 3, j);
+        let a = Matrix::from((&j * j.transpose()).as_view());
+        let b = (0..6).map(|i| -a.row_dot(i, &x)).collect();
+        let lcp = Lcp::new(a, b, vec![-INF; 6], vec![INF; 6]).unwrap();
+        for solver in all() {
+            let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
+            // Lemke eliminates the equations first and sees the rounding of that as a contradiction;
+            // no one can prove it.
+            let Status::Ray { row, direction } = &status else { continue };
+            prop_assert!(solver.name() == "lemke", "{}: {status}", solver.name());
+            prop_assert!(refute(&lcp, *row, direction).is_none());
+        }
+    }
+
+    #[test]
+    fn units_do_not_matter(m in manufactured(6, 6, 1.0), k in proptest::collection::vec(-9..=9i32, 7)) {
+        // Powers of two, so that arithmetic is exact: b and w in another unit, each row in its own.
+        let (lcp, unit): (_, Vec<f64>) = (&m.lcp, k.iter().map(|&k| 2f64.powi(k)).collect());
+        let of_w = |v: &[f64]| (0..6).map(|i| v[i] * unit[i] * unit[6]).collect::<Vec<_>>();
+        let of_x = |v: &[f64]| (0..6).map(|i| v[i] / unit[i] * unit[6]).collect::<Vec<_>>();
+        let a: Vec<f64> = (0..36)
+            .map(|k| lcp.matrix().entry(k / 6, k % 6) * unit[k / 6] * unit[k % 6])
+            .collect();
+        let scaled = Lcp::new(Matrix::dense(6, &a), of_w(lcp.b()), of_x(lcp.lo()), of_x(lcp.hi()));
+        let scaled = scaled.unwrap();
+        for solver in all() {
+            let here = solver.solve(lcp, &Start::default(), &mut ());
+            let there = solver.solve(&scaled, &Start::default(), &mut ());
+            // Lemke's covering vector of ones, and pivots chosen by size, take another way in other
+            // units; all others do the same arithmetic.
+            if ["lemke", "murty", "block-pivoting", "enumeration"].contains(&solver.name()) {
+                prop_assert_eq!(here.status, there.status, "{}", solver.name());
+                continue;
+            }
+            prop_assert_eq!(there.x, of_x(&here.x), "{}", solver.name());
+        }
+    }
+
+    #[test]
+    fn a_start_at_the_solution_stays_there(m in manufactured(5, 5, 1.0)) {
+        for solver in all() {
+            let start = Start::at(&m.x);
+            let solution = solver.solve(&m.lcp, &start, &mut ());
+            prop_assert_eq!(&solution.x, &m.x, "{}", solver.name());
+        }
+    }
+
+    #[test]
+    fn dense_and_sparse_storage_give_the_same_answer(m in manufactured(5, 5, 1.0)) {
+        prop_assume!(is_measurable(&m));
+        let entries: Vec<_> = (0..25).map(|k| (k / 5, k % 5, m.lcp.matrix().entry(k / 5, k % 5)))
+            .filter(|entry| entry.2 != 0.0).collect();
+        let (b, lo, hi) = (m.lcp.b().to_vec(), m.lcp.lo().to_vec(), m.lcp.hi().to_vec());
+        let sparse = Lcp::new(Matrix::sparse(5, &entries), b, lo, hi).unwrap();
+        for solver in all() {
+            let solution = solver.solve(&sparse, &Start::default(), &mut ());
+            assert_certified(&m.lcp, &solution.x);
+        }
+    }
+}
+
+#[test]
+fn an_iteration_limit_is_a_status_and_not_a_solution() {
+    let lcp = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, -1.0]);
+    for entry in ALL {
+        let settings = Settings { max_iterations: 1, tolerance: 0.0, ..Settings::default() };
+        let solver = by_name(entry.name, &Options { settings, ..Options::default() }).unwrap();
+        let solution = solver.solve(&lcp, &Start::default(), &mut ());
+        let is_exact = solution.w == [0.0; 2]; // by a method that takes both rows at once
+        let status = if is_exact { Status::Solved } else { Status::IterationLimit };
+        assert_eq!(solution.status, status, "{}", entry.name);
+        assert_eq!(solution.iterations, 1, "{}", entry.name);
+    }
+}

@@ -1,0 +1,6 @@
+mod dense;
+mod panels;
+mod rank_one;
+mod rows;
+mod table;
+mod terms;

@@ -1,0 +1,117 @@
+//! The factor by panels, through the factorisation of a growing and shrinking set that is made of it.
+
+use lcplab_solver::kernel::Width;
+use lcplab_solver::ldlt::{Elimination, Ldlt};
+use nalgebra::{DMatrix, DVector};
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+use lcplab_testing::assert_close;
+use lcplab_testing::cases;
+
+/// Five panels and a part of one.
+const N: usize = 45;
+
+/// J Jᵀ + 1 where a row of J touches no further than `band` back.
+fn touching(j: &[f64], band: usize) -> DMatrix<f64> {
+    let entry = |r, c| if c <= r && r - c <= band { j[r * N + c] } else { 0.0 };
+    let j = DMatrix::from_fn(N, N, entry);
+    &j * j.transpose() + DMatrix::identity(N, N)
+}
+
+fn block(a: &DMatrix<f64>, set: &[usize]) -> DMatrix<f64> {
+    DMatrix::from_fn(set.len(), set.len(), |r, c| a[(set[r], set[c])])
+}
+
+fn column(a: &DMatrix<f64>, set: &[usize], i: usize) -> DVector<f64> {
+    DVector::from_fn(set.len(), |k, _| a[(set[k], i)])
+}
+
+/// A row that is there goes, any other comes.
+fn exchange(a: &DMatrix<f64>, set: &mut Vec<usize>, factor: &mut Ldlt, row: usize) {
+    if let Some(k) = set.iter().position(|&r| r == row) {
+        set.remove(k);
+        factor.remove(k);
+        return;
+    }
+    let mut elimination = Elimination::default();
+    let product = factor.eliminate(column(a, set, row).as_slice(), &mut elimination);
+    factor.enter(&elimination, a[(row, row)] - product);
+    set.push(row);
+}
+
+/// All rows in their order, then those that come and go.
+fn rows() -> impl Strategy<Value = Vec<usize>> {
+    vec(0..N, 0..120).prop_map(|moves| (0..N).chain(moves).collect())
+}
+
+proptest! {
+    #![proptest_config(cases(30))]
+
+    #[test]
+    fn rows_come_and_go_and_the_factors_are_those_of_what_is_left(
+        j in vec(-1.0..1.0f64, N * N), band in prop::sample::select(vec![0, 2, 11, N]),
+        rows in rows(), rhs in vec(-1.0..1.0f64, N),
+    ) {
+        let a = touching(&j, band);
+        let (mut set, mut factor) = (Vec::new(), Ldlt::default());
+        for row in rows {
+            exchange(&a, &mut set, &mut factor, row);
+        }
+        let cholesky = block(&a, &set).cholesky().unwrap();
+        let mut z = rhs[..set.len()].to_vec();
+        let expected = cholesky.solve(&DVector::from_column_slice(&z));
+        factor.solve(&mut z);
+        assert_close(&z, expected.as_slice(), 1e-12);
+        for i in 0..N {
+            let column = column(&a, &set, i);
+            let product = factor.eliminate(column.as_slice(), &mut Elimination::default());
+            let expected = column.dot(&cholesky.solve(&column)); // aᵀ A_CC⁻¹ a
+            prop_assert!((product - expected).abs() <= 1e-12 * a[(i, i)], "{product} for {expected}");
+        }
+    }
+
+    #[test]
+    fn the_bits_are_the_same_with_all_instructions(
+        j in vec(-1.0..1.0f64, N * N), band in prop::sample::select(vec![2, N]), rows in rows(),
+    ) {
+        let a = touching(&j, band);
+        let solution = |width| {
+            let (mut set, mut factor) = (Vec::new(), Ldlt::new(width));
+            rows.iter().for_each(|&row| exchange(&a, &mut set, &mut factor, row));
+            let mut z = vec![1.0; set.len()];
+            factor.solve(&mut z);
+            z
+        };
+        for width in Width::available() {
+            prop_assert_eq!(solution(width), solution(Width::Portable), "{:?}", width);
+        }
+    }
+
+    #[test]
+    fn the_row_chosen_next_has_lost_the_least_of_its_diagonal_entry(
+        j in vec(-1.0..1.0f64, N * N), rank in 0..20usize,
+    ) {
+        let j = DMatrix::from_fn(N, rank, |r, c| j[r * N + c]);
+        let a = &j * j.transpose();
+        let (chosen, factor) = Ldlt::pivoted(N, 1e-9, |r, c| a[(r, c)]);
+        // What row i keeps of a_ii beside these rows: its Schur complement, a part of it.
+        let kept = |set: &[usize], i: usize| {
+            let column = column(&a, set, i);
+            let z = block(&a, set).cholesky().unwrap().solve(&column);
+            1.0 - column.dot(&z) / a[(i, i)]
+        };
+        prop_assert_eq!(chosen.len(), rank);
+        for (k, &row) in chosen.iter().enumerate() {
+            let own = kept(&chosen[..k], row);
+            for i in (0..N).filter(|i| !chosen[..k].contains(i)) {
+                prop_assert!(kept(&chosen[..k], i) <= own + 1e-7, "{i} before {row}");
+            }
+        }
+        let expected: Vec<f64> = (0..rank).map(|k| k as f64 - 3.0).collect();
+        let rhs = block(&a, &chosen) * DVector::from_column_slice(&expected);
+        let mut z = rhs.as_slice().to_vec();
+        factor.solve(&mut z);
+        assert_close(&z, &expected, 1e-6);
+    }
+}

@@ -1,0 +1,29 @@
+//! Solvers on problems in numbers alone.
+
+mod block_pgs;
+mod centring;
+mod cholesky;
+mod code6;
+mod cone;
+mod dantzig;
+mod differential;
+mod every;
+mod factorizations;
+mod first_order;
+mod frozen;
+mod interior_point;
+mod jacobi;
+mod kernel;
+mod lemke;
+mod method;
+mod newton;
+mod order;
+mod parts;
+mod pgs;
+mod principal;
+mod singular;
+mod stop;
+mod theory;
+mod warm;
+mod words;
+mod worst_cases;

@@ -1,0 +1,114 @@
+//! Principal pivoting (Murty, block) and enumeration.
+
+use std::ops::ControlFlow;
+
+use dashu_ratio::RBig;
+use lcplab_problem::library;
+use lcplab_solver::{
+    BlockPivoting, Enumeration, Event, Fallback, Iterate, Murty, Observer, Solver, Start, Status,
+    all_solutions,
+};
+
+use lcplab_testing::{INF, assert_proved, boxed, contacts};
+
+/// Counts block exchanges and single pivots.
+#[derive(Debug, Default)]
+struct Count {
+    exchanges: usize,
+    pivots: usize,
+}
+
+impl Observer for Count {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        match iterate.event {
+            Event::Exchange { .. } => self.exchanges += 1,
+            Event::Pivot { .. } => self.pivots += 1,
+            _ => {}
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+#[test]
+fn the_safeguard_takes_over_where_blocks_cycle_and_is_seen() {
+    // A P-matrix on which exchanging all wrong rows comes back to where it was.
+    let lcp =
+        contacts(&[&[3.0, 0.0, -3.0], &[3.0, 1.0, -3.0], &[1.0, 3.0, 1.0]], &[2.0, 1.0, -1.0]);
+    let mut count = Count::default();
+    let solution = BlockPivoting::default().solve(&lcp, &Start::default(), &mut count);
+    assert_eq!(solution.status, Status::Solved);
+    assert_proved(&lcp, &solution.x);
+    assert!(count.exchanges > 10 && count.pivots > 0, "{count:?}");
+    assert_eq!(solution.fallback, Some(Fallback::LeastIndex));
+    let endless = BlockPivoting { patience: usize::MAX, ..BlockPivoting::default() };
+    let status = endless.solve(&lcp, &Start::default(), &mut ()).status;
+    assert_eq!(status, Status::IterationLimit);
+}
+
+#[test]
+fn a_singular_block_of_a_symmetric_matrix_is_solved_by_proximal_steps() {
+    // From x = (0, 0) both rows become free; their equations contradict each other. x = (0, 2).
+    let lcp = contacts(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -2.0]);
+    let block = BlockPivoting::default().solve(&lcp, &Start::default(), &mut ());
+    assert_eq!((&block.status, block.fallback), (&Status::Solved, Some(Fallback::Proximal)));
+    assert_proved(&lcp, &block.x);
+}
+
+#[test]
+fn a_singular_block_of_another_matrix_is_named() {
+    let lcp = contacts(&[&[1.0, 1.0], &[2.0, 2.0]], &[-1.0, -3.0]);
+    let block = BlockPivoting::default().solve(&lcp, &Start::default(), &mut ());
+    assert_eq!(block.status, Status::Singular { row: 1 });
+    assert_eq!(block.x, [0.0, 0.0]);
+}
+
+#[test]
+fn a_zero_on_the_diagonal_is_outside_the_class() {
+    let lcp = contacts(&[&[0.0, 1.0], &[-1.0, 0.0]], &[-1.0, 1.0]);
+    for solver in [&Murty::default() as &dyn Solver, &BlockPivoting::default()] {
+        let status = solver.solve(&lcp, &Start::default(), &mut ()).status;
+        assert!(matches!(status, Status::OutsideClass { .. }), "{}: {status}", solver.name());
+    }
+}
+
+#[test]
+fn a_good_guess_of_the_active_set_saves_pivots() {
+    let lcp = library::by_name("murty").unwrap().generate(&[("n", 8.0)]).unwrap().lcp;
+    let mut guess = [0.0; 8];
+    guess[7] = 0.9; // only row 8 is free
+    let solution = Murty::default().solve(&lcp, &Start::at(&guess), &mut ());
+    assert_eq!((solution.status, solution.iterations), (Status::Solved, 0));
+    assert_eq!(solution.x[7], 1.0);
+}
+
+fn fractions(x: &[(i64, u64)]) -> Vec<RBig> {
+    x.iter().map(|&(n, d)| RBig::from_parts(n.into(), d.into())).collect()
+}
+
+#[test]
+fn enumeration_finds_solutions_that_no_regular_active_set_carries() {
+    // w1 = x2 − 1, w2 = 0: every x with x2 = 1, or x1 = 0 and x2 ≥ 1. All sets with x2 free are
+    // singular; the corner is (0, 1).
+    let lcp = contacts(&[&[0.0, 1.0], &[0.0, 0.0]], &[-1.0, 0.0]);
+    assert_eq!(all_solutions(&lcp).unwrap(), [fractions(&[(0, 1), (1, 1)])]);
+    // The same row twice, free: x1 + x2 = 1 has no corner; the dependent x2 is 0.
+    let line = boxed(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0; 2], &[-INF; 2], &[INF; 2]);
+    assert_eq!(all_solutions(&line).unwrap(), [fractions(&[(1, 1), (0, 1)])]);
+}
+
+#[test]
+fn enumeration_proves_that_there_is_none() {
+    for name in ["pang-perturbed", "kostreva-2", "wedged"] {
+        let lcp = library::by_name(name).unwrap().generate(&[]).unwrap().lcp;
+        let solution = Enumeration::default().solve(&lcp, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::NoSolution, "{name}");
+    }
+}
+
+#[test]
+fn too_many_active_sets_are_refused() {
+    let lcp = library::by_name("murty").unwrap().generate(&[("n", 17.0)]).unwrap().lcp;
+    let status = Enumeration::default().solve(&lcp, &Start::default(), &mut ()).status;
+    assert!(matches!(status, Status::OutsideClass { .. }), "{status}");
+    assert_eq!(all_solutions(&lcp), None);
+}

@@ -1,0 +1,170 @@
+//! Iteration matrices against closed forms (mathematics §6, benchmarks 4.3) and against sweeps.
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+use lcplab_problem::{Lcp, Matrix, merit};
+use lcplab_solver::theory::{
+    contraction, jacobi_iteration_matrix, optimal_omega, principal_submatrix, sor_iteration_matrix,
+    spectral_radius, ssor_iteration_matrix, sweeps_to,
+};
+use lcplab_solver::{Iterate, Observer, Pgs, Settings, Solver, Start, Status};
+
+use lcplab_testing::{INF, boxed, stack, tridiagonal};
+
+fn jacobi(a: &Matrix) -> f64 {
+    spectral_radius(&jacobi_iteration_matrix(a, 1.0))
+}
+
+fn sor(a: &Matrix, omega: f64) -> f64 {
+    spectral_radius(&sor_iteration_matrix(a, omega))
+}
+
+#[track_caller]
+fn assert_close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found - expected).abs() <= tolerance, "{found}, expected {expected}");
+}
+
+#[test]
+fn a_chain_of_50_rods_has_the_radii_of_its_closed_form() {
+    let a = tridiagonal(50, 2.0);
+    let cosine = (PI / 51.0).cos();
+    assert_close(jacobi(&a), cosine, 1e-12);
+    assert_close(sor(&a, 1.0), cosine * cosine, 1e-10);
+    assert_close(sor(&a, 1.0), 0.99621, 5e-6);
+    let omega = optimal_omega(cosine);
+    assert_close(omega, 1.88402, 5e-6);
+    // At ω* two eigenvalues meet: they are known to the root of the precision only.
+    assert_close(sor(&a, omega), omega - 1.0, 1e-6);
+    assert_close(sweeps_to(1e-6, cosine * cosine), 3639.0, 1.0); // E07
+}
+
+#[test]
+fn stacks_have_the_published_radii() {
+    for (n, jacobi_radius, gauss_seidel, omega, at_omega) in [
+        (5, 0.951057, 0.904508, 1.527864, 0.527864),
+        (10, 0.987688, 0.975528, 1.729454, 0.729454),
+        (15, 0.994522, 0.989074, 1.810727, 0.810727),
+        (20, 0.996917, 0.993844, 1.854498, 0.854498),
+        (50, 0.999507, 0.999013, 1.939092, 0.939092),
+    ] {
+        let a = tridiagonal(n, 1.0);
+        assert_close(jacobi(&a), jacobi_radius, 5e-7);
+        assert_close(jacobi(&a), (PI / (2 * n) as f64).cos(), 1e-12);
+        assert_close(sor(&a, 1.0), gauss_seidel, 5e-7);
+        let best = optimal_omega((PI / (2 * n) as f64).cos());
+        assert_close(best, omega, 5e-7);
+        assert_close(sor(&a, best), at_omega, 2e-6); // the root of the precision, and six digits
+    }
+}
+
+#[test]
+fn two_bodies_converge_at_r_over_one_plus_r() {
+    for r in [1.0, 10.0, 1e2, 1e3, 1e4] {
+        let a = Matrix::dense(2, &[1.0, -1.0, -1.0, 1.0 + 1.0 / r]); // masses 1 and r
+        assert_close(sor(&a, 1.0), r / (1.0 + r), 1e-14);
+    }
+}
+
+#[test]
+fn jacobi_does_not_converge_on_every_definite_matrix() {
+    // E09: unit diagonal with 0.9 elsewhere.
+    let a = Matrix::dense(3, &[1.0, 0.9, 0.9, 0.9, 1.0, 0.9, 0.9, 0.9, 1.0]);
+    assert_close(jacobi(&a), 1.8, 1e-12);
+    assert_close(sor(&a, 1.0), 0.854, 5e-4);
+    assert_eq!(sweeps_to(1e-6, jacobi(&a)), INF);
+    let damped = spectral_radius(&jacobi_iteration_matrix(&a, 2.0 / 3.0));
+    assert_close(damped, 1.0 - 0.1 * 2.0 / 3.0, 1e-12); // max |1 − θ λ|, λ = 0.1 and 2.8
+}
+
+#[test]
+fn omega_star_is_the_best_omega_of_a_chain() {
+    let a = tridiagonal(10, 2.0);
+    let omega = optimal_omega(jacobi(&a));
+    let best = sor(&a, omega);
+    for other in [omega - 0.1, omega - 0.02, omega + 0.02, omega + 0.1] {
+        assert!(sor(&a, other) > best);
+    }
+}
+
+#[test]
+fn the_symmetric_sweep_is_the_forward_sweep_and_its_mirror_image() {
+    // SSOR's matrix is similar to a symmetric semidefinite one: real eigenvalues in [0, 1).
+    let a = tridiagonal(12, 2.0);
+    for omega in [0.7, 1.0, 1.6] {
+        let g = ssor_iteration_matrix(&a, omega);
+        let radius = spectral_radius(&g);
+        assert!(radius < 1.0);
+        assert!(g.trace() > 0.0 && g.trace() < 12.0 * radius);
+    }
+}
+
+#[test]
+fn a_singular_matrix_keeps_its_null_vectors() {
+    let a = Matrix::dense(2, &[1.0, -1.0, -1.0, 1.0]);
+    assert_close(sor(&a, 1.0), 1.0, 1e-14);
+}
+
+#[test]
+fn the_free_rows_alone_decide() {
+    let a = tridiagonal(9, 2.0);
+    let free = principal_submatrix(&a, &[2, 3, 4, 5]);
+    assert_close(jacobi(&free), (PI / 5.0).cos(), 1e-12);
+}
+
+#[test]
+fn a_matrix_without_diagonal_has_no_radius() {
+    assert!(sor(&Matrix::dense(1, &[0.0]), 1.0).is_nan());
+}
+
+/// Stops a solver at a natural residual.
+struct Until<'a>(&'a Lcp, f64);
+
+impl Observer for Until<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        if merit::natural_residual(self.0, iterate.x) <= self.1 {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+fn sweeps(lcp: &Lcp, residual: f64) -> usize {
+    let settings = Settings { tolerance: 0.0, max_iterations: 20_000, ..Settings::default() };
+    let solver = Pgs { settings, ..Pgs::default() };
+    let solution = solver.solve(lcp, &Start::default(), &mut Until(lcp, residual));
+    assert_eq!(solution.status, Status::Stopped);
+    solution.iterations
+}
+
+#[test]
+fn stacks_take_the_published_number_of_sweeps() {
+    // Equal masses fall for one step of 1/60 s: only the bottom contact closes.
+    for (n, expected) in [(5, 157), (10, 606), (15, 1329), (20, 2318)] {
+        assert_eq!(sweeps(&stack(n), 1e-8), expected, "n = {n}");
+    }
+}
+
+#[test]
+fn two_bodies_take_the_published_number_of_sweeps() {
+    let blow = 9.81 / 60.0;
+    for (r, expected) in [(1.0, 24), (10.0, 175), (100.0, 1670), (1000.0, 16619)] {
+        let lcp =
+            boxed(&[&[1.0, -1.0], &[-1.0, 1.0 + 1.0 / r]], &[-blow, 0.0], &[0.0; 2], &[INF; 2]);
+        assert_eq!(sweeps(&lcp, 1e-8), expected, "mass ratio {r}");
+    }
+}
+
+#[test]
+fn null_vectors_do_not_slow_w_down() {
+    // Two contacts that share a load, and one more: A = [[2, 2, 1], [2, 2, 1], [1, 1, 2]] has rank 2.
+    let a = Matrix::dense(3, &[2.0, 2.0, 1.0, 2.0, 2.0, 1.0, 1.0, 1.0, 2.0]);
+    let g = sor_iteration_matrix(&a, 1.0);
+    assert_close(spectral_radius(&g), 1.0, 1e-14);
+    // With one of the two left out: [[2, 1], [1, 2]], whose Gauss-Seidel radius is 1/4.
+    assert_close(contraction(&g), 0.25, 1e-12);
+    let regular = jacobi_iteration_matrix(&tridiagonal(9, 2.0), 1.0);
+    assert_close(contraction(&regular), (PI / 10.0).cos(), 1e-12);
+    let zero = jacobi_iteration_matrix(&Matrix::dense(1, &[0.0]), 1.0);
+    assert!(contraction(&zero).is_nan() && spectral_radius(&zero).is_nan());
+}

@@ -1,0 +1,96 @@
+//! Each model's certificate judges x, whoever found it.
+
+use lcplab_judge::{Demand, Verdict, judge_friction};
+use lcplab_problem::friction::{Contact, FrictionProblem, Model};
+
+use lcplab_testing::{INF, boxed, cases, pushed_mass, rubbing};
+use proptest::prelude::*;
+
+fn verdict(problem: &FrictionProblem, model: Model, x: &[f64]) -> Verdict {
+    let posed = model.pose(problem, Some(x)).unwrap();
+    judge_friction(&posed, x, &Demand::default()).verdict
+}
+
+#[test]
+fn each_model_accepts_its_own_closed_form_and_no_other() {
+    // Pressed with 2, pushed with 3 at 30°, μ = ½. Square: both tangents rub in full. Diamond: the
+    // nearer corner. Octagon: corner at 45° is 15° off, that at 0° is 30° off. Disc: against the push.
+    let problem = pushed_mass(2.0, 3.0, 30.0);
+    let (half, root) = (0.5f64.sqrt(), 0.75f64.sqrt());
+    // Associated: x_n = (2 + 3/2)/(1 + 1/4) = 2.8, |x_t| = 1.4.
+    let answers = [
+        (vec![Model::FrozenBox, Model::CoupledBox], [2.0, 1.0, 1.0]),
+        (vec![Model::Polyhedral { directions: 4 }], [2.0, 1.0, 0.0]),
+        (vec![Model::Polyhedral { directions: 8 }], [2.0, half, half]),
+        (vec![Model::CoulombCone, Model::Polyhedral { directions: 12 }], [2.0, root, 0.5]),
+        (vec![Model::AssociatedCone], [2.8, 1.4 * root, 0.7]),
+    ];
+    for (own, x) in &answers {
+        let models = Model::ALL.into_iter().chain([Model::Polyhedral { directions: 12 }]);
+        for model in models.filter(|model| *model != Model::Polyhedral { directions: 16 }) {
+            let accepted = verdict(&problem, model, x).is_solution();
+            assert_eq!(accepted, own.contains(&model), "{model} on {x:?}");
+        }
+    }
+}
+
+#[test]
+fn no_speed_of_the_slip_hides_friction_that_is_missing() {
+    // Pressed with 1, pushed with s v along the tangents, which weigh s: whatever v > 1, x = (1, ½, 0).
+    for (s, v) in [(1.0, 10.0), (1.0, 1e9), (1e-4, 1e8), (1e4, 1e10)] {
+        let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, s, 0.0], &[0.0, 0.0, s]];
+        let lcp = boxed(&rows, &[-1.0, -s * v, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
+        let problem =
+            FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }]).unwrap();
+        for model in [
+            Model::CoupledBox,
+            Model::FrozenBox,
+            Model::Polyhedral { directions: 4 },
+            Model::CoulombCone,
+        ] {
+            assert!(verdict(&problem, model, &[1.0, 0.5, 0.0]).is_solution(), "{model:?} {s} {v}");
+            for wrong in [0.0, -0.5, 0.499, 0.501] {
+                let verdict = verdict(&problem, model, &[1.0, wrong, 0.0]);
+                assert!(!verdict.is_solution(), "{model:?} {s} {v} {wrong}: {verdict}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_refused_row_is_one_of_x() {
+    let problem = pushed_mass(2.0, 3.0, 0.0);
+    for model in Model::ALL {
+        let Verdict::NotASolution { row, .. } = verdict(&problem, model, &[2.0, 0.5, 0.0]) else {
+            panic!("{model} accepts half of the friction");
+        };
+        assert!(row < 3, "{model}");
+    }
+}
+
+#[test]
+fn a_contact_without_friction_must_not_rub() {
+    let problem = pushed_mass(2.0, 3.0, 0.0);
+    let contacts = vec![Contact { mu: 0.0, ..problem.contacts()[0] }];
+    let smooth = FrictionProblem::new(problem.lcp().clone(), contacts).unwrap();
+    for model in Model::ALL {
+        assert!(verdict(&smooth, model, &[2.0, 0.0, 0.0]).is_solution(), "{model}");
+        assert!(!verdict(&smooth, model, &[2.0, 0.5, 0.0]).is_solution(), "{model}");
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(60))]
+
+    #[test]
+    fn without_friction_all_models_judge_alike(
+        problem in rubbing(2, 6, 0.25), x_n in proptest::collection::vec(-1.0..1.0, 2),
+        lambda in -1.0..1.0,
+    ) {
+        let contacts = problem.contacts().iter().map(|c| Contact { mu: 0.0, ..*c }).collect();
+        let smooth = FrictionProblem::new(problem.lcp().clone(), contacts).unwrap();
+        let x = [lambda, x_n[0], 0.0, 0.0, x_n[1], 0.0, 0.0];
+        let solved = Model::ALL.map(|model| verdict(&smooth, model, &x).is_solution());
+        prop_assert!(solved.iter().all(|s| *s == solved[0]), "{:?}", solved);
+    }
+}

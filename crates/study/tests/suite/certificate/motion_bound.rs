@@ -1,0 +1,261 @@
+use lcplab_judge::motion_bound::{Unproved, motion_bound};
+use lcplab_mechanics::assembly::{Assembly, Entering};
+use lcplab_mechanics::formulation::Problem;
+use lcplab_mechanics::scene::{Scene, contacts};
+use lcplab_problem::Gauss;
+use lcplab_solver::{Options, Start, by_name};
+use proptest::prelude::*;
+
+use lcplab_testing::{INF, cases};
+
+/// A table of 3 kg and inertias 2, 2 kg m² on side × side points falls at 1 m/s: it must stop.
+fn table(side: usize) -> Gauss {
+    let place = |k: usize| 0.1 * (k as f64 - (side - 1) as f64 / 2.0);
+    let n = side * side;
+    Gauss {
+        mass: vec![(0, 0, 3.0), (1, 1, 2.0), (2, 2, 2.0)],
+        jacobian: (0..n)
+            .map(|k| vec![(0, 1.0), (1, place(k / side)), (2, -place(k % side))])
+            .collect(),
+        bias: vec![0.0; n],
+        compliance: vec![0.0; n],
+        target: vec![-1.0, 0.0, 0.0],
+        lo: vec![0.0; n],
+        hi: vec![INF; n],
+    }
+}
+
+/// |u* + M⁻¹Jᵀx − u|_M for a diagonal M.
+fn distance(gauss: &Gauss, x: &[f64], u: &[f64]) -> f64 {
+    let mut impulse = vec![0.0; u.len()];
+    for (row, x) in gauss.jacobian.iter().zip(x) {
+        row.iter().for_each(|&(j, value)| impulse[j] += value * x);
+    }
+    let square =
+        |&(j, _, m): &(usize, usize, f64)| m * (gauss.target[j] + impulse[j] / m - u[j]).powi(2);
+    gauss.mass.iter().map(square).sum::<f64>().sqrt()
+}
+
+#[test]
+fn a_redundant_table_has_a_sharp_bound_that_shrinks_with_the_error() {
+    for side in [2, 3, 4, 10] {
+        let (gauss, n) = (table(side), side * side);
+        let mut last = INF;
+        for decade in 1..=12 {
+            let size = 10f64.powi(-decade);
+            // The load is uneven too: A has rank 3, so a checkerboard of ± moves nothing.
+            let uneven =
+                |k: usize| if (k / side + k % side).is_multiple_of(2) { 0.5 } else { -0.5 };
+            let even = if side % 2 == 0 { 1.0 } else { 0.0 };
+            let x: Vec<f64> = (0..n)
+                .map(|k| 3.0 / n as f64 * (1.0 + even * uneven(k) + size * (k as f64).sin()))
+                .collect();
+            let (bound, exact) =
+                (motion_bound(&gauss, &x).unwrap(), distance(&gauss, &x, &[0.0; 3]));
+            let floor = 1e-12; // rounding: u is so small that a margin of its size costs nothing
+            assert!(bound.energy_norm >= exact * (1.0 - 1e-12) - 1e-15, "{side} {decade}");
+            assert!(
+                bound.energy_norm <= exact * 1.000001 + floor,
+                "{side} {decade} {bound:?} {exact}"
+            );
+            assert!(bound.energy_norm < last || bound.energy_norm < floor);
+            last = bound.energy_norm;
+        }
+    }
+}
+
+#[test]
+fn doing_nothing_is_as_far_off_as_the_motion_it_does_not_stop() {
+    let bound = motion_bound(&table(2), &[0.0; 4]).unwrap();
+    let missing = 3f64.sqrt(); // √(3 kg) · 1 m/s
+    assert!((missing..1.001 * missing).contains(&bound.energy_norm), "{bound:?}");
+    assert!(bound.largest_entry >= 1.0 && bound.largest_entry < 1.5, "{bound:?}");
+}
+
+#[test]
+fn too_much_push_is_refuted_as_well() {
+    // 3 N s too much lift the table at 1 m/s.
+    let bound = motion_bound(&table(3), &[6.0 / 9.0; 9]).unwrap();
+    assert!(bound.energy_norm >= 3f64.sqrt() && bound.energy_norm < 1.001 * 3f64.sqrt());
+}
+
+#[test]
+fn units_of_motion_and_impulses_do_not_loosen_the_bound() {
+    // u_j in another unit for each j, w_i and x_i for each i: the kinetic energy stays.
+    let (plain, x) = (table(2), [0.75, 0.5, 1.0, 0.25]);
+    let (motion, row) =
+        ([20, 0, -20].map(|k| 2f64.powi(k)), [15, -15, 0, 10].map(|k| 2f64.powi(k)));
+    let mut scaled = plain.clone();
+    scaled.mass.iter_mut().for_each(|(j, _, m)| *m /= motion[*j] * motion[*j]);
+    for (entries, unit) in scaled.jacobian.iter_mut().zip(row) {
+        entries.iter_mut().for_each(|(j, value)| *value *= unit / motion[*j]);
+    }
+    scaled.target.iter_mut().zip(motion).for_each(|(u, unit)| *u *= unit);
+    let in_units: Vec<f64> = x.iter().zip(row).map(|(x, unit)| x / unit).collect();
+    let [plain, scaled] = [motion_bound(&plain, &x), motion_bound(&scaled, &in_units)]
+        .map(|bound| bound.unwrap().energy_norm);
+    assert!((scaled / plain - 1.0).abs() < 1e-6, "{scaled} for {plain}");
+}
+
+/// One unit mass on a line with these rows.
+fn line(rows: &[(f64, f64, f64, f64)], target: f64) -> Gauss {
+    Gauss {
+        mass: vec![(0, 0, 1.0)],
+        jacobian: rows.iter().map(|row| vec![(0, row.0)]).collect(),
+        bias: rows.iter().map(|row| row.1).collect(),
+        compliance: vec![0.0; rows.len()],
+        target: vec![target],
+        lo: rows.iter().map(|row| row.2).collect(),
+        hi: rows.iter().map(|row| row.3).collect(),
+    }
+}
+
+#[test]
+fn a_pinched_body_is_proved_where_nothing_rounds_and_not_elsewhere() {
+    let [exact, rounded] =
+        [1.0, 0.1].map(|j| line(&[(j, 0.3 * j, 0.0, INF), (-j, -0.3 * j, 0.0, INF)], 0.7));
+    let u = motion_bound(&exact, &[0.0, 1.0]).map(|bound| bound.motion);
+    assert_eq!(u, Ok(vec![-0.3]));
+    // 0.1 u + 0.03 is 0 for no floating-point u, and its opposite must not be negative either.
+    let why = motion_bound(&rounded, &[0.0, 10.0]);
+    assert!(matches!(why, Err(Unproved::NoRoom { .. })), "{why:?}");
+}
+
+#[test]
+fn rows_that_contradict_each_other_have_no_motion_and_no_bound() {
+    let apart = line(&[(1.0, -1.0, 0.0, INF), (-1.0, -1.0, 0.0, INF)], 0.0); // u ≥ 1 and u ≤ −1
+    assert!(matches!(motion_bound(&apart, &[1.0, 1.0]), Err(Unproved::NoRoom { .. })));
+    let twice = line(&[(0.1, 0.3, -INF, INF), (0.3, 0.9, -INF, INF)], 0.7);
+    assert_eq!(motion_bound(&twice, &[0.0, 0.0]), Err(Unproved::DependentEquations));
+}
+
+#[test]
+fn an_equation_costs_no_more_than_its_rounding() {
+    // u = −3 exactly is no number times 0.1: it is proved to lie beside one.
+    let held = line(&[(0.1, 0.3, -INF, INF)], 0.7);
+    let bound = motion_bound(&held, &[-37.0]).unwrap();
+    assert!(bound.energy_norm < 1e-13 && (bound.motion[0] + 3.0).abs() < 1e-14, "{bound:?}");
+}
+
+#[test]
+fn bad_numbers_are_refused() {
+    assert_eq!(motion_bound(&table(2), &[f64::NAN; 4]), Err(Unproved::NotFinite));
+    let mut broken = table(2);
+    broken.mass[1].2 = -1.0;
+    assert_eq!(motion_bound(&broken, &[0.0; 4]), Err(Unproved::Mass));
+}
+
+#[test]
+fn every_sweep_tightens_the_bound_of_a_stack() {
+    let scene = Scene::load("stack").unwrap();
+    let found = contacts(&scene, &scene.states, scene.contact.margin);
+    let assembly = Assembly::new(&scene, &scene.states, &found, Entering::Near).unwrap();
+    let problem = Problem::velocity(&scene, assembly).unwrap();
+    let bound = |tolerance: f64| {
+        let mut options = Options::default();
+        options.settings.tolerance = tolerance;
+        let solver = by_name("pgs", &options).unwrap();
+        let x = solver.solve(&problem.lcp, &Start::default(), &mut ()).x;
+        motion_bound(&problem.gauss(&x), &x).unwrap().largest_entry
+    };
+    let bounds = [1e-2, 1e-4, 1e-6, 1e-8].map(bound);
+    assert!(bounds.windows(2).all(|b| b[1] < 0.2 * b[0]), "{bounds:?}");
+    assert!(bounds[3] < 1e-6, "{bounds:?}"); // m/s
+}
+
+/// A problem with known motion.
+#[derive(Debug, Clone)]
+struct Known {
+    gauss: Gauss,
+    x: Vec<f64>,
+    u: Vec<f64>,
+}
+
+/// More rows than columns and all kinds of bounds; quarters and powers of two, so all is exact.
+fn known(kinds: std::ops::RangeInclusive<u8>) -> impl Strategy<Value = Known> {
+    let quarter = |range: std::ops::RangeInclusive<i32>| range.prop_map(|k| f64::from(k) / 4.0);
+    let row =
+        (kinds, proptest::collection::vec(quarter(-4..=4), 3), quarter(1..=8), 0..3u8, 0..3u8);
+    let rows = proptest::collection::vec(row, 7);
+    (rows, proptest::collection::vec((0..3i32, quarter(-8..=8)), 3)).prop_map(|(rows, bodies)| {
+        let mass: Vec<_> = bodies.iter().enumerate().map(|(j, b)| (j, j, 2f64.powi(b.0))).collect();
+        let target: Vec<f64> = bodies.iter().map(|b| b.1).collect();
+        let (mut x, mut w, mut u) = (vec![], vec![], target.clone());
+        let mut gauss = Gauss { mass, target, ..Gauss::default() };
+        for (kind, mut entries, size, state, soft) in rows {
+            if kind > 0 {
+                entries[0] = 1.0; // a common direction in which all contacts open
+            }
+            let (lo, hi) = [(-INF, INF), (0.0, INF), (0.0, INF), (-1.0, 1.0)][usize::from(kind)];
+            let (xi, wi) = match (kind, state) {
+                (0, _) => (size, 0.0),
+                (1 | 2, 0) => (0.0, size),
+                (1 | 2, _) => (size, 0.0),
+                (_, 0) => (-1.0, size),
+                (_, 1) => (1.0, -size),
+                _ => (0.25, 0.0),
+            };
+            for j in 0..3 {
+                u[j] += entries[j] * xi / gauss.mass[j].2;
+            }
+            gauss.jacobian.push(entries.into_iter().enumerate().collect());
+            gauss.compliance.push(if soft == 0 { 0.5 } else { 0.0 });
+            gauss.lo.push(lo);
+            gauss.hi.push(hi);
+            x.push(xi);
+            w.push(wi);
+        }
+        gauss.bias = (0..7)
+            .map(|i| {
+                let ju: f64 = gauss.jacobian[i].iter().map(|&(j, value)| value * u[j]).sum();
+                w[i] - ju - gauss.compliance[i] * x[i]
+            })
+            .collect();
+        Known { gauss, x, u }
+    })
+}
+
+fn moved(known: &Known, by: &[f64], size: f64) -> Vec<f64> {
+    (0..7)
+        .map(|i| (known.x[i] + size * by[i]).clamp(known.gauss.lo[i], known.gauss.hi[i]))
+        .collect()
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn the_motion_is_never_farther_than_the_bound(
+        known in known(0..=3), by in proptest::collection::vec(-1.0f64..1.0, 7), decade in 0..12i32,
+    ) {
+        let x = moved(&known, &by, 10f64.powi(-decade));
+        if let Ok(bound) = motion_bound(&known.gauss, &x) {
+            let exact = distance(&known.gauss, &x, &known.u);
+            prop_assert!(bound.energy_norm >= exact * (1.0 - 1e-12) - 1e-14, "{bound:?} {exact}");
+        }
+    }
+
+    #[test]
+    fn contacts_that_can_open_together_always_have_a_bound_that_vanishes_with_the_error(
+        known in known(1..=3), by in proptest::collection::vec(-1.0f64..1.0, 7), decade in 0..12i32,
+    ) {
+        let size = 10f64.powi(-decade);
+        let bound = motion_bound(&known.gauss, &moved(&known, &by, size)).expect("a bound");
+        // Second order where the pushing rows are read off rightly, of order √size at worst.
+        prop_assert!(bound.energy_norm <= 40.0 * size.sqrt() + 1e-6, "{bound:?}");
+        prop_assert!(motion_bound(&known.gauss, &known.x).unwrap().energy_norm < 1e-6);
+    }
+}
+
+#[test]
+fn why_there_is_no_bound_is_said() {
+    for (reason, text) in [
+        (Unproved::NotFinite, "numbers are not finite"),
+        (Unproved::TooLarge, "too large"),
+        (Unproved::Mass, "M is not verifiably definite"),
+        (Unproved::DependentEquations, "equations depend on each other"),
+        (Unproved::NoRoom { row: 2 }, "row 2 leaves no room for rounding"),
+    ] {
+        assert_eq!(reason.to_string(), text);
+    }
+}

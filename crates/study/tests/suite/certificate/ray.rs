@@ -1,0 +1,69 @@
+use lcplab_judge::ray::refute;
+use lcplab_solver::{Options, Start, Status, by_name};
+use proptest::prelude::*;
+
+use lcplab_testing::{INF, boxed, cases, contacts, manufactured};
+
+#[test]
+fn two_equations_that_contradict_each_other_are_refuted() {
+    // x1 + x2 = 1 and 2: d = (1, −1) has A d = 0 and bᵀd = 1; −d proves it.
+    let lcp = boxed(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -2.0], &[-INF; 2], &[INF; 2]);
+    assert!(refute(&lcp, 1, &[-1.0, 1.0]).is_some());
+    assert!(refute(&lcp, 1, &[1.0, -1.0]).is_none()); // the wrong way
+}
+
+#[test]
+fn a_ray_against_a_finite_bound_proves_nothing() {
+    let lcp = boxed(&[&[0.0]], &[-1.0], &[0.0], &[5.0]); // x = 5 is the solution
+    assert!(refute(&lcp, 0, &[1.0]).is_none());
+    assert!(refute(&contacts(&[&[0.0]], &[-1.0]), 0, &[1.0]).is_some());
+}
+
+#[test]
+fn for_an_unsymmetric_matrix_the_columns_count() {
+    // d = (1, 0): w1 = −x1 − 2 x2 − 1 is never ≥ 0. With the transposed matrix x = (1/5, 2/5) solves.
+    let lcp = contacts(&[&[-1.0, -2.0], &[3.0, 1.0]], &[-1.0, 0.0]);
+    assert!(refute(&lcp, 0, &[1.0, 0.0]).is_some());
+    let transposed = contacts(&[&[-1.0, 3.0], &[-2.0, 1.0]], &[-1.0, 0.0]);
+    assert!(refute(&transposed, 0, &[1.0, 0.0]).is_none());
+}
+
+#[test]
+fn a_direction_that_is_not_finite_or_too_short_proves_nothing() {
+    let lcp = contacts(&[&[0.0]], &[-1.0]);
+    for direction in [&[f64::INFINITY][..], &[f64::NAN], &[]] {
+        assert!(refute(&lcp, 0, direction).is_none());
+    }
+}
+
+#[test]
+fn rounding_in_the_ray_is_repaired() {
+    // A = vvᵀ with v = (1, 1/3 as 3 and 1): null vector (1, −3), given with noise.
+    let lcp = boxed(&[&[9.0, 3.0], &[3.0, 1.0]], &[0.0, 1.0], &[-INF; 2], &[INF; 2]);
+    assert!(refute(&lcp, 1, &[1.0 / 3.0 + 1e-15, -1.0]).is_some());
+}
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    #[test]
+    fn a_problem_with_a_solution_is_never_refuted(m in manufactured(5, 2, 0.0), d in proptest::collection::vec(-3i32..=3, 5)) {
+        let d: Vec<f64> = d.into_iter().map(f64::from).collect();
+        for row in 0..5 {
+            prop_assert!(refute(&m.lcp, row, &d).is_none());
+        }
+    }
+
+    #[test]
+    fn dantzigs_ray_on_an_inconsistent_problem_is_a_proof(m in manufactured(5, 2, 0.0), shift in 1i32..5) {
+        // All rows equations, b moved out of the range of A: no solution.
+        let b: Vec<f64> = m.lcp.b().iter().enumerate().map(|(i, b)| b + f64::from(shift * (i as i32 * 7 % 5 - 2))).collect();
+        let a: Vec<f64> = (0..25).map(|k| m.lcp.matrix().entry(k / 5, k % 5)).collect();
+        let lcp = lcplab_problem::Lcp::new(lcplab_problem::Matrix::dense(5, &a), b, vec![-INF; 5], vec![INF; 5]).unwrap();
+        let solution = by_name("dantzig", &Options::default()).unwrap().solve(&lcp, &Start::default(), &mut ());
+        match solution.status {
+            Status::Ray { row, direction } => prop_assert!(refute(&lcp, row, &direction).is_some()),
+            status => prop_assert_eq!(status, Status::Solved),
+        }
+    }
+}

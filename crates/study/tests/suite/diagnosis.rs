@@ -1,0 +1,338 @@
+//! Each cause of trouble that the chapter lists has an input that shows it and a message that names it.
+
+use lcplab_judge::regularity::regularity;
+use lcplab_mechanics::scene::{Formulation, Scene, catalogue};
+use lcplab_problem::file::Problem;
+use lcplab_problem::{Lcp, Matrix};
+use lcplab_study::diagnosis::{Cause, Diagnosis, Proof, problem, scene};
+use proptest::prelude::*;
+
+use lcplab_testing::{INF, boxed, cases, contacts};
+
+fn of_lcp(lcp: Lcp) -> Diagnosis {
+    problem(&Problem::new("problem", lcp)).unwrap()
+}
+
+fn of_scene(name: &str) -> Diagnosis {
+    scene(&Scene::load(name).unwrap(), 1).unwrap()
+}
+
+fn of_text(text: &str) -> Diagnosis {
+    scene(&Scene::from_toml("test.toml", text).unwrap(), 1).unwrap()
+}
+
+fn names(found: &Diagnosis) -> Vec<&'static str> {
+    found.causes.iter().map(Cause::name).collect()
+}
+
+/// Equations with this matrix and b.
+fn equations(rows: &[&[f64]], b: &[f64]) -> Lcp {
+    boxed(rows, b, &vec![-INF; b.len()], &vec![INF; b.len()])
+}
+
+#[test]
+fn a_regular_problem_has_nothing_wrong() {
+    let found = of_lcp(contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, 2.0]));
+    let regular = found.regularity.as_ref().unwrap();
+    assert_eq!((names(&found), regular.rank), (vec![], 2));
+    assert!((regular.condition - 3.0).abs() < 1e-14); // eigenvalues 1 and 3
+    assert!(found.is_sound());
+}
+
+#[test]
+fn the_three_rows_of_figure_8_are_proved_impossible() {
+    let found = of_scene("fig8");
+    let Cause::Impossible { rows, proof: Proof::Vector } = &found.causes[0] else {
+        panic!("{found:?}")
+    };
+    assert_eq!(
+        rows,
+        &[
+            "0 (coincidence world left 0)",
+            "3 (coincidence world right 0)",
+            "6 (distance left right 0)"
+        ]
+    );
+    assert_eq!(names(&found), ["impossible", "drift", "over-constrained"]);
+    assert!(!found.is_sound());
+}
+
+#[test]
+fn a_body_wedged_between_walls_that_close_in_is_proved_impossible() {
+    // Both walls push it, w = (x₀ − x₁ − 1, x₁ − x₀ − 1): the sum is −2, whatever x.
+    let found = of_lcp(contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0]));
+    assert!(
+        matches!(&found.causes[0], Cause::Impossible { rows, proof: Proof::Vector } if rows == &["0", "1"])
+    );
+    // Walls that give way leave it a solution.
+    let found = of_lcp(contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, 1.0]));
+    assert_eq!(names(&found), ["over-constrained"]);
+    assert!(found.is_sound());
+}
+
+#[test]
+fn friction_does_not_hide_a_contradiction() {
+    let text = catalogue::text("fig8").unwrap().to_string()
+        + r#"
+[contact]
+friction = 0.5
+[[bodies]]
+name = "ground"
+fixed = true
+shape = { plane = [0, 1, 0] }
+position = [0, -10, 0]
+[[bodies]]
+name = "box"
+shape = { box = [1, 1, 1] }
+mass = 1
+position = [0, -9.5, 0]
+"#;
+    let found = of_text(&text);
+    assert!(
+        matches!(&found.causes[0], Cause::Impossible { proof: Proof::Vector, .. }),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn a_rounded_contradiction_is_told_though_not_proved() {
+    // Two rods between the same points, of different length, along a direction that rounds.
+    let n = [0.6_f64.sin(), 0.6_f64.cos()];
+    let row = |k: f64| [k * n[0], k * n[1]];
+    let j = [row(1.0), row(3.0)];
+    let entry = |i: usize, k: usize| {
+        j[i][0] * j[k][0] + j[i][1] * j[k][1] + if i + k == 2 { 1e-15 } else { 0.0 }
+    };
+    let rows = [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]];
+    let found = of_lcp(equations(&[&rows[0], &rows[1]], &[1.0, 2.0]));
+    assert!(
+        matches!(&found.causes[0], Cause::Impossible { proof: Proof::Rounding, .. }),
+        "{found:?}"
+    );
+    let found = of_lcp(equations(&[&rows[0], &rows[1]], &[1.0, 3.0]));
+    assert_eq!(names(&found), ["over-constrained"]);
+}
+
+#[test]
+fn a_row_that_acts_on_nothing_is_named() {
+    let found = of_lcp(equations(&[&[1.0, 0.0], &[0.0, 0.0]], &[1.0, 0.0]));
+    assert_eq!(found.causes, [Cause::ZeroRow { row: "1".into() }]);
+    assert_eq!(found.regularity.unwrap().zero_rows, [1]);
+    // One that asks for something besides cannot be satisfied.
+    let found = of_lcp(equations(&[&[1.0, 0.0], &[0.0, 0.0]], &[1.0, 2.0]));
+    assert_eq!(names(&found), ["impossible", "zero row"]);
+}
+
+#[test]
+fn points_that_coincide_are_named() {
+    let mut pendulum = Scene::load("pendulum").unwrap();
+    pendulum.states[0].pose.p.x = 0.0;
+    let found = scene(&pendulum, 1).unwrap();
+    assert_eq!(names(&found), ["no direction"]);
+    let message = found.causes[0].to_string();
+    assert!(message.contains("constraints[0]: the two points coincide"), "{message}");
+    assert!(message.contains("(world and bob)"), "{message}");
+    assert!(!found.is_sound());
+}
+
+#[test]
+fn a_bad_start_and_an_overlap_are_measured() {
+    let drift = |name: &str| {
+        let found = of_scene(name);
+        found.causes.iter().find_map(|cause| match cause {
+            Cause::Apart { error, .. } => Some(error.clone()),
+            _ => None,
+        })
+    };
+    assert_eq!(drift("fig8").as_deref(), Some("2 m")); // a rod of 1 m between nails 3 m apart
+    assert_eq!(drift("pendulum"), None);
+}
+
+#[test]
+fn a_heavy_body_on_a_light_one_is_ill_conditioned() {
+    // Scaled, A = [1 −c; −c 1] with c² = 1/(1 + r), r = 10⁻⁸: condition (1 + c)/(1 − c).
+    let r = 1e-8_f64;
+    let found = of_lcp(contacts(&[&[1.0, -1.0], &[-1.0, 1.0 + r]], &[-1.0, 0.0]));
+    let Cause::IllConditioned { condition } = found.causes[0] else { panic!("{found:?}") };
+    let c = (1.0 / (1.0 + r)).sqrt();
+    assert!((condition / ((1.0 + c) / (1.0 - c)) - 1.0).abs() < 1e-5);
+    assert!(found.is_sound());
+}
+
+#[test]
+fn signs_and_blocks_gone_wrong_are_seen_in_a() {
+    let found = of_lcp(equations(&[&[1.0, 2.0], &[2.0, 1.0]], &[0.0, 0.0]));
+    let Cause::Indefinite { eigenvalue } = found.causes[0] else { panic!("{found:?}") };
+    assert!((eigenvalue + 1.0).abs() < 1e-14); // 1 ± 2
+    let found = of_lcp(equations(&[&[1.0, 0.5], &[0.0, 1.0]], &[0.0, 0.0]));
+    assert_eq!(names(&found), ["not symmetric"]);
+}
+
+#[test]
+fn every_cause_is_one_sentence() {
+    let rows = || vec!["0".to_string(), "1".into()];
+    let causes = [
+        Cause::NoDirection { constraint: "constraints[0]: the two points coincide".into() },
+        Cause::ZeroRow { row: "1".into() },
+        Cause::Impossible { rows: rows(), proof: Proof::Vector },
+        Cause::Impossible { rows: Vec::new(), proof: Proof::CaseSplit { pieces: 6 } },
+        Cause::Impossible { rows: rows(), proof: Proof::Rounding },
+        Cause::Redundant { rows: rows(), spare: 1 },
+        Cause::Slow { radius: 0.9999, sweeps: 184_000.0 },
+        Cause::Apart { row: "1".into(), error: "0.5 m".into() },
+        Cause::IllConditioned { condition: 2e8 },
+        Cause::Unsymmetric,
+        Cause::Indefinite { eigenvalue: -0.5 },
+        Cause::Failed { reason: "\"bob\" diverged".into() },
+    ];
+    for cause in causes {
+        let message = cause.to_string();
+        assert!(message.ends_with('.') && !message.contains(". "), "{message}");
+        assert!(cause.rows().iter().all(|row| message.contains(row)), "{message}");
+    }
+}
+
+#[test]
+fn a_motion_that_fails_on_the_way_is_told() {
+    let mut pendulum = Scene::load("pendulum").unwrap();
+    pendulum.step.formulation = lcplab_mechanics::scene::Formulation::Acceleration;
+    pendulum.step.alpha = 1000.0; // far beyond what a step of 0.01 s can follow
+    let found = scene(&pendulum, 1000).unwrap();
+    let fails = |cause: &Cause| matches!(cause, Cause::Failed { reason } if reason.contains("\"bob\" diverged"));
+    assert!(found.causes.iter().any(fails), "{:?}", names(&found));
+}
+
+#[test]
+fn mechanisms_have_their_degrees_of_freedom() {
+    let left = |found: Diagnosis| found.freedoms.unwrap().left();
+    // Bricard's mechanism moves although 30 rows meet 30 components.
+    let bricard = of_scene("bricard");
+    let freedoms = bricard.freedoms.unwrap();
+    assert_eq!((freedoms.components, freedoms.rows, freedoms.rank), (30, 30, 29));
+    assert_eq!(names(&bricard), ["over-constrained", "slow"]);
+    assert_eq!(left(of_scene("pendulum")), 2); // a point on a sphere
+    assert_eq!(left(of_scene("fig7")), 18); // contacts are no equations
+    assert_eq!(left(of_text(FOUR_BAR)), 1);
+    assert_eq!(left(of_text(TWO_NAILS)), 1); // E19: 6 rows, rank 5
+}
+
+/// Three links of a plane parallelogram on four hinges: 20 rows, 18 components, and it swings.
+const FOUR_BAR: &str = r#"
+bodies = [
+    { name = "left", shape = { box = [0.1, 1, 0.1] }, mass = 1, position = [0, 0.5, 0] },
+    { name = "top", shape = { box = [1, 0.1, 0.1] }, mass = 1, position = [0.5, 1, 0] },
+    { name = "right", shape = { box = [0.1, 1, 0.1] }, mass = 1, position = [1, 0.5, 0] },
+]
+constraints = [
+    { kind = "hinge", bodies = ["left"], point = [0, 0, 0], axis = [0, 0, 1] },
+    { kind = "hinge", bodies = ["left", "top"], point = [0, 1, 0], axis = [0, 0, 1] },
+    { kind = "hinge", bodies = ["top", "right"], point = [1, 1, 0], axis = [0, 0, 1] },
+    { kind = "hinge", bodies = ["right"], point = [1, 0, 0], axis = [0, 0, 1] },
+]
+"#;
+
+/// A box nailed at two of its points can turn about the line through them.
+const TWO_NAILS: &str = r#"
+bodies = [{ name = "box", shape = { box = [1, 1, 1] }, mass = 1 }]
+constraints = [
+    { kind = "nail", bodies = ["box"], point = [-0.5, 0, 0] },
+    { kind = "nail", bodies = ["box"], point = [0.5, 0, 0] },
+]
+"#;
+
+#[test]
+fn the_feet_of_a_table_are_a_null_vector() {
+    // J = (1, ±1, ±1) for the four feet of a table with unit mass and inertias: K&M E10.
+    let feet = [[1.0, 1.0, 1.0], [1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [1.0, -1.0, -1.0]];
+    let a: Vec<f64> = feet
+        .iter()
+        .flat_map(|p| feet.iter().map(move |q| p.iter().zip(q).map(|(a, b)| a * b).sum()))
+        .collect();
+    let found = regularity(&Matrix::dense(4, &a)).unwrap();
+    assert_eq!(found.rank, 3);
+    let [d] = found.dependencies.as_slice() else { panic!("{found:?}") };
+    for (d, sign) in d.iter().zip([1.0, -1.0, -1.0, 1.0]) {
+        assert!((d * d0(&found.dependencies) - sign).abs() < 1e-12, "{d}");
+    }
+}
+
+/// The first entry, whose sign is free.
+fn d0(dependencies: &[Vec<f64>]) -> f64 {
+    dependencies[0][0]
+}
+
+proptest! {
+    #![proptest_config(cases(64))]
+
+    #[test]
+    fn the_rank_of_j_jt_is_found_whatever_the_units(
+        entries in prop::collection::vec(-3_i32..=3, 24), powers in prop::collection::vec(-20_i32..=20, 6),
+    ) {
+        // Six rows in four columns: rank at most 4, found by exact elimination over the integers.
+        let j: Vec<Vec<f64>> = entries.chunks(4).map(|row| row.iter().map(|&e| f64::from(e)).collect()).collect();
+        let scaled = |i: usize, k: usize| {
+            let product: f64 = j[i].iter().zip(&j[k]).map(|(a, b)| a * b).sum();
+            product * 2.0_f64.powi(powers[i] + powers[k])
+        };
+        let a: Vec<f64> = (0..36).map(|e| scaled(e / 6, e % 6)).collect();
+        let found = regularity(&Matrix::dense(6, &a)).unwrap();
+        prop_assert_eq!(found.rank, integer_rank(&entries));
+        prop_assert_eq!(found.dependencies.len(), 6 - found.rank);
+        for d in &found.dependencies {
+            for k in 0..6 {
+                let terms: Vec<f64> = (0..6).map(|i| d[i] * a[6 * i + k]).collect();
+                let size: f64 = terms.iter().map(|term| term.abs()).sum();
+                prop_assert!(terms.iter().sum::<f64>().abs() <= 1e-8 * size);
+            }
+        }
+    }
+}
+
+/// The rank of a 6 × 4 matrix of small integers, by fraction-free elimination.
+fn integer_rank(entries: &[i32]) -> usize {
+    let mut rows: Vec<Vec<i128>> =
+        entries.chunks(4).map(|row| row.iter().map(|&e| i128::from(e)).collect()).collect();
+    let mut rank = 0;
+    for column in 0..4 {
+        let Some(pivot) = (rank..rows.len()).find(|&r| rows[r][column] != 0) else { continue };
+        rows.swap(rank, pivot);
+        let own = rows[rank].clone();
+        for row in rows.iter_mut().skip(rank + 1) {
+            let factor = row[column];
+            for (entry, own_entry) in row.iter_mut().zip(&own) {
+                *entry = *entry * own[column] - factor * own_entry;
+            }
+        }
+        rank += 1;
+    }
+    rank
+}
+
+#[test]
+fn the_diagnosis_looks_at_the_level_that_the_scene_is_stepped_on() {
+    // Painlevé's rod slides: at acceleration level no force keeps it out of the ground.
+    let mut rod = Scene::load("painleve").unwrap();
+    rod.step.formulation = Formulation::Acceleration;
+    let found = scene(&rod, 1).unwrap();
+    assert!(!found.is_sound() && names(&found).contains(&"impossible"), "{:?}", found.causes);
+    let mut at_velocity_level = rod.clone();
+    at_velocity_level.step.formulation = Formulation::Velocity;
+    assert!(scene(&at_velocity_level, 1).unwrap().is_sound());
+}
+
+#[test]
+fn a_problem_with_two_answers_is_said_to_have_them() {
+    // A = −1, b = 1: x = 0 with w = 1, and x = 1 with w = 0.
+    let two = r#"{"A": {"dense": [[-1, 0], [1, 1]]}, "b": [1, 1]}"#;
+    let found = problem(&Problem::parse(two, "two.json").unwrap()).unwrap();
+    assert!(found.causes.contains(&Cause::Several { answers: 2 }), "{:?}", found.causes);
+    assert!(!found.is_unique && found.is_sound());
+}
+
+#[test]
+fn numbers_too_large_for_singular_values_are_no_error() {
+    // x = (1, 1e-200·(−2))… w = (1 + x0 + 1e200 x1, 1 + x1) ≥ 0 at x = 0.
+    let text = r#"{"A": {"dense": [[1, 1e200], [0, 1]]}, "b": [1, 1]}"#;
+    let found = problem(&Problem::parse(text, "large.json").unwrap()).unwrap();
+    assert!(found.is_sound() && !found.is_unique, "{found:?}");
+}

@@ -1,0 +1,29 @@
+//! Redundant contacts, move by move: two contacts at one place, and a third that takes their load.
+
+use lcplab_page::document::Format;
+use lcplab_problem::file::Problem;
+use lcplab_study::explain::{Method, problem};
+
+#[test]
+fn a_move_to_the_middle_is_told_with_its_direction_and_its_ends() {
+    // A = JJᵀ, J = (1 0; 1 0; 1 1). Rows 0 and 1 share x₀ + x₁ = 1. Row 2 has w = 1 − 1.8 then; x₀
+    // falls as x₂ rises, and meets 0 at x₂ = ½, where x₁ = ½. Along (−1, 1, 0) the way is 0 and ½.
+    let text = r#"{"A": {"dense": [[1, 1, 1], [1, 1, 1], [1, 1, 2]]}, "b": [-1, -1, -1.8]}"#;
+    let read = Problem::parse(text, "shared.json").unwrap();
+    let document = problem(&read, &Method::named("dantzig").unwrap()).unwrap();
+    assert!(document.is_accepted);
+    let text = document.written(Format::Text).unwrap();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in [
+        "Row 1 has w₁ = 0 and depends on C. Along d = (−1, 1, 0) no w changes; x may go 1 forward \
+         and 0 back, and goes to the middle, by 0.5. Row 1 is idle now: its w stays 0 with those of C. \
+         Now x = (0.5, 0.5, 0).",
+        "It ends after t = 0.5: x₀ meets a bound. But row 0 need not leave C: w₁ = 0, and row 1 \
+         depends on C. Along d = (−1, 1, 0) no w changes; x may go 0 forward and 0.5 back, and goes \
+         to the middle, by −0.25. Row 1 is idle now: its w stays 0 with those of C. \
+         Now x = (0.25, 0.25, 0.5).",
+        "row 0 leaves C for its lower bound. Now x = (0, 0.25, 0.75).",
+    ] {
+        assert!(text.contains(part), "{part} in {text}");
+    }
+}

@@ -1,0 +1,345 @@
+//! Three bodies in a stack, by sweeps, moves and pivots, by hand.
+
+use lcplab_mechanics::scene::Formulation;
+
+use super::{explained, sections};
+
+#[test]
+fn figure_7_at_velocity_level_by_sweeps() {
+    // A and b of the chapter; x after each sweep by hand.
+    let document = explained("fig7", Formulation::Velocity, "pgs");
+    let text = sections(&document, &["constraints", "Newton", "row by row"]);
+    insta::assert_snapshot!(text, @r"
+    3 Step 1, velocity: constraints
+      Step 1, velocity: the rows
+        row   what it keeps            c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
+          0   normal ground bottom 0       0           0            0            0   [0, ∞)
+          1   normal bottom middle 0       0          −1            0            0   [0, ∞)
+          2   normal middle top 0          0           1            0            0   [0, ∞)
+    The bias feeds errors back: an error of position c by β/dt = 0/1 = 0 1/s; a gap c > 0 of a
+    contact by 1/dt, so that it may close within the step and not more. Friction has the bias 0, a
+    motor its speed with the other sign.
+
+    4 Step 1, velocity: from Newton's law to the LCP
+    Of 18 columns no row touches 15; they are left out.
+    The columns are v_z of bottom, v_z of middle, v_z of top.
+    1. Newton's law over the step. Without constraints the velocities would become u*; the impulses
+    x of the rows act along Jᵀ and add to them.
+        u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F
+             ⎡  0 ⎤         ⎡ −1 ⎤   ⎡ −1 ⎤
+        u* = ⎢ −1 ⎥ + 1 s · ⎢ −1 ⎥ = ⎢ −2 ⎥   m/s
+             ⎣  0 ⎦         ⎣ −1 ⎦   ⎣ −1 ⎦
+              ⎡ 1  0  0 ⎤
+        M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
+              ⎣ 0  0  1 ⎦
+    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
+    contact wants w ≥ 0 and pushes only where w = 0.
+        w = J u⁺ + bias
+            ⎡  1   0  0 ⎤            ⎡ 0 ⎤
+        J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s
+            ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
+    3. The first is put into the second.
+        w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
+                  ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
+        J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
+                  ⎣  0  −1  1 ⎦ ⎣ 0  0  1 ⎦ ⎣ 0   0   1 ⎦
+               ⎡  1   0  0 ⎤ ⎡ −1 ⎤   ⎡ −1 ⎤
+        J u* = ⎢ −1   1  0 ⎥ ⎢ −2 ⎥ = ⎢ −1 ⎥   m/s
+               ⎣  0  −1  1 ⎦ ⎣ −1 ⎦   ⎣  1 ⎦
+    4. What stands before x is A, the rest is b.
+    The chapter's Figure 4 prints b with the other sign, by which the velocity that is to be stopped
+    would be doubled (E22).
+        w = A x + b
+                      ⎡  1  −1   0 ⎤
+        A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
+                      ⎣  0  −1   2 ⎦
+                          ⎡ −1 ⎤   ⎡ 0 ⎤   ⎡ −1 ⎤
+        b = J u* + bias = ⎢ −1 ⎥ + ⎢ 0 ⎥ = ⎢ −1 ⎥   m/s
+                          ⎣  1 ⎦   ⎣ 0 ⎦   ⎣  1 ⎦
+    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+             ⎡ 0 ⎤       ⎡ ∞ ⎤
+        lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N s
+             ⎣ 0 ⎦       ⎣ ∞ ⎦
+
+    5 Step 1, velocity: projected Gauss-Seidel, row by row
+    A sweep takes the rows one after another, each with the newest x. The row's w is summed, divided
+    by its diagonal entry, and x moves against it; then x is clamped to its bounds, before the next
+    row is looked at.
+        xᵢ ← Πᵢ( xᵢ − ω wᵢ / aᵢᵢ ),   wᵢ = Σⱼ aᵢⱼ xⱼ + bᵢ
+    The start is x = (0, 0, 0) N s.
+      Step 1, velocity: sweep 1
+        row   the sum w (m/s)             divided by a (N s)   x moved (N s)   clamped (N s)
+          0   1·0 − 1·0 − 1 = −1          −1/1 = −1            0 − (−1) = 1    to [0, ∞): 1
+          1   −1·1 + 2·0 − 1·0 − 1 = −2   −2/2 = −1            0 − (−1) = 1    to [0, ∞): 1
+          2   −1·1 + 2·0 + 1 = 0          0/2 = 0              0 − 0 = 0       to [0, ∞): 0
+    After sweep 1: x = (1, 1, 0) N s.
+      Step 1, velocity: sweep 2
+        row   the sum w (m/s)             divided by a (N s)   x moved (N s)        clamped (N s)
+          0   1·1 − 1·1 − 1 = −1          −1/1 = −1            1 − (−1) = 2         to [0, ∞): 2
+          1   −1·2 + 2·1 − 1·0 − 1 = −1   −1/2 = −0.5          1 − (−0.5) = 1.5     to [0, ∞): 1.5
+          2   −1·1.5 + 2·0 + 1 = −0.5     −0.5/2 = −0.25       0 − (−0.25) = 0.25   to [0, ∞): 0.25
+    After sweep 2: x = (2, 1.5, 0.25) N s.
+      Step 1, velocity: sweep 3
+        row   the sum w (m/s)                       divided by a (N s)   x moved (N s)               clamped (N s)
+          0   1·2 − 1·1.5 − 1 = −0.5                −0.5/1 = −0.5        2 − (−0.5) = 2.5            to [0, ∞): 2.5
+          1   −1·2.5 + 2·1.5 − 1·0.25 − 1 = −0.75   −0.75/2 = −0.375     1.5 − (−0.375) = 1.875      to [0, ∞): 1.875
+          2   −1·1.875 + 2·0.25 + 1 = −0.375        −0.375/2 = −0.1875   0.25 − (−0.1875) = 0.4375   to [0, ∞): 0.4375
+    After sweep 3: x = (2.5, 1.875, 0.4375) N s.
+      Step 1, velocity: x and its residual, the first sweeps and the last
+        sweep   x (N s)                        max |x − Π(x − w)|   factor
+            0   (0, 0, 0)                                       1
+            1   (1, 1, 0)                                       1   1
+            2   (2, 1.5, 0.25)                                0.5   0.5
+            3   (2.5, 1.875, 0.4375)                        0.375   0.75
+            4   (2.875, 2.15625, 0.578125)                0.28125   0.75
+            5   (3.15625, 2.36719, 0.683594)             0.210938   0.75
+            6   (3.36719, 2.52539, 0.762695)             0.158203   0.75
+            7   (3.52539, 2.64404, 0.822021)             0.118652   0.75
+            8   (3.64404, 2.73303, 0.866516)            0.0889893   0.75
+            9   (3.73303, 2.79977, 0.899887)            0.0667419   0.75
+           10   (3.79977, 2.84983, 0.924915)            0.0500565   0.75
+           57   (4, 3, 1)                            6.71954×10⁻⁸
+    pgs ends after 57 iterations with x = (4, 3, 1) N s: solved.
+    ");
+}
+
+#[test]
+fn figure_7_by_the_moves_of_dantzig() {
+    // d_C = −A_CC⁻¹A_Ci by hand: (1), then (1, 1); each s is 1.
+    let document = explained("fig7", Formulation::Velocity, "dantzig");
+    let text = sections(&document, &["move by move", "answer", "motion", "after"]);
+    insta::assert_snapshot!(text, @r"
+    5 Step 1, velocity: Dantzig's method, move by move
+    Rows are satisfied one after another. To bring wᵢ to 0, xᵢ moves, and the free rows C move along
+    so that their w stays 0. The move ends when wᵢ is 0, when some x meets a bound, or when the w of
+    a row at a bound gets to 0; the row that ends it changes sides. d and Δw are what x and w change
+    by for each unit of t.
+        d_i = 1,   d_C = −A_CC⁻¹ A_Ci,   Δw = A d
+    The start is x = (0, 0, 0) N s, C is empty.
+    Move 1: row 0 is driven. At x = (0, 0, 0) N s it has w₀ = −1 m/s, so x₀ rises. The free rows are
+    C = {}.
+            ⎡ 1 ⎤          ⎡ 1 ⎤
+        d = ⎢ 0 ⎥ ,   Δw = ⎢ 0 ⎥
+            ⎣ 0 ⎦          ⎣ 0 ⎦
+      Step 1, velocity: move 1, what may end it
+        what           after t (N s)
+        w₀ gets to 0   1/1 = 1
+    It ends after t = 1 N s: row 0 enters C.
+    Now x = (1, 0, 0) N s.
+    Move 2: row 1 is driven. At x = (1, 0, 0) N s it has w₁ = −2 m/s, so x₁ rises. The free rows are
+    C = {0}.
+            ⎡ 1 ⎤          ⎡ 0 ⎤
+        d = ⎢ 1 ⎥ ,   Δw = ⎢ 1 ⎥
+            ⎣ 0 ⎦          ⎣ 0 ⎦
+      Step 1, velocity: move 2, what may end it
+        what           after t (N s)
+        w₁ gets to 0   2/1 = 2
+    It ends after t = 2 N s: row 1 enters C.
+    Now x = (3, 2, 0) N s.
+    Move 3: row 2 is driven. At x = (3, 2, 0) N s it has w₂ = −1 m/s, so x₂ rises. The free rows are
+    C = {0, 1}.
+            ⎡ 1 ⎤          ⎡ 0 ⎤
+        d = ⎢ 1 ⎥ ,   Δw = ⎢ 0 ⎥
+            ⎣ 1 ⎦          ⎣ 1 ⎦
+      Step 1, velocity: move 3, what may end it
+        what           after t (N s)
+        w₂ gets to 0   1/1 = 1
+    It ends after t = 1 N s: row 2 enters C.
+    Now x = (4, 3, 1) N s.
+    dantzig ends after 3 iterations with x = (4, 3, 1) N s: solved.
+
+    6 Step 1, velocity: the answer
+      Step 1, velocity: x and w, row by row
+        row                        x            bounds   w = A x + b   what x asks of w
+        0 normal ground bottom 0   x₀ = 4 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
+        1 normal bottom middle 0   x₁ = 3 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
+        2 normal middle top 0      x₂ = 1 N s   [0, ∞)   w₂ = 0 m/s    w = 0: x is between its bounds
+    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
+    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+
+    7 Step 1, velocity: the new motion
+    The bodies then move, in the columns that the rows touch, with
+                            ⎡ −1 ⎤   ⎡ 1 ⎤   ⎡ 0 ⎤
+        u⁺ = u* + M⁻¹Jᵀ x = ⎢ −2 ⎥ + ⎢ 2 ⎥ = ⎢ 0 ⎥   m/s
+                            ⎣ −1 ⎦   ⎣ 1 ⎦   ⎣ 0 ⎦
+
+    8 Step 1: the states after it
+    The bodies move with their new velocities, s⁺ = s + dt S u⁺.
+      Step 1: the bodies after
+        body     p (m)         q              v (m/s)     ω (rad/s)
+        ground   (0, 0, 0)     —              —           —
+        bottom   (0, 0, 0.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
+        middle   (0, 0, 1.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
+        top      (0, 0, 2.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
+    Fixed, with M⁻¹ = 0 and so without columns: ground.
+    ");
+}
+
+#[test]
+fn figure_7_by_the_pivots_of_lemke() {
+    // Each tableau by hand. Of the tied rows 0 and 1 the second is less when b is perturbed by (ε, ε², ε³).
+    let document = explained("fig7", Formulation::Velocity, "lemke");
+    let text = sections(&document, &["tableau by tableau"]);
+    insta::assert_snapshot!(text, @r"
+    5 Step 1, velocity: Lemke's method, tableau by tableau
+    A covering variable z makes every w big enough. A tableau gives the basic variables by the
+    nonbasic ones, which are 0, so its first column has their values. z enters first and rises until
+    no w is negative: to the largest ratio. From then on the partner of the variable that has just
+    left enters and rises until the first basic one gets to 0: to the least ratio. When z itself
+    leaves, x is a solution. Ties are broken lexicographically.
+        w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0
+      Step 1, velocity: tableau 1: z enters, w₁ leaves
+        basic   value   unit   x₀   x₁   x₂   z   ratio
+        w₀         −1   m/s     1   −1    0   1   1/1 = 1
+        w₁         −1   m/s    −1    2   −1   1   1/1 = 1 ←
+        w₂          1   m/s     0   −1    2   1   −1/1 = −1
+      Step 1, velocity: tableau 2: x₁ enters, w₀ leaves
+        basic   value   unit   x₀   x₁   x₂   w₁   ratio
+        w₀          0   m/s     2   −3    1    1   0/3 = 0 ←
+        z           1   m/s     1   −2    1    1   1/2 = 0.5
+        w₂          2   m/s     1   −3    3    1   2/3 = 0.666667
+      Step 1, velocity: tableau 3: x₀ enters, w₂ leaves
+        basic   value   unit          x₀          w₀         x₂         w₁   ratio
+        x₁          0   N s     0.666667   −0.333333   0.333333   0.333333
+        z           1   m/s    −0.333333    0.666667   0.333333   0.333333   1/0.333333 = 3
+        w₂          2   m/s           −1           1          2          0   2/1 = 2 ←
+      Step 1, velocity: tableau 4: x₂ enters, z leaves
+        basic      value   unit          w₂         w₀          x₂         w₁   ratio
+        x₁       1.33333   N s    −0.666667   0.333333     1.66667   0.333333
+        z       0.333333   m/s     0.333333   0.333333   −0.333333   0.333333   0.333333/0.333333 = 1 ←
+        x₀             2   N s           −1          1           2          0
+      Step 1, velocity: tableau 5: z is 0, the end
+        basic   value   unit   w₂   w₀    z   w₁   ratio
+        x₁          3   N s     1    2   −5    2
+        x₂          1   N s     1    1   −3    1
+        x₀          4   N s     1    3   −6    2
+    lemke ends after 4 iterations with x = (4, 3, 1) N s: solved.
+    ");
+}
+
+#[test]
+fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
+    // The blow stops the middle body, x = (1, 1, 0); then each row carries what lies above, (3, 2, 1) N.
+    let document = explained("fig7", Formulation::Acceleration, "dantzig");
+    let text = sections(&document, &["Newton", "answer", "motion"]);
+    insta::assert_snapshot!(text, @r"
+    4 Step 1, impact: from Newton's law to the LCP
+    Of 18 columns no row touches 15; they are left out.
+    The columns are v_z of bottom, v_z of middle, v_z of top.
+    1. Newton's law over an instant: no force matters but the impulses x of the rows.
+        u⁺ = u* + M⁻¹Jᵀ x
+             ⎡  0 ⎤
+        u* = ⎢ −1 ⎥   m/s
+             ⎣  0 ⎦
+              ⎡ 1  0  0 ⎤
+        M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
+              ⎣ 0  0  1 ⎦
+    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
+    contact wants w ≥ 0 and pushes only where w = 0.
+        w = J u⁺ + bias
+            ⎡  1   0  0 ⎤            ⎡ 0 ⎤
+        J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s
+            ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
+    3. The first is put into the second.
+        w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
+                  ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
+        J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
+                  ⎣  0  −1  1 ⎦ ⎣ 0  0  1 ⎦ ⎣ 0   0   1 ⎦
+               ⎡  1   0  0 ⎤ ⎡  0 ⎤   ⎡  0 ⎤
+        J u* = ⎢ −1   1  0 ⎥ ⎢ −1 ⎥ = ⎢ −1 ⎥   m/s
+               ⎣  0  −1  1 ⎦ ⎣  0 ⎦   ⎣  1 ⎦
+    4. What stands before x is A, the rest is b.
+        w = A x + b
+                      ⎡  1  −1   0 ⎤
+        A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
+                      ⎣  0  −1   2 ⎦
+                          ⎡  0 ⎤   ⎡ 0 ⎤   ⎡  0 ⎤
+        b = J u* + bias = ⎢ −1 ⎥ + ⎢ 0 ⎥ = ⎢ −1 ⎥   m/s
+                          ⎣  1 ⎦   ⎣ 0 ⎦   ⎣  1 ⎦
+    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+             ⎡ 0 ⎤       ⎡ ∞ ⎤
+        lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N s
+             ⎣ 0 ⎦       ⎣ ∞ ⎦
+
+    6 Step 1, impact: the answer
+      Step 1, impact: x and w, row by row
+        row                        x            bounds   w = A x + b   what x asks of w
+        0 normal ground bottom 0   x₀ = 1 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
+        1 normal bottom middle 0   x₁ = 1 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
+        2 normal middle top 0      x₂ = 0 N s   [0, ∞)   w₂ = 0 m/s    w ≥ 0: x is at its lower bound
+    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
+    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+
+    7 Step 1, impact: the new motion
+    The bodies then move, in the columns that the rows touch, with
+                            ⎡  0 ⎤   ⎡ 0 ⎤   ⎡ 0 ⎤
+        u⁺ = u* + M⁻¹Jᵀ x = ⎢ −1 ⎥ + ⎢ 1 ⎥ = ⎢ 0 ⎥   m/s
+                            ⎣  0 ⎦   ⎣ 0 ⎦   ⎣ 0 ⎦
+
+    10 Step 1, acceleration: from Newton's law to the LCP
+    Of 18 columns no row touches 15; they are left out.
+    The columns are v_z of bottom, v_z of middle, v_z of top.
+    1. Newton's law. Without constraints the accelerations would be a*; the forces x of the rows act
+    along Jᵀ and add to them.
+        u' = a* + M⁻¹Jᵀ x,   a* = M⁻¹F
+             ⎡ −1 ⎤
+        a* = ⎢ −1 ⎥   m/s²
+             ⎣ −1 ⎦
+              ⎡ 1  0  0 ⎤
+        M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
+              ⎣ 0  0  1 ⎦
+    2. Every row asks something of the new motion: its w is that motion along J, and the bias. A
+    contact wants w ≥ 0 and pushes only where w = 0.
+        w = J u' + bias
+            ⎡  1   0  0 ⎤            ⎡ 0 ⎤
+        J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s²
+            ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
+    3. The first is put into the second.
+        w = J (a* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J a* + bias
+                  ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
+        J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
+                  ⎣  0  −1  1 ⎦ ⎣ 0  0  1 ⎦ ⎣ 0   0   1 ⎦
+               ⎡  1   0  0 ⎤ ⎡ −1 ⎤   ⎡ −1 ⎤
+        J a* = ⎢ −1   1  0 ⎥ ⎢ −1 ⎥ = ⎢  0 ⎥   m/s²
+               ⎣  0  −1  1 ⎦ ⎣ −1 ⎦   ⎣  0 ⎦
+    4. What stands before x is A, the rest is b.
+        w = A x + b
+                      ⎡  1  −1   0 ⎤
+        A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
+                      ⎣  0  −1   2 ⎦
+                          ⎡ −1 ⎤   ⎡ 0 ⎤   ⎡ −1 ⎤
+        b = J a* + bias = ⎢  0 ⎥ + ⎢ 0 ⎥ = ⎢  0 ⎥   m/s²
+                          ⎣  0 ⎦   ⎣ 0 ⎦   ⎣  0 ⎦
+    x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.
+             ⎡ 0 ⎤       ⎡ ∞ ⎤
+        lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N
+             ⎣ 0 ⎦       ⎣ ∞ ⎦
+
+    12 Step 1, acceleration: the answer
+      Step 1, acceleration: x and w, row by row
+        row                        x          bounds   w = A x + b   what x asks of w
+        0 normal ground bottom 0   x₀ = 3 N   [0, ∞)   w₀ = 0 m/s²   w = 0: x is between its bounds
+        1 normal bottom middle 0   x₁ = 2 N   [0, ∞)   w₁ = 0 m/s²   w = 0: x is between its bounds
+        2 normal middle top 0      x₂ = 1 N   [0, ∞)   w₂ = 0 m/s²   w = 0: x is between its bounds
+    The judge, who sees A, b, the bounds and x but not the solver: proved, x is an exact solution.
+    The scaled residual, the error of the worst row beside the sizes of its terms, is 0.
+
+    13 Step 1, acceleration: the new motion
+    The bodies then move, in the columns that the rows touch, with
+                            ⎡ −1 ⎤   ⎡ 1 ⎤   ⎡ 0 ⎤
+        u' = a* + M⁻¹Jᵀ x = ⎢ −1 ⎥ + ⎢ 1 ⎥ = ⎢ 0 ⎥   m/s²
+                            ⎣ −1 ⎦   ⎣ 1 ⎦   ⎣ 0 ⎦
+                    ⎡ 0 ⎤         ⎡ 0 ⎤   ⎡ 0 ⎤
+        u + dt u' = ⎢ 0 ⎥ + 1 s · ⎢ 0 ⎥ = ⎢ 0 ⎥   m/s
+                    ⎣ 0 ⎦         ⎣ 0 ⎦   ⎣ 0 ⎦
+    ");
+}
+
+#[test]
+fn the_residual_of_figure_7_falls_by_three_quarters_a_sweep() {
+    // cos²(π/2n) for a column of n = 3 bodies
+    let text = sections(&explained("fig7", Formulation::Velocity, "pgs"), &["row by row"]);
+    let factors: Vec<&str> =
+        text.lines().filter(|line| line.contains("   0.75")).map(str::trim).collect();
+    assert_eq!(factors.len(), 8, "{text}");
+}
