@@ -1,18 +1,18 @@
 //! The constraint of `examples/own_constraint.rs`, as a user would verify it.
 
 #[path = "../../examples/own_constraint.rs"]
-mod own_constraint;
+mod example;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use example::Bowl;
 use lcplab::body::{Pose, State};
 use lcplab::constraint::verify;
 use lcplab::scene::{Formulation, Scene};
 use lcplab::simulation::Simulation;
 use lcplab::solver::Dantzig;
 use nalgebra::{UnitQuaternion, Vector3};
-use own_constraint::Bowl;
 use proptest::prelude::*;
 
 use lcplab_testing::cases;
@@ -35,7 +35,7 @@ proptest! {
 
 #[test]
 fn the_example_runs() {
-    own_constraint::main().unwrap();
+    example::main().unwrap();
 }
 
 #[test]

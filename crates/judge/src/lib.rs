@@ -23,6 +23,7 @@
 //! ```
 
 mod cone;
+#[cfg(feature = "clarabel")]
 pub mod cross_check;
 pub mod error_bound;
 pub mod exact;
@@ -30,6 +31,7 @@ mod friction;
 mod interval;
 pub mod motion_bound;
 pub mod ray;
+#[cfg(feature = "clarabel")]
 pub mod reference;
 mod refutation;
 pub mod regularity;

@@ -6,7 +6,6 @@
 //! program, and else all pieces of the problem, one by one, in exact arithmetic.
 
 use super::ray::{Farkas, refute};
-use crate::reference;
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::{Pieces, Point, Search, Side};
 
@@ -64,8 +63,18 @@ pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]]) -> Option<Farkas> {
     let proof = |d: &[f64]| refute(lcp, largest(lcp, d), d);
     hints.iter().find_map(|d| proof(d)).or_else(|| {
         let is_small = lcp.len() <= MOST_ROWS;
-        is_small.then(|| reference::farkas(lcp)).flatten().and_then(|d| proof(&d))
+        is_small.then(|| by_linear_program(lcp)).flatten().and_then(|d| proof(&d))
     })
+}
+
+/// The vector that clarabel finds.
+#[cfg(feature = "clarabel")]
+use crate::reference::farkas as by_linear_program;
+
+/// Without clarabel there is no linear program to ask.
+#[cfg(not(feature = "clarabel"))]
+fn by_linear_program(_: &Lcp) -> Option<Vec<f64>> {
+    None
 }
 
 /// Looks for a proof that there is no solution, or for a solution; first in the piece with these sides.

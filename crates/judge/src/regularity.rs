@@ -59,10 +59,10 @@ pub fn regularity(a: &Matrix) -> Option<Regularity> {
             dependencies: Vec::new(),
         });
     }
-    let A = a.to_dense();
-    let largest = |most: f64, entry: &f64| most.max(entry.abs());
-    let size = |i: usize| A.row(i).iter().fold(0.0, largest);
-    let reach = |i: usize| A.column(i).iter().fold(size(i), largest);
+    let A = Mat::from_fn(n, n, |i, j| a.entry(i, j));
+    let largest = |most: f64, entry: f64| most.max(entry.abs());
+    let size = |i: usize| (0..n).map(|j| A[(i, j)]).fold(0.0, largest);
+    let reach = |i: usize| (0..n).map(|j| A[(j, i)]).fold(size(i), largest);
     let d: Vec<f64> = (0..n)
         .map(|i| match A[(i, i)].abs() {
             0.0 if reach(i) == 0.0 => 1.0,
@@ -94,8 +94,7 @@ pub fn least_eigenvalue(lcp: &Lcp) -> Option<f64> {
     }
     let largest = (0..n).map(|i| a.diagonal(i).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let scale = |i: usize| a.diagonal(i).abs().max(1e-16 * largest).sqrt();
-    let A = a.to_dense();
-    let scaled = Mat::from_fn(n, n, |i, j| A[(i, j)] / (scale(i) * scale(j)));
+    let scaled = Mat::from_fn(n, n, |i, j| a.entry(i, j) / (scale(i) * scale(j)));
     let eigenvalues = scaled.self_adjoint_eigenvalues(faer::Side::Lower).ok()?;
     eigenvalues.into_iter().reduce(f64::min)
 }

@@ -15,10 +15,13 @@ mod coupled;
 pub mod disk;
 pub mod error;
 pub mod exact;
+#[cfg(feature = "json")]
 pub mod file;
 pub mod friction;
 mod gauss;
+#[cfg(feature = "json")]
 pub mod json;
+#[cfg(feature = "library")]
 pub mod library;
 mod matrix;
 pub mod memory;
@@ -27,7 +30,7 @@ pub mod merit;
 pub use complementarity::Complementarity;
 pub use coupled::Coupling;
 pub use gauss::Gauss;
-pub use matrix::{Matrix, Row, dot};
+pub use matrix::{Dense, Matrix, Row, Sparse, dot};
 
 use std::sync::Arc;
 

@@ -4,17 +4,59 @@
 //! diagonal, and the entries of a row. Rows are contiguous in both storages.
 
 use dashu_ratio::RBig;
-use faer::reborrow::ReborrowMut;
-use faer::sparse::{SparseRowMat, SparseRowMatRef, Triplet};
+#[cfg(feature = "nalgebra")]
 use nalgebra::{DMatrix, DMatrixView};
 
 /// The square matrix A.
 #[derive(Debug, Clone)]
 pub enum Matrix {
-    /// All n² entries. Held as Aᵀ, because nalgebra stores columns: column i is row i of A.
-    Dense(DMatrix<f64>),
-    /// The stored entries only, by rows, columns ascending in each row.
-    Sparse(SparseRowMat<usize, f64>),
+    /// All n² entries.
+    Dense(Dense),
+    /// The stored entries only.
+    Sparse(Sparse),
+}
+
+/// All entries of an n × n matrix, row by row.
+#[derive(Debug, Clone)]
+pub struct Dense {
+    n: usize,
+    entries: Vec<f64>,
+}
+
+/// Some entries of an n × n matrix, row by row, columns ascending in each row (compressed sparse rows).
+#[derive(Debug, Clone)]
+pub struct Sparse {
+    /// Where each row begins, and where the last one ends: n + 1 places.
+    starts: Vec<usize>,
+    columns: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Dense {
+    /// The n² entries.
+    pub fn entries(&self) -> &[f64] {
+        &self.entries
+    }
+}
+
+impl Sparse {
+    /// From entries in order, no two at the same place.
+    fn new(n: usize, entries: &[(usize, usize, f64)]) -> Self {
+        let mut starts = vec![0; n + 1];
+        for &(row, column, _) in entries {
+            assert!(row < n && column < n, "entry ({row}, {column}) is outside a {n} × {n} matrix");
+            starts[row + 1] += 1;
+        }
+        for i in 0..n {
+            starts[i + 1] += starts[i];
+        }
+        let (columns, values) = entries.iter().map(|&(_, column, value)| (column, value)).unzip();
+        Sparse { starts, columns, values }
+    }
+
+    fn row(&self, i: usize) -> std::ops::Range<usize> {
+        self.starts[i]..self.starts[i + 1]
+    }
 }
 
 impl Matrix {
@@ -31,7 +73,7 @@ impl Matrix {
     /// If there are not n² entries.
     pub fn dense(n: usize, entries_by_rows: &[f64]) -> Self {
         assert_eq!(entries_by_rows.len(), n * n, "a dense matrix needs n² entries");
-        Matrix::Dense(DMatrix::from_column_slice(n, n, entries_by_rows))
+        Matrix::Dense(Dense { n, entries: entries_by_rows.to_vec() })
     }
 
     /// A sparse A from entries (row, column, value); entries at the same place add up exactly, and their
@@ -46,18 +88,14 @@ impl Matrix {
     /// # Panics
     /// If an index is not below n.
     pub fn sparse(n: usize, entries: &[(usize, usize, f64)]) -> Self {
-        let triplets: Vec<_> =
-            summed(entries).into_iter().map(|(row, col, val)| Triplet { row, col, val }).collect();
-        let sparse = SparseRowMat::try_new_from_triplets(n, n, &triplets)
-            .expect("indices below n, sizes that fit in memory");
-        Matrix::Sparse(sparse)
+        Matrix::Sparse(Sparse::new(n, &summed(entries)))
     }
 
     /// The number of rows, n.
     pub fn len(&self) -> usize {
         match self {
-            Matrix::Dense(transposed) => transposed.ncols(),
-            Matrix::Sparse(rows) => rows.nrows(),
+            Matrix::Dense(dense) => dense.n,
+            Matrix::Sparse(sparse) => sparse.starts.len() - 1,
         }
     }
 
@@ -69,25 +107,20 @@ impl Matrix {
     /// The number of stored entries: n² for a dense matrix.
     pub fn stored(&self) -> usize {
         match self {
-            Matrix::Dense(transposed) => transposed.len(),
-            Matrix::Sparse(rows) => rows.compute_nnz(),
+            Matrix::Dense(dense) => dense.entries.len(),
+            Matrix::Sparse(sparse) => sparse.values.len(),
         }
     }
 
     /// The stored entries (j, a_ij) of row i, j ascending.
     pub fn row(&self, i: usize) -> Row<'_> {
         match self {
-            Matrix::Dense(transposed) => {
-                let n = transposed.nrows();
-                Row { columns: None, values: &transposed.as_slice()[i * n..(i + 1) * n] }
+            Matrix::Dense(Dense { n, entries }) => {
+                Row { columns: None, values: &entries[i * n..(i + 1) * n] }
             }
-            Matrix::Sparse(rows) => {
-                let rows: SparseRowMatRef<'_, usize, f64> = rows.as_ref();
-                let range = rows.symbolic().row_range(i);
-                Row {
-                    columns: Some(&rows.symbolic().col_idx()[range.clone()]),
-                    values: &rows.val()[range],
-                }
+            Matrix::Sparse(sparse) => {
+                let range = sparse.row(i);
+                Row { columns: Some(&sparse.columns[range.clone()]), values: &sparse.values[range] }
             }
         }
     }
@@ -118,7 +151,7 @@ impl Matrix {
     /// Whether a_ij = a_ji for all entries, exactly.
     pub fn is_symmetric(&self) -> bool {
         match self {
-            Matrix::Dense(transposed) => is_symmetric(transposed.as_slice(), self.len()),
+            Matrix::Dense(dense) => is_symmetric(&dense.entries, dense.n),
             Matrix::Sparse(_) => self.meets_its_transpose(),
         }
     }
@@ -143,8 +176,12 @@ impl Matrix {
         let mut softened = self.clone();
         for i in 0..self.len() {
             let diagonal = match &mut softened {
-                Matrix::Dense(transposed) => Some(&mut transposed[(i, i)]),
-                Matrix::Sparse(rows) => rows.rb_mut().get_mut(i, i),
+                Matrix::Dense(Dense { n, entries }) => Some(&mut entries[i * *n + i]),
+                Matrix::Sparse(sparse) => {
+                    let row = sparse.row(i);
+                    let k = sparse.columns[row.clone()].binary_search(&i).ok();
+                    k.map(|k| &mut sparse.values[row.start + k])
+                }
             };
             if let Some(diagonal) = diagonal {
                 *diagonal *= 1.0 + part;
@@ -154,19 +191,13 @@ impl Matrix {
     }
 
     /// The matrix as dense nalgebra matrix (n² entries are allocated).
+    #[cfg(feature = "nalgebra")]
     pub fn to_dense(&self) -> DMatrix<f64> {
-        match self {
-            Matrix::Dense(transposed) => transposed.transpose(),
-            Matrix::Sparse(_) => {
-                let mut dense = DMatrix::zeros(self.len(), self.len());
-                for i in 0..self.len() {
-                    for (j, a) in self.row(i).iter() {
-                        dense[(i, j)] += a;
-                    }
-                }
-                dense
-            }
+        let mut dense = DMatrix::zeros(self.len(), self.len());
+        for i in 0..self.len() {
+            self.row(i).iter().for_each(|(j, a)| dense[(i, j)] = a);
         }
+        dense
     }
 
     /// The places (i, j) of the nonzero entries, row by row.
@@ -176,9 +207,10 @@ impl Matrix {
     }
 }
 
+#[cfg(feature = "nalgebra")]
 impl From<DMatrixView<'_, f64>> for Matrix {
     fn from(dense: DMatrixView<'_, f64>) -> Self {
-        Matrix::Dense(dense.transpose())
+        Matrix::dense(dense.nrows(), dense.transpose().as_slice())
     }
 }
 

@@ -29,6 +29,8 @@
 //! know of bounds ([`mprgp`], [`nncg`]), operator splitting ([`admm`]). Products with A and nothing
 //! else, and far fewer of them than sweeps.
 //!
+//! The same methods as a student writes them are in [`textbook`].
+//!
 //! Friction rows whose bounds follow another row are solved in the sweep, or by [`frozen`] bounds.
 
 mod active_set;
@@ -75,6 +77,7 @@ pub mod sparse_factor;
 pub mod spectral;
 mod standard_form;
 mod stop;
+pub mod textbook;
 pub mod theory;
 pub mod trace;
 mod variable;

@@ -48,14 +48,14 @@ struct Dense<'a> {
 
 impl<'a> Dense<'a> {
     fn of(lcp: &'a Lcp, omega: f64, width: Width) -> Result<Self, Status> {
-        let Matrix::Dense(transposed) = lcp.matrix() else {
+        let Matrix::Dense(dense) = lcp.matrix() else {
             return Err(Status::OutsideClass { reason: "A is not dense" });
         };
         if lcp.coupling().is_some() {
             return Err(Status::OutsideClass { reason: "rows are coupled" });
         }
         let diagonal = Metric::of(lcp)?.diagonal;
-        Ok(Dense { lcp, a: transposed.as_slice(), diagonal, omega, width })
+        Ok(Dense { lcp, a: dense.entries(), diagonal, omega, width })
     }
 
     fn row(&self, i: usize) -> &'a [f64] {

@@ -49,6 +49,8 @@ pub(super) trait Lanes:
 /// Asks for numbers that will be read soon, so that they are on their way from memory.
 #[inline(always)]
 pub(super) fn prefetch(numbers: &[f64; 8]) {
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = numbers;
     #[cfg(target_arch = "x86_64")]
     // SAFETY: every x86-64 has the instruction, and it reads nothing that the program could see.
     unsafe {

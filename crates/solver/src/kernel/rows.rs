@@ -48,8 +48,8 @@ impl<'a> Rows<'a> {
     pub(crate) fn of(matrix: &'a Matrix, width: Width) -> Self {
         let n = matrix.len();
         match matrix {
-            Matrix::Dense(transposed) => {
-                let values = transposed.as_slice();
+            Matrix::Dense(dense) => {
+                let values = dense.entries();
                 let run = |i: usize| {
                     let row = &values[i * n..(i + 1) * n];
                     let first = row.iter().position(|a| *a != 0.0).unwrap_or(0);

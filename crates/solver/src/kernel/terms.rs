@@ -32,12 +32,12 @@ const TOGETHER: usize = 4;
 pub fn terms(lcp: &Lcp, x: &[f64], width: Width) -> Vec<RowTerms> {
     let n = lcp.len();
     assert_eq!(x.len(), n, "one x a row");
-    let Matrix::Dense(transposed) = lcp.matrix() else {
+    let Matrix::Dense(dense) = lcp.matrix() else {
         return (0..n).map(|i| of_stored(lcp, i, x)).collect();
     };
     let sums = match x.iter().all(|&x| x == 0.0) {
         true => vec![[0.0; 2]; n],
-        false => width.run(Sums { a: transposed.as_slice(), x }),
+        false => width.run(Sums { a: dense.entries(), x }),
     };
     let terms = |(i, [product, size]): (usize, [f64; 2])| {
         let b = lcp.b()[i];

@@ -23,6 +23,7 @@ mod pgs;
 mod principal;
 mod singular;
 mod stop;
+mod textbook;
 mod theory;
 mod warm;
 mod words;

@@ -42,7 +42,7 @@ fn posed(n: usize) -> Result<Lcp> {
 /// pages, which has made a tenth of a difference.
 fn contender(lcp: &Lcp, reading: Reading) -> Contender<'_> {
     let a = match lcp.matrix() {
-        Matrix::Dense(a) => a.as_slice(),
+        Matrix::Dense(a) => a.entries(),
         Matrix::Sparse(_) => &[],
     };
     let once = move |_| _ = black_box(read(black_box(a), reading, Width::widest()));

@@ -1,0 +1,22 @@
+//! Projected Jacobi, damped.
+
+use super::{Matrix, Vector};
+
+/// x after so many sweeps from 0: all rows at once make their own w zero, or part of the way there.
+pub fn jacobi(
+    A: &Matrix,
+    b: &Vector,
+    lo: &Vector,
+    hi: &Vector,
+    damping: f64,
+    sweeps: usize,
+) -> Vector {
+    let mut x = Vector::zeros(b.len());
+    for _ in 0..sweeps {
+        let w = A * &x + b; // with the x of the sweep before
+        x = Vector::from_fn(b.len(), |i, _| {
+            (x[i] - damping * w[i] / A[(i, i)]).clamp(lo[i], hi[i])
+        });
+    }
+    x
+}

@@ -1,0 +1,55 @@
+//! The methods as a student writes them down: one function a method, on dense matrices, in the letters of the
+//! lessons.
+//!
+//! There are no tolerances, no limits and no friction here, and a matrix that a method is not made for gives
+//! a wrong answer or none. The solvers of the same names are the ones to use; on problems without ties both
+//! give the same x, which the tests hold.
+//!
+//! | page | problem | strong twin |
+//! | --- | --- | --- |
+//! | [`jacobi`] | lo ≤ x ≤ hi, few sweeps | [`Jacobi`](crate::Jacobi) |
+//! | [`gauss_seidel`] | the same | [`Pgs`](crate::Pgs) |
+//! | [`ldlt`] | w = 0, A symmetric | [`ldlt`](mod@crate::ldlt) |
+//! | [`murty`] | 0 ≤ x ⟂ w ≥ 0, A a P-matrix | [`Murty`](crate::Murty) |
+//! | [`dantzig`] | lo ≤ x ≤ hi, A symmetric and definite | [`Dantzig`](crate::Dantzig) |
+//! | [`lemke`] | 0 ≤ x ⟂ w ≥ 0, A of many kinds | [`Lemke`](crate::Lemke) |
+//! | [`interior_point`] | 0 ≤ x ⟂ w ≥ 0, A semidefinite | [`InteriorPoint`](crate::InteriorPoint) |
+//!
+//! ```
+//! use lcplab_solver::textbook::{Matrix, Vector, murty};
+//!
+//! let A = Matrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
+//! let b = Vector::from_column_slice(&[-5.0, -6.0]);
+//! assert!((murty(&A, &b) - Vector::from_column_slice(&[4.0 / 3.0, 7.0 / 3.0])).norm() < 1e-15);
+//! ```
+
+#![allow(non_snake_case)]
+
+mod dantzig;
+mod gauss_seidel;
+mod interior_point;
+mod jacobi;
+mod ldlt;
+mod lemke;
+mod murty;
+
+pub use dantzig::dantzig;
+pub use gauss_seidel::gauss_seidel;
+pub use interior_point::interior_point;
+pub use jacobi::jacobi;
+pub use ldlt::{ldlt, solve};
+pub use lemke::lemke;
+pub use murty::murty;
+
+/// A.
+pub type Matrix = nalgebra::DMatrix<f64>;
+/// x, w, b.
+pub type Vector = nalgebra::DVector<f64>;
+
+/// The point of a set F of free rows: A_FF x_F = −b_F, and x = 0 elsewhere.
+fn point(A: &Matrix, b: &Vector, free: &[bool]) -> Vector {
+    let n = b.len();
+    let M = Matrix::from_fn(n, n, |i, j| if free[i] { A[(i, j)] } else { f64::from(i == j) });
+    let r = Vector::from_fn(n, |i, _| if free[i] { -b[i] } else { 0.0 });
+    M.lu().solve(&r).expect("A_FF is not singular")
+}

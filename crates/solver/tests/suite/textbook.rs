@@ -1,0 +1,118 @@
+//! The textbook's functions and the solvers give the same x on problems without ties.
+
+use lcplab_problem::{Lcp, Matrix as Entries};
+use lcplab_solver::textbook::{self, Matrix, Vector};
+use lcplab_solver::{Damping, Options, Pgs, Settings, Solver, Start, Status, by_name};
+use oorandom::Rand64;
+
+use lcplab_testing::{INF, iterates};
+
+const PROBLEMS: u64 = 1000;
+
+struct Problem {
+    a: Matrix,
+    b: Vector,
+    lo: Vector,
+    hi: Vector,
+}
+
+impl Problem {
+    /// One to eight rows, A = JJᵀ + 1 and, if it is not to be symmetric, a skew part: a P-matrix either way.
+    fn random(seed: u64, is_symmetric: bool, is_boxed: bool) -> Self {
+        let mut random = Rand64::new(seed.into());
+        let n = 1 + seed as usize % 8;
+        let mut number = || 2.0 * random.rand_float() - 1.0;
+        let j = Matrix::from_fn(n, n, |_, _| number());
+        let skew = Matrix::from_fn(n, n, |_, _| if is_symmetric { 0.0 } else { number() });
+        let a = &j * j.transpose() + Matrix::identity(n, n) + &skew - skew.transpose();
+        let b = Vector::from_fn(n, |_, _| 3.0 * number());
+        let lo = Vector::from_fn(n, |_, _| if is_boxed { number() - 1.0 } else { 0.0 });
+        let hi = Vector::from_fn(n, |_, _| if is_boxed { number() + 1.0 } else { INF });
+        Problem { a, b, lo, hi }
+    }
+
+    fn lcp(&self) -> Lcp {
+        let of = |v: &Vector| v.as_slice().to_vec();
+        let a = Entries::from(self.a.as_view());
+        Lcp::new(a, of(&self.b), of(&self.lo), of(&self.hi)).unwrap()
+    }
+
+    #[track_caller]
+    fn assert_same(&self, solver: &str, x: &Vector, accuracy: f64) {
+        let strong = by_name(solver, &Default::default()).unwrap();
+        let solution = strong.solve(&self.lcp(), &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved);
+        let apart = (x - Vector::from_vec(solution.x)).amax();
+        assert!(apart <= accuracy * x.amax().max(1.0), "{apart}");
+    }
+}
+
+fn problems(is_symmetric: bool, is_boxed: bool) -> impl Iterator<Item = Problem> {
+    (0..PROBLEMS).map(move |seed| Problem::random(seed, is_symmetric, is_boxed))
+}
+
+#[test]
+fn a_sweep_of_the_textbook_is_a_sweep_of_the_solver() {
+    for Problem { a, b, lo, hi } in problems(true, true) {
+        let lcp = Problem { a: a.clone(), b: b.clone(), lo: lo.clone(), hi: hi.clone() }.lcp();
+        let settings = Settings { tolerance: 0.0, max_iterations: 5, ..Settings::default() };
+        let pgs = Pgs { settings: settings.clone(), ..Pgs::default() };
+        let by = Options { settings, ..Default::default() };
+        let jacobi = by_name("jacobi", &Options { damping: Damping::Factor(0.7), ..by });
+        let jacobi = jacobi.unwrap();
+        let strong: [&dyn Solver; 2] = [&pgs, &*jacobi];
+        for (k, solver) in strong.into_iter().enumerate() {
+            for (sweeps, x) in iterates(solver, &lcp).iter().enumerate() {
+                let own = match k {
+                    0 => textbook::gauss_seidel(&a, &b, &lo, &hi, sweeps),
+                    _ => textbook::jacobi(&a, &b, &lo, &hi, 0.7, sweeps),
+                };
+                // The solvers start from Π(0), the textbook from 0: the same where 0 is allowed.
+                assert!((own - Vector::from_column_slice(x)).amax() < 1e-13, "{sweeps} of {k}");
+            }
+        }
+    }
+}
+
+#[test]
+fn factors_multiply_to_the_matrix_and_solve() {
+    for Problem { a, b, .. } in problems(true, false) {
+        let (l, d) = textbook::ldlt(&a);
+        assert!((&l * Matrix::from_diagonal(&d) * l.transpose() - &a).amax() < 1e-13);
+        assert!((&a * textbook::solve(&l, &d, &b) - b).amax() < 1e-12);
+    }
+}
+
+#[test]
+fn murty_and_lemke_of_the_textbook_find_the_solvers_x() {
+    for problem in problems(false, false) {
+        problem.assert_same("murty", &textbook::murty(&problem.a, &problem.b), 1e-10);
+        problem.assert_same("lemke", &textbook::lemke(&problem.a, &problem.b).unwrap(), 1e-10);
+    }
+}
+
+#[test]
+fn dantzig_of_the_textbook_finds_the_solvers_x_in_a_box() {
+    for problem in problems(true, true) {
+        let Problem { a, b, lo, hi } = &problem;
+        problem.assert_same("dantzig", &textbook::dantzig(a, b, lo, hi), 1e-10);
+    }
+}
+
+#[test]
+fn the_interior_point_of_the_textbook_comes_to_the_solvers_x() {
+    for problem in problems(true, false) {
+        problem.assert_same(
+            "interior-point",
+            &textbook::interior_point(&problem.a, &problem.b, 40),
+            1e-6,
+        );
+    }
+}
+
+#[test]
+fn lemke_of_the_textbook_ends_on_a_ray_where_there_is_no_solution() {
+    // w₀ = −x₀ − 1 < 0 for all x ≥ 0.
+    let (a, b) = (Matrix::from_element(1, 1, -1.0), Vector::from_element(1, -1.0));
+    assert_eq!(textbook::lemke(&a, &b), None);
+}
