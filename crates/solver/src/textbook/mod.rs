@@ -41,6 +41,28 @@ pub use ldlt::{ldlt, solve};
 pub use lemke::lemke;
 pub use murty::murty;
 
+/// The program text of a function of this module, for a lesson to show.
+///
+/// ```
+/// assert!(lcplab_solver::textbook::text("murty").starts_with("/// The x of 0 ≤ x ⟂ A x + b ≥ 0"));
+/// ```
+///
+/// # Panics
+/// If there is no page of this name.
+pub fn text(name: &str) -> &'static str {
+    let page = match name {
+        "jacobi" => include_str!("jacobi.rs"),
+        "gauss_seidel" => include_str!("gauss_seidel.rs"),
+        "ldlt" => include_str!("ldlt.rs"),
+        "murty" => include_str!("murty.rs"),
+        "dantzig" => include_str!("dantzig.rs"),
+        "lemke" => include_str!("lemke.rs"),
+        "interior_point" => include_str!("interior_point.rs"),
+        other => panic!("the textbook has no page {other:?}"),
+    };
+    page.find("///").map_or(page, |start| &page[start..])
+}
+
 /// A.
 pub type Matrix = nalgebra::DMatrix<f64>;
 /// x, w, b.
