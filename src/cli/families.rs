@@ -16,7 +16,12 @@ use super::limits::Limits;
 use super::options::SolverArgs;
 use super::{Outcome, print, read_problem, say};
 
-/// Solve the problem library with every solver, and judge every answer
+/// One solver of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for
+/// cones, and the reference.
+const USUAL: [&str; 8] =
+    ["pgs", "newton", "apgd", "interior-point", "dantzig", "lemke", "cone-pgs", "clarabel"];
+
+/// Solve the problem library with one solver of each kind, or all, and judge every answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -24,13 +29,17 @@ Example:
   lcplab compare-solvers pushed-rod --model coulomb-cone --model polygon-16
   lcplab compare-solvers problem.mtx          # a problem file, any format of `convert --list`
 
-Without names all families and all solvers run, clarabel among them as the reference. Families with
+Without names all families run, by eight solvers, one of each kind; --all runs all twenty. clarabel is
+the reference. Families with
 friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and -16, associated-cone
 and coulomb-cone, each by the solvers that it fits. Exit code 1 if a claim is refuted, made of a problem
 that has no solution, or a failure that must happen does not.")]
 pub struct CompareSolvers {
     /// Families that `problems` lists, or problem files; all families without one
     families: Vec<String>,
+    /// Run all solvers, not one of each kind
+    #[arg(long, conflicts_with = "solver")]
+    all: bool,
     /// A solver; may be given more than once
     #[arg(long)]
     solver: Vec<String>,
@@ -115,13 +124,16 @@ impl CompareSolvers {
         self.families.iter().map(of).collect()
     }
 
-    /// The methods of these names, of boxes and of cones; all methods without names.
+    /// The methods of these names, of boxes and of cones.
     fn methods(&self) -> Result<Vec<Method>> {
-        if self.solver.is_empty() {
+        if self.all {
             return Ok(methods::all());
         }
+        let named = || self.solver.iter().map(String::as_str);
+        let names: Vec<&str> =
+            if self.solver.is_empty() { USUAL.to_vec() } else { named().collect() };
         let mut found = Vec::new();
-        for name in &self.solver {
+        for name in names {
             found.extend(methods::named(name)?);
         }
         Ok(found)

@@ -23,7 +23,7 @@ mod verify;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use lcplab::error::{Error, Result};
 use lcplab::file;
@@ -87,6 +87,41 @@ enum Command {
     Manual(shell::Manual),
 }
 
+/// The commands as the help lists them: the most used of each group first.
+const GROUPS: [(&str, &[&str]); 4] = [
+    (
+        "Problems",
+        &[
+            "solve",
+            "judge",
+            "diagnose",
+            "explain",
+            "compare-solvers",
+            "trial",
+            "problems",
+            "generate",
+            "convert",
+        ],
+    ),
+    ("Scenes", &["simulate", "compare", "scenes", "export", "verify"]),
+    ("Learn", &["lesson", "exercise", "chapter"]),
+    ("Reports", &["report", "sweep"]),
+];
+
+/// The command line with its commands in groups.
+fn grouped(cli: clap::Command) -> clap::Command {
+    let line = |name: &&str| {
+        let about = cli.find_subcommand(name).and_then(|command| command.get_about());
+        format!("  {name:<15}  {}\n", about.map(ToString::to_string).unwrap_or_default())
+    };
+    let group = |(title, names): &(&str, &[&str])| {
+        format!("{title}:\n{}", names.iter().map(line).collect::<String>())
+    };
+    let groups: Vec<String> = GROUPS.iter().map(group).collect();
+    let groups = groups.join("\n");
+    cli.help_template(format!("{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}\nOptions:\n{{options}}{{after-help}}"))
+}
+
 /// How a command ended, other than by bad input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
@@ -117,7 +152,8 @@ fn code(reason: Reason) -> u8 {
 
 /// Runs the command line and returns the exit code.
 pub fn run() -> ExitCode {
-    let cli = Cli::parse();
+    let matches = grouped(Cli::command()).get_matches();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     let limits = Limits::begin(&cli.time);
     let result = match cli.command {
         Command::Report(command) => command.run(&limits),

@@ -50,10 +50,17 @@ fn an_option_that_no_solver_of_the_command_uses_is_bad_usage() {
 #[test]
 fn every_command_has_help_with_an_example() {
     let overview = out(&run(&["--help"]));
-    let commands = overview.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
-    let names = commands.lines().filter_map(|line| line.split_whitespace().next());
-    for name in names.filter(|name| *name != "help") {
+    let lines = overview.split("Options:").next().unwrap().lines();
+    let listed = lines.filter(|line| line.starts_with("  ") && line.len() > 20);
+    let mut names: Vec<&str> = listed.filter_map(|line| line.split_whitespace().next()).collect();
+    for name in &names {
         let help = out(&run(&[name, "--help"]));
         assert!(help.contains("Example:\n  "), "{name} --help shows no example");
     }
+    names.sort_unstable();
+    let page = include_str!("../../../docs/commands.md").lines();
+    let mut documented: Vec<&str> =
+        page.filter_map(|line| line.strip_prefix("| `lcplab ")?.split([' ', '`']).next()).collect();
+    documented.sort_unstable();
+    assert_eq!(names, documented, "the overview and docs/commands.md have the same commands");
 }

@@ -120,12 +120,13 @@ fn every_value_that_a_cell_puts_is_quoted() {
 }
 
 #[test]
-fn the_readme_lists_every_lesson_by_its_title() {
-    let readme = include_str!("../../../README.md");
+fn the_documentation_lists_every_lesson_by_its_title() {
+    let page = include_str!("../../../docs/teaching.md");
     for path in notebooks("md") {
         let title = Source::read(&fs::read_to_string(&path).unwrap()).title;
         let file = path.with_extension("ipynb");
-        let link = format!("[{title}](notebooks/{})", file.file_name().unwrap().to_string_lossy());
-        assert!(readme.contains(&link), "{link}");
+        let link =
+            format!("[{title}](../notebooks/{})", file.file_name().unwrap().to_string_lossy());
+        assert!(page.contains(&link), "{link}");
     }
 }

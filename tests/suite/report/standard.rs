@@ -261,15 +261,15 @@ fn results_of(id: &str) -> Part {
 }
 
 #[test]
-fn the_readme_lists_every_method_and_the_models_it_takes() {
-    let readme = include_str!("../../../README.md");
+fn the_documentation_lists_every_method_and_the_models_it_takes() {
+    let page = include_str!("../../../docs/solvers.md");
     for method in methods::all() {
         let (line, class, source) = match method {
             Method::Boxed(entry) => (entry.method, entry.class, entry.source),
             Method::Cone(entry) => (entry.method, entry.class, entry.source),
         };
         let row = format!("| `{}` | {line} | {class} | {source} |", method.name());
-        assert!(readme.contains(&row), "the README lacks the row\n{row}");
+        assert!(page.contains(&row), "docs/solvers.md lacks the row\n{row}");
     }
     let names = |model: Model| {
         let taking = methods::all().into_iter().filter(|method| method.takes(Some(model)));
@@ -278,7 +278,7 @@ fn the_readme_lists_every_method_and_the_models_it_takes() {
     let boxed: Vec<String> =
         ALL.iter().map(|entry| entry.name).chain(["clarabel"]).map(|n| format!("`{n}`")).collect();
     for model in Model::ALL {
-        let mut row = readme.lines().filter(|line| line.starts_with("| `"));
+        let mut row = page.lines().filter(|line| line.starts_with("| `"));
         let name = match model {
             Model::Polyhedral { .. } => "polygon-4".to_string(),
             model => model.to_string(),
@@ -308,11 +308,14 @@ fn the_report_on_scenes_shows_all_but_the_tower() {
 }
 
 #[test]
-fn every_shipped_report_can_be_read_and_has_a_row_in_the_readme() {
+fn every_shipped_report_can_be_read_and_has_a_row_in_the_documentation() {
     for (name, _) in SHIPPED {
         let report = Experiment::load(name).unwrap();
         assert!(report.sections.iter().any(|section| section.study.is_some()), "{name}");
-        assert!(include_str!("../../../README.md").contains(&format!("\n| `{name}` |")), "{name}");
+        assert!(
+            include_str!("../../../docs/reports.md").contains(&format!("\n| `{name}` |")),
+            "{name}"
+        );
     }
 }
 
