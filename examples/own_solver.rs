@@ -2,7 +2,6 @@
 //!
 //! Run it with `cargo run --release --example own_solver`.
 
-use indicatif::ProgressBar;
 use lcplab::lcp::{Lcp, merit};
 use lcplab::report::{study::comparison::compare, text, view};
 use lcplab::scene::Scene;
@@ -32,7 +31,7 @@ impl Solver for Jacobi {
 fn main() -> lcplab::error::Result<()> {
     let mine = Entry { name: "jacobi", build: |_| Box::new(Jacobi), ..*entry("pgs")? };
     let solvers = [mine, *entry("pgs")?, *entry("dantzig")?];
-    let (comparison, _) = compare(&Scene::load("fig7")?, &solvers, 3, &ProgressBar::hidden());
+    let (comparison, _) = compare(&Scene::load("fig7")?, &solvers, 3, &|| ());
     print!("{}", text::table(&view::comparison_table(&comparison)));
     Ok(())
 }

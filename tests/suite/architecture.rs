@@ -27,9 +27,9 @@ const ROWS: [(&str, &[&[&str]]); 4] = [
     (
         "crates/study/src",
         &[
-            &["answer", "aside", "clarabel"],
-            &["friction", "methods", "tasks"],
-            &["trial"],
+            &["answer", "aside", "attempt", "clarabel", "families", "number"],
+            &["friction", "methods", "profiles", "tasks"],
+            &["comparison", "trial"],
             &["explain", "diagnosis"],
         ],
     ),

@@ -1,15 +1,23 @@
 //! What is found out about solvers, problems and scenes.
 //!
 //! [`answer`] and [`friction`] put one answer and its verdict into words and JSON, [`explain`] derives it
-//! line by line, [`diagnosis`] says why there is none, and [`trial`] asks whether the solvers are honest.
+//! line by line, [`diagnosis`] says why there is none, [`families`] and [`profiles`] compare the
+//! solvers on problems, `comparison` on scenes, and [`trial`] asks whether they are honest. What needs scenes is behind
+//! the feature `mechanics`.
 //! [`methods`] are the solvers of the registry with clarabel as the reference beside them.
 
 pub mod answer;
 pub mod aside;
+pub mod attempt;
 pub mod clarabel;
+#[cfg(feature = "mechanics")]
+pub mod comparison;
 pub mod diagnosis;
 pub mod explain;
+pub mod families;
 pub mod friction;
 pub mod methods;
+pub mod number;
+pub mod profiles;
 pub mod tasks;
 pub mod trial;

@@ -73,8 +73,14 @@ impl Compare {
         }
         let progress = bar(contenders.len() as u64, &scene.name);
         let stop = limits.stop();
-        let (comparison, timings) =
-            comparison::compare_families(&scene, &families, &solvers, steps, &progress, stop)?;
+        let (comparison, timings) = comparison::compare_families(
+            &scene,
+            &families,
+            &solvers,
+            steps,
+            &|| progress.inc(1),
+            stop,
+        )?;
         let is_whole = comparison.runs.len() == contenders.len()
             && comparison.runs.iter().all(|run| run.steps == steps);
         let stopped = stop.reason().filter(|_| !is_whole);

@@ -25,7 +25,7 @@ pub struct Answer {
     /// What came of it.
     pub outcome: Outcome,
     /// Of its x.
-    #[serde(with = "crate::report::results::number")]
+    #[serde(with = "lcplab_study::number::always")]
     pub residual: f64,
     /// Steps or pivots.
     pub iterations: usize,

@@ -3,7 +3,6 @@
 //!
 //! A [`Study`] is a list of tasks that do not depend on each other.
 
-pub mod attempt;
 pub mod comparison;
 pub mod contest;
 pub mod convergence;
@@ -11,7 +10,6 @@ pub mod creep;
 pub mod cross_check;
 pub mod direct_speed;
 pub mod drift;
-pub mod families;
 pub mod film;
 pub mod footage;
 pub mod force_path;
@@ -52,6 +50,8 @@ pub mod warm_factor;
 pub mod warm_start;
 pub mod worst_cases;
 pub mod yardstick;
+
+pub use lcplab_study::{attempt, families};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

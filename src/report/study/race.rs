@@ -82,7 +82,7 @@ pub struct Mark {
     /// Multiplications ([`Work`]).
     pub work: f64,
     /// The scaled residual.
-    #[serde(with = "crate::report::results::number")]
+    #[serde(with = "lcplab_study::number::always")]
     pub residual: f64,
 }
 

@@ -97,7 +97,7 @@ pub struct Judged {
     #[serde(flatten)]
     pub answer: Answer,
     /// The natural residual of its x.
-    #[serde(with = "crate::report::results::number")]
+    #[serde(with = "lcplab_study::number::always")]
     pub natural: f64,
     /// The gap and feasibility that clarabel was asked for.
     pub asked: Option<f64>,

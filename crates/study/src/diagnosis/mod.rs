@@ -20,10 +20,12 @@ mod cause;
 mod contradiction;
 mod freedom;
 mod show;
+#[cfg(feature = "mechanics")]
 mod situation;
 
 pub use cause::{Cause, Proof};
 pub use freedom::Freedoms;
+#[cfg(feature = "mechanics")]
 pub use situation::scene;
 
 use lcplab_judge::error_bound;

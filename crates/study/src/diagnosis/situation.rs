@@ -1,6 +1,8 @@
 //! A scene at an instant, examined.
 
 use super::{Cause, Diagnosis, Freedoms};
+use nalgebra::DMatrix;
+
 use lcplab_mechanics::assembly::{Assembly, Entering, Row};
 use lcplab_mechanics::constraint::Bounds;
 use lcplab_mechanics::formulation::{Problem, Slide};
@@ -8,6 +10,9 @@ use lcplab_mechanics::scene::{Formulation, FrictionModel, Scene, contacts};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_page::document::notation::plain;
 use lcplab_problem::error::Result;
+
+/// A singular value below this part of the largest counts as zero.
+const RELATIVE_ZERO: f64 = 1e-9;
 
 /// An error c (m or rad) beyond this is worth a word.
 const APART: f64 = 1e-3;
@@ -75,4 +80,31 @@ fn apart(assembly: &Assembly, scene: &Scene) -> Vec<Cause> {
         overlaps.reduce(|most, next| if next.1 > most.1 { next } else { most }),
     ];
     worst.into_iter().flatten().filter(|(_, error)| *error > APART).map(cause).collect()
+}
+
+impl Freedoms {
+    /// The degrees of freedom of a scene at an instant.
+    pub fn of(assembly: &Assembly) -> Self {
+        let rigid = |i: &usize| {
+            let row = &assembly.rows[*i];
+            row.bounds == Bounds::Bilateral && row.spring.is_none()
+        };
+        let rows: Vec<usize> = (0..assembly.rows.len()).filter(rigid).collect();
+        let mut jacobian = DMatrix::zeros(rows.len(), assembly.columns());
+        for (r, &i) in rows.iter().enumerate() {
+            let entries = assembly.jacobian_row(i);
+            let length = entries.iter().map(|(_, j)| j * j).sum::<f64>().sqrt();
+            for (column, j) in entries {
+                jacobian[(r, column)] = j / length;
+            }
+        }
+        let rank = match jacobian.is_empty() {
+            true => 0,
+            false => {
+                let singular = jacobian.singular_values();
+                singular.iter().filter(|&&value| value > RELATIVE_ZERO * singular[0]).count()
+            }
+        };
+        Freedoms { components: assembly.columns(), rows: rows.len(), rank }
+    }
 }

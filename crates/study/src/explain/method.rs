@@ -52,6 +52,7 @@ impl Method {
         by_name(self.name, &self.options)
     }
 
+    #[cfg(feature = "mechanics")]
     /// Lemke's method in place of one that is made for symmetric A.
     pub(super) fn for_any_matrix(&self) -> Self {
         Method { name: "lemke", options: self.options.clone() }

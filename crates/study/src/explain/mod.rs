@@ -20,19 +20,28 @@
 
 mod answer;
 mod dantzig;
+#[cfg(feature = "mechanics")]
 mod derivation;
+#[cfg(feature = "mechanics")]
 mod friction;
 mod lemke;
 mod method;
 mod problem;
 mod refutation;
+#[cfg(feature = "mechanics")]
 mod setup;
+#[cfg(feature = "mechanics")]
 mod single;
 mod solve;
+mod statement;
+#[cfg(feature = "mechanics")]
 mod step;
+#[cfg(feature = "mechanics")]
+mod step_units;
 mod sweeps;
 mod units;
 
 pub use method::Method;
 pub use problem::problem;
+#[cfg(feature = "mechanics")]
 pub use step::{step, steps};

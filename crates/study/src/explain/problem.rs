@@ -3,7 +3,7 @@
 use super::answer::{self, Reading};
 use super::solve::{self, Solved};
 use super::units::Units;
-use super::{Method, derivation, refutation};
+use super::{Method, refutation, statement};
 use lcplab_judge::Demand;
 use lcplab_page::document::Document;
 use lcplab_problem::error::Result;
@@ -23,7 +23,7 @@ pub fn problem(problem: &Problem, method: &Method) -> Result<Document> {
     let labels = (0..lcp.len()).map(label).collect();
     let reading = Reading { lcp, labels, units };
     let Solved { section: solving, solution } = solve::section(&reading, method, None)?;
-    let statement = derivation::statement(lcp, &reading.units);
+    let statement = statement::statement(lcp, &reading.units);
     let demand = Demand { tolerance: method.tolerance(), ..Demand::default() };
     let (answer, is_accepted) = answer::section(&reading, &solution, &demand);
     let mut document = Document {

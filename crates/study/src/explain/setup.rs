@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::units::of_motion;
+use super::step_units::of_motion;
 use lcplab_mechanics::body::{Mass, State, angular, linear};
 use lcplab_mechanics::constraint::Kind;
 use lcplab_mechanics::formulation::{Posing, Problem, Stage};

@@ -2,7 +2,6 @@
 
 use serde_json::Value;
 
-use lcplab_mechanics::formulation::{Problem, Stage};
 use lcplab_problem::file;
 
 /// What is said in place of a unit that not all rows have.
@@ -26,13 +25,6 @@ const KNOWN: [[&str; 3]; 6] = [
 ];
 
 impl Units {
-    /// Those of a step's problem.
-    pub fn of(problem: &Problem) -> Self {
-        let rows = &problem.assembly.rows;
-        let x = rows.iter().map(|row| problem.stage.unit(row.kind.is_angular()).to_string());
-        Units::from_x(x.collect())
-    }
-
     /// Those that a problem file states, if it does.
     pub fn stated(problem: &file::Problem) -> Self {
         let unit = |i: usize| {
@@ -43,17 +35,8 @@ impl Units {
         Units::from_x((0..problem.lcp.len()).map(unit).collect())
     }
 
-    /// Those of the LCP of friction within polygons: so many impulses, then speeds γ, whose w are
-    /// impulses.
-    pub fn of_polygons(stage: Stage, impulses: usize, speeds: usize) -> Self {
-        let mut units = Units::from_x(vec![stage.unit(false).to_string(); impulses]);
-        let [x, w] = [stage.unit(false), known(stage.unit(false))[1]];
-        units.x.extend(vec![w.to_string(); speeds]);
-        units.w.extend(vec![x.to_string(); speeds]);
-        units
-    }
-
-    fn from_x(x: Vec<String>) -> Self {
+    /// Those of x, and of w as they belong to them.
+    pub fn from_x(x: Vec<String>) -> Self {
         let w = x.iter().map(|x| known(x)[1].to_string()).collect();
         Units { x, w }
     }
@@ -77,7 +60,8 @@ impl Units {
     }
 }
 
-fn known(x: &str) -> [&'static str; 3] {
+/// The units of x, w and A that belong together.
+pub(super) fn known(x: &str) -> [&'static str; 3] {
     KNOWN.into_iter().find(|[unit, ..]| *unit == x).unwrap_or_default()
 }
 
@@ -86,18 +70,6 @@ fn common(units: &[String]) -> String {
         Some(first) if units.iter().all(|unit| unit == first) => first.clone(),
         Some(_) => DIFFERENT.into(),
         None => String::new(),
-    }
-}
-
-/// The unit of motion of a stage's columns, some of which may be angular.
-pub(super) fn of_motion(stage: Stage, has_angular: bool) -> &'static str {
-    match (stage, has_angular) {
-        (Stage::Acceleration, false) => "m/s²",
-        (Stage::Acceleration, true) => "m/s² or rad/s²",
-        (Stage::Position, false) => "m",
-        (Stage::Position, true) => "m or rad",
-        (_, false) => "m/s",
-        (_, true) => "m/s or rad/s",
     }
 }
 

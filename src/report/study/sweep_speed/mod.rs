@@ -107,7 +107,7 @@ pub struct Checked {
     /// The form.
     pub form: String,
     /// The largest difference from the plain sweeps in the same order of rows, in parts of the largest |x|.
-    #[serde(with = "crate::report::results::number")]
+    #[serde(with = "lcplab_study::number::always")]
     pub difference: f64,
     /// Whether all instructions that the processor has give the same bits.
     pub same_bits: bool,

@@ -114,7 +114,7 @@ pub struct Sample {
     /// The step (s).
     pub dt: f64,
     /// The number; NaN if the simulation failed.
-    #[serde(with = "crate::report::results::number")]
+    #[serde(with = "lcplab_study::number::always")]
     pub measured: f64,
 }
 

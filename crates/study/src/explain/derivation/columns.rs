@@ -1,6 +1,6 @@
 //! The columns of a problem that some row touches, and its matrices in them.
 
-use crate::explain::units::of_motion;
+use crate::explain::step_units::of_motion;
 use lcplab_mechanics::formulation::Problem;
 use lcplab_mechanics::scene::Scene;
 use lcplab_page::document::{Formula, SHOWN};

@@ -14,7 +14,6 @@ use lcplab_mechanics::formulation::{Posing, Problem, Stage};
 use lcplab_mechanics::scene::Scene;
 use lcplab_page::document::{Formula, Section};
 pub(super) use motion::motion;
-pub(super) use statement::statement;
 
 /// With more rows or columns matrices are not written side by side.
 const SIDE_BY_SIDE: usize = 6;

@@ -2,7 +2,7 @@
 
 use super::columns::Columns;
 use super::{effort, moved, target};
-use crate::explain::units::of_motion;
+use crate::explain::step_units::of_motion;
 use lcplab_mechanics::formulation::{Problem, Stage};
 use lcplab_page::document::{Formula, Section};
 

@@ -2,10 +2,10 @@
 
 use super::columns::Columns;
 use super::target;
+use crate::explain::statement::{bounds, matrix};
 use crate::explain::units::Units;
 use lcplab_mechanics::formulation::{Posing, Stage};
 use lcplab_page::document::{Formula, Section};
-use lcplab_problem::Lcp;
 
 /// Step 4: A and b.
 pub(super) fn lcp(
@@ -51,39 +51,5 @@ pub(super) fn lcp(
         .symbols("=", "=")
         .vector(own.b());
     section.formula(formula.unit(units.of_w()));
-    bounds(section, own, posing, units);
-}
-
-/// The statement of a problem that comes as numbers.
-pub(in crate::explain) fn statement(lcp: &Lcp, units: &Units) -> Section {
-    let mut section = Section::new("the LCP");
-    section.formula(Formula::default().symbols("w = A x + b", "w = A x + b"));
-    section.formula(matrix(lcp, Formula::default().symbols("A =", "A =")).unit(units.of_matrix()));
-    section.formula(Formula::default().symbols("b =", "b =").vector(lcp.b()).unit(units.of_w()));
-    bounds(&mut section, lcp, None, units);
-    section
-}
-
-fn matrix(lcp: &Lcp, formula: Formula) -> Formula {
-    formula.matrix(lcp.len(), lcp.len(), |i, j| lcp.matrix().entry(i, j))
-}
-
-/// lo and hi, and what they ask of w.
-fn bounds(section: &mut Section, lcp: &Lcp, posing: Option<&Posing>, units: &Units) {
-    section.say("x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.");
-    let formula = Formula::default()
-        .symbols("lo =", "\\mathrm{lo} =")
-        .vector(lcp.lo())
-        .symbols("≤ x ≤", "\\le x \\le")
-        .vector(lcp.hi())
-        .symbols("= hi", "= \\mathrm{hi}");
-    section.formula(formula.unit(units.of_x()));
-    let rubs = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
-    match posing {
-        Some(_) => section.say("Friction rows have no bounds yet: their law comes next."),
-        None if rubs => {
-            section.say("Friction rows have the bounds ±μ x of their normal row in place of ∓∞.");
-        }
-        None => {}
-    }
+    bounds(section, own, posing.is_some(), units);
 }

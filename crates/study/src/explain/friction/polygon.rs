@@ -1,10 +1,10 @@
 //! Friction within polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's method.
 
 use crate::explain::answer::{self, Reading};
-use crate::explain::derivation;
 use crate::explain::refutation;
 use crate::explain::single::Single;
 use crate::explain::solve::Solved;
+use crate::explain::statement;
 use crate::explain::units::{Units, with_unit};
 use lcplab_judge::judge_friction;
 use lcplab_mechanics::formulation::Stage;
@@ -23,7 +23,7 @@ pub(in crate::explain) fn polygons(
     let (place, own) = (single.place, &single.own.solution);
     let reading = reading(polygons, single.own.problem.stage);
     document.add(place, law(polygons, &reading));
-    document.add(place, derivation::statement(reading.lcp, &reading.units));
+    document.add(place, statement::statement(reading.lcp, &reading.units));
     let start = polygons.z(&single.own.start);
     let Solved { section, solution } = single.solved(&reading, Some(&start))?;
     document.add(place, section);

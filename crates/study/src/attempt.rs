@@ -4,11 +4,11 @@ use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 
-use crate::certificate::{Demand, Verdict, judge};
-use crate::error::Result;
-use crate::lcp::{Lcp, merit};
-use crate::solver::{self, ALL, Entry, Options, Settings, Solution, Start, Status};
-use crate::trace::Work;
+use lcplab_judge::{Demand, Verdict, judge};
+use lcplab_problem::error::Result;
+use lcplab_problem::{Lcp, merit};
+use lcplab_solver::trace::Work;
+use lcplab_solver::{ALL, Entry, Options, Settings, Solution, Start, Status};
 
 /// Problems of up to this many rows are proved exactly, as `lcplab judge` does.
 const PROVED: usize = 150;
@@ -125,7 +125,7 @@ pub fn entries(names: &[String]) -> Result<Vec<Entry>> {
     if names.is_empty() {
         return Ok(ALL.to_vec());
     }
-    names.iter().map(|name| solver::entry(name).copied()).collect()
+    names.iter().map(|name| lcplab_solver::entry(name).copied()).collect()
 }
 
 /// The four families of methods that [`solver`] describes.

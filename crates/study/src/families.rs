@@ -8,13 +8,13 @@ use std::time::Instant;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::certificate::{Demand, FrictionCertificate, Verdict, judge_friction};
-use crate::lcp::Complementarity;
-use crate::lcp::file::Problem;
-use crate::lcp::friction::{Model, Posed};
-use crate::lcp::library::Family;
-use crate::solver::{Method, Options, Solution, Status, Stop};
-use crate::trace::Provenance;
+use lcplab_judge::{Demand, FrictionCertificate, Verdict, judge_friction};
+use lcplab_problem::Complementarity;
+use lcplab_problem::file::Problem;
+use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::library::Family;
+use lcplab_solver::trace::Provenance;
+use lcplab_solver::{Method, Options, Solution, Status, Stop};
 
 /// A solver on the problems of one family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,7 +42,7 @@ pub struct Row {
     /// Sweeps or pivots in all.
     pub iterations: usize,
     /// The worst scaled residual among the answers claimed; none without a claim.
-    #[serde(with = "crate::report::results::perhaps")]
+    #[serde(with = "crate::number::perhaps")]
     pub worst_residual: Option<f64>,
     /// The fingerprint of the iterates on the first problem.
     pub fingerprint: String,

@@ -1,0 +1,301 @@
+//! One scene, stepped by every solver, at both levels or by any scheme, each answer judged.
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::aside::GRACE;
+use crate::tasks::Tasks;
+use lcplab_judge::Demand;
+use lcplab_mechanics::formulation::friction_model;
+use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::simulation::{Motion, Simulation, Solve, Step};
+use lcplab_problem::error::Result;
+use lcplab_problem::friction::Model;
+use lcplab_solver::{CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, Stop};
+
+/// A scene with all solvers at all levels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// The scene's name.
+    pub scene: String,
+    /// Its title.
+    pub title: String,
+    /// What it teaches.
+    pub teaches: String,
+    /// The steps that were to be taken.
+    pub steps: usize,
+    /// The length of a step (s).
+    pub dt: f64,
+    /// The largest scaled residual that passes.
+    pub tolerance: f64,
+    /// One run a level and solver, levels first.
+    pub runs: Vec<Run>,
+}
+
+/// A scene with one solver at one level.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    /// The level.
+    pub formulation: String,
+    /// The solver.
+    pub solver: String,
+    /// Steps taken.
+    pub steps: usize,
+    /// LCPs solved in them; impacts and bounces are LCPs of their own.
+    pub solves: usize,
+    /// LCPs that the solver claims to have solved.
+    pub claimed: usize,
+    /// LCPs whose answer the judge accepts.
+    pub accepted: usize,
+    /// Claims that the judge refutes: this must be 0.
+    pub refuted_claims: usize,
+    /// Sweeps or pivots in all.
+    pub iterations: usize,
+    /// The worst scaled residual of all answers, claimed or not; infinite where one is no number.
+    #[serde(with = "crate::number::always")]
+    pub worst_residual: f64,
+    /// The largest number of rows of an LCP.
+    pub rows: usize,
+    /// Why the run ended early, or the last status that was not solved.
+    pub trouble: Option<String>,
+    /// The motion at the start and after each step.
+    pub motion: Vec<Sample>,
+}
+
+/// Energy and errors at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Sample {
+    /// Time (s).
+    pub time: f64,
+    /// Kinetic and potential energy (J).
+    pub energy: f64,
+    /// Largest |c| of an equality row that is a length (m).
+    pub drift: f64,
+    /// Deepest overlap (m).
+    pub penetration: f64,
+}
+
+/// About so many samples of a motion are kept.
+const KEPT: usize = 200;
+
+/// Samples at equal distances, the last one, and those at which a measure is largest or smallest, so
+/// that the extremes are still those of all samples.
+pub fn thinned(samples: &[Sample]) -> Vec<Sample> {
+    let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
+    let length = samples.len().div_ceil(KEPT).max(1);
+    let mut kept = vec![false; samples.len()];
+    for first in (0..samples.len()).step_by(length) {
+        kept[first] = true;
+    }
+    for measure in measures {
+        let by_size =
+            |a: &usize, b: &usize| measure(&samples[*a]).total_cmp(&measure(&samples[*b]));
+        for extreme in [(0..samples.len()).min_by(by_size), (0..samples.len()).max_by(by_size)] {
+            extreme.into_iter().for_each(|k| kept[k] = true);
+        }
+    }
+    kept.last_mut().into_iter().for_each(|last| *last = true);
+    samples.iter().zip(kept).filter_map(|(sample, kept)| kept.then_some(*sample)).collect()
+}
+
+impl From<&Motion> for Sample {
+    fn from(motion: &Motion) -> Self {
+        let Motion { time, drift, penetration, .. } = *motion;
+        Sample { time, energy: motion.energy(), drift, penetration }
+    }
+}
+
+/// Seconds that one run took; kept apart from the results, which are the same on every machine.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Timing {
+    /// The scene.
+    pub scene: String,
+    /// The level.
+    pub formulation: String,
+    /// The solver.
+    pub solver: String,
+    /// Steps taken.
+    pub steps: usize,
+    /// Wall time of the whole run, judging left out (s).
+    pub seconds: f64,
+}
+
+/// What stands for the solver where a family solves no LCP: it is never asked.
+const NONE: Entry = Entry {
+    name: "none",
+    method: "no LCP is solved",
+    class: Class::of(MatrixClass::General),
+    source: "",
+    uses: &[],
+    build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
+};
+
+/// Steps a scene with each of these solvers at both levels; an entry need not be a registered one.
+///
+/// Runs are spread over the threads of rayon's pool; none depends on another. `note` is called at the end of
+/// each.
+pub fn compare(
+    scene: &Scene,
+    solvers: &[Entry],
+    steps: usize,
+    note: &(dyn Fn() + Sync),
+) -> (Comparison, Vec<Timing>) {
+    let cones = CONES.iter().copied().map(Method::Cone);
+    let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
+    let pairs = contenders(scene, &Formulation::LEVELS, &methods);
+    let runs = pairs.par_iter().map(|&(formulation, solver)| {
+        let ended = run(&scene.at_level(formulation), &solver, steps, &Stop::default());
+        note();
+        ended
+    });
+    of_runs(scene, steps, runs.collect())
+}
+
+/// The same by these families and methods: those of the methods that take the scene's model of
+/// friction, and one run each for families that solve no LCP. A family that does not know the model
+/// is left out. When it is time to stop, runs end with the steps that they have taken, and no more
+/// begin.
+///
+/// # Errors
+/// If there are no threads to run on.
+pub fn compare_families(
+    scene: &Scene,
+    families: &[Formulation],
+    methods: &[Method],
+    steps: usize,
+    note: &(dyn Fn() + Sync),
+    stop: &Stop,
+) -> Result<(Comparison, Vec<Timing>)> {
+    let pairs: Vec<_> = contenders(scene, families, methods).into_iter().enumerate().collect();
+    let (own, asked) = (scene.clone(), stop.clone());
+    let work = move |&(_, (formulation, solver)): &(usize, (Formulation, Method))| {
+        run(&own.at_level(formulation), &solver, steps, &asked)
+    };
+    let mut ended = BTreeMap::new();
+    Tasks { together: pairs, alone: Vec::new(), grace: GRACE }.run(stop, work, |(k, _), run| {
+        ended.insert(k, run);
+        note();
+        Ok(())
+    })?;
+    Ok(of_runs(scene, steps, ended.into_values().collect()))
+}
+
+/// The comparison of these runs.
+fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Comparison, Vec<Timing>) {
+    let (runs, timings) = ended.into_iter().unzip();
+    let comparison = Comparison {
+        scene: scene.name.clone(),
+        title: scene.title.clone(),
+        teaches: scene.teaches.clone(),
+        steps,
+        dt: scene.step.dt,
+        tolerance: scene.solver.tolerance,
+        runs,
+    };
+    (comparison, timings)
+}
+
+/// Who steps the scene by which family. The coupled box is what every boxed solver gets.
+pub fn contenders(
+    scene: &Scene,
+    families: &[Formulation],
+    methods: &[Method],
+) -> Vec<(Formulation, Method)> {
+    let model = friction_model(&scene.contact);
+    let takes = |method: &&Method| match method {
+        Method::Boxed(_) if model == Model::CoupledBox => true,
+        method => method.takes(Some(model)),
+    };
+    let of = |family: Formulation| -> Vec<Method> {
+        match family.solves_lcps() {
+            true => methods.iter().filter(takes).copied().collect(),
+            false => vec![Method::Boxed(NONE)],
+        }
+    };
+    let able = families.iter().filter(|&&family| scene.at_level(family).validate().is_ok());
+    able.flat_map(|&family| of(family).into_iter().map(move |method| (family, method))).collect()
+}
+
+fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timing) {
+    let formulation = scene.step.formulation.name().to_string();
+    let mut run = Run {
+        formulation: formulation.clone(),
+        solver: solver.name().to_string(),
+        steps: 0,
+        solves: 0,
+        claimed: 0,
+        accepted: 0,
+        refuted_claims: 0,
+        iterations: 0,
+        worst_residual: 0.0,
+        rows: 0,
+        trouble: None,
+        motion: Vec::new(),
+    };
+    let simulation = Simulation::by(scene, solver);
+    let seconds = step_through(simulation, steps, stop, &mut run);
+    let (scene, solver) = (scene.name.clone(), solver.name().to_string());
+    let timing = Timing { scene, formulation, solver, steps: run.steps, seconds };
+    (run, timing)
+}
+
+/// Takes the steps; returns the seconds spent on them.
+fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut Run) -> f64 {
+    let tolerance = simulation.scene().solver.tolerance;
+    run.motion.push(Sample::from(&simulation.motion()));
+    let mut seconds = 0.0;
+    for _ in 0..steps {
+        let start = Instant::now();
+        let step = simulation.step_before(stop);
+        seconds += start.elapsed().as_secs_f64();
+        match step {
+            Ok(step) => run.record(&step, tolerance),
+            Err(failure) => {
+                run.trouble = Some(failure.to_string());
+                break;
+            }
+        }
+    }
+    seconds
+}
+
+impl Run {
+    fn record(&mut self, step: &Step, tolerance: f64) {
+        self.steps += 1;
+        self.motion.push(Sample::from(&step.motion));
+        for solve in &step.solves {
+            let certificate = solve.judged(&Demand { tolerance, prove_up_to: 0 });
+            let Solve { problem, solution, .. } = solve;
+            let (claims, holds) =
+                (solution.status == Status::Solved, certificate.verdict.is_solution());
+            self.solves += 1;
+            self.claimed += usize::from(claims);
+            self.accepted += usize::from(holds);
+            self.refuted_claims += usize::from(claims && !holds);
+            self.iterations += solution.iterations;
+            let residual = certificate.scaled_residual;
+            let residual = if residual.is_nan() { f64::INFINITY } else { residual };
+            self.worst_residual = self.worst_residual.max(residual);
+            self.rows = self.rows.max(problem.lcp.len());
+            if !claims {
+                self.trouble = Some(format!("step {}: {}", step.number, solution.status));
+            }
+        }
+    }
+
+    /// The largest departure of the energy from its value at the start (J).
+    pub fn energy_change(&self) -> f64 {
+        let Some(first) = self.motion.first() else { return 0.0 };
+        let change = |sample: &Sample| sample.energy - first.energy;
+        let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+        self.motion.iter().map(change).fold(0.0, larger)
+    }
+
+    /// The largest value of a measure over the run.
+    pub fn worst(&self, measure: impl Fn(&Sample) -> f64) -> f64 {
+        self.motion.iter().map(measure).fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,38 @@
+//! The LCP as numbers: A, b and the bounds.
+
+use super::units::Units;
+use lcplab_page::document::{Formula, Section};
+use lcplab_problem::Lcp;
+
+/// The statement of a problem that comes as numbers.
+pub(super) fn statement(lcp: &Lcp, units: &Units) -> Section {
+    let mut section = Section::new("the LCP");
+    section.formula(Formula::default().symbols("w = A x + b", "w = A x + b"));
+    section.formula(matrix(lcp, Formula::default().symbols("A =", "A =")).unit(units.of_matrix()));
+    section.formula(Formula::default().symbols("b =", "b =").vector(lcp.b()).unit(units.of_w()));
+    bounds(&mut section, lcp, false, units);
+    section
+}
+
+/// A with its name before it.
+pub(super) fn matrix(lcp: &Lcp, formula: Formula) -> Formula {
+    formula.matrix(lcp.len(), lcp.len(), |i, j| lcp.matrix().entry(i, j))
+}
+
+/// lo and hi, and what they ask of w.
+pub(super) fn bounds(section: &mut Section, lcp: &Lcp, law_follows: bool, units: &Units) {
+    section.say("x stays within its bounds; w > 0 only where x is at the lower one, w < 0 only at the upper one.");
+    let formula = Formula::default()
+        .symbols("lo =", "\\mathrm{lo} =")
+        .vector(lcp.lo())
+        .symbols("≤ x ≤", "\\le x \\le")
+        .vector(lcp.hi())
+        .symbols("= hi", "= \\mathrm{hi}");
+    section.formula(formula.unit(units.of_x()));
+    let rubs = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
+    if law_follows {
+        section.say("Friction rows have no bounds yet: their law comes next.");
+    } else if rubs {
+        section.say("Friction rows have the bounds ±μ x of their normal row in place of ∓∞.");
+    }
+}

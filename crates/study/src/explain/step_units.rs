@@ -1,0 +1,35 @@
+//! The units of a step's rows and columns.
+
+use super::units::{Units, known};
+use lcplab_mechanics::formulation::{Problem, Stage};
+
+impl Units {
+    /// Those of a step's problem.
+    pub fn of(problem: &Problem) -> Self {
+        let rows = &problem.assembly.rows;
+        let x = rows.iter().map(|row| problem.stage.unit(row.kind.is_angular()).to_string());
+        Units::from_x(x.collect())
+    }
+
+    /// Those of the LCP of friction within polygons: so many impulses, then speeds γ, whose w are
+    /// impulses.
+    pub fn of_polygons(stage: Stage, impulses: usize, speeds: usize) -> Self {
+        let mut units = Units::from_x(vec![stage.unit(false).to_string(); impulses]);
+        let [x, w] = [stage.unit(false), known(stage.unit(false))[1]];
+        units.x.extend(vec![w.to_string(); speeds]);
+        units.w.extend(vec![x.to_string(); speeds]);
+        units
+    }
+}
+
+/// The unit of motion of a stage's columns, some of which may be angular.
+pub(super) fn of_motion(stage: Stage, has_angular: bool) -> &'static str {
+    match (stage, has_angular) {
+        (Stage::Acceleration, false) => "m/s²",
+        (Stage::Acceleration, true) => "m/s² or rad/s²",
+        (Stage::Position, false) => "m",
+        (Stage::Position, true) => "m or rad",
+        (_, false) => "m/s",
+        (_, true) => "m/s or rad/s",
+    }
+}

@@ -1,0 +1,51 @@
+//! Numbers that JSON has no word for, as "nan", "inf" and "-inf": for serde's `with`.
+
+/// A number.
+pub mod always {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+    use serde_json::Value;
+
+    /// A number, or a word for one that is not finite.
+    ///
+    /// # Errors
+    /// As the serializer.
+    pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        lcplab_problem::file::number(*value).serialize(serializer)
+    }
+
+    /// A number, or a word for one that is not finite.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        lcplab_problem::file::as_number(&value).ok_or_else(|| D::Error::custom("not a number"))
+    }
+}
+
+/// A number that there may not be, as null.
+pub mod perhaps {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+    use serde_json::Value;
+
+    /// A number, a word for one that is not finite, or null.
+    ///
+    /// # Errors
+    /// As the serializer.
+    pub fn serialize<S: Serializer>(value: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+        value.map(lcplab_problem::file::number).serialize(serializer)
+    }
+
+    /// A number, a word for one that is not finite, or null.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Option<f64>, D::Error> {
+        let read = |value: Value| {
+            lcplab_problem::file::as_number(&value).ok_or_else(|| D::Error::custom("not a number"))
+        };
+        Option::<Value>::deserialize(deserializer)?.map(read).transpose()
+    }
+}

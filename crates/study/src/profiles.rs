@@ -1,0 +1,112 @@
+//! Performance profiles of solvers on families of problems.
+//!
+//! A performance profile (Dolan & Moré 2002) compares costs problem by problem. Of solver s and
+//! problem p let t_ps be the cost if s solved p, ∞ otherwise; then
+//!
+//! ```text
+//! r_ps = t_ps / min_s t_ps,   ρ_s(τ) = |{p attempted by s : r_ps ≤ τ}| / |{p attempted by s}|
+//! ```
+//!
+//! so ρ_s(1) is the share of its problems on which s is the cheapest, and ρ_s(∞) the share that it
+//! solves. *Solved* means claimed and accepted by the judge. What a solver says is not for it is no
+//! attempt and does not count for or against it; so each curve states of how many problems it is.
+
+use serde::{Deserialize, Serialize};
+
+use crate::attempt::Attempt;
+
+/// What the solvers made of a family.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Tried {
+    /// The family, or the scene's step.
+    pub family: String,
+    /// Its problems.
+    pub problems: Vec<Posed>,
+}
+
+/// A problem and all attempts at it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Posed {
+    /// Rows.
+    pub rows: usize,
+    /// Whether it is known that no solution exists: then nobody may claim one.
+    pub impossible: bool,
+    /// By tolerance, as the settings list them; in each by solver.
+    pub attempts: Vec<Vec<Attempt>>,
+}
+
+/// What a problem cost a solver.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Cost {
+    /// The solver did not try.
+    NotTried,
+    /// It tried in vain.
+    Failed,
+    /// It solved the problem at this cost, above 0.
+    Solved(f64),
+}
+
+/// A solver's performance profile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    /// How many problems it attempted: the share is of these.
+    pub attempted: usize,
+    /// (τ, ρ(τ)) where ρ steps up, τ rising.
+    pub steps: Vec<(f64, f64)>,
+}
+
+/// The profiles of all solvers, from their costs by problem and then by solver.
+///
+/// ```
+/// use lcplab_study::profiles::{Cost::*, profiles};
+///
+/// let costs = [[Solved(2.0), Solved(1.0)], [Solved(3.0), Failed]];
+/// let [a, b] = &profiles(&costs.map(Vec::from))[..] else { panic!() };
+/// assert_eq!(a.steps, [(1.0, 0.5), (2.0, 1.0)]);
+/// assert_eq!(b.steps, [(1.0, 0.5)]);
+/// ```
+pub fn profiles(costs: &[Vec<Cost>]) -> Vec<Profile> {
+    let solvers = costs.first().map_or(0, Vec::len);
+    let least = |row: &Vec<Cost>| {
+        let solved = row.iter().filter_map(|cost| match cost {
+            Cost::Solved(cost) => Some(*cost),
+            _ => None,
+        });
+        solved.fold(f64::INFINITY, f64::min)
+    };
+    let best: Vec<f64> = costs.iter().map(least).collect();
+    let profile = |solver: usize| {
+        let attempted = costs.iter().filter(|row| row[solver] != Cost::NotTried).count();
+        let ratio = |(row, best): (&Vec<Cost>, &f64)| match row[solver] {
+            Cost::Solved(cost) => Some(cost / best),
+            _ => None,
+        };
+        let mut ratios: Vec<f64> = costs.iter().zip(&best).filter_map(ratio).collect();
+        ratios.sort_by(f64::total_cmp);
+        let mut steps: Vec<(f64, f64)> = Vec::new();
+        for (k, tau) in ratios.into_iter().enumerate() {
+            let share = (k + 1) as f64 / attempted as f64;
+            match steps.last_mut() {
+                Some(last) if last.0 == tau => last.1 = share,
+                _ => steps.push((tau, share)),
+            }
+        }
+        Profile { attempted, steps }
+    };
+    (0..solvers).map(profile).collect()
+}
+
+/// The costs of the problems that have a solution, at the tolerance of this number: multiplications, at
+/// least one a row.
+pub fn costs(tried: &[Tried], tolerance: usize) -> Vec<Vec<Cost>> {
+    let solvable = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
+    let cost = |rows: usize, attempt: &Attempt| match &attempt.outcome {
+        outcome if outcome.is_solved() => Cost::Solved(attempt.work.max(rows as f64)),
+        outcome if outcome.is_attempt() => Cost::Failed,
+        _ => Cost::NotTried,
+    };
+    let costs = |problem: &Posed| {
+        problem.attempts[tolerance].iter().map(|attempt| cost(problem.rows, attempt)).collect()
+    };
+    solvable.map(costs).collect()
+}
