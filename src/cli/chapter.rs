@@ -27,7 +27,7 @@ Verdicts: right, convention, misprint, misleading, wrong, confirmed (by measurem
 Exit code 1 if an example does not show what its erratum claims, 2 for bad input.")]
 pub struct Chapter {
     /// An entry such as (16), 16, \"Code 6\" or T20, an erratum such as E07, or one of errata,
-    /// glossary, references; the list without it
+    /// glossary, references [default: the list]
     name: Option<String>,
     /// List entries of this kind only
     #[arg(long)]

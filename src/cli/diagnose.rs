@@ -29,7 +29,7 @@ pub struct Diagnose {
     /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
     /// JSON from standard input
     input: String,
-    /// The step of a scene at whose beginning it is examined, from 1; 1 without it
+    /// The step of a scene at whose beginning it is examined, from 1 [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
     #[command(flatten)]

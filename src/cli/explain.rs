@@ -35,20 +35,20 @@ pub struct Explain {
     /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
     /// JSON from standard input
     input: String,
-    /// pgs, sor, dantzig or lemke; the scene's own, or dantzig, without it, lemke for an A that is not
-    /// symmetric
+    /// pgs, sor, dantzig or lemke [default: the scene's, or dantzig; lemke where A is not
+    /// symmetric]
     #[arg(long)]
     solver: Option<String>,
-    /// The level of a scene's LCP; the scene's own without it
+    /// The level of a scene's LCP [default: the scene's]
     #[arg(long, value_enum)]
     formulation: Option<Level>,
-    /// The model of friction of a scene; the scene's own without it
+    /// The model of friction of a scene [default: the scene's]
     #[arg(long)]
     model: Option<Model>,
     /// The first step of a scene that is explained, counted from 1; those before are only taken
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     from: Option<u64>,
-    /// How many steps of a scene are explained; 1 without it
+    /// How many steps of a scene are explained [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     steps: Option<u64>,
     /// Largest scaled residual that counts as solved

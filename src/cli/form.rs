@@ -16,7 +16,7 @@ pub struct Writing {
     /// How it is written
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
-    /// The file to write; standard output without it
+    /// The file to write [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
 }

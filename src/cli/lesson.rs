@@ -39,7 +39,7 @@ pub struct Lesson {
     /// Write Jupyter notebooks instead of pages
     #[arg(long, conflicts_with = "open")]
     ipynb: bool,
-    /// Folder to write into; reports/lessons without it, notebooks for --ipynb
+    /// Folder to write into [default: reports/lessons, or notebooks for --ipynb]
     #[arg(long)]
     out: Option<PathBuf>,
 }

@@ -62,7 +62,7 @@ pub struct Generate {
     /// Any parameter, as NAME=VALUE
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<(String, f64)>,
-    /// The file; standard output without it
+    /// The file [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
 }

@@ -32,16 +32,16 @@ pub struct SolverArgs {
 /// Options that only some solvers look at; one that no solver of the command does is refused.
 #[derive(Debug, Args)]
 pub struct Choices {
-    /// Relaxation factor of sor and ssor, above 0 and below 2; 1.3 or the scene's own without it
+    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: the scene's, or 1.3]
     #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
-    /// Order of the rows in a sweep of pgs and sor; natural or the scene's own without it
+    /// Order of the rows in a sweep of pgs and sor [default: the scene's, or natural]
     #[arg(long, value_enum)]
     pub order: Option<RowOrder>,
-    /// Seed of --order shuffled; 1 or the scene's own without it
+    /// Seed of --order shuffled [default: the scene's, or 1]
     #[arg(long)]
     pub seed: Option<u64>,
-    /// Length of jacobi's steps, above 0 and below 2; safe for every semidefinite A without it
+    /// Length of jacobi's steps, above 0 and below 2 [default: safe for every semidefinite A]
     #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,
 }

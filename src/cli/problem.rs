@@ -38,12 +38,12 @@ A problem with friction rows is solved as it stands, as a coupled box, unless --
 pub struct Solve {
     /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
-    /// The name of a solver; without it dantzig for symmetric A, lemke for any other, and for a model
-    /// of friction the one that fits
+    /// The name of a solver [default: dantzig for symmetric A, lemke for any other, and for a friction
+    /// model one that takes it]
     #[arg(long)]
     solver: Option<String>,
     /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
-    /// coulomb-cone; the file's own without it
+    /// coulomb-cone [default: the file's]
     #[arg(long)]
     model: Option<Model>,
     /// Prove problems of up to 150 rows exactly, not only of up to 50
@@ -114,7 +114,7 @@ pub struct Judge {
     problem: PathBuf,
     /// Any JSON object with a key "x"
     answer: PathBuf,
-    /// Model of friction to judge by; the file's own without it
+    /// Model of friction to judge by [default: the file's]
     #[arg(long)]
     model: Option<Model>,
     /// Largest scaled residual that counts as solved

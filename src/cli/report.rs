@@ -60,7 +60,7 @@ pub struct Report {
     /// Difference of numbers that --compare lets pass, whatever their size
     #[arg(long, allow_negative_numbers = true, default_value_t = 0.0, requires = "compare")]
     absolute: f64,
-    /// Folder of the report; reports/NAME without it
+    /// Folder of the report [default: reports/NAME]
     #[arg(long)]
     out: Option<PathBuf>,
     /// Threads to use; the results are the same for any number

@@ -72,7 +72,7 @@ struct Collect {
 struct Place {
     /// A sweep file, or the name of a shipped sweep
     sweep: String,
-    /// Folder of the results; sweeps/NAME without it
+    /// Folder of the results [default: sweeps/NAME]
     #[arg(long)]
     out: Option<PathBuf>,
 }

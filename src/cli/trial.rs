@@ -25,7 +25,7 @@ pub struct Challenge {
     /// The seed of them all
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Only this solver; all of them without it
+    /// Only this solver [default: all]
     #[arg(long)]
     solver: Vec<String>,
     /// Most sweeps or pivots: enough for an answer, few enough for many problems

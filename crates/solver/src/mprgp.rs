@@ -74,7 +74,7 @@ impl Run<'_> {
             Some(p) => self.conjugate(x, &free, p),
             None => free,
         };
-        let (length, limit) = (self.minimiser(&gradient, &p)?, self.room(x, &p));
+        let (length, limit) = (self.minimiser(&gradient, &p)?, self.slack(x, &p));
         if length.is_infinite() && limit.is_infinite() {
             if p.iter().any(|p| !p.is_finite()) {
                 return ControlFlow::Break(Status::NotFinite);
@@ -136,13 +136,13 @@ impl Run<'_> {
     }
 
     /// How far x can go along −p within the bounds.
-    fn room(&self, x: &[f64], p: &[f64]) -> f64 {
-        let room = |i: usize| match p[i] {
+    fn slack(&self, x: &[f64], p: &[f64]) -> f64 {
+        let slack = |i: usize| match p[i] {
             p if p > 0.0 => (x[i] - self.lcp.lo()[i]) / p,
             p if p < 0.0 => (x[i] - self.lcp.hi()[i]) / p,
             _ => f64::INFINITY,
         };
-        (0..x.len()).map(room).fold(f64::INFINITY, f64::min)
+        (0..x.len()).map(slack).fold(f64::INFINITY, f64::min)
     }
 
     /// x ← Π(x − ᾱ φ).

@@ -132,7 +132,7 @@ impl fmt::Display for Status {
                 write!(f, "all active sets were tried, and none carries a solution")
             }
             Status::TooLarge { needs, limit } => {
-                write!(f, "needs {needs}, above the limit of {limit}: --max-memory")
+                write!(f, "needs {needs}; the limit is {limit} (raise it with --max-memory)")
             }
             Status::OutsideClass { reason } => write!(f, "outside the solver's class: {reason}"),
         }

@@ -99,15 +99,15 @@ impl Judged {
         );
         text += &self.certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
         text += &format!(
-            "{:>7} {:>13} {:>13} {:>13} {:>13} {:>10} {:>9}\n",
-            "contact", "x_n", "|x_t|", "w_n", "|w_t|", "|x_t|/μx_n", "askew (°)"
+            "{:>7} {:>13} {:>13} {:>13} {:>13} {:>10} {:>14}\n",
+            "contact", "x_n", "|x_t|", "w_n", "|w_t|", "|x_t|/μx_n", "misaligned (°)"
         );
         for (k, contact) in self.contacts.iter().enumerate().take(PRINTED) {
             let ([x_n, x1, x2], [w_n, w1, w2]) = (contact.impulse, contact.velocity);
             let optional =
                 |value: Option<f64>| value.map_or("-".to_string(), |value| format!("{value:.3}"));
             text += &format!(
-                "{k:>7} {x_n:>13.6e} {:>13.6e} {w_n:>13.6e} {:>13.6e} {:>10} {:>9}\n",
+                "{k:>7} {x_n:>13.6e} {:>13.6e} {w_n:>13.6e} {:>13.6e} {:>10} {:>14}\n",
                 x1.hypot(x2),
                 w1.hypot(w2),
                 optional(contact.strength),

@@ -34,7 +34,7 @@ solver's claim, 2 for bad input; a solver that admits failure is a row of the ta
 pub struct Compare {
     #[command(flatten)]
     scene: SceneArgs,
-    /// Number of steps; the scene's own without it
+    /// Number of steps [default: the scene's]
     #[arg(long)]
     steps: Option<usize>,
     /// Folder for a page with film, table and plots

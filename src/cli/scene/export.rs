@@ -26,7 +26,7 @@ pub struct Export {
     /// The step, from 1
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     step: u64,
-    /// The file; standard output without it
+    /// The file [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
 }

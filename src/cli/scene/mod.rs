@@ -29,17 +29,17 @@ use super::options::{Choices, RowOrder};
 struct SceneArgs {
     /// A scene file, or the name of a shipped scene
     scene: String,
-    /// Family of methods that takes the steps; the scene's own without it
+    /// Time-stepping scheme [default: the scene's]
     #[arg(long, value_parser = families())]
     formulation: Option<Formulation>,
-    /// Solver; the scene's own without it
+    /// Solver [default: the scene's]
     #[arg(long)]
     solver: Option<String>,
     /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
-    /// coulomb-cone; the scene's own without it
+    /// coulomb-cone [default: the scene's]
     #[arg(long)]
     model: Option<Model>,
-    /// Length of a step in seconds; the scene's own without it
+    /// Length of a step in seconds [default: the scene's]
     #[arg(long, allow_negative_numbers = true)]
     dt: Option<f64>,
     /// Largest scaled residual that counts as solved
@@ -135,8 +135,8 @@ impl SceneArgs {
         }
     }
 
-    /// The solver of this name. One that is asked for must be made for the model of friction; the
-    /// scene's own gives way to one that is.
+    /// The solver of this name. One that is asked for must be made for the friction model; if the scene's own
+    /// is not, another one is used and the output names it.
     fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
         match friction_model(&scene.contact) {
             Model::CoupledBox | Model::FrozenBox => Ok(Method::Boxed(*entry(name)?)),

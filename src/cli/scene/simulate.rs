@@ -37,7 +37,7 @@ or if the motion diverged (what was recorded until then is written), 2 for bad i
 pub struct Simulate {
     #[command(flatten)]
     scene: SceneArgs,
-    /// Number of steps; the scene's own without it
+    /// Number of steps [default: the scene's]
     #[arg(long, conflicts_with = "duration")]
     steps: Option<usize>,
     /// Time to simulate, in place of a number of steps

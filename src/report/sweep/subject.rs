@@ -229,13 +229,23 @@ fn is_setting(path: &str) -> bool {
 /// Whether the sweep has a subject, and each setting a place in it.
 ///
 /// # Errors
-/// If a scene or family cannot be had. Other defects go to `fault`, by the setting.
+/// If a scene has defects. Other defects go to `fault`, by the setting.
 pub(super) fn check(sweep: &Sweep, mut fault: impl FnMut(&str, String)) -> Result<()> {
-    let forms = |kind: &str, read: fn(&str) -> Result<Form>| -> Result<Vec<Form>> {
-        let names = sweep.values_of(kind).into_iter().filter_map(|value| value.as_str());
-        names.map(read).collect()
-    };
-    let (scenes, families) = (forms("scene", Form::scene)?, forms("family", Form::family)?);
+    let (mut scenes, mut families) = (Vec::new(), Vec::new());
+    let kinds: [(_, fn(&str) -> Result<Form>, _); 2] =
+        [("scene", Form::scene, &mut scenes), ("family", Form::family, &mut families)];
+    for (kind, read, forms) in kinds {
+        for value in sweep.values_of(kind) {
+            match value.as_str().map(read) {
+                Some(Err(unknown @ Error::Unknown { .. })) => {
+                    fault(kind, unknown.to_string());
+                    return Ok(());
+                }
+                Some(form) => forms.push(form?),
+                None => {}
+            }
+        }
+    }
     match (scenes.is_empty(), families.is_empty()) {
         (true, true) => fault("scene", "is missing: name a scene or a family".into()),
         (false, false) => fault("family", "there is a scene too, name one of them".into()),

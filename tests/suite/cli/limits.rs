@@ -34,10 +34,18 @@ fn a_simulation_out_of_time_writes_what_it_recorded() {
 fn what_would_take_too_much_memory_is_refused_with_the_numbers() {
     let output = run_with(GOOD, &["solve", "-", "--max-memory", "100B"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).contains("above the limit of 100 B: --max-memory"), "{}", err(&output));
+    assert!(
+        err(&output).contains("the limit is 100 B (raise it with --max-memory)"),
+        "{}",
+        err(&output)
+    );
     let output = run(&["compare", "fig6", "--steps", "1000000000"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).contains("above the limit of 4 GB: --max-memory"), "{}", err(&output));
+    assert!(
+        err(&output).contains("the limit is 4 GB (raise it with --max-memory)"),
+        "{}",
+        err(&output)
+    );
     let output = run_with(GOOD, &["solve", "-", "--max-memory", "5parsecs"]);
     assert!(err(&output).contains("must be a positive number with a unit"), "{}", err(&output));
 }

@@ -60,7 +60,7 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
         Status::NoSolution => said("enumeration", &negative, usual()),
             "all active sets were tried, and none carries a solution";
         Status::TooLarge { needs, limit } => said("dantzig", &pair, small.clone()),
-            format!("needs {needs}, above the limit of {limit}: --max-memory");
+            format!("needs {needs}; the limit is {limit} (raise it with --max-memory)");
         Status::OutsideClass { .. } => said("dantzig", &skew, usual()),
             "outside the solver's class: A is not symmetric";
     }

@@ -86,7 +86,7 @@ fn arrays_are_not_unpacked_beyond_the_limit() {
     let whole = |text: String| text.split_once("p.npz: ").unwrap().1.to_string();
     assert_eq!(
         whole(message("(100000, 100000)")),
-        "A of the shape [100000, 100000] needs 560 GB, above the limit of 4 GB: --max-memory"
+        "A of the shape [100000, 100000] needs 560 GB; the limit is 4 GB (raise it with --max-memory)"
     );
     assert!(message("(9999999999, 9999999999, 9999999999)").contains("above the limit"));
     assert_eq!(whole(message("(2, 2)")), "A: has 0 bytes, the shape [2, 2] needs 32");
@@ -128,7 +128,7 @@ fn a_matrix_that_a_file_only_asks_for_is_refused() {
     }
     let refused = exchange::read_within(folder.path(), None, Memory::bytes(1_000_000));
     let message = refused.unwrap_err().to_string();
-    assert!(message.contains("A of 1000 rows needs 1.01 MB, above the limit of 1 MB"), "{message}");
+    assert!(message.contains("A of 1000 rows needs 1.01 MB; the limit is 1 MB"), "{message}");
 }
 
 #[test]

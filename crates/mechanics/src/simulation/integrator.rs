@@ -20,9 +20,9 @@ use crate::body::{Pose, State, angular, linear};
 const MAX_REPETITIONS: usize = 200;
 /// The change of h k, beside y, at which it has settled.
 const SETTLED: f64 = 1e-14;
-/// The change that is an answer still, if repetition does not get below: a solver's tolerance.
+/// The change that is accepted if 200 repetitions do not reach `SETTLED`: the tolerance of a solver.
 const SETTLED_ENOUGH: f64 = 1e-8;
-/// The change at which it never will.
+/// The change at which it never will settle.
 const HOPELESS: f64 = 1e6;
 
 /// y' of one body.

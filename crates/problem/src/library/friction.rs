@@ -17,7 +17,7 @@ use crate::{Lcp, Matrix};
 pub(super) const FAMILIES: &[Generated] = &[
     Generated {
         name: "pushed-mass",
-        about: "a unit mass on the floor, pressed and pushed askew: one contact, closed forms",
+        about: "a unit mass on the floor, pressed and pushed at an angle: one contact, closed forms",
         source: "Coulomb's law and its models in closed form",
         parameters: &[
             Parameter::real("press", "pressing impulse (N s)", 2.0, [0.0, 1e6]),

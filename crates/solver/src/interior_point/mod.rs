@@ -1,7 +1,7 @@
 //! A primal-dual interior-point method for the quadratic program over the box.
 //!
-//! Each finite bound k of a row i(k) gets a *room* ρ_k > 0, the distance from x_i to it, and a
-//! *push* z_k > 0 away from it, with sign s_k = 1 at a lower bound and −1 at an upper one. Room
+//! Each finite bound k of a row i(k) gets a *slack* ρ_k > 0, the distance from x_i to it, and a
+//! *push* z_k > 0 away from it, with sign s_k = 1 at a lower bound and −1 at an upper one. Slack
 //! times push is not asked to vanish at once but approached along the *central path*, μ → 0:
 //!
 //! ```text

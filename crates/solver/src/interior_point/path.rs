@@ -1,4 +1,4 @@
-//! The central path: rooms, pushes, and the step along it.
+//! The central path: slacks, pushes, and the step along it.
 
 use std::ops::ControlFlow;
 
@@ -18,7 +18,7 @@ struct Bound {
     /// 1 for a lower bound, −1 for an upper one.
     sign: f64,
     /// ρ_k, carried along: x minus the bound would round to 0 in the end.
-    room: f64,
+    slack: f64,
     /// z_k.
     push: f64,
 }
@@ -30,10 +30,10 @@ pub(super) struct Path<'a> {
     bounds: Vec<Bound>,
 }
 
-/// A change of x, with the changes of the rooms and pushes.
+/// A change of x, with the changes of the slacks and pushes.
 struct Direction {
     x: Vec<f64>,
-    room: Vec<f64>,
+    slack: Vec<f64>,
     push: Vec<f64>,
 }
 
@@ -51,8 +51,8 @@ impl<'a> Path<'a> {
             x[row] = x[row].max(lo + distance).min(hi - distance);
             for (sign, at) in [(1.0, lo), (-1.0, hi)] {
                 if at.is_finite() {
-                    let room = sign * (x[row] - at);
-                    bounds.push(Bound { row, sign, room, push: energy / room });
+                    let slack = sign * (x[row] - at);
+                    bounds.push(Bound { row, sign, slack, push: energy / slack });
                 }
             }
         }
@@ -81,9 +81,9 @@ impl<'a> Path<'a> {
         for (x, d) in x.iter_mut().zip(&direction.x) {
             *x += length * d;
         }
-        self.lcp.project_all(x); // a room below the rounding of x may leave it beside the bound
+        self.lcp.project_all(x); // a slack below the rounding of x may leave it beside the bound
         for (k, bound) in self.bounds.iter_mut().enumerate() {
-            bound.room += length * direction.room[k];
+            bound.slack += length * direction.slack[k];
             bound.push += length * direction.push[k];
         }
         ControlFlow::Continue(Event::Step)
@@ -93,7 +93,7 @@ impl<'a> Path<'a> {
     fn added<E: StepEquations>(&self, equations: &E) -> Vec<f64> {
         let mut added = vec![0.0; self.pinned.len()];
         for k in &self.bounds {
-            added[k.row] += k.push / k.room;
+            added[k.row] += k.push / k.slack;
         }
         for (i, added) in added.iter_mut().enumerate() {
             let least = if *added > 0.0 { LEAST } else { E::UNBOUNDED };
@@ -105,13 +105,13 @@ impl<'a> Path<'a> {
     /// The predictor, corrected.
     fn direction(&self, equations: &mut impl StepEquations, x: &[f64]) -> Direction {
         let w = equations.w(x);
-        let product: Vec<f64> = self.bounds.iter().map(|k| k.room * k.push).collect();
+        let product: Vec<f64> = self.bounds.iter().map(|k| k.slack * k.push).collect();
         let predictor = self.towards(equations, &w, product.iter().map(|p| -p).collect());
         if self.bounds.is_empty() {
             return predictor; // w = 0 is linear
         }
         let target = self.target(&product, &predictor);
-        let second_order = predictor.room.iter().zip(&predictor.push).map(|(r, z)| r * z);
+        let second_order = predictor.slack.iter().zip(&predictor.push).map(|(r, z)| r * z);
         let r = product.iter().zip(second_order).map(|(p, e)| target - p - e).collect();
         self.towards(equations, &w, r)
     }
@@ -120,17 +120,17 @@ impl<'a> Path<'a> {
     fn towards(&self, equations: &mut impl StepEquations, w: &[f64], r: Vec<f64>) -> Direction {
         let mut rhs: Vec<f64> = w.iter().map(|w| -w).collect();
         for (k, r) in self.bounds.iter().zip(&r) {
-            rhs[k.row] += k.sign * (k.push + r / k.room);
+            rhs[k.row] += k.sign * (k.push + r / k.slack);
         }
         for (rhs, _) in rhs.iter_mut().zip(&self.pinned).filter(|(_, pinned)| **pinned) {
             *rhs = 0.0;
         }
         equations.solve(&mut rhs);
         let dx = rhs;
-        let room: Vec<f64> = self.bounds.iter().map(|k| k.sign * dx[k.row]).collect();
-        let changes = self.bounds.iter().zip(r.iter().zip(&room));
-        let push = changes.map(|(k, (r, room))| (r - k.push * room) / k.room).collect();
-        Direction { x: dx, room, push }
+        let slack: Vec<f64> = self.bounds.iter().map(|k| k.sign * dx[k.row]).collect();
+        let changes = self.bounds.iter().zip(r.iter().zip(&slack));
+        let push = changes.map(|(k, (r, slack))| (r - k.push * slack) / k.slack).collect();
+        Direction { x: dx, slack, push }
     }
 
     /// The μ to aim at: small if the predictor gets far.
@@ -138,21 +138,21 @@ impl<'a> Path<'a> {
         let count = product.len().max(1) as f64;
         let mu = product.iter().sum::<f64>() / count;
         let reach = self.longest(predictor).min(1.0);
-        let changes = predictor.room.iter().zip(&predictor.push);
-        let ahead = |(k, (room, push)): (&Bound, (&f64, &f64))| {
-            (k.room + reach * room) * (k.push + reach * push)
+        let changes = predictor.slack.iter().zip(&predictor.push);
+        let ahead = |(k, (slack, push)): (&Bound, (&f64, &f64))| {
+            (k.slack + reach * slack) * (k.push + reach * push)
         };
         let ahead = self.bounds.iter().zip(changes).map(ahead).sum::<f64>() / count;
         if mu > 0.0 { mu * (ahead / mu).powi(3) } else { 0.0 }
     }
 
-    /// The length at which the first room or push would vanish.
+    /// The length at which the first slack or push would vanish.
     fn longest(&self, direction: &Direction) -> f64 {
         let until = |value: f64, change: f64| {
             if change < 0.0 { -value / change } else { f64::INFINITY }
         };
-        let rooms = self.bounds.iter().zip(&direction.room).map(|(k, d)| until(k.room, *d));
+        let slacks = self.bounds.iter().zip(&direction.slack).map(|(k, d)| until(k.slack, *d));
         let pushes = self.bounds.iter().zip(&direction.push).map(|(k, d)| until(k.push, *d));
-        rooms.chain(pushes).fold(f64::INFINITY, f64::min)
+        slacks.chain(pushes).fold(f64::INFINITY, f64::min)
     }
 }

@@ -4,6 +4,7 @@ mod certificate;
 mod diagnosis;
 mod explain;
 mod extremes;
+mod outputs;
 mod range;
 mod reference;
 mod trial;

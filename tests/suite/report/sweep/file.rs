@@ -70,8 +70,11 @@ fn each_kind_of_mistake_has_its_line() {
         let message = defects(text);
         assert!(message.contains(expected), "{text}\n{message}");
     }
-    let unknown = defects("family = 'stak'");
-    assert!(unknown.contains("there is no problem family named \"stak\""), "{unknown}");
+    for (kind, what) in [("family", "problem family"), ("scene", "scene file or shipped scene")] {
+        let unknown = defects(&format!("{kind} = 'stak'"));
+        let expected = format!("line 1: {kind}: there is no {what} named \"stak\"");
+        assert!(unknown.contains(&expected), "{unknown}");
+    }
 }
 
 #[test]

@@ -1,0 +1,100 @@
+//! What every solver answers on one problem of each family, pinned: status, count, verdict, x and w.
+//!
+//! A number is pinned only after the judge, which knows no solver, accepted the answer that it belongs to; of
+//! an answer that nobody claims only status and count are. Where the textbook has a twin of the method, its
+//! first iterates are pinned too, and they are the textbook's.
+
+use lcplab_judge::{Demand, Verdict, judge};
+use lcplab_page::plot::number::significant;
+use lcplab_problem::Lcp;
+use lcplab_problem::library::{self, Family};
+use lcplab_solver::textbook::{self, Vector};
+use lcplab_solver::{ALL, Options, Settings, Start, Status, by_name};
+
+use lcplab_testing::iterates;
+
+/// Of longer vectors the first entries.
+const SHOWN: usize = 8;
+/// Below this part of the largest entry a number is rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// The first entries to six digits.
+fn vector(v: &[f64], unit: f64) -> String {
+    let entry = |&v: &f64| match v {
+        v if v.abs() <= ROUNDING * unit => "0".to_string(),
+        v => significant(v, 6),
+    };
+    let shown: Vec<String> = v.iter().take(SHOWN).map(entry).collect();
+    let more = if v.len() > SHOWN { " …" } else { "" };
+    format!("{}{more}", shown.join(" "))
+}
+
+fn largest(v: &[f64]) -> f64 {
+    v.iter().fold(0.0, |most: f64, v| most.max(v.abs()))
+}
+
+/// A solver's answer in a line or three.
+fn answer(lcp: &Lcp, name: &str) -> String {
+    let settings = Settings { tolerance: 1e-10, max_iterations: 20_000, ..Settings::default() };
+    let solver = by_name(name, &Options { settings, ..Options::default() }).unwrap();
+    let solution = solver.solve(lcp, &Start::default(), &mut ());
+    let head = format!("{name}: {}, {}", solution.status, solution.iterations);
+    if solution.status != Status::Solved {
+        return head + "\n";
+    }
+    let verdict =
+        judge(lcp, &solution.x, &Demand { tolerance: 1e-10, ..Demand::default() }).verdict;
+    let word = match &verdict {
+        Verdict::Proved { .. } => "proved",
+        Verdict::WithinTolerance => "within tolerance",
+        Verdict::NotASolution { .. } => panic!("{name} claims what is refuted: {verdict}"),
+    };
+    let w = lcp.w(&solution.x);
+
+    let unit = largest(lcp.b());
+    let x = vector(&solution.x, largest(&solution.x));
+    format!("{head}, {word}\n  x = {x}\n  w = {}\n", vector(&w, unit))
+}
+
+/// The first sweeps of Gauss-Seidel, where the textbook makes them too.
+fn sweeps(lcp: &Lcp) -> Option<String> {
+    let n = lcp.len();
+    let starts_at_zero = (0..n).all(|i| lcp.lo()[i] <= 0.0 && lcp.hi()[i] >= 0.0);
+    if lcp.coupling().is_some()
+        || !starts_at_zero
+        || (0..n).any(|i| lcp.matrix().diagonal(i) <= 0.0)
+    {
+        return None;
+    }
+    let settings = Settings { tolerance: 0.0, max_iterations: 3, ..Settings::default() };
+    let pgs = by_name("pgs", &Options { settings, ..Options::default() }).unwrap();
+    let own = iterates(&*pgs, lcp);
+    let of = |v: &[f64]| Vector::from_column_slice(v);
+    let mut text = String::new();
+    for (k, x) in own.iter().enumerate().skip(1) {
+        let a = lcp.matrix().to_dense();
+        let twin = textbook::gauss_seidel(&a, &of(lcp.b()), &of(lcp.lo()), &of(lcp.hi()), k);
+        assert!((twin - of(x)).amax() <= 1e-12 * largest(x).max(1e-300));
+        text += &format!("  sweep {k}: {}\n", vector(x, largest(x)));
+    }
+    Some(text)
+}
+
+fn outputs(family: &dyn Family) -> String {
+    let lcp = family.generate(&[]).unwrap().lcp;
+    let mut text = format!("{}: {} rows\n", family.about(), lcp.len());
+    if let Some(sweeps) = sweeps(&lcp) {
+        text += &format!("\nGauss-Seidel from 0\n{sweeps}");
+    }
+    for entry in ALL {
+        text += &format!("\n{}", answer(&lcp, entry.name));
+    }
+    text
+}
+
+#[test]
+fn every_solver_answers_as_it_did() {
+    for family in library::all() {
+        insta::assert_snapshot!(family.name(), outputs(family));
+    }
+}
