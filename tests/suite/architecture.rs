@@ -27,8 +27,8 @@ const ROWS: [(&str, &[&[&str]]); 4] = [
     (
         "crates/study/src",
         &[
-            &["answer", "aside", "attempt", "clarabel", "families", "number"],
-            &["friction", "methods", "profiles", "tasks"],
+            &["answer", "aside", "attempt", "clarabel", "number"],
+            &["families", "friction", "methods", "profiles", "tasks"],
             &["comparison", "trial"],
             &["explain", "diagnosis"],
         ],

@@ -77,13 +77,13 @@ fn a_small_file_of_large_arrays_is_refused_before_they_are_unpacked() {
     let limit = "the limit is 10 MB (raise it with --max-memory)";
     assert_eq!(
         read(200_000, 199_999, 10_000_000),
-        format!("/fclib_local/W/x of 200000 numbers needs 11.2 MB, {limit}")
+        format!("/fclib_local/W/x of 200000 numbers needs 11.2 MB; {limit}")
     );
     assert!(path.metadata().unwrap().len() < 20_000);
     // Each for itself would pass.
     assert_eq!(
         read(100_000, 99_999, 10_000_000),
-        format!("/fclib_local/W/i of 100000 numbers needs 11.2 MB, {limit}")
+        format!("/fclib_local/W/i of 100000 numbers needs 11.2 MB; {limit}")
     );
     assert_eq!(read(1000, 3, 10_000_000), "/fclib_local/W/p: has 1000 numbers, must have 4");
 }
