@@ -226,26 +226,30 @@ fn is_setting(path: &str) -> bool {
     path != REPEAT && !SUBJECT.contains(&path)
 }
 
+/// The scenes or families that a sweep names, or the kind and the error of the first that fails.
+fn forms(
+    sweep: &Sweep,
+    kind: &'static str,
+    read: fn(&str) -> Result<Form>,
+) -> std::result::Result<Vec<Form>, (&'static str, Error)> {
+    let names = sweep.values_of(kind).into_iter().filter_map(|value| value.as_str());
+    names.map(|name| read(name).map_err(|error| (kind, error))).collect()
+}
+
 /// Whether the sweep has a subject, and each setting a place in it.
 ///
 /// # Errors
 /// If a scene has defects. Other defects go to `fault`, by the setting.
 pub(super) fn check(sweep: &Sweep, mut fault: impl FnMut(&str, String)) -> Result<()> {
-    let (mut scenes, mut families) = (Vec::new(), Vec::new());
-    let kinds: [(_, fn(&str) -> Result<Form>, _); 2] =
-        [("scene", Form::scene, &mut scenes), ("family", Form::family, &mut families)];
-    for (kind, read, forms) in kinds {
-        for value in sweep.values_of(kind) {
-            match value.as_str().map(read) {
-                Some(Err(unknown @ Error::Unknown { .. })) => {
-                    fault(kind, unknown.to_string());
-                    return Ok(());
-                }
-                Some(form) => forms.push(form?),
-                None => {}
-            }
+    let read = || Ok((forms(sweep, "scene", Form::scene)?, forms(sweep, "family", Form::family)?));
+    let (scenes, families) = match read() {
+        Ok(forms) => forms,
+        Err((kind, unknown @ Error::Unknown { .. })) => {
+            fault(kind, unknown.to_string());
+            return Ok(());
         }
-    }
+        Err((_, error)) => return Err(error),
+    };
     match (scenes.is_empty(), families.is_empty()) {
         (true, true) => fault("scene", "is missing: name a scene or a family".into()),
         (false, false) => fault("family", "there is a scene too, name one of them".into()),
