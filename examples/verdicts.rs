@@ -15,13 +15,13 @@ use std::io::{self, BufWriter, Write};
 use lcplab::certificate::{Demand, judge, judge_cone};
 use lcplab::diagnosis;
 use lcplab::error::Result;
+use lcplab::hunt;
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model};
 use lcplab::lcp::{Lcp, library};
 use lcplab::report::answer::{Answer, certificate_json, status_word, verdict_json};
-use lcplab::scene::{Formulation, Scene, catalogue};
+use lcplab::scene::{Scene, Scheme, catalogue};
 use lcplab::solver::{ALL, CONES, Options, Settings, Solver, Start, Status};
-use lcplab::trial;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -61,7 +61,7 @@ fn of_cones(subjects: &[Subject]) -> Vec<Value> {
         Some((name.clone(), problem))
     };
     let single = |k: usize| {
-        let truth = trial::cone::contact(SEED, k);
+        let truth = hunt::cone::contact(SEED, k);
         (format!("contact {k}"), truth.problem.friction().clone())
     };
     let problems: Vec<_> =
@@ -119,8 +119,8 @@ fn of_library() -> Result<Vec<Subject>> {
 }
 
 fn hostile(k: usize) -> Subject {
-    let (lcp, start) = trial::problem(SEED, k);
-    let kind = trial::KINDS[k % trial::KINDS.len()].name;
+    let (lcp, start) = hunt::problem(SEED, k);
+    let kind = hunt::KINDS[k % hunt::KINDS.len()].name;
     Subject { problem: Problem::new(format!("{kind} {k}"), lcp), start }
 }
 
@@ -128,9 +128,9 @@ fn hostile(k: usize) -> Subject {
 fn of_scenes() -> Result<Vec<Subject>> {
     let mut subjects = Vec::new();
     for shipped in catalogue::SHIPPED {
-        for level in Formulation::LEVELS {
+        for level in Scheme::LEVELS {
             let mut scene = Scene::load(shipped.name)?;
-            scene.step.formulation = level;
+            scene.step.scheme = level;
             let mut simulation = Simulation::of(&scene)?;
             for step in 1..=STEPS[2] {
                 let Ok(taken) = simulation.step() else { break };

@@ -31,7 +31,7 @@
 //!
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
 //! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
-//! [`formulation`]; [`trial`] asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
+//! [`formulation`]; [`hunt`] asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
 //! [`explain`] derives a step line by line, [`diagnosis`] says why one cannot be taken, [`chapter`] shows
 //! what K&M print beside what holds, and [`lesson`] teaches it.
 
@@ -42,7 +42,7 @@ pub use lcplab_page::{document, page, plot};
 pub use lcplab_problem::{error, json, memory};
 pub use lcplab_solver as solver;
 pub use lcplab_solver::{textbook, trace};
-pub use lcplab_study::{diagnosis, explain, trial};
+pub use lcplab_study::{diagnosis, explain, hunt};
 
 pub mod chapter;
 pub mod film;

@@ -84,7 +84,7 @@ fn run(target: &str, bytes: &[u8]) {
         "markup" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_markup),
         "report" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_report),
         "results" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_results),
-        "sweep" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_sweep),
+        "grid" => std::str::from_utf8(bytes).map_or((), lcplab_fuzz::read_grid),
         "solvers" => lcplab_fuzz::solvers(bytes).unwrap_or_default(),
         "judge" => lcplab_fuzz::judge(bytes).unwrap_or_default(),
         "diagnose" => lcplab_fuzz::diagnose(bytes).unwrap_or_default(),

@@ -1,3 +1,3 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|text: &str| lcplab_fuzz::read_sweep(text));
+libfuzzer_sys::fuzz_target!(|text: &str| lcplab_fuzz::read_grid(text));

@@ -1,4 +1,4 @@
-//! Texts that become pages: report and sweep files, results, and markup. What is read is drawn.
+//! Texts that become pages: report and grid files, results, and markup. What is read is drawn.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use lcplab::json;
 use lcplab::report::experiment::Experiment;
 use lcplab::report::page::{Block, Page, Section};
 use lcplab::report::results::Results;
-use lcplab::report::sweep::{Sweep, plan_table};
+use lcplab::report::grid::{Grid, plan_table};
 use lcplab::report::view::{self, Document};
 
 use crate::files::folder;
@@ -27,20 +27,20 @@ pub fn read_report(text: &str) {
     }
 }
 
-/// A sweep file: a plan, or an error that names the file.
-pub fn read_sweep(text: &str) {
-    match Sweep::from_toml("sweep.toml", text) {
-        Ok(sweep) => {
+/// A grid file: a plan, or an error that names the file.
+pub fn read_grid(text: &str) {
+    match Grid::from_toml("grid.toml", text) {
+        Ok(grid) => {
             let count =
-                sweep.axes.iter().fold(1, |all: usize, axis| all.saturating_mul(axis.points.len()));
+                grid.axes.iter().fold(1, |all: usize, axis| all.saturating_mul(axis.points.len()));
             if count > 1000 {
                 return; // a plan of more is only longer
             }
-            if let Ok(plan) = sweep.plan() {
-                let _ = lcplab::report::text::table(&plan_table(&sweep, &plan, 40));
+            if let Ok(plan) = grid.plan() {
+                let _ = lcplab::report::text::table(&plan_table(&grid, &plan, 40));
             }
         }
-        Err(error) => assert_names(&error, "sweep.toml"),
+        Err(error) => assert_names(&error, "grid.toml"),
     }
 }
 

@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use lcplab::constraint::Field;
 use lcplab::scene::description::{Body, Capsule, Constraint, Rotation, Shape};
-use lcplab::scene::{Description, Formulation, Scene};
+use lcplab::scene::{Description, Scheme, Scene};
 
 /// A scene's text: a scene whose states are numbers, or an error that names the file.
 pub fn read_scene(text: &str) {
@@ -16,7 +16,7 @@ pub fn read_scene(text: &str) {
 /// Up to four bodies near the origin above a floor, up to three joints, any family of methods.
 pub fn scene(u: &mut Unstructured<'_>) -> Result<Description> {
     let mut scene = Description::default();
-    scene.step.formulation = *u.choose(&Formulation::FAMILIES)?;
+    scene.step.scheme = *u.choose(&Scheme::ALL)?;
     scene.step.dt = *u.choose(&[0.01, 1.0 / 60.0, 1.0, 1e-9, 1e3])?;
     scene.step.baumgarte = *u.choose(&[0.0, 0.2, 1.0])?;
     scene.contact.friction = *u.choose(&[0.0, 0.5, 10.0])?;

@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use lcplab::solver::{ALL, Options, Settings};
-use lcplab::trial::{Claim, claims};
+use lcplab::hunt::{Claim, claims};
 
 use crate::contact;
 use crate::problem::{numbers, problem};

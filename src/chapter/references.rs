@@ -181,7 +181,7 @@ pub const REFERENCES: &[(&str, &[Reference])] = &[
             },
             Reference {
                 cited: "Acary, Cadoux, Lemaréchal & Malick 2011",
-                title: "A Formulation of the Linear Discrete Coulomb Friction Problem via Convex \
+                title: "A Scheme of the Linear Discrete Coulomb Friction Problem via Convex \
          Optimization",
                 about: "Coulomb's law as a fixed point of convex problems.",
                 code: &["solver::apgd"],
@@ -215,19 +215,19 @@ pub const REFERENCES: &[(&str, &[Reference])] = &[
                 title: "Iterative Dynamics with Temporal Coherence",
                 about: "Sweeps on velocities with accumulated impulses and warm start: sequential \
          impulses.",
-                code: &["simulation::family::sequential"],
+                code: &["simulation::scheme::sequential"],
             },
             Reference {
                 cited: "Catto 2011",
                 title: "Soft Constraints",
                 about: "A spring as a row with bias and compliance, stable at every stiffness.",
-                code: &["constraint::Spring", "simulation::family::soft"],
+                code: &["constraint::Spring", "simulation::scheme::soft"],
             },
             Reference {
                 cited: "Macklin, Müller & Chentanez 2016",
                 title: "XPBD: Position-Based Simulation of Compliant Constrained Dynamics",
                 about: "Positions first, with a compliance that is physical.",
-                code: &["simulation::family::xpbd"],
+                code: &["simulation::scheme::xpbd"],
             },
         ],
     ),

@@ -7,11 +7,10 @@ use clap::{Args, ValueEnum};
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
-use lcplab::formulation::with_friction_model;
 use lcplab::lcp::exchange;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
-use lcplab::scene::{Formulation, Scene};
+use lcplab::scene::{Scene, Scheme};
 use lcplab::solver::{Options, default_for};
 
 use super::form::Writing;
@@ -22,7 +21,7 @@ use super::{Outcome, read_problem};
 #[command(after_help = "\
 Example:
   lcplab explain fig7 --solver pgs
-  lcplab explain fig7 --solver lemke --formulation acceleration --format html --out fig7.html
+  lcplab explain fig7 --solver lemke --scheme acceleration --format html --out fig7.html
   lcplab explain bouncing_ball --from 80
   lcplab explain sphere_plane --model polygon-4
   lcplab export stack | lcplab explain - --solver dantzig --format markdown
@@ -41,7 +40,9 @@ pub struct Explain {
     solver: Option<String>,
     /// The level of a scene's LCP [default: the scene's]
     #[arg(long, value_enum)]
-    formulation: Option<Level>,
+    scheme: Option<Level>,
+    #[command(flatten)]
+    renamed: super::scene::Renamed,
     /// The model of friction of a scene [default: the scene's]
     #[arg(long)]
     model: Option<Model>,
@@ -79,7 +80,7 @@ impl Explain {
 
     fn of_problem(&self) -> Result<Document> {
         for (option, given) in [
-            ("--formulation", self.formulation.is_some()),
+            ("--scheme", self.scheme.is_some()),
             ("--model", self.model.is_some()),
             ("--from", self.from.is_some()),
             ("--steps", self.steps.is_some()),
@@ -99,10 +100,10 @@ impl Explain {
 
     fn of_scene(&self) -> Result<Document> {
         let mut scene = Scene::load(&self.input)?;
-        scene.step.formulation = match self.formulation {
-            Some(Level::Velocity) => Formulation::Velocity,
-            Some(Level::Acceleration) => Formulation::Acceleration,
-            None => scene.step.formulation,
+        scene.step.scheme = match self.scheme {
+            Some(Level::Velocity) => Scheme::Velocity,
+            Some(Level::Acceleration) => Scheme::Acceleration,
+            None => scene.step.scheme,
         };
         let own = Method::NAMES.contains(&scene.solver.name.as_str());
         let name = match &self.solver {
@@ -112,7 +113,7 @@ impl Explain {
         };
         let method = self.method(name, simulation::options(&scene))?;
         if let Some(model) = self.model {
-            scene.contact = with_friction_model(&scene.contact, model);
+            scene.contact.model = model;
         }
         let first = self.from.unwrap_or(1) as usize;
         let last = first.saturating_add(self.steps.unwrap_or(1) as usize - 1);

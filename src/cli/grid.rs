@@ -1,10 +1,10 @@
-//! `sweep`: one scene or problem family at every point of a grid of settings.
+//! `grid`: one scene or problem family at every point of a grid of settings.
 
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 use lcplab::error::Result;
-use lcplab::report::sweep::{Folder, Sweep as File, collect, plan_table};
+use lcplab::report::grid::{Folder, Grid as File, collect, plan_table};
 use lcplab::report::text;
 
 use super::limits::Limits;
@@ -13,19 +13,19 @@ use super::{Outcome, bar, folder_of, print, say, threads};
 /// Rows of the plan that are printed.
 const SHOWN: usize = 40;
 
-/// Sweep over parameters, as a list of independent tasks
+/// Measure a scene or a problem family at every point of a grid of settings
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab sweep plan omega        # a shipped sweep, or a file: what would be done
-  lcplab sweep run omega         # on all cores; goes on where it was interrupted
-  lcplab sweep collect omega     # sweeps/omega/results.csv, results.json and index.html
+  lcplab grid plan omega        # a shipped grid, or a file: what would be done
+  lcplab grid run omega         # on all cores; goes on where it was interrupted
+  lcplab grid collect omega     # grids/omega/results.csv, results.json and index.html
 
-Tasks can be run one by one, on many machines, in any order (sweep run FILE --task K); workflow/ has
+Tasks can be run one by one, on many machines, in any order (grid run FILE --task K); workflow/ has
 the same for Snakemake, and so for clusters. What is collected is the same to the bit; times are apart,
 in times.csv. A point that is impossible is a row with its reason. Exit code 1 if a claim is refuted or
 results are missing, 2 for bad input.")]
-pub struct Sweep {
+pub struct Grid {
     #[command(subcommand)]
     action: Action,
 }
@@ -67,26 +67,26 @@ struct Collect {
     place: Place,
 }
 
-/// A sweep and where its results are.
+/// A grid and where its results are.
 #[derive(Debug, Args)]
 struct Place {
-    /// A sweep file, or the name of a shipped sweep
-    sweep: String,
-    /// Folder of the results [default: sweeps/NAME]
+    /// A grid file, or the name of a shipped grid
+    grid: String,
+    /// Folder of the results [default: grids/NAME]
     #[arg(long)]
     out: Option<PathBuf>,
 }
 
 impl Place {
     fn open(&self) -> Result<(File, Folder)> {
-        let sweep = File::load(&self.sweep)?;
-        let folder = folder_of(self.out.as_deref(), "sweeps", &sweep.name)?;
-        let folder = Folder::new(&folder, &sweep)?;
-        Ok((sweep, folder))
+        let grid = File::load(&self.grid)?;
+        let folder = folder_of(self.out.as_deref(), "grids", &grid.name)?;
+        let folder = Folder::new(&folder, &grid)?;
+        Ok((grid, folder))
     }
 }
 
-impl Sweep {
+impl Grid {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         match &self.action {
             Action::Plan(plan) => plan.run(),
@@ -99,13 +99,13 @@ impl Sweep {
 impl Plan {
     fn run(&self) -> Result<Outcome> {
         if self.json {
-            let plan = File::load(&self.place.sweep)?.plan()?;
+            let plan = File::load(&self.place.grid)?.plan()?;
             print(&format!("{}\n", serde_json::json!(plan)))?;
             return Ok(Outcome::Good);
         }
-        let (sweep, folder) = self.place.open()?;
+        let (grid, folder) = self.place.open()?;
         let path = folder.write_plan()?;
-        print(&text::table(&plan_table(&sweep, folder.plan(), SHOWN)))?;
+        print(&text::table(&plan_table(&grid, folder.plan(), SHOWN)))?;
         print(&format!("{}\n", path.display()))?;
         Ok(Outcome::Good)
     }
@@ -124,7 +124,7 @@ impl Run {
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         let plan = folder.plan();
-        let progress = bar(plan.tasks.len() as u64, &plan.sweep);
+        let progress = bar(plan.tasks.len() as u64, &plan.grid);
         let stop = limits.stop();
         let done = folder.run_missing(&progress, stop)?;
         limits.over();
@@ -138,8 +138,8 @@ impl Run {
 
 impl Collect {
     fn run(&self) -> Result<Outcome> {
-        let (sweep, folder) = self.place.open()?;
-        let collection = collect(&sweep, &folder)?;
+        let (grid, folder) = self.place.open()?;
+        let collection = collect(&grid, &folder)?;
         let (done, missing) = (collection.done.len(), collection.missing.len());
         print(&format!(
             "{done} of {} tasks collected, {} impossible, {} claims refuted\n{}\n",

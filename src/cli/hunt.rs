@@ -1,11 +1,11 @@
-//! `trial`: are the solvers honest?
+//! `hunt`: are the solvers honest?
 
 use clap::Args;
 use lcplab::error::{Error, Result};
+use lcplab::hunt::{Hunt, KINDS, Record, Tally};
 use lcplab::report::page::{Cell, Column, Table};
 use lcplab::report::text;
 use lcplab::solver::{ALL, Options, Settings, Solver, entry};
-use lcplab::trial::{KINDS, Record, Tally, Trial};
 
 use super::limits::Limits;
 use super::{Outcome, bar, print};
@@ -14,8 +14,8 @@ use super::{Outcome, bar, print};
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab trial --problems 100000 --seed 1
-  lcplab trial --solver dantzig --json
+  lcplab hunt --problems 100000 --seed 1
+  lcplab hunt --solver dantzig --json
 
 Problem k of a seed is the same in every run. The exit code is 1 if a solver lied.")]
 pub struct Challenge {
@@ -29,7 +29,7 @@ pub struct Challenge {
     #[arg(long)]
     solver: Vec<String>,
     /// Most sweeps or pivots: enough for an answer, few enough for many problems
-    #[arg(long, default_value_t = 2000)]
+    #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]
     max_iterations: usize,
     /// Print JSON
     #[arg(long)]
@@ -48,10 +48,10 @@ impl Challenge {
                 names.iter().map(build).collect::<Result<_>>()?
             }
         };
-        let trial = Trial { problems: self.problems, seed: self.seed };
+        let hunt = Hunt { problems: self.problems, seed: self.seed };
         let progress = bar(self.problems as u64, "problems");
         let stop = limits.stop();
-        let record = trial.until(stop, &solvers, &|| progress.inc(1));
+        let record = hunt.until(stop, &solvers, &|| progress.inc(1));
         let stopped = stop.reason().filter(|_| record.problems < self.problems);
         limits.over();
         progress.finish_and_clear();
@@ -81,7 +81,7 @@ impl Challenge {
 fn json(record: &Record) -> Result<String> {
     let json = serde_json::to_string_pretty(record);
     json.map(|json| json + "\n")
-        .map_err(|cause| Error::invalid("trial", "record", cause.to_string()))
+        .map_err(|cause| Error::invalid("hunt", "record", cause.to_string()))
 }
 
 fn table(record: &Record) -> Table {

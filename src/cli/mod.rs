@@ -7,6 +7,8 @@ mod explain;
 mod families;
 mod form;
 mod friction;
+mod grid;
+mod hunt;
 mod lesson;
 mod library;
 mod limits;
@@ -16,8 +18,6 @@ mod problem;
 mod report;
 mod scene;
 mod shell;
-mod sweep;
-mod trial;
 mod verify;
 
 use std::path::{Path, PathBuf};
@@ -63,7 +63,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Report(report::Report),
-    Sweep(sweep::Sweep),
+    Grid(grid::Grid),
     Solve(problem::Solve),
     Judge(problem::Judge),
     Problems(library::Problems),
@@ -80,7 +80,7 @@ enum Command {
     Lesson(lesson::Lesson),
     Exercise(lesson::Answer),
     Verify(verify::Verify),
-    Trial(trial::Challenge),
+    Hunt(hunt::Challenge),
     #[command(hide = true)]
     Completions(shell::Completions),
     #[command(name = "man", hide = true)]
@@ -97,7 +97,7 @@ const GROUPS: [(&str, &[&str]); 4] = [
             "diagnose",
             "explain",
             "compare-solvers",
-            "trial",
+            "hunt",
             "problems",
             "generate",
             "convert",
@@ -105,7 +105,7 @@ const GROUPS: [(&str, &[&str]); 4] = [
     ),
     ("Scenes", &["simulate", "compare", "scenes", "export", "verify"]),
     ("Learn", &["lesson", "exercise", "chapter"]),
-    ("Reports", &["report", "sweep"]),
+    ("Reports", &["report", "grid"]),
 ];
 
 /// The command line with its commands in groups.
@@ -157,7 +157,7 @@ pub fn run() -> ExitCode {
     let limits = Limits::begin(&cli.time);
     let result = match cli.command {
         Command::Report(command) => command.run(&limits),
-        Command::Sweep(command) => command.run(&limits),
+        Command::Grid(command) => command.run(&limits),
         Command::Solve(command) => command.run(&limits),
         Command::Judge(command) => command.run(),
         Command::Problems(command) => command.run(),
@@ -174,7 +174,7 @@ pub fn run() -> ExitCode {
         Command::Lesson(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Verify(command) => command.run(),
-        Command::Trial(command) => command.run(&limits),
+        Command::Hunt(command) => command.run(&limits),
         Command::Completions(command) => command.run(),
         Command::Manual(command) => command.run(),
     };

@@ -21,7 +21,7 @@ pub struct SolverArgs {
     #[arg(long, allow_negative_numbers = true, default_value_t = Settings::default().tolerance)]
     tolerance: f64,
     /// Most sweeps or pivots
-    #[arg(long, default_value_t = Settings::default().max_iterations)]
+    #[arg(long, visible_alias = "sweeps", default_value_t = Settings::default().max_iterations)]
     max_iterations: usize,
     #[command(flatten)]
     memory: MemoryLimit,

@@ -17,18 +17,8 @@ use crate::plot::number::readable;
 const CIRCUMSTANCES: [&str; 3] = ["machine", "version", "libraries"];
 /// Fields by which a row of results is known, in the order in which they are said.
 const NAMES: [&str; 12] = [
-    "scene",
-    "name",
-    "case",
-    "id",
-    "quantity",
-    "formulation",
-    "level",
-    "family",
-    "solver",
-    "model",
-    "order",
-    "dt",
+    "scene", "name", "case", "id", "quantity", "scheme", "level", "family", "solver", "model",
+    "order", "dt",
 ];
 
 /// One thing that is not what it was.

@@ -34,7 +34,7 @@ macro_rules! shipped {
 }
 
 /// The reports that lcplab ships, by name.
-pub const SHIPPED: &[(&str, &str)] = shipped!["standard" "solvers" "formulations" "friction" "verification" "performance" "scenes" "storage"];
+pub const SHIPPED: &[(&str, &str)] = shipped!["standard" "solvers" "schemes" "friction" "verification" "performance" "scenes" "storage"];
 
 /// A report's description.
 pub struct Experiment {

@@ -38,7 +38,7 @@ pub const KINDS: &[Kind] = &[
     kind::<study::residual_map::Plan>(),
     kind::<study::plane::Plan>(),
     kind::<study::race::Plan>(),
-    kind::<study::formulations::Plan>(),
+    kind::<study::schemes::Plan>(),
     kind::<study::sinking::Plan>(),
     kind::<study::force_path::Plan>(),
     kind::<study::order::Plan>(),

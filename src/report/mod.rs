@@ -4,13 +4,13 @@
 
 pub mod difference;
 pub mod experiment;
+pub mod grid;
 pub mod kind;
 mod layout;
 pub mod recording;
 pub mod results;
 pub mod run;
 pub mod study;
-pub mod sweep;
 pub mod view;
 pub mod write;
 

@@ -29,7 +29,7 @@ const ROWS: [(&str, &[&[&str]]); 4] = [
         &[
             &["answer", "aside", "attempt", "clarabel", "number"],
             &["families", "friction", "methods", "profiles", "tasks"],
-            &["comparison", "trial"],
+            &["comparison", "hunt"],
             &["explain", "diagnosis"],
         ],
     ),

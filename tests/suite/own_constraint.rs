@@ -9,7 +9,7 @@ use std::sync::Arc;
 use example::Bowl;
 use lcplab::body::{Pose, State};
 use lcplab::constraint::verify;
-use lcplab::scene::{Formulation, Scene};
+use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
 use lcplab::solver::Dantzig;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -49,7 +49,7 @@ fn circles_in_a_bowl_take_the_same_time_at_any_height() {
             let height = 0.5 * curvature * (radius * radius - 1.0);
             scene.states[0].pose.p = Vector3::new(radius, 0.0, height);
             scene.states[0].v = Vector3::y() * (2.0 * PI * radius);
-            (scene.step.dt, scene.step.formulation) = (dt, Formulation::Acceleration);
+            (scene.step.dt, scene.step.scheme) = (dt, Scheme::Acceleration);
             let mut bead = Simulation::new(scene, Box::new(Dantzig::default()));
             for _ in 0..(1.0 / dt).round() as usize {
                 bead.step().unwrap();

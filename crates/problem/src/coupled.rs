@@ -1,14 +1,17 @@
-//! Rows whose bounds are ±μ times another row's x: the box model of dry friction.
+//! Contacts with friction, and the same as rows whose bounds are ±μ times another row's x.
 //!
 //! Row i is a tangential direction of a contact, row k its normal one, and
-//! −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0). Open Dynamics Engine calls k the `findex` of i.
-//! `math §5`, model 2.
+//! −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0): the box model of dry friction. Open Dynamics Engine calls k
+//! the `findex` of i. Rows may also be coupled that make no contact: a single tangent, or two with a μ
+//! each. `math §5`, model 2.
 
 use crate::error::{Defects, Result};
+use crate::friction::Contact;
 
-/// For some rows i the row k and the coefficient μ that bound them.
+/// The contacts of a problem, and for each coupled row i the row k and the coefficient μ that bound it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coupling {
+    contacts: Vec<Contact>,
     /// For each row the row that bounds it, if any.
     index: Vec<Option<usize>>,
     /// For each row its coefficient of friction; unused where there is no index.
@@ -44,7 +47,24 @@ impl Coupling {
             defects.add(format!("mu[{i}]"), format!("must be finite, is {mu}")); // coupled or not
         }
         defects.into_result("problem")?;
-        Ok(Coupling { index, mu })
+        let contacts = pairs(&index, &mu);
+        Ok(Coupling { contacts, index, mu })
+    }
+
+    /// The coupling of these contacts among n rows, each of which is in one contact at most.
+    pub(crate) fn of_contacts(n: usize, contacts: Vec<Contact>) -> Self {
+        let (mut index, mut mu) = (vec![None; n], vec![0.0; n]);
+        for Contact { rows: [normal, tangents @ ..], mu: own } in &contacts {
+            for &t in tangents {
+                (index[t], mu[t]) = (Some(*normal), *own);
+            }
+        }
+        Coupling { contacts, index, mu }
+    }
+
+    /// The contacts: a normal row, and the two rows with one μ that it alone bounds.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
     }
 
     /// Whether no row is coupled.
@@ -96,4 +116,17 @@ impl Coupling {
         }
         defects.into_result("problem")
     }
+}
+
+/// The contacts among coupled rows, by their normal rows.
+fn pairs(index: &[Option<usize>], mu: &[f64]) -> Vec<Contact> {
+    let mut tangents = vec![Vec::new(); index.len()];
+    for (t, normal) in index.iter().enumerate().filter_map(|(t, k)| k.map(|k| (t, k))) {
+        tangents[normal].push(t);
+    }
+    let contact = |(n, tangents): (usize, &Vec<usize>)| match tangents[..] {
+        [t1, t2] if mu[t1] == mu[t2] => Some(Contact { rows: [n, t1, t2], mu: mu[t1] }),
+        _ => None,
+    };
+    tangents.iter().enumerate().filter_map(contact).collect()
 }

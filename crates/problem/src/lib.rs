@@ -29,14 +29,16 @@ pub mod merit;
 
 pub use complementarity::Complementarity;
 pub use coupled::Coupling;
+pub use friction::Contact;
 pub use gauss::Gauss;
 pub use matrix::{Dense, Matrix, Row, Sparse, dot};
 
 use std::sync::Arc;
 
 use error::{Defects, Error, Result};
+use friction::FrictionProblem;
 
-/// A boxed LCP. It is valid from construction on: sizes agree, all numbers of A and b are finite,
+/// A boxed LCP, with its contacts if there is friction. It is valid from construction on: sizes agree, all numbers of A and b are finite,
 /// no bound is NaN and lo ≤ hi, so no solver checks again.
 #[derive(Debug, Clone)]
 pub struct Lcp {
@@ -96,6 +98,21 @@ impl Lcp {
         }
         self.coupling = (!coupling.is_empty()).then_some(coupling);
         Ok(self)
+    }
+
+    /// The same problem with friction at these contacts, as the box model has it: their tangents are
+    /// bounded by ±μ x_n. The other models are made of the same contacts ([`friction`]).
+    ///
+    /// # Errors
+    /// Lists every contact that is impossible: see [`FrictionProblem::new`].
+    pub fn with_contacts(self, contacts: Vec<Contact>) -> Result<Self> {
+        Ok(FrictionProblem::new(self, contacts)?.coupled_box())
+    }
+
+    /// The contacts with friction: normal, two tangents, μ. Coupled rows that do not come in pairs
+    /// with one μ are in none.
+    pub fn contacts(&self) -> &[Contact] {
+        self.coupling.as_ref().map_or(&[], Coupling::contacts)
     }
 
     /// The same problem with the size of x that counts as something.

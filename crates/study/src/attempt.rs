@@ -128,7 +128,7 @@ pub fn entries(names: &[String]) -> Result<Vec<Entry>> {
     names.iter().map(|name| lcplab_solver::entry(name).copied()).collect()
 }
 
-/// The four families of methods that [`solver`] describes.
+/// The four families of methods that [`lcplab_solver`] describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Group {
     /// Row by row.

@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::aside::GRACE;
 use crate::tasks::Tasks;
 use lcplab_judge::Demand;
-use lcplab_mechanics::formulation::friction_model;
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Motion, Simulation, Solve, Step};
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::Model;
@@ -39,7 +38,7 @@ pub struct Comparison {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Run {
     /// The level.
-    pub formulation: String,
+    pub scheme: String,
     /// The solver.
     pub solver: String,
     /// Steps taken.
@@ -114,7 +113,7 @@ pub struct Timing {
     /// The scene.
     pub scene: String,
     /// The level.
-    pub formulation: String,
+    pub scheme: String,
     /// The solver.
     pub solver: String,
     /// Steps taken.
@@ -123,7 +122,7 @@ pub struct Timing {
     pub seconds: f64,
 }
 
-/// What stands for the solver where a family solves no LCP: it is never asked.
+/// What stands for the solver where a scheme solves no LCP: it is never asked.
 const NONE: Entry = Entry {
     name: "none",
     method: "no LCP is solved",
@@ -145,17 +144,17 @@ pub fn compare(
 ) -> (Comparison, Vec<Timing>) {
     let cones = CONES.iter().copied().map(Method::Cone);
     let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
-    let pairs = contenders(scene, &Formulation::LEVELS, &methods);
-    let runs = pairs.par_iter().map(|&(formulation, solver)| {
-        let ended = run(&scene.at_level(formulation), &solver, steps, &Stop::default());
+    let pairs = contenders(scene, &Scheme::LEVELS, &methods);
+    let runs = pairs.par_iter().map(|&(scheme, solver)| {
+        let ended = run(&scene.at_level(scheme), &solver, steps, &Stop::default());
         note();
         ended
     });
     of_runs(scene, steps, runs.collect())
 }
 
-/// The same by these families and methods: those of the methods that take the scene's model of
-/// friction, and one run each for families that solve no LCP. A family that does not know the model
+/// The same by these schemes and methods: those of the methods that take the scene's model of
+/// friction, and one run each for schemes that solve no LCP. A scheme that does not know the model
 /// is left out. When it is time to stop, runs end with the steps that they have taken, and no more
 /// begin.
 ///
@@ -163,16 +162,16 @@ pub fn compare(
 /// If there are no threads to run on.
 pub fn compare_families(
     scene: &Scene,
-    families: &[Formulation],
+    schemes: &[Scheme],
     methods: &[Method],
     steps: usize,
     note: &(dyn Fn() + Sync),
     stop: &Stop,
 ) -> Result<(Comparison, Vec<Timing>)> {
-    let pairs: Vec<_> = contenders(scene, families, methods).into_iter().enumerate().collect();
+    let pairs: Vec<_> = contenders(scene, schemes, methods).into_iter().enumerate().collect();
     let (own, asked) = (scene.clone(), stop.clone());
-    let work = move |&(_, (formulation, solver)): &(usize, (Formulation, Method))| {
-        run(&own.at_level(formulation), &solver, steps, &asked)
+    let work = move |&(_, (scheme, solver)): &(usize, (Scheme, Method))| {
+        run(&own.at_level(scheme), &solver, steps, &asked)
     };
     let mut ended = BTreeMap::new();
     Tasks { together: pairs, alone: Vec::new(), grace: GRACE }.run(stop, work, |(k, _), run| {
@@ -198,31 +197,27 @@ fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Compariso
     (comparison, timings)
 }
 
-/// Who steps the scene by which family. The coupled box is what every boxed solver gets.
-pub fn contenders(
-    scene: &Scene,
-    families: &[Formulation],
-    methods: &[Method],
-) -> Vec<(Formulation, Method)> {
-    let model = friction_model(&scene.contact);
+/// Who steps the scene by which scheme. The coupled box is what every boxed solver gets.
+pub fn contenders(scene: &Scene, schemes: &[Scheme], methods: &[Method]) -> Vec<(Scheme, Method)> {
+    let model = scene.contact.model;
     let takes = |method: &&Method| match method {
         Method::Boxed(_) if model == Model::CoupledBox => true,
         method => method.takes(Some(model)),
     };
-    let of = |family: Formulation| -> Vec<Method> {
-        match family.solves_lcps() {
+    let of = |scheme: Scheme| -> Vec<Method> {
+        match scheme.solves_lcps() {
             true => methods.iter().filter(takes).copied().collect(),
             false => vec![Method::Boxed(NONE)],
         }
     };
-    let able = families.iter().filter(|&&family| scene.at_level(family).validate().is_ok());
-    able.flat_map(|&family| of(family).into_iter().map(move |method| (family, method))).collect()
+    let able = schemes.iter().filter(|&&scheme| scene.at_level(scheme).validate().is_ok());
+    able.flat_map(|&scheme| of(scheme).into_iter().map(move |method| (scheme, method))).collect()
 }
 
 fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timing) {
-    let formulation = scene.step.formulation.name().to_string();
+    let scheme = scene.step.scheme.name().to_string();
     let mut run = Run {
-        formulation: formulation.clone(),
+        scheme: scheme.clone(),
         solver: solver.name().to_string(),
         steps: 0,
         solves: 0,
@@ -238,7 +233,7 @@ fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timin
     let simulation = Simulation::by(scene, solver);
     let seconds = step_through(simulation, steps, stop, &mut run);
     let (scene, solver) = (scene.name.clone(), solver.name().to_string());
-    let timing = Timing { scene, formulation, solver, steps: run.steps, seconds };
+    let timing = Timing { scene, scheme, solver, steps: run.steps, seconds };
     (run, timing)
 }
 

@@ -2,7 +2,7 @@
 //!
 //! [`answer`] and [`friction`] put one answer and its verdict into words and JSON, [`explain`] derives it
 //! line by line, [`diagnosis`] says why there is none, [`families`] and [`profiles`] compare the
-//! solvers on problems, `comparison` on scenes, and [`trial`] asks whether they are honest. What needs scenes is behind
+//! solvers on problems, `comparison` on scenes, and [`hunt`] asks whether they are honest. What needs scenes is behind
 //! the feature `mechanics`.
 //! [`methods`] are the solvers of the registry with clarabel as the reference beside them.
 
@@ -16,8 +16,8 @@ pub mod diagnosis;
 pub mod explain;
 pub mod families;
 pub mod friction;
+pub mod hunt;
 pub mod methods;
 pub mod number;
 pub mod profiles;
 pub mod tasks;
-pub mod trial;

@@ -10,7 +10,7 @@ use crate::formulation::Stage;
 use crate::lcp::library;
 use crate::plot::{Axis, Lines, Series};
 use crate::scene::catalogue::pendulum::{Pendulum, Swing};
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
 
@@ -34,13 +34,9 @@ const START: Swing<1> = Swing { angles: [0.7], rates: [1.3] };
 /// A pendulum's pull, a blow, and a rod that no force can hold.
 fn example() -> Result<Finding> {
     let pull = -(G * START.angles[0].cos() + START.rates[0].powi(2));
-    let step = |formulation| Ok::<f64, Error>(forces(formulation, 0.01, 1)?[0]);
-    let force = Measure::new(
-        "λ of the rod",
-        "N",
-        step(Formulation::Velocity)?,
-        step(Formulation::Acceleration)?,
-    );
+    let step = |scheme| Ok::<f64, Error>(forces(scheme, 0.01, 1)?[0]);
+    let force =
+        Measure::new("λ of the rod", "N", step(Scheme::Velocity)?, step(Scheme::Acceleration)?);
     let (at_rest, blow) =
         (answer("dantzig", &contacts(&[1.0], &[-G])?)?, contacts(&[1.0], &[-1.0])?);
     let printed = -1.0 + 0.01 * (at_rest[0] - G);
@@ -81,9 +77,9 @@ fn painleve() -> Result<Measure> {
 }
 
 /// λ (N) in each of so many steps; at velocity level x/dt.
-fn forces(formulation: Formulation, dt: f64, steps: usize) -> Result<Vec<f64>> {
+fn forces(scheme: Scheme, dt: f64, steps: usize) -> Result<Vec<f64>> {
     let mut scene = Scene::load("pendulum")?;
-    (scene.step.formulation, scene.step.dt) = (formulation, dt);
+    (scene.step.scheme, scene.step.dt) = (scheme, dt);
     (scene.step.baumgarte, scene.step.alpha) = (0.0, 0.0);
     let ([(sin, cos)], [rate]) = (START.angles.map(f64::sin_cos), START.rates);
     scene.states[0].pose.p = Vector3::new(sin, 0.0, -cos);
@@ -114,7 +110,7 @@ fn pull_over_time() -> Result<Lines> {
         single.push((t, G * swing.angles[0].cos()));
         swing = pendulum.after(dt, swing);
     }
-    let run = forces(Formulation::Velocity, dt, 100)?;
+    let run = forces(Scheme::Velocity, dt, 100)?;
     let run = run.iter().enumerate().map(|(k, force)| (k as f64 * dt, -force)).collect();
     Ok(curves(
         "pull_of_a_pendulum",

@@ -5,7 +5,7 @@ use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::constraint::Spring;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
 
@@ -52,7 +52,7 @@ fn left(steps: usize, next: impl Fn(f64, f64) -> f64) -> f64 {
 }
 
 /// Heights (m) and the first speed (m/s) of a body that rests too deep in the ground.
-fn pushed_out(formulation: Formulation, depth: f64) -> Result<(Vec<f64>, f64)> {
+fn pushed_out(scheme: Scheme, depth: f64) -> Result<(Vec<f64>, f64)> {
     let text = format!(
         "[step]\ndt = {DT}\nbaumgarte = 0.2\n\
          [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
@@ -60,7 +60,7 @@ fn pushed_out(formulation: Formulation, depth: f64) -> Result<(Vec<f64>, f64)> {
         -depth
     );
     let mut scene = Scene::from_toml("overlap.toml", &text)?;
-    scene.step.formulation = formulation;
+    scene.step.scheme = scheme;
     let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default())?);
     let (mut heights, mut first) = (vec![-depth], f64::NAN);
     simulation.run(60, |step| {
@@ -87,10 +87,10 @@ fn example() -> Result<Finding> {
         let measure = Measure::new(words, "m", of(0.0), of(gamma));
         measure.truth(&[left(10, |c, v| implicit(damped, mass, c, v))], "implicit Euler", 1e-12)
     };
-    let (thrown, _) = pushed_out(Formulation::Velocity, 0.3)?;
-    let (lifted, _) = pushed_out(Formulation::SplitImpulse, 0.3)?;
-    let (_, pushed) = pushed_out(Formulation::Velocity, 0.1)?;
-    let (_, still) = pushed_out(Formulation::SplitImpulse, 0.1)?;
+    let (thrown, _) = pushed_out(Scheme::Velocity, 0.3)?;
+    let (lifted, _) = pushed_out(Scheme::SplitImpulse, 0.3)?;
+    let (_, pushed) = pushed_out(Scheme::Velocity, 0.1)?;
+    let (_, still) = pushed_out(Scheme::SplitImpulse, 0.1)?;
     let top = |heights: &[f64]| heights.iter().copied().fold(0.0, f64::max);
     let push = Measure::new("speed out of 0.1 m, one step", "m/s", pushed, still);
     let jump = Measure::new("peak above ground, from 0.3 m", "m", top(&thrown), top(&lifted));

@@ -7,7 +7,7 @@ use super::setting::{DT, G, over_time};
 use super::{Evidence, Exhibit, Finding, Measure, Severity};
 use crate::error::Result;
 use crate::plot::{Axis, Series};
-use crate::scene::{Feedback, Formulation, Scene, Step};
+use crate::scene::{Feedback, Scene, Scheme, Step};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
 
@@ -30,15 +30,15 @@ const STEPS: usize = 600;
 
 /// The four methods: their name, and how they step.
 fn methods() -> [(&'static str, Step); 4] {
-    let with = |formulation, baumgarte, feedback| {
+    let with = |scheme, baumgarte, feedback| {
         let plain = Step { dt: DT, count: STEPS, ..Step::default() };
-        Step { formulation, baumgarte, feedback, ..plain }
+        Step { scheme, baumgarte, feedback, ..plain }
     };
     [
-        ("velocity, no feedback", with(Formulation::Velocity, 0.0, Feedback::Corrected)),
-        ("velocity, β c", with(Formulation::Velocity, 0.1, Feedback::Unscaled)),
-        ("velocity, β c/dt", with(Formulation::Velocity, 0.1, Feedback::Corrected)),
-        ("acceleration", with(Formulation::Acceleration, 0.0, Feedback::Corrected)),
+        ("velocity, no feedback", with(Scheme::Velocity, 0.0, Feedback::Corrected)),
+        ("velocity, β c", with(Scheme::Velocity, 0.1, Feedback::Unscaled)),
+        ("velocity, β c/dt", with(Scheme::Velocity, 0.1, Feedback::Corrected)),
+        ("acceleration", with(Scheme::Acceleration, 0.0, Feedback::Corrected)),
     ]
 }
 
@@ -57,7 +57,7 @@ fn by_hand(step: &Step) -> f64 {
     for _ in 0..STEPS {
         let length: f64 = p.norm();
         let n = p / length;
-        if step.formulation == Formulation::Acceleration {
+        if step.scheme == Scheme::Acceleration {
             let turning = (v.norm_squared() - n.dot(&v).powi(2)) / length;
             v += DT * (gravity - n * (n.dot(&gravity) + turning));
         } else {

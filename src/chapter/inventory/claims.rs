@@ -61,9 +61,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         ),
     Entry::new("T9", Confirmed, "Penalty methods are simple and stiff and need small steps.")
         .code(&[
-            "simulation::family::penalty",
-            "test simulation::families::an_explicit_spring_is_stable_below_two_over_omega",
-            "test simulation::families::a_penalty_spring_carries_its_load_by_an_error",
+            "simulation::scheme::penalty",
+            "test simulation::schemes::an_explicit_spring_is_stable_below_two_over_omega",
+            "test simulation::schemes::a_penalty_spring_carries_its_load_by_an_error",
         ])
         .lesson(&[7])
         .remark("Stable below dt = 2/ω, as measured."),
@@ -74,8 +74,8 @@ pub(super) const ENTRIES: &[Entry] = &[
     )
     .errata(&["E66"])
     .code(&[
-        "simulation::family::sequential",
-        "test simulation::families::the_sweeps_of_sequential_impulses_are_those_of_pgs",
+        "simulation::scheme::sequential",
+        "test simulation::schemes::the_sweeps_of_sequential_impulses_are_those_of_pgs",
     ])
     .lesson(&[4])
     .remark(
@@ -88,7 +88,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::new("T12", Confirmed, "Global methods stay stable with large steps.")
         .code(&[
             "scene stack",
-            "simulation::family",
+            "simulation::scheme",
             "report::study::drift",
             "test chapter::claims::a_stack_stands_at_large_steps",
         ])
@@ -277,7 +277,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .errata(&["E34", "E39"])
         .code(&[
             "formulation::velocity",
-            "simulation::family",
+            "simulation::scheme",
             "report::study::drift",
             "constraint::Spring",
         ])
@@ -288,7 +288,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         ),
     Entry::new("T34", Misleading, "Constraints stay valid at all times, under large forces too.")
         .errata(&["E64"])
-        .code(&["report::study::drift", "test simulation::families"])
+        .code(&["report::study::drift", "test simulation::schemes"])
         .lesson(&[7])
         .remark("Velocities do; positions drift."),
 ];

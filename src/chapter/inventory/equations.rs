@@ -131,7 +131,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .remark("Without complementarity a half line of points satisfies them."),
     Entry::new("(16)", Wrong, "A step: first the velocity, then the position.")
         .errata(&["E21"])
-        .code(&["body::State::advanced", "simulation::family", "scene free_fall"])
+        .code(&["body::State::advanced", "simulation::scheme", "scene free_fall"])
         .lesson(&[3])
         .remark("The second line as printed forgets the position."),
     Entry::new("(17)", Right, "The velocity changes by dt M⁻¹ F.")
@@ -188,7 +188,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .lesson(&[3]),
     Entry::new("(25)", Misleading, "Feed a part β of the error back into the rate (Baumgarte).")
         .errata(&["E34", "E35"])
-        .code(&["formulation::velocity", "test simulation::families", "scene stretched_chain"])
+        .code(&["formulation::velocity", "test simulation::schemes", "scene stretched_chain"])
         .lesson(&[7])
         .remark("Without 1/dt, β is a rate in 1/s, and its sign must be that of J."),
     Entry::new("(26)", Misleading, "A weld keeps six coordinates of a body constant.")

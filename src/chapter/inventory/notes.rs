@@ -47,7 +47,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .code(&[
             "scene stretched_chain",
             "scene overlap_recovery",
-            "simulation::family::split_impulse",
+            "simulation::scheme::split_impulse",
             "report::study::drift",
         ])
         .lesson(&[7])

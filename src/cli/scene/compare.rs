@@ -9,7 +9,7 @@ use lcplab::memory::Memory;
 use lcplab::report::study::comparison::{self, Sample};
 use lcplab::report::study::film::{self, Actor};
 use lcplab::report::{text, view, write};
-use lcplab::scene::Formulation;
+use lcplab::scene::Scheme;
 use lcplab::solver::{self, Method};
 use serde_json::json;
 
@@ -23,8 +23,8 @@ use crate::cli::{Outcome, bar, print, say};
 Example:
   lcplab compare stack --steps 20 --out stack-report
 
-Without --formulation at both levels that are one LCP, velocity and acceleration; with it by that
-family alone. Families that solve no LCP have one row. Only solvers that are made for the model of
+Without --scheme at both levels that are one LCP, velocity and acceleration; with it by that
+scheme alone. Schemes that solve no LCP have one row. Only solvers that are made for the model of
 friction run, and only levels that know it.
 With --out the folder gets a page with a film of the solvers side by side, the table and the plots.
 The film shows one solver of each group that moves alike, or those named by --show:
@@ -56,11 +56,11 @@ impl Compare {
             Some(name) => vec![self.scene.method(name, &scene)?],
             None => solver::methods(),
         };
-        let families = match self.scene.formulation {
-            Some(family) => vec![family],
-            None => Formulation::LEVELS.to_vec(),
+        let schemes = match self.scene.scheme {
+            Some(scheme) => vec![scheme],
+            None => Scheme::LEVELS.to_vec(),
         };
-        let contenders = comparison::contenders(&scene, &families, &solvers);
+        let contenders = comparison::contenders(&scene, &schemes, &solvers);
         let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
         self.scene.check(&running, &scene)?;
         let shown = self.show.iter().map(|name| Actor::named(name, &scene));
@@ -75,7 +75,7 @@ impl Compare {
         let stop = limits.stop();
         let (comparison, timings) = comparison::compare_families(
             &scene,
-            &families,
+            &schemes,
             &solvers,
             steps,
             &|| progress.inc(1),

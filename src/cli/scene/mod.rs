@@ -14,10 +14,9 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lcplab::body::State;
 use lcplab::error::{Error, Result};
-use lcplab::formulation::{friction_model, with_friction_model};
 use lcplab::lcp::friction::Model;
 use lcplab::report::methods;
-use lcplab::scene::{self, Formulation, Scene};
+use lcplab::scene::{self, Scene, Scheme};
 use lcplab::simulation::Simulation;
 use lcplab::solver::{Method, entry};
 
@@ -30,8 +29,10 @@ struct SceneArgs {
     /// A scene file, or the name of a shipped scene
     scene: String,
     /// Time-stepping scheme [default: the scene's]
-    #[arg(long, value_parser = families())]
-    formulation: Option<Formulation>,
+    #[arg(long, value_parser = schemes())]
+    scheme: Option<Scheme>,
+    #[command(flatten)]
+    renamed: Renamed,
     /// Solver [default: the scene's]
     #[arg(long)]
     solver: Option<String>,
@@ -46,7 +47,7 @@ struct SceneArgs {
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Most sweeps or pivots in a solve
-    #[arg(long)]
+    #[arg(long, visible_alias = "sweeps")]
     max_iterations: Option<usize>,
     #[command(flatten)]
     changes: Changes,
@@ -91,19 +92,26 @@ fn key_and_value(text: &str) -> std::result::Result<(String, String), String> {
     }
 }
 
-/// The names of the families, each of which is one.
-fn families() -> impl TypedValueParser<Value = Formulation> {
-    let names = Formulation::FAMILIES.map(Formulation::name);
-    PossibleValuesParser::new(names).map(|name| Formulation::by_name(&name).unwrap_or_default())
+/// Options that have got another name.
+#[derive(Debug, Args)]
+pub struct Renamed {
+    #[arg(long, hide = true, value_parser = |_: &str| Err::<(), _>("this is called --scheme now"))]
+    formulation: Option<()>,
+}
+
+/// The names of the schemes, each of which is one.
+fn schemes() -> impl TypedValueParser<Value = Scheme> {
+    let names = Scheme::ALL.map(Scheme::name);
+    PossibleValuesParser::new(names).map(|name| Scheme::by_name(&name).unwrap_or_default())
 }
 
 impl SceneArgs {
     fn load(&self) -> Result<Scene> {
         let mut scene = self.changes.load(&self.scene)?;
-        scene.step.formulation = self.formulation.unwrap_or(scene.step.formulation);
+        scene.step.scheme = self.scheme.unwrap_or(scene.step.scheme);
         scene.step.dt = self.dt.unwrap_or(scene.step.dt);
         if let Some(model) = self.model {
-            scene.contact = with_friction_model(&scene.contact, model);
+            scene.contact.model = model;
         }
         let solver = &mut scene.solver;
         solver.name = self.solver.clone().unwrap_or_else(|| solver.name.clone());
@@ -138,7 +146,7 @@ impl SceneArgs {
     /// The solver of this name. One that is asked for must be made for the friction model; if the scene's own
     /// is not, another one is used and the output names it.
     fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
-        match friction_model(&scene.contact) {
+        match scene.contact.model {
             Model::CoupledBox | Model::FrozenBox => Ok(Method::Boxed(*entry(name)?)),
             model if self.solver.is_some() => methods::by_name(name, model),
             model => methods::by_name(name, model)

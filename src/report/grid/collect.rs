@@ -3,7 +3,7 @@
 
 use serde_json::{Value as Json, json};
 
-use super::file::Sweep;
+use super::file::Grid;
 use super::folder::{Folder, Record, pretty};
 use super::measure::MEASURES;
 use super::page;
@@ -13,7 +13,7 @@ use crate::file;
 use crate::plot::csv;
 use crate::report::write;
 
-/// The results of a sweep, by task.
+/// The results of a grid, by task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Collection {
     /// Tasks and their results.
@@ -39,7 +39,7 @@ impl Collection {
 ///
 /// # Errors
 /// If a result cannot be read or belongs to another plan, or a file cannot be written.
-pub fn collect(sweep: &Sweep, folder: &Folder) -> Result<Collection> {
+pub fn collect(grid: &Grid, folder: &Folder) -> Result<Collection> {
     let mut collection = Collection { done: Vec::new(), missing: Vec::new() };
     for task in &folder.plan().tasks {
         match folder.record(task.task)? {
@@ -51,7 +51,7 @@ pub fn collect(sweep: &Sweep, folder: &Folder) -> Result<Collection> {
     file::write(&folder.path().join("results.csv"), table(axes, &collection.done))?;
     file::write(&folder.path().join("results.json"), &pretty(&object(folder, &collection.done))?)?;
     file::write(&folder.path().join("times.csv"), times(&collection.done))?;
-    write::document(&page::document(sweep, folder.plan(), &collection), folder.path())?;
+    write::document(&page::document(grid, folder.plan(), &collection), folder.path())?;
     Ok(collection)
 }
 
@@ -99,7 +99,7 @@ fn object(folder: &Folder, done: &[(Task, Record)]) -> Json {
         })
     });
     json!({
-        "sweep": plan.sweep,
+        "grid": plan.grid,
         "title": plan.title,
         "plan": plan.hash,
         "axes": plan.axes,

@@ -1,4 +1,4 @@
-//! The sweep file: each key read where it stands, so that a defect has its line.
+//! The grid file: each key read where it stands, so that a defect has its line.
 
 use std::path::Path;
 
@@ -15,8 +15,8 @@ use crate::plot::Scale;
 
 /// The sweeps that lcplab ships, by name.
 const SHIPPED: [(&str, &str); 2] = [
-    ("omega", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/sweeps/omega.toml"))),
-    ("ratio", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/sweeps/ratio.toml"))),
+    ("omega", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/omega.toml"))),
+    ("ratio", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/ratio.toml"))),
 ];
 
 const KEYS: [&str; 14] = [
@@ -27,9 +27,9 @@ const KEYS: [&str; 14] = [
 /// An axis has at most so many points.
 const MOST_POINTS: usize = 100_000;
 
-/// A sweep as its file describes it; see the [module](super) for the format.
+/// A grid as its file describes it; see the [module](super) for the format.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sweep {
+pub struct Grid {
     /// The file's name without its extension; also the folder of its results.
     pub name: String,
     /// The heading.
@@ -63,7 +63,7 @@ pub struct Axis {
     pub points: Vec<Vec<Value>>,
 }
 
-impl Sweep {
+impl Grid {
     /// What a setting is called: its label, or the last part of its path where no other axis has the
     /// same.
     pub fn label(&self, path: &str) -> String {
@@ -77,7 +77,7 @@ impl Sweep {
         }
     }
 
-    /// Reads a sweep file, or takes a shipped sweep by its name.
+    /// Reads a grid file, or takes a shipped grid by its name.
     ///
     /// # Errors
     /// A name that is neither a file nor shipped, or a file with defects, each with its line.
@@ -89,14 +89,14 @@ impl Sweep {
         }
         let shipped = SHIPPED.iter().find(|(name, _)| *name == path_or_name);
         let (_, text) = shipped.ok_or_else(|| Error::Unknown {
-            kind: "sweep file or shipped sweep",
+            kind: "grid file or shipped grid",
             name: path_or_name.into(),
             known: SHIPPED.iter().map(|(name, _)| (*name).into()).collect(),
         })?;
         Self::from_toml(path_or_name, text)
     }
 
-    /// The sweep of a text; `path` stands in the messages and gives the name.
+    /// The grid of a text; `path` stands in the messages and gives the name.
     ///
     /// # Errors
     /// One error with every defect, each with its line.
@@ -106,12 +106,12 @@ impl Sweep {
             Error::invalid(path, format!("line {line}"), error.message())
         })?;
         let mut reader = Reader { text, root: table.get_ref(), defects: Defects::default() };
-        let sweep = reader.sweep(path);
+        let grid = reader.grid(path);
         if reader.defects.is_empty() {
-            super::subject::check(&sweep, |setting, reason| reader.fault(setting, reason))?;
+            super::subject::check(&grid, |setting, reason| reader.fault(setting, reason))?;
         }
         reader.defects.into_result(path)?;
-        Ok(sweep)
+        Ok(grid)
     }
 }
 
@@ -130,15 +130,15 @@ struct Entry<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn sweep(&mut self, path: &str) -> Sweep {
+    fn grid(&mut self, path: &str) -> Grid {
         for (key, _) in self.root.iter().filter(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
         {
             let reason =
-                format!("{:?} is no key of a sweep; there are {}", key.get_ref(), KEYS.join(", "));
+                format!("{:?} is no key of a grid; there are {}", key.get_ref(), KEYS.join(", "));
             self.add(key.span().start, reason);
         }
         let name = Path::new(path).file_stem();
-        let name = name.map_or("sweep".into(), |name| name.to_string_lossy().into_owned());
+        let name = name.map_or("grid".into(), |name| name.to_string_lossy().into_owned());
         let measures: Vec<String> = self.one_or_many("measure");
         let measures = measures.iter().filter_map(|name| {
             self.named(
@@ -157,7 +157,7 @@ impl<'a> Reader<'a> {
         let settings = self.settings(&axes);
         let labels = self.labels(&axes);
         let scale: Option<Spacing> = self.key("scale");
-        Sweep {
+        Grid {
             title: self.key("title").unwrap_or_else(|| name.clone()),
             name,
             text: self.key("text").unwrap_or_default(),

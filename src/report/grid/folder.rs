@@ -1,4 +1,4 @@
-//! The folder of a sweep's results: the plan, and one file a task, each written whole or not at all.
+//! The folder of a grid's results: the plan, and one file a task, each written whole or not at all.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -7,7 +7,7 @@ use indicatif::ProgressBar;
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
-use super::file::Sweep;
+use super::file::Grid;
 use super::measure::{self, Finding};
 use super::plan::{Plan, Task};
 use super::theory::Theory;
@@ -18,7 +18,7 @@ use crate::memory::Memory;
 use crate::report::tasks::Tasks;
 use crate::solver::Stop;
 
-/// A folder with the plan and the results of a sweep.
+/// A folder with the plan and the results of a grid.
 #[derive(Debug, Clone)]
 pub struct Folder {
     path: PathBuf,
@@ -51,17 +51,17 @@ pub struct Machine {
 }
 
 impl Folder {
-    /// The folder of a sweep, which need not exist yet.
+    /// The folder of a grid, which need not exist yet.
     ///
     /// # Errors
-    /// If it holds another plan, or a scene of the sweep cannot be read.
-    pub fn new(path: &Path, sweep: &Sweep) -> Result<Self> {
-        let plan = sweep.plan()?;
+    /// If it holds another plan, or a scene of the grid cannot be read.
+    pub fn new(path: &Path, grid: &Grid) -> Result<Self> {
+        let plan = grid.plan()?;
         let file = path.join("plan.json");
         if let Some(found) = read(&file)? {
             check(&file, found["hash"].as_str().unwrap_or("none"), &plan.hash)?;
         }
-        Ok(Folder { path: path.into(), plan, theory: sweep.theory })
+        Ok(Folder { path: path.into(), plan, theory: grid.theory })
     }
 
     /// The plan.
@@ -92,7 +92,7 @@ impl Folder {
     pub fn run_one(&self, number: usize) -> Result<Record> {
         let task = self.plan.tasks.iter().find(|task| task.task == number).ok_or_else(|| {
             let reason = format!("there is no task {number}, only 1 to {}", self.plan.tasks.len());
-            Error::invalid(&self.plan.sweep, "--task", reason)
+            Error::invalid(&self.plan.grid, "--task", reason)
         })?;
         let record = self.done(task);
         self.keep(&record)?;
@@ -176,7 +176,7 @@ fn check(path: &Path, found: &str, wanted: &str) -> Result<()> {
         return Ok(());
     }
     let reason = format!(
-        "belongs to plan {found}, and the sweep is now plan {wanted}: its file, a scene or lcplab \
+        "belongs to plan {found}, and the grid is now plan {wanted}: its file, a scene or lcplab \
          has changed; take another folder, or delete this one"
     );
     Err(Error::File { path: path.display().to_string(), reason })
@@ -190,5 +190,5 @@ fn unreadable(path: &Path, cause: &serde_json::Error) -> Error {
 pub(super) fn pretty(value: &impl Serialize) -> Result<String> {
     let json = serde_json::to_string_pretty(value);
     json.map(|json| json + "\n")
-        .map_err(|cause| Error::invalid("sweep", "results", cause.to_string()))
+        .map_err(|cause| Error::invalid("grid", "results", cause.to_string()))
 }

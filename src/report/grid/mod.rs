@@ -1,6 +1,6 @@
-//! Parameter sweeps: a scene or a problem family at every point of a grid of settings.
+//! Grids of settings: a scene or a problem family at every point.
 //!
-//! A sweep file ([`Sweep`]) says what varies; its [`Plan`] numbers the points. Each is a task that
+//! A grid file ([`Grid`]) says what varies; its [`Plan`] numbers the points. Each is a task that
 //! needs no other one, on whichever thread or machine ([`measure`](mod@measure)); a [`Folder`] keeps
 //! their results, and [`collect`] puts them together, the same bits however they were found.
 //!
@@ -19,7 +19,7 @@
 //! [axes]                          # every combination of these; the first one is drawn across
 //! solver.omega = { from = 1.0, to = 1.9, count = 10 }
 //! bodies.block.mass = { from = 1.0, to = 100.0, count = 3, spacing = "log" }
-//! step.formulation = ["velocity", "acceleration"]
+//! step.scheme = ["velocity", "acceleration"]
 //!
 //! [zip]                           # lists of one length that go together, as one more axis
 //! step.dt = [0.01, 0.005]
@@ -50,7 +50,7 @@ mod subject;
 mod theory;
 
 pub use collect::{Collection, collect};
-pub use file::{Axis, Sweep};
+pub use file::{Axis, Grid};
 pub use folder::{Folder, Machine, Record};
 pub use measure::Finding;
 pub use page::{document, plan_table};

@@ -1,8 +1,8 @@
-//! The page of a sweep: each measure across the first axis, a curve for each point of the others.
+//! The page of a grid: each measure across the first axis, a curve for each point of the others.
 //! Nothing is solved here.
 
 use super::collect::{Collection, words};
-use super::file::{REPEAT, SUBJECT, Sweep};
+use super::file::{Grid, REPEAT, SUBJECT};
 use super::folder::Record;
 use super::measure::{MEASURES, Measure};
 use super::plan::{Plan, Task, plain};
@@ -19,12 +19,12 @@ const MOST_ROWS: usize = 500;
 const WIDE: f64 = 50.0;
 
 /// The page with its figures and tables.
-pub fn document(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Document {
-    let curves = curves(sweep, plan, collection);
+pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
+    let curves = curves(grid, plan, collection);
     let mut figures: Vec<Box<dyn Figure>> = Vec::new();
     let mut blocks = Vec::new();
-    for measure in &sweep.measures {
-        if let Some(figure) = curves.as_ref().and_then(|curves| figure(sweep, curves, measure)) {
+    for measure in &grid.measures {
+        if let Some(figure) = curves.as_ref().and_then(|curves| figure(grid, curves, measure)) {
             blocks.push(Block::Figure(Picture::of(&figure, FILES)));
             figures.push(Box::new(figure));
         }
@@ -42,13 +42,13 @@ pub fn document(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Document
     if let Some(table) = &optima {
         sections.push(section("optimum", "The optimum", vec![Block::Table(table.clone())]));
     }
-    let table = results_table(sweep, plan, collection);
+    let table = results_table(grid, plan, collection);
     sections.push(section("results", "All results", vec![Block::Table(table.clone())]));
-    let origin = origin(sweep);
+    let origin = origin(grid);
     sections.iter_mut().for_each(|section| section.obtained(&origin));
     let page = Page {
-        title: sweep.title.clone(),
-        lead: sweep.text.trim().to_string(),
+        title: grid.title.clone(),
+        lead: grid.text.trim().to_string(),
         sections,
         facts: facts(plan, collection),
     };
@@ -60,10 +60,10 @@ pub fn document(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Document
     }
 }
 
-/// The table that `sweep plan` prints: the first tasks with what varies.
-pub fn plan_table(sweep: &Sweep, plan: &Plan, rows: usize) -> Table {
+/// The table that `grid plan` prints: the first tasks with what varies.
+pub fn plan_table(grid: &Grid, plan: &Plan, rows: usize) -> Table {
     let columns =
-        ["task"].into_iter().map(String::from).chain(plan.axes.iter().map(|p| sweep.label(p)));
+        ["task"].into_iter().map(String::from).chain(plan.axes.iter().map(|p| grid.label(p)));
     let cells = |task: &Task| {
         let values = plan.axes.iter().map(|path| Cell::text(task.shown(path)));
         [Cell::text(task.task.to_string())].into_iter().chain(values).collect()
@@ -72,7 +72,7 @@ pub fn plan_table(sweep: &Sweep, plan: &Plan, rows: usize) -> Table {
     let more =
         if left > 0 { format!("and {left} more; plan.json has them all") } else { String::new() };
     Table {
-        title: format!("{}: {} tasks, plan {}", plan.sweep, plan.tasks.len(), plan.hash),
+        title: format!("{}: {} tasks, plan {}", plan.grid, plan.tasks.len(), plan.hash),
         how_to_read: more,
         columns: columns.map(|title| Column::numbers(title, "")).collect(),
         rows: plan.tasks.iter().take(rows).map(cells).collect(),
@@ -94,16 +94,16 @@ struct Curve<'a> {
 }
 
 /// `None` if no axis has numbers.
-fn curves<'a>(sweep: &Sweep, plan: &Plan, collection: &'a Collection) -> Option<Curves<'a>> {
+fn curves<'a>(grid: &Grid, plan: &Plan, collection: &'a Collection) -> Option<Curves<'a>> {
     let is_number = |path: &&String| plan.tasks.iter().all(|task| task.number(path).is_some());
     let first = plan.axes.iter().filter(|path| *path != REPEAT).find(is_number)?;
-    let zipped = sweep.axes.iter().find(|axis| axis.paths.contains(first))?;
+    let zipped = grid.axes.iter().find(|axis| axis.paths.contains(first))?;
     let is_other = |path: &&String| !zipped.paths.contains(path) && *path != REPEAT;
     let others: Vec<&String> = plan.axes.iter().filter(is_other).collect();
     let mut curves: Vec<Curve> = Vec::new();
     for (task, record) in &collection.done {
         let parts = others.iter().map(|path| match task.number(path) {
-            Some(_) => format!("{} = {}", sweep.label(path), task.shown(path)),
+            Some(_) => format!("{} = {}", grid.label(path), task.shown(path)),
             None => task.shown(path), // the name of a solver or family has a look of its own
         });
         let name = parts.collect::<Vec<_>>().join(", ");
@@ -115,7 +115,7 @@ fn curves<'a>(sweep: &Sweep, plan: &Plan, collection: &'a Collection) -> Option<
         }
     }
     let unit = if first == "step.dt" { "s" } else { "" };
-    Some(Curves { across: (sweep.label(first), unit), curves })
+    Some(Curves { across: (grid.label(first), unit), curves })
 }
 
 impl Curve<'_> {
@@ -130,7 +130,7 @@ impl Curve<'_> {
     }
 }
 
-fn figure(sweep: &Sweep, curves: &Curves, measure: &Measure) -> Option<Lines> {
+fn figure(grid: &Grid, curves: &Curves, measure: &Measure) -> Option<Lines> {
     let shown = &curves.curves[..curves.curves.len().min(MOST_CURVES)];
     let drawn: Vec<Series> = shown
         .iter()
@@ -139,11 +139,11 @@ fn figure(sweep: &Sweep, curves: &Curves, measure: &Measure) -> Option<Lines> {
     let all = || drawn.iter().flat_map(|series| series.points.iter().copied());
     let (x, y) = (spread(all().map(|(x, _)| x)), spread(all().map(|(_, y)| y)));
     y.most.is_finite().then_some(())?;
-    let y_wide = sweep.scale.map_or(y.wide, |scale| scale == Scale::Log);
+    let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
     let floor = if y_wide { y.smallest } else { y.least };
     let mut series = drawn.clone();
     let mut words = vec![format!("{}: {}.", measure.name, measure.about)];
-    if sweep.theory.is_some_and(|theory| theory.measure() == measure.name) {
+    if grid.theory.is_some_and(|theory| theory.measure() == measure.name) {
         series.extend(joined(
             "theory",
             shown.iter().map(|curve| curve.of("predicted")),
@@ -153,7 +153,7 @@ fn figure(sweep: &Sweep, curves: &Curves, measure: &Measure) -> Option<Lines> {
         series.extend(joined("optimum by theory", bars, Series::reference));
         words.push("Dashed grey: the closed form.".into());
     }
-    if sweep.axes.iter().any(|axis| axis.paths == [REPEAT]) {
+    if grid.axes.iter().any(|axis| axis.paths == [REPEAT]) {
         words.push("Each point is the median of its repetitions.".into());
     }
     if shown.len() < curves.curves.len() {
@@ -167,7 +167,7 @@ fn figure(sweep: &Sweep, curves: &Curves, measure: &Measure) -> Option<Lines> {
         id: measure.name.into(),
         title: format!(
             "{}: {} across {}",
-            sweep.title,
+            grid.title,
             measure.name.replace('_', " "),
             curves.across.0
         ),
@@ -249,16 +249,16 @@ fn optima(curves: &Curves) -> Option<Table> {
     })
 }
 
-fn results_table(sweep: &Sweep, plan: &Plan, collection: &Collection) -> Table {
+fn results_table(grid: &Grid, plan: &Plan, collection: &Collection) -> Table {
     let findings = || collection.done.iter().filter_map(|(_, record)| record.finding.as_ref());
     let shown = |measure: &&Measure| {
-        let asked = sweep.measures.contains(measure)
+        let asked = grid.measures.contains(measure)
             || ["predicted", "iterations", "scaled_residual"].contains(&measure.name);
         asked && findings().any(|finding| finding.values.contains_key(measure.name))
     };
     let measures: Vec<&Measure> = MEASURES.iter().filter(shown).collect();
     let mut columns = vec![Column::numbers("task", "")];
-    columns.extend(plan.axes.iter().map(|path| Column::numbers(sweep.label(path), "")));
+    columns.extend(plan.axes.iter().map(|path| Column::numbers(grid.label(path), "")));
     columns.extend(measures.iter().map(|m| Column::numbers(m.name.replace('_', " "), m.unit)));
     columns.extend(["status", "verdict", "reason"].map(Column::words));
     let rows = collection.done.iter().take(MOST_ROWS).map(|(task, record)| {
@@ -313,21 +313,21 @@ fn cell(record: &Record, measure: &Measure) -> Cell {
 }
 
 /// How all of it was obtained.
-fn origin(sweep: &Sweep) -> Origin {
-    let fixed = sweep.settings.iter().filter(|(path, _)| !SUBJECT[..2].contains(&path.as_str()));
-    let subjects = SUBJECT[..2].iter().flat_map(|kind| sweep.values_of(kind));
+fn origin(grid: &Grid) -> Origin {
+    let fixed = grid.settings.iter().filter(|(path, _)| !SUBJECT[..2].contains(&path.as_str()));
+    let subjects = SUBJECT[..2].iter().flat_map(|kind| grid.values_of(kind));
     let words = |values: Vec<String>| values.join(", ");
     Origin {
         scene: words(subjects.map(plain).collect()),
         settings: words(fixed.map(|(path, value)| format!("{path} = {}", plain(value))).collect()),
-        command: format!("lcplab sweep run {0}; lcplab sweep collect {0}", sweep.name),
+        command: format!("lcplab grid run {0}; lcplab grid collect {0}", grid.name),
     }
 }
 
 fn facts(plan: &Plan, collection: &Collection) -> Vec<(String, String)> {
     let mut facts = vec![
         ("lcplab".to_string(), env!("CARGO_PKG_VERSION").to_string()),
-        ("sweep".into(), plan.sweep.clone()),
+        ("grid".into(), plan.grid.clone()),
         ("plan".into(), plan.hash.clone()),
         ("tasks".into(), format!("{} of {}", collection.done.len(), plan.tasks.len())),
     ];

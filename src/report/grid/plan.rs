@@ -1,24 +1,24 @@
-//! The plan of a sweep: its tasks, numbered, and the hash of all that decides them.
+//! The plan of a grid: its tasks, numbered, and the hash of all that decides them.
 
 use serde::Serialize;
 use toml::{Table, Value};
 
-use super::file::{REPEAT, SUBJECT, Sweep};
+use super::file::{Grid, REPEAT, SUBJECT};
 use crate::error::{Error, Result};
 use crate::plot::csv;
 use crate::scene;
 
-/// A sweep has at most so many tasks.
+/// A grid has at most so many tasks.
 const MOST_TASKS: usize = 1_000_000;
 
-/// All tasks of a sweep.
+/// All tasks of a grid.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Plan {
-    /// The sweep's name.
-    pub sweep: String,
+    /// The grid's name.
+    pub grid: String,
     /// Its heading.
     pub title: String,
-    /// Of the sweep file, the scenes that it names and the version of lcplab: results of another
+    /// Of the grid file, the scenes that it names and the version of lcplab: results of another
     /// plan are refused.
     pub hash: String,
     /// The settings that vary.
@@ -27,7 +27,7 @@ pub struct Plan {
     pub tasks: Vec<Task>,
 }
 
-/// One point of a sweep.
+/// One point of a grid.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Task {
     /// Its number, from 1.
@@ -38,7 +38,7 @@ pub struct Task {
     pub settings: Table,
 }
 
-impl Sweep {
+impl Grid {
     /// The tasks: every combination of the axes' points, the last axis fastest.
     ///
     /// # Errors
@@ -51,7 +51,7 @@ impl Sweep {
             return Err(Error::invalid(&*self.name, "axes", reason));
         }
         Ok(Plan {
-            sweep: self.name.clone(),
+            grid: self.name.clone(),
             title: self.title.clone(),
             hash: self.hash()?,
             axes: self.axes.iter().flat_map(|axis| axis.paths.clone()).collect(),
@@ -126,9 +126,9 @@ pub(super) fn plain(value: &Value) -> String {
     }
 }
 
-/// The seed of a task: from the sweep's own, and from the settings that make its problem, in the
+/// The seed of a task: from the grid's own, and from the settings that make its problem, in the
 /// order of their names.
-fn seed(sweep: u64, settings: &Table) -> u32 {
+fn seed(grid: u64, settings: &Table) -> u32 {
     let makes_problem = |path: &str| {
         path == REPEAT
             || SUBJECT[..2].contains(&path)
@@ -140,7 +140,7 @@ fn seed(sweep: u64, settings: &Table) -> u32 {
         .map(|(path, value)| format!("{path} = {}", plain(value)))
         .collect();
     lines.sort();
-    (mixed(fnv(&format!("{sweep}\n{}", lines.join("\n")))) >> 32) as u32
+    (mixed(fnv(&format!("{grid}\n{}", lines.join("\n")))) >> 32) as u32
 }
 
 /// FNV-1a (Fowler, Noll & Vo), 64 bits.

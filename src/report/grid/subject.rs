@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 use toml::Value;
 
-use super::file::{REPEAT, SUBJECT, Sweep};
+use super::file::{Grid, REPEAT, SUBJECT};
 use super::plan::Task;
 use crate::error::{Error, Result};
 use crate::lcp::file::Problem;
@@ -226,22 +226,22 @@ fn is_setting(path: &str) -> bool {
     path != REPEAT && !SUBJECT.contains(&path)
 }
 
-/// The scenes or families that a sweep names, or the kind and the error of the first that fails.
+/// The scenes or families that a grid names, or the kind and the error of the first that fails.
 fn forms(
-    sweep: &Sweep,
+    grid: &Grid,
     kind: &'static str,
     read: fn(&str) -> Result<Form>,
 ) -> std::result::Result<Vec<Form>, (&'static str, Error)> {
-    let names = sweep.values_of(kind).into_iter().filter_map(|value| value.as_str());
+    let names = grid.values_of(kind).into_iter().filter_map(|value| value.as_str());
     names.map(|name| read(name).map_err(|error| (kind, error))).collect()
 }
 
-/// Whether the sweep has a subject, and each setting a place in it.
+/// Whether the grid has a subject, and each setting a place in it.
 ///
 /// # Errors
 /// If a scene has defects. Other defects go to `fault`, by the setting.
-pub(super) fn check(sweep: &Sweep, mut fault: impl FnMut(&str, String)) -> Result<()> {
-    let read = || Ok((forms(sweep, "scene", Form::scene)?, forms(sweep, "family", Form::family)?));
+pub(super) fn check(grid: &Grid, mut fault: impl FnMut(&str, String)) -> Result<()> {
+    let read = || Ok((forms(grid, "scene", Form::scene)?, forms(grid, "family", Form::family)?));
     let (scenes, families) = match read() {
         Ok(forms) => forms,
         Err((kind, unknown @ Error::Unknown { .. })) => {
@@ -253,13 +253,13 @@ pub(super) fn check(sweep: &Sweep, mut fault: impl FnMut(&str, String)) -> Resul
     match (scenes.is_empty(), families.is_empty()) {
         (true, true) => fault("scene", "is missing: name a scene or a family".into()),
         (false, false) => fault("family", "there is a scene too, name one of them".into()),
-        (true, false) if !sweep.values_of("steps").is_empty() => {
+        (true, false) if !grid.values_of("steps").is_empty() => {
             fault("steps", "a problem of a family is solved once".into());
         }
         _ => {}
     }
     let forms: Vec<&Form> = scenes.iter().chain(&families).collect();
-    for path in sweep.paths().filter(|path| is_setting(path)) {
+    for path in grid.paths().filter(|path| is_setting(path)) {
         let mut reasons = forms.iter().map(|form| form.place(path).err());
         if let Some(Some(Error::Invalid { defects, .. })) = reasons.next()
             && reasons.all(|reason| reason.is_some())
@@ -267,19 +267,19 @@ pub(super) fn check(sweep: &Sweep, mut fault: impl FnMut(&str, String)) -> Resul
             fault(path, defects[0].reason.clone());
         }
     }
-    for (path, names) in unused(sweep, &forms) {
+    for (path, names) in unused(grid, &forms) {
         fault(path, format!("would vary nothing: {names} does not use it"));
     }
-    let tasks = sweep.axes.iter().try_fold(1_usize, |n, axis| n.checked_mul(axis.points.len()));
+    let tasks = grid.axes.iter().try_fold(1_usize, |n, axis| n.checked_mul(axis.points.len()));
     if tasks.is_none_or(|tasks| tasks > MOST_TASKS) {
         fault("axes", format!("make more than {MOST_TASKS} tasks"));
     }
     Ok(())
 }
 
-/// The axes of options at which no solver of the sweep looks, with the solvers' names.
-fn unused<'a>(sweep: &'a Sweep, forms: &[&Form]) -> Vec<(&'a str, String)> {
-    let named = sweep.values_of("solver.name").into_iter().filter_map(|value| value.as_str());
+/// The axes of options at which no solver of the grid looks, with the solvers' names.
+fn unused<'a>(grid: &'a Grid, forms: &[&Form]) -> Vec<(&'a str, String)> {
+    let named = grid.values_of("solver.name").into_iter().filter_map(|value| value.as_str());
     let mut names: Vec<String> = named.map(String::from).collect();
     if names.is_empty() {
         let usual = |form: &&Form| form.fields["solver"]["name"].as_str().map(String::from);
@@ -294,7 +294,7 @@ fn unused<'a>(sweep: &'a Sweep, forms: &[&Form]) -> Vec<(&'a str, String)> {
         .filter(|choice| ignored(*choice))
         .filter_map(|choice| {
             let is_it = |path: &&String| path.strip_prefix("solver.") == Some(choice.name());
-            let path = sweep.axes.iter().flat_map(|axis| &axis.paths).find(is_it)?;
+            let path = grid.axes.iter().flat_map(|axis| &axis.paths).find(is_it)?;
             Some((path.as_str(), names.join(", ")))
         })
         .collect()

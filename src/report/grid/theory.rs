@@ -1,4 +1,4 @@
-//! Closed forms that a sweep can be drawn beside.
+//! Closed forms that a grid can be drawn beside.
 
 use super::plan::Task;
 use crate::lcp::{Lcp, Matrix};
@@ -35,7 +35,7 @@ impl Theory {
     /// All of them.
     pub const ALL: [Theory; 2] = [Theory::Young, Theory::MassRatio];
 
-    /// Its name in sweep files.
+    /// Its name in grid files.
     pub fn name(self) -> &'static str {
         match self {
             Theory::Young => "young",

@@ -14,10 +14,9 @@ use crate::body::{Body, State};
 use crate::certificate::{Demand, FrictionCertificate};
 use crate::error::Result;
 use crate::file;
-use crate::formulation::friction_model;
 use crate::lcp::file::number;
 use crate::memory::Memory;
-use crate::scene::{Formulation, Resting, Scene};
+use crate::scene::{Resting, Scene, Scheme};
 use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Solve, Step};
 use crate::solver::Status;
 
@@ -183,9 +182,9 @@ impl Record {
     pub fn summary(&self) -> Value {
         json!({
             "scene": self.scene.name,
-            "formulation": self.scene.step.formulation.name(),
+            "scheme": self.scene.step.scheme.name(),
             "solver": self.solver(),
-            "model": friction_model(&self.scene.contact).to_string(),
+            "model": self.scene.contact.model.to_string(),
             "dt": number(self.scene.step.dt),
             "steps": self.steps,
             "time": number(self.last.time),
@@ -232,7 +231,7 @@ impl Record {
     /// The totals for people.
     pub fn text(&self) -> String {
         let Scene { name, title, .. } = &self.scene;
-        let level = self.scene.step.formulation.name();
+        let level = self.scene.step.scheme.name();
         let (start, end) = (self.first.energy(), self.last.energy());
         let mut text = format!(
             "{name}: {title}\n\
@@ -248,7 +247,7 @@ impl Record {
              ledger       {}",
             self.solver(),
             self.scene.step.dt,
-            friction_model(&self.scene.contact),
+            self.scene.contact.model,
             self.steps,
             self.last.time,
             self.problems,
@@ -269,7 +268,7 @@ impl Record {
             self.books.as_ref().map_or(NOT_ACCOUNTED.into(), Books::text),
         );
         text.push('\n');
-        if self.scene.step.formulation == Formulation::Acceleration {
+        if self.scene.step.scheme == Scheme::Acceleration {
             let Resting { gap, speed, .. } = self.scene.resting();
             text +=
                 &format!("resting      gaps up to {gap:.1e} m, parting at up to {speed:.1e} m/s\n");
@@ -306,7 +305,7 @@ impl Record {
         }
         let excess = 100.0 * self.laws.cone_excess;
         if excess > MUCH {
-            let model = friction_model(&self.scene.contact);
+            let model = self.scene.contact.model;
             notes.push(format!(
                 "friction of the model {model} reached {excess:.0} % beyond Coulomb's cone in one step at least; \
                  --model coulomb-cone does not"
@@ -324,9 +323,9 @@ impl Record {
         if !(part > DRIFT) {
             return String::new();
         }
-        let setting = match self.scene.step.formulation {
-            Formulation::Velocity | Formulation::SequentialImpulses => "step.baumgarte",
-            Formulation::Acceleration => "step.alpha",
+        let setting = match self.scene.step.scheme {
+            Scheme::Velocity | Scheme::SequentialImpulses => "step.baumgarte",
+            Scheme::Acceleration => "step.alpha",
             _ => "a shorter step",
         };
         format!(", {:.1} % of the scene's size; {setting} feeds it back", 100.0 * part)

@@ -1,4 +1,4 @@
-//! One scene, stepped by every solver, at both levels or by any family, each answer judged.
+//! One scene, stepped by every solver, at both levels or by any scheme, each answer judged.
 
 use serde::{Deserialize, Serialize};
 

@@ -8,7 +8,7 @@
 //! v = W sin θ/(n d) = ε tan θ/μ
 //! ```
 //!
-//! It never comes to rest, however long the simulation or short the step. Families whose friction is a row of
+//! It never comes to rest, however long the simulation or short the step. Schemes whose friction is a row of
 //! an LCP have v = 0.
 
 use rayon::prelude::*;
@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Study, history};
 use crate::error::Result;
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 
 /// The box of the scene "incline", rough enough to stick.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -33,8 +33,8 @@ pub struct Plan {
 /// How fast the box creeps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// The family.
-    pub family: String,
+    /// The scheme.
+    pub scheme: String,
     /// d (N s/m), of the penalty method.
     pub damping: Option<f64>,
     /// ε (m/s), of the penalty method.
@@ -51,15 +51,15 @@ pub struct Finding {
 const CONTACTS: f64 = 4.0;
 
 impl Plan {
-    fn runs(&self) -> Vec<(Formulation, Option<f64>)> {
-        let penalties = self.dampings.iter().map(|&d| (Formulation::Penalty, Some(d)));
-        let others = Formulation::FAMILIES.into_iter().filter(|f| *f != Formulation::Penalty);
-        penalties.chain(others.map(|family| (family, None))).collect()
+    fn runs(&self) -> Vec<(Scheme, Option<f64>)> {
+        let penalties = self.dampings.iter().map(|&d| (Scheme::Penalty, Some(d)));
+        let others = Scheme::ALL.into_iter().filter(|f| *f != Scheme::Penalty);
+        penalties.chain(others.map(|scheme| (scheme, None))).collect()
     }
 
-    fn creep(&self, (family, damping): (Formulation, Option<f64>)) -> Result<Finding> {
+    fn creep(&self, (scheme, damping): (Scheme, Option<f64>)) -> Result<Finding> {
         let mut scene = Scene::load("incline")?;
-        scene.step.formulation = family;
+        scene.step.scheme = scheme;
         scene.contact.friction = self.friction;
         scene.bodies.iter_mut().for_each(|body| body.friction = self.friction);
         scene.step.penalty.damping = damping.unwrap_or(scene.step.penalty.damping);
@@ -71,7 +71,7 @@ impl Plan {
         let history =
             history::run(&scene, self.duration, |step| speed = step.states[1].v.dot(&down))?;
         Ok(Finding {
-            family: family.name().into(),
+            scheme: scheme.name().into(),
             damping,
             smoothing: damping.map(|d| self.friction * normal / d),
             speed,

@@ -12,7 +12,7 @@ use crate::certificate::{Demand, judge, uniqueness};
 use crate::error::Result;
 use crate::formulation::Problem;
 use crate::reference;
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::solver::{Start, by_name};
 
 /// LCPs solved in three ways.
@@ -97,7 +97,7 @@ pub struct Wrench {
 /// A level whose simulation fails before that step gives no entry; the comparison of the scene says
 /// why.
 pub fn run(scene: &Scene, step: usize) -> Vec<CrossCheck> {
-    Formulation::LEVELS.into_iter().filter_map(|level| one(&scene.at_level(level), step)).collect()
+    Scheme::LEVELS.into_iter().filter_map(|level| one(&scene.at_level(level), step)).collect()
 }
 
 fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {

@@ -9,7 +9,7 @@ use super::comparison::{Sample, thinned};
 use super::settings::Timed;
 use super::{STEPPER, Study};
 use crate::error::Result;
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
 use crate::solver::by_name;
 
@@ -55,7 +55,7 @@ pub struct Finding {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
     /// The level.
-    pub formulation: String,
+    pub scheme: String,
     /// The scene's dt divided by this.
     pub division: usize,
     /// The step (s).
@@ -70,7 +70,7 @@ pub struct Curve {
 pub fn run(scene: &Scene, duration: f64) -> Finding {
     let mut scale = 0.0;
     let mut curves = Vec::new();
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         for division in [1, 2, 4] {
             let mut scene = scene.at_level(level);
             scene.step.dt /= division as f64;
@@ -86,7 +86,7 @@ pub fn run(scene: &Scene, duration: f64) -> Finding {
 fn curve(scene: &Scene, division: usize, duration: f64) -> (Curve, f64) {
     let steps = (duration / scene.step.dt).round() as usize;
     let mut curve = Curve {
-        formulation: scene.step.formulation.name().to_string(),
+        scheme: scene.step.scheme.name().to_string(),
         division,
         dt: scene.step.dt,
         samples: Vec::new(),

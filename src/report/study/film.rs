@@ -6,14 +6,14 @@ use rayon::prelude::*;
 use super::comparison::Run;
 use crate::film::{Film, Take};
 use crate::report::methods;
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::solver::{Method, Stop};
 
 /// Who moves a scene in a film.
 #[derive(Debug, Clone, Copy)]
 pub struct Actor {
-    /// The family of methods that takes the steps.
-    pub formulation: Formulation,
+    /// The scheme that takes the steps.
+    pub scheme: Scheme,
     /// The solver.
     pub method: Method,
     /// Most sweeps or pivots; the scene's own without it.
@@ -35,8 +35,8 @@ impl Actor {
         let most = most.map(number).transpose();
         let max_iterations =
             most.map_err(|reason| crate::error::Error::invalid("solver", text, reason))?;
-        let method = methods::by_name(name, crate::formulation::friction_model(&scene.contact))?;
-        Ok(Actor { formulation: scene.step.formulation, method, max_iterations })
+        let method = methods::by_name(name, scene.contact.model)?;
+        Ok(Actor { scheme: scene.step.scheme, method, max_iterations })
     }
 
     /// The solver, its level and its sweeps: what is after the comma varies the name before it.
@@ -45,7 +45,7 @@ impl Actor {
             1 => ", 1 sweep".into(),
             n => format!(", {n} sweeps"),
         });
-        format!("{}, {}{sweeps}", self.method.name(), self.formulation.name())
+        format!("{}, {}{sweeps}", self.method.name(), self.scheme.name())
     }
 }
 
@@ -60,7 +60,7 @@ pub fn film(
 ) -> Film {
     let shots = Film::shots(actors.len());
     let take = |(name, actor): &(String, Actor)| {
-        let mut own = scene.at_level(actor.formulation);
+        let mut own = scene.at_level(actor.scheme);
         own.solver.max_iterations = actor.max_iterations.unwrap_or(own.solver.max_iterations);
         Take::until(stop, name, &mut Simulation::by(&own, &actor.method), steps, shots)
     };
@@ -68,16 +68,13 @@ pub fn film(
 }
 
 /// The contenders of a comparison that stand for a group each, under the group's name.
-pub fn alike(
-    contenders: &[(Formulation, Method)],
-    groups: &[(String, &Run)],
-) -> Vec<(String, Actor)> {
+pub fn alike(contenders: &[(Scheme, Method)], groups: &[(String, &Run)]) -> Vec<(String, Actor)> {
     let actor = |(name, run): &(String, &Run)| {
-        let is = |(formulation, method): &&(Formulation, Method)| {
-            formulation.name() == run.formulation && method.name() == run.solver
+        let is = |(scheme, method): &&(Scheme, Method)| {
+            scheme.name() == run.scheme && method.name() == run.solver
         };
-        let &(formulation, method) = contenders.iter().find(is)?;
-        Some((name.clone(), Actor { formulation, method, max_iterations: None }))
+        let &(scheme, method) = contenders.iter().find(is)?;
+        Some((name.clone(), Actor { scheme, method, max_iterations: None }))
     };
     groups.iter().filter_map(actor).collect()
 }

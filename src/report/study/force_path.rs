@@ -19,7 +19,7 @@ use crate::constraint::Kind;
 use crate::error::{Error, Result};
 use crate::formulation::Stage;
 use crate::scene::description::{Body, Description, Shape};
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::simulation::{Solve, Step};
 
 /// Columns and a chain.
@@ -144,7 +144,7 @@ fn column(bodies: usize, ratio: f64) -> Result<Scene> {
         position: [0.0, 0.0, k as f64 - 0.5],
         ..Body::default()
     }));
-    column.step.formulation = Formulation::Velocity;
+    column.step.scheme = Scheme::Velocity;
     Scene::new("column", &column)
 }
 
@@ -191,7 +191,7 @@ fn column_path(bodies: usize, ratio: f64, sweeps: &[usize]) -> Result<Finding> {
 
 fn chain_path(chain: &Chain) -> Result<Finding> {
     let mut scene = Scene::load(&chain.scene)?;
-    scene.step.formulation = Formulation::Velocity;
+    scene.step.scheme = Scheme::Velocity;
     let (g, joints) = (scene.gravity.norm(), in_line(&scene));
     // A joint carries the body that it ends in, and all after it.
     let carried = |k: usize| {

@@ -6,7 +6,7 @@ use super::comparison::Sample;
 use crate::assembly::{Assembly, Entering};
 use crate::error::Result;
 use crate::film::{Take, instants};
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::simulation::{Simulation, Step};
 use crate::solver::Status;
 
@@ -160,10 +160,10 @@ impl History {
 /// How often a step of a family that hands no LCP to a solver passes over its rows.
 fn passes(scene: &Scene) -> Option<usize> {
     let step = &scene.step;
-    match step.formulation {
-        Formulation::Xpbd => Some(step.substeps * 2 * step.xpbd.sweeps), // positions, then speeds
-        Formulation::Soft => Some(step.substeps * (1 + step.soft.relax)),
-        Formulation::Penalty => Some(step.substeps),
+    match step.scheme {
+        Scheme::Xpbd => Some(step.substeps * 2 * step.xpbd.sweeps), // positions, then speeds
+        Scheme::Soft => Some(step.substeps * (1 + step.soft.relax)),
+        Scheme::Penalty => Some(step.substeps),
         _ => None,
     }
 }

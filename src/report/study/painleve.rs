@@ -18,7 +18,7 @@ use super::Study;
 use crate::body::{Mass, Shape};
 use crate::constraint::Kind;
 use crate::error::{Error, Result};
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::simulation::Cause;
 
 /// The rod with several coefficients of friction.
@@ -58,9 +58,9 @@ pub enum Forces {
     Failed(String),
 }
 
-fn rod(mu: f64, formulation: Formulation) -> Result<Scene> {
+fn rod(mu: f64, scheme: Scheme) -> Result<Scene> {
     let mut scene = Scene::load("painleve")?;
-    scene.step.formulation = formulation;
+    scene.step.scheme = scheme;
     scene.contact.friction = mu;
     scene.bodies.iter_mut().for_each(|body| body.friction = mu);
     scene.validate()?;
@@ -86,7 +86,7 @@ fn by_geometry(scene: &Scene, mu: f64) -> Result<(f64, f64)> {
 }
 
 fn measure(mu: f64) -> Result<Finding> {
-    let scene = rod(mu, Formulation::Acceleration)?;
+    let scene = rod(mu, Scheme::Acceleration)?;
     let weight = scene.gravity.norm() * scene.bodies[1].mass.mass();
     let (mobility, critical) = by_geometry(&scene, mu)?;
     let normal = |step: &crate::simulation::Step| {
@@ -100,7 +100,7 @@ fn measure(mu: f64) -> Result<Finding> {
         Err(failure) if matches!(failure.cause, Cause::NoSolution { .. }) => Forces::Impossible,
         Err(failure) => Forces::Failed(failure.to_string()),
     };
-    let scene = rod(mu, Formulation::Velocity)?;
+    let scene = rod(mu, Scheme::Velocity)?;
     let before = scene.states[1].v.x;
     let step = Simulation::of(&scene)?.step();
     let step = step.map_err(|f| Error::invalid("painleve", "velocity level", f.to_string()))?;

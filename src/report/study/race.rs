@@ -139,7 +139,7 @@ fn run(entry: &Entry, lcp: &Lcp, options: &Options) -> (Runner, (String, Vec<(f6
         looking: Duration::ZERO,
     };
     let solution = (entry.build)(options).solve(lcp, &Start::default(), &mut watch);
-    let seconds = watch.elapsed();
+    let seconds = watch.elapsed(Instant::now());
     let end = Mark {
         iteration: solution.iterations,
         work: watch.work.multiplications,
@@ -173,14 +173,16 @@ struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    fn elapsed(&self) -> f64 {
-        self.start.elapsed().saturating_sub(self.looking).as_secs_f64()
+    /// The time that the solver has had until now.
+    fn elapsed(&self, now: Instant) -> f64 {
+        (now - self.start).saturating_sub(self.looking).as_secs_f64()
     }
 }
 
 impl Observer for Watch<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        let (from, seconds) = (Instant::now(), self.elapsed());
+        let from = Instant::now();
+        let seconds = self.elapsed(from);
         let _ = self.work.observe(iterate);
         if iterate.iteration >= self.next {
             self.next = iterate.iteration + 1 + iterate.iteration / 12;

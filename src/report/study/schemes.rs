@@ -1,4 +1,4 @@
-//! The same scene by every family of methods: energy, drift, penetration and cost side by side.
+//! The same scene by every scheme: energy, drift, penetration and cost side by side.
 
 use std::time::Instant;
 
@@ -13,9 +13,9 @@ use super::settings::file_name;
 use super::variation::Variation;
 use crate::error::Result;
 use crate::film::Take;
-use crate::scene::Formulation;
+use crate::scene::Scheme;
 
-/// Scenes, each stepped by every family that knows its model of friction.
+/// Scenes, each stepped by every scheme that knows its model of friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
@@ -34,15 +34,15 @@ pub struct Case {
     pub text: String,
     /// A shipped scene or a file.
     pub scene: String,
-    /// Fields of the scene that are changed for every family.
+    /// Fields of the scene that are changed for every scheme.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
     pub change: Table,
     /// Simulated time (s).
     pub duration: f64,
-    /// Ways to step it beside the families as they are.
+    /// Ways to step it beside the schemes as they are.
     #[serde(default)]
     pub also: Vec<Way>,
-    /// Who is shown in a film, families and ways by name; no film without any.
+    /// Who is shown in a film, schemes and ways by name; no film without any.
     #[serde(default)]
     pub film: Vec<String>,
     /// Instants of the film.
@@ -53,7 +53,7 @@ pub struct Case {
     pub energy_limit: Option<f64>,
 }
 
-/// What the families make of a scene.
+/// What the schemes make of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// The case.
@@ -66,14 +66,14 @@ pub struct Finding {
     pub footage: Option<Footage>,
 }
 
-/// A scene stepped by a family.
+/// A scene stepped by a scheme.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Run {
-    /// The family, or the way.
+    /// The scheme, or the way.
     pub name: String,
-    /// The family.
-    pub family: String,
-    /// The solver; none where the family asks no solver.
+    /// The scheme.
+    pub scheme: String,
+    /// The solver; none where the scheme asks no solver.
     pub solver: Option<String>,
     /// How it went.
     pub history: History,
@@ -91,14 +91,14 @@ pub struct Times {
 impl Case {
     fn ways(&self) -> Result<Vec<Way>> {
         let base = Variation::of(&self.scene, &self.change);
-        let way = |family: Formulation| {
-            let name = family.name().to_string();
-            let step = Table::from_iter([("formulation".into(), Value::from(name.clone()))]);
+        let way = |scheme: Scheme| {
+            let name = scheme.name().to_string();
+            let step = Table::from_iter([("scheme".into(), Value::from(name.clone()))]);
             Way { name, change: Table::from_iter([("step".into(), Value::from(step))]) }
         };
         base.scene()?;
-        let families = Formulation::FAMILIES.into_iter().map(way);
-        let able = families.filter(|way| base.and(&way.change).scene().is_ok());
+        let schemes = Scheme::ALL.into_iter().map(way);
+        let able = schemes.filter(|way| base.and(&way.change).scene().is_ok());
         Ok(able.chain(self.also.clone()).collect())
     }
 
@@ -114,15 +114,15 @@ impl Case {
             false => (history::run(&scene, self.duration, |_| ())?, None),
         };
         let seconds = start.elapsed().as_secs_f64() / history.steps.max(1) as f64;
-        let family = scene.step.formulation;
-        let solver = family.solves_lcps().then(|| scene.solver.name.clone());
-        let run = Run { name: way.name.clone(), family: family.name().into(), solver, history };
+        let scheme = scene.step.scheme;
+        let solver = scheme.solves_lcps().then(|| scene.solver.name.clone());
+        let run = Run { name: way.name.clone(), scheme: scheme.name().into(), solver, history };
         Ok((run, take, seconds))
     }
 }
 
 impl Study for Plan {
-    const NAME: &'static str = "formulations";
+    const NAME: &'static str = "schemes";
     type Finding = Finding;
     type Times = Times;
 

@@ -24,7 +24,6 @@ use serde::{Deserialize, Serialize};
 use super::sliding::Figure;
 use crate::certificate::Demand;
 use crate::error::Result;
-use crate::formulation::with_friction_model;
 use crate::lcp::friction::Model;
 use crate::scene::Scene;
 
@@ -70,7 +69,7 @@ pub fn run(mu: f64) -> Result<Vec<Path>> {
 
 fn path(model: Model, mu: f64) -> Result<Path> {
     let mut scene = Scene::load("sliding")?;
-    scene.contact = with_friction_model(&scene.contact, model);
+    scene.contact.model = model;
     scene.step.dt = DT;
     for body in &mut scene.bodies {
         body.friction = mu;

@@ -96,7 +96,7 @@ pub fn table(comparison: &Comparison) -> Table {
 fn cells(run: &Run, steps: usize) -> Vec<Cell> {
     let mark = |good: bool| if good { Mark::Plain } else { Mark::Bad };
     vec![
-        Cell::text(&run.formulation),
+        Cell::text(&run.scheme),
         Cell::text(&run.solver),
         Cell::count(run.steps).marked(mark(run.steps == steps)),
         Cell::count(run.solves),
@@ -118,7 +118,7 @@ fn timings(times: &[Timing]) -> Table {
     let row = |timing: &Timing| {
         vec![
             Cell::text(&timing.scene),
-            Cell::text(&timing.formulation),
+            Cell::text(&timing.scheme),
             Cell::text(&timing.solver),
             Cell::count(timing.steps),
             Cell::number(1e3 * timing.seconds / timing.steps.max(1) as f64, 3),
@@ -207,7 +207,7 @@ pub fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
     };
     let sizes = [size(0), size(1), size(2)];
     let same = |a: &Run, b: &Run| {
-        a.formulation == b.formulation
+        a.scheme == b.scheme
             && a.motion.len() == b.motion.len()
             && (0..3).all(|k| apart(a, b, measures[k]) <= 1e-3 * sizes[k])
     };
@@ -224,10 +224,10 @@ pub fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
 /// The first solver of a group, and how many more there are.
 fn name(group: &[&Run]) -> String {
     match group {
-        [only] => format!("{}, {}", only.solver, only.formulation),
+        [only] => format!("{}, {}", only.solver, only.scheme),
         [first, ..] => {
             let others = group.len() - 1;
-            format!("{}: {} and {others} more", first.formulation, first.solver)
+            format!("{}: {} and {others} more", first.scheme, first.solver)
         }
         [] => String::new(),
     }

@@ -59,7 +59,7 @@ fn figure(findings: &[&Finding]) -> Lines {
     Lines {
         id: "creep".into(),
         title: "Creep of a box that should stick".into(),
-        caption: "Each marker is a damping d of the penalty method. Other families do not smooth \
+        caption: "Each marker is a damping d of the penalty method. Other schemes do not smooth \
                   friction; the table has their speeds."
             .into(),
         x: Axis::log("smoothing ε", "m/s"),
@@ -69,13 +69,13 @@ fn figure(findings: &[&Finding]) -> Lines {
 
 fn table(findings: &[&Finding]) -> Table {
     Table {
-        title: "Creep by family".into(),
+        title: "Creep by scheme".into(),
         how_to_read:
             "The speed at the end of the run. It agrees if it is within 1 % of the formula, or, \
                       where the formula is 0, below 10⁻⁶ m/s."
                 .into(),
         columns: vec![
-            Column::words("family"),
+            Column::words("scheme"),
             Column::numbers("d", "N s/m"),
             Column::numbers("ε", "m/s"),
             Column::numbers("speed", "m/s"),
@@ -98,7 +98,7 @@ fn cells(finding: &Finding) -> Vec<Cell> {
     };
     let shown = if speed.abs() < 1e-12 { 0.0 } else { speed };
     vec![
-        Cell::text(&finding.family),
+        Cell::text(&finding.scheme),
         or_dash(finding.damping),
         or_dash(finding.smoothing),
         Cell { value: Some(speed), ..Cell::number(shown, 3) },

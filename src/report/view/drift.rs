@@ -13,7 +13,7 @@ impl View for Plan {
     fn show(&self, findings: &[Finding], document: &mut Document) {
         document.text(
             "A pendulum keeps its energy and its length; a simulated one does so only as far as its \
-             step and its formulation let it. Below, the energy error is measured against the largest \
+             step and its scheme let it. Below, the energy error is measured against the largest \
              kinetic energy of the motion, and the *drift* is how much the worst rod is too long or too \
              short. Halving the step should halve the errors of a first-order method.",
         );
@@ -26,8 +26,8 @@ impl View for Plan {
 
 fn name(curve: &Curve) -> String {
     match curve.division {
-        1 => format!("{}, dt", curve.formulation),
-        division => format!("{}, dt/{division}", curve.formulation),
+        1 => format!("{}, dt", curve.scheme),
+        division => format!("{}, dt/{division}", curve.scheme),
     }
 }
 
@@ -62,7 +62,7 @@ fn table(studies: &[Finding]) -> Table {
     let cells = |study: &Finding, k: usize| {
         let curve = &study.curves[k];
         let coarser = k.checked_sub(1).map(|k| &study.curves[k]);
-        let coarser = coarser.filter(|coarser| coarser.formulation == curve.formulation);
+        let coarser = coarser.filter(|coarser| coarser.scheme == curve.scheme);
         let ratio = |measure: fn(&Curve) -> f64| {
             coarser.map_or(Cell::text("–"), |coarser| {
                 Cell::number(measure(coarser) / measure(curve), 3)
@@ -70,7 +70,7 @@ fn table(studies: &[Finding]) -> Table {
         };
         vec![
             Cell::text(&study.scene),
-            Cell::text(&curve.formulation),
+            Cell::text(&curve.scheme),
             Cell::number(curve.dt, 3),
             Cell::number(100.0 * curve.energy_error() / study.scale, 3),
             ratio(Curve::energy_error),

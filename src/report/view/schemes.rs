@@ -1,13 +1,13 @@
-//! The families of methods side by side, scene by scene.
+//! The schemes side by side, scene by scene.
 
 use super::{Document, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table, markup};
 use crate::report::study::comparison::Sample;
-use crate::report::study::formulations::{Case, Finding, Plan, Run, Times};
+use crate::report::study::schemes::{Case, Finding, Plan, Run, Times};
 
 impl View for Plan {
-    const TITLE: &'static str = "One scene, every family of methods";
+    const TITLE: &'static str = "One scene, every scheme";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
         for finding in findings {
@@ -18,7 +18,7 @@ impl View for Plan {
             document.table(&format!("formulations_{}", case.name), table(finding));
             if let Some(footage) = &finding.footage {
                 let caption = "The same scene, the same instants. Arrows are forces, where the \
-                               family has them; what lies far outside is no longer drawn.";
+                               scheme has them; what lies far outside is no longer drawn.";
                 document.footage(footage, caption);
             }
         }
@@ -30,13 +30,13 @@ impl View for Plan {
         };
         let rows = times.iter().flat_map(|t| t.step_seconds.iter().map(|step| row(&t.case, step)));
         let table = Table {
-            title: "What a step of each family takes".into(),
+            title: "What a step of each scheme takes".into(),
             how_to_read: "Mean over the run, measuring energy and errors included; runs share the \
                           processor, so these are upper bounds."
                 .into(),
             columns: vec![
                 Column::words("scene"),
-                Column::words("family"),
+                Column::words("scheme"),
                 Column::numbers("a step", "ms"),
             ],
             rows: rows.collect(),
@@ -100,13 +100,13 @@ fn figure(finding: &Finding) -> Lines {
 
 fn table(finding: &Finding) -> Table {
     Table {
-        title: format!("{}: the families", finding.title),
+        title: format!("{}: the schemes", finding.title),
         how_to_read: "Largest values over the run. *passes*: pivots of the solver, or sweeps over all rows, a step; \
                       for a dense $A$ a pivot and a sweep cost about the same. *unsolved*: LCPs that the \
                       solver gave up."
             .into(),
         columns: vec![
-            Column::words("family"),
+            Column::words("scheme"),
             Column::words("solver"),
             Column::numbers("steps", ""),
             Column::numbers("rows", ""),

@@ -5,7 +5,7 @@ use lcplab::chapter::exhibit::Outcome;
 use lcplab::constraint::{Coincidence, Constraint};
 use lcplab::lcp::library;
 use lcplab::scene::catalogue::pendulum::{Pendulum, Swing};
-use lcplab::scene::{Formulation, Scene};
+use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
 use lcplab::solver::{Options, by_name};
 use nalgebra::Vector3;
@@ -33,8 +33,7 @@ fn e14_a_single_velocity_step_lacks_the_square_of_the_rate() {
 fn e14_along_a_run_the_velocity_level_recovers_the_force() {
     let (angle, rate, dt) = (0.7f64, 1.3, 1e-4);
     let mut scene = Scene::load("pendulum").unwrap();
-    (scene.step.formulation, scene.step.dt, scene.step.baumgarte) =
-        (Formulation::Velocity, dt, 0.0);
+    (scene.step.scheme, scene.step.dt, scene.step.baumgarte) = (Scheme::Velocity, dt, 0.0);
     scene.states[0].pose.p = Vector3::new(angle.sin(), 0.0, -angle.cos());
     scene.states[0].v = rate * Vector3::new(angle.cos(), 0.0, angle.sin());
     let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default()).unwrap());

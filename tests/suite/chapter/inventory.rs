@@ -119,7 +119,7 @@ const HOMES: [(&str, &str); 18] = [
     ("simulation", "mechanics/src/simulation"),
     ("document", "page/src/document"),
     ("plot", "page/src/plot"),
-    ("trial", "study/src/trial"),
+    ("hunt", "study/src/hunt"),
     ("explain", "study/src/explain"),
     ("diagnosis", "study/src/diagnosis"),
 ];

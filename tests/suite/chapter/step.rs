@@ -1,7 +1,7 @@
 //! E28 to E39, the step of Code 7: the figures that theory gives.
 
 use lcplab::chapter::exhibit::{self, Finding, Outcome};
-use lcplab::scene::{Formulation, Scene};
+use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
 use lcplab::solver;
 
@@ -140,7 +140,7 @@ fn thrown_from(depth: f64) -> f64 {
          [[bodies]]\nname = \"body\"\nmass = 1\nshape = \"point\"\nposition = [0, 0, -{depth}]\n"
     );
     let mut scene = Scene::from_toml("overlap.toml", &text).unwrap();
-    scene.step.formulation = Formulation::Velocity;
+    scene.step.scheme = Scheme::Velocity;
     let solver = solver::by_name("dantzig", &solver::Options::default()).unwrap();
     let mut simulation = Simulation::new(scene, solver);
     let mut top = f64::NEG_INFINITY;

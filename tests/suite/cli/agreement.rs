@@ -4,9 +4,9 @@
 use serde_json::{Value, json};
 
 use super::{out, run_with};
+use lcplab::hunt;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::library;
-use lcplab::trial;
 
 /// Problems that have led to contradictions, and whether they have a solution.
 const CASES: [(&str, bool); 13] = [
@@ -111,8 +111,8 @@ fn status_verdict_diagnosis_message_and_exit_code_agree() {
 
 #[test]
 fn hostile_problems_and_the_library_agree_with_themselves() {
-    let hostile = (0..trial::KINDS.len())
-        .map(|k| Problem::new("hostile", trial::problem(3, k).0).to_json().to_string());
+    let hostile = (0..hunt::KINDS.len())
+        .map(|k| Problem::new("hostile", hunt::problem(3, k).0).to_json().to_string());
     let library = library::all().map(|family| family.generate(&[]).unwrap());
     let library = library.filter(|problem| problem.lcp.len() <= 12);
     let library: Vec<String> = library.map(|problem| problem.to_json().to_string()).collect();

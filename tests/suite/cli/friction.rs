@@ -138,8 +138,8 @@ fn a_model_goes_with_solvers_and_families_that_take_it() {
             "error: there is no solver for this model of friction named \"pgs\"; there are cone-pgs, apgd",
         ),
         (
-            vec!["simulate", "sliding", "--model", "polygon-8", "--formulation", "soft"],
-            "error: sliding: contact.model: the family soft rubs row by row and knows \"coupled-box\" only",
+            vec!["simulate", "sliding", "--model", "polygon-8", "--scheme", "soft"],
+            "error: sliding: contact.model: the scheme soft rubs row by row and knows \"coupled-box\" only",
         ),
     ] {
         let output = run(&arguments);
@@ -151,5 +151,5 @@ fn a_model_goes_with_solvers_and_families_that_take_it() {
     let runs = result["comparison"]["runs"].as_array().unwrap();
     let of = |key: &str| runs.iter().map(|run| run[key].as_str().unwrap()).collect::<Vec<_>>();
     assert_eq!(of("solver"), ["cone-pgs", "apgd"]);
-    assert_eq!(of("formulation"), ["velocity", "velocity"]); // the other level does not know it
+    assert_eq!(of("scheme"), ["velocity", "velocity"]); // the other level does not know it
 }

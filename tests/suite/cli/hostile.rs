@@ -31,7 +31,7 @@ const SWEEP: &str =
 
 #[test]
 fn a_file_whose_name_is_no_folder_writes_nothing() {
-    for (arguments, text) in [(&["report"][..], WORDS), (&["sweep", "run"], SWEEP)] {
+    for (arguments, text) in [(&["report"][..], WORDS), (&["grid", "run"], SWEEP)] {
         for name in ["...toml", "..toml", "a b.toml", "é.toml"] {
             let folder = tempfile::tempdir().unwrap();
             let inner = folder.path().join("reports");
@@ -125,7 +125,7 @@ fn names_do_not_steer_the_terminal() {
         &["solve", "q.json"],
         &["simulate", "t.toml"],
         &["simulate", long],
-        &["sweep", "plan", long],
+        &["grid", "plan", long],
     ];
     for arguments in commands {
         let output = run_in(folder.path(), arguments);
@@ -150,8 +150,8 @@ fn names_may_be_longer_than_a_format_is_wide() {
         &["diagnose", "s.toml"],
         &["simulate", "s.toml"],
         &["compare", "s.toml", "--solver", "dantzig"],
-        &["sweep", "plan", "w.toml", "--out", "w"],
-        &["sweep", "plan", "l.toml", "--out", "l"],
+        &["grid", "plan", "w.toml", "--out", "w"],
+        &["grid", "plan", "l.toml", "--out", "l"],
     ] {
         let output = run_in(folder.path(), arguments);
         assert!(output.status.code().is_some_and(|code| code <= 2), "{arguments:?}");

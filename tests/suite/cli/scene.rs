@@ -100,16 +100,16 @@ fn a_family_is_chosen_on_the_command_line() {
         let result: Value = serde_json::from_str(&out(&run(args))).unwrap();
         let runs = result["comparison"]["runs"].as_array().unwrap();
         let word = |run: &Value, key: &str| run[key].as_str().unwrap().to_string();
-        runs.iter().map(|run| (word(run, "formulation"), word(run, "solver"))).collect()
+        runs.iter().map(|run| (word(run, "scheme"), word(run, "solver"))).collect()
     };
     let levels = families(&["compare", "fig7", "--steps", "1", "--json", "--solver", "pgs"]);
     assert_eq!(
         levels.iter().map(|run| run.0.as_str()).collect::<Vec<_>>(),
         ["velocity", "acceleration"]
     );
-    let soft = ["compare", "fig7", "--steps", "1", "--json", "--formulation", "soft"];
+    let soft = ["compare", "fig7", "--steps", "1", "--json", "--scheme", "soft"];
     assert_eq!(families(&soft), [("soft".into(), "none".into())]);
-    let output = run(&["simulate", "painleve", "--formulation", "acceleration"]);
+    let output = run(&["simulate", "painleve", "--scheme", "acceleration"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(out(&output).contains("no solution exists"), "{}", out(&output));
 }
@@ -125,7 +125,7 @@ fn a_scene_whose_solver_does_not_exist_is_refused() {
 fn simulate_says_where_the_energy_is_not_accounted_for() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();
-    let named = ["simulate", "pendulum", "--steps", "3", "--formulation", "xpbd"];
+    let named = ["simulate", "pendulum", "--steps", "3", "--scheme", "xpbd"];
     let output = run(&[&named[..], &["--out", path, "--json"]].concat());
     let summary: Value = serde_json::from_str(&out(&output)).unwrap();
     let says = [&summary["work"], &summary["remainder"], &summary["laws"]["friction_gain"]];
@@ -139,7 +139,7 @@ fn simulate_says_where_the_energy_is_not_accounted_for() {
     }
     assert!(lines[2..].iter().all(|line| line[at("energy (J)")].parse::<f64>().is_ok()));
     assert!(out(&run(&named)).contains("ledger       not accounted"));
-    let penalty = out(&run(&["simulate", "pendulum", "--steps", "3", "--formulation", "penalty"]));
+    let penalty = out(&run(&["simulate", "pendulum", "--steps", "3", "--scheme", "penalty"]));
     assert!(penalty.contains("ledger       closes to"), "{penalty}");
 }
 

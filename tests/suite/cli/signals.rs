@@ -120,14 +120,14 @@ fn an_interrupted_simulation_writes_what_it_recorded() {
 }
 
 #[test]
-fn an_interrupted_sweep_keeps_its_tasks_and_goes_on_from_them() {
+fn an_interrupted_grid_keeps_its_tasks_and_goes_on_from_them() {
     for signal in ENDS {
         let folder = tempfile::tempdir().unwrap();
         let (file, results) = (folder.path().join("long.toml"), folder.path().join("results"));
         let long = "scene = 'pendulum'\nmeasure = 'drift'\n[axes]\nsteps = [1, 2, 100000000]\n";
         fs::write(&file, long).unwrap();
         let (file, path) = (file.to_str().unwrap(), results.to_str().unwrap());
-        let run = ["sweep", "run", file, "--out", path, "--threads", "1"];
+        let run = ["grid", "run", file, "--out", path, "--threads", "1"];
         let task = |number: usize| results.join(format!("tasks/{number}.json"));
         let output = end(lcplab(&run), signal, || task(1).exists() && task(2).exists());
         assert_interrupted(&output);
@@ -149,7 +149,7 @@ fn an_interrupted_report_writes_its_page_and_goes_on_from_its_results() {
     let (file, results) = (folder.path().join("long.toml"), folder.path().join("page"));
     let report = "title = 'Long'\nlead = ''\n\
                   [[section]]\nstudy = 'published'\nproblems = ['cps-1']\n\
-                  [[section]]\nstudy = 'formulations'\n[[section.cases]]\nname = 'swing'\ntext = ''\n\
+                  [[section]]\nstudy = 'schemes'\n[[section.cases]]\nname = 'swing'\ntext = ''\n\
                   scene = 'pendulum'\nduration = 1e9\nenergy_limit = 5\n";
     fs::write(&file, report).unwrap();
     let (file, path) = (file.to_str().unwrap(), results.to_str().unwrap());

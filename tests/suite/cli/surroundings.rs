@@ -66,7 +66,7 @@ fn a_folder_that_cannot_be_written_is_refused_before_the_work() {
         for command in [
             &["simulate", "fig6", "--steps", "1000000000"][..],
             &["compare", "fig6", "--steps", "2"],
-            &["sweep", "run", "omega"],
+            &["grid", "run", "omega"],
             &["report", "standard"],
         ] {
             let output = run(&[command, &["--time-limit", "60", "--out", folder]].concat());
@@ -129,7 +129,7 @@ fn a_folder_is_no_file_and_says_so() {
     for (command, what) in [
         (&["simulate"][..], "scene file or shipped scene"),
         (&["report"], "report file or shipped report"),
-        (&["sweep", "plan"], "sweep file or shipped sweep"),
+        (&["grid", "plan"], "grid file or shipped grid"),
     ] {
         let refused = run(&[command, &[path]].concat());
         let told = format!("error: there is no {what} named {path:?}; there are ");
@@ -148,7 +148,7 @@ fn an_endless_input_is_refused_at_the_limit() {
     let answer = run_with(GOOD, &["judge", "-", "/dev/zero", "--max-memory", "1MB"]);
     assert_refused(&answer, &format!("/dev/zero: {more}"));
     for command in
-        [&["simulate", "/dev/zero"][..], &["report", "/dev/zero"], &["sweep", "plan", "/dev/zero"]]
+        [&["simulate", "/dev/zero"][..], &["report", "/dev/zero"], &["grid", "plan", "/dev/zero"]]
     {
         assert_refused(&run(command), "/dev/zero: has more than 100 MB, the most that is read");
     }

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use lcplab::body::State;
 use lcplab::film::{Film, Measure, Take, instants};
 use lcplab::report::page::{Block, Page, Player, SPEEDS, Section, speed};
-use lcplab::scene::{Formulation, Scene};
+use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::{Motion, Simulation};
 use serde_json::Value;
 
@@ -200,7 +200,7 @@ fn a_film_lasts_at_least_four_seconds_where_slowing_can_do_that() {
 #[test]
 fn a_simulation_that_fails_says_so_at_its_end() {
     let mut scene = Scene::load("painleve").unwrap();
-    scene.step.formulation = Formulation::Acceleration;
+    scene.step.scheme = Scheme::Acceleration;
     let take = Take::of("lemke", &mut simulation(&scene), 200, 50);
     assert!(take.ending.is_some() && take.shots.len() < 50);
     let (reason, film) = (take.ending.clone().unwrap(), Film::new("film", &scene, vec![take]));

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use lcplab::body::Mass;
-use lcplab::scene::{Formulation, Scene};
+use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
 use lcplab::solver::theory::optimal_omega;
 use lcplab::solver::{Options, by_name};
@@ -90,9 +90,9 @@ fn the_entries_of_rods_at_right_angles_fill_in_as_a_net_sags() {
 }
 
 /// The x of the first step, divided by dt at velocity level (N).
-fn first_force(mut scene: Scene, level: Formulation) -> f64 {
-    (scene.step.formulation, scene.step.baumgarte, scene.step.alpha) = (level, 0.0, 0.0);
-    let unit = if level == Formulation::Velocity { scene.step.dt } else { 1.0 };
+fn first_force(mut scene: Scene, level: Scheme) -> f64 {
+    (scene.step.scheme, scene.step.baumgarte, scene.step.alpha) = (level, 0.0, 0.0);
+    let unit = if level == Scheme::Velocity { scene.step.dt } else { 1.0 };
     let mut simulation = Simulation::new(scene, by_name("dantzig", &Options::default()).unwrap());
     let step = simulation.step().unwrap();
     step.solves[step.solves.len() - 1].solution.x[0] / unit
@@ -114,8 +114,8 @@ fn a_rod_lacks_m_l_times_the_rate_squared_in_its_first_step() {
     let scene = Scene::from_toml("pendulum.toml", &text).unwrap();
     let holds = m * g * angle.cos();
     let bends = m * l * rate * rate;
-    let velocity = first_force(scene.clone(), Formulation::Velocity);
-    let acceleration = first_force(scene, Formulation::Acceleration);
+    let velocity = first_force(scene.clone(), Scheme::Velocity);
+    let acceleration = first_force(scene, Scheme::Acceleration);
     assert!((-velocity - holds).abs() < 1e-9, "{velocity} N");
     assert!((-acceleration - (holds + bends)).abs() < 1e-9, "{acceleration} N");
 }
@@ -128,7 +128,7 @@ fn the_force_of_a_blow_is_m_times_the_speed_over_dt_and_the_weight() {
         (scene.gravity.z, scene.step.dt) = (-g, dt);
         scene.bodies[1].mass = Mass::Point { mass: m };
         scene.states[1].v.z = -v;
-        let force = first_force(scene, Formulation::Velocity);
+        let force = first_force(scene, Scheme::Velocity);
         assert!((force - m * (v / dt + g)).abs() < 1e-9, "dt = {dt}: {force} N");
     }
 }

@@ -1,19 +1,19 @@
 //! Why a motion cannot go on.
 
-use lcplab::scene::{Formulation, Integrator, Scene};
+use lcplab::scene::{Integrator, Scene, Scheme};
 use lcplab::simulation::{Cause, Simulation};
 use lcplab::solver::{Options, Stop, by_name};
 
 /// The shipped scene of this name at this level, changed.
-fn simulation(name: &str, level: Formulation, change: impl FnOnce(&mut Scene)) -> Simulation {
+fn simulation(name: &str, level: Scheme, change: impl FnOnce(&mut Scene)) -> Simulation {
     let mut scene = Scene::load(name).unwrap();
-    scene.step.formulation = level;
+    scene.step.scheme = level;
     change(&mut scene);
     Simulation::new(scene, by_name("dantzig", &Options::default()).unwrap())
 }
 
 /// Why it ends within a thousand steps.
-fn cause(name: &str, level: Formulation, change: impl FnOnce(&mut Scene)) -> Cause {
+fn cause(name: &str, level: Scheme, change: impl FnOnce(&mut Scene)) -> Cause {
     let mut simulation = simulation(name, level, change);
     (0..1000).find_map(|_| simulation.step().err()).expect("a failure").cause
 }
@@ -27,33 +27,33 @@ fn every_end_of_a_motion_is_reached_and_told_with_its_row_or_body() {
     let stopped = || {
         let stop = Stop::default();
         stop.raise();
-        let mut pendulum = simulation("pendulum", Formulation::Velocity, |_| ());
+        let mut pendulum = simulation("pendulum", Scheme::Velocity, |_| ());
         pendulum.step_before(&stop).unwrap_err().cause
     };
     let interrupted = || {
         let stop = Stop::default();
-        let mut pendulum = simulation("pendulum", Formulation::Velocity, |_| ());
+        let mut pendulum = simulation("pendulum", Scheme::Velocity, |_| ());
         stop.raise();
         pendulum.observed_step(&mut stop.watch(&mut ())).unwrap_err().cause
     };
     each_variant! { Cause:
         Cause::Undefined(_) =>
-            cause("pendulum", Formulation::Velocity, |scene| scene.states[0].pose.p.x = 0.0),
+            cause("pendulum", Scheme::Velocity, |scene| scene.states[0].pose.p.x = 0.0),
             "constraints[0]: the two points coincide, so their distance has no direction";
         Cause::Problem(_) => // J'u = |v|²: beyond the largest number
-            cause("pendulum", Formulation::Acceleration, |scene| scene.states[0].v.z = 1e200),
+            cause("pendulum", Scheme::Acceleration, |scene| scene.states[0].v.z = 1e200),
             "problem: b[0]: must be finite, is inf";
-        Cause::NoSolution { .. } => cause("painleve", Formulation::Acceleration, |_| ()),
+        Cause::NoSolution { .. } => cause("painleve", Scheme::Acceleration, |_| ()),
             "no forces satisfy the sliding contact \"normal ground rod 0\": no solution exists";
-        Cause::Unsettled { change } => cause("pendulum", Formulation::Acceleration, midpoint),
+        Cause::Unsettled { change } => cause("pendulum", Scheme::Acceleration, midpoint),
             format!("the implicit midpoint does not settle, its rates change by {change:.1e}");
         Cause::Stopped(Some(_)) => stopped(), "interrupted";
         Cause::Stopped(None) => interrupted(), "stopped by the observer";
         Cause::Diverged { row: Some(_), .. } => // 1000/s is far beyond what steps of 0.01 s can follow
-            cause("pendulum", Formulation::Acceleration, |scene| scene.step.alpha = 1000.0),
+            cause("pendulum", Scheme::Acceleration, |scene| scene.step.alpha = 1000.0),
             "\"bob\" diverged; the strongest row on it is \"distance world bob 0\"";
         Cause::Diverged { row: None, .. } =>
-            cause("sphere_plane", Formulation::Velocity, |scene| {
+            cause("sphere_plane", Scheme::Velocity, |scene| {
                 (scene.states[1].pose.p.z, scene.states[1].v.z) = (1e3, 1e9);
             }),
             "\"ball\" diverged; no row is known to act on it";

@@ -21,11 +21,11 @@ fn account(finding: &Finding, name: &str) -> f64 {
     finding.books.last().unwrap().accounts[k]
 }
 
-/// The books of a run of the pendulum by a family.
-fn swung(family: &str) -> (Plan, Finding) {
+/// The books of a run of the pendulum by a scheme.
+fn swung(scheme: &str) -> (Plan, Finding) {
     let run = format!(
         "[[runs]]\nname = 'r'\ntitle = 'r'\ntext = ''\nscene = 'pendulum'\nduration = 0.2\n\
-         change = {{ step = {{ formulation = '{family}' }} }}"
+         change = {{ step = {{ scheme = '{scheme}' }} }}"
     );
     let plan: Plan = toml::from_str(&run).unwrap();
     let found = plan.run(0).unwrap().0;
@@ -48,12 +48,12 @@ fn a_family_that_does_not_write_down_what_acts_is_not_accounted() {
 
 #[test]
 fn books_in_which_a_percent_is_missing_do_not_balance() {
-    for family in ["velocity", "penalty", "soft", "split-impulse"] {
-        let (plan, mut found) = swung(family);
+    for scheme in ["velocity", "penalty", "soft", "split-impulse"] {
+        let (plan, mut found) = swung(scheme);
         let says = |found: &Finding| plan.outcome(std::slice::from_ref(found)).says;
         assert_eq!(says(&found), "1 of 1 books balance");
         found.remainder = Some(0.01 * found.turnover);
-        assert_eq!(says(&found), "0 of 1 books balance", "{family}");
+        assert_eq!(says(&found), "0 of 1 books balance", "{scheme}");
     }
 }
 

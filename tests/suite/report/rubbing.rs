@@ -13,7 +13,7 @@ use super::standard;
 fn boxes_on_the_ramp_stick_or_slide_by_the_formula() {
     let plan: ramp::Plan = toml::from_str(
         "duration = 0.1\nways = [{ name = 'velocity' },\n\
-         { name = 'acceleration', change = { step = { formulation = 'acceleration' } } }]",
+         { name = 'acceleration', change = { step = { scheme = 'acceleration' } } }]",
     )
     .unwrap();
     // g = 10 m/s², published: three stick, two slide.

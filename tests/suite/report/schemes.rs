@@ -1,13 +1,13 @@
-//! Families side by side, their films, and scenes with changed fields.
+//! Schemes side by side, their films, and scenes with changed fields.
 
 use lcplab::film::{Film, Take};
 use lcplab::report::page::Mark;
 use lcplab::report::study::Study;
 use lcplab::report::study::footage::{self, Footage};
-use lcplab::report::study::formulations::{Case, Finding, Plan};
+use lcplab::report::study::schemes::{Case, Finding, Plan};
 use lcplab::report::study::variation::Variation;
 use lcplab::report::view::Document;
-use lcplab::scene::Formulation;
+use lcplab::scene::Scheme;
 use lcplab::simulation::Simulation;
 
 use super::standard;
@@ -44,7 +44,7 @@ fn a_variation_that_is_no_scene_is_refused() {
 fn every_family_that_knows_the_scene_has_a_run_and_its_own_name() {
     let found = finding("name = 'p'\ntext = ''\nscene = 'pendulum'\nduration = 0.05");
     let names: Vec<&str> = found.runs.iter().map(|run| run.name.as_str()).collect();
-    assert_eq!(names, Formulation::FAMILIES.map(Formulation::name));
+    assert_eq!(names, Scheme::ALL.map(Scheme::name));
     assert!(found.runs.iter().all(|run| run.history.steps == 5 && run.history.ending.is_none()));
 }
 
@@ -56,7 +56,7 @@ fn an_explicit_spring_explodes_just_above_its_longest_step() {
         format!(
             "name = 'k'\ntext = ''\nscene = 'pendulum'\nduration = 0.2\nenergy_limit = 10.0\n\
              change = {{ step = {{ dt = 0.008 }} }}\n\
-             also = [{{ name = 'penalty, k', change = {{ step = {{ formulation = 'penalty', \
+             also = [{{ name = 'penalty, k', change = {{ step = {{ scheme = 'penalty', \
              penalty = {{ stiffness = {k:?}, damping = 0.0 }} }} }} }}]"
         )
     };
@@ -97,7 +97,7 @@ fn a_film_section_shows_its_takes_side_by_side() {
     let plan: footage::Plan = toml::from_str(
         "name = 'f'\nscene = 'pendulum'\nduration = 0.1\nshots = 3\ncaption = 'Look.'\n\
          takes = [{ name = 'velocity' },\n\
-         { name = 'acceleration', change = { step = { formulation = 'acceleration' } } }]",
+         { name = 'acceleration', change = { step = { scheme = 'acceleration' } } }]",
     )
     .unwrap();
     let found = plan.run(0).unwrap().0;

@@ -6,8 +6,6 @@
 //! rows have w_t = slip⁺/dt, so the laws that look at the slip mean the same there. `math §5`.
 
 use super::{Problem, Stage};
-use crate::scene::{Contacts, FrictionModel};
-use lcplab_problem::Coupling;
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 
@@ -30,7 +28,7 @@ impl Problem {
     /// # Errors
     /// If friction rows do not come in pairs, or a number of directions cannot be used.
     pub fn pose(&self, model: Model, frozen_at: &[f64]) -> Result<Option<Posing>> {
-        let rubs = self.lcp.coupling().is_some_and(|coupling: &Coupling| !coupling.is_empty());
+        let rubs = self.lcp.coupling().is_some();
         if model == Model::CoupledBox || !rubs || self.stage == Stage::Position {
             return Ok(None);
         }
@@ -39,27 +37,4 @@ impl Problem {
         let posed = model.pose(&friction, frozen_at.as_deref())?;
         Ok(Some(Posing { model, frozen_at, posed }))
     }
-}
-
-/// The model of friction of a scene's contacts.
-pub fn friction_model(contact: &Contacts) -> Model {
-    match contact.model {
-        FrictionModel::FrozenBox => Model::FrozenBox,
-        FrictionModel::CoupledBox => Model::CoupledBox,
-        FrictionModel::Polygon => Model::Polyhedral { directions: contact.directions },
-        FrictionModel::AssociatedCone => Model::AssociatedCone,
-        FrictionModel::CoulombCone => Model::CoulombCone,
-    }
-}
-
-/// The contacts under another model of friction.
-pub fn with_friction_model(contact: &Contacts, model: Model) -> Contacts {
-    let (model, directions) = match model {
-        Model::FrozenBox => (FrictionModel::FrozenBox, contact.directions),
-        Model::CoupledBox => (FrictionModel::CoupledBox, contact.directions),
-        Model::Polyhedral { directions } => (FrictionModel::Polygon, directions),
-        Model::AssociatedCone => (FrictionModel::AssociatedCone, contact.directions),
-        Model::CoulombCone => (FrictionModel::CoulombCone, contact.directions),
-    };
-    Contacts { model, directions, ..contact.clone() }
 }

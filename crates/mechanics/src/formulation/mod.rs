@@ -18,8 +18,8 @@ mod position;
 mod sliding;
 mod velocity;
 
-pub use crate::scene::Formulation;
-pub use friction::{Posing, friction_model, with_friction_model};
+pub use crate::scene::Scheme;
+pub use friction::Posing;
 pub use sliding::Slide;
 pub(crate) use velocity::{Bias, has_closed};
 

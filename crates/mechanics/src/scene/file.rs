@@ -129,7 +129,7 @@ impl Source<'_> {
             Some(field) => format!("line {line}: {field}"),
             None => format!("line {line}"),
         };
-        defects.add(place, error.message().replace('`', "\""));
+        defects.add(place, reason(error.message()));
         None
     }
 
@@ -144,6 +144,14 @@ impl Source<'_> {
         }
         Error::Invalid { input, defects }
     }
+}
+
+/// What a reader's message says; a key that has got another name is answered with that.
+fn reason(message: &str) -> String {
+    if message.starts_with("unknown field `formulation`") {
+        return "is called \"scheme\" now".into();
+    }
+    message.replace('`', "\"")
 }
 
 /// The line, from 1, of a byte of the text.

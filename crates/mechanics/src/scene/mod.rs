@@ -9,7 +9,6 @@ pub mod catalogue;
 mod change;
 mod contacts;
 pub mod description;
-mod families;
 mod file;
 mod friction;
 pub mod generate;
@@ -17,15 +16,15 @@ mod joints;
 mod notes;
 mod resting;
 mod saved;
+mod scheme;
 mod settings;
 
 pub use contacts::{ContactId, Detector, Feature, Found, contacts};
 pub use description::Description;
-pub use families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
 pub use file::schema;
-pub use friction::FrictionModel;
 pub use resting::Resting;
 pub use saved::saved;
+pub use scheme::{Feedback, Integrator, Penalty, Scheme, Soft, Xpbd};
 pub use settings::{Contacts, Manifold, Order, Persistence, Sliding, Solver, Step};
 
 use std::path::Path;

@@ -2,16 +2,16 @@
 
 use std::f64::consts::SQRT_2;
 
-use super::{Formulation, Integrator, Scene, Solver, Step};
+use super::{Integrator, Scene, Scheme, Solver, Step};
 
 impl Scene {
     /// What of the settings the scheme does not read though nothing else stands in its place, and what
     /// makes it unstable; one sentence each.
     pub fn notes(&self) -> Vec<String> {
         let (step, usual) = (&self.step, Step::default());
-        let scheme = step.formulation;
-        let is_force = scheme == Formulation::Acceleration;
-        let feeds_back = matches!(scheme, Formulation::Velocity | Formulation::SequentialImpulses);
+        let scheme = step.scheme;
+        let is_force = scheme == Scheme::Acceleration;
+        let feeds_back = matches!(scheme, Scheme::Velocity | Scheme::SequentialImpulses);
         let mut notes = Vec::new();
         let mut unread = |is_set: bool, setting: &str, reads: &str| {
             if is_set {
@@ -34,8 +34,7 @@ impl Scene {
             "step.integrator",
             "it is for the acceleration level",
         );
-        let substeps =
-            matches!(scheme, Formulation::Xpbd | Formulation::Soft | Formulation::Penalty);
+        let substeps = matches!(scheme, Scheme::Xpbd | Scheme::Soft | Scheme::Penalty);
         unread(
             step.substeps != usual.substeps && !substeps,
             "step.substeps",

@@ -1,4 +1,4 @@
-//! The families of methods that a step can be taken by, and what can be chosen about each.
+//! The schemes that a step can be taken by, and what can be chosen about each.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,7 +9,7 @@ use lcplab_problem::error::Defects;
 /// How a step is taken. `math §4`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum Formulation {
+pub enum Scheme {
     /// An LCP: the unknowns are impulses (N s), w is the velocity of a row after the step.
     #[default]
     Velocity,
@@ -31,44 +31,44 @@ pub enum Formulation {
     SequentialImpulses,
 }
 
-impl Formulation {
+impl Scheme {
     /// The two levels whose step is one LCP: what solvers are compared on.
-    pub const LEVELS: [Formulation; 2] = [Formulation::Velocity, Formulation::Acceleration];
+    pub const LEVELS: [Scheme; 2] = [Scheme::Velocity, Scheme::Acceleration];
 
     /// All of them, in the order of tables.
-    pub const FAMILIES: [Formulation; 8] = [
-        Formulation::Velocity,
-        Formulation::Acceleration,
-        Formulation::SplitImpulse,
-        Formulation::GaussSeidel,
-        Formulation::Xpbd,
-        Formulation::Soft,
-        Formulation::Penalty,
-        Formulation::SequentialImpulses,
+    pub const ALL: [Scheme; 8] = [
+        Scheme::Velocity,
+        Scheme::Acceleration,
+        Scheme::SplitImpulse,
+        Scheme::GaussSeidel,
+        Scheme::Xpbd,
+        Scheme::Soft,
+        Scheme::Penalty,
+        Scheme::SequentialImpulses,
     ];
 
     /// The word in scene files and tables.
     pub fn name(self) -> &'static str {
         match self {
-            Formulation::Velocity => "velocity",
-            Formulation::Acceleration => "acceleration",
-            Formulation::SplitImpulse => "split-impulse",
-            Formulation::GaussSeidel => "gauss-seidel",
-            Formulation::Xpbd => "xpbd",
-            Formulation::Soft => "soft",
-            Formulation::Penalty => "penalty",
-            Formulation::SequentialImpulses => "sequential-impulses",
+            Scheme::Velocity => "velocity",
+            Scheme::Acceleration => "acceleration",
+            Scheme::SplitImpulse => "split-impulse",
+            Scheme::GaussSeidel => "gauss-seidel",
+            Scheme::Xpbd => "xpbd",
+            Scheme::Soft => "soft",
+            Scheme::Penalty => "penalty",
+            Scheme::SequentialImpulses => "sequential-impulses",
         }
     }
 
-    /// The family of this name.
-    pub fn by_name(name: &str) -> Option<Formulation> {
-        Formulation::FAMILIES.into_iter().find(|family| family.name() == name)
+    /// The scheme of this name.
+    pub fn by_name(name: &str) -> Option<Scheme> {
+        Scheme::ALL.into_iter().find(|scheme| scheme.name() == name)
     }
 
     /// Whether it solves LCPs, so that the choice of a solver matters.
     pub fn solves_lcps(self) -> bool {
-        use Formulation::{Acceleration, GaussSeidel, SplitImpulse, Velocity};
+        use Scheme::{Acceleration, GaussSeidel, SplitImpulse, Velocity};
         matches!(self, Velocity | Acceleration | SplitImpulse | GaussSeidel)
     }
 }

@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::families::{Feedback, Formulation, Integrator, Penalty, Soft, Xpbd};
-use super::friction::FrictionModel;
+use super::scheme::{Feedback, Integrator, Penalty, Scheme, Soft, Xpbd};
 use crate::body::Gyroscopic;
 use lcplab_problem::error::Defects;
+use lcplab_problem::friction::Model;
 
 /// A step has at most so many substeps, and so many sweeps.
 const MOST_PARTS: usize = 1_000_000;
@@ -19,8 +19,8 @@ pub struct Step {
     pub dt: f64,
     /// How many steps a simulation takes unless told otherwise.
     pub count: usize,
-    /// The family of methods that takes it.
-    pub formulation: Formulation,
+    /// The scheme that takes it.
+    pub scheme: Scheme,
     /// What becomes of the torque −ω × I ω.
     pub gyroscopic: Gyroscopic,
     /// Velocity level and sequential impulses: the part β of the position error that is corrected in
@@ -52,7 +52,7 @@ impl Default for Step {
         Step {
             dt: 0.01,
             count: 200,
-            formulation: Formulation::default(),
+            scheme: Scheme::default(),
             gyroscopic: Gyroscopic::default(),
             baumgarte: 0.0,
             feedback: Feedback::default(),
@@ -127,10 +127,10 @@ pub struct Contacts {
     pub manifold: Manifold,
     /// What of the contacts of a step is known in the next.
     pub persistence: Persistence,
-    /// The model of friction; families that solve no LCP know the coupled box only.
-    pub model: FrictionModel,
-    /// Polygons: how many corners, a multiple of 4.
-    pub directions: usize,
+    /// The model of friction by its name, of polygons with the number of corners: `polygon-8`. Schemes that
+    /// solve no LCP know the coupled box only.
+    #[schemars(with = "String")]
+    pub model: Model,
     /// Acceleration level: what friction does to a contact that slides.
     pub sliding: Sliding,
     /// Acceleration level: a contact that slips at up to this speed (m/s) sticks.
@@ -149,8 +149,7 @@ impl Default for Contacts {
             resting_speed: None,
             manifold: Manifold::default(),
             persistence: Persistence::default(),
-            model: FrictionModel::default(),
-            directions: 8,
+            model: Model::default(),
             sliding: Sliding::default(),
             sticking_speed: 1e-9,
         }
@@ -212,8 +211,8 @@ impl Step {
     /// What becomes of the gyroscopic torque: an acceleration is that of one instant, without a step to
     /// be implicit in, so there it is part of F unless it is omitted.
     pub fn gyroscopic(&self) -> Gyroscopic {
-        match (self.formulation, self.gyroscopic) {
-            (Formulation::Acceleration, Gyroscopic::Implicit | Gyroscopic::Conserving) => {
+        match (self.scheme, self.gyroscopic) {
+            (Scheme::Acceleration, Gyroscopic::Implicit | Gyroscopic::Conserving) => {
                 Gyroscopic::Explicit
             }
             (_, chosen) => chosen,

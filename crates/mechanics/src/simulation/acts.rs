@@ -1,4 +1,4 @@
-//! What acted on the bodies in a step, as the family that took the step wrote it down.
+//! What acted on the bodies in a step, as the scheme that took the step wrote it down.
 //!
 //! A step is a row of impulses at fixed poses and of moves at fixed velocities. From them the work can be
 //! measured from outside, and held against the states that the step led to: see [`Ledger`](super::Ledger).
@@ -18,7 +18,7 @@ use crate::scene::Scene;
 pub enum Act {
     /// The impulses of the step's solve of this number, and of the forces of its duration.
     Answer(usize),
-    /// Impulses of a family that poses no problem.
+    /// Impulses of a scheme that poses no problem.
     Push(Push),
     /// All bodies moved with their velocities for so long (s): s ← s + h S u.
     Advance(f64),

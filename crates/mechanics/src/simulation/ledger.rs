@@ -12,9 +12,9 @@
 //! inertia turns with the body, which leaves ½ ω⁺·(I⁺ − I) ω⁺. A body that is put elsewhere by d gains
 //! −m g·d, and what its inertia turns.
 //!
-//! All this is computed from the [acts](super::Act) that the family wrote down; the change is measured
+//! All this is computed from the [acts](super::Act) that the scheme wrote down; the change is measured
 //! from the states before and after. What is missing between the two is a row of its own: rounding,
-//! unless something acted that nobody wrote down. A family that does not write its acts down has no ledger.
+//! unless something acted that nobody wrote down. A scheme that does not write its acts down has no ledger.
 
 use nalgebra::Vector3;
 

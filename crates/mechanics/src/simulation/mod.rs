@@ -1,7 +1,7 @@
-//! Many steps: a scene, its formulation and a solver.
+//! Many steps: a scene, its scheme and a solver.
 //!
-//! A step finds the contacts, assembles, solves and moves, each family of methods in its own way
-//! (`family/`). Each solve starts from the x that rows of the same name had before.
+//! A step finds the contacts, assembles, solves and moves, each scheme in its own way
+//! (`scheme/`). Each solve starts from the x that rows of the same name had before.
 //!
 //! A [`Simulation`] keeps all that a step was made of, to be looked at. A [`Stepper`] keeps the memory and
 //! nothing else: the velocity level by sweeps, the same motion, many times faster.
@@ -10,13 +10,13 @@ mod acts;
 mod answering;
 mod conflict;
 mod correction;
-mod family;
 mod integrator;
 mod laws;
 mod ledger;
 mod motion;
 mod path;
 mod record;
+mod scheme;
 mod solving;
 mod stated;
 pub mod stepper;
@@ -145,7 +145,7 @@ impl Simulation {
     /// As [`step`](Simulation::step), or [`Cause::Stopped`] if the observer stops a solve.
     pub fn observed_step(&mut self, observer: &mut dyn Observer) -> Result<Step, Failure> {
         let failure = |cause| Failure { step: self.steps + 1, time: self.time(), cause };
-        let found = contacts(&self.scene, &self.states, family::reach(&self.scene));
+        let found = contacts(&self.scene, &self.states, scheme::reach(&self.scene));
         let mut solving = Solving {
             scene: &self.scene,
             solvers: Solvers {
@@ -160,7 +160,7 @@ impl Simulation {
             acts: None,
             pushed: Vec::new(),
         };
-        let outcome = family::step(&mut solving, &self.states, &found);
+        let outcome = scheme::step(&mut solving, &self.states, &found);
         let Solving { solves, answers, acts, mut pushed, .. } = solving;
         let is_stopped = |solve: &Solve| solve.solution.status == Status::Stopped;
         let sound = |states: Vec<State>| match self.divergence(&states, &solves) {

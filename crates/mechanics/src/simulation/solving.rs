@@ -1,4 +1,4 @@
-//! What the steps of all families share: matrices of an instant, and solves that remember.
+//! What the steps of all schemes share: matrices of an instant, and solves that remember.
 
 use std::collections::BTreeMap;
 
@@ -6,14 +6,14 @@ use super::answering::Solvers;
 use super::{Act, Cause, Solve};
 use crate::assembly::{Assembly, Entering, Row, RowId, Source};
 use crate::body::State;
-use crate::formulation::{Problem, Stage, friction_model};
+use crate::formulation::{Problem, Stage};
 use crate::scene::{Found, Persistence, Scene};
 use lcplab_solver::{Observer, Solution};
 
 /// The x of each row at the end of a step, by what it decided.
 pub(super) type Memory = BTreeMap<(Stage, RowId), f64>;
 
-/// How a family answers a problem itself: from the problem, a start, and someone who watches.
+/// How a scheme answers a problem itself: from the problem, a start, and someone who watches.
 type Method<'m> = &'m dyn Fn(&Problem, &[f64], &mut dyn Observer) -> Solution;
 
 /// A step under way.
@@ -27,9 +27,9 @@ pub(super) struct Solving<'a> {
     pub solves: Vec<Solve>,
     /// The answers so far.
     pub answers: Memory,
-    /// What acted so far, if the family writes it down.
+    /// What acted so far, if the scheme writes it down.
     pub acts: Option<Vec<Act>>,
-    /// The impulse of each row, of a family that knows it and does not write down what acted.
+    /// The impulse of each row, of a scheme that knows it and does not write down what acted.
     pub pushed: Vec<(Row, f64)>,
 }
 
@@ -64,7 +64,7 @@ impl Solving<'_> {
     /// same name had at the same stage, and keeps it.
     pub fn solve(&mut self, problem: Problem) -> Result<&Solve, Cause> {
         let x = self.start(problem.stage, &problem.assembly);
-        let model = friction_model(&self.scene.contact);
+        let model = self.scene.contact.model;
         let posing = match (problem.stage, self.solves.last()) {
             (Stage::Restitution, Some(first)) => problem.pose(model, &first.solution.x)?,
             _ => problem.pose(model, &x)?,
@@ -73,7 +73,7 @@ impl Solving<'_> {
         Ok(self.keep(Solve { problem, posing, start: x, solver, solution }))
     }
 
-    /// Solves a problem as it stands by a method of the family's own.
+    /// Solves a problem as it stands by a method of the scheme's own.
     pub fn solve_by(&mut self, problem: Problem, method: Method) -> &Solve {
         let x = self.start(problem.stage, &problem.assembly);
         let solution = method(&problem, &x, self.observer);

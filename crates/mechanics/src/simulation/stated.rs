@@ -4,8 +4,8 @@ use lcplab_problem::error::{Error, Result};
 use lcplab_solver::{Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name, methods};
 
 use super::{Simulation, Step};
-use crate::formulation::{Problem, friction_model};
-use crate::scene::{self, Formulation, Scene};
+use crate::formulation::Problem;
+use crate::scene::{self, Scene, Scheme};
 
 /// The solver that finds a step's problem where the solver does not matter.
 const STEPPER: &str = "dantzig";
@@ -51,7 +51,7 @@ impl Simulation {
     /// # Errors
     /// If there is none of that name.
     pub fn of(scene: &Scene) -> Result<Self> {
-        let model = friction_model(&scene.contact);
+        let model = scene.contact.model;
         let is_stated =
             |method: &Method| method.takes(Some(model)) && method.name() == scene.solver.name;
         match methods().into_iter().find(is_stated) {
@@ -105,9 +105,9 @@ pub fn problem_of(scene: &Scene, number: usize) -> Result<Problem> {
 
 impl Scene {
     /// The scene stepped at another level.
-    pub fn at_level(&self, formulation: Formulation) -> Scene {
+    pub fn at_level(&self, scheme: Scheme) -> Scene {
         let mut scene = self.clone();
-        scene.step.formulation = formulation;
+        scene.step.scheme = scheme;
         scene
     }
 }

@@ -7,7 +7,7 @@ use super::{Block, Section};
 pub struct Origin {
     /// The scene or problem.
     pub scene: String,
-    /// Solver, formulation and numbers, in words.
+    /// Solver, scheme and numbers, in words.
     pub settings: String,
     /// What to type to get it again, for example `lcplab simulate stack --steps 100`.
     pub command: String,

@@ -19,15 +19,8 @@ use crate::{Coupling, Lcp};
 impl FrictionProblem {
     /// Model 2, the LCP with |x_t1|, |x_t2| ≤ μ x_n.
     pub fn coupled_box(&self) -> Lcp {
-        let n = self.lcp().len();
-        let (mut index, mut mu) = (vec![None; n], vec![0.0; n]);
-        for contact in self.contacts() {
-            let [normal, tangents @ ..] = contact.rows;
-            for t in tangents {
-                (index[t], mu[t]) = (Some(normal), contact.mu);
-            }
-        }
-        let coupling = Coupling::new(index, mu).expect("contacts are valid");
-        self.lcp().clone().with_coupling(coupling).expect("contacts are valid")
+        let has_contacts = !self.contacts.is_empty();
+        let coupling = || Coupling::of_contacts(self.lcp.len(), self.contacts.clone());
+        Lcp { coupling: has_contacts.then(coupling), ..self.lcp.clone() }
     }
 }

@@ -116,35 +116,30 @@ impl FrictionProblem {
         Ok(FrictionProblem { lcp, contacts, others })
     }
 
-    /// The problem whose box model is this LCP: the friction rows that a row bounds are its tangents.
+    /// The problem of an LCP's [contacts](Lcp::contacts), whose box model is that LCP.
     ///
     /// # Errors
     /// Lists each row that bounds not exactly two others, or two with different μ; otherwise as
     /// [`FrictionProblem::new`].
     pub fn of(lcp: &Lcp) -> Result<Self> {
+        let mut defects = Defects::default();
         let mut tangents = vec![Vec::new(); lcp.len()];
         for (i, k) in lcp.coupling().into_iter().flat_map(Coupling::rows) {
             tangents[k].push(i);
         }
+        for contact in lcp.contacts() {
+            tangents[contact.rows[0]].clear();
+        }
         let mu = |i: usize| lcp.coupling().map_or(0.0, |coupling| coupling.mu(i));
-        let (mut defects, mut contacts) = (Defects::default(), Vec::new());
-        for (n, tangents) in tangents.iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
-            match **tangents {
-                [t1, t2] if mu(t1) == mu(t2) => {
-                    contacts.push(Contact { rows: [n, t1, t2], mu: mu(t1) });
-                }
-                [t1, t2] => {
-                    let reason = format!("mu is {} along t1, {} along t2", mu(t1), mu(t2));
-                    defects.add(format!("row {n}"), reason);
-                }
-                _ => {
-                    let reason = format!("bounds {} friction rows, not 2", tangents.len());
-                    defects.add(format!("row {n}"), reason);
-                }
-            }
+        for (n, rows) in tangents.iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
+            let reason = match rows[..] {
+                [t1, t2] => format!("mu is {} along t1, {} along t2", mu(t1), mu(t2)),
+                _ => format!("bounds {} friction rows, not 2", rows.len()),
+            };
+            defects.add(format!("row {n}"), reason);
         }
         defects.into_result("contacts")?;
-        FrictionProblem::new(Lcp { coupling: None, ..lcp.clone() }, contacts)
+        FrictionProblem::new(Lcp { coupling: None, ..lcp.clone() }, lcp.contacts().to_vec())
     }
 
     /// A, b and the bounds that are left without friction: 0 ≤ x_n, x_t free.

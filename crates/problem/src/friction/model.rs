@@ -12,12 +12,17 @@ use crate::error::{Error, Result};
 /// The most corners of a polygon that a name can ask for.
 const MOST_DIRECTIONS: usize = 256;
 
-/// A model of friction, see [`lcp::friction`](crate::friction).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+/// A model of friction: what the tangential impulse x_t of a contact may be, x_n being the normal one.
+///
+/// The same type in problem files, in scenes and for the judge; its text is its name there and on the
+/// command line. See [`friction`](crate::friction).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub enum Model {
     /// 1: a box frozen at normal impulses that are known beforehand.
     FrozenBox,
     /// 2: a box of half-width μ x_n.
+    #[default]
     CoupledBox,
     /// 3: a polygon.
     Polyhedral {
@@ -87,6 +92,20 @@ impl fmt::Display for Model {
             Model::AssociatedCone => f.pad("associated-cone"),
             Model::CoulombCone => f.pad("coulomb-cone"),
         }
+    }
+}
+
+impl From<Model> for String {
+    fn from(model: Model) -> Self {
+        model.to_string()
+    }
+}
+
+impl TryFrom<String> for Model {
+    type Error = Error;
+
+    fn try_from(name: String) -> Result<Self> {
+        name.parse()
     }
 }
 

@@ -6,9 +6,10 @@ use nalgebra::DMatrix;
 use lcplab_mechanics::assembly::{Assembly, Entering, Row};
 use lcplab_mechanics::constraint::Bounds;
 use lcplab_mechanics::formulation::{Problem, Slide};
-use lcplab_mechanics::scene::{Formulation, FrictionModel, Scene, contacts};
+use lcplab_mechanics::scene::{Scene, Scheme, contacts};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_page::document::notation::plain;
+use lcplab_problem::friction::Model;
 use lcplab_problem::error::Result;
 
 /// A singular value below this part of the largest counts as zero.
@@ -33,7 +34,7 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
         }
     }
     let states = simulation.states();
-    let is_force = scene.step.formulation == Formulation::Acceleration;
+    let is_force = scene.step.scheme == Scheme::Acceleration;
     let (reach, entering) = match is_force {
         true => (scene.resting().gap, Entering::Resting),
         false => (scene.contact.margin, Entering::Near),
@@ -61,7 +62,7 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
         false => Problem::velocity(scene, assembly),
     };
     let problem = problem.map_err(|error| error.within(&scene.name))?;
-    found.examine(&problem.lcp, scene.contact.model == FrictionModel::CoupledBox)?;
+    found.examine(&problem.lcp, scene.contact.model == Model::CoupledBox)?;
     Ok(found)
 }
 

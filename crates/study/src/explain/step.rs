@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::single::{Ending, Single};
 use super::{Method, setup};
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Cause, Failure, Simulation, Solve};
 use lcplab_page::document::notation::plain;
 use lcplab_page::document::{Document, Section};
@@ -13,7 +13,7 @@ use lcplab_problem::error::{Error, Result};
 /// Explains the first so many steps of a scene at velocity or acceleration level.
 ///
 /// # Errors
-/// If the scene is stepped by another family of methods.
+/// If the scene is stepped by another scheme.
 pub fn step(scene: &Scene, method: &Method, steps: usize) -> Result<Document> {
     self::steps(scene, method, 1..=steps)
 }
@@ -21,12 +21,12 @@ pub fn step(scene: &Scene, method: &Method, steps: usize) -> Result<Document> {
 /// Explains these steps of a scene, counted from 1; those before are taken without a word.
 ///
 /// # Errors
-/// If the scene is stepped by another family of methods.
+/// If the scene is stepped by another scheme.
 pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> Result<Document> {
-    let level = scene.step.formulation;
-    if !Formulation::LEVELS.contains(&level) {
+    let level = scene.step.scheme;
+    if !Scheme::LEVELS.contains(&level) {
         let reason = format!("velocity and acceleration are explained, not {}", level.name());
-        return Err(Error::invalid(scene.name.as_str(), "formulation", reason));
+        return Err(Error::invalid(scene.name.as_str(), "scheme", reason));
     }
     let mut document = Document {
         title: format!("{}, at {} level, by {}", scene.name, level.name(), method.name()),

@@ -29,7 +29,7 @@ pub struct ConeTruth {
 ///
 /// ```
 /// use lcplab_judge::{Demand, judge_cone};
-/// use lcplab_study::trial::cone::contact;
+/// use lcplab_study::hunt::cone::contact;
 ///
 /// let truth = contact(1, 5);
 /// assert!(judge_cone(&truth.problem, &truth.x, &Demand::default()).verdict.is_solution());

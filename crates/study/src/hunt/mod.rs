@@ -18,15 +18,15 @@
 //!
 //! ```
 //! use lcplab_solver::{Options, by_name};
-//! use lcplab_study::trial::Trial;
+//! use lcplab_study::hunt::Hunt;
 //!
 //! let solvers = [by_name("pgs", &Options::default())?, by_name("dantzig", &Options::default())?];
-//! let record = Trial { problems: 40, seed: 7 }.of(&solvers, &|| ());
+//! let record = Hunt { problems: 40, seed: 7 }.of(&solvers, &|| ());
 //! assert!(record.tallies.iter().all(|tally| tally.lies.is_empty()));
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 //!
-//! Problem k of a seed is the same in every trial, on any number of threads: [`problem`].
+//! Problem k of a seed is the same in every hunt, on any number of threads: [`problem`].
 
 pub mod cone;
 mod problem;
@@ -44,14 +44,14 @@ use lcplab_solver::{Solver, Start, Stop};
 
 /// So many problems of a seed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Trial {
+pub struct Hunt {
     /// How many problems, the kinds of [`KINDS`] in turns.
     pub problems: usize,
     /// The seed of them all.
     pub seed: u64,
 }
 
-impl Trial {
+impl Hunt {
     /// Gives every problem to every solver, on all threads of the pool; `tick` is called after each
     /// problem.
     pub fn of(&self, solvers: &[Box<dyn Solver>], tick: &(dyn Fn() + Sync)) -> Record {

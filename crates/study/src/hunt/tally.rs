@@ -1,4 +1,4 @@
-//! What came of a trial, solver by solver.
+//! What came of a hunt, solver by solver.
 
 use serde::Serialize;
 
@@ -8,7 +8,7 @@ use lcplab_solver::Solver;
 /// At most this many lies of a solver are kept; all are counted.
 const KEPT: usize = 20;
 
-/// What came of a trial.
+/// What came of a hunt.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Record {
     /// How many problems there were.

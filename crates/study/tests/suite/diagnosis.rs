@@ -1,7 +1,7 @@
 //! Each cause of trouble that the chapter lists has an input that shows it and a message that names it.
 
 use lcplab_judge::regularity::regularity;
-use lcplab_mechanics::scene::{Formulation, Scene, catalogue};
+use lcplab_mechanics::scene::{Scene, Scheme, catalogue};
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_study::diagnosis::{Cause, Diagnosis, Proof, problem, scene};
@@ -195,7 +195,7 @@ fn every_cause_is_one_sentence() {
 #[test]
 fn a_motion_that_fails_on_the_way_is_told() {
     let mut pendulum = Scene::load("pendulum").unwrap();
-    pendulum.step.formulation = lcplab_mechanics::scene::Formulation::Acceleration;
+    pendulum.step.scheme = lcplab_mechanics::scene::Scheme::Acceleration;
     pendulum.step.alpha = 1000.0; // far beyond what a step of 0.01 s can follow
     let found = scene(&pendulum, 1000).unwrap();
     let fails = |cause: &Cause| matches!(cause, Cause::Failed { reason } if reason.contains("\"bob\" diverged"));
@@ -312,11 +312,11 @@ fn integer_rank(entries: &[i32]) -> usize {
 fn the_diagnosis_looks_at_the_level_that_the_scene_is_stepped_on() {
     // Painlevé's rod slides: at acceleration level no force keeps it out of the ground.
     let mut rod = Scene::load("painleve").unwrap();
-    rod.step.formulation = Formulation::Acceleration;
+    rod.step.scheme = Scheme::Acceleration;
     let found = scene(&rod, 1).unwrap();
     assert!(!found.is_sound() && names(&found).contains(&"impossible"), "{:?}", found.causes);
     let mut at_velocity_level = rod.clone();
-    at_velocity_level.step.formulation = Formulation::Velocity;
+    at_velocity_level.step.scheme = Scheme::Velocity;
     assert!(scene(&at_velocity_level, 1).unwrap().is_sound());
 }
 

@@ -1,12 +1,12 @@
-//! Whether the solvers are honest, and whether the trial would notice if they were not.
+//! Whether the solvers are honest, and whether the hunt would notice if they were not.
 
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_problem::{Complementarity, Lcp};
 use lcplab_solver::{
     ALL, CONES, Observer, Options, Settings, Solution, Solver, Start, Status, all_solutions,
 };
-use lcplab_study::trial::cone::{ConeTruth, contact};
-use lcplab_study::trial::{Claim, KINDS, Lie, Trial, claims, problem};
+use lcplab_study::hunt::cone::{ConeTruth, contact};
+use lcplab_study::hunt::{Claim, Hunt, KINDS, Lie, claims, problem};
 
 use lcplab_testing::{INF, boxed};
 
@@ -34,7 +34,7 @@ fn no_solver_lies_about_ten_thousand_hostile_problems() {
     let settings = Settings { max_iterations: 500, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
     let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
-    let record = Trial { problems: 10_000, seed: 8 }.of(&solvers, &|| ());
+    let record = Hunt { problems: 10_000, seed: 8 }.of(&solvers, &|| ());
     assert_eq!(record.problems, 10_000);
     for tally in &record.tallies {
         assert_eq!(tally.lied, 0, "{} {:?}", tally.solver, tally.lies);
@@ -174,7 +174,7 @@ fn the_record_is_the_same_on_any_number_of_threads() {
         let options = Options::default();
         let liar: [Box<dyn Solver>; 2] =
             [Box::new(Liar(Status::Solved, 1.0)), (ALL[0].build)(&options)];
-        pool.install(|| Trial { problems: 200, seed: 2 }.of(&liar, &|| ()))
+        pool.install(|| Hunt { problems: 200, seed: 2 }.of(&liar, &|| ()))
     };
     assert_eq!(record(1), record(2));
     assert_eq!(record(1), record(4));

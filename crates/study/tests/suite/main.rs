@@ -1,11 +1,11 @@
-//! The judge beside the solvers it does not know, derivations, diagnoses and trials.
+//! The judge beside the solvers it does not know, derivations, diagnoses and the hunt.
 
 mod certificate;
 mod diagnosis;
 mod explain;
 mod extremes;
+mod hunt;
 mod outputs;
 mod range;
 mod reference;
-mod trial;
 mod worked_examples;

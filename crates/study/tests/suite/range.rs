@@ -9,7 +9,7 @@
 use lcplab_problem::error::Result;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{ALL, Options, Settings, Solution, Solver, Start, Status, by_name};
-use lcplab_study::trial::{Claim, claims, problem};
+use lcplab_study::hunt::{Claim, claims, problem};
 use oorandom::Rand64;
 
 use lcplab_testing::{INF, tridiagonal};

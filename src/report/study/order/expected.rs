@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Problem;
-use crate::scene::{Formulation, Integrator};
+use crate::scene::{Integrator, Scheme};
 
 /// What an error must do.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -48,10 +48,10 @@ const SWEPT: &str = "its sweeps are counted, not run to an end";
 pub(super) fn expected(
     problem: Problem,
     quantity: &str,
-    family: Formulation,
+    family: Scheme,
     integrator: Integrator,
 ) -> Expected {
-    let euler = family != Formulation::Acceleration || integrator == Integrator::SemiImplicitEuler;
+    let euler = family != Scheme::Acceleration || integrator == Integrator::SemiImplicitEuler;
     match problem {
         Problem::Fall if euler => order(1.0, KICK),
         Problem::Fall => exact("a parabola, which methods of second order follow exactly"),
@@ -69,8 +69,8 @@ fn of_stages(integrator: Integrator) -> Expected {
 }
 
 /// A pendulum under steps with one kick.
-fn of_pendulum(quantity: &str, family: Formulation) -> Expected {
-    use Formulation::{GaussSeidel, Penalty, Soft, SplitImpulse, Xpbd};
+fn of_pendulum(quantity: &str, family: Scheme) -> Expected {
+    use Scheme::{GaussSeidel, Penalty, Soft, SplitImpulse, Xpbd};
     match (quantity, family) {
         ("length of the rod", SplitImpulse | GaussSeidel | Xpbd) => {
             exact("the rod is corrected along itself, in which its length is linear")
@@ -85,25 +85,25 @@ fn of_pendulum(quantity: &str, family: Formulation) -> Expected {
     }
 }
 
-fn of_bounce(family: Formulation, euler: bool) -> Expected {
-    use Formulation::{Acceleration, GaussSeidel, SequentialImpulses, SplitImpulse, Velocity};
+fn of_bounce(family: Scheme, euler: bool) -> Expected {
+    use Scheme::{Acceleration, GaussSeidel, SequentialImpulses, SplitImpulse, Velocity};
     match family {
         Velocity | SplitImpulse | GaussSeidel | SequentialImpulses => {
             order(1.0, "a fall of whole steps, half a step too fast at its end")
         }
         Acceleration if !euler => exact("the ball touches the ground at the end of a step"),
-        Formulation::Penalty => order(0.0, "damping decides how it bounces; e is not looked at"),
+        Scheme::Penalty => order(0.0, "damping decides how it bounces; e is not looked at"),
         _ => open("it bounces from below the ground, by a part of a step that is not smooth in dt"),
     }
 }
 
-fn of_slide(family: Formulation, euler: bool) -> Expected {
-    use Formulation::{Acceleration, GaussSeidel, SplitImpulse, Velocity};
+fn of_slide(family: Scheme, euler: bool) -> Expected {
+    use Scheme::{Acceleration, GaussSeidel, SplitImpulse, Velocity};
     match family {
         Velocity | SplitImpulse | GaussSeidel => order(1.0, KICK),
         Acceleration if euler => order(1.0, KICK),
         Acceleration => exact("a constant acceleration, which methods of second order follow"),
-        Formulation::SequentialImpulses => open(SWEPT),
+        Scheme::SequentialImpulses => open(SWEPT),
         _ => open("the box settles on its springs or sweeps before it slides steadily"),
     }
 }

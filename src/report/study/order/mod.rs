@@ -26,7 +26,7 @@ use crate::error::{Error, Result};
 use crate::scene::catalogue::bounce::Drop;
 use crate::scene::catalogue::fall::Fall;
 use crate::scene::catalogue::pendulum::{Pendulum, Swing};
-use crate::scene::{Formulation, Integrator, Scene};
+use crate::scene::{Integrator, Scene, Scheme};
 use crate::simulation::{Simulation, Step};
 
 /// Problems with closed forms by every family, with shorter and shorter steps.
@@ -68,13 +68,13 @@ pub struct Finding {
 }
 
 /// The families, and the other integrators of the acceleration level.
-fn methods() -> Vec<(String, Formulation, Integrator)> {
-    let family = |f: Formulation| (f.name().to_string(), f, Integrator::SemiImplicitEuler);
+fn methods() -> Vec<(String, Scheme, Integrator)> {
+    let family = |f: Scheme| (f.name().to_string(), f, Integrator::SemiImplicitEuler);
     let other = |name: &str, integrator| {
-        (format!("acceleration, {name}"), Formulation::Acceleration, integrator)
+        (format!("acceleration, {name}"), Scheme::Acceleration, integrator)
     };
     let others = [other("midpoint", Integrator::ImplicitMidpoint), other("RK4", Integrator::Rk4)];
-    Formulation::FAMILIES.into_iter().map(family).chain(others).collect()
+    Scheme::ALL.into_iter().map(family).chain(others).collect()
 }
 
 impl Problem {
@@ -180,11 +180,11 @@ impl Plan {
         let mut scene = Scene::load(problem.scene())?;
         (scene.step.alpha, scene.step.baumgarte) = (0.0, 0.0);
         scene.solver.tolerance = 1e-12;
-        let one = |(name, formulation, integrator): &(String, Formulation, Integrator)| {
+        let one = |(name, scheme, integrator): &(String, Scheme, Integrator)| {
             let runs: Vec<(f64, Option<Vec<f64>>)> = (0..=self.halvings)
                 .map(|halving| {
                     let mut scene = scene.clone();
-                    scene.step.formulation = *formulation;
+                    scene.step.scheme = *scheme;
                     scene.step.integrator = *integrator;
                     scene.step.dt = problem.longest() / f64::from(1u32 << halving);
                     (scene.step.dt, problem.measure(&scene))
@@ -201,7 +201,7 @@ impl Plan {
                         error: found.as_ref().map_or(f64::NAN, |found| found[k]),
                     })
                     .collect(),
-                expected: expected::expected(problem, quantity, *formulation, *integrator),
+                expected: expected::expected(problem, quantity, *scheme, *integrator),
             };
             problem.quantities().iter().enumerate().map(curve).collect::<Vec<_>>()
         };

@@ -19,7 +19,7 @@ use super::Study;
 use super::settings::{AtStep, Stepped};
 use crate::error::Result;
 use crate::formulation::Problem;
-use crate::scene::{Formulation, Scene};
+use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
 use crate::solver::{self, Options, by_name};
 use crate::storage::Entry;
@@ -127,8 +127,8 @@ fn each<R>(tasks: &[AtStep], study: impl Fn(&AtStep, &Problem) -> Result<R>) -> 
 /// so it is left after a sweep.
 fn problem(task: &AtStep) -> Result<Option<Problem>> {
     let mut scene = Scene::load(&task.scene)?;
-    if !scene.step.formulation.solves_lcps() {
-        scene = scene.at_level(Formulation::Velocity);
+    if !scene.step.scheme.solves_lcps() {
+        scene = scene.at_level(Scheme::Velocity);
     }
     if task.step > 1 {
         return simulation::problem_of(&scene, task.step).map(Some);

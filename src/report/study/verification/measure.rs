@@ -4,7 +4,7 @@ use super::{Criterion, Row, Sample, Size};
 use crate::body::State;
 use crate::error::Result;
 use crate::report::study::STEPPER;
-use crate::scene::{Formulation, Integrator, Scene};
+use crate::scene::{Integrator, Scene, Scheme};
 use crate::simulation;
 use crate::simulation::{Simulation, Step};
 use crate::solver::by_name;
@@ -16,7 +16,7 @@ pub(super) enum Method {
     Acceleration,
     Rk4,
     Midpoint,
-    Scheme(Formulation),
+    Scheme(Scheme),
 }
 
 impl Method {
@@ -31,10 +31,10 @@ impl Method {
     }
 
     fn apply(self, scene: &mut Scene) {
-        scene.step.formulation = match self {
-            Method::Velocity => Formulation::Velocity,
+        scene.step.scheme = match self {
+            Method::Velocity => Scheme::Velocity,
             Method::Scheme(scheme) => scheme,
-            _ => Formulation::Acceleration,
+            _ => Scheme::Acceleration,
         };
         scene.step.integrator = match self {
             Method::Rk4 => Integrator::Rk4,

@@ -6,19 +6,18 @@ use rayon::prelude::*;
 use super::measure::{Case, Known, Method, ROUNDING, last, start};
 use super::{Row, Size};
 use crate::error::Result;
-use crate::formulation::with_friction_model;
 use crate::lcp::friction::Model;
 use crate::scene::catalogue::bounce::Drop;
-use crate::scene::{Formulation, Integrator, Scene};
+use crate::scene::{Integrator, Scene, Scheme};
 
 /// What bounces, and how far (m) its rest may be from the ground: a soft contact sinks in, and
 /// at acceleration level a ball lies at any gap at which it counts as touching, 1/1000 of its size.
-const BOUNCING: [(Formulation, f64); 5] = [
-    (Formulation::Velocity, 1e-6),
-    (Formulation::Acceleration, 2e-4),
-    (Formulation::SequentialImpulses, 1e-6),
-    (Formulation::Xpbd, 1e-4),
-    (Formulation::Soft, 1e-3),
+const BOUNCING: [(Scheme, f64); 5] = [
+    (Scheme::Velocity, 1e-6),
+    (Scheme::Acceleration, 2e-4),
+    (Scheme::SequentialImpulses, 1e-6),
+    (Scheme::Xpbd, 1e-4),
+    (Scheme::Soft, 1e-3),
 ];
 /// XPBD divides differences of positions by a substep.
 const SUMMED: (f64, &str) = (1e-9, "rounding of differences over substeps, summed");
@@ -32,8 +31,8 @@ pub(super) fn free_body(size: Size) -> Result<Vec<Row>> {
         None => return Ok(Vec::new()),
     };
     let mut rows = Vec::new();
-    for scheme in Formulation::FAMILIES.into_iter().filter(|s| *s != Formulation::Acceleration) {
-        let criterion = if scheme == Formulation::Xpbd { SUMMED } else { ROUNDING };
+    for scheme in Scheme::ALL.into_iter().filter(|s| *s != Scheme::Acceleration) {
+        let criterion = if scheme == Scheme::Xpbd { SUMMED } else { ROUNDING };
         let momentum = before.angular_momentum.norm();
         let known = vec![
             Known::exact(
@@ -59,7 +58,7 @@ pub(super) fn lean(size: Size) -> Result<Vec<Row>> {
     (case.scene.step.dt, case.scene.step.baumgarte) = (0.002, 0.2);
     let half_a_degree = (0.5 / 30.0, "half a degree, at 2 ms and below");
     let mut rows = Vec::new();
-    for scheme in [Formulation::Velocity, Formulation::SequentialImpulses] {
+    for scheme in [Scheme::Velocity, Scheme::SequentialImpulses] {
         let what = "lean after 5 s";
         let known = vec![Known::exact(half_a_degree, what, ["theta", "\\theta"], "°", 30.0)];
         rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
@@ -94,13 +93,13 @@ pub(super) fn long_pendulum(size: Size) -> Result<Vec<Row>> {
     let cases = [
         (Method::Rk4, Some(Known::order(4.0, what, formula, "J", energy)), (1e-8, "Kutta's order")),
         (Method::Midpoint, Some(Known::order(2.0, what, formula, "J", energy)), stretched),
-        (Method::Scheme(Formulation::Velocity), Some(kept()), stretched),
-        (Method::Scheme(Formulation::SequentialImpulses), Some(kept()), stretched),
-        (Method::Scheme(Formulation::Soft), Some(kept()), stretched),
-        (Method::Scheme(Formulation::Penalty), Some(kept()), stretched),
-        (Method::Scheme(Formulation::SplitImpulse), None, on_circle),
-        (Method::Scheme(Formulation::GaussSeidel), None, on_circle),
-        (Method::Scheme(Formulation::Xpbd), None, on_circle),
+        (Method::Scheme(Scheme::Velocity), Some(kept()), stretched),
+        (Method::Scheme(Scheme::SequentialImpulses), Some(kept()), stretched),
+        (Method::Scheme(Scheme::Soft), Some(kept()), stretched),
+        (Method::Scheme(Scheme::Penalty), Some(kept()), stretched),
+        (Method::Scheme(Scheme::SplitImpulse), None, on_circle),
+        (Method::Scheme(Scheme::GaussSeidel), None, on_circle),
+        (Method::Scheme(Scheme::Xpbd), None, on_circle),
     ];
     for (method, of_energy, of_length) in cases {
         let has_energy = of_energy.is_some();
@@ -120,19 +119,19 @@ pub(super) fn long_pendulum(size: Size) -> Result<Vec<Row>> {
 pub(super) fn long_stack(size: Size) -> Result<Vec<Row>> {
     let stack = "contact.friction = 0.5\n[generate]\nkind = \"stack\"\ncount = 10\nsize = 1\nmass = 1\n\
                  [[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
-    let schemes = Formulation::FAMILIES.map(|scheme| (scheme, Model::CoupledBox));
+    let schemes = Scheme::ALL.map(|scheme| (scheme, Model::CoupledBox));
     let models = Model::ALL.into_iter().filter(|model| *model != Model::CoupledBox);
-    let models = models.map(|model| (Formulation::Velocity, model));
+    let models = models.map(|model| (Scheme::Velocity, model));
     let all: Vec<_> = schemes.into_iter().chain(models).collect();
-    let of_one = |&(scheme, model): &(Formulation, Model)| -> Result<Vec<Row>> {
+    let of_one = |&(scheme, model): &(Scheme, Model)| -> Result<Vec<Row>> {
         let scene = Scene::from_toml("stack_of_ten.toml", stack)?;
         let mut case = Case::of("long-stack", scene, size);
         case.levels = 2;
-        case.scene.contact = with_friction_model(&case.scene.contact, model);
+        case.scene.contact.model = model;
         case.scene.solver.tolerance = 1e-8;
         let start = case.scene.states.clone();
         let sinks = match scheme {
-            Formulation::Penalty | Formulation::Soft | Formulation::Xpbd => 0.01,
+            Scheme::Penalty | Scheme::Soft | Scheme::Xpbd => 0.01,
             _ => 1e-6,
         };
         let lies = (sinks, "what a contact sinks in or leaves open");
@@ -172,9 +171,7 @@ pub(super) fn rest(size: Size) -> Result<Vec<Row>> {
         let known = vec![
             match scheme {
                 // A substep is where it is: its errors do not shrink evenly.
-                Formulation::Xpbd | Formulation::Soft => {
-                    Known::exact(found, what, formula, "m", height)
-                }
+                Scheme::Xpbd | Scheme::Soft => Known::exact(found, what, formula, "m", height),
                 _ => Known::order(1.0, what, formula, "m", height),
             },
             Known::exact(lies, "height at rest", ["0", "0"], "m", 0.0),

@@ -1,22 +1,22 @@
-//! Sweep files: axes and their values, defects with lines, seeds.
+//! Grid files: axes and their values, defects with lines, seeds.
 
 use std::collections::BTreeSet;
 
-use lcplab::report::sweep::{Sweep, Task};
+use lcplab::report::grid::{Grid, Task};
 use proptest::prelude::*;
 use toml::Value;
 
-use super::sweep;
+use super::grid;
 use lcplab_testing::cases;
 
 /// The defects of a text, one a line.
 fn defects(text: &str) -> String {
-    Sweep::from_toml("bad.toml", text).unwrap_err().to_string()
+    Grid::from_toml("bad.toml", text).unwrap_err().to_string()
 }
 
 /// The values of a setting over the tasks.
 fn values(text: &str, path: &str) -> Vec<f64> {
-    let tasks = sweep(text).plan().unwrap().tasks;
+    let tasks = grid(text).plan().unwrap().tasks;
     tasks.iter().map(|task| task.number(path).unwrap()).collect()
 }
 
@@ -35,7 +35,7 @@ fn an_unknown_setting_is_a_defect_with_its_line_and_what_there_is() {
 #[test]
 fn each_kind_of_mistake_has_its_line() {
     for (text, expected) in [
-        ("scene = 'chain'\ncolour = 3", "line 2: \"colour\" is no key of a sweep; there are title"),
+        ("scene = 'chain'\ncolour = 3", "line 2: \"colour\" is no key of a grid; there are title"),
         (
             "family = 'stack'\nmeasure = 'speed'",
             "line 2: measure: there is no \"speed\"; there are",
@@ -89,7 +89,7 @@ fn a_range_has_its_ends_and_equal_steps_or_ratios() {
 fn zipped_settings_vary_together() {
     let text = "scene = 'stack'\n[axes]\nsolver.name = ['pgs', 'dantzig']\n\
                 [zip]\nstep.dt = [0.01, 0.005]\nstep.count = [1, 2]";
-    let tasks = sweep(text).plan().unwrap().tasks;
+    let tasks = grid(text).plan().unwrap().tasks;
     let row = |task: &Task| ["solver.name", "step.dt", "step.count"].map(|path| task.shown(path));
     let rows: Vec<[String; 3]> = tasks.iter().map(row).collect();
     let expected = [
@@ -105,7 +105,7 @@ fn zipped_settings_vary_together() {
 fn a_list_of_a_scene_is_entered_by_number_by_name_or_as_its_only_item() {
     let text = "scene = 'mass_ratio1'\n[set]\nbodies.1.mass = 3\ngenerate.mass = 1\n\
                 [axes]\nbodies.load.friction = [0.1]\ngenerate.0.base = [2]";
-    let tasks = sweep(text).plan().unwrap().tasks;
+    let tasks = grid(text).plan().unwrap().tasks;
     assert_eq!((tasks.len(), tasks[0].settings.len()), (1, 5));
 }
 
@@ -113,7 +113,7 @@ fn a_list_of_a_scene_is_entered_by_number_by_name_or_as_its_only_item() {
 fn seeds_are_shared_by_tasks_that_differ_in_the_solver_alone() {
     let text = "family = 'contact-graph'\nrepeat = 3\n[axes]\nbodies = [4, 5]\n\
                 solver.name = ['pgs', 'sor', 'dantzig']";
-    let tasks = sweep(text).plan().unwrap().tasks;
+    let tasks = grid(text).plan().unwrap().tasks;
     assert_eq!(tasks.len(), 18);
     let key = |task: &Task| (task.shown("bodies"), task.shown("repeat"));
     let problems: BTreeSet<_> = tasks.iter().map(|task| (key(task), task.seed)).collect();
@@ -124,16 +124,15 @@ fn seeds_are_shared_by_tasks_that_differ_in_the_solver_alone() {
 #[test]
 fn seeds_follow_from_the_settings_and_not_from_the_order_of_the_axes() {
     let [one, other] =
-        ["bodies = [4, 5]\ncontacts = [6, 7.0]", "contacts = [7, 6]\nbodies = [5, 4]"].map(
-            |axes| sweep(&format!("family = 'contact-graph'\n[axes]\n{axes}")).plan().unwrap(),
-        );
+        ["bodies = [4, 5]\ncontacts = [6, 7.0]", "contacts = [7, 6]\nbodies = [5, 4]"]
+            .map(|axes| grid(&format!("family = 'contact-graph'\n[axes]\n{axes}")).plan().unwrap());
     let seeds = |tasks: &[Task]| -> BTreeSet<(String, String, u32)> {
         tasks.iter().map(|t| (t.shown("bodies"), t.shown("contacts"), t.seed)).collect()
     };
     assert_ne!(one.hash, other.hash);
     assert_eq!(seeds(&one.tasks), seeds(&other.tasks));
     let text = "family = 'contact-graph'\nseed = 2\n[axes]\nbodies = [4, 5]\ncontacts = [6, 7]";
-    let reseeded = sweep(text).plan().unwrap();
+    let reseeded = grid(text).plan().unwrap();
     assert!(seeds(&one.tasks).is_disjoint(&seeds(&reseeded.tasks)));
 }
 
@@ -150,7 +149,7 @@ proptest! {
         let list = |size: usize| (1..=size).map(|k| k.to_string()).collect::<Vec<_>>().join(", ");
         let axes: String =
             names.iter().zip(&sizes).map(|(name, &size)| format!("{name} = [{}]\n", list(size))).collect();
-        let plan = sweep(&format!(
+        let plan = grid(&format!(
             "family = 'stack'\nrepeat = {repeat}\n[set]\nsolver.name = 'sor'\n[axes]\n{axes}"
         )).plan().unwrap();
         prop_assert_eq!(plan.tasks.len(), sizes.iter().product::<usize>() * repeat);

@@ -4,17 +4,17 @@ mod file;
 mod folder;
 mod theory;
 
-use lcplab::report::sweep::{Finding, Folder, Sweep, Task};
+use lcplab::report::grid::{Finding, Folder, Grid, Task};
 
-/// A sweep of a text.
-fn sweep(text: &str) -> Sweep {
-    Sweep::from_toml("test.toml", text).unwrap()
+/// A grid of a text.
+fn grid(text: &str) -> Grid {
+    Grid::from_toml("test.toml", text).unwrap()
 }
 
-/// Every point of a sweep with what was found there.
+/// Every point of a grid with what was found there.
 fn found(text: &str) -> Vec<(Task, Finding)> {
-    let (sweep, folder) = (sweep(text), tempfile::tempdir().unwrap());
-    let folder = Folder::new(folder.path(), &sweep).unwrap();
+    let (grid, folder) = (grid(text), tempfile::tempdir().unwrap());
+    let folder = Folder::new(folder.path(), &grid).unwrap();
     let tasks = folder.plan().tasks.clone();
     let one = |task: Task| {
         let record = folder.run_one(task.task).unwrap();

@@ -2,14 +2,14 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use lcplab::report::sweep::{Finding, Sweep, Task};
+use lcplab::report::grid::{Finding, Grid, Task};
 
 use super::found;
 
 #[test]
 fn the_error_left_on_two_bodies_is_that_of_the_closed_form() {
-    let shipped = Sweep::load("ratio").unwrap();
-    let text = include_str!("../../../../sweeps/ratio.toml");
+    let shipped = Grid::load("ratio").unwrap();
+    let text = include_str!("../../../../grids/ratio.toml");
     assert_eq!(shipped.plan().unwrap().tasks.len(), 55);
     for (task, finding) in found(text) {
         let [r, k] = ["ratio", "solver.max_iterations"].map(|path| task.number(path).unwrap());
@@ -41,7 +41,7 @@ fn optimal_omega(n: f64) -> f64 {
 #[test]
 fn the_fewest_sweeps_on_a_chain_are_at_the_next_point_to_youngs_omega() {
     let text =
-        include_str!("../../../../sweeps/omega.toml").replace("[5, 10, 20, 40]", "[5, 10, 20]");
+        include_str!("../../../../grids/omega.toml").replace("[5, 10, 20, 40]", "[5, 10, 20]");
     let all = found(&text);
     for n in [5.0, 10.0, 20.0] {
         let chain = all.iter().filter(|(task, _)| task.number("generate.links") == Some(n));

@@ -1,4 +1,4 @@
-//! The families of methods, one a file: how a step is taken from the states at its beginning.
+//! The schemes, one a file: how a step is taken from the states at its beginning.
 
 mod acceleration;
 mod arrival;
@@ -13,7 +13,7 @@ mod xpbd;
 use super::solving::Solving;
 use super::{Act, Cause, Solve};
 use crate::body::State;
-use crate::formulation::Formulation;
+use crate::formulation::Scheme;
 use crate::scene::{Found, Scene, Step};
 
 /// The states after a step; `found` are the contacts at its beginning.
@@ -22,22 +22,22 @@ pub(super) fn step(
     states: &[State],
     found: &[Found],
 ) -> Result<Vec<State>, Cause> {
-    match solving.scene.step.formulation {
-        Formulation::Velocity => velocity::step(solving, states, found),
-        Formulation::Acceleration => acceleration::step(solving, states, found),
-        Formulation::SplitImpulse => split_impulse::step(solving, states, found),
-        Formulation::GaussSeidel => gauss_seidel::step(solving, states, found),
-        Formulation::Xpbd => xpbd::step(solving, states, found),
-        Formulation::Soft => soft::step(solving, states, found),
-        Formulation::Penalty => penalty::step(solving, states, found),
-        Formulation::SequentialImpulses => sequential::step(solving, states, found),
+    match solving.scene.step.scheme {
+        Scheme::Velocity => velocity::step(solving, states, found),
+        Scheme::Acceleration => acceleration::step(solving, states, found),
+        Scheme::SplitImpulse => split_impulse::step(solving, states, found),
+        Scheme::GaussSeidel => gauss_seidel::step(solving, states, found),
+        Scheme::Xpbd => xpbd::step(solving, states, found),
+        Scheme::Soft => soft::step(solving, states, found),
+        Scheme::Penalty => penalty::step(solving, states, found),
+        Scheme::SequentialImpulses => sequential::step(solving, states, found),
     }
 }
 
 /// How near (m) contacts must be to matter to a step.
 pub(super) fn reach(scene: &Scene) -> f64 {
-    match scene.step.formulation {
-        Formulation::Acceleration => scene.resting().gap,
+    match scene.step.scheme {
+        Scheme::Acceleration => scene.resting().gap,
         _ => scene.contact.margin,
     }
 }

@@ -26,7 +26,7 @@ pub(super) fn step(
     Ok(moved(solving, states, dt))
 }
 
-/// The same without feedback of position errors, for families that correct them afterwards.
+/// The same without feedback of position errors, for schemes that correct them afterwards.
 pub(super) fn unbiased(
     solving: &mut Solving,
     states: &[State],

@@ -1,4 +1,4 @@
-//! The velocity level at speed: what a [`Simulation`](super::Simulation) with `pgs` does in the family
+//! The velocity level at speed: what a [`Simulation`](super::Simulation) with `pgs` does in the scheme
 //! "velocity", without a matrix, without a record, in memory that is kept.
 //!
 //! ```text
@@ -107,7 +107,7 @@ impl Stepper {
     /// The scene at its start, with so many sweeps a step.
     ///
     /// # Errors
-    /// Lists what of the scene it does not do: other families than "velocity", other models of friction
+    /// Lists what of the scene it does not do: other schemes than "velocity", other models of friction
     /// than the coupled box, rows that yield.
     pub fn new(scene: Scene, sweeps: usize, kernel: Kernel) -> Result<Self> {
         scope::check(&scene)?;

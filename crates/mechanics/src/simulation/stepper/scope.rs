@@ -1,7 +1,8 @@
 //! What the stepper does not do.
 
 use crate::body::{Mass, State};
-use crate::scene::{Formulation, FrictionModel, Scene};
+use crate::scene::{Scene, Scheme};
+use lcplab_problem::friction::Model;
 use lcplab_problem::error::{Defects, Result};
 
 /// Whether the stepper can take a scene's steps.
@@ -10,12 +11,12 @@ use lcplab_problem::error::{Defects, Result};
 /// One defect for each thing that it cannot do.
 pub(super) fn check(scene: &Scene) -> Result<()> {
     let mut defects = Defects::default();
-    let family = scene.step.formulation;
-    if family != Formulation::Velocity {
-        let reason = format!("the stepper knows the velocity level only, not {}", family.name());
-        defects.add("step.formulation", reason);
+    let scheme = scene.step.scheme;
+    if scheme != Scheme::Velocity {
+        let reason = format!("the stepper knows the velocity level only, not {}", scheme.name());
+        defects.add("step.scheme", reason);
     }
-    if scene.contact.model != FrictionModel::CoupledBox {
+    if scene.contact.model != Model::CoupledBox {
         defects.add("contact.model", "the stepper knows the coupled box only");
     }
     for (k, constraint) in scene.constraints.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Gears: the ratio of the speeds, of the torques, and no tooth lost over many turns.
 
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 
 use super::{assert_near, forces, simulation};
 
@@ -27,7 +27,7 @@ fn wheels(baumgarte: f64, speed: f64) -> String {
 fn wheels_turn_in_the_ratio_of_their_teeth_with_the_inertia_of_both() {
     // The large wheel is felt as RATIO² of its inertia.
     let acceleration = 3.0 / (INERTIA[0] + RATIO * RATIO * INERTIA[1]);
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut pair = simulation(&wheels(0.0, 1e3), level);
         for n in 1..=50 {
             let step = pair.step().unwrap();
@@ -44,7 +44,7 @@ fn wheels_turn_in_the_ratio_of_their_teeth_with_the_inertia_of_both() {
 
 #[test]
 fn no_tooth_is_lost_over_many_turns() {
-    let mut pair = simulation(&wheels(0.2, 8.0), Formulation::Velocity);
+    let mut pair = simulation(&wheels(0.2, 8.0), Scheme::Velocity);
     let mut turned = [0.0; 2];
     for _ in 0..3000 {
         pair.step().unwrap();

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use lcplab_mechanics::body::{Pose, State};
 use lcplab_mechanics::constraint::{ConeLimit, Constraint};
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{angle, assert_near, forces, simulation};
@@ -32,7 +32,7 @@ fn a_falling_body_ends_on_its_stop_and_leans_on_it_with_its_weight() {
             "kind = \"slider\"\naxis = [0, 0, 1]",
         ],
     );
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut slider = simulation(&text, level);
         let mut lowest: f64 = 0.0;
         for _ in 0..300 {
@@ -40,7 +40,7 @@ fn a_falling_body_ends_on_its_stop_and_leans_on_it_with_its_weight() {
             lowest = lowest.min(slider.states()[0].pose.p.z);
         }
         // Impulses know the gap before it closes; forces only after, a step late at √(2 g 0.5) m/s.
-        let late = if level == Formulation::Velocity { 1e-12 } else { 9.81_f64.sqrt() * 0.01 };
+        let late = if level == Scheme::Velocity { 1e-12 } else { 9.81_f64.sqrt() * 0.01 };
         assert!(lowest >= -0.5 - late, "{level:?} {lowest}");
         let step = slider.step().unwrap();
         assert_near(slider.states()[0].pose.p.z, -0.5, late);
@@ -57,13 +57,13 @@ fn an_arm_falls_on_its_stop_and_leans_on_it_with_its_torque() {
             "kind = \"hinge\"\npoint = [0, 0, 0]\naxis = [0, 1, 0]",
         ],
     );
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut arm = simulation(&text, level);
         for _ in 0..500 {
             arm.step().unwrap();
         }
         // As above: late by a step at √(2 m g l sin 0.5/(I + m l²)) = 3.8 rad/s.
-        let late = if level == Formulation::Velocity { 1e-9 } else { 0.038 };
+        let late = if level == Scheme::Velocity { 1e-9 } else { 0.038 };
         let step = arm.step().unwrap();
         let at = angle(&arm.states()[0], &Vector3::y());
         assert_near(at, 0.5, late);
@@ -83,7 +83,7 @@ fn stops_three_quarters_of_a_turn_apart_are_told_from_each_other() {
             "kind = \"hinge\"\naxis = [0, 0, 1]",
         ],
     );
-    let mut wheel = simulation(&text, Formulation::Velocity);
+    let mut wheel = simulation(&text, Scheme::Velocity);
     let (mut turned, mut before) = (0.0, 0.0);
     for _ in 0..600 {
         wheel.step().unwrap();
@@ -110,7 +110,7 @@ fn an_arm_that_stands_in_a_cone_falls_on_its_edge() {
         "mass = 2",
         "mass = 2\nvelocity = [0.04, 0.032, 0]\nangular_velocity = [-0.08, 0.1, 0]",
     );
-    let mut arm = simulation(&text, Formulation::Velocity);
+    let mut arm = simulation(&text, Scheme::Velocity);
     let swing = |p: &Vector3<f64>| p.xy().norm().atan2(p.z);
     for _ in 0..600 {
         arm.step().unwrap();

@@ -16,15 +16,15 @@ mod verify;
 mod weight;
 
 use lcplab_mechanics::body::State;
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Simulation, Step};
 use lcplab_solver as solver;
 use nalgebra::Vector3;
 
 /// The scene of this text at this level, with Dantzig's method.
-fn simulation(text: &str, level: Formulation) -> Simulation {
+fn simulation(text: &str, level: Scheme) -> Simulation {
     let mut scene = Scene::from_toml("test.toml", text).unwrap();
-    scene.step.formulation = level;
+    scene.step.scheme = level;
     start(scene)
 }
 
@@ -36,8 +36,8 @@ fn start(scene: Scene) -> Simulation {
 /// x/dt at velocity level.
 fn forces(step: &Step, simulation: &Simulation, constraint: usize) -> Vec<f64> {
     let scene = simulation.scene();
-    let unit = match scene.step.formulation {
-        Formulation::Acceleration => 1.0,
+    let unit = match scene.step.scheme {
+        Scheme::Acceleration => 1.0,
         _ => scene.step.dt,
     };
     let solve = step.solves.last().unwrap();

@@ -1,11 +1,11 @@
 //! Motors: all they have until the speed, then what keeps it.
 
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 
 use super::{assert_near, forces, start};
 
 /// A ball of 2 kg with I = 0.2 kg m² on a guide, driven at speed 3 with effort 4.
-fn driven(guide: &str, motor: &str, velocity: &str, level: Formulation) -> Scene {
+fn driven(guide: &str, motor: &str, velocity: &str, level: Scheme) -> Scene {
     let text = format!(
         "gravity = [0, 0, 0]\n[step]\ndt = 0.01\n\
          [[bodies]]\nname = \"body\"\nshape = {{ sphere = 0.5 }}\nmass = 2\n{velocity}\n\
@@ -13,7 +13,7 @@ fn driven(guide: &str, motor: &str, velocity: &str, level: Formulation) -> Scene
          [[constraints]]\nkind = \"{guide}\"\nbodies = [\"body\"]\naxis = [0, 0, 1]\n"
     );
     let mut scene = Scene::from_toml("motor.toml", &text).unwrap();
-    scene.step.formulation = level;
+    scene.step.scheme = level;
     scene
 }
 
@@ -39,7 +39,7 @@ fn follows(
 
 #[test]
 fn a_motor_speeds_up_with_its_effort_and_then_keeps_its_speed() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         follows(driven("hinge", "motor_rotation", "", level), 0.2, 0.0, |s| s.omega.z);
         follows(driven("slider", "motor_translation", "", level), 2.0, 0.0, |s| s.v.z);
     }
@@ -47,7 +47,7 @@ fn a_motor_speeds_up_with_its_effort_and_then_keeps_its_speed() {
 
 #[test]
 fn a_motor_brakes_what_is_too_fast() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let fast = "angular_velocity = [0, 0, 20]";
         follows(driven("hinge", "motor_rotation", fast, level), 0.2, 20.0, |s| s.omega.z);
         let back = "velocity = [0, 0, -1]";

@@ -2,7 +2,7 @@
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::constraint::{Constraint, Distance, SquaredDistance};
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -22,7 +22,7 @@ fn bob(kind: &str, position: &str) -> String {
 
 #[test]
 fn a_slack_rope_lets_fall_freely_and_a_taut_one_carries() {
-    let mut rope = simulation(&bob("rope", "[0, 0, -0.5]"), Formulation::Velocity);
+    let mut rope = simulation(&bob("rope", "[0, 0, -0.5]"), Scheme::Velocity);
     for n in 1..=200 {
         let step = rope.step().unwrap();
         // Symplectic Euler: n (n + 1)/2 g h² after n steps.
@@ -39,8 +39,8 @@ fn a_slack_rope_lets_fall_freely_and_a_taut_one_carries() {
 #[test]
 fn a_taut_rope_swings_as_a_rod() {
     // A step along the tangent lengthens both, so the rope stays taut and its row is the rod's.
-    let mut pair = ["rope", "distance"]
-        .map(|kind| simulation(&bob(kind, "[0.6, 0, -0.8]"), Formulation::Velocity));
+    let mut pair =
+        ["rope", "distance"].map(|kind| simulation(&bob(kind, "[0.6, 0, -0.8]"), Scheme::Velocity));
     for _ in 0..300 {
         let [rope, rod] = pair.each_mut().map(|bob| {
             let step = bob.step().unwrap();
@@ -56,7 +56,7 @@ fn a_taut_rope_swings_as_a_rod() {
 fn apart(kinds: [&str; 2], dt: f64) -> f64 {
     let [one, other] = kinds.map(|kind| {
         let text = bob(kind, "[0.6, 0, -0.8]").replace("dt = 0.01", &format!("dt = {dt}"));
-        let mut bob = simulation(&text, Formulation::Acceleration);
+        let mut bob = simulation(&text, Scheme::Acceleration);
         for _ in 0..(1.0 / dt).round() as usize {
             bob.step().unwrap();
         }

@@ -1,6 +1,6 @@
 //! Springs and dampers against the closed form of their own step.
 
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{angle, assert_near, simulation, start};
@@ -30,7 +30,7 @@ fn swing(omega0: f64, n: i32) -> f64 {
 
 #[test]
 fn a_spring_swings_as_its_step_says_at_both_levels() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut spring = simulation(&hung(0.0, 0.2, &format!("stiffness = {STIFFNESS}")), level);
         for n in 1..=400 {
             spring.step().unwrap();
@@ -49,9 +49,9 @@ fn a_torsion_spring_swings_likewise() {
          [[constraints]]\nkind = \"hinge\"\nbodies = [\"wheel\"]\naxis = [0, 1, 0]\n\
          [[constraints]]\nkind = \"spring_rotation\"\nbodies = [\"wheel\"]\naxis = [0, 1, 0]\nstiffness = 5\n"
     );
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut scene = Scene::from_toml("torsion.toml", &text).unwrap();
-        scene.step.formulation = level;
+        scene.step.scheme = level;
         scene.states[0].pose.q = UnitQuaternion::from_scaled_axis(Vector3::y() * 0.01);
         let mut wheel = start(scene);
         for n in 1..=200 {
@@ -64,10 +64,10 @@ fn a_torsion_spring_swings_likewise() {
 
 #[test]
 fn a_damper_alone_divides_the_speed_each_step() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut scene =
             Scene::from_toml("damper.toml", &hung(0.0, 0.0, "stiffness = 0\ndamping = 8")).unwrap();
-        scene.step.formulation = level;
+        scene.step.scheme = level;
         scene.states[0].v.z = -3.0;
         let mut damper = start(scene);
         for n in 1..=100 {
@@ -79,7 +79,7 @@ fn a_damper_alone_divides_the_speed_each_step() {
 
 #[test]
 fn a_damped_spring_comes_to_rest_where_it_carries_the_weight() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut spring = simulation(&hung(9.81, 0.0, "stiffness = 50\ndamping = 20"), level);
         // Critical damping: a decay of e^(−5 t); e^(−50) of 0.4 m is left after 10 s.
         for _ in 0..1000 {

@@ -4,7 +4,7 @@
 
 use lcplab_mechanics::assembly::Source;
 use lcplab_mechanics::constraint::Joint;
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use nalgebra::{UnitQuaternion, Vector3, Vector6};
 
 use super::joints::{Case, G, LEVER, MASS, Place, cases};
@@ -35,7 +35,7 @@ fn scene(case: &Case) -> Scene {
 
 /// [f; τ] on the hanging body of the joint's rows, of its angular rows alone, and of all rows.
 fn wrenches(scene: Scene) -> [Vector6<f64>; 3] {
-    let unit = if scene.step.formulation == Formulation::Velocity { scene.step.dt } else { 1.0 };
+    let unit = if scene.step.scheme == Scheme::Velocity { scene.step.dt } else { 1.0 };
     let step = start(scene).step().unwrap();
     let solve = step.solves.last().unwrap();
     let mut wrenches = [Vector6::zeros(); 3];
@@ -53,9 +53,9 @@ fn wrenches(scene: Scene) -> [Vector6<f64>; 3] {
 #[test]
 fn every_joint_reports_the_weight_that_hangs_on_it() {
     for case in cases() {
-        for level in Formulation::LEVELS {
+        for level in Scheme::LEVELS {
             let mut scene = scene(&case);
-            scene.step.formulation = level;
+            scene.step.scheme = level;
             let [joint, angular, all] = wrenches(scene);
             let weight = MASS * G;
             let force = Vector3::z() * (case.force * weight);

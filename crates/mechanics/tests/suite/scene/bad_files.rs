@@ -46,7 +46,7 @@ fn unknown_keys_are_reported_with_the_known_ones() {
          \"fixed\", \"mass\", \"density\", \"inertia\", \"position\", \"rotation\", \"velocity\", \
          \"angular_velocity\", \"friction\", \"restitution\", \"force\", \"force_at\", \"torque\"\n  \
          line 8: step.dtt: unknown field \"dtt\", expected one of \"dt\", \"count\", \
-         \"formulation\", \"gyroscopic\", \"baumgarte\", \"feedback\", \"alpha\", \"integrator\", \"events\", \"substeps\", \"sweeps\", \"xpbd\", \"soft\", \"penalty\""
+         \"scheme\", \"gyroscopic\", \"baumgarte\", \"feedback\", \"alpha\", \"integrator\", \"events\", \"substeps\", \"sweeps\", \"xpbd\", \"soft\", \"penalty\""
     );
 }
 

@@ -1,7 +1,7 @@
 //! Settings that are changed from outside, that are read in vain, and that cannot work.
 
 use lcplab_mechanics::body::Mass;
-use lcplab_mechanics::scene::{Formulation, Integrator, Scene};
+use lcplab_mechanics::scene::{Integrator, Scene, Scheme};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_solver as solver;
 use nalgebra::Vector3;
@@ -23,14 +23,14 @@ fn a_field_is_set_by_its_name_whatever_it_is_in() {
         &[
             ("mu", "0.25"),
             ("dt", "0.002"),
-            ("step.formulation", "soft"),
+            ("step.scheme", "soft"),
             ("step.soft.relax", "0"),
             ("bodies.1.velocity", "[1, 2, 0]"),
         ],
     );
     let scene = scene.unwrap();
     assert_eq!((scene.contact.friction, scene.step.dt), (0.25, 0.002));
-    assert_eq!((scene.step.formulation, scene.step.soft.relax), (Formulation::Soft, 0));
+    assert_eq!((scene.step.scheme, scene.step.soft.relax), (Scheme::Soft, 0));
     assert_eq!(scene.states[1].v, Vector3::new(1.0, 2.0, 0.0));
 }
 
@@ -108,8 +108,8 @@ fn a_pair_bounces_with_the_geometric_mean() {
     ";
     let mut scene = Scene::from_toml("pair.toml", text).unwrap();
     scene.gravity = Vector3::zeros();
-    for scheme in [Formulation::Velocity, Formulation::Acceleration, Formulation::Soft] {
-        scene.step.formulation = scheme;
+    for scheme in [Scheme::Velocity, Scheme::Acceleration, Scheme::Soft] {
+        scene.step.scheme = scheme;
         let mut ball = simulation_of(scene.clone());
         ball.step().unwrap();
         assert!((ball.states()[1].v.z - 1.8).abs() < 1e-9, "{scheme:?} {}", ball.states()[1].v.z);
@@ -146,7 +146,7 @@ fn a_setting_that_is_read_in_vain_is_noted_and_one_that_has_a_part_is_not() {
 fn left_of_error(alpha: f64, integrator: Integrator) -> f64 {
     let text = "
         gravity = [0, 0, 0]
-        step = { dt = 0.01, formulation = \"acceleration\" }
+        step = { dt = 0.01, scheme = \"acceleration\" }
         [[bodies]]
         name = \"bead\"
         shape = \"point\"

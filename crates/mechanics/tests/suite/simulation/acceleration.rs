@@ -2,12 +2,12 @@
 
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::catalogue::bounce::Drop;
-use lcplab_mechanics::scene::{Formulation, Integrator, Scene};
+use lcplab_mechanics::scene::{Integrator, Scene, Scheme};
 
 use super::{assert_near, bullet, scene, simulation};
 
 const GROUND: &str = "
-    step = { dt = 0.001, formulation = \"acceleration\" }
+    step = { dt = 0.001, scheme = \"acceleration\" }
     [[bodies]]
     name = \"ground\"
     fixed = true
@@ -116,7 +116,7 @@ fn a_ball_that_has_nearly_stopped_bouncing_comes_to_rest() {
 #[test]
 fn a_bullet_hits_a_wall_that_is_thinner_than_its_step() {
     let mut scene = bullet();
-    scene.step.formulation = Formulation::Acceleration;
+    scene.step.scheme = Scheme::Acceleration;
     let mut bullet = simulation(scene);
     for _ in 0..3 {
         bullet.step().unwrap();
@@ -130,7 +130,7 @@ fn a_particle_leaves_a_ball_at_two_thirds_of_its_height() {
     // From the top with v0: it leaves where cos θ = 2/3 + v0²/(3 g r).
     let (r, v0) = (1.0, 0.3);
     let text = format!(
-        "step = {{ dt = 0.0005, formulation = \"acceleration\", integrator = \"rk4\" }}
+        "step = {{ dt = 0.0005, scheme = \"acceleration\", integrator = \"rk4\" }}
         [[bodies]]
         name = \"ball\"
         fixed = true
@@ -162,7 +162,7 @@ fn a_particle_leaves_a_ball_at_two_thirds_of_its_height() {
 #[test]
 fn every_shipped_scene_at_rest_stays_at_rest_at_this_level() {
     for name in ["stack", "sphere_plane", "arch", "capstan"] {
-        let scene = scene(name, Formulation::Acceleration);
+        let scene = scene(name, Scheme::Acceleration);
         let start = scene.states.clone();
         let mut rest = simulation(scene);
         for _ in 0..100 {

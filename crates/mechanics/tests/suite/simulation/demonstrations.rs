@@ -3,7 +3,7 @@
 use lcplab_mechanics::assembly::{Row, Source};
 use lcplab_mechanics::body::{State, alignment};
 use lcplab_mechanics::constraint::{Bounds, Kind};
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 use lcplab_mechanics::scene::generate::{Bridge, Rope};
 use lcplab_mechanics::simulation;
 use lcplab_mechanics::simulation::{Simulation, Step};
@@ -27,7 +27,7 @@ fn constraints_that_fight_are_named() {
     // Figure 8: both nails along x and the rod; the nails along y and z have nothing to do with it.
     let fighting =
         ["coincidence world left 0", "coincidence world right 0", "distance left right 0"];
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         for name in ["dantzig", "lemke", "pgs"] {
             let scene = scene("fig8", level);
             let solver = solver::by_name(name, &Options::default()).unwrap();
@@ -41,7 +41,7 @@ fn constraints_that_fight_are_named() {
 #[test]
 fn constraints_that_fight_stop_as_soon_as_one_is_gone() {
     for gone in 0..3 {
-        let mut scene = scene("fig8", Formulation::Velocity);
+        let mut scene = scene("fig8", Scheme::Velocity);
         scene.constraints.remove(gone);
         let step = simulation(scene.clone()).step().unwrap();
         assert_eq!(step.solves[0].solution.status, Status::Solved);
@@ -61,7 +61,7 @@ fn sweeps_find_no_best_fit_where_constraints_fight() {
         };
         let options = Options { settings, ..Options::default() };
         let pgs = solver::by_name("pgs", &options).unwrap();
-        let mut fight = Simulation::new(scene("fig8", Formulation::Velocity), pgs);
+        let mut fight = Simulation::new(scene("fig8", Scheme::Velocity), pgs);
         x(&fight.step().unwrap()).iter().fold(0.0, |m: f64, x| m.max(x.abs()))
     });
     assert_near(largest[1] - largest[0], 20.0 * 90.0, 1e-9);
@@ -73,7 +73,7 @@ fn a_rope_pulls_with_the_forces_of_the_discrete_catenary() {
     let rope = Rope { links: 20, length: 3.0, span: 2.0, mass: 0.1 };
     let (slopes, kappa) = rope.catenary();
     let pull = rope.mass * G / kappa; // H
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut hanging = simulation(scene("rope", level));
         let before = hanging.states().to_vec();
         for _ in 0..20 {
@@ -91,7 +91,7 @@ fn a_rope_pulls_with_the_forces_of_the_discrete_catenary() {
 
 #[test]
 fn a_figure_of_points_stays_in_its_plane_to_the_last_bit() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut figure = simulation(scene("figure", level));
         let start = figure.motion().energy();
         for _ in 0..750 {
@@ -108,7 +108,7 @@ fn a_figure_of_points_stays_in_its_plane_to_the_last_bit() {
 fn three_points_tell_how_far_they_have_turned() {
     // 2 rad/s for a second about z; the error is of the order of dt.
     let error = |dt: f64| {
-        let mut scene = scene("three_points", Formulation::Velocity);
+        let mut scene = scene("three_points", Scheme::Velocity);
         scene.step.dt = dt;
         let mut triangle = simulation(scene);
         let points = |triangle: &Simulation| -> Vec<Vector3<f64>> {
@@ -131,7 +131,7 @@ fn each_bank_carries_half_of_the_bridge() {
     let (planks, mass) = (12, 20.0);
     let bridge = Bridge { planks, size: [0.5, 1.0, 0.1], span: 5.6, mass };
     let pull = mass * G / bridge.rope().catenary().1;
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut bridge = simulation(scene("bridge", level));
         for _ in 0..20 {
             let mut banks = [Vector2::zeros(); 2];
@@ -153,7 +153,7 @@ fn each_bank_carries_half_of_the_bridge() {
 
 #[test]
 fn a_net_holds_a_ball_that_no_point_enters() {
-    let mut net = simulation(scene("sphere_net", Formulation::Velocity));
+    let mut net = simulation(scene("sphere_net", Scheme::Velocity));
     let ball = net.scene().body("ball").unwrap();
     let nodes = |states: &[State]| {
         let all: Vec<_> = states.iter().map(|state| state.pose.p).collect();
@@ -176,7 +176,7 @@ fn a_net_holds_a_ball_that_no_point_enters() {
 
 #[test]
 fn a_ragdoll_keeps_together_and_no_limb_bends_the_wrong_way() {
-    let mut doll = simulation(scene("ragdoll", Formulation::Velocity));
+    let mut doll = simulation(scene("ragdoll", Scheme::Velocity));
     let start = doll.motion().energy();
     for _ in 0..650 {
         let step = doll.step().unwrap();
@@ -194,7 +194,7 @@ fn a_ragdoll_keeps_together_and_no_limb_bends_the_wrong_way() {
 
 #[test]
 fn the_catapult_throws_with_the_energy_of_its_weight() {
-    let mut catapult = simulation(scene("catapult", Formulation::Velocity));
+    let mut catapult = simulation(scene("catapult", Scheme::Velocity));
     let ball = catapult.scene().body("ball").unwrap();
     let mut fastest = 0.0f64;
     let mut highest = 0.0f64;
@@ -226,7 +226,7 @@ fn the_catapult_throws_with_the_energy_of_its_weight() {
 
 #[test]
 fn joints_of_a_chain_carry_all_that_hangs_on_them() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut chain = simulation(scene("ball_and_chain", level));
         for _ in 0..3 {
             let mut tension = [0.0f64; 41];
@@ -245,7 +245,7 @@ fn joints_of_a_chain_carry_all_that_hangs_on_them() {
 
 #[test]
 fn a_stretched_chain_sheds_a_fifth_of_its_error_a_step() {
-    let mut chain = simulation(scene("stretched_chain", Formulation::Velocity));
+    let mut chain = simulation(scene("stretched_chain", Scheme::Velocity));
     for k in 1..=20 {
         let drift = chain.step().unwrap().motion.drift;
         assert!((drift - 0.05 * 0.8f64.powi(k)).abs() < 1e-12, "{k}: {drift}");
@@ -254,7 +254,7 @@ fn a_stretched_chain_sheds_a_fifth_of_its_error_a_step() {
 
 #[test]
 fn a_grid_of_soft_joints_swings_and_holds() {
-    let mut grid = simulation(scene("joint_grid", Formulation::Soft));
+    let mut grid = simulation(scene("joint_grid", Scheme::Soft));
     let start = grid.motion().energy();
     let mut swung = 0.0f64;
     for _ in 0..100 {
@@ -268,7 +268,7 @@ fn a_grid_of_soft_joints_swings_and_holds() {
 
 #[test]
 fn a_hasty_warm_start_does_not_drive_a_chain() {
-    let scene = scene("warm_start", Formulation::Velocity);
+    let scene = scene("warm_start", Scheme::Velocity);
     let mut chain = Simulation::new(scene.clone(), simulation::solver(&scene).unwrap());
     let mut unsolved = 0;
     for _ in 0..400 {
@@ -281,7 +281,7 @@ fn a_hasty_warm_start_does_not_drive_a_chain() {
 
 #[test]
 fn balls_that_rush_together_end_in_a_heap() {
-    let mut rush = simulation(scene("rush", Formulation::Velocity));
+    let mut rush = simulation(scene("rush", Scheme::Velocity));
     for _ in 0..600 {
         assert!(rush.step().unwrap().motion.penetration < 1e-9);
     }

@@ -2,14 +2,14 @@
 
 use std::ops::ControlFlow;
 
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::Cause;
 
 use super::{scene, simulation};
 
 #[test]
 fn ends_of_a_rod_that_meet_are_named() {
-    let mut pendulum = scene("pendulum", Formulation::Velocity);
+    let mut pendulum = scene("pendulum", Scheme::Velocity);
     pendulum.states[0].pose.p.x = 0.0;
     let failure = simulation(pendulum).step().unwrap_err();
     assert_eq!(
@@ -21,7 +21,7 @@ fn ends_of_a_rod_that_meet_are_named() {
 #[test]
 fn a_diverging_motion_stops_with_its_step_its_body_and_its_row() {
     // α = 1000/s is far beyond what a step of 0.01 s can follow.
-    let mut pendulum = scene("pendulum", Formulation::Acceleration);
+    let mut pendulum = scene("pendulum", Scheme::Acceleration);
     pendulum.step.alpha = 1000.0;
     let recording = simulation(pendulum).run(1000, |_| ControlFlow::Continue(()));
     let failure = recording.failure.unwrap();
@@ -32,7 +32,7 @@ fn a_diverging_motion_stops_with_its_step_its_body_and_its_row() {
 
 #[test]
 fn a_run_ends_where_the_watcher_wants() {
-    let mut ball = simulation(scene("sphere_plane", Formulation::Velocity));
+    let mut ball = simulation(scene("sphere_plane", Scheme::Velocity));
     let recording = ball.run(50, |step| match step.number {
         7 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
@@ -44,7 +44,7 @@ fn a_run_ends_where_the_watcher_wants() {
 #[test]
 fn the_same_scene_moves_the_same_to_the_last_bit() {
     let run = || {
-        let mut stack = simulation(scene("double_pendulum", Formulation::Velocity));
+        let mut stack = simulation(scene("double_pendulum", Scheme::Velocity));
         format!("{:?}", stack.run(200, |_| ControlFlow::Continue(())).motion)
     };
     assert_eq!(run(), run());

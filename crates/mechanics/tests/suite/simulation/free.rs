@@ -1,7 +1,7 @@
 //! Bodies that nothing touches.
 
 use lcplab_mechanics::body::{Gyroscopic, Mass, Pose, State};
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 
 use lcplab_mechanics::scene::catalogue::spin::SteadyTop;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -30,9 +30,9 @@ const BRICK: &str = "
 
 #[test]
 fn the_velocity_of_free_fall_is_exact() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut scene = Scene::from_toml("falling.toml", FALLING).unwrap();
-        scene.step.formulation = level;
+        scene.step.scheme = level;
         let mut stone = simulation(scene);
         for _ in 0..100 {
             stone.step().unwrap();
@@ -46,19 +46,19 @@ fn the_velocity_of_free_fall_is_exact() {
 }
 
 /// The schemes whose steps are impulses and moves.
-fn impulsive() -> impl Iterator<Item = Formulation> {
-    Formulation::FAMILIES.into_iter().filter(|&scheme| scheme != Formulation::Acceleration)
+fn impulsive() -> impl Iterator<Item = Scheme> {
+    Scheme::ALL.into_iter().filter(|&scheme| scheme != Scheme::Acceleration)
 }
 
 #[test]
 fn a_turning_brick_keeps_its_angular_momentum_and_its_energy_under_every_impulsive_scheme() {
     for scheme in impulsive() {
         let mut scene = Scene::from_toml("brick.toml", BRICK).unwrap();
-        (scene.step.formulation, scene.step.dt) = (scheme, 0.01);
+        (scene.step.scheme, scene.step.dt) = (scheme, 0.01);
         let mut brick = simulation(scene);
         let start = brick.motion();
         // XPBD divides differences of positions by a substep of 1.25 ms.
-        let rounding = if scheme == Formulation::Xpbd { 1e-11 } else { 1e-12 };
+        let rounding = if scheme == Scheme::Xpbd { 1e-11 } else { 1e-12 };
         let size = rounding * start.angular_momentum.norm();
         for _ in 0..1000 {
             let before = brick.motion();
@@ -153,9 +153,9 @@ fn bodies_that_collide_in_space_keep_their_angular_momentum() {
         position = [1.5, 0.3, 0.1]
         angular_velocity = [-3, 0.5, 1]
     ";
-    for scheme in [Formulation::Velocity, Formulation::SequentialImpulses] {
+    for scheme in [Scheme::Velocity, Scheme::SequentialImpulses] {
         let mut scene = Scene::from_toml("space.toml", text).unwrap();
-        scene.step.formulation = scheme;
+        scene.step.scheme = scheme;
         let mut boxes = simulation(scene);
         let before = boxes.motion();
         let mut touched = 0;
@@ -169,7 +169,7 @@ fn bodies_that_collide_in_space_keep_their_angular_momentum() {
 }
 
 /// The greatest lean (degrees) away from 30 of the shipped top.
-fn lean(scheme: Formulation, spin: f64, seconds: f64) -> f64 {
+fn lean(scheme: Scheme, spin: f64, seconds: f64) -> f64 {
     let top = SteadyTop {
         mass: 1.0,
         length: 0.3,
@@ -184,7 +184,7 @@ fn lean(scheme: Formulation, spin: f64, seconds: f64) -> f64 {
     let precession = 2.0 * 9.81 * 0.3 / (i3 * spin + root);
     assert_near(top.spin(precession), spin, 1e-9 * spin);
     let mut scene = Scene::load("top").unwrap();
-    (scene.step.formulation, scene.step.dt) = (scheme, 0.001);
+    (scene.step.scheme, scene.step.dt) = (scheme, 0.001);
     let axis = Vector3::new(top.angle.sin(), 0.0, cos);
     // ω = Ω z + (ω3 − Ω cos θ) axis.
     scene.states[0].omega = Vector3::z() * precession + axis * (spin - precession * cos);
@@ -201,7 +201,7 @@ fn lean(scheme: Formulation, spin: f64, seconds: f64) -> f64 {
 
 #[test]
 fn a_top_keeps_its_lean_for_five_seconds() {
-    for scheme in [Formulation::Velocity, Formulation::SequentialImpulses] {
+    for scheme in [Scheme::Velocity, Scheme::SequentialImpulses] {
         for spin in [14.0, 140.0] {
             let lean = lean(scheme, spin, 5.0);
             assert!(lean < 0.5, "{scheme:?} at {spin} rad/s: {lean}°");
@@ -259,9 +259,9 @@ fn a_free_pair_on_a_rod_keeps_its_momentum() {
         kind = \"distance\"
         bodies = [\"a\", \"b\"]
     ";
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut scene = Scene::from_toml("pair.toml", text).unwrap();
-        scene.step.formulation = level;
+        scene.step.scheme = level;
         let mut pair = simulation(scene);
         let before = pair.motion();
         for _ in 0..200 {

@@ -1,6 +1,6 @@
 //! Dry friction.
 
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 use nalgebra::Vector3;
 
 use super::{assert_near, scene, simulation};
@@ -8,7 +8,7 @@ use super::{assert_near, scene, simulation};
 const G: f64 = 9.81;
 
 /// The velocity down the slope after one second with this μ.
-fn slide(mu: f64, level: Formulation) -> f64 {
+fn slide(mu: f64, level: Scheme) -> f64 {
     let mut incline = scene("incline", level);
     for body in &mut incline.bodies {
         body.friction = mu;
@@ -24,7 +24,7 @@ fn slide(mu: f64, level: Formulation) -> f64 {
 #[test]
 fn a_box_sticks_just_above_the_tangent_of_the_slope_and_slides_below() {
     let theta = 20f64.to_radians();
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         assert!(slide(theta.tan() * 1.001, level).abs() < 1e-9);
         assert!(slide(theta.tan() * 0.999, level) > 1e-3);
         for mu in [0.0, 0.1, 0.3] {
@@ -35,7 +35,7 @@ fn a_box_sticks_just_above_the_tangent_of_the_slope_and_slides_below() {
 
 #[test]
 fn a_sliding_ball_rolls_at_five_sevenths_of_its_speed() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut ball = scene("sphere_plane", level);
         ball.states[1].v.x = 1.0;
         let mut ball = simulation(ball);

@@ -3,8 +3,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 use lcplab_judge::{Demand, judge};
-use lcplab_mechanics::formulation::with_friction_model;
-use lcplab_mechanics::scene::{Formulation, Persistence, Scene, Sliding};
+use lcplab_mechanics::scene::{Persistence, Scene, Scheme, Sliding};
 use lcplab_mechanics::simulation::{Simulation, Step};
 use lcplab_problem::friction::Model;
 use lcplab_solver::{CONES, Settings, Status};
@@ -27,7 +26,7 @@ fn point(model: Model, slope: f64, degrees: f64) -> Scene {
     let mut scene = Scene::from_toml("point.toml", text).unwrap();
     let down = along(degrees) * slope.sin();
     scene.gravity = G * Vector3::new(down.x, down.y, -slope.cos());
-    scene.contact = with_friction_model(&scene.contact, model);
+    scene.contact.model = model;
     scene
 }
 
@@ -48,7 +47,7 @@ fn slider(model: Model, speed: f64, degrees: f64) -> Scene {
 
 fn scene(name: &str, model: Model) -> Scene {
     let mut scene = Scene::load(name).unwrap();
-    scene.contact = with_friction_model(&scene.contact, model);
+    scene.contact.model = model;
     scene
 }
 
@@ -201,7 +200,7 @@ fn regularised_friction_creeps_at_the_load_over_its_damping_and_hard_friction_st
     // d = 2 μ N/ε that is u = W ε/(2 μ N)).
     let slope = (0.5 * MU).atan();
     let mut soft = point(Model::CoupledBox, slope, 30.0);
-    soft.step.formulation = Formulation::Penalty;
+    soft.step.scheme = Scheme::Penalty;
     soft.step.penalty.damping = 200.0; // settles within m/d = 10 ms
     let damping = soft.step.penalty.damping;
     let mut creeping = simulation(soft);
@@ -229,7 +228,7 @@ fn friction_takes_energy_out_and_leaves_momentum_alone_under_every_model() {
                 position = [0, 0, 0.3]\nvelocity = [1.6, 1.0, 0]\nfriction = 0.5\n";
     for model in Model::ALL {
         let mut scene = Scene::from_toml("plank.toml", text).unwrap();
-        scene.contact = with_friction_model(&scene.contact, model);
+        scene.contact.model = model;
         let mut plank = simulation(scene);
         for step in steps(&mut plank, 30) {
             let p = step.motion.linear_momentum;
@@ -256,7 +255,7 @@ fn turning(model: Model, torque: f64, turned: f64) -> f64 {
         edge = 1.5 * SQRT_2
     );
     let mut scene = Scene::from_toml("plate.toml", &text).unwrap();
-    scene.contact = with_friction_model(&scene.contact, model);
+    scene.contact.model = model;
     let mut plate = simulation(scene);
     steps(&mut plate, 10);
     plate.states()[1].omega.z
@@ -308,7 +307,7 @@ fn a_box_pushed_with_more_than_friction_moves_under_coulombs_law_and_not_under_a
     let a = (150.0 - 0.4 * 35.0 * G) / (10.0 + 25.0 * 2.0 / 7.0);
     for (model, a) in [(Model::CoulombCone, a), (Model::CoupledBox, 0.0)] {
         let mut scene = pushed_box_with_balls();
-        scene.contact = with_friction_model(&scene.contact, model);
+        scene.contact.model = model;
         let mut pushed = simulation(scene);
         steps(&mut pushed, 5);
         let speed = |body: usize| pushed.states()[body].v.dot(&along(45.0));
@@ -385,7 +384,7 @@ fn at_acceleration_level_the_models_rub_alike() {
         (Model::CoulombCone, 1.0, 30.0),
     ] {
         let mut scene = slider(model, 5.0, 30.0);
-        scene.step.formulation = Formulation::Acceleration;
+        scene.step.scheme = Scheme::Acceleration;
         let mut slider = simulation(scene);
         steps(&mut slider, 2);
         let before = velocity(&slider);
@@ -397,46 +396,43 @@ fn at_acceleration_level_the_models_rub_alike() {
 }
 
 #[test]
-fn a_model_that_a_family_cannot_pose_is_refused() {
-    let refused = |family: Formulation, model: Model, change: &dyn Fn(&mut Scene)| {
+fn a_model_that_a_scheme_cannot_pose_is_refused() {
+    let refused = |scheme: Scheme, model: Model, change: &dyn Fn(&mut Scene)| {
         let mut scene = scene("sliding", model);
-        scene.step.formulation = family;
+        scene.step.scheme = scheme;
         change(&mut scene);
         scene.validate().map_err(|error| error.to_string()).err()
     };
     let plain: &dyn Fn(&mut Scene) = &|_| {};
-    for family in Formulation::FAMILIES {
+    for scheme in Scheme::ALL {
         for model in Model::ALL {
             let able = model == Model::CoupledBox
-                || family.solves_lcps()
-                    && (family, model) != (Formulation::Acceleration, Model::AssociatedCone);
-            let message = refused(family, model, plain);
-            assert_eq!(message.is_none(), able, "{family:?}, {model}: {message:?}");
+                || scheme.solves_lcps()
+                    && (scheme, model) != (Scheme::Acceleration, Model::AssociatedCone);
+            let message = refused(scheme, model, plain);
+            assert_eq!(message.is_none(), able, "{scheme:?}, {model}: {message:?}");
             assert!(message.is_none_or(|text| text.contains("contact.model: ")));
         }
     }
     let substituted: &dyn Fn(&mut Scene) = &|scene| scene.contact.sliding = Sliding::Substituted;
     let forgetful: &dyn Fn(&mut Scene) = &|scene| scene.contact.persistence = Persistence::None;
-    assert!(refused(Formulation::Acceleration, Model::CoulombCone, substituted).is_some());
-    assert!(refused(Formulation::Acceleration, POLYGON_8, substituted).is_none());
-    assert!(refused(Formulation::Velocity, Model::FrozenBox, forgetful).is_some());
-    let six = refused(Formulation::Velocity, POLYGON_4, &|scene| scene.contact.directions = 6);
-    assert!(
-        six.unwrap().contains("contact.directions: must be a multiple of 4 from 4 to 256, is 6")
-    );
+    assert!(refused(Scheme::Acceleration, Model::CoulombCone, substituted).is_some());
+    assert!(refused(Scheme::Acceleration, POLYGON_8, substituted).is_none());
+    assert!(refused(Scheme::Velocity, Model::FrozenBox, forgetful).is_some());
+    let six = refused(Scheme::Velocity, Model::Polyhedral { directions: 6 }, plain).unwrap();
+    assert!(six.contains("contact.model: polygon-6: directions: must be a multiple of 4"), "{six}");
 }
 
 #[test]
 fn a_model_is_a_word_in_the_scene_file() {
     for (text, model) in [
         ("model = \"frozen-box\"", Model::FrozenBox),
-        ("model = \"polygon\"\ndirections = 16", Model::Polyhedral { directions: 16 }),
-        ("model = \"polygon\"", POLYGON_8),
+        ("model = \"polygon-16\"", Model::Polyhedral { directions: 16 }),
         ("model = \"associated-cone\"", Model::AssociatedCone),
         ("model = \"coulomb-cone\"", Model::CoulombCone),
         ("", Model::CoupledBox),
     ] {
         let scene = Scene::from_toml("word.toml", &format!("[contact]\n{text}")).unwrap();
-        assert_eq!(lcplab_mechanics::formulation::friction_model(&scene.contact), model);
+        assert_eq!(scene.contact.model, model);
     }
 }

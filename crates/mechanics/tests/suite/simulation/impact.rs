@@ -1,15 +1,15 @@
 //! Bodies that hit the ground.
 
 use lcplab_mechanics::formulation::Stage;
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_solver as solver;
 
 use super::{assert_near, bullet, simulation};
 
-fn drop_from(height: f64, restitution: f64, dt: f64, level: Formulation) -> Scene {
+fn drop_from(height: f64, restitution: f64, dt: f64, level: Scheme) -> Scene {
     let text = format!(
-        "[step]\ndt = {dt}\nformulation = \"{}\"\n[contact]\nrestitution = {restitution}\n\
+        "[step]\ndt = {dt}\nscheme = \"{}\"\n[contact]\nrestitution = {restitution}\n\
          [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
          [[bodies]]\nname = \"ball\"\nshape = {{ sphere = 0.5 }}\nmass = 2\nposition = [0, 0, {}]\n",
         level.name(),
@@ -21,7 +21,7 @@ fn drop_from(height: f64, restitution: f64, dt: f64, level: Formulation) -> Scen
 #[test]
 fn a_speculative_contact_closes_its_gap_and_no_more() {
     // 0.03 m at 5 m/s: within a step of 0.01 s the ball may only come down to the ground.
-    let mut scene = drop_from(0.03, 0.0, 0.01, Formulation::Velocity);
+    let mut scene = drop_from(0.03, 0.0, 0.01, Scheme::Velocity);
     scene.states[1].v.z = -5.0;
     let mut ball = simulation(scene);
     ball.step().unwrap();
@@ -34,7 +34,7 @@ fn a_speculative_contact_closes_its_gap_and_no_more() {
 #[test]
 fn a_ball_bounces_to_e_squared_of_its_height() {
     let (height, e) = (1.0, 0.8);
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let error = |dt: f64| {
             let mut ball = simulation(drop_from(height, e, dt, level));
             let mut bounced = false;
@@ -57,8 +57,8 @@ fn a_ball_bounces_to_e_squared_of_its_height() {
 
 #[test]
 fn restitution_reverses_exactly_e_of_the_approach() {
-    // Touching at −3 m/s without gravity: +0.5 · 3 m/s after the step, in both formulations.
-    for level in Formulation::LEVELS {
+    // Touching at −3 m/s without gravity: +0.5 · 3 m/s after the step, in both schemes.
+    for level in Scheme::LEVELS {
         let mut scene = drop_from(0.0, 0.5, 0.01, level);
         scene.gravity.z = 0.0;
         scene.states[1].v.z = -3.0;
@@ -70,7 +70,7 @@ fn restitution_reverses_exactly_e_of_the_approach() {
 
 #[test]
 fn slow_approach_does_not_bounce() {
-    let mut scene = drop_from(0.0, 0.5, 0.01, Formulation::Velocity);
+    let mut scene = drop_from(0.0, 0.5, 0.01, Scheme::Velocity);
     scene.gravity.z = 0.0;
     scene.states[1].v.z = -0.09; // below bounce_speed = 0.1 m/s
     let mut ball = simulation(scene);
@@ -80,8 +80,8 @@ fn slow_approach_does_not_bounce() {
 
 #[test]
 fn every_scheme_that_bounces_gives_back_e_of_the_approach_wherever_in_a_step_it_hits() {
-    let schemes = [Formulation::Velocity, Formulation::Acceleration, Formulation::Soft];
-    for scheme in schemes.into_iter().chain([Formulation::Xpbd, Formulation::SequentialImpulses]) {
+    let schemes = [Scheme::Velocity, Scheme::Acceleration, Scheme::Soft];
+    for scheme in schemes.into_iter().chain([Scheme::Xpbd, Scheme::SequentialImpulses]) {
         for (e, dt) in [(0.5, 0.01), (1.0, 0.004), (0.8, 1.0 / 60.0)] {
             for k in 0..6 {
                 let mut ball = simulation(drop_from(0.5 + 0.037 * f64::from(k), e, dt, scheme));
@@ -151,7 +151,7 @@ fn a_bullet_that_goes_through_a_wall_in_one_step_is_named() {
 fn two_balls_with_one_centre_are_a_penetration_of_both_radii() {
     let text = "
         gravity = [0, 0, 0]
-        step.formulation = \"split-impulse\"
+        step.scheme = \"split-impulse\"
         step.baumgarte = 0.2
         bodies = [
             { name = \"a\", shape = { sphere = 0.5 }, mass = 1 },

@@ -3,7 +3,7 @@
 
 use lcplab_mechanics::body::Gyroscopic;
 use lcplab_mechanics::scene::catalogue::pendulum::{DoublePendulum, Pendulum, Swing};
-use lcplab_mechanics::scene::{Formulation, Integrator, Scene};
+use lcplab_mechanics::scene::{Integrator, Scene, Scheme};
 use lcplab_mechanics::simulation::{Cause, Simulation};
 use nalgebra::Vector3;
 
@@ -19,7 +19,7 @@ const ALL: [Integrator; 4] = [
 
 /// The scene by an integrator, without feedback of errors, after a time.
 fn after(name: &str, integrator: Integrator, dt: f64, time: f64) -> Simulation {
-    let mut scene = scene(name, Formulation::Acceleration);
+    let mut scene = scene(name, Scheme::Acceleration);
     (scene.step.dt, scene.step.alpha, scene.step.integrator) = (dt, 0.0, integrator);
     let mut simulation = simulation(scene);
     for _ in 0..(time / dt).round() as usize {
@@ -114,7 +114,7 @@ fn free_fall_is_exact_for_methods_of_second_order_and_above() {
     let text = "[[bodies]]\nname = \"stone\"\nshape = \"point\"\nmass = 3\nvelocity = [1, 2, 3]\n";
     for integrator in ALL {
         let mut scene = Scene::from_toml("falling.toml", text).unwrap();
-        scene.step.formulation = Formulation::Acceleration;
+        scene.step.scheme = Scheme::Acceleration;
         scene.step.integrator = integrator;
         let mut stone = simulation(scene);
         for _ in 0..100 {
@@ -144,7 +144,7 @@ fn brick(integrator: Integrator, dt: f64) -> (f64, f64) {
     ";
     let mut scene = Scene::from_toml("brick.toml", text).unwrap();
     (scene.step.dt, scene.step.integrator) = (dt, integrator);
-    scene.step.formulation = Formulation::Acceleration;
+    scene.step.scheme = Scheme::Acceleration;
     scene.step.gyroscopic = Gyroscopic::Implicit; // at this level always the term in F
     let mut brick = simulation(scene);
     let start = brick.motion();
@@ -178,7 +178,7 @@ fn a_brick_that_turns_over_keeps_energy_and_momentum_to_the_order_of_its_integra
 #[test]
 fn a_box_rests_whatever_the_integrator() {
     for integrator in ALL {
-        let mut stack = scene("stack", Formulation::Acceleration);
+        let mut stack = scene("stack", Scheme::Acceleration);
         stack.step.integrator = integrator;
         let mut stack = simulation(stack);
         for _ in 0..10 {
@@ -191,7 +191,7 @@ fn a_box_rests_whatever_the_integrator() {
 
 #[test]
 fn a_step_too_long_for_the_midpoint_is_an_error_not_an_answer() {
-    let mut pendulum = scene("pendulum", Formulation::Acceleration);
+    let mut pendulum = scene("pendulum", Scheme::Acceleration);
     pendulum.step.integrator = Integrator::ImplicitMidpoint;
     pendulum.step.alpha = 1000.0; // repetition contracts only below 2/dt = 200/s
     let mut pendulum = simulation(pendulum);

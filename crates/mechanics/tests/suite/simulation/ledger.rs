@@ -1,7 +1,7 @@
 //! Where the energy goes, against closed forms, and the laws of each step.
 
 use lcplab_mechanics::body::State;
-use lcplab_mechanics::scene::{Formulation, Integrator, Scene, catalogue};
+use lcplab_mechanics::scene::{Integrator, Scene, Scheme, catalogue};
 use lcplab_mechanics::simulation::{Act, Ledger, Step};
 
 use super::{assert_near, scene, simulation};
@@ -11,9 +11,9 @@ fn steps(scene: Scene, count: usize) -> Vec<Step> {
     (0..count).map(|_| simulation.step().unwrap()).collect()
 }
 
-fn ball(height: f64, speed: f64, gravity: f64, restitution: f64, level: Formulation) -> Scene {
+fn ball(height: f64, speed: f64, gravity: f64, restitution: f64, level: Scheme) -> Scene {
     let text = format!(
-        "gravity = [0, 0, {}]\n[step]\ndt = 0.01\nformulation = \"{}\"\n[contact]\n\
+        "gravity = [0, 0, {}]\n[step]\ndt = 0.01\nscheme = \"{}\"\n[contact]\n\
          restitution = {restitution}\n\
          [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
          [[bodies]]\nname = \"ball\"\nshape = {{ sphere = 0.5 }}\nmass = 2\n\
@@ -29,7 +29,7 @@ fn ball(height: f64, speed: f64, gravity: f64, restitution: f64, level: Formulat
 #[test]
 fn free_fall_loses_what_the_step_overshoots() {
     // v⁺ = v − g dt and p⁺ = p + dt v⁺ fall ½ g dt² too far in each step: −½ m g² dt².
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         for step in steps(ball(10.0, 1.0, 9.81, 0.0, level), 5) {
             let Ledger { change, integrator, .. } = step.ledger.unwrap();
             assert_near(integrator, -0.5 * 2.0 * (9.81f64 * 0.01).powi(2), 1e-14);
@@ -41,8 +41,7 @@ fn free_fall_loses_what_the_step_overshoots() {
 #[test]
 fn a_blow_takes_the_energy_and_a_bounce_gives_e_squared_of_it_back() {
     // X = m (1 + e) v: the blow takes ½ X v, the bounce gives ½ X e v.
-    for (level, e) in Formulation::LEVELS.into_iter().flat_map(|level| [(level, 0.0), (level, 0.5)])
-    {
+    for (level, e) in Scheme::LEVELS.into_iter().flat_map(|level| [(level, 0.0), (level, 0.5)]) {
         let step = &steps(ball(0.0, 3.0, 0.0, e, level), 1)[0];
         let (impulse, ledger) = (2.0 * (1.0 + e) * 3.0, step.ledger.unwrap());
         assert_near(ledger.contact, -0.5 * impulse * 3.0, 1e-12);
@@ -54,7 +53,7 @@ fn a_blow_takes_the_energy_and_a_bounce_gives_e_squared_of_it_back() {
 #[test]
 fn friction_takes_its_force_times_the_way() {
     // The box of 2 kg slides down 20 degrees with μ = 0.3: each step −μ m g cos θ · ½ dt (v + v⁺).
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let scene = scene("incline", level);
         let force = 0.3 * 2.0 * 9.81 * 20f64.to_radians().cos();
         let mut speed = 0.0;
@@ -69,12 +68,12 @@ fn friction_takes_its_force_times_the_way() {
 #[test]
 fn the_accounts_of_every_shipped_scene_close_to_rounding() {
     for shipped in catalogue::SHIPPED {
-        for level in Formulation::LEVELS {
-            if (shipped.name, level) == ("painleve", Formulation::Acceleration) {
+        for level in Scheme::LEVELS {
+            if (shipped.name, level) == ("painleve", Scheme::Acceleration) {
                 continue; // provably has no solution: see painleve.rs
             }
             let mut scene = shipped.scene().unwrap();
-            scene.step.formulation = level;
+            scene.step.scheme = level;
             scene.step.integrator = Integrator::SemiImplicitEuler; // stages have no accounts
             for step in steps(scene, 8) {
                 let ledger = step.ledger.unwrap();
@@ -92,12 +91,12 @@ fn the_accounts_of_every_shipped_scene_close_to_rounding() {
 #[test]
 fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
     for shipped in catalogue::SHIPPED {
-        for level in Formulation::LEVELS {
-            if (shipped.name, level) == ("painleve", Formulation::Acceleration) {
+        for level in Scheme::LEVELS {
+            if (shipped.name, level) == ("painleve", Scheme::Acceleration) {
                 continue; // provably has no solution: see painleve.rs
             }
             let mut scene = shipped.scene().unwrap();
-            scene.step.formulation = level;
+            scene.step.scheme = level;
             for step in steps(scene, 8) {
                 let laws = step.laws;
                 assert!(laws.attraction == 0.0, "{} {level:?}: {laws:?}", shipped.name);
@@ -122,25 +121,24 @@ fn every_shipped_scene_keeps_the_laws_of_contact_and_momentum() {
     }
 }
 
-/// The families that write down what acts; XPBD's velocities are what positions did.
-fn accounted() -> impl Iterator<Item = Formulation> {
-    Formulation::FAMILIES.into_iter().filter(|&family| family != Formulation::Xpbd)
+/// The schemes that write down what acts; XPBD's velocities are what positions did.
+fn accounted() -> impl Iterator<Item = Scheme> {
+    Scheme::ALL.into_iter().filter(|&scheme| scheme != Scheme::Xpbd)
 }
 
 #[test]
 fn the_accounts_close_in_every_family_that_keeps_them() {
-    for family in accounted() {
+    for scheme in accounted() {
         for name in
             ["stack", "pendulum", "bouncing_ball", "double_pendulum", "dzhanibekov", "ragdoll"]
         {
-            let mut scene = scene(name, family);
+            let mut scene = scene(name, scheme);
             scene.step.integrator = Integrator::SemiImplicitEuler; // stages have no accounts
             for step in steps(scene, 20) {
                 let ledger = step.ledger.unwrap();
-                assert!(ledger.closes(), "{name} {family:?}: {}", ledger.remainder());
-                let corrects =
-                    matches!(family, Formulation::SplitImpulse | Formulation::GaussSeidel);
-                assert!(corrects || ledger.correction == 0.0, "{name} {family:?}");
+                assert!(ledger.closes(), "{name} {scheme:?}: {}", ledger.remainder());
+                let corrects = matches!(scheme, Scheme::SplitImpulse | Scheme::GaussSeidel);
+                assert!(corrects || ledger.correction == 0.0, "{name} {scheme:?}");
             }
         }
     }
@@ -148,9 +146,9 @@ fn the_accounts_close_in_every_family_that_keeps_them() {
 
 #[test]
 fn who_does_not_write_down_what_acted_has_no_account() {
-    assert!(steps(scene("stack", Formulation::Xpbd), 2).iter().all(|step| step.ledger.is_none()));
+    assert!(steps(scene("stack", Scheme::Xpbd), 2).iter().all(|step| step.ledger.is_none()));
     for integrator in [Integrator::ExplicitEuler, Integrator::Rk4, Integrator::ImplicitMidpoint] {
-        let mut scene = scene("pendulum", Formulation::Acceleration);
+        let mut scene = scene("pendulum", Scheme::Acceleration);
         scene.step.integrator = integrator;
         assert!(steps(scene, 2).iter().all(|step| step.ledger.is_none()), "{integrator:?}");
     }
@@ -173,33 +171,33 @@ fn last_step(scene: &Scene, count: usize) -> (Vec<State>, Step) {
 #[test]
 fn an_energy_that_nobody_put_in_is_missing_in_every_account() {
     // All velocities √1.01 times too large: one percent of the kinetic energy.
-    for family in accounted() {
+    for scheme in accounted() {
         for name in ["pendulum", "bouncing_ball", "sliding", "ragdoll"] {
-            let scene = scene(name, family);
+            let scene = scene(name, scheme);
             let (before, step) = last_step(&scene, 12);
             let faster = |state: &State| state.with_velocity(&(state.velocity() * 1.01f64.sqrt()));
             let after: Vec<State> = step.states.iter().map(faster).collect();
             let acts = step.acts.as_ref().unwrap();
             let ledger = audited(&scene, &before, &step, acts, &after);
             let planted = 0.01 * step.motion.kinetic;
-            assert!(planted > 1e-6, "{name} {family:?} moves");
+            assert!(planted > 1e-6, "{name} {scheme:?} moves");
             assert_near(ledger.remainder(), planted, 1e-9 * ledger.scale);
-            assert!(step.ledger.unwrap().closes() && !ledger.closes(), "{name} {family:?}");
+            assert!(step.ledger.unwrap().closes() && !ledger.closes(), "{name} {scheme:?}");
         }
     }
 }
 
 #[test]
 fn a_height_that_nobody_climbed_is_missing_in_every_account() {
-    for family in accounted() {
-        let scene = scene("bouncing_ball", family);
+    for scheme in accounted() {
+        let scene = scene("bouncing_ball", scheme);
         let (before, step) = last_step(&scene, 5);
         let mut after = step.states.clone();
         after.iter_mut().for_each(|state| state.pose.p.z += 0.01);
         let ledger = audited(&scene, &before, &step, step.acts.as_ref().unwrap(), &after);
         let weights = scene.bodies.iter().map(|body| -body.mass.mass() * scene.gravity.z);
         assert_near(ledger.remainder(), 0.01 * weights.sum::<f64>(), 1e-9);
-        assert!(!ledger.closes(), "{family:?}");
+        assert!(!ledger.closes(), "{scheme:?}");
     }
 }
 
@@ -207,8 +205,8 @@ fn a_height_that_nobody_climbed_is_missing_in_every_account() {
 fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
     // A ball of 2 kg comes down with 3 m/s, and nothing else acts: without the blow in the books,
     // the change of ½ m v² is missing.
-    for family in accounted() {
-        let mut scene = ball(0.0, 3.0, 0.0, 0.0, family);
+    for scheme in accounted() {
+        let mut scene = ball(0.0, 3.0, 0.0, 0.0, scheme);
         scene.step.penalty.stiffness = 2e4;
         let (before, step) = last_step(&scene, 3);
         let blow = |act: &Act| matches!(act, Act::Answer(_) | Act::Push(_));
@@ -216,8 +214,8 @@ fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
         let ledger = audited(&scene, &before, &step, &acts, &step.states);
         assert_near(ledger.remainder(), step.ledger.unwrap().change, 1e-12);
     }
-    for family in accounted() {
-        let mut scene = ball(0.0, 3.0, 0.0, 0.0, family);
+    for scheme in accounted() {
+        let mut scene = ball(0.0, 3.0, 0.0, 0.0, scheme);
         scene.step.penalty.stiffness = 2e4;
         let mut missing = 0.0;
         let (mut states, mut simulation) = (scene.states.clone(), simulation(scene.clone()));
@@ -229,15 +227,15 @@ fn an_impulse_that_is_not_written_down_is_missing_in_every_account() {
         }
         let kinetic = 0.5 * 2.0 * states[1].v.norm_squared();
         assert_near(missing, kinetic - 9.0, 1e-9);
-        assert!(missing < -0.1, "{family:?} has had its blow");
+        assert!(missing < -0.1, "{scheme:?} has had its blow");
     }
 }
 
 #[test]
 fn a_position_that_is_corrected_in_secret_is_missing() {
     // The pendulum has drifted: what the correction lifts is in the books only if it is written down.
-    for family in [Formulation::SplitImpulse, Formulation::GaussSeidel] {
-        let scene = scene("pendulum", family);
+    for scheme in [Scheme::SplitImpulse, Scheme::GaussSeidel] {
+        let scene = scene("pendulum", scheme);
         let (before, step) = last_step(&scene, 30);
         let acts: Vec<Act> = step.acts.iter().flatten().cloned().collect();
         let (shifts, others): (Vec<Act>, Vec<Act>) =
@@ -245,7 +243,7 @@ fn a_position_that_is_corrected_in_secret_is_missing() {
         assert!(!shifts.is_empty());
         let ledger = audited(&scene, &before, &step, &others, &step.states);
         let honest = step.ledger.unwrap();
-        assert!(honest.correction != 0.0 && honest.closes() && !ledger.closes(), "{family:?}");
+        assert!(honest.correction != 0.0 && honest.closes() && !ledger.closes(), "{scheme:?}");
         assert_near(ledger.remainder(), honest.correction, 1e-12 * honest.scale);
     }
 }
@@ -253,7 +251,7 @@ fn a_position_that_is_corrected_in_secret_is_missing() {
 #[test]
 fn the_spring_of_a_penalty_gives_back_what_it_took() {
     // A ball of 2 kg at 1 m/s on a spring without damping: ½ m v² goes into it and comes out again.
-    let mut scene = ball(0.0, 1.0, 0.0, 0.0, Formulation::Penalty);
+    let mut scene = ball(0.0, 1.0, 0.0, 0.0, Scheme::Penalty);
     scene.step.penalty.stiffness = 2e3; // half a period: π √(m/k) = 0.1 s
     scene.step.penalty.damping = 0.0;
     scene.step.substeps = 100;
@@ -266,12 +264,12 @@ fn the_spring_of_a_penalty_gives_back_what_it_took() {
 #[test]
 fn rounding_beside_rounding_is_no_gap() {
     // A ball at rest on the ground, 10 m above the origin's height: nothing moves, and m g h is 196 J.
-    for family in accounted() {
-        let mut scene = ball(0.0, 0.0, 9.81, 0.0, family);
+    for scheme in accounted() {
+        let mut scene = ball(0.0, 0.0, 9.81, 0.0, scheme);
         scene.states.iter_mut().for_each(|state| state.pose.p.z += 10.0);
         for step in steps(scene, 20) {
             let ledger = step.ledger.unwrap();
-            assert!(ledger.closes() && ledger.scale > 100.0, "{family:?}: {ledger:?}");
+            assert!(ledger.closes() && ledger.scale > 100.0, "{scheme:?}: {ledger:?}");
         }
     }
 }
@@ -281,9 +279,9 @@ fn a_push_puts_in_its_force_times_the_way() {
     // 6 N on 2 kg without friction: v = 3 t, so a step from v to v⁺ is worth 6 · ½ dt (v + v⁺).
     let text = "gravity = [0, 0, 0]\n[[bodies]]\nname = \"cart\"\nshape = { sphere = 0.5 }\n\
                 mass = 2\nforce = [6, 0, 0]\n";
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut scene = Scene::from_toml("cart.toml", text).unwrap();
-        scene.step.formulation = level;
+        scene.step.scheme = level;
         let mut speed = 0.0;
         for step in steps(scene, 10) {
             let next = speed + 3.0 * 0.01;
@@ -298,7 +296,7 @@ fn a_push_puts_in_its_force_times_the_way() {
 
 #[test]
 fn the_ledger_of_a_push_against_friction_closes() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         for step in steps(scene("rolling_balls", level), 3) {
             let Ledger { change, external, friction, .. } = step.ledger.unwrap();
             assert!(external > 0.0 && friction < 0.0, "{level:?}");

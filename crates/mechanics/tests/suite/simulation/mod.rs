@@ -4,7 +4,6 @@ mod acceleration;
 mod demonstrations;
 mod driven;
 mod failures;
-mod families;
 mod free;
 mod friction;
 mod friction_models;
@@ -15,12 +14,13 @@ mod painleve;
 mod pendulum;
 mod polygons;
 mod resting;
+mod schemes;
 mod shipped;
 mod stacking;
 mod stepper;
 mod symmetry;
 
-use lcplab_mechanics::scene::{Formulation, Scene, catalogue};
+use lcplab_mechanics::scene::{Scene, Scheme, catalogue};
 use lcplab_mechanics::simulation::{Simulation, Step};
 use lcplab_solver as solver;
 
@@ -43,9 +43,9 @@ fn bullet() -> Scene {
 }
 
 /// The shipped scene of this name at this level.
-fn scene(name: &str, formulation: Formulation) -> Scene {
+fn scene(name: &str, scheme: Scheme) -> Scene {
     let mut scene = Scene::load(name).unwrap();
-    scene.step.formulation = formulation;
+    scene.step.scheme = scheme;
     scene
 }
 

@@ -3,7 +3,7 @@
 use lcplab_judge::ray::refute;
 use lcplab_mechanics::assembly::{Assembly, Entering};
 use lcplab_mechanics::formulation::{Problem, Slide};
-use lcplab_mechanics::scene::{Formulation, Scene, Sliding, contacts};
+use lcplab_mechanics::scene::{Scene, Scheme, Sliding, contacts};
 use lcplab_mechanics::simulation::Cause;
 use lcplab_solver::{Enumeration, Settings, Solver, Start, Status};
 
@@ -24,7 +24,7 @@ fn the_rod_s_own_friction_makes_its_diagonal_negative() {
     // A thin rod: m A_nn = 1 + 3 cos² − 3 μ sin cos = 1.6 − 1.2 μ at tan = 2, negative for μ > 4/3.
     // With the thickness 2w the lower corners are at (l cos − w sin, ±w, −l sin − w cos), and
     // I = m (l² + w²)/3.
-    let rod = scene("painleve", Formulation::Acceleration);
+    let rod = scene("painleve", Scheme::Acceleration);
     let problem = problem(&rod);
     let (l, w, mu) = (0.5, 0.01, 1.5);
     let (sin, cos) = (2f64 / 5f64.sqrt(), 1.0 / 5f64.sqrt());
@@ -42,7 +42,7 @@ fn the_rod_s_own_friction_makes_its_diagonal_negative() {
 
 #[test]
 fn at_acceleration_level_the_rod_has_no_solution_and_the_failure_proves_it() {
-    let rod = scene("painleve", Formulation::Acceleration);
+    let rod = scene("painleve", Scheme::Acceleration);
     let problem = problem(&rod);
     let failure = simulation(rod).step().unwrap_err();
     let Cause::NoSolution { row, proof } = &failure.cause else { panic!("{failure}") };
@@ -66,7 +66,7 @@ fn at_acceleration_level_the_rod_has_no_solution_and_the_failure_proves_it() {
 
 #[test]
 fn below_the_critical_friction_the_rod_slides_on() {
-    let mut rod = scene("painleve", Formulation::Acceleration);
+    let mut rod = scene("painleve", Scheme::Acceleration);
     for body in &mut rod.bodies {
         body.friction = 1.2;
     }
@@ -82,7 +82,7 @@ fn below_the_critical_friction_the_rod_slides_on() {
 
 #[test]
 fn the_velocity_level_steps_through_it() {
-    let mut rod = simulation(scene("painleve", Formulation::Velocity));
+    let mut rod = simulation(scene("painleve", Scheme::Velocity));
     let before = rod.motion().energy();
     for _ in 0..300 {
         let step = rod.step().unwrap();
@@ -98,7 +98,7 @@ fn the_velocity_level_steps_through_it() {
 fn diagonal(sliding: Sliding, time: f64) -> f64 {
     let text = "
         [step]
-        formulation = \"acceleration\"
+        scheme = \"acceleration\"
         [contact]
         friction = 0.2
         [[bodies]]
@@ -136,7 +136,7 @@ fn substituted_friction_is_the_same_in_every_direction_and_the_box_is_not() {
 #[test]
 fn on_a_slope_both_models_slide_alike() {
     let speed = |sliding| {
-        let mut incline = scene("incline", Formulation::Acceleration);
+        let mut incline = scene("incline", Scheme::Acceleration);
         incline.contact.sliding = sliding;
         incline.states[1].v =
             nalgebra::Vector3::new(20f64.to_radians().cos(), 0.0, -20f64.to_radians().sin());

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use lcplab_mechanics::assembly::{Assembly, Entering};
 use lcplab_mechanics::formulation::Problem;
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 use nalgebra::Vector3;
 
 use super::{assert_near, scene, simulation, x};
@@ -15,7 +15,7 @@ const G: f64 = 9.81;
 fn the_rod_pulls_with_the_weight_and_the_centripetal_force() {
     // At the angle φ from the vertical with the speed ω: x = −m (g cos φ + l ω²), m = l = 1.
     for (phi, omega) in [(0.0, 0.0), (0.3, 2.0), (-1.0, 0.5), (FRAC_PI_2, 3.0), (2.5, 4.0)] {
-        let mut pendulum = scene("pendulum", Formulation::Acceleration);
+        let mut pendulum = scene("pendulum", Scheme::Acceleration);
         let (sin, cos) = f64::sin_cos(phi);
         pendulum.states[0].pose.p = Vector3::new(sin, 0.0, -cos);
         pendulum.states[0].v = omega * Vector3::new(cos, 0.0, sin);
@@ -39,7 +39,7 @@ fn period(amplitude: f64) -> f64 {
 
 /// The time (s) of the first return to a state of rest at the right, to fourth order between steps.
 fn measured(dt: f64) -> f64 {
-    let mut pendulum = scene("pendulum", Formulation::Velocity);
+    let mut pendulum = scene("pendulum", Scheme::Velocity);
     pendulum.step.dt = dt;
     pendulum.step.baumgarte = 0.5;
     let mut pendulum = simulation(pendulum);
@@ -81,7 +81,7 @@ fn both_formulations_give_one_motion_as_dt_shrinks() {
         }
         pendulum.states()[0].pose.p
     };
-    let apart = |dt| (end(Formulation::Velocity, dt) - end(Formulation::Acceleration, dt)).norm();
+    let apart = |dt| (end(Scheme::Velocity, dt) - end(Scheme::Acceleration, dt)).norm();
     let (coarse, fine) = (apart(2e-3), apart(1e-3));
     assert!(fine < 5e-3 && (coarse / fine).log2() > 0.9, "{coarse} {fine}");
 }
@@ -89,7 +89,7 @@ fn both_formulations_give_one_motion_as_dt_shrinks() {
 #[test]
 fn a_coordinate_check_of_the_bias_at_acceleration_level() {
     // b = n·g + |v|²/l + 2α n·v + α² c with n the rod's direction.
-    let mut pendulum = scene("pendulum", Formulation::Acceleration);
+    let mut pendulum = scene("pendulum", Scheme::Acceleration);
     pendulum.step.alpha = 3.0;
     pendulum.states[0].pose.p = Vector3::new(0.0, 0.0, -1.1);
     pendulum.states[0].v = Vector3::new(2.0, 0.0, -0.5);

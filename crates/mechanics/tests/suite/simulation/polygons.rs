@@ -1,7 +1,6 @@
 //! Polygons of friction on stacks: that they stand, and who finds their friction.
 
 use lcplab_judge::Demand;
-use lcplab_mechanics::formulation::with_friction_model;
 use lcplab_mechanics::scene::Scene;
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_solver::{PolygonPgs, Settings, Start, Status};
@@ -25,7 +24,7 @@ fn tower(boxes: usize, model: Model) -> Scene {
         );
     }
     let mut scene = Scene::from_toml("tower.toml", &text).unwrap();
-    scene.contact = with_friction_model(&scene.contact, model);
+    scene.contact.model = model;
     scene
 }
 
@@ -69,9 +68,9 @@ fn a_stack_under_a_polygon_moves_in_the_same_bits_whatever_the_unit_of_mass() {
     // 2⁻¹⁰ times the mass: A grows by 2¹⁰, and so shrinks x; the motion has no mass in it.
     let after = |mass: &str| {
         let changes = [("generate.mass".to_string(), mass.to_string())];
-        let stack = Scene::load_with("stack", &changes).unwrap();
-        let contact = with_friction_model(&stack.contact, POLYGON_4);
-        let mut stack = simulation(Scene { contact, ..stack });
+        let mut stack = Scene::load_with("stack", &changes).unwrap();
+        stack.contact.model = POLYGON_4;
+        let mut stack = simulation(stack);
         let steps: Vec<_> = (0..30).map(|_| stack.step().unwrap()).collect();
         let mut solves = steps.iter().flat_map(|step| &step.solves);
         let all_solved = solves.all(|solve| solve.solution.status == Status::Solved);

@@ -1,7 +1,7 @@
 //! Bodies that lie on each other.
 
 use lcplab_mechanics::constraint::Kind;
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_solver as solver;
@@ -11,7 +11,7 @@ use super::{assert_near, scene, simulation, x};
 #[test]
 fn figure_6_stops_within_a_step() {
     // m (v + g dt) = 1 · (1 + 1 · 1) = 2 N s, then the weight, 1 N s a step.
-    let mut fig6 = simulation(scene("fig6", Formulation::Velocity));
+    let mut fig6 = simulation(scene("fig6", Scheme::Velocity));
     assert_eq!(x(&fig6.step().unwrap()), [2.0]);
     assert_eq!(fig6.states()[1].v.z, 0.0);
     assert_eq!(x(&fig6.step().unwrap()), [1.0]);
@@ -21,7 +21,7 @@ fn figure_6_stops_within_a_step() {
 fn figure_7_has_the_impulses_of_the_errata() {
     // x = dt g (3, 2, 1) + (1, 1, 0), from the ground up.
     for (g, dt) in [(1.0, 1.0), (10.0, 1.0), (9.81, 1.0 / 60.0)] {
-        let mut fig7 = scene("fig7", Formulation::Velocity);
+        let mut fig7 = scene("fig7", Scheme::Velocity);
         (fig7.gravity.z, fig7.step.dt) = (-g, dt);
         let mut fig7 = simulation(fig7);
         let exact = [3.0 * g * dt + 1.0, 2.0 * g * dt + 1.0, g * dt];
@@ -35,7 +35,7 @@ fn figure_7_has_the_impulses_of_the_errata() {
 #[test]
 fn figure_7_at_acceleration_level_is_an_impact_and_then_forces() {
     // The impact alone gives (1, 1, 0): the middle body stops. Then the weights above: (3, 2, 1) g.
-    let mut fig7 = simulation(scene("fig7", Formulation::Acceleration));
+    let mut fig7 = simulation(scene("fig7", Scheme::Acceleration));
     let step = fig7.step().unwrap();
     let [impact, forces] = &step.solves[..] else { panic!("two solves") };
     for (ours, exact) in impact.solution.x.iter().zip([1.0, 1.0, 0.0]) {
@@ -49,7 +49,7 @@ fn figure_7_at_acceleration_level_is_an_impact_and_then_forces() {
 #[test]
 fn each_layer_of_the_stack_carries_the_weight_above() {
     // Impulses at velocity level, forces at acceleration level: 5, 4, 3, 2, 1 times m g (dt).
-    for (level, unit) in [(Formulation::Velocity, 9.81 * 0.01), (Formulation::Acceleration, 9.81)] {
+    for (level, unit) in [(Scheme::Velocity, 9.81 * 0.01), (Scheme::Acceleration, 9.81)] {
         let mut stack = simulation(scene("stack", level));
         for _ in 0..20 {
             let step = stack.step().unwrap();
@@ -77,15 +77,11 @@ fn each_layer_of_the_stack_carries_the_weight_above() {
 
 #[test]
 fn a_resting_ball_stays_where_it_is_for_ever() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut ball = simulation(scene("sphere_plane", level));
         for _ in 0..100 {
             let step = ball.step().unwrap();
-            assert_near(
-                x(&step)[0],
-                if level == Formulation::Velocity { 0.0981 } else { 9.81 },
-                1e-12,
-            );
+            assert_near(x(&step)[0], if level == Scheme::Velocity { 0.0981 } else { 9.81 }, 1e-12);
         }
         assert_near(ball.states()[1].pose.p.z, 0.5, 1e-12);
     }
@@ -95,7 +91,7 @@ fn a_resting_ball_stays_where_it_is_for_ever() {
 fn the_stack_keeps_its_twenty_corners_whatever_the_rounding() {
     // Gauss-Seidel leaves errors of 1e-9 m between boxes that stand flush.
     let pgs = solver::by_name("pgs", &solver::Options::default()).unwrap();
-    let mut stack = Simulation::new(scene("stack", Formulation::Velocity), pgs);
+    let mut stack = Simulation::new(scene("stack", Scheme::Velocity), pgs);
     let first: Vec<_> = stack.step().unwrap().contacts.iter().map(|found| found.id).collect();
     assert_eq!(first.len(), 20);
     for _ in 1..50 {

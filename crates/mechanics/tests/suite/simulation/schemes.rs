@@ -1,8 +1,8 @@
-//! What tells the families of methods apart, and what all of them must do.
+//! What tells the schemes apart, and what all of them must do.
 
 use std::ops::ControlFlow;
 
-use lcplab_mechanics::scene::{Feedback, Formulation, Scene, catalogue};
+use lcplab_mechanics::scene::{Feedback, Scene, Scheme, catalogue};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_solver as solver;
 use lcplab_solver::{Options, Settings};
@@ -12,7 +12,7 @@ use super::{assert_near, scene, simulation};
 use lcplab_testing::Iterates;
 
 /// A ball that is 0.1 m deep in the ground, at rest without gravity.
-fn sunk(family: Formulation) -> Scene {
+fn sunk(scheme: Scheme) -> Scene {
     let text = "
         gravity = [0, 0, 0]
         step.baumgarte = 0.2
@@ -27,13 +27,13 @@ fn sunk(family: Formulation) -> Scene {
         position = [0, 0, 0.4]
     ";
     let mut scene = Scene::from_toml("sunk.toml", text).unwrap();
-    scene.step.formulation = family;
+    scene.step.scheme = scheme;
     scene
 }
 
 /// A bob at rest on a rod that is 0.1 m too long, without gravity.
-fn stretched(family: Formulation) -> Scene {
-    let mut scene = scene("pendulum", family);
+fn stretched(scheme: Scheme) -> Scene {
+    let mut scene = scene("pendulum", scheme);
     scene.gravity = Vector3::zeros();
     scene.states[0].pose.p.x = 1.1;
     scene.step.baumgarte = 0.2;
@@ -42,17 +42,17 @@ fn stretched(family: Formulation) -> Scene {
 
 #[test]
 fn position_corrections_add_no_kinetic_energy_and_baumgarte_does() {
-    use Formulation::{GaussSeidel, SplitImpulse, Velocity, Xpbd};
-    for family in [SplitImpulse, GaussSeidel, Xpbd] {
-        let mut ball = simulation(sunk(family));
+    use Scheme::{GaussSeidel, SplitImpulse, Velocity, Xpbd};
+    for scheme in [SplitImpulse, GaussSeidel, Xpbd] {
+        let mut ball = simulation(sunk(scheme));
         let motion = ball.step().unwrap().motion;
-        assert!(motion.penetration < 1e-12, "{family:?}: {}", motion.penetration);
-        assert!(motion.kinetic < 1e-20, "{family:?}: {}", motion.kinetic);
+        assert!(motion.penetration < 1e-12, "{scheme:?}: {}", motion.penetration);
+        assert!(motion.kinetic < 1e-20, "{scheme:?}: {}", motion.kinetic);
     }
-    for family in [SplitImpulse, GaussSeidel] {
-        let mut bob = simulation(stretched(family));
+    for scheme in [SplitImpulse, GaussSeidel] {
+        let mut bob = simulation(stretched(scheme));
         let motion = bob.step().unwrap().motion;
-        assert!(motion.drift < 1e-12 && motion.kinetic == 0.0, "{family:?}: {motion:?}");
+        assert!(motion.drift < 1e-12 && motion.kinetic == 0.0, "{scheme:?}: {motion:?}");
     }
     // Baumgarte: v = β c/dt = 0.2 · 0.1/0.01 = 2 m/s, and the ball flies on.
     let mut ball = simulation(sunk(Velocity));
@@ -65,7 +65,7 @@ fn position_corrections_add_no_kinetic_energy_and_baumgarte_does() {
 
 #[test]
 fn xpbd_turns_the_error_of_a_joint_into_speed() {
-    let mut scene = stretched(Formulation::Xpbd);
+    let mut scene = stretched(Scheme::Xpbd);
     scene.step.substeps = 1;
     let mut bob = simulation(scene);
     let motion = bob.step().unwrap().motion;
@@ -81,7 +81,7 @@ fn the_feedback_of_the_chapter_grows_the_error_and_the_corrected_one_shrinks_it(
         (Feedback::Unscaled, 1.0 - beta * dt), // E34
         (Feedback::Printed, 1.0 + beta * dt),  // E35: 1.00333 a step
     ] {
-        let mut scene = stretched(Formulation::Velocity);
+        let mut scene = stretched(Scheme::Velocity);
         (scene.step.dt, scene.step.feedback) = (dt, feedback);
         let mut bob = simulation(scene);
         for k in 1..=60 {
@@ -95,7 +95,7 @@ fn the_feedback_of_the_chapter_grows_the_error_and_the_corrected_one_shrinks_it(
 fn the_sweeps_of_sequential_impulses_are_those_of_pgs() {
     for name in ["fig7", "stack", "incline", "ball_chain", "net", "sphere_plane"] {
         let sweeps = 30;
-        let mut scene = scene(name, Formulation::Velocity);
+        let mut scene = scene(name, Scheme::Velocity);
         scene.step.sweeps = sweeps;
         let settings = Settings {
             max_iterations: sweeps,
@@ -106,7 +106,7 @@ fn the_sweeps_of_sequential_impulses_are_those_of_pgs() {
         let options = Options { settings, ..Options::default() };
         let pgs = solver::by_name("pgs", &options).unwrap();
         let mut with_matrix = Simulation::new(scene.clone(), pgs);
-        scene.step.formulation = Formulation::SequentialImpulses;
+        scene.step.scheme = Scheme::SequentialImpulses;
         let mut without = simulation(scene);
         let mut compared = 0;
         for _ in 0..2 {
@@ -166,7 +166,7 @@ fn soft_radius(hertz: f64, relax: bool) -> f64 {
 fn particles(hertz: f64, relax: usize, errors: [f64; 2]) -> Simulation {
     let text = format!(
         "gravity = [0, 0, 0]\n\
-         [step]\ndt = {H}\nformulation = \"soft\"\nsubsteps = 1\n\
+         [step]\ndt = {H}\nscheme = \"soft\"\nsubsteps = 1\n\
          [step.soft]\njoint_hertz = {hertz}\njoint_damping = 0\nrate_limit = 10\nrelax = {relax}\n\
          [[bodies]]\nname = \"light\"\nshape = \"point\"\nmass = {}\nposition = [0, 0, -1]\n\
          [[bodies]]\nname = \"heavy\"\nshape = \"point\"\nmass = {}\nposition = [0, 0, -2]\n\
@@ -223,7 +223,7 @@ fn the_soft_step_is_stable_up_to_13_57_hz_and_with_relaxing_to_20_94() {
 fn an_explicit_spring_is_stable_below_two_over_omega() {
     // ω² = k/m; semi-implicit Euler on a line has the trace 2 − (h ω)² and the determinant 1.
     let swing = |h_omega: f64| {
-        let mut scene = stretched(Formulation::Penalty);
+        let mut scene = stretched(Scheme::Penalty);
         scene.states[0].pose.p.x = 1.0 + 1e-4;
         (scene.step.substeps, scene.step.penalty.damping) = (1, 0.0);
         scene.step.penalty.stiffness = (h_omega / scene.step.dt).powi(2);
@@ -240,7 +240,7 @@ fn an_explicit_spring_is_stable_below_two_over_omega() {
 
 #[test]
 fn a_penalty_spring_carries_its_load_by_an_error() {
-    let mut ball = scene("sphere_plane", Formulation::Penalty);
+    let mut ball = scene("sphere_plane", Scheme::Penalty);
     ball.step.penalty.damping = 200.0;
     let k = ball.step.penalty.stiffness;
     let weight = 9.81 * ball.bodies[1].mass.mass();
@@ -255,7 +255,7 @@ fn a_penalty_spring_carries_its_load_by_an_error() {
 fn compliance_of_xpbd_is_that_of_a_spring_and_zero_is_rigid() {
     // A bob that hangs: c = α m g.
     let sag = |alpha: f64| {
-        let mut bob = scene("pendulum", Formulation::Xpbd);
+        let mut bob = scene("pendulum", Scheme::Xpbd);
         bob.states[0].pose.p = Vector3::new(0.0, 0.0, -1.0);
         bob.step.xpbd.compliance = alpha;
         let mut bob = simulation(bob);
@@ -270,32 +270,32 @@ fn compliance_of_xpbd_is_that_of_a_spring_and_zero_is_rigid() {
 
 #[test]
 fn every_family_holds_a_stack_and_a_pendulum() {
-    for family in Formulation::FAMILIES {
-        let mut stack = simulation(scene("stack", family));
+    for scheme in Scheme::ALL {
+        let mut stack = simulation(scene("stack", scheme));
         let start = stack.states().to_vec();
         for _ in 0..150 {
-            stack.step().unwrap_or_else(|failure| panic!("{family:?}: {failure}"));
+            stack.step().unwrap_or_else(|failure| panic!("{scheme:?}: {failure}"));
         }
         let moved = stack.states().iter().zip(&start).map(|(a, b)| (a.pose.p - b.pose.p).norm());
         let moved = moved.fold(0.0, f64::max);
-        assert!(moved < 0.05, "{family:?}: a box moved {moved} m");
+        assert!(moved < 0.05, "{scheme:?}: a box moved {moved} m");
 
-        let mut bob = simulation(scene("pendulum", family));
+        let mut bob = simulation(scene("pendulum", scheme));
         for _ in 0..300 {
             let motion = bob.step().unwrap().motion;
-            assert!(motion.drift < 0.02, "{family:?}: {}", motion.drift);
-            assert!(motion.energy() < 0.75, "{family:?}: {} J, 0 at the start", motion.energy());
+            assert!(motion.drift < 0.02, "{scheme:?}: {}", motion.drift);
+            assert!(motion.energy() < 0.75, "{scheme:?}: {} J, 0 at the start", motion.energy());
         }
         let lowest = bob.motion();
-        assert!(lowest.energy() > -3.0, "{family:?}: {} J of 9.81 lost", lowest.energy());
+        assert!(lowest.energy() > -3.0, "{scheme:?}: {} J of 9.81 lost", lowest.energy());
     }
 }
 
 #[test]
 fn every_family_that_knows_restitution_bounces_to_e() {
-    use Formulation::{GaussSeidel, SequentialImpulses, Soft, SplitImpulse, Xpbd};
-    for family in [SplitImpulse, GaussSeidel, Xpbd, Soft, SequentialImpulses] {
-        let mut scene = sunk(family);
+    use Scheme::{GaussSeidel, SequentialImpulses, Soft, SplitImpulse, Xpbd};
+    for scheme in [SplitImpulse, GaussSeidel, Xpbd, Soft, SequentialImpulses] {
+        let mut scene = sunk(scheme);
         scene.states[1].pose.p.z = 0.5;
         scene.states[1].v.z = -3.0;
         scene.contact.restitution = 0.5;
@@ -310,8 +310,8 @@ fn every_family_slows_a_sliding_box_by_coulombs_law() {
     // Friction along a tangent: a = g (sin θ − μ cos θ), once the penalty method's has grown to μ N.
     let theta = 20f64.to_radians();
     let exact = 9.81 * (theta.sin() - 0.3 * theta.cos());
-    for family in Formulation::FAMILIES {
-        let mut incline = simulation(scene("incline", family));
+    for scheme in Scheme::ALL {
+        let mut incline = simulation(scene("incline", scheme));
         let mut speed_after = |steps| {
             for _ in 0..steps {
                 incline.step().unwrap();
@@ -320,15 +320,15 @@ fn every_family_slows_a_sliding_box_by_coulombs_law() {
         };
         let (early, late) = (speed_after(50), speed_after(50));
         let found = (late - early) / 0.5;
-        assert!((found / exact - 1.0).abs() < 0.01, "{family:?}: {found}, exactly {exact}");
+        assert!((found / exact - 1.0).abs() < 0.01, "{scheme:?}: {found}, exactly {exact}");
     }
 }
 
 #[test]
 fn every_family_takes_steps_on_every_shipped_scene() {
     for shipped in catalogue::SHIPPED {
-        for family in Formulation::FAMILIES {
-            let scene = scene(shipped.name, family);
+        for scheme in Scheme::ALL {
+            let scene = scene(shipped.name, scheme);
             let few = if scene.bodies.len() > 100 { 1 } else { 5 };
             let mut moving = simulation(scene);
             for _ in 0..few {
@@ -343,7 +343,7 @@ fn every_family_takes_steps_on_every_shipped_scene() {
 
 #[test]
 fn settings_of_families_are_checked_by_name() {
-    let mut scene = scene("pendulum", Formulation::Soft);
+    let mut scene = scene("pendulum", Scheme::Soft);
     (scene.step.substeps, scene.step.xpbd.compliance) = (0, -1.0);
     scene.step.soft.joint_hertz = 0.0;
     scene.step.penalty.stiffness = f64::NAN;
@@ -355,9 +355,9 @@ fn settings_of_families_are_checked_by_name() {
 
 #[test]
 fn a_family_is_a_word_in_the_scene_file() {
-    for family in Formulation::FAMILIES {
-        let text = format!("step.formulation = \"{}\"", family.name());
-        assert_eq!(Scene::from_toml("word.toml", &text).unwrap().step.formulation, family);
-        assert_eq!(Formulation::by_name(family.name()), Some(family));
+    for scheme in Scheme::ALL {
+        let text = format!("step.scheme = \"{}\"", scheme.name());
+        assert_eq!(Scene::from_toml("word.toml", &text).unwrap().step.scheme, scheme);
+        assert_eq!(Scheme::by_name(scheme.name()), Some(scheme));
     }
 }

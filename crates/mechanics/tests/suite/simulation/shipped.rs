@@ -1,6 +1,6 @@
-//! Every shipped scene moves as it should, in both formulations.
+//! Every shipped scene moves as it should, in both schemes.
 
-use lcplab_mechanics::scene::{Formulation, catalogue};
+use lcplab_mechanics::scene::{Scheme, catalogue};
 use lcplab_solver::Status;
 
 use super::{scene, simulation};
@@ -8,8 +8,8 @@ use super::{scene, simulation};
 #[test]
 fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
     for shipped in catalogue::SHIPPED {
-        for level in Formulation::LEVELS {
-            if (shipped.name, level) == ("painleve", Formulation::Acceleration) {
+        for level in Scheme::LEVELS {
+            if (shipped.name, level) == ("painleve", Scheme::Acceleration) {
                 continue; // provably has no solution: see painleve.rs
             }
             // Starts with errors, has no solution, is too large to be solved to the end, or is for a
@@ -43,7 +43,7 @@ fn every_shipped_scene_keeps_its_joints_together_and_its_bodies_apart() {
                 assert!(step.motion.drift < 0.01, "{} {level:?}", shipped.name);
                 // Accelerations see a contact only when it touches, so a blow comes a step late.
                 let fastest = step.states.iter().map(|state| state.v.norm()).fold(0.0, f64::max);
-                let late = if level == Formulation::Acceleration { dt * fastest } else { 0.0 };
+                let late = if level == Scheme::Acceleration { dt * fastest } else { 0.0 };
                 assert!(step.motion.penetration < 1e-6 + late, "{} {level:?}", shipped.name);
             }
             let gained = moving.motion().energy() - start.energy() - driven;

@@ -1,7 +1,7 @@
 //! Piles of bodies that only contacts and friction hold: Solver2D's scenes, and the chapter's tower.
 
 use lcplab_mechanics::constraint::Kind;
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation;
 use lcplab_mechanics::simulation::{Simulation, Step};
 use nalgebra::Vector3;
@@ -26,8 +26,8 @@ fn layers(step: &Step, count: usize) -> Vec<f64> {
 /// Steps it, and asserts that nothing moves and that the layers carry these weights (kg).
 fn assert_rests(scene: Scene, steps: usize, weights: &[f64]) {
     let name = scene.name.clone();
-    let unit = match scene.step.formulation {
-        Formulation::Acceleration => G,
+    let unit = match scene.step.scheme {
+        Scheme::Acceleration => G,
         _ => G * scene.step.dt,
     };
     let mut resting = simulation(scene);
@@ -49,7 +49,7 @@ fn boxes_on_a_ramp_stick_and_slide_as_coulomb_says() {
     // μ is the geometric mean of the box's and the ramp's 0.2; tan 0.25 = 0.2553.
     let (sin, cos) = 0.25f64.sin_cos();
     let downhill = Vector3::new(cos, 0.0, -sin);
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut ramp = simulation(scene("friction_ramp", level));
         for _ in 0..100 {
             ramp.step().unwrap();
@@ -64,10 +64,10 @@ fn boxes_on_a_ramp_stick_and_slide_as_coulomb_says() {
 #[test]
 fn tall_stacks_stay_up() {
     let weights = |count: usize| -> Vec<f64> { (1..=count).rev().map(|k| k as f64).collect() };
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         assert_rests(scene("stack15", level), 5, &weights(15));
     }
-    assert_rests(scene("stack50", Formulation::Velocity), 3, &weights(50));
+    assert_rests(scene("stack50", Scheme::Velocity), 3, &weights(50));
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn a_pyramid_carries_its_weight() {
 
 #[test]
 fn light_boxes_carry_heavy_ones() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let one = [310.0, 306.0, 303.0, 301.0, 300.0];
         assert_rests(scene("mass_ratio1", level), 5, &one);
         assert_rests(scene("mass_ratio2", level), 20, &[402.0, 400.0]);
@@ -87,12 +87,12 @@ fn light_boxes_carry_heavy_ones() {
 
 #[test]
 fn a_stack_far_from_the_origin_stands_like_one_at_it() {
-    assert_rests(scene("far", Formulation::Velocity), 100, &[5.0, 4.0, 3.0, 2.0, 1.0]);
+    assert_rests(scene("far", Scheme::Velocity), 100, &[5.0, 4.0, 3.0, 2.0, 1.0]);
 }
 
 #[test]
 fn a_house_of_cards_stands_if_they_are_rough() {
-    let mut house = simulation(scene("card_house", Formulation::Velocity));
+    let mut house = simulation(scene("card_house", Scheme::Velocity));
     let before = house.states().to_vec();
     for _ in 0..100 {
         house.step().unwrap();
@@ -140,7 +140,7 @@ fn all_dominoes_fall() {
 
 #[test]
 fn boxes_that_overlap_part_without_speed() {
-    let mut boxes = simulation(scene("overlap_recovery", Formulation::SplitImpulse));
+    let mut boxes = simulation(scene("overlap_recovery", Scheme::SplitImpulse));
     assert_near(boxes.motion().penetration, 0.1, 1e-9);
     for _ in 0..20 {
         boxes.step().unwrap();
@@ -148,7 +148,7 @@ fn boxes_that_overlap_part_without_speed() {
     assert!(boxes.motion().penetration < 1.1e-5);
     assert!(boxes.motion().kinetic < 1e-9);
     // Feedback into the velocities throws them.
-    let mut thrown = simulation(scene("overlap_recovery", Formulation::Velocity));
+    let mut thrown = simulation(scene("overlap_recovery", Scheme::Velocity));
     for _ in 0..10 {
         thrown.step().unwrap();
     }

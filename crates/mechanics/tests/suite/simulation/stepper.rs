@@ -3,9 +3,10 @@
 use std::sync::{Arc, Mutex};
 
 use lcplab_mechanics::body::State;
-use lcplab_mechanics::scene::{Formulation, FrictionModel, Scene, catalogue};
+use lcplab_mechanics::scene::{Scene, Scheme, catalogue};
 use lcplab_mechanics::simulation::stepper::{Kernel, Part, Stepper};
 use lcplab_mechanics::simulation::{Cause, Simulation};
+use lcplab_problem::friction::Model;
 use lcplab_problem::Lcp;
 use lcplab_solver::{Observer, Pgs, Settings, Solution, Solver, Start, Status};
 
@@ -46,7 +47,7 @@ impl Solver for InOrder {
 }
 
 fn velocity_level(name: &str) -> Scene {
-    scene(name, Formulation::Velocity)
+    scene(name, Scheme::Velocity)
 }
 
 /// The largest difference of any number of the states.
@@ -166,13 +167,10 @@ fn what_the_stepper_does_not_do_it_says() {
         Ok(_) => panic!("it was taken"),
         Err(error) => error.to_string(),
     };
-    let family = refused(scene("stack", Formulation::Xpbd));
-    assert_eq!(
-        family,
-        "stack: step.formulation: the stepper knows the velocity level only, not xpbd"
-    );
+    let scheme = refused(scene("stack", Scheme::Xpbd));
+    assert_eq!(scheme, "stack: step.scheme: the stepper knows the velocity level only, not xpbd");
     let mut cone = velocity_level("stack");
-    cone.contact.model = FrictionModel::CoulombCone;
+    cone.contact.model = Model::CoulombCone;
     assert_eq!(refused(cone), "stack: contact.model: the stepper knows the coupled box only");
     let spring = refused(velocity_level("spring"));
     assert_eq!(spring, "spring: constraints[0]: the stepper has no rows that yield");

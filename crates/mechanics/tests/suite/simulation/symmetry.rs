@@ -1,7 +1,7 @@
 //! A motion seen in a mirror, in other units, and twice.
 
 use lcplab_mechanics::body::{Mass, Pose, Shape, State};
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::{scene, simulation};
@@ -51,9 +51,9 @@ const THROWN: &str = "
 
 #[test]
 fn a_mirrored_scene_moves_mirrored() {
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         let mut plain = Scene::from_toml("thrown.toml", THROWN).unwrap();
-        plain.step.formulation = level;
+        plain.step.scheme = level;
         let mut other = plain.clone();
         other.states = plain.states.iter().map(mirrored).collect();
         let start = plain.states.clone();
@@ -69,7 +69,7 @@ fn a_mirrored_scene_moves_mirrored() {
 #[test]
 fn a_mirrored_brick_and_pendulum_move_mirrored_bit_for_bit_or_to_rounding() {
     for name in ["dzhanibekov", "rolling_sphere", "incline"] {
-        let plain = scene(name, Formulation::Acceleration);
+        let plain = scene(name, Scheme::Acceleration);
         let mut other = plain.clone();
         other.states = plain.states.iter().map(mirrored).collect();
         for (plain, other) in after(plain, 50).iter().zip(&after(other, 50)) {
@@ -151,10 +151,10 @@ fn units_that_are_powers_of_four_change_no_bit_of_a_motion() {
         Units { metre: 1.0, kilogram: 1.0, second: 0.25 },
         Units { metre: 1024.0, kilogram: 0.0625, second: 64.0 },
     ];
-    for level in Formulation::LEVELS {
+    for level in Scheme::LEVELS {
         for unit in units {
             let mut plain = Scene::from_toml("thrown.toml", THROWN).unwrap();
-            plain.step.formulation = level;
+            plain.step.scheme = level;
             let mut other = plain.clone();
             unit.of(&mut other);
             for (plain, other) in after(plain, 40).iter().zip(&after(other, 40)) {
@@ -201,7 +201,7 @@ fn five_hundred_steps_have_the_same_bits_on_any_number_of_threads_and_any_proces
 #[test]
 fn a_motion_has_the_same_bits_every_time_at_every_level() {
     for (name, steps) in [("stack", 10), ("double_pendulum", 50), ("ball_chain", 10)] {
-        for level in Formulation::LEVELS {
+        for level in Scheme::LEVELS {
             let run = || bits(&after(scene(name, level), steps));
             let first = run();
             assert_eq!(first, run(), "{name} {level:?}, again");

@@ -1,6 +1,6 @@
 //! Steps with a second solve, and steps that have no solution.
 
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_page::document::Format;
 use lcplab_study::explain::{Method, steps};
 
@@ -33,7 +33,7 @@ fn the_rod_of_painleve_is_explained_to_the_proof_that_no_force_helps() {
     // d adds to row 0 so much of row 3 that column 3 of Aᵀd is 0: 0.406477/0.790164. What is left of
     // column 0, −0.790164 + 0.514422·0.406477, is negative, and so is bᵀd = −9.81·1.514422.
     for solver in ["pgs", "lemke"] {
-        let document = explained("painleve", Formulation::Acceleration, solver);
+        let document = explained("painleve", Scheme::Acceleration, solver);
         assert!(!document.is_accepted);
         let text = document.written(Format::Text).unwrap();
         for part in
@@ -71,7 +71,7 @@ fn two_nails_and_a_rod_contradict_each_other_whatever_the_solver() {
     // The nails are 3 m apart, the rod is 1 m long: b = β/dt · 2 m = 40 m/s, and no w of the three rows
     // along x can be 0 together.
     for solver in Method::NAMES {
-        let document = explained("fig8", Formulation::Velocity, solver);
+        let document = explained("fig8", Scheme::Velocity, solver);
         assert!(!document.is_accepted);
         let text = sections(&document, &["why there is no solution"]);
         for row in ["0 coincidence world left 0", "3 coincidence world right 0", "6 distance left"]

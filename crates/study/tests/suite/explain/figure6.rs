@@ -1,13 +1,13 @@
 //! One body on the ground, at both levels, by hand.
 
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 
 use super::{explained, sections};
 
 #[test]
 fn figure_6_at_velocity_level_gives_two_newton_seconds() {
     // u* = −1 − 1·1 = −2 m/s, and a body of 1 kg needs 2 N s to stop.
-    let document = explained("fig6", Formulation::Velocity, "pgs");
+    let document = explained("fig6", Scheme::Velocity, "pgs");
     let text = sections(
         &document,
         &["masses", "constraints", "Newton", "row by row", "answer", "motion", "after"],
@@ -91,7 +91,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
 #[test]
 fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     // The blow takes 1 kg · 1 m/s, the weight is 1 kg · 1 m/s².
-    let document = explained("fig6", Formulation::Acceleration, "dantzig");
+    let document = explained("fig6", Scheme::Acceleration, "dantzig");
     let text = sections(&document, &["Newton", "move by move", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP

@@ -1,13 +1,13 @@
 //! Three bodies in a stack, by sweeps, moves and pivots, by hand.
 
-use lcplab_mechanics::scene::Formulation;
+use lcplab_mechanics::scene::Scheme;
 
 use super::{explained, sections};
 
 #[test]
 fn figure_7_at_velocity_level_by_sweeps() {
     // A and b of the chapter; x after each sweep by hand.
-    let document = explained("fig7", Formulation::Velocity, "pgs");
+    let document = explained("fig7", Scheme::Velocity, "pgs");
     let text = sections(&document, &["constraints", "Newton", "row by row"]);
     insta::assert_snapshot!(text, @r"
     3 Step 1, velocity: constraints
@@ -106,7 +106,7 @@ fn figure_7_at_velocity_level_by_sweeps() {
 #[test]
 fn figure_7_by_the_moves_of_dantzig() {
     // d_C = −A_CC⁻¹A_Ci by hand: (1), then (1, 1); each s is 1.
-    let document = explained("fig7", Formulation::Velocity, "dantzig");
+    let document = explained("fig7", Scheme::Velocity, "dantzig");
     let text = sections(&document, &["move by move", "answer", "motion", "after"]);
     insta::assert_snapshot!(text, @r"
     5 Step 1, velocity: Dantzig's method, move by move
@@ -178,7 +178,7 @@ fn figure_7_by_the_moves_of_dantzig() {
 #[test]
 fn figure_7_by_the_pivots_of_lemke() {
     // Each tableau by hand. Of the tied rows 0 and 1 the second is less when b is perturbed by (ε, ε², ε³).
-    let document = explained("fig7", Formulation::Velocity, "lemke");
+    let document = explained("fig7", Scheme::Velocity, "lemke");
     let text = sections(&document, &["tableau by tableau"]);
     insta::assert_snapshot!(text, @r"
     5 Step 1, velocity: Lemke's method, tableau by tableau
@@ -220,7 +220,7 @@ fn figure_7_by_the_pivots_of_lemke() {
 #[test]
 fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
     // The blow stops the middle body, x = (1, 1, 0); then each row carries what lies above, (3, 2, 1) N.
-    let document = explained("fig7", Formulation::Acceleration, "dantzig");
+    let document = explained("fig7", Scheme::Acceleration, "dantzig");
     let text = sections(&document, &["Newton", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
@@ -338,7 +338,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
 #[test]
 fn the_residual_of_figure_7_falls_by_three_quarters_a_sweep() {
     // cos²(π/2n) for a column of n = 3 bodies
-    let text = sections(&explained("fig7", Formulation::Velocity, "pgs"), &["row by row"]);
+    let text = sections(&explained("fig7", Scheme::Velocity, "pgs"), &["row by row"]);
     let factors: Vec<&str> =
         text.lines().filter(|line| line.contains("   0.75")).map(str::trim).collect();
     assert_eq!(factors.len(), 8, "{text}");

@@ -1,6 +1,5 @@
 //! The laws of friction: each is posed as what it is.
 
-use lcplab_mechanics::formulation::with_friction_model;
 use lcplab_mechanics::scene::Scene;
 use lcplab_problem::friction::Model;
 use lcplab_study::explain::{Method, step};
@@ -10,7 +9,7 @@ use lcplab_page::document::{Document, Format};
 
 fn modelled(scene: &str, model: Model, steps: usize) -> Document {
     let mut scene = Scene::load(scene).unwrap();
-    scene.contact = with_friction_model(&scene.contact, model);
+    scene.contact.model = model;
     step(&scene, &Method::named("dantzig").unwrap(), steps).unwrap()
 }
 

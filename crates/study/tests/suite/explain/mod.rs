@@ -6,14 +6,14 @@ mod figure6;
 mod figure7;
 mod friction;
 
-use lcplab_mechanics::scene::{Formulation, Scene};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_page::document::{Document, Format, Formula, SHOWN, Section};
 use lcplab_problem::file::Problem;
 use lcplab_study::explain::{Method, problem, step};
 
-fn explained(scene: &str, level: Formulation, solver: &str) -> Document {
+fn explained(scene: &str, level: Scheme, solver: &str) -> Document {
     let mut scene = Scene::load(scene).unwrap();
-    scene.step.formulation = level;
+    scene.step.scheme = level;
     step(&scene, &Method::named(solver).unwrap(), 1).unwrap()
 }
 
@@ -52,7 +52,7 @@ fn a_problem_file_starts_at_a_and_b_with_the_units_it_states() {
 
 #[test]
 fn of_large_problems_twelve_rows_are_written_and_the_rest_is_counted() {
-    let document = explained("stack", Formulation::Velocity, "lemke");
+    let document = explained("stack", Scheme::Velocity, "lemke");
     let text = document.written(Format::Text).unwrap();
     assert!(text.contains("(12 of 60 rows and 12 of 60 columns are written)"));
     assert!(text.contains("    and 48 more\n"));
@@ -65,9 +65,9 @@ fn of_large_problems_twelve_rows_are_written_and_the_rest_is_counted() {
 #[test]
 fn every_shipped_scene_is_explained_in_every_form_or_says_why_not() {
     for scene in ["fig6", "fig7", "incline", "pendulum", "sphere_plane", "painleve"] {
-        for level in Formulation::LEVELS {
+        for level in Scheme::LEVELS {
             let document = explained(scene, level, "dantzig");
-            let impossible = scene == "painleve" && level == Formulation::Acceleration;
+            let impossible = scene == "painleve" && level == Scheme::Acceleration;
             assert_eq!(document.is_accepted, !impossible, "{scene}");
             for format in [Format::Text, Format::ColouredText, Format::Markdown, Format::Html] {
                 assert!(document.written(format).unwrap().len() > 300, "{scene}");
@@ -75,9 +75,9 @@ fn every_shipped_scene_is_explained_in_every_form_or_says_why_not() {
         }
     }
     let mut other = Scene::load("fig6").unwrap();
-    other.step.formulation = Formulation::Xpbd;
+    other.step.scheme = Scheme::Xpbd;
     let error = step(&other, &Method::named("pgs").unwrap(), 1).unwrap_err().to_string();
-    assert_eq!(error, "fig6: formulation: velocity and acceleration are explained, not xpbd");
+    assert_eq!(error, "fig6: scheme: velocity and acceleration are explained, not xpbd");
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn an_unknown_solver_is_an_error_that_lists_those_that_are_explained() {
 
 #[test]
 fn a_page_has_mathml_and_fetches_nothing() {
-    let document = explained("fig7", Formulation::Acceleration, "lemke");
+    let document = explained("fig7", Scheme::Acceleration, "lemke");
     let html = document.written(Format::Html).unwrap();
     assert_eq!(html, document.written(Format::Html).unwrap());
     assert!(html.matches("<math").count() > 20);
