@@ -85,7 +85,7 @@ pub const TERMS: &[Term] = &[
         name: "linear system",
         means: "A x = b. The step of equations alone is one; inequalities make a \
          complementarity problem of it.",
-        code: &["solver::ldlt", "lcp::Lcp"],
+        code: &["solver::linalg::ldlt", "lcp::Lcp"],
     },
     Term {
         name: "linear complementarity problem",

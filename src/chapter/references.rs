@@ -49,25 +49,25 @@ pub const REFERENCES: &[(&str, &[Reference])] = &[
                 cited: "Lemke 1965",
                 title: "Bimatrix Equilibrium Points and Mathematical Programming",
                 about: "The complementary path with an artificial variable.",
-                code: &["solver::lemke"],
+                code: &["solver::pivot::lemke"],
             },
             Reference {
                 cited: "Cottle & Dantzig 1968",
                 title: "Complementary Pivot Theory of Mathematical Programming",
                 about: "Principal pivoting: one variable is driven until its row is met.",
-                code: &["solver::dantzig"],
+                code: &["solver::pivot::dantzig"],
             },
             Reference {
                 cited: "Murty 1974",
                 title: "Note on a Bard-type Scheme for Solving the Complementarity Problem",
                 about: "The least index decides, and nothing cycles.",
-                code: &["solver::murty"],
+                code: &["solver::pivot::murty"],
             },
             Reference {
                 cited: "Baraff 1994",
                 title: "Fast Contact Force Computation for Nonpenetrating Rigid Bodies",
                 about: "Dantzig's method for contacts, with friction.",
-                code: &["solver::dantzig"],
+                code: &["solver::pivot::dantzig"],
             },
         ],
     ),
@@ -85,46 +85,46 @@ pub const REFERENCES: &[(&str, &[Reference])] = &[
                 title: "The Solution of a Quadratic Programming Problem Using Systematic \
          Overrelaxation",
                 about: "The clamp inside the sweep, and why it converges.",
-                code: &["solver::pgs"],
+                code: &["solver::sweep::pgs"],
             },
             Reference {
                 cited: "Mangasarian 1977",
                 title: "Solution of Symmetric Linear Complementarity Problems by Iterative Methods",
                 about: "Convergence of projected splittings for symmetric matrices.",
-                code: &["solver::jacobi", "solver::pgs"],
+                code: &["solver::sweep::jacobi", "solver::sweep::pgs"],
             },
             Reference {
                 cited: "Luo & Tseng 1991",
                 title: "On the Convergence of a Matrix Splitting Algorithm for the Symmetric \
          Monotone Linear Complementarity Problem",
                 about: "Convergence for semidefinite A too, where contacts are redundant.",
-                code: &["solver::pgs"],
+                code: &["solver::sweep::pgs"],
             },
             Reference {
                 cited: "Fischer 1992",
                 title: "A Special Newton-type Optimization Method",
                 about: "One equation that holds exactly at complementary pairs.",
-                code: &["lcp::merit::fischer_burmeister", "solver::newton"],
+                code: &["lcp::merit::fischer_burmeister", "solver::newton::semismooth"],
             },
             Reference {
                 cited: "Mehrotra 1992",
                 title: "On the Implementation of a Primal-Dual Interior Point Method",
                 about: "Predictor and corrector.",
-                code: &["solver::interior_point"],
+                code: &["solver::newton::interior_point"],
             },
             Reference {
                 cited: "Dostál & Schöberl 2005",
                 title: "Minimizing Quadratic Functions Subject to Bound Constraints with the Rate of \
          Convergence and Finite Termination",
                 about: "Projected conjugate gradients with a proved rate.",
-                code: &["solver::mprgp"],
+                code: &["solver::gradient::mprgp"],
             },
             Reference {
                 cited: "Silcowitz, Niebe & Erleben 2010",
                 title: "A Nonsmooth Nonlinear Conjugate Gradient Method for Interactive Contact \
          Force Problems",
                 about: "Conjugate gradients around sweeps.",
-                code: &["solver::nncg"],
+                code: &["solver::gradient::nncg"],
             },
             Reference {
                 cited: "Goulart & Chen 2024",
@@ -184,14 +184,14 @@ pub const REFERENCES: &[(&str, &[Reference])] = &[
                 title: "A Scheme of the Linear Discrete Coulomb Friction Problem via Convex \
          Optimization",
                 about: "Coulomb's law as a fixed point of convex problems.",
-                code: &["solver::apgd"],
+                code: &["solver::gradient::apgd"],
             },
             Reference {
                 cited: "Mazhar, Heyn, Negrut & Tasora 2015",
                 title: "Using Nesterov's Method to Accelerate Multibody Dynamics with Friction and \
          Contact",
                 about: "Accelerated projected gradients with restart.",
-                code: &["solver::apgd"],
+                code: &["solver::gradient::apgd"],
             },
         ],
     ),

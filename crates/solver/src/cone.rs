@@ -4,11 +4,8 @@
 //! of the nearest point of an interval. Under [`Law::Associated`] both are descent methods for the same
 //! convex problem, under [`Law::Coulomb`] one freezes the De Saxcé shift and one carries it along.
 //!
-mod pgs;
 
-pub use pgs::ConePgs;
-
-use super::{Apgd, Class, MatrixClass, Observer, Settings, Solution, Start};
+use super::{Apgd, Class, ConePgs, MatrixClass, Observer, Settings, Solution, Start};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::{ConeProblem, Law};
 

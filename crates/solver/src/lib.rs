@@ -4,114 +4,58 @@
 //! [`Status`]; whether the answer is one is for the judge, the crate `lcplab-judge`, to decide. Methods
 //! for circular friction cones have a trait of their own, [`ConeSolver`].
 //!
-//! # Four families, a page a method
+//! # Four groups, a page a method
 //!
-//! **Splitting.** Solve row i for x_i while the others wait, clamp, go on; after enough sweeps nothing
-//! moves any more. A sweep is cheap, can be stopped at any time, and starts from the last step's
-//! answer; but news travels one row at a time, so tall stacks and large mass ratios need thousands of
-//! sweeps ([`theory`] says how many). [`pgs`] (and SOR, symmetric SOR and colours, by [`order`]),
-//! [`jacobi`], [`block_pgs`]; [`code6`] is the chapter's listing as printed, which is something else.
-//! The same sweeps arranged for speed are [`kernel`]s.
+//! | group | its methods | an iteration |
+//! | --- | --- | --- |
+//! | [`sweep`] | PGS, SOR, SSOR, colours, Jacobi, blocks | each row in turn, clamped |
+//! | [`gradient`] | APGD, spectral, MPRGP, NNCG, ADMM | products with A |
+//! | [`newton`] | Newton on two kinds of equations, interior point | a linear system |
+//! | [`pivot`] | Dantzig, Lemke, Murty, blocks, enumeration | a row changes its bound |
 //!
-//! **Pivoting.** A solution is known once it is known which rows are at which bound. Pivoting methods
-//! guess that set, look for a row that contradicts, and exchange it; they end after finitely many
-//! exchanges with an answer that is exact but for rounding, or with a [ray](Status::Ray). [`dantzig`]
-//! for symmetric semidefinite A, [`lemke`] for much more, [`murty`] and [`block_pivoting`] for
-//! P-matrices, [`enumeration`] for all solutions of small problems of any kind. In the worst case
-//! they need 2ⁿ exchanges; contacts are not the worst case.
-//!
-//! **Newton.** Complementarity is an equation that is not smooth, min(x, w) = 0 or Fischer-Burmeister's;
-//! Newton's method solves it in a handful of steps, each a linear system of the size of the problem.
-//! [`newton`]; and [`interior_point`], which smooths the corner and lets the smoothing go to zero.
-//!
-//! **First order.** For symmetric semidefinite A the problem is a minimisation over a box, and every
-//! method for that serves: gradients with memory ([`apgd`], [`spectral`]), conjugate gradients that
-//! know of bounds ([`mprgp`], [`nncg`]), operator splitting ([`admm`]). Products with A and nothing
-//! else, and far fewer of them than sweeps.
+//! They stand on factorisations in [`linalg`] and on [`kernel`]s, the same sweeps and pivots arranged for
+//! speed. [`theory`] predicts how fast they converge, [`trace`] records what they do.
 //!
 //! The same methods as a student writes them are in [`textbook`].
 //!
 //! Friction rows whose bounds follow another row are solved in the sweep, or by [`frozen`] bounds.
 
-mod active_set;
-pub mod admm;
-pub mod apgd;
-pub mod block_pgs;
-pub mod block_pivoting;
-pub mod cholesky;
 mod class;
-pub mod code6;
 mod cone;
-pub mod dantzig;
-mod dictionary;
-pub mod elimination;
-pub mod enumeration;
-pub mod envelope;
-mod equations;
-mod free_rows;
 pub mod frozen;
-pub mod interior_point;
+pub mod gradient;
 mod iterate;
-pub mod jacobi;
 pub mod kernel;
-pub mod ldlt;
-pub mod lemke;
+pub mod linalg;
 mod method;
 mod metric;
-pub mod mprgp;
-pub mod murty;
 pub mod newton;
-pub mod nncg;
 mod observer;
-pub mod order;
-pub mod pgs;
-mod pivoting;
-mod polygon_pgs;
-mod principal;
-mod proximal;
-mod ratio_test;
+pub mod pivot;
 mod registry;
 mod settings;
 mod solution;
-pub mod sparse_factor;
-pub mod spectral;
-mod standard_form;
 mod stop;
+pub mod sweep;
 pub mod textbook;
 pub mod theory;
 pub mod trace;
-mod variable;
 mod warm;
 
-pub use admm::Admm;
-pub use apgd::Apgd;
-pub use block_pgs::BlockPgs;
-pub use block_pivoting::BlockPivoting;
 pub use class::{Class, MatrixClass};
-pub use code6::Code6;
-pub use cone::{CONES, ConeEntry, ConePgs, ConeSolver, cone_by_name};
-pub use dantzig::{Dantzig, Side};
-pub use enumeration::Enumeration;
-pub use equations::Equations;
-pub use interior_point::InteriorPoint;
-pub use jacobi::{Damping, Jacobi};
+pub use cone::{CONES, ConeEntry, ConeSolver, cone_by_name};
+pub use gradient::{Admm, Apgd, Mprgp, Nncg, Spectral};
 pub use lcplab_problem::exact::all_solutions;
-pub use lemke::Lemke;
 pub use method::{Method, methods, solve_polyhedral};
-pub use mprgp::Mprgp;
-pub use murty::Murty;
-pub use newton::Newton;
-pub use nncg::Nncg;
+pub use newton::{Equations, InteriorPoint, Newton};
 pub use observer::{Centring, Event, Iterate, Leaving, Move, Observer, Part, RowUpdate, Tableau};
-pub use order::Order;
-pub use pgs::Pgs;
-pub use polygon_pgs::PolygonPgs;
-pub use registry::{ALL, Choice, Entry, Options, SPECIMENS, by_name, default_for, entry};
+pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};
+pub use registry::{ALL, Choice, Entry, Group, Options, SPECIMENS, by_name, default_for, entry};
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};
-pub use spectral::Spectral;
 pub use stop::{Reason, Stop, Watched};
-pub use variable::Variable;
+pub use sweep::{BlockPgs, Code6, ConePgs, Damping, Jacobi, Order, Pgs, PolygonPgs};
+pub use trace::{Cost, Effort};
 pub use warm::Warm;
 
 use lcplab_problem::{Complementarity, Lcp};

@@ -1,10 +1,8 @@
-//! The list of solvers: one entry each. Command line, comparison, report and tests read it.
+//! The list of solvers: one entry each, kept by the group that it belongs to. Command line, comparison, report
+//! and tests read it, so that a new solver is its file and its entry.
 
-use super::{
-    Admm, Apgd, BlockPgs, BlockPivoting, Class, Code6, Damping, Dantzig, Enumeration, Equations,
-    InteriorPoint, Jacobi, Lemke, MatrixClass, Mprgp, Murty, Newton, Nncg, Order, Pgs, Settings,
-    Solver, Spectral,
-};
+pub use super::sweep::SPECIMENS;
+use super::{Class, Cost, Damping, Order, Settings, Solver, gradient, newton, pivot, sweep};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Error, Result};
 
@@ -17,12 +15,58 @@ pub struct Entry {
     pub method: &'static str,
     /// For which problems it is made.
     pub class: Class,
+    /// What kind of method it is.
+    pub group: Group,
+    /// What its iterations cost.
+    pub cost: Cost,
     /// Where it comes from.
     pub source: &'static str,
     /// Which of the options it looks at, beside the common settings.
     pub uses: &'static [Choice],
     /// Makes one.
     pub build: fn(&Options) -> Box<dyn Solver>,
+}
+
+/// The four groups of methods; the [crate](crate) page says what tells them apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Group {
+    /// Row by row.
+    Sweeps,
+    /// Products with A and nothing else.
+    FirstOrder,
+    /// A linear system a step.
+    Newton,
+    /// From one active set to the next.
+    Pivoting,
+}
+
+impl Group {
+    /// All of them.
+    pub const ALL: [Group; 4] = [Group::Sweeps, Group::FirstOrder, Group::Newton, Group::Pivoting];
+
+    /// The group of a registered solver.
+    pub fn of(solver: &str) -> Option<Group> {
+        ALL.iter().find(|entry| entry.name == solver).map(|entry| entry.group)
+    }
+
+    /// What its methods are called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Group::Sweeps => "Sweeps",
+            Group::FirstOrder => "First-order methods",
+            Group::Newton => "Newton and interior point",
+            Group::Pivoting => "Pivoting",
+        }
+    }
+
+    /// What an iteration of its methods is.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Group::Sweeps => "sweeps",
+            Group::FirstOrder | Group::Newton => "steps",
+            Group::Pivoting => "pivots",
+        }
+    }
 }
 
 /// An option that means something to some solvers only.
@@ -92,188 +136,24 @@ impl Options {
     }
 }
 
-/// What the methods ask for that sweep over the rows.
-const SWEEPS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
+/// All solvers, group by group; the [`SPECIMENS`] are not among them.
+pub const ALL: &[Entry] = &joined::<COUNT>();
 
-/// All solvers; the [`SPECIMENS`] are not among them.
-pub const ALL: &[Entry] = &[
-    Entry {
-        name: "pgs",
-        method: "projected Gauss-Seidel, iterative",
-        class: SWEEPS,
-        source: "K&M (2), (3); Cryer 1971",
-        uses: &[Choice::Order],
-        build: |options| relaxation(1.0, options.order, options),
-    },
-    Entry {
-        name: "sor",
-        method: "projected successive over-relaxation, 0 < ω < 2, iterative",
-        class: SWEEPS,
-        source: "Cryer 1971; Luo & Tseng 1991",
-        uses: &[Choice::Omega, Choice::Order],
-        build: |options| relaxation(options.omega, options.order, options),
-    },
-    Entry {
-        name: "ssor",
-        method: "projected symmetric SOR, a sweep there and back, 0 < ω < 2, iterative",
-        class: SWEEPS,
-        source: "Sheldon 1955; Mangasarian 1977",
-        uses: &[Choice::Omega],
-        build: |options| relaxation(options.omega, Order::Symmetric, options),
-    },
-    Entry {
-        name: "red-black",
-        method: "projected Gauss-Seidel, colour by colour, iterative",
-        class: SWEEPS,
-        source: "Young 1950",
-        uses: &[],
-        build: |options| relaxation(1.0, Order::Coloured, options),
-    },
-    Entry {
-        name: "jacobi",
-        method: "projected Jacobi, damped safely unless told otherwise, iterative",
-        class: SWEEPS,
-        source: "Goldstein 1964; Mangasarian 1977",
-        uses: &[Choice::Damping],
-        build: |options| {
-            Box::new(Jacobi { damping: options.damping, settings: options.settings.clone() })
-        },
-    },
-    Entry {
-        name: "block-pgs",
-        method: "projected Gauss-Seidel by contacts and joints, iterative",
-        class: Class::of(MatrixClass::Semidefinite),
-        source: "Luo & Tseng 1992",
-        uses: &[],
-        build: |options| {
-            Box::new(BlockPgs { settings: options.settings.clone(), ..BlockPgs::default() })
-        },
-    },
-    Entry {
-        name: "nncg",
-        method: "nonsmooth nonlinear conjugate gradients around PGS, iterative",
-        class: SWEEPS,
-        source: "Silcowitz, Niebe & Erleben 2010",
-        uses: &[],
-        build: |options| Box::new(Nncg { settings: options.settings.clone() }),
-    },
-    Entry {
-        name: "newton",
-        method: "Newton on the minimum map with line search, iterative",
-        class: SWEEPS,
-        source: "Pang 1990; Qi & Sun 1993",
-        uses: &[],
-        build: |options| newton(Equations::MinimumMap, options),
-    },
-    Entry {
-        name: "fischer-newton",
-        method: "Newton on Fischer-Burmeister's equations with line search, iterative",
-        class: Class::of(MatrixClass::P0).with_positive_diagonal(),
-        source: "Fischer 1992; De Luca, Facchinei & Kanzow 1996",
-        uses: &[],
-        build: |options| newton(Equations::FischerBurmeister, options),
-    },
-    Entry {
-        name: "mprgp",
-        method: "projected conjugate gradients with proportioning, iterative",
-        class: SWEEPS,
-        source: "Dostál & Schöberl 2005",
-        uses: &[],
-        build: |options| Box::new(Mprgp { settings: options.settings.clone() }),
-    },
-    Entry {
-        name: "apgd",
-        method: "accelerated projected gradients with restart, iterative",
-        class: SWEEPS,
-        source: "Nesterov 1983; Mazhar, Heyn, Negrut & Tasora 2015",
-        uses: &[],
-        build: |options| Box::new(Apgd { settings: options.settings.clone() }),
-    },
-    Entry {
-        name: "spectral",
-        method: "projected gradients with Barzilai-Borwein steps, iterative",
-        class: SWEEPS,
-        source: "Barzilai & Borwein 1988; Birgin, Martínez & Raydan 2000",
-        uses: &[],
-        build: |options| Box::new(Spectral { settings: options.settings.clone() }),
-    },
-    Entry {
-        name: "admm",
-        method: "alternating direction method of multipliers, iterative",
-        class: SWEEPS,
-        source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
-        uses: &[],
-        build: |options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
-    },
-    Entry {
-        name: "interior-point",
-        method: "primal-dual interior point, predictor-corrector, iterative",
-        class: SWEEPS,
-        source: "Mehrotra 1992",
-        uses: &[],
-        build: |options| Box::new(InteriorPoint { settings: options.settings.clone() }),
-    },
-    Entry {
-        name: "dantzig",
-        method: "Dantzig pivoting with updated LDLᵀ, finite",
-        class: Class::of(MatrixClass::Semidefinite),
-        source: "Cottle & Dantzig 1968; Baraff 1994",
-        uses: &[],
-        build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
-    },
-    Entry {
-        name: "lemke",
-        method: "Lemke's complementary pivoting, lexicographic ties, finite",
-        class: Class::of(MatrixClass::CopositivePlus),
-        source: "Lemke 1965; Cottle, Pang & Stone 1992",
-        uses: &[],
-        build: |options| Box::new(Lemke { settings: options.settings.clone() }),
-    },
-    Entry {
-        name: "murty",
-        method: "least-index principal pivoting, finite",
-        class: Class::of(MatrixClass::P),
-        source: "Murty 1974",
-        uses: &[],
-        build: |options| Box::new(Murty { settings: options.settings.clone() }),
-    },
-    Entry {
-        name: "block-pivoting",
-        method: "block principal pivoting, then Murty's rule (finite) or proximal steps",
-        class: Class::of(MatrixClass::POrSemidefinite),
-        source: "Kostreva 1978; Júdice & Pires 1994",
-        uses: &[],
-        build: |options| {
-            let settings = options.settings.clone();
-            Box::new(BlockPivoting { settings, ..BlockPivoting::default() })
-        },
-    },
-    Entry {
-        name: "enumeration",
-        method: "up to 65536 active sets in exact arithmetic, finite",
-        class: Class::of(MatrixClass::General),
-        source: "the definition of a solution",
-        uses: &[],
-        build: |options| Box::new(Enumeration { settings: options.settings.clone() }),
-    },
-];
+const GROUPS: [&[Entry]; 4] = [sweep::ENTRIES, gradient::ENTRIES, newton::ENTRIES, pivot::ENTRIES];
+const COUNT: usize = GROUPS[0].len() + GROUPS[1].len() + GROUPS[2].len() + GROUPS[3].len();
 
-/// Methods that are wrong, kept to be looked at beside the right ones.
-pub const SPECIMENS: &[Entry] = &[Entry {
-    name: "code6",
-    method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",
-    class: Class { bounds: false, coupling: false, ..SWEEPS },
-    source: "K&M Code 6, E06",
-    uses: &[],
-    build: |options| Box::new(Code6 { settings: options.settings.clone() }),
-}];
-
-fn newton(equations: Equations, options: &Options) -> Box<dyn Solver> {
-    Box::new(Newton { equations, settings: options.settings.clone() })
-}
-
-fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {
-    Box::new(Pgs { omega, order, settings: options.settings.clone() })
+const fn joined<const N: usize>() -> [Entry; N] {
+    let mut all = [GROUPS[0][0]; N];
+    let (mut group, mut k) = (0, 0);
+    while group < GROUPS.len() {
+        let mut own = 0;
+        while own < GROUPS[group].len() {
+            all[k] = GROUPS[group][own];
+            (own, k) = (own + 1, k + 1);
+        }
+        group += 1;
+    }
+    all
 }
 
 /// The solver or specimen of this name.

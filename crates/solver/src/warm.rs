@@ -2,8 +2,8 @@
 
 use std::cell::RefCell;
 
-use super::active_set::ActiveSet;
-use super::free_rows::FreeRows;
+use super::pivot::active_set::ActiveSet;
+use super::pivot::free_rows::FreeRows;
 
 /// The last active set, and the factor of its free rows: what a solve leaves to the next one of a
 /// similar problem.

@@ -107,7 +107,7 @@ pub fn options(tolerance: f64, max_iterations: usize) -> Options {
 
 /// Lets a solver try a problem, and has the answer judged by the tolerance it was asked for.
 pub fn attempt(entry: &Entry, lcp: &Lcp, options: &Options) -> Attempted {
-    let mut work = Work::of(entry.name, lcp);
+    let mut work = Work::of(entry, lcp);
     let start = Instant::now();
     let solution = (entry.build)(options).solve(lcp, &Start::default(), &mut work);
     let seconds = start.elapsed().as_secs_f64();
@@ -126,52 +126,4 @@ pub fn entries(names: &[String]) -> Result<Vec<Entry>> {
         return Ok(ALL.to_vec());
     }
     names.iter().map(|name| lcplab_solver::entry(name).copied()).collect()
-}
-
-/// The four families of methods that [`lcplab_solver`] describes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Group {
-    /// Row by row.
-    Sweeps,
-    /// Products with A and nothing else.
-    FirstOrder,
-    /// A linear system a step.
-    Newton,
-    /// From one active set to the next.
-    Pivoting,
-}
-
-impl Group {
-    /// All of them.
-    pub const ALL: [Group; 4] = [Group::Sweeps, Group::FirstOrder, Group::Newton, Group::Pivoting];
-
-    /// The family of a registered solver.
-    pub fn of(solver: &str) -> Option<Group> {
-        Some(match solver {
-            "pgs" | "sor" | "ssor" | "red-black" | "jacobi" | "block-pgs" => Group::Sweeps,
-            "nncg" | "mprgp" | "apgd" | "spectral" | "admm" => Group::FirstOrder,
-            "newton" | "fischer-newton" | "interior-point" => Group::Newton,
-            "dantzig" | "lemke" | "murty" | "block-pivoting" | "enumeration" => Group::Pivoting,
-            _ => return None,
-        })
-    }
-
-    /// What its methods are called.
-    pub fn name(self) -> &'static str {
-        match self {
-            Group::Sweeps => "Sweeps",
-            Group::FirstOrder => "First-order methods",
-            Group::Newton => "Newton and interior point",
-            Group::Pivoting => "Pivoting",
-        }
-    }
-
-    /// What an iteration of its methods is.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Group::Sweeps => "sweeps",
-            Group::FirstOrder | Group::Newton => "steps",
-            Group::Pivoting => "pivots",
-        }
-    }
 }

@@ -11,8 +11,8 @@ use lcplab_problem::friction::{ConeProblem, Law};
 use lcplab_problem::memory::Memory;
 use lcplab_problem::{Complementarity, Lcp};
 use lcplab_solver::{
-    Class, ConeEntry, ConeSolver, Entry, Event, Iterate, MatrixClass, Observer, Settings, Solution,
-    Solver, Start, Status,
+    Class, ConeEntry, ConeSolver, Cost, Entry, Event, Group, Iterate, MatrixClass, Observer,
+    Settings, Solution, Solver, Start, Status,
 };
 
 const NAME: &str = "clarabel";
@@ -23,6 +23,8 @@ pub const BOX_QP: Entry = Entry {
     name: NAME,
     method: "the reference: clarabel's interior point for the box QP, iterative",
     class: Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) },
+    group: Group::Newton,
+    cost: Cost::each(|i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
     source: SOURCE,
     uses: &[],
     build: |options| Box::new(Clarabel { settings: options.settings.clone() }),

@@ -13,7 +13,7 @@ use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Motion, Simulation, Solve, Step};
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::Model;
-use lcplab_solver::{CONES, Class, Dantzig, Entry, MatrixClass, Method, Status, Stop};
+use lcplab_solver::{CONES, Class, Cost, Dantzig, Entry, Group, MatrixClass, Method, Status, Stop};
 
 /// A scene with all solvers at all levels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -127,6 +127,8 @@ const NONE: Entry = Entry {
     name: "none",
     method: "no LCP is solved",
     class: Class::of(MatrixClass::General),
+    group: Group::Pivoting,
+    cost: Cost::each(|_| 0.0),
     source: "",
     uses: &[],
     build: |options| Box::new(Dantzig { settings: options.settings.clone() }),

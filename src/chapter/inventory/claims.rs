@@ -83,7 +83,7 @@ pub(super) const ENTRIES: &[Entry] = &[
          system.",
     ),
     Entry::new("T11", Right, "Global methods find all multipliers of a step together.")
-        .code(&["formulation::Problem::velocity", "certificate::judge", "solver::dantzig"])
+        .code(&["formulation::Problem::velocity", "certificate::judge", "solver::pivot::dantzig"])
         .lesson(&[5, 6]),
     Entry::new("T12", Confirmed, "Global methods stay stable with large steps.")
         .code(&[
@@ -104,7 +104,12 @@ pub(super) const ENTRIES: &[Entry] = &[
          rows.",
     )
     .errata(&["E08"])
-    .code(&["solver::dantzig", "solver::lemke", "test piles", "report::study::worst_cases"])
+    .code(&[
+        "solver::pivot::dantzig",
+        "solver::pivot::lemke",
+        "test piles",
+        "report::study::worst_cases",
+    ])
     .lesson(&[5])
     .remark(
         "Finite, at worst exponential. In double precision large stacks are solved and \
@@ -115,7 +120,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .code(&[
             "trace::Convergence",
             "report::study::convergence",
-            "test solver::pgs::no_sweep_raises_the_objective",
+            "test solver::sweep::pgs::no_sweep_raises_the_objective",
         ])
         .lesson(&[4, 6])
         .remark("The objective never rises; distance and residual may."),
@@ -158,8 +163,8 @@ pub(super) const ENTRIES: &[Entry] = &[
     )
     .errata(&["E09"])
     .code(&[
-        "solver::jacobi",
-        "solver::pgs",
+        "solver::sweep::jacobi",
+        "solver::sweep::pgs",
         "test solver::theory::jacobi_does_not_converge_on_every_definite_matrix",
     ])
     .lesson(&[4])

@@ -10,7 +10,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "The boxed LCP: y = A x + b, where the sign of y says at which bound x stands.",
     )
     .errata(&["E01", "E02"])
-    .code(&["lcp::Lcp", "certificate::judge", "solver::dantzig"])
+    .code(&["lcp::Lcp", "certificate::judge", "solver::pivot::dantzig"])
     .lesson(&[1])
     .remark(
         "Taken by the letter, its three implications overlap at y = 0. Ours reads: w > \
@@ -24,9 +24,9 @@ pub(super) const ENTRIES: &[Entry] = &[
     )
     .errata(&["E03"])
     .code(&[
-        "solver::pgs",
+        "solver::sweep::pgs",
         "solver::theory::sor_iteration_matrix",
-        "test solver::code6::without_bounds_it_is_gauss_seidel",
+        "test solver::sweep::code6::without_bounds_it_is_gauss_seidel",
     ])
     .lesson(&[4])
     .remark("The coefficients are missing from the sums; the listing has them."),
@@ -118,7 +118,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::new("(14)", Right, "A linear system A x = b.")
         .errata(&["E02", "E10"])
         .code(&[
-            "solver::ldlt",
+            "solver::linalg::ldlt",
             "reference::box_qp",
             "test solver::newton::a_linear_system_takes_one_step_of_the_minimum_map",
         ])

@@ -6,7 +6,7 @@ use super::Verdict::{Convention, Opinion, Rebuilt};
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::new("W1", Rebuilt, "Successive over-relaxation.")
         .code(&[
-            "solver::pgs",
+            "solver::sweep::pgs",
             "solver::theory::optimal_omega",
             "test solver::theory::omega_star_is_the_best_omega_of_a_chain",
             "report::study::convergence",
@@ -14,7 +14,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .lesson(&[4])
         .remark("The solver sor, with the best ω of chains and columns in closed form."),
     Entry::new("W2", Rebuilt, "Parallel processors.")
-        .code(&["solver::order", "test simulation::symmetry"])
+        .code(&["solver::sweep::order", "test simulation::symmetry"])
         .lesson(&[4])
         .remark(
             "Rows of a colour are independent. Studies run in parallel; a solve does not, \

@@ -70,7 +70,11 @@ pub(super) const ENTRIES: &[Entry] = &[
          and matched by the names of rows.",
         ),
     Entry::new("N7", Right, "A zero on the diagonal sends the solution to infinity.")
-        .code(&["solver::Status", "test solver::pgs::a_zero_diagonal_is_named", "diagnosis::Cause"])
+        .code(&[
+            "solver::Status",
+            "test solver::sweep::pgs::a_zero_diagonal_is_named",
+            "diagnosis::Cause",
+        ])
         .lesson(&[4, 6])
         .remark("Ours is a status with the row, and x stays finite."),
     Entry::new(

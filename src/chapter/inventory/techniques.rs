@@ -181,9 +181,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         .remark("See T52."),
     Entry::new("T62", Opinion, "Graphics processors and several platforms.")
         .code(&[
-            "solver::order",
+            "solver::sweep::order",
             "solver::Jacobi",
-            "test solver::order::rows_of_a_colour_do_not_touch",
+            "test solver::sweep::order::rows_of_a_colour_do_not_touch",
         ])
         .lesson(&[4])
         .remark(

@@ -7,11 +7,11 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use super::attempt::{Group, Outcome, entries};
+use super::attempt::{Outcome, entries};
 use super::posed::Source;
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
-use crate::solver::{Entry, Iterate, Observer, Options, Settings, Start};
+use crate::solver::{Entry, Group, Iterate, Observer, Options, Settings, Start};
 use crate::trace::Work;
 
 /// Which problems and which solvers.
@@ -131,7 +131,7 @@ impl Study for Plan {
 fn run(entry: &Entry, lcp: &Lcp, options: &Options) -> (Runner, (String, Vec<(f64, f64)>)) {
     let mut watch = Watch {
         lcp,
-        work: Work::of(entry.name, lcp),
+        work: Work::of(entry, lcp),
         marks: Vec::new(),
         seconds: Vec::new(),
         next: 0,
@@ -146,7 +146,7 @@ fn run(entry: &Entry, lcp: &Lcp, options: &Options) -> (Runner, (String, Vec<(f6
         residual: merit::scaled_residual(lcp, &solution.x),
     };
     let Watch { mut marks, seconds: mut times, .. } = watch;
-    if Group::of(entry.name) == Some(Group::Pivoting) {
+    if entry.group == Group::Pivoting {
         (marks, times) = (Vec::new(), Vec::new());
     } else if marks.last().is_some_and(|mark| mark.iteration == end.iteration) {
         marks.pop();

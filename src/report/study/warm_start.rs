@@ -117,7 +117,7 @@ impl Plan {
 fn solved(entry: &Entry, options: &Options, solve: &Solve) -> Pair {
     let lcp = &solve.problem.lcp;
     let run = |start: Start<'_>| {
-        let mut work = Work::of(entry.name, lcp);
+        let mut work = Work::of(entry, lcp);
         let solution = (entry.build)(options).solve(lcp, &start, &mut work);
         (solution.iterations, work.multiplications, solution.status != Status::Solved)
     };

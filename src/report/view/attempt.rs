@@ -3,7 +3,8 @@
 use super::Document;
 use crate::plot::number::{count, readable};
 use crate::report::page::{Cell, Mark};
-use crate::report::study::attempt::{Attempt, Group, Outcome};
+use crate::report::study::attempt::{Attempt, Outcome};
+use crate::solver::Group;
 
 /// What came of it, marked.
 pub(super) fn outcome(outcome: &Outcome) -> Cell {

@@ -5,8 +5,9 @@ use super::{Document, Outcome as Verdict, View};
 use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::attempt::{Attempt, Group, Outcome};
+use crate::report::study::attempt::{Attempt, Outcome};
 use crate::report::study::profiles::{Cost, Plan, Profile, Tried, costs, profiles};
+use crate::solver::Group;
 
 /// A failure: solver, tolerance, reason; and the families where it happened.
 type Failures = Vec<((String, usize, String), Vec<String>)>;

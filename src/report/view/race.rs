@@ -5,8 +5,9 @@ use super::{Document, Outcome as Verdict, View};
 use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
-use crate::report::study::attempt::{Group, Outcome};
+use crate::report::study::attempt::Outcome;
 use crate::report::study::race::{Clock, Mark, Plan, Race, Runner};
+use crate::solver::Group;
 
 /// A residual of exactly 0 has no place on a logarithmic axis; it is drawn here.
 const LEAST: f64 = 1e-17;

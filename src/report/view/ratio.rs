@@ -7,8 +7,9 @@ use super::{Document, Outcome, View};
 use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Column, Mark, Table};
-use crate::report::study::attempt::{Attempt, Group, Outcome as Came};
+use crate::report::study::attempt::{Attempt, Outcome as Came};
 use crate::report::study::ratio::{Plan, Stack, System, Tried};
+use crate::solver::Group;
 use crate::solver::theory;
 
 /// Predicted and counted sweeps between two precisions that differ by this part are the same.

@@ -5,14 +5,14 @@ use std::f64::consts::PI;
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::report::results::Results;
 use lcplab::report::study::Study;
-use lcplab::report::study::attempt::{Attempt, Group, Outcome};
+use lcplab::report::study::attempt::{Attempt, Outcome};
 use lcplab::report::study::posed::{BLOW, Source};
 use lcplab::report::study::profiles::{self, Cost, costs, profiles};
 use lcplab::report::study::ratio::{self, Stack, System};
 use lcplab::report::study::relaxation::young;
 use lcplab::report::study::{plane, race, relaxation, residual_map, scaling, warm_start};
 use lcplab::report::view;
-use lcplab::solver::{self, ALL, Options, Start};
+use lcplab::solver::{self, Options, Start, entry};
 use lcplab::trace::Work;
 
 use super::standard::{experiment, run_all};
@@ -147,13 +147,6 @@ fn problems_without_solution_are_in_the_tables_and_not_in_the_profiles() {
     }
 }
 
-#[test]
-fn every_registered_solver_has_a_group() {
-    for entry in ALL {
-        assert!(Group::of(entry.name).is_some(), "{}", entry.name);
-    }
-}
-
 /// A column of n rows: Dantzig's method frees one row after another, 1 + 2 + … + n free rows of n
 /// products each; Gauss-Seidel has 3 n − 2 entries and n divisions a sweep.
 #[test]
@@ -171,7 +164,7 @@ fn work_is_what_the_formulas_say() {
     let lcp =
         Lcp::new(Matrix::sparse(n, &entries), b, vec![0.0; n], vec![f64::INFINITY; n]).unwrap();
     let work = |name: &'static str| {
-        let mut work = Work::of(name, &lcp);
+        let mut work = Work::of(entry(name).unwrap(), &lcp);
         let solver = solver::by_name(name, &Options::default()).unwrap();
         let iterations = solver.solve(&lcp, &Start::default(), &mut work).iterations;
         (work.multiplications, iterations as f64)

@@ -23,9 +23,9 @@ use std::ops::ControlFlow;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::iterate::iterate;
-use super::metric::Metric;
-use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::iterate::iterate;
+use crate::metric::Metric;
+use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 

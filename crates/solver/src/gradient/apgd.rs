@@ -5,7 +5,7 @@
 //! y  ← x⁺ + β (x⁺ − x),     β = θ (1 − θ) / (θ² + θ⁺),   θ⁺² = (1 − θ⁺) θ²,   θ = 1 at first
 //! ```
 //!
-//! Projected gradient steps (damped [`Jacobi`](super::Jacobi)) from a point y that runs ahead of x:
+//! Projected gradient steps (damped [`Jacobi`](crate::Jacobi)) from a point y that runs ahead of x:
 //! Nesterov's method (1983), used for contacts by Mazhar, Heyn, Negrut & Tasora (2015). After k
 //! steps the objective is within 2 L |x⁰ − x*|² / k² of its minimum for every symmetric
 //! semidefinite A, where plain steps have 1/k only. Momentum makes the objective ripple; whenever
@@ -25,9 +25,9 @@
 
 use std::ops::ControlFlow;
 
-use super::iterate::iterate;
-use super::metric::{Metric, energy_product};
-use super::{ConeSolver, Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::iterate::iterate;
+use crate::metric::{Metric, energy_product};
+use crate::{ConeSolver, Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::friction::ConeProblem;
 use lcplab_problem::{Complementarity, Lcp};
 

@@ -23,9 +23,9 @@
 
 use std::ops::ControlFlow;
 
-use super::iterate::{iterate, largest};
-use super::metric::{Curvature, Metric, energy_product};
-use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::iterate::{iterate, largest};
+use crate::metric::{Curvature, Metric, energy_product};
+use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 
 /// MPRGP, projected conjugate gradients.

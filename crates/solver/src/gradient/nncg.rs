@@ -1,6 +1,6 @@
 //! Nonsmooth nonlinear conjugate gradients around projected Gauss-Seidel.
 //!
-//! One sweep of [`Pgs`](super::Pgs) is a map x → P(x) whose fixed points are the solutions. Its
+//! One sweep of [`Pgs`](crate::Pgs) is a map x → P(x) whose fixed points are the solutions. Its
 //! step is taken for the negative gradient of an unknown function, and Fletcher-Reeves' conjugate
 //! gradients are run on that (Silcowitz, Niebe & Erleben 2010):
 //!
@@ -22,9 +22,9 @@
 
 use std::ops::ControlFlow;
 
-use super::iterate::iterate;
-use super::metric::Metric;
-use super::{Event, Observer, Settings, Solution, Solver, Start};
+use crate::iterate::iterate;
+use crate::metric::Metric;
+use crate::{Event, Observer, Settings, Solution, Solver, Start};
 use lcplab_problem::Lcp;
 
 /// Nonsmooth nonlinear conjugate gradients.

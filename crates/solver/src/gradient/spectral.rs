@@ -29,9 +29,9 @@
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
-use super::iterate::iterate;
-use super::metric::{Curvature, Metric};
-use super::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::iterate::iterate;
+use crate::metric::{Curvature, Metric};
+use crate::{Event, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 
 /// The objective may rise above the last one, but not above the largest of this many.

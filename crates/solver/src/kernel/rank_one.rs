@@ -3,7 +3,7 @@
 //! It is done as [`difference`] does it: an entry of which only rounding is left becomes exactly 0.
 
 use super::lanes::{Lanes, Width, Work};
-use crate::elimination::{RELATIVE_ZERO, difference};
+use crate::linalg::elimination::{RELATIVE_ZERO, difference};
 
 /// Eight numbers that begin where a line of the cache does, so that none is loaded in two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -16,7 +16,7 @@
 
 use super::lanes::{Lanes, Width, Work};
 use super::rank_one::{Block, add_all};
-use crate::elimination::difference;
+use crate::linalg::elimination::difference;
 
 /// Pivots that are made in one pass.
 const TOGETHER: usize = 8;

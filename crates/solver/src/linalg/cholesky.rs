@@ -8,11 +8,11 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
 use faer::{MatMut, MatRef, Par};
 
-use super::active_set::unit;
+use crate::pivot::active_set::unit;
 use lcplab_problem::Lcp;
 
 /// A pivot below this part of its diagonal entry is zero.
-pub(super) const RELATIVE_ZERO: f64 = 1e-13;
+pub(crate) const RELATIVE_ZERO: f64 = 1e-13;
 
 /// The factor of the last block, and room for the next.
 #[derive(Debug, Clone, Default)]

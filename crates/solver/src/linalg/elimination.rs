@@ -4,10 +4,10 @@
 //! difference a − b that cancels to a 1e-13th of its terms *is* zero, whatever the size of a and b.
 //! Scaling a row or a column by a power of two changes no decision.
 
-use super::kernel::rank_one::add_multiple;
+use crate::kernel::rank_one::add_multiple;
 
 /// A difference below this part of its terms is zero.
-pub(super) const RELATIVE_ZERO: f64 = 1e-13;
+pub(crate) const RELATIVE_ZERO: f64 = 1e-13;
 
 /// a − b, exactly 0 where only rounding is left of it.
 pub fn difference(a: f64, b: f64) -> f64 {

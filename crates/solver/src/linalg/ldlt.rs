@@ -6,10 +6,10 @@
 //! stable because d_k > 0.
 //!
 //! A row that goes leaves a *hole*, a row of the unit matrix, so that no other has to move; when an
-//! eighth of the rows are holes, all move up. The loops are those of [`kernel`](super::kernel).
+//! eighth of the rows are holes, all move up. The loops are those of [`kernel`](crate::kernel).
 
-use super::kernel::Width;
-use super::kernel::panels::{Eight, Panels, Tile};
+use crate::kernel::Width;
+use crate::kernel::panels::{Eight, Panels, Tile};
 
 /// So many holes stay.
 const HOLES: usize = 8;
@@ -37,7 +37,7 @@ pub struct Elimination {
 
 impl Elimination {
     /// An empty one that systems of n rows fit into.
-    pub(super) fn with_room(n: usize) -> Self {
+    pub(crate) fn with_room(n: usize) -> Self {
         let eights = n.div_ceil(8);
         Elimination {
             row: Vec::with_capacity(eights),

@@ -1,4 +1,4 @@
-//! Complementarity as equations H(x) = 0 with a kink, row by row; [`Newton`](super::Newton) says which.
+//! Complementarity as equations H(x) = 0 with a kink, row by row; [`Newton`](crate::Newton) says which.
 
 /// The equations whose root is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -12,17 +12,17 @@ pub enum Equations {
 
 /// H_i with its derivatives by x_i, w̃_i, lo_i and hi_i.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Row {
-    pub(super) value: f64,
-    pub(super) by_x: f64,
-    pub(super) by_w: f64,
-    pub(super) by_lo: f64,
-    pub(super) by_hi: f64,
+pub(crate) struct Row {
+    pub(crate) value: f64,
+    pub(crate) by_x: f64,
+    pub(crate) by_w: f64,
+    pub(crate) by_lo: f64,
+    pub(crate) by_hi: f64,
 }
 
 impl Equations {
     /// H_i for these x_i, w̃_i and bounds.
-    pub(super) fn row(self, x: f64, w: f64, lo: f64, hi: f64) -> Row {
+    pub(crate) fn row(self, x: f64, w: f64, lo: f64, hi: f64) -> Row {
         match self {
             Equations::MinimumMap => minimum_map(x, w, lo, hi),
             Equations::FischerBurmeister => fischer_burmeister(x, w, lo, hi),

@@ -32,7 +32,7 @@
 //! vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001). Near a solution both
 //! equations double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei & Kanzow 1996).
 //! Where no length of d reduces |H|, which happens at kinks of the minimum map, the step is a sweep
-//! of [`Pgs`](super::Pgs), and the observer is told so (`Sweep` for `Step`).
+//! of [`Pgs`](crate::Pgs), and the observer is told so (`Sweep` for `Step`).
 //!
 //! |H|² is summed as Σ a_ii H_i², an energy. A step costs f³/6 products for f free rows by Cholesky and
 //! 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows
@@ -46,9 +46,9 @@ use faer::prelude::{Solve, SolveLstsq};
 use faer::{Mat, Side};
 
 use super::equations::{Equations, Row};
-use super::iterate::iterate;
-use super::metric;
-use super::{Event, Observer, Settings, Solution, Solver, Start, Status};
+use crate::iterate::iterate;
+use crate::metric;
+use crate::{Event, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 

@@ -9,17 +9,17 @@
 //! The point solves the LCP if x_F lies within its bounds and w_B has the right signs. Principal
 //! pivoting methods differ only in how they go from one active set to the next.
 
-use super::elimination::Lu;
 use super::principal::Point;
-use super::{Settings, Start, Status};
+use crate::linalg::elimination::Lu;
+use crate::{Settings, Start, Status};
 use lcplab_problem::{Lcp, merit};
 
 /// A row whose scaled residual is below this is satisfied: what is left is rounding.
-pub(super) const ROUNDING: f64 = 1e-12;
+pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// Where a row stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Side {
+pub(crate) enum Side {
     /// x = lo, w ≥ 0 asked for.
     Lower,
     /// w = 0, lo ≤ x ≤ hi asked for.
@@ -30,11 +30,11 @@ pub(super) enum Side {
 
 /// A side for each row.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct ActiveSet(pub(super) Vec<Side>);
+pub(crate) struct ActiveSet(pub(crate) Vec<Side>);
 
 impl ActiveSet {
     /// The active set of a guess; without one, every row that has a bound is at it.
-    pub(super) fn initial(lcp: &Lcp, start: &Start<'_>, x: &[f64]) -> Self {
+    pub(crate) fn initial(lcp: &Lcp, start: &Start<'_>, x: &[f64]) -> Self {
         let side = |i: usize| match (lcp.lo()[i], lcp.hi()[i]) {
             (lo, _) if x[i] == lo => Side::Lower,
             (_, hi) if x[i] == hi => Side::Upper,
@@ -47,7 +47,7 @@ impl ActiveSet {
 
     /// The set of another problem, with every row at a bound that it has; none if the number of rows
     /// is another.
-    pub(super) fn fitted(self, lcp: &Lcp) -> Option<Self> {
+    pub(crate) fn fitted(self, lcp: &Lcp) -> Option<Self> {
         let side = |(i, side): (usize, Side)| match side {
             _ if lcp.lo()[i] == lcp.hi()[i] => Side::Lower,
             Side::Lower if lcp.lo()[i].is_infinite() => Side::Free,
@@ -59,7 +59,7 @@ impl ActiveSet {
     }
 
     /// The point of this active set, or the row whose pivot vanishes if A_FF is singular.
-    pub(super) fn point(&self, lcp: &Lcp) -> Result<Vec<f64>, usize> {
+    pub(crate) fn point(&self, lcp: &Lcp) -> Result<Vec<f64>, usize> {
         let mut x = self.moved_to_bounds(lcp, &vec![0.0; lcp.len()]);
         let free: Vec<usize> = (0..lcp.len()).filter(|&i| self.0[i] == Side::Free).collect();
         let unit: Vec<f64> = free.iter().map(|&i| unit(lcp, i)).collect();
@@ -78,7 +78,7 @@ impl ActiveSet {
     }
 
     /// The same with the free rows at a bound that are there, but for rounding.
-    pub(super) fn tightened(&self, lcp: &Lcp, x: &[f64]) -> Self {
+    pub(crate) fn tightened(&self, lcp: &Lcp, x: &[f64]) -> Self {
         let side = |i: usize| {
             let is_at = |bound: f64| {
                 let terms = merit::RowTerms::at(lcp, i, x);
@@ -94,7 +94,7 @@ impl ActiveSet {
     }
 
     /// x with the rows at a bound exactly there.
-    pub(super) fn moved_to_bounds(&self, lcp: &Lcp, x: &[f64]) -> Vec<f64> {
+    pub(crate) fn moved_to_bounds(&self, lcp: &Lcp, x: &[f64]) -> Vec<f64> {
         let place = |i: usize| match self.0[i] {
             Side::Lower => lcp.lo()[i],
             Side::Upper => lcp.hi()[i],
@@ -104,7 +104,7 @@ impl ActiveSet {
     }
 
     /// The side that row i should change to, if it is not satisfied at the point of this set.
-    pub(super) fn better_side(&self, lcp: &Lcp, i: usize, point: &Point) -> Option<Side> {
+    pub(crate) fn better_side(&self, lcp: &Lcp, i: usize, point: &Point) -> Option<Side> {
         if point.residual(lcp, i) <= ROUNDING {
             return None;
         }
@@ -119,7 +119,7 @@ impl ActiveSet {
 
 /// A power of two near √s_i, the size of w_i where x_i w_i is about 1: so A scaled by these units
 /// has a diagonal from 1 to 4, whatever units the rows came in.
-pub(super) fn unit(lcp: &Lcp, i: usize) -> f64 {
+pub(crate) fn unit(lcp: &Lcp, i: usize) -> f64 {
     match merit::row_scale(lcp, i) {
         0.0 => 1.0,
         scale => {
@@ -130,6 +130,6 @@ pub(super) fn unit(lcp: &Lcp, i: usize) -> f64 {
 }
 
 /// The status of a method that has ended at x by its own rules.
-pub(super) fn claim(lcp: &Lcp, x: &[f64], settings: &Settings) -> Status {
+pub(crate) fn claim(lcp: &Lcp, x: &[f64], settings: &Settings) -> Status {
     if merit::is_solution(lcp, x, settings.tolerance) { Status::Solved } else { Status::Inaccurate }
 }

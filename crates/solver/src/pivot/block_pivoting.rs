@@ -11,22 +11,23 @@
 //! (Kostreva 1978 without, Júdice & Pires 1994 with the safeguard.) A block exchange is a Newton
 //! step on the equations min(x − lo, max(x − hi, w)) = 0 and finds the active set of most contact
 //! problems within ten exchanges, whatever n is; but it may cycle. Murty's rule does not on a
-//! P-matrix (see [`Murty`](super::Murty)), and each new least |H| lies below the last, so the two
+//! P-matrix (see [`Murty`](crate::Murty)), and each new least |H| lies below the last, so the two
 //! together always end there. They may need very many single rows, though. So where A is symmetric,
 //! what blocks do not settle is left to proximal steps (proximal.rs); and so is a singular A_FF,
 //! as redundant contacts make it. Where A is not symmetric a singular A_FF is the end: `Singular`.
 //!
 //! An exchange factorises A_FF by what suits A (free_rows.rs), at most O(f³); the
-//! same free rows need no new factor, and [`Warm`](super::Warm) carries it to the next solve.
+//! same free rows need no new factor, and [`Warm`](crate::Warm) carries it to the next solve.
 //! Observers see `Exchange` for a block, `Pivot` for a single row and `Step` for a proximal step; the
 //! solution names what else than blocks had a part in it ([`Fallback`]). Coupled rows: see
-//! [`frozen`](super::frozen).
+//! [`frozen`](crate::frozen).
 
 use std::ops::ControlFlow;
 
 use super::free_rows::FreeRows;
 use super::principal::{self, Change, Search};
-use super::{Fallback, Observer, Settings, Solution, Solver, Start, Status, proximal};
+use super::proximal;
+use crate::{Fallback, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::Lcp;
 
 /// Block principal pivoting with Júdice and Pires' safeguard.
@@ -78,7 +79,7 @@ impl BlockPivoting {
 
 /// All rows while that makes progress, and for `patience` exchanges without any; `then` this, until
 /// there is progress again.
-pub(super) fn rule(patience: usize, then: Change) -> impl FnMut(usize) -> Change {
+pub(crate) fn rule(patience: usize, then: Change) -> impl FnMut(usize) -> Change {
     let (mut least, mut left) = (usize::MAX, patience);
     move |wrong| {
         if wrong < least {

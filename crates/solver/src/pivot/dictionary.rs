@@ -9,16 +9,18 @@
 //! nonbasic variables at 0, c is the value of the basic ones. A variable v of limited range can be
 //! *mirrored*: the distance v' from the other end takes its place, v = range − v'.
 
-use super::elimination::difference;
-use super::kernel::{Width, table::Table};
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use super::variable::{Place, Places, Variable};
+use crate::kernel::{Width, table::Table};
+use crate::linalg::elimination::difference;
 
 /// An entry below this part of the largest that it was is zero.
 const RELATIVE_ZERO: f64 = 1e-12;
 
 /// v_B = c + T v_N.
 #[derive(Debug, Clone)]
-pub(super) struct Dictionary {
+pub(crate) struct Dictionary {
     basic: Vec<Variable>,
     nonbasic: Vec<Variable>,
     places: Places,
@@ -28,14 +30,14 @@ pub(super) struct Dictionary {
     /// are proportional to.
     terms: Vec<f64>,
     /// A constant below this part of those terms is zero, not only one that cancels in a single sum.
-    pub(super) forgives: f64,
+    pub(crate) forgives: f64,
     /// T.
     table: Table,
 }
 
 impl Dictionary {
     /// The dictionary with T = 0.
-    pub(super) fn new(
+    pub(crate) fn new(
         basic: Vec<Variable>,
         nonbasic: Vec<Variable>,
         constant: Vec<f64>,
@@ -47,44 +49,58 @@ impl Dictionary {
     }
 
     /// Gives an entry a value.
-    pub(super) fn set(&mut self, r: usize, c: usize, value: f64) {
+    pub(crate) fn set(&mut self, r: usize, c: usize, value: f64) {
         self.table.set(r, c, value);
     }
 
     /// The basic variables, one a row.
-    pub(super) fn basic(&self) -> &[Variable] {
+    pub(crate) fn basic(&self) -> &[Variable] {
         &self.basic
     }
 
     /// The nonbasic variables, one a column.
-    pub(super) fn nonbasic(&self) -> &[Variable] {
+    pub(crate) fn nonbasic(&self) -> &[Variable] {
         &self.nonbasic
     }
 
+    /// A number that tells this basis from others, but for a coincidence: which variables are basic, which not,
+    /// and by which of their names.
+    pub(crate) fn basis(&self) -> u64 {
+        let of = |variable: (bool, &Variable)| {
+            let mut hasher = DefaultHasher::new();
+            variable.hash(&mut hasher);
+            hasher.finish()
+        };
+        let basic = self.basic.iter().map(|v| of((true, v)));
+        let nonbasic = self.nonbasic.iter().map(|v| of((false, v)));
+        basic.chain(nonbasic).fold(0, u64::wrapping_add)
+    }
+
     /// c.
-    pub(super) fn constant(&self) -> &[f64] {
+    pub(crate) fn constant(&self) -> &[f64] {
         &self.constant
     }
 
     /// T_rc.
-    pub(super) fn entry(&self, r: usize, c: usize) -> f64 {
+    pub(crate) fn entry(&self, r: usize, c: usize) -> f64 {
         self.table.entry(r, c)
     }
 
     /// Column c of T: how fast the basic variables change while that of column c grows at rate 1.
-    pub(super) fn column(&self, c: usize) -> Vec<f64> {
+    pub(crate) fn column(&self, c: usize) -> Vec<f64> {
         self.table.column(c)
     }
 
     /// T by rows.
-    pub(super) fn rows(&self) -> Vec<Vec<f64>> {
+    pub(crate) fn rows(&self) -> Vec<Vec<f64>> {
         let entry = |r| move |c| self.table.entry(r, c);
         (0..self.basic.len()).map(|r| (0..self.nonbasic.len()).map(entry(r)).collect()).collect()
     }
 
     /// An entry beside the largest of its row.
-    pub(super) fn part_of_row(&mut self, r: usize, c: usize) -> f64 {
-        let largest = self.table.row(r).fold(0.0, |largest, entry| f64::max(largest, entry.abs()));
+    pub(crate) fn part_of_row(&self, r: usize, c: usize) -> f64 {
+        let row = (0..self.nonbasic.len()).map(|c| self.table.entry(r, c).abs());
+        let largest = row.fold(0.0, f64::max);
         self.table.entry(r, c).abs() / largest
     }
 
@@ -93,7 +109,7 @@ impl Dictionary {
     /// ```text
     /// v_c = (v_r − c_r − Σ_{j≠c} T_rj v_j) / T_rc,   put into all other rows
     /// ```
-    pub(super) fn pivot(&mut self, r: usize, c: usize) {
+    pub(crate) fn pivot(&mut self, r: usize, c: usize) {
         std::mem::swap(&mut self.basic[r], &mut self.nonbasic[c]);
         self.places.put(self.basic[r], Place::Row(r));
         self.places.put(self.nonbasic[c], Place::Column(c));
@@ -117,7 +133,7 @@ impl Dictionary {
     }
 
     /// Puts range − v' in the place of the nonbasic variable v of column c; v' is at 0 from now on.
-    pub(super) fn mirror_column(&mut self, c: usize, range: f64) {
+    pub(crate) fn mirror_column(&mut self, c: usize, range: f64) {
         let column = self.table.column(c);
         for i in (0..column.len()).filter(|&i| column[i] * range != 0.0) {
             let change = column[i] * range;
@@ -128,7 +144,7 @@ impl Dictionary {
     }
 
     /// Puts range − v' in the place of the basic variable v of row r.
-    pub(super) fn mirror_row(&mut self, r: usize, range: f64) {
+    pub(crate) fn mirror_row(&mut self, r: usize, range: f64) {
         self.constant[r] = -self.constant[r];
         self.add(r, range, range.abs());
         self.table.negate_row(r);
@@ -150,7 +166,7 @@ impl Dictionary {
     /// Exchanges these basic variables for these nonbasic ones, the largest entry first, until all
     /// are exchanged or only zeros are left. Zero is an entry that has lost all its digits, compared
     /// with the largest that it was on the way.
-    pub(super) fn exchange(
+    pub(crate) fn exchange(
         &mut self,
         is_leaving: impl Fn(Variable) -> bool,
         is_entering: impl Fn(Variable) -> bool,
@@ -182,7 +198,7 @@ impl Dictionary {
     }
 
     /// The dictionary of some of these equations and variables, or their opposites, in this order.
-    pub(super) fn selection(&self, rows: &[Taken], columns: &[Taken]) -> Self {
+    pub(crate) fn selection(&self, rows: &[Taken], columns: &[Taken]) -> Self {
         let name = |taken: &Taken| taken.name;
         let mut selection = Dictionary::new(
             rows.iter().map(name).collect(),
@@ -200,12 +216,12 @@ impl Dictionary {
     }
 
     /// The value of a variable while all nonbasic ones are 0.
-    pub(super) fn value(&self, variable: Variable) -> f64 {
+    pub(crate) fn value(&self, variable: Variable) -> f64 {
         self.row_of(variable).map_or(0.0, |r| self.constant[r])
     }
 
     /// How fast a variable changes while the nonbasic one of column c grows at rate 1.
-    pub(super) fn rate(&self, variable: Variable, c: usize) -> f64 {
+    pub(crate) fn rate(&self, variable: Variable, c: usize) -> f64 {
         match self.places.get(variable) {
             Place::Row(r) => self.table.entry(r, c),
             Place::Column(column) => f64::from(column == c),
@@ -214,12 +230,12 @@ impl Dictionary {
     }
 
     /// Whether there is a variable of this name.
-    pub(super) fn has(&self, variable: Variable) -> bool {
+    pub(crate) fn has(&self, variable: Variable) -> bool {
         self.places.get(variable) != Place::Nowhere
     }
 
     /// The row of a basic variable.
-    pub(super) fn row_of(&self, variable: Variable) -> Option<usize> {
+    pub(crate) fn row_of(&self, variable: Variable) -> Option<usize> {
         match self.places.get(variable) {
             Place::Row(r) => Some(r),
             _ => None,
@@ -227,7 +243,7 @@ impl Dictionary {
     }
 
     /// The column of a nonbasic variable.
-    pub(super) fn column_of(&self, variable: Variable) -> Option<usize> {
+    pub(crate) fn column_of(&self, variable: Variable) -> Option<usize> {
         match self.places.get(variable) {
             Place::Column(c) => Some(c),
             _ => None,
@@ -237,9 +253,9 @@ impl Dictionary {
 
 /// A row or column of another dictionary, or its opposite, with a new name.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Taken {
-    pub(super) name: Variable,
-    pub(super) index: usize,
+pub(crate) struct Taken {
+    pub(crate) name: Variable,
+    pub(crate) index: usize,
     /// 1, or −1 for the opposite.
-    pub(super) sign: f64,
+    pub(crate) sign: f64,
 }

@@ -13,9 +13,8 @@
 //! difference but for frozen bounds.
 
 use super::active_set::claim;
-use super::{
-    Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen, pivoting,
-};
+use super::opening;
+use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::exact::{Pieces, Point};
 use lcplab_problem::memory::Memory;
 use lcplab_problem::{Complementarity, Lcp};
@@ -34,7 +33,7 @@ impl Solver for Enumeration {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if let Some(status) = pivoting::begin(lcp, &x, Memory::numbers(0), &self.settings, observer)
+        if let Some(status) = opening::begin(lcp, &x, Memory::numbers(0), &self.settings, observer)
         {
             return Solution::new(lcp, x, status, 0);
         }

@@ -2,20 +2,20 @@
 //!
 //! | A | factor | products, for f free rows of n |
 //! | --- | --- | --- |
-//! | symmetric | [L Lᵀ](super::cholesky) in blocks | f³/6 |
-//! | symmetric, b entries a row near the diagonal | [L D Lᵀ](super::envelope) within the envelope | n b²/2 |
-//! | not symmetric | [L U](super::elimination) with row exchanges | f³/3 |
+//! | symmetric | [L Lᵀ](crate::linalg::cholesky) in blocks | f³/6 |
+//! | symmetric, b entries a row near the diagonal | [L D Lᵀ](crate::linalg::envelope) within the envelope | n b²/2 |
+//! | not symmetric | [L U](crate::linalg::elimination) with row exchanges | f³/3 |
 //!
 //! The factor is kept: the same free rows of the same matrix need no other.
 
 use std::sync::Arc;
 
-use super::Status;
 use super::active_set::{ActiveSet, ROUNDING, Side, unit};
-use super::cholesky::{Cholesky, RELATIVE_ZERO};
-use super::elimination::Lu;
-use super::envelope::Envelope;
 use super::principal::Point;
+use crate::Status;
+use crate::linalg::cholesky::{Cholesky, RELATIVE_ZERO};
+use crate::linalg::elimination::Lu;
+use crate::linalg::envelope::Envelope;
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::{Lcp, Matrix, accurate};
 
@@ -27,7 +27,7 @@ const ENVELOPE_PART: usize = 12;
 
 /// The equations of the free rows of one matrix.
 #[derive(Debug)]
-pub(super) struct FreeRows {
+pub(crate) struct FreeRows {
     /// Held, so that no other matrix can come to lie where this one lies.
     matrix: Arc<Matrix>,
     factor: Factor,
@@ -44,7 +44,7 @@ enum Factor {
 
 impl FreeRows {
     /// Those of this problem's matrix, none solved yet.
-    pub(super) fn of(lcp: &Lcp) -> Self {
+    pub(crate) fn of(lcp: &Lcp) -> Self {
         let matrix = Arc::clone(lcp.shared_matrix());
         let most = matrix.len().pow(2) / ENVELOPE_PART;
         let factor = match matrix.is_symmetric() {
@@ -56,19 +56,19 @@ impl FreeRows {
     }
 
     /// Those that are kept, if they are of this problem's matrix: of the same one, not of an equal one.
-    pub(super) fn kept<'a>(kept: &'a mut Option<Self>, lcp: &Lcp) -> &'a mut Self {
+    pub(crate) fn kept<'a>(kept: &'a mut Option<Self>, lcp: &Lcp) -> &'a mut Self {
         let is_same = |kept: &Self| Arc::ptr_eq(&kept.matrix, lcp.shared_matrix());
         *kept = kept.take().filter(is_same);
         kept.get_or_insert_with(|| FreeRows::of(lcp))
     }
 
     /// Whether A is symmetric.
-    pub(super) fn are_symmetric(&self) -> bool {
+    pub(crate) fn are_symmetric(&self) -> bool {
         !matches!(self.factor, Factor::Lu(_))
     }
 
     /// The point of an active set: [`Status::Singular`] or [`Status::NotFinite`] if there is none.
-    pub(super) fn point(&mut self, lcp: &Lcp, set: &ActiveSet) -> Result<Point, Status> {
+    pub(crate) fn point(&mut self, lcp: &Lcp, set: &ActiveSet) -> Result<Point, Status> {
         let free: Vec<usize> = (0..lcp.len()).filter(|&i| set.0[i] == Side::Free).collect();
         if self.free.as_ref() != Some(&free) {
             self.free = None;

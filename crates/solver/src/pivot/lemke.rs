@@ -30,15 +30,17 @@
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
 //! [`frozen`].
 
+use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use super::active_set::{ROUNDING, claim};
-use super::elimination::{RELATIVE_ZERO, difference};
+use super::opening;
 use super::ratio_test::{Blocking, Candidate, least};
 use super::standard_form::{FORGIVEN, StandardForm};
-use super::{
+use crate::linalg::elimination::{RELATIVE_ZERO, difference};
+use crate::{
     Event, Fallback, Iterate, Leaving, Observer, Part, Settings, Solution, Solver, Start, Status,
-    Tableau, Variable, frozen, pivoting,
+    Tableau, Variable, frozen,
 };
 use lcplab_problem::memory::Memory;
 use lcplab_problem::{Lcp, merit};
@@ -63,7 +65,7 @@ impl Solver for Lemke {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if let Some(status) = pivoting::at_once(lcp, &x, tableaux(lcp), &self.settings, observer) {
+        if let Some(status) = opening::at_once(lcp, &x, tableaux(lcp), &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
         frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
@@ -72,9 +74,12 @@ impl Solver for Lemke {
             let mut path = Path::new(lcp, before);
             let (x, status) = path.solve(&self.settings, observer);
             let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
-            let has_failed =
-                matches!(status, Status::Ray { .. } | Status::NotFinite | Status::Inaccurate);
-            if !(is_long && has_failed) {
+            let is_led_astray = match status {
+                Status::Ray { .. } | Status::NotFinite | Status::Inaccurate => is_long,
+                Status::Stalled => true,
+                _ => false,
+            };
+            if !is_led_astray {
                 return Solution::new(lcp, x, status, path.pivots);
             }
             let mut path = Path::new(lcp, path.pivots).with_renewals();
@@ -134,10 +139,12 @@ impl<'a> Path<'a> {
             return ControlFlow::Continue(());
         }
         let mut entering = Variable::Cover;
+        let mut seen = HashSet::new();
         loop {
-            let column = self.form.column(entering);
+            let column = self.form.name_column(entering);
             let Some(c) = column else { return ControlFlow::Break(Status::Stalled) };
-            let leaving = self.leaving(c);
+            let blocking = self.blocking(c);
+            let leaving = blocking.map(|blocking| self.name_leaving(blocking));
             self.tell(Some(c), leaving, observer);
             let Some(leaving) = leaving else { return ControlFlow::Break(self.endless(c)) };
             if self.pivots >= limit {
@@ -147,6 +154,9 @@ impl<'a> Path<'a> {
             if left == Variable::Cover {
                 self.tell(None, None, observer);
                 return ControlFlow::Continue(());
+            }
+            if !seen.insert(self.form.dictionary.basis()) {
+                return ControlFlow::Break(Status::Stalled); // only rounding leads back
             }
             if self.renews && (self.pivots - start).is_multiple_of(PIVOTS_TO_RENEWAL) {
                 self.renew();
@@ -211,17 +221,22 @@ impl<'a> Path<'a> {
 
     /// The variable that becomes zero first when that of column c grows; the covering variable grows
     /// until no other one is negative.
-    fn leaving(&mut self, c: usize) -> Option<Leaving> {
+    fn blocking(&self, c: usize) -> Option<Blocking> {
         let is_cover = self.form.dictionary.nonbasic()[c] == Variable::Cover;
         let candidates = if is_cover { self.lifted(c) } else { self.candidates(c) };
-        match least(candidates, &self.form.dictionary, &self.first)? {
-            Blocking::Row(r) => Some(Leaving::Basic(r)),
+        least(candidates, &self.form.dictionary, &self.first)
+    }
+
+    /// Gives the variable that leaves the name under which it becomes zero.
+    fn name_leaving(&mut self, blocking: Blocking) -> Leaving {
+        match blocking {
+            Blocking::Row(r) => Leaving::Basic(r),
             Blocking::Mirrored(r) => {
                 let range = self.form.range(self.lcp, self.form.dictionary.basic()[r]);
                 self.form.dictionary.mirror_row(r, range);
-                Some(Leaving::Basic(r))
+                Leaving::Basic(r)
             }
-            Blocking::Entering => Some(Leaving::Mirrored),
+            Blocking::Entering => Leaving::Mirrored,
         }
     }
 
@@ -233,7 +248,7 @@ impl<'a> Path<'a> {
     }
 
     /// What may become zero when the variable of column c grows.
-    fn candidates(&mut self, c: usize) -> Vec<Candidate> {
+    fn candidates(&self, c: usize) -> Vec<Candidate> {
         let mut rate = self.form.dictionary.column(c);
         if self.renews {
             for (r, rate) in rate.iter_mut().enumerate() {

@@ -16,13 +16,13 @@
 //!
 //! A pivot factorises A_FF anew, O(f³) for f free rows: rounding does not accumulate. Where A_FF is
 //! singular, so that A is no P-matrix, the method ends with `Singular`; on other matrices it may
-//! cycle until the limit. Coupled rows: see [`frozen`](super::frozen).
+//! cycle until the limit. Coupled rows: see [`frozen`](crate::frozen).
 
 use std::ops::ControlFlow;
 
 use super::active_set::ActiveSet;
 use super::principal::{self, Change, Point};
-use super::{Observer, Settings, Solution, Solver, Start, Status};
+use crate::{Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::Lcp;
 
 /// Murty's least-index principal pivoting.

@@ -3,17 +3,16 @@
 use std::ops::ControlFlow;
 
 use super::active_set::{ActiveSet, Side};
-use super::kernel::{Width, terms};
-use super::{
-    Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen, pivoting,
-};
+use super::opening;
+use crate::kernel::{Width, terms};
+use crate::{Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 use lcplab_problem::merit::{self, RowTerms};
 
 /// Which of the rows that are not satisfied change sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Change {
+pub(crate) enum Change {
     /// The one of least index.
     Least,
     /// All of them.
@@ -24,48 +23,48 @@ pub(super) enum Change {
 
 /// An x, and what its rows say.
 #[derive(Debug, Clone)]
-pub(super) struct Point {
-    pub(super) x: Vec<f64>,
-    pub(super) terms: Vec<RowTerms>,
+pub(crate) struct Point {
+    pub(crate) x: Vec<f64>,
+    pub(crate) terms: Vec<RowTerms>,
 }
 
 impl Point {
-    pub(super) fn at(lcp: &Lcp, x: Vec<f64>) -> Self {
+    pub(crate) fn at(lcp: &Lcp, x: Vec<f64>) -> Self {
         Point { terms: terms(lcp, &x, Width::widest()), x }
     }
 
     /// r_i.
-    pub(super) fn residual(&self, lcp: &Lcp, i: usize) -> f64 {
+    pub(crate) fn residual(&self, lcp: &Lcp, i: usize) -> f64 {
         self.terms[i].scaled_residual(lcp, i, &self.x)
     }
 
     /// max_i r_i; ∞ if x is not finite.
-    pub(super) fn largest_residual(&self, lcp: &Lcp) -> f64 {
+    pub(crate) fn largest_residual(&self, lcp: &Lcp) -> f64 {
         let residuals = (0..self.x.len()).map(|i| self.residual(lcp, i));
         residuals.fold(0.0, |most, r| if r.is_nan() { f64::INFINITY } else { f64::max(most, r) })
     }
 }
 
 /// A way from active set to active set.
-pub(super) struct Search<'a> {
-    pub(super) settings: &'a Settings,
-    pub(super) observer: &'a mut dyn Observer,
-    pub(super) set: ActiveSet,
+pub(crate) struct Search<'a> {
+    pub(crate) settings: &'a Settings,
+    pub(crate) observer: &'a mut dyn Observer,
+    pub(crate) set: ActiveSet,
     /// The last point, at first the start.
-    pub(super) point: Point,
+    pub(crate) point: Point,
     /// Changes so far.
-    pub(super) count: usize,
+    pub(crate) count: usize,
     /// What else had a part in it.
-    pub(super) fallback: Option<Fallback>,
+    pub(crate) fallback: Option<Fallback>,
     /// What it is called if the rule takes to single rows.
-    pub(super) safeguard: Option<Fallback>,
+    pub(crate) safeguard: Option<Fallback>,
 }
 
 impl Search<'_> {
     /// Changes sides until all rows are satisfied. `point` finds the point of an active set; `rule` is
     /// told how many rows are not satisfied, and chooses. `arrival` is what led to the first point, if
     /// an observer is to be told of it.
-    pub(super) fn run(
+    pub(crate) fn run(
         &mut self,
         lcp: &Lcp,
         mut point: impl FnMut(&ActiveSet) -> Result<Point, Status>,
@@ -104,7 +103,7 @@ impl Search<'_> {
     }
 
     /// Counts another change, if the limit allows it.
-    pub(super) fn count_change(&mut self) -> ControlFlow<Status> {
+    pub(crate) fn count_change(&mut self) -> ControlFlow<Status> {
         if self.count >= self.settings.max_iterations {
             return ControlFlow::Break(Status::IterationLimit);
         }
@@ -118,7 +117,7 @@ impl Search<'_> {
     }
 
     /// What the method claims of the last point.
-    pub(super) fn claim(&self, lcp: &Lcp) -> Status {
+    pub(crate) fn claim(&self, lcp: &Lcp) -> Status {
         let tolerance = self.settings.tolerance;
         let is_within = self.point.largest_residual(lcp) <= tolerance;
         match is_within && merit::is_worth_something(lcp, &self.point.x, tolerance) {
@@ -128,7 +127,7 @@ impl Search<'_> {
     }
 
     /// The last point as a solution.
-    pub(super) fn solution(&self, status: Status) -> Solution {
+    pub(crate) fn solution(&self, status: Status) -> Solution {
         let Search { point: Point { x, terms }, count, fallback, .. } = self;
         let w = terms.iter().map(RowTerms::w).collect();
         Solution { x: x.clone(), w, status, iterations: *count, fallback: *fallback }
@@ -138,7 +137,7 @@ impl Search<'_> {
 /// Solves a problem by a method that goes from one active set to the next, `method(problem, search)`;
 /// one whose bounds depend on x by frozen ones. It begins with the set that is given, if that fits, and
 /// leaves its last one there.
-pub(super) fn solve(
+pub(crate) fn solve(
     lcp: &Lcp,
     start: &Start<'_>,
     set: &mut Option<ActiveSet>,
@@ -151,8 +150,8 @@ pub(super) fn solve(
     let needs = Memory::square(lcp.len());
     let at_once = match set {
         // its point may be had for less than a look at x
-        Some(_) => pivoting::begin(lcp, &x, needs, settings, observer),
-        None => pivoting::at_once(lcp, &x, needs, settings, observer),
+        Some(_) => opening::begin(lcp, &x, needs, settings, observer),
+        None => opening::at_once(lcp, &x, needs, settings, observer),
     };
     if let Some(status) = at_once {
         return Solution::new(lcp, x, status, 0);

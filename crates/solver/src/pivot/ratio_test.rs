@@ -18,7 +18,7 @@ const TIE: f64 = 1e-12;
 
 /// What becomes zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Blocking {
+pub(crate) enum Blocking {
     /// The basic variable of this row.
     Row(usize),
     /// The distance of the basic variable of this row from its other end.
@@ -29,16 +29,16 @@ pub(super) enum Blocking {
 
 /// Something that becomes zero when the entering variable has come to value / weight.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Candidate {
-    pub(super) blocking: Blocking,
-    pub(super) value: f64,
+pub(crate) struct Candidate {
+    pub(crate) blocking: Blocking,
+    pub(crate) value: f64,
     /// Above 0.
-    pub(super) weight: f64,
+    pub(crate) weight: f64,
 }
 
 /// The candidate with the lexicographically least ratio. The covering variable goes before all that
 /// are tied with it. `first` are the variables that were basic at first.
-pub(super) fn least(
+pub(crate) fn least(
     mut tied: Vec<Candidate>,
     d: &Dictionary,
     first: &[Variable],

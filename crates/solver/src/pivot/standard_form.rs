@@ -25,7 +25,7 @@ use super::variable::Variable;
 use lcplab_problem::{Lcp, merit::RowTerms};
 
 /// What a constant may lose to rounding in a block of exchanges, relative to its terms.
-pub(super) const FORGIVEN: f64 = 1e-11;
+pub(crate) const FORGIVEN: f64 = 1e-11;
 /// Units of w that differ by more than this factor are far apart.
 const FAR_APART: f64 = 1024.0;
 
@@ -53,15 +53,15 @@ impl Kind {
 
 /// The standard form of a boxed problem, and the way back.
 #[derive(Debug, Clone)]
-pub(super) struct StandardForm {
+pub(crate) struct StandardForm {
     kind: Vec<Kind>,
     /// x = base + sign · y.
     base: Vec<f64>,
     sign: Vec<f64>,
     /// The equations; the first `pairs` rows are those of variables that must not be negative.
-    pub(super) dictionary: Dictionary,
+    pub(crate) dictionary: Dictionary,
     /// The number of pairs.
-    pub(super) pairs: usize,
+    pub(crate) pairs: usize,
     /// Whether the rows have very different units.
     needs_units: bool,
 }
@@ -69,7 +69,7 @@ pub(super) struct StandardForm {
 impl StandardForm {
     /// The standard form of a problem without coupling; the W are basic. The covering variable is in
     /// the last column.
-    pub(super) fn of(lcp: &Lcp) -> Self {
+    pub(crate) fn of(lcp: &Lcp) -> Self {
         let n = lcp.len();
         let kind: Vec<Kind> = (0..n).map(|i| Kind::of(lcp.lo()[i], lcp.hi()[i])).collect();
         let base: Vec<f64> = (0..n)
@@ -142,7 +142,7 @@ impl StandardForm {
     }
 
     /// How far the variable can go from 0: ∞ but for the distances from two finite bounds.
-    pub(super) fn range(&self, lcp: &Lcp, variable: Variable) -> f64 {
+    pub(crate) fn range(&self, lcp: &Lcp, variable: Variable) -> f64 {
         match variable {
             Variable::Y(i) | Variable::T(i) if self.kind[i] == Kind::Both => {
                 lcp.hi()[i] - lcp.lo()[i]
@@ -151,8 +151,8 @@ impl StandardForm {
         }
     }
 
-    /// The column of a nonbasic variable; it gets that name, if it goes by the one of its mirror image.
-    pub(super) fn column(&mut self, variable: Variable) -> Option<usize> {
+    /// Gives a nonbasic variable this name, if it goes by the one of its mirror image; returns its column.
+    pub(crate) fn name_column(&mut self, variable: Variable) -> Option<usize> {
         let d = &mut self.dictionary;
         d.column_of(variable).or_else(|| {
             let is_boxed = variable.row().is_some_and(|i| self.kind[i] == Kind::Both);
@@ -163,7 +163,7 @@ impl StandardForm {
     }
 
     /// Gives the variables the names that they have in another dictionary of this problem.
-    pub(super) fn mirror_as(&mut self, lcp: &Lcp, other: &Dictionary) {
+    pub(crate) fn mirror_as(&mut self, lcp: &Lcp, other: &Dictionary) {
         for i in (0..self.kind.len()).filter(|&i| self.kind[i] == Kind::Both) {
             let d = &mut self.dictionary;
             if let (Some(c), true) = (d.column_of(Variable::Y(i)), other.has(Variable::T(i))) {
@@ -176,7 +176,7 @@ impl StandardForm {
     }
 
     /// x while all nonbasic variables are 0.
-    pub(super) fn x(&self, lcp: &Lcp) -> Vec<f64> {
+    pub(crate) fn x(&self, lcp: &Lcp) -> Vec<f64> {
         let d = &self.dictionary;
         let x = |i: usize| match self.kind[i] {
             Kind::Pinned => self.base[i],
@@ -188,7 +188,7 @@ impl StandardForm {
     }
 
     /// How x moves while the nonbasic variable of column c grows at rate 1.
-    pub(super) fn direction(&self, c: usize) -> Vec<f64> {
+    pub(crate) fn direction(&self, c: usize) -> Vec<f64> {
         let d = &self.dictionary;
         let rate = |i: usize| match self.kind[i] {
             Kind::Pinned => 0.0,
@@ -200,7 +200,7 @@ impl StandardForm {
     }
 
     /// The sides of the rows while all nonbasic variables are 0.
-    pub(super) fn active_set(&self) -> ActiveSet {
+    pub(crate) fn active_set(&self) -> ActiveSet {
         let is_zero = |v| self.dictionary.column_of(v).is_some();
         let side = |i: usize| match self.kind[i] {
             Kind::Pinned => Side::Lower,

@@ -1,7 +1,7 @@
 //! The variables of Lemke's standard form, and their names.
 
 /// A variable of Lemke's standard form; the number is the row of the boxed problem.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Variable {
     /// y, the distance of x from its bound.
     Y(usize),
@@ -17,7 +17,7 @@ pub enum Variable {
 
 impl Variable {
     /// The other one of its pair.
-    pub(super) fn partner(self) -> Self {
+    pub(crate) fn partner(self) -> Self {
         match self {
             Variable::Y(i) => Variable::W(i),
             Variable::W(i) => Variable::Y(i),
@@ -28,7 +28,7 @@ impl Variable {
     }
 
     /// The same one seen from the other bound of x, if there are two.
-    pub(super) fn mirrored(self) -> Self {
+    pub(crate) fn mirrored(self) -> Self {
         match self {
             Variable::Y(i) => Variable::T(i),
             Variable::T(i) => Variable::Y(i),
@@ -60,7 +60,7 @@ impl Variable {
 
 /// Where a variable stands in a dictionary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub(crate) enum Place {
     /// Basic, in this row.
     Row(usize),
     /// Nonbasic, in this column.
@@ -71,11 +71,11 @@ pub(super) enum Place {
 
 /// Where each variable stands.
 #[derive(Debug, Clone)]
-pub(super) struct Places(Vec<Place>);
+pub(crate) struct Places(Vec<Place>);
 
 impl Places {
     /// The places of the variables in these rows and columns.
-    pub(super) fn of(basic: &[Variable], nonbasic: &[Variable]) -> Self {
+    pub(crate) fn of(basic: &[Variable], nonbasic: &[Variable]) -> Self {
         let rows = basic.iter().enumerate().map(|(r, &v)| (v, Place::Row(r)));
         let columns = nonbasic.iter().enumerate().map(|(c, &v)| (v, Place::Column(c)));
         let mut places = Places(Vec::new());
@@ -83,11 +83,11 @@ impl Places {
         places
     }
 
-    pub(super) fn get(&self, v: Variable) -> Place {
+    pub(crate) fn get(&self, v: Variable) -> Place {
         self.0.get(v.number()).copied().unwrap_or(Place::Nowhere)
     }
 
-    pub(super) fn put(&mut self, v: Variable, place: Place) {
+    pub(crate) fn put(&mut self, v: Variable, place: Place) {
         if v.number() >= self.0.len() {
             self.0.resize(v.number() + 1, Place::Nowhere);
         }

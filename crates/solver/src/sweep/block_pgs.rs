@@ -5,7 +5,7 @@
 //!                                               within the bounds of B
 //! ```
 //!
-//! [`Pgs`](super::Pgs) is the case of one row a block. The rows of a contact or a joint act on the
+//! [`Pgs`](crate::Pgs) is the case of one row a block. The rows of a contact or a joint act on the
 //! same two bodies and are strongly coupled; solving them together spares the sweeps in which they
 //! would negotiate, and a friction row is bounded by the normal impulse found with it, not by the
 //! last one. Each small problem is solved exactly by [`Dantzig`]'s method, which
@@ -20,9 +20,9 @@
 
 use std::ops::ControlFlow;
 
-use super::iterate::iterate;
-use super::theory::principal_submatrix;
-use super::{Dantzig, Event, Observer, Settings, Solution, Solver, Start, Status};
+use crate::iterate::iterate;
+use crate::theory::principal_submatrix;
+use crate::{Dantzig, Event, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::{Coupling, Lcp};
 
 /// The tolerance of the small problems: about rounding.

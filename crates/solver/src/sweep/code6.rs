@@ -9,7 +9,7 @@
 //! seen values y that were never allowed, and the fixed point is another one: for
 //! A = [1 ½; ½ 1], b = (1, −1) and x ≥ 0 it is (0, 2) in place of (0, 1). It can even diverge on a
 //! symmetric positive definite A (n = 3 and up). The remedy is one line:
-//! [`Pgs`](super::Pgs) clamps each row as it is updated. K&M Code 6, E06.
+//! [`Pgs`](crate::Pgs) clamps each row as it is updated. K&M Code 6, E06.
 //!
 //! We add what the listing leaves to its caller: the start (the listing clears x), the sign of b
 //! (the listing solves A x = b) and the stop test. So a wrong limit ends as `IterationLimit`, and
@@ -17,8 +17,8 @@
 
 use std::ops::ControlFlow;
 
-use super::iterate::iterate;
-use super::{Event, Observer, Settings, Solution, Solver, Start, Status};
+use crate::iterate::iterate;
+use crate::{Event, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::Lcp;
 
 /// Code 6, a specimen.

@@ -21,7 +21,7 @@
 
 use std::ops::ControlFlow;
 
-use super::ConeSolver;
+use crate::ConeSolver;
 use crate::iterate::iterate;
 use crate::{Event, Observer, Settings, Solution, Start, Status};
 use lcplab_problem::Complementarity;

@@ -4,7 +4,7 @@
 //! x ← Π( x − θ D⁻¹ w ),   D = diag(A),   w = A x + b
 //! ```
 //!
-//! All rows move at once from the same w; Gauss-Seidel ([`Pgs`](super::Pgs)) uses the newest x
+//! All rows move at once from the same w; Gauss-Seidel ([`Pgs`](crate::Pgs)) uses the newest x
 //! instead. So the rows can be done in parallel and their numbering does not matter: permuting the
 //! rows permutes the iterates. It is the projected gradient method with step θ, lengths being
 //! measured by D.
@@ -20,9 +20,9 @@
 
 use std::ops::ControlFlow;
 
-use super::iterate::iterate;
-use super::metric::Metric;
-use super::{Event, Observer, Settings, Solution, Solver, Start};
+use crate::iterate::iterate;
+use crate::metric::Metric;
+use crate::{Event, Observer, Settings, Solution, Solver, Start};
 use lcplab_problem::Lcp;
 
 /// Projected Jacobi.

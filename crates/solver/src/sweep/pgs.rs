@@ -12,7 +12,7 @@
 //! For symmetric positive semidefinite A with positive diagonal and 0 < ω < 2 no update raises the
 //! objective ½ xᵀAx + bᵀx, and x converges to a solution if there is one (Cryer 1971; Luo & Tseng
 //! 1991). Neither the distance to it nor the residual need fall in each sweep (E67). Where no bound
-//! is active the error shrinks by the spectral radius of the [iteration matrix](super::theory) in
+//! is active the error shrinks by the spectral radius of the [iteration matrix](crate::theory) in
 //! each sweep; for a column of n bodies that is cos²(π/2n), so the sweeps needed grow as n².
 //! A sweep costs one product A x, a symmetric one two.
 //!
@@ -21,9 +21,9 @@
 
 use std::ops::ControlFlow;
 
-use super::iterate::iterate_in_parts;
-use super::metric::Metric;
-use super::{Event, Observer, Order, Part, RowUpdate, Settings, Solution, Solver, Start};
+use crate::iterate::iterate_in_parts;
+use crate::metric::Metric;
+use crate::{Event, Observer, Order, Part, RowUpdate, Settings, Solution, Solver, Start};
 use lcplab_problem::Lcp;
 
 /// Projected Gauss-Seidel with relaxation.

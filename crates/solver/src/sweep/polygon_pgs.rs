@@ -14,7 +14,7 @@
 //!
 //! What it claims is judged by the LCP, on the z that x leads back to.
 
-use super::{Event, Iterate, Observer, Settings, Solution, Start, Status};
+use crate::{Event, Iterate, Observer, Settings, Solution, Start, Status};
 use lcplab_problem::friction::{Contact, Polyhedral};
 use lcplab_problem::{Lcp, merit};
 

@@ -8,4 +8,4 @@ mod work;
 pub use convergence::{Convergence, Record};
 pub use path::Path;
 pub use provenance::Provenance;
-pub use work::Work;
+pub use work::{Cost, Effort, Work};

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::{Event, Iterate, Observer};
+use crate::{Entry, Event, Iterate, Observer};
 use lcplab_problem::{Lcp, merit};
 
 /// An observer that adds up the multiplications of a solve, as the formula of each method has them.
@@ -31,19 +31,19 @@ use lcplab_problem::{Lcp, merit};
 ///
 /// ```
 /// use lcplab_problem::{Lcp, Matrix};
-/// use lcplab_solver::{by_name, Options, Start};
+/// use lcplab_solver::{by_name, entry, Options, Start};
 /// use lcplab_solver::trace::Work;
 ///
 /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
-/// let mut work = Work::of("pgs", &lcp);
+/// let mut work = Work::of(entry("pgs")?, &lcp);
 /// by_name("pgs", &Options::default())?.solve(&lcp, &Start::default(), &mut work);
 /// assert_eq!(work.multiplications, 6.0); // one sweep: four entries, two divisions
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Work<'a> {
-    solver: &'static str,
+    cost: Cost,
     lcp: &'a Lcp,
     stored: f64,
     /// So far.
@@ -51,41 +51,57 @@ pub struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
-    /// None so far, of the solver of this name on this problem.
-    pub fn of(solver: &'static str, lcp: &'a Lcp) -> Self {
-        let n = lcp.len() as f64;
-        let multiplications = if solver == "admm" { n.powi(3) / 6.0 } else { 0.0 };
-        Work { solver, lcp, stored: lcp.matrix().stored() as f64, multiplications }
-    }
-
-    /// The multiplications of an iteration that led to x.
-    fn iteration(&self, event: Event, x: &[f64]) -> f64 {
-        let (n, s) = (self.lcp.len() as f64, self.stored);
-        let free = || merit::free_rows(self.lcp, x) as f64;
-        match (self.solver, event) {
-            ("murty" | "block-pivoting", _) => {
-                let f = free();
-                f.powi(3) / 3.0 + f * f + s
-            }
-            (_, Event::Start) => 0.0,
-            ("ssor", _) => 2.0 * (s + n),
-            ("block-pgs", _) => s + 10.0 * n,
-            ("nncg", _) => s + 5.0 * n,
-            ("apgd" | "spectral" | "mprgp", _) => 2.0 * s + 5.0 * n,
-            ("admm", _) => n * n,
-            ("interior-point", _) => n.powi(3) / 6.0 + 2.0 * n * n + s,
-            ("newton" | "fischer-newton", Event::Step) => 5.0 / 3.0 * n.powi(3),
-            ("dantzig", _) => free() * n,
-            ("lemke", _) => n * (n + 2.0),
-            ("enumeration", _) => n.powi(3) / 3.0,
-            _ => s + n,
-        }
+    /// None so far, of a solver on this problem.
+    pub fn of(entry: &Entry, lcp: &'a Lcp) -> Self {
+        let stored = lcp.matrix().stored() as f64;
+        Work { cost: entry.cost, lcp, stored, multiplications: 0.0 }
     }
 }
 
 impl Observer for Work<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        self.multiplications += self.iteration(iterate.event, iterate.x);
+        let (n, stored) = (self.lcp.len() as f64, self.stored);
+        let effort = Effort { event: iterate.event, n, stored, lcp: self.lcp, x: iterate.x };
+        let cost = match iterate.event {
+            Event::Start => self.cost.start,
+            _ => self.cost.iteration,
+        };
+        self.multiplications += cost(&effort);
         ControlFlow::Continue(())
+    }
+}
+
+/// What the iterations of a method cost, in multiplications.
+#[derive(Debug, Clone, Copy)]
+pub struct Cost {
+    /// Before the first one.
+    pub start: fn(&Effort<'_>) -> f64,
+    /// Each of them.
+    pub iteration: fn(&Effort<'_>) -> f64,
+}
+
+impl Cost {
+    /// So much an iteration, and nothing before.
+    pub const fn each(iteration: fn(&Effort<'_>) -> f64) -> Cost {
+        Cost { start: |_| 0.0, iteration }
+    }
+}
+
+/// An iteration, as the formulas of costs see it.
+pub struct Effort<'a> {
+    /// What it did.
+    pub event: Event,
+    /// The number of rows.
+    pub n: f64,
+    /// The number of stored entries of A.
+    pub stored: f64,
+    lcp: &'a Lcp,
+    x: &'a [f64],
+}
+
+impl Effort<'_> {
+    /// The number of free rows after it.
+    pub fn free(&self) -> f64 {
+        merit::free_rows(self.lcp, self.x) as f64
     }
 }

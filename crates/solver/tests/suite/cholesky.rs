@@ -1,7 +1,7 @@
 //! The Cholesky factor of a principal block.
 
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::cholesky::Cholesky;
+use lcplab_solver::linalg::cholesky::Cholesky;
 use nalgebra::{DMatrix, DVector};
 use proptest::collection::vec;
 use proptest::prelude::*;

@@ -1,10 +1,10 @@
 //! The factorizations that solvers are built of, against matrices that can be multiplied by hand.
 
 use lcplab_problem::Matrix;
-use lcplab_solver::elimination::Lu;
-use lcplab_solver::envelope::Envelope;
-use lcplab_solver::ldlt::Ldlt;
-use lcplab_solver::sparse_factor::{SparseFactor, minimum_degree, pattern};
+use lcplab_solver::linalg::elimination::Lu;
+use lcplab_solver::linalg::envelope::Envelope;
+use lcplab_solver::linalg::ldlt::Ldlt;
+use lcplab_solver::linalg::sparse_factor::{SparseFactor, minimum_degree, pattern};
 
 #[test]
 fn a_dependent_row_is_found_whatever_its_unit() {

@@ -9,8 +9,8 @@ use lcplab_mechanics::formulation::{Problem, Slide};
 use lcplab_mechanics::scene::{Scene, Scheme, contacts};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_page::document::notation::plain;
-use lcplab_problem::friction::Model;
 use lcplab_problem::error::Result;
+use lcplab_problem::friction::Model;
 
 /// A singular value below this part of the largest counts as zero.
 const RELATIVE_ZERO: f64 = 1e-9;

@@ -40,10 +40,10 @@ use rows::Rows;
 use step::StepEquations;
 use velocities::Velocities;
 
-use super::iterate::iterate;
-use super::kernel::impulses::System;
-use super::metric::diagonal_of_symmetric;
-use super::{Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::iterate::iterate;
+use crate::kernel::impulses::System;
+use crate::metric::diagonal_of_symmetric;
+use crate::{Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 

@@ -1,12 +1,12 @@
 //! The linear equations of a step as they stand: one a row.
 //!
 //! Where rows reach far back for few entries, as in a net of many meshes, an envelope would hold little
-//! but zeros, and the rows are put in an order of their own ([`sparse_factor`](crate::sparse_factor)).
+//! but zeros, and the rows are put in an order of their own ([`sparse_factor`](crate::linalg::sparse_factor)).
 
 use super::step::{LEAST, StepEquations};
 use crate::Status;
-use crate::envelope::Envelope;
-use crate::sparse_factor::{SparseFactor, minimum_degree, pattern};
+use crate::linalg::envelope::Envelope;
+use crate::linalg::sparse_factor::{SparseFactor, minimum_degree, pattern};
 use lcplab_problem::{Lcp, Matrix};
 
 /// An envelope may have so many times the entries of A's lower triangle.

@@ -17,7 +17,7 @@ use std::ops::Range;
 use super::step::StepEquations;
 use crate::Status;
 use crate::kernel::impulses::{System, WIDTH};
-use crate::sparse_factor::{Pattern, SparseFactor, minimum_degree, pattern};
+use crate::linalg::sparse_factor::{Pattern, SparseFactor, minimum_degree, pattern};
 
 /// K, its factors, and where its blocks lie.
 pub(super) struct Velocities<'a> {

@@ -6,12 +6,21 @@
 
 use std::ops::ControlFlow;
 
+use super::Side;
 use super::direction::Direction;
-use super::{Run, Side};
+use super::run::Run;
 use crate::Status;
 
 /// Moves whose lengths differ by less than this part of them end together.
 const TIE: f64 = 1e-10;
+
+/// What may end a move: a row that arrives on this side after this length.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End {
+    pub(super) length: f64,
+    pub(super) row: usize,
+    pub(super) side: Side,
+}
 
 /// What ends a move.
 #[derive(Debug)]
@@ -42,7 +51,7 @@ impl Run<'_> {
                         *entering = Some(of_row);
                         return ControlFlow::Continue(block);
                     }
-                    self.spare.push(of_row);
+                    self.scratch.directions.push(of_row);
                     d.delta_w[*row] = 0.0;
                 }
                 _ => return ControlFlow::Continue(block),
@@ -50,50 +59,49 @@ impl Run<'_> {
         }
     }
 
+    /// The nearest end of a move; of several that are equally near the first.
     fn nearest(&mut self, i: usize, sign: f64, d: &Direction) -> Option<Block> {
-        let mut lengths = std::mem::take(&mut self.lengths);
-        lengths.clear();
-        let to_zero = if d.schur > 0.0 { self.w[i].abs() / d.schur } else { f64::INFINITY };
-        let (to_bound, bound) = self.distance_to_bound(i, sign);
-        lengths.extend([to_zero, to_bound]);
-        lengths.extend(self.bound.iter().map(|&j| self.distance_to_zero(j, sign * d.delta_w[j])));
-        let free = || self.free.iter().zip(&d.free);
-        lengths.extend(free().map(|(&j, d)| self.distance_to_bound(j, sign * d).0));
-        let least =
-            lengths.iter().fold(f64::INFINITY, |least, &l| if l < least { l } else { least });
+        let mut ends = std::mem::take(&mut self.scratch.ends);
+        ends.clear();
+        ends.extend(self.ends(i, sign, d));
+        let least = ends.iter().fold(f64::INFINITY, |least, end| f64::min(least, end.length));
         let together = least.max(0.0) * (1.0 + TIE);
-        let first = lengths.iter().position(|&length| length <= together && length < f64::INFINITY);
-        let (rows_at_bound, block) = (self.bound.len(), |k: usize, row, side| {
-            Some(Block { length: lengths[k].max(0.0), row, side, entering: None })
+        let is_nearest = |end: &&End| end.length <= together && end.length < f64::INFINITY;
+        let nearest = ends.iter().find(is_nearest).copied();
+        self.scratch.ends = ends;
+        let End { length, row, side } = nearest?;
+        Some(Block { length: length.max(0.0), row, side, entering: None })
+    }
+
+    /// All that may end a move of x_i, in the order that ties are broken in.
+    fn ends(&self, i: usize, sign: f64, d: &Direction) -> impl Iterator<Item = End> {
+        let zero = if d.schur > 0.0 { self.state.w[i].abs() / d.schur } else { f64::INFINITY };
+        let driven = [End { length: zero, row: i, side: Side::Free }, self.end_at_bound(i, sign)];
+        let entering = self.basis.bound.iter().map(move |&row| {
+            let length = self.distance_to_zero(row, sign * d.delta_w[row]);
+            End { length, row, side: Side::Free }
         });
-        let block = match first? {
-            0 => block(0, i, Side::Free),
-            1 => block(1, i, bound),
-            k if k < 2 + rows_at_bound => block(k, self.bound[k - 2], Side::Free),
-            k => {
-                let place = k - 2 - rows_at_bound;
-                let row = self.free[place];
-                block(k, row, self.distance_to_bound(row, sign * d.free[place]).1)
-            }
-        };
-        self.lengths = lengths;
-        block
+        let leaving = self.basis.free.iter().zip(&d.free);
+        let leaving = leaving.map(move |(&row, d)| self.end_at_bound(row, sign * d));
+        driven.into_iter().chain(entering).chain(leaving)
     }
 
     /// How far w_j, row j being at a bound, can move at this velocity until it is zero.
     fn distance_to_zero(&self, j: usize, velocity: f64) -> f64 {
-        let length = -self.w[j] / velocity; // a division costs less than a wrong guess of who needs it
-        if self.away[j] * velocity > 0.0 { length } else { f64::INFINITY }
+        let length = -self.state.w[j] / velocity; // a division costs less than a wrong guess of who needs it
+        if self.state.away[j] * velocity > 0.0 { length } else { f64::INFINITY }
     }
 
     /// How far x_j can move at this velocity, and the bound it meets then.
-    pub(super) fn distance_to_bound(&self, j: usize, velocity: f64) -> (f64, Side) {
-        if velocity > 0.0 {
-            ((self.lcp.hi()[j] - self.x[j]) / velocity, Side::Upper)
+    pub(super) fn end_at_bound(&self, row: usize, velocity: f64) -> End {
+        let (x, lo, hi) = (self.state.x[row], self.lcp.lo()[row], self.lcp.hi()[row]);
+        let (length, side) = if velocity > 0.0 {
+            ((hi - x) / velocity, Side::Upper)
         } else if velocity < 0.0 {
-            ((self.lcp.lo()[j] - self.x[j]) / velocity, Side::Lower)
+            ((lo - x) / velocity, Side::Lower)
         } else {
             (f64::INFINITY, Side::Free)
-        }
+        };
+        End { length: length.max(0.0), row, side }
     }
 }

@@ -19,38 +19,59 @@
 
 use std::ops::ControlFlow;
 
+use super::Side;
+use super::blocking::Block;
 use super::direction::{Direction, RELATIVE_ZERO};
-use super::{Run, Side};
-use crate::{Centring, Part};
+use super::run::Run;
+use crate::{Centring, Part, Status};
 
 impl Run<'_> {
-    /// Makes row i idle, in the middle, if it is at a bound, depends on C, and its w is zero.
-    pub(super) fn rests(&mut self, i: usize) -> bool {
-        let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.x[i]);
-        if self.side[i] != Side::Waiting || lo < x && x < hi || !self.is_level(i) {
+    /// Makes row i idle, in the middle, if it is at a bound, depends on C, and its w is zero; returns
+    /// whether it did.
+    pub(super) fn settle_idle(&mut self, i: usize) -> bool {
+        let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i]);
+        if self.state.side[i] != Side::Waiting || lo < x && x < hi || !self.is_level(i) {
             return false;
         }
         let ControlFlow::Continue(d) = self.direction(i) else { return false };
-        let rests = d.schur == 0.0 && self.slope(i, &d) == 0.0 && self.centre(i, &d, None);
-        self.spare.push(d);
-        rests
+        let is_idle = d.schur == 0.0 && self.slope(i, &d) == 0.0 && self.centre(i, &d, None);
+        self.scratch.directions.push(d);
+        is_idle
     }
 
-    /// Moves x off the bound that `row` of C has met; `served` are the rows that have done so already.
-    pub(super) fn gives_way(&mut self, row: usize, served: &mut Vec<usize>) -> bool {
-        let Some(k) = self.free.iter().position(|&j| j == row) else { return false };
-        let is_spare = |&j: &usize| match self.side[j] {
+    /// Ends a move of x_i: x goes off the bound that the blocking row of C has met, to the middle of what
+    /// an idle row leaves open, or else that row leaves C. `served` are the rows that have been used so
+    /// already.
+    pub(super) fn centre_or_leave(
+        &mut self,
+        i: usize,
+        block: Block,
+        direction: Direction,
+        served: &mut Vec<usize>,
+    ) -> ControlFlow<Status> {
+        if !self.move_off_bound(block.row, served) {
+            return self.exchange(i, block, direction);
+        }
+        self.scratch.directions.push(direction);
+        ControlFlow::Continue(())
+    }
+
+    /// Moves x off the bound that `row` of C has met; returns whether it could.
+    fn move_off_bound(&mut self, row: usize, served: &mut Vec<usize>) -> bool {
+        let Some(k) = self.basis.free.iter().position(|&j| j == row) else { return false };
+        let is_spare = |&j: &usize| match self.state.side[j] {
             Side::Idle => true,
-            Side::Lower | Side::Upper => self.away[j] != 0.0 && self.w[j] == 0.0,
+            Side::Lower | Side::Upper => self.state.away[j] != 0.0 && self.state.w[j] == 0.0,
             Side::Waiting | Side::Free => false,
         };
-        let rows = (0..self.x.len()).filter(is_spare).filter(|j| !served.contains(j)).collect();
+        let rows =
+            (0..self.state.x.len()).filter(is_spare).filter(|j| !served.contains(j)).collect();
         for j in self.dependents(k, rows) {
             served.push(j);
             let ControlFlow::Continue(d) = self.direction(j) else { continue };
             let leads_away = d.schur == 0.0 && d.free[k] != 0.0;
             let moved = leads_away && self.centre(j, &d, Some(row));
-            self.spare.push(d);
+            self.scratch.directions.push(d);
             if moved {
                 return true;
             }
@@ -60,7 +81,7 @@ impl Run<'_> {
 
     /// Whether w_i, just summed, is no more than rounding; [`Run::slope`] decides.
     fn is_level(&self, i: usize) -> bool {
-        let (w, b) = (self.w[i], self.lcp.b()[i]);
+        let (w, b) = (self.state.w[i], self.lcp.b()[i]);
         w.abs() <= RELATIVE_ZERO * ((w - b).abs() + b.abs())
     }
 
@@ -68,9 +89,9 @@ impl Run<'_> {
     /// way, or no end of it.
     fn centre(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
         let reach = |sign: f64| {
-            let free = self.free.iter().zip(&d.free);
-            let of_free = free.map(|(&k, d)| self.distance_to_bound(k, sign * d).0.max(0.0));
-            of_free.fold(self.distance_to_bound(j, sign).0.max(0.0), f64::min)
+            let free = self.basis.free.iter().zip(&d.free);
+            let of_free = free.map(|(&k, d)| self.end_at_bound(k, sign * d).length);
+            of_free.fold(self.end_at_bound(j, sign).length, f64::min)
         };
         let (forward, back) = (reach(1.0), reach(-1.0));
         let length = forward + back;
@@ -78,16 +99,16 @@ impl Run<'_> {
             return false;
         }
         if self.observer.asks_for_parts() {
-            let (x, free, direction) = (&self.x, &self.free, &d.free);
+            let (x, free, direction) = (&self.state.x, &self.basis.free, &d.free);
             let own = Centring { row: j, keeps, x, free, direction, forward, back };
             self.observer.part(&Part::Centring(own));
         }
         let t = (forward - back) / 2.0;
-        self.x[j] += t;
-        for (&k, d) in self.free.iter().zip(&d.free) {
-            self.x[k] += t * d;
+        self.state.x[j] += t;
+        for (&k, d) in self.basis.free.iter().zip(&d.free) {
+            self.state.x[k] += t * d;
         }
-        self.w[j] = 0.0;
+        self.state.w[j] = 0.0;
         self.put(j, Side::Idle);
         true
     }

@@ -3,9 +3,9 @@
 use std::iter;
 use std::ops::ControlFlow;
 
-use super::Run;
+use super::run::Run;
 use crate::Status;
-use crate::ldlt::Elimination;
+use crate::linalg::ldlt::Elimination;
 use lcplab_problem::merit;
 
 /// A number below this part of the terms it is summed from counts as zero.
@@ -56,15 +56,19 @@ impl Direction {
 impl Run<'_> {
     /// d_C = −A_CC⁻¹ A_Ci and the Schur complement s.
     pub(super) fn direction(&mut self, i: usize) -> ControlFlow<Status, Direction> {
-        let mut direction = self.spare.pop().unwrap_or_else(|| Direction::with_room(self.x.len()));
+        let mut direction = self
+            .scratch
+            .directions
+            .pop()
+            .unwrap_or_else(|| Direction::with_room(self.state.x.len()));
         let Direction { free, schur, size, column, elimination, .. } = &mut direction;
         let row = self.rows.row(i);
         column.clear();
-        column.extend(self.free.iter().map(|&j| row.entry(j)));
-        *schur = self.lcp.matrix().diagonal(i) - self.factor.eliminate(column, elimination);
+        column.extend(self.basis.free.iter().map(|&j| row.entry(j)));
+        *schur = self.lcp.matrix().diagonal(i) - self.basis.factor.eliminate(column, elimination);
         free.clear();
-        free.extend(self.factor.substitute(elimination).map(|z| -z));
-        let sizes = self.free.iter().zip(&*free).map(|(&j, d)| self.root[j] * d.abs());
+        free.extend(self.basis.factor.substitute(elimination).map(|z| -z));
+        let sizes = self.basis.free.iter().zip(&*free).map(|(&j, d)| self.root[j] * d.abs());
         *size = self.root[i] + sizes.sum::<f64>();
         if *schur < -NEGATIVE * *size * *size {
             let reason = "A is not positive semidefinite";
@@ -86,9 +90,9 @@ impl Run<'_> {
     /// errors of x do not change; exactly 0 where it is only rounding.
     pub(super) fn slope(&self, i: usize, direction: &Direction) -> f64 {
         let (mut slope, mut magnitude) = (0.0, 0.0);
-        let free = self.free.iter().copied().zip(direction.free.iter().copied());
+        let free = self.basis.free.iter().copied().zip(direction.free.iter().copied());
         for (j, d) in iter::once((i, 1.0)).chain(free).filter(|(_, d)| *d != 0.0) {
-            let terms = merit::RowTerms::at(self.lcp, j, &self.x);
+            let terms = merit::RowTerms::at(self.lcp, j, &self.state.x);
             slope += d * terms.w();
             magnitude += (d * libm::ldexp(terms.magnitude, terms.exponent)).abs();
         }
@@ -99,9 +103,9 @@ impl Run<'_> {
     /// must not end at a bound that only rounding leads to. √a_jj d_j has the same unit in all rows.
     fn clean_null_direction(&self, i: usize, d: &mut [f64]) {
         let size = |j: usize, d: f64| self.root[j] * d.abs();
-        let sizes = self.free.iter().zip(&*d).map(|(&j, &d)| size(j, d));
+        let sizes = self.basis.free.iter().zip(&*d).map(|(&j, &d)| size(j, d));
         let largest = sizes.fold(self.root[i], f64::max);
-        for (&j, d) in self.free.iter().zip(d) {
+        for (&j, d) in self.basis.free.iter().zip(d) {
             if size(j, *d) <= NULL_ROUNDING * largest {
                 *d = 0.0;
             }
@@ -111,15 +115,15 @@ impl Run<'_> {
     /// Δw = A d for a unit move of x_i, for the rows at a bound; 0 where it is only rounding.
     pub(super) fn respond(&self, i: usize, d: &mut Direction) {
         d.delta_w.clear();
-        d.delta_w.resize(self.x.len(), 0.0);
+        d.delta_w.resize(self.state.x.len(), 0.0);
         if d.schur == 0.0 {
             return; // the whole of A d vanishes
         }
-        let end = self.bound.iter().max().map_or(0, |last| last + 1);
+        let end = self.basis.bound.iter().max().map_or(0, |last| last + 1);
         d.product.resize(end, 0.0);
-        self.rows.combine(i, &self.free, &d.free, &mut d.product);
+        self.rows.combine(i, &self.basis.free, &d.free, &mut d.product);
         let mut sizes = None;
-        for &j in self.bound.iter().filter(|&&j| j != i) {
+        for &j in self.basis.bound.iter().filter(|&&j| j != i) {
             let delta = d.product[j];
             // no sum of terms |a_jk d_k| is above √a_jj Σ √a_kk |d_k|
             let is_small = delta.abs() <= RELATIVE_ZERO * self.root[j] * d.size;
@@ -134,9 +138,9 @@ impl Run<'_> {
 
     /// |d| of all rows.
     fn sizes(&self, i: usize, free: &[f64]) -> Vec<f64> {
-        let mut sizes = vec![0.0; self.x.len()];
+        let mut sizes = vec![0.0; self.state.x.len()];
         sizes[i] = 1.0;
-        for (&k, d) in self.free.iter().zip(free) {
+        for (&k, d) in self.basis.free.iter().zip(free) {
             sizes[k] = d.abs();
         }
         sizes

@@ -2,24 +2,25 @@
 
 use std::ops::ControlFlow;
 
+use super::Side;
 use super::blocking::Block;
 use super::direction::{Direction, ROUNDING};
-use super::{Run, Side};
+use super::run::Run;
 use crate::Status;
-use crate::elimination::difference;
+use crate::linalg::elimination::difference;
 
 impl Run<'_> {
     /// x ← x + t d, w ← w + t A d.
     pub(super) fn advance(&mut self, i: usize, t: f64, direction: &Direction) {
-        self.x[i] += t;
-        for (&j, d) in self.free.iter().zip(&direction.free) {
-            self.x[j] = difference(self.x[j], -t * d);
+        self.state.x[i] += t;
+        for (&j, d) in self.basis.free.iter().zip(&direction.free) {
+            self.state.x[j] = difference(self.state.x[j], -t * d);
         }
-        for &j in &self.bound {
+        for &j in &self.basis.bound {
             // exactly 0 where it should be, or ties are missed
-            self.w[j] = difference(self.w[j], -t * direction.delta_w[j]);
+            self.state.w[j] = difference(self.state.w[j], -t * direction.delta_w[j]);
         }
-        self.w[i] += t * direction.schur;
+        self.state.w[i] += t * direction.schur;
     }
 
     /// Puts the blocking row on its new side.
@@ -31,18 +32,19 @@ impl Run<'_> {
     ) -> ControlFlow<Status> {
         let Block { row, side, entering, .. } = block;
         match side {
-            Side::Lower => self.x[row] = self.lcp.lo()[row],
-            Side::Upper => self.x[row] = self.lcp.hi()[row],
-            _ => self.w[row] = 0.0,
+            Side::Lower => self.state.x[row] = self.lcp.lo()[row],
+            Side::Upper => self.state.x[row] = self.lcp.hi()[row],
+            _ => self.state.w[row] = 0.0,
         }
-        match (self.side[row], side) {
+        match (self.state.side[row], side) {
             (Side::Free, _) => {
-                let k = self.free.iter().position(|&j| j == row).expect("a free row is in C");
-                let idle = (0..self.x.len()).filter(|&j| self.side[j] == Side::Idle).collect();
+                let k = self.basis.free.iter().position(|&j| j == row).expect("a free row is in C");
+                let idle =
+                    (0..self.state.x.len()).filter(|&j| self.state.side[j] == Side::Idle).collect();
                 let dependents = self.dependents(k, idle);
-                self.free.remove(k);
-                self.factor.remove(k);
-                self.w[row] = 0.0;
+                self.basis.free.remove(k);
+                self.basis.factor.remove(k);
+                self.state.w[row] = 0.0;
                 self.put(row, side);
                 self.wake(&dependents)?;
             }
@@ -54,17 +56,17 @@ impl Run<'_> {
                 } else {
                     self.put(row, Side::Idle); // only rounding had moved its w
                 }
-                self.spare.push(own);
+                self.scratch.directions.push(own);
             }
             _ => self.put(row, side),
         }
-        self.spare.push(direction);
+        self.scratch.directions.push(direction);
         ControlFlow::Continue(())
     }
 
     fn enter(&mut self, row: usize, direction: &Direction) {
-        self.factor.enter(&direction.elimination, direction.schur);
-        self.free.push(row);
+        self.basis.factor.enter(&direction.elimination, direction.schur);
+        self.basis.free.push(row);
         self.put(row, Side::Free);
     }
 
@@ -76,14 +78,14 @@ impl Run<'_> {
         if rows.is_empty() {
             return rows;
         }
-        let mut z = vec![0.0; self.free.len()];
+        let mut z = vec![0.0; self.basis.free.len()];
         z[k] = 1.0;
-        self.factor.solve(&mut z);
-        let mut of_row = vec![0.0; self.x.len()];
-        for (&j, z) in self.free.iter().zip(&z) {
+        self.basis.factor.solve(&mut z);
+        let mut of_row = vec![0.0; self.state.x.len()];
+        for (&j, z) in self.basis.free.iter().zip(&z) {
             of_row[j] = *z;
         }
-        let part = |j: usize| self.rows.row(j).dot(&of_row) * self.root[self.free[k]];
+        let part = |j: usize| self.rows.row(j).dot(&of_row) * self.root[self.basis.free[k]];
         let depends = |&j: &usize| part(j).powi(2) > ROUNDING * self.root[j].powi(2);
         rows.into_iter().filter(depends).collect()
     }
@@ -96,7 +98,7 @@ impl Run<'_> {
             if is_free {
                 self.enter(row, &direction);
             }
-            self.spare.push(direction);
+            self.scratch.directions.push(direction);
             if is_free {
                 break;
             }

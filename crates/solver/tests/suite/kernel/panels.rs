@@ -1,7 +1,7 @@
 //! The factor by panels, through the factorisation of a growing and shrinking set that is made of it.
 
 use lcplab_solver::kernel::Width;
-use lcplab_solver::ldlt::{Elimination, Ldlt};
+use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};
 use nalgebra::{DMatrix, DVector};
 use proptest::collection::vec;
 use proptest::prelude::*;

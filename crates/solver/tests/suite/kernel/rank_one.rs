@@ -1,6 +1,6 @@
 //! y ← y + f x, through the elimination that is made of it.
 
-use lcplab_solver::elimination::{Lu, difference};
+use lcplab_solver::linalg::elimination::{Lu, difference};
 use nalgebra::{DMatrix, DVector};
 use proptest::collection::vec;
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
-use lcplab_solver::elimination::difference;
 use lcplab_solver::kernel::Width;
 use lcplab_solver::kernel::table::Table;
+use lcplab_solver::linalg::elimination::difference;
 use proptest::prelude::*;
 
 use lcplab_testing::cases;

@@ -1,14 +1,14 @@
 //! What the pivoting methods have in common before their first pivot.
 
-use super::{Event, Iterate, Observer, Settings, Status};
+use crate::{Event, Iterate, Observer, Settings, Status};
 use lcplab_problem::memory::Memory;
 use lcplab_problem::{Lcp, merit};
 
 /// Above this many rows a dense factor or tableau takes too long.
-pub(super) const MAX_ROWS: usize = 8_000;
+pub(crate) const MAX_ROWS: usize = 8_000;
 
 /// The status of a method that need not, or cannot, pivot at all, or would need too much memory.
-pub(super) fn at_once(
+pub(crate) fn at_once(
     lcp: &Lcp,
     x: &[f64],
     needs: Memory,
@@ -20,7 +20,7 @@ pub(super) fn at_once(
 }
 
 /// Shows the start to the observer; the status of a method that cannot begin.
-pub(super) fn begin(
+pub(crate) fn begin(
     lcp: &Lcp,
     x: &[f64],
     needs: Memory,

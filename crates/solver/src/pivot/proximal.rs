@@ -27,7 +27,7 @@ use super::active_set::ROUNDING;
 use super::block_pivoting::rule;
 use super::free_rows::FreeRows;
 use super::principal::{Change, Point, Search};
-use super::{Event, Fallback, Solution, Status, iterate};
+use crate::{Event, Fallback, Solution, Status, iterate};
 use lcplab_problem::Lcp;
 
 /// The least ρ is 2 to this power: the null space of A costs half of all digits there.
@@ -69,7 +69,7 @@ impl Rho {
 
 /// Solves a problem with symmetric A by proximal steps from x, beginning with the active set of the
 /// search.
-pub(super) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution {
+pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution {
     search.fallback = Some(Fallback::Proximal);
     let mut steps = Steps { lcp, rho: Rho { exponent: LEAST, stride: STRIDES[0] }, soft: None };
     let mut centre = x.clone();

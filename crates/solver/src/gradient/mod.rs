@@ -1,0 +1,78 @@
+//! First order: products with A and nothing else.
+//!
+//! For symmetric semidefinite A the problem is a minimisation over a box, and every method for that serves:
+//! gradients with memory ([`apgd`], [`spectral`]), conjugate gradients that know of bounds ([`mprgp`],
+//! [`nncg`]), operator splitting ([`admm`]). They need far fewer products than there are sweeps.
+
+pub mod admm;
+pub mod apgd;
+pub mod mprgp;
+pub mod nncg;
+pub mod spectral;
+
+pub use admm::Admm;
+pub use apgd::Apgd;
+pub use mprgp::Mprgp;
+pub use nncg::Nncg;
+pub use spectral::Spectral;
+
+use crate::{Class, Cost, Entry, Group, MatrixClass};
+
+/// What these methods ask for.
+const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
+/// Two products with A, and what goes with them.
+const PRODUCTS: Cost = Cost::each(|i| 2.0 * i.stored + 5.0 * i.n);
+
+/// The methods of this group.
+pub const ENTRIES: &[Entry] = &[
+    Entry {
+        name: "nncg",
+        method: "nonsmooth nonlinear conjugate gradients around PGS, iterative",
+        class: CLASS,
+        group: Group::FirstOrder,
+        cost: Cost::each(|i| i.stored + 5.0 * i.n),
+        source: "Silcowitz, Niebe & Erleben 2010",
+        uses: &[],
+        build: |options| Box::new(Nncg { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "mprgp",
+        method: "projected conjugate gradients with proportioning, iterative",
+        class: CLASS,
+        group: Group::FirstOrder,
+        cost: PRODUCTS,
+        source: "Dostál & Schöberl 2005",
+        uses: &[],
+        build: |options| Box::new(Mprgp { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "apgd",
+        method: "accelerated projected gradients with restart, iterative",
+        class: CLASS,
+        group: Group::FirstOrder,
+        cost: PRODUCTS,
+        source: "Nesterov 1983; Mazhar, Heyn, Negrut & Tasora 2015",
+        uses: &[],
+        build: |options| Box::new(Apgd { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "spectral",
+        method: "projected gradients with Barzilai-Borwein steps, iterative",
+        class: CLASS,
+        group: Group::FirstOrder,
+        cost: PRODUCTS,
+        source: "Barzilai & Borwein 1988; Birgin, Martínez & Raydan 2000",
+        uses: &[],
+        build: |options| Box::new(Spectral { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "admm",
+        method: "alternating direction method of multipliers, iterative",
+        class: CLASS,
+        group: Group::FirstOrder,
+        cost: Cost { start: |i| i.n.powi(3) / 6.0, iteration: |i| i.n * i.n },
+        source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
+        uses: &[],
+        build: |options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
+    },
+];

@@ -1,0 +1,61 @@
+//! Newton: complementarity as equations, and a linear system a step.
+//!
+//! The equations are not smooth, min(x, w) = 0 or Fischer-Burmeister's ([`equations`]); Newton's method solves
+//! them in a handful of steps ([`semismooth`]). [`interior_point`] smooths the corner and lets the smoothing go
+//! to zero.
+
+pub mod equations;
+pub mod interior_point;
+pub mod semismooth;
+
+pub use equations::Equations;
+pub use interior_point::InteriorPoint;
+pub use semismooth::Newton;
+
+use crate::{Class, Cost, Entry, Event, Group, MatrixClass, Options, Solver};
+
+/// What the methods ask for that divide by the diagonal of A.
+const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
+/// A least-squares step; a sweep where it takes one.
+const LEAST_SQUARES: Cost = Cost::each(|i| match i.event {
+    Event::Step => 5.0 / 3.0 * i.n.powi(3),
+    _ => i.stored + i.n,
+});
+
+/// The methods of this group.
+pub const ENTRIES: &[Entry] = &[
+    Entry {
+        name: "newton",
+        method: "Newton on the minimum map with line search, iterative",
+        class: CLASS,
+        group: Group::Newton,
+        cost: LEAST_SQUARES,
+        source: "Pang 1990; Qi & Sun 1993",
+        uses: &[],
+        build: |options| newton(Equations::MinimumMap, options),
+    },
+    Entry {
+        name: "fischer-newton",
+        method: "Newton on Fischer-Burmeister's equations with line search, iterative",
+        class: Class::of(MatrixClass::P0).with_positive_diagonal(),
+        group: Group::Newton,
+        cost: LEAST_SQUARES,
+        source: "Fischer 1992; De Luca, Facchinei & Kanzow 1996",
+        uses: &[],
+        build: |options| newton(Equations::FischerBurmeister, options),
+    },
+    Entry {
+        name: "interior-point",
+        method: "primal-dual interior point, predictor-corrector, iterative",
+        class: CLASS,
+        group: Group::Newton,
+        cost: Cost::each(|i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
+        source: "Mehrotra 1992",
+        uses: &[],
+        build: |options| Box::new(InteriorPoint { settings: options.settings.clone() }),
+    },
+];
+
+fn newton(equations: Equations, options: &Options) -> Box<dyn Solver> {
+    Box::new(Newton { equations, settings: options.settings.clone() })
+}

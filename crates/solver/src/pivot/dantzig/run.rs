@@ -1,0 +1,226 @@
+//! The method itself: rows are driven one after another, each until it is satisfied.
+
+use std::ops::ControlFlow;
+
+use super::Side;
+use super::blocking::{Block, End};
+use super::direction::Direction;
+use crate::kernel::Width;
+use crate::kernel::rows::Rows;
+use crate::linalg::ldlt::Ldlt;
+use crate::{Event, Fallback, Iterate, Move, Observer, Part, Settings, Status};
+use lcplab_problem::{Lcp, merit};
+
+/// Rounds of refinement and renewed driving at the end.
+const POLISH_ROUNDS: usize = 20;
+
+/// A run of the method on one problem.
+pub(super) struct Run<'a> {
+    pub(super) lcp: &'a Lcp,
+    pub(super) rows: Rows<'a>,
+    /// √a_jj, which has the unit of √(x w) / x_j.
+    pub(super) root: Vec<f64>,
+    pub(super) settings: &'a Settings,
+    pub(super) observer: &'a mut dyn Observer,
+    pub(super) state: State,
+    pub(super) basis: Basis,
+    pub(super) scratch: Scratch,
+    pub(super) pivots: usize,
+    pub(super) fallback: Option<Fallback>,
+}
+
+/// Where x is, and where each row stands.
+pub(super) struct State {
+    pub(super) x: Vec<f64>,
+    /// Kept up to date for rows at a bound and the driven row.
+    pub(super) w: Vec<f64>,
+    pub(super) side: Vec<Side>,
+    /// The sign of a Δw that takes a row away from its bound: 1 at the upper one, −1 at the lower one, 0
+    /// where both are the same.
+    pub(super) away: Vec<f64>,
+}
+
+/// Which rows are free and which at a bound, and the factor of the free ones.
+#[derive(Default)]
+pub(super) struct Basis {
+    /// C, in the order of the factor's rows.
+    pub(super) free: Vec<usize>,
+    /// The rows at a bound, in the order in which they came there.
+    pub(super) bound: Vec<usize>,
+    /// A_CC = L D Lᵀ.
+    pub(super) factor: Ldlt,
+}
+
+/// Vectors that are used again and again.
+#[derive(Default)]
+pub(super) struct Scratch {
+    /// Directions that are done with.
+    pub(super) directions: Vec<Direction>,
+    /// What may end a move.
+    pub(super) ends: Vec<End>,
+}
+
+impl<'a> Run<'a> {
+    /// A run from x, after so many pivots of earlier ones.
+    pub(super) fn new(
+        lcp: &'a Lcp,
+        x: Vec<f64>,
+        pivots: usize,
+        settings: &'a Settings,
+        observer: &'a mut dyn Observer,
+    ) -> Self {
+        let n = lcp.len();
+        Run {
+            rows: Rows::of(lcp.matrix(), Width::widest()),
+            root: (0..n).map(|j| lcp.matrix().diagonal(j).max(0.0).sqrt()).collect(),
+            lcp,
+            settings,
+            observer,
+            state: State { x, w: vec![0.0; n], side: vec![Side::Waiting; n], away: vec![0.0; n] },
+            basis: Basis::default(),
+            scratch: Scratch::default(),
+            pivots,
+            fallback: None,
+        }
+    }
+
+    /// Drives all rows, free ones first since they never leave C, and refines x until it is a solution.
+    pub(super) fn solve(&mut self) -> Status {
+        let bounded = |&i: &usize| self.lcp.lo()[i].is_finite() || self.lcp.hi()[i].is_finite();
+        let (bounded, free): (Vec<_>, Vec<_>) = (0..self.lcp.len()).partition(bounded);
+        let mut waiting: Vec<usize> = free.into_iter().chain(bounded).collect();
+        for _ in 0..POLISH_ROUNDS {
+            for i in waiting {
+                if let ControlFlow::Break(status) = self.drive(i) {
+                    return status;
+                }
+            }
+            if self.refine_once() {
+                return self.claim();
+            }
+            waiting = self.refine();
+            if waiting.is_empty() {
+                return self.claim();
+            }
+        }
+        self.settle();
+        self.claim()
+    }
+
+    fn claim(&self) -> Status {
+        match merit::is_solution(self.lcp, &self.state.x, self.settings.tolerance) {
+            true => Status::Solved,
+            false => Status::Inaccurate,
+        }
+    }
+
+    /// Moves x_i until row i is satisfied.
+    fn drive(&mut self, i: usize) -> ControlFlow<Status> {
+        self.state.w[i] = self.lcp.row_w(i, &self.state.x);
+        if self.pivots < self.settings.max_iterations && self.settle_idle(i) {
+            return self.moved(i, i);
+        }
+        let (pivots, mut served) = (self.pivots, Vec::new());
+        loop {
+            if let Some(side) = self.satisfied(i) {
+                if self.pivots == pivots && self.observer.asks_for_parts() {
+                    self.observer.part(&Part::Satisfied { row: i, w: self.state.w[i], side });
+                }
+                self.put(i, side);
+                return ControlFlow::Continue(());
+            }
+            if self.pivots >= self.settings.max_iterations {
+                return ControlFlow::Break(Status::IterationLimit);
+            }
+            let mut direction = self.direction(i)?;
+            if direction.schur == 0.0 {
+                self.state.w[i] = self.slope(i, &direction);
+                let idle = (self.state.w[i] == 0.0).then_some(Side::Idle);
+                if let Some(side) = self.satisfied(i).or(idle) {
+                    self.put(i, side);
+                    self.scratch.directions.push(direction);
+                    return ControlFlow::Continue(());
+                }
+            }
+            let sign = -self.state.w[i].signum();
+            self.respond(i, &mut direction);
+            let Some(block) = self.blocking(i, sign, &mut direction)? else {
+                return ControlFlow::Break(self.endless(i, sign, &direction));
+            };
+            self.tell(i, sign, &direction, &block);
+            self.advance(i, sign * block.length, &direction);
+            let row = block.row;
+            self.centre_or_leave(i, block, direction, &mut served)?;
+            self.moved(i, row)?;
+        }
+    }
+
+    /// Counts a move of x, which `blocking` has ended.
+    fn moved(&mut self, driven: usize, blocking: usize) -> ControlFlow<Status> {
+        self.pivots += 1;
+        let event = Event::Pivot { driven, blocking };
+        let iterate = Iterate { iteration: self.pivots, x: &self.state.x, event };
+        self.observer.observe(&iterate).map_break(|()| Status::Stopped)
+    }
+
+    /// Tells an observer that asks of the move that is about to be done.
+    fn tell(&mut self, i: usize, sign: f64, d: &Direction, block: &Block) {
+        if self.observer.asks_for_parts() {
+            self.observer.part(&Part::Move(Move {
+                lcp: self.lcp,
+                driven: i,
+                sign,
+                x: &self.state.x,
+                w: &self.state.w,
+                side: &self.state.side,
+                free: &self.basis.free,
+                direction: &d.free,
+                schur: d.schur,
+                delta_w: &d.delta_w,
+                length: block.length,
+                blocking: block.row,
+                to: block.side,
+            }));
+        }
+    }
+
+    /// The side on which row i is satisfied already, if any.
+    fn satisfied(&self, i: usize) -> Option<Side> {
+        let (lo, hi, x, w) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i], self.state.w[i]);
+        match self.state.side[i] {
+            Side::Free | Side::Idle => Some(self.state.side[i]),
+            _ if x == lo && (w >= 0.0 || lo == hi) => Some(Side::Lower),
+            _ if x == hi && w <= 0.0 => Some(Side::Upper),
+            _ => None,
+        }
+    }
+
+    /// Notes that a row stands on this side from now on.
+    pub(super) fn put(&mut self, row: usize, side: Side) {
+        if matches!(self.state.side[row], Side::Lower | Side::Upper) {
+            self.basis.bound.retain(|&j| j != row);
+        }
+        self.state.side[row] = side;
+        if matches!(side, Side::Lower | Side::Upper) {
+            self.basis.bound.push(row);
+            self.state.away[row] = match side {
+                _ if self.lcp.lo()[row] == self.lcp.hi()[row] => 0.0,
+                Side::Upper => 1.0,
+                _ => -1.0,
+            };
+        }
+    }
+
+    /// Why nothing ends a move: w_i does not change, or is zero only beyond the largest number.
+    fn endless(&self, i: usize, sign: f64, direction: &Direction) -> Status {
+        if direction.schur > 0.0 {
+            return Status::NotFinite;
+        }
+        let mut ray = vec![0.0; self.state.x.len()];
+        ray[i] = sign;
+        for (&j, d) in self.basis.free.iter().zip(&direction.free) {
+            ray[j] = sign * d;
+        }
+        Status::Ray { row: i, direction: ray }
+    }
+}

@@ -1,0 +1,97 @@
+//! Pivoting: a solution is known once it is known which rows are at which bound.
+//!
+//! These methods guess that set, look for a row that contradicts, and exchange it; they end after finitely
+//! many exchanges with an answer that is exact but for rounding, or with a [ray](crate::Status::Ray).
+//! [`dantzig`] for symmetric semidefinite A, [`lemke`] for much more, [`murty`] and [`block_pivoting`] for
+//! P-matrices, [`enumeration`] for all solutions of small problems of any kind. In the worst case they need
+//! 2ⁿ exchanges; contacts are not the worst case.
+
+pub(crate) mod active_set;
+pub mod block_pivoting;
+pub mod dantzig;
+mod dictionary;
+pub mod enumeration;
+pub(crate) mod free_rows;
+pub mod lemke;
+pub mod murty;
+mod opening;
+mod principal;
+mod proximal;
+mod ratio_test;
+mod standard_form;
+mod variable;
+
+pub use block_pivoting::BlockPivoting;
+pub use dantzig::{Dantzig, Side};
+pub use enumeration::Enumeration;
+pub use lemke::Lemke;
+pub use murty::Murty;
+pub use variable::Variable;
+
+use crate::{Class, Cost, Effort, Entry, Group, MatrixClass};
+
+/// A factorisation for the free rows in an exchange, and one for the first active set; the most, where A is
+/// symmetric.
+const ACTIVE_SET: Cost = Cost { start: factorisation, iteration: factorisation };
+
+fn factorisation(i: &Effort<'_>) -> f64 {
+    let f = i.free();
+    f.powi(3) / 3.0 + f * f + i.stored
+}
+
+/// The methods of this group.
+pub const ENTRIES: &[Entry] = &[
+    Entry {
+        name: "dantzig",
+        method: "Dantzig pivoting with updated LDLᵀ, finite",
+        class: Class::of(MatrixClass::Semidefinite),
+        group: Group::Pivoting,
+        cost: Cost::each(|i| i.free() * i.n),
+        source: "Cottle & Dantzig 1968; Baraff 1994",
+        uses: &[],
+        build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "lemke",
+        method: "Lemke's complementary pivoting, lexicographic ties, finite",
+        class: Class::of(MatrixClass::CopositivePlus),
+        group: Group::Pivoting,
+        cost: Cost::each(|i| i.n * (i.n + 2.0)),
+        source: "Lemke 1965; Cottle, Pang & Stone 1992",
+        uses: &[],
+        build: |options| Box::new(Lemke { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "murty",
+        method: "least-index principal pivoting, finite",
+        class: Class::of(MatrixClass::P),
+        group: Group::Pivoting,
+        cost: ACTIVE_SET,
+        source: "Murty 1974",
+        uses: &[],
+        build: |options| Box::new(Murty { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "block-pivoting",
+        method: "block principal pivoting, then Murty's rule (finite) or proximal steps",
+        class: Class::of(MatrixClass::POrSemidefinite),
+        group: Group::Pivoting,
+        cost: ACTIVE_SET,
+        source: "Kostreva 1978; Júdice & Pires 1994",
+        uses: &[],
+        build: |options| {
+            let settings = options.settings.clone();
+            Box::new(BlockPivoting { settings, ..BlockPivoting::default() })
+        },
+    },
+    Entry {
+        name: "enumeration",
+        method: "up to 65536 active sets in exact arithmetic, finite",
+        class: Class::of(MatrixClass::General),
+        group: Group::Pivoting,
+        cost: Cost::each(|i| i.n.powi(3) / 3.0),
+        source: "the definition of a solution",
+        uses: &[],
+        build: |options| Box::new(Enumeration { settings: options.settings.clone() }),
+    },
+];

@@ -1,0 +1,114 @@
+//! Splitting: solve row i for x_i while the others wait, clamp, go on.
+//!
+//! After enough sweeps nothing moves any more. A sweep is cheap, can be stopped at any time, and starts from
+//! the last step's answer; but news travels one row at a time, so tall stacks and large mass ratios
+//! need thousands of sweeps ([`theory`](crate::theory) says how many). [`pgs`] has SOR, symmetric SOR and
+//! colours too, by [`order`]; [`code6`] is the chapter's listing as printed, which is something else. For
+//! friction: [`polygon_pgs`] and [`cone_pgs`], by contacts.
+
+pub mod block_pgs;
+pub mod code6;
+pub mod cone_pgs;
+pub mod jacobi;
+pub mod order;
+pub mod pgs;
+pub mod polygon_pgs;
+
+pub use block_pgs::BlockPgs;
+pub use code6::Code6;
+pub use cone_pgs::ConePgs;
+pub use jacobi::{Damping, Jacobi};
+pub use order::Order;
+pub use pgs::Pgs;
+pub use polygon_pgs::PolygonPgs;
+
+use crate::{Choice, Class, Cost, Entry, Group, MatrixClass, Options, Solver};
+
+/// What the methods ask for that divide by the diagonal of A.
+const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
+/// A product A x and n divisions.
+const SWEEP: Cost = Cost::each(|i| i.stored + i.n);
+
+/// The methods of this group.
+pub const ENTRIES: &[Entry] = &[
+    Entry {
+        name: "pgs",
+        method: "projected Gauss-Seidel, iterative",
+        class: CLASS,
+        group: Group::Sweeps,
+        cost: SWEEP,
+        source: "K&M (2), (3); Cryer 1971",
+        uses: &[Choice::Order],
+        build: |options| relaxation(1.0, options.order, options),
+    },
+    Entry {
+        name: "sor",
+        method: "projected successive over-relaxation, 0 < ω < 2, iterative",
+        class: CLASS,
+        group: Group::Sweeps,
+        cost: SWEEP,
+        source: "Cryer 1971; Luo & Tseng 1991",
+        uses: &[Choice::Omega, Choice::Order],
+        build: |options| relaxation(options.omega, options.order, options),
+    },
+    Entry {
+        name: "ssor",
+        method: "projected symmetric SOR, a sweep there and back, 0 < ω < 2, iterative",
+        class: CLASS,
+        group: Group::Sweeps,
+        cost: Cost::each(|i| 2.0 * (i.stored + i.n)),
+        source: "Sheldon 1955; Mangasarian 1977",
+        uses: &[Choice::Omega],
+        build: |options| relaxation(options.omega, Order::Symmetric, options),
+    },
+    Entry {
+        name: "red-black",
+        method: "projected Gauss-Seidel, colour by colour, iterative",
+        class: CLASS,
+        group: Group::Sweeps,
+        cost: SWEEP,
+        source: "Young 1950",
+        uses: &[],
+        build: |options| relaxation(1.0, Order::Coloured, options),
+    },
+    Entry {
+        name: "jacobi",
+        method: "projected Jacobi, damped safely unless told otherwise, iterative",
+        class: CLASS,
+        group: Group::Sweeps,
+        cost: SWEEP,
+        source: "Goldstein 1964; Mangasarian 1977",
+        uses: &[Choice::Damping],
+        build: |options| {
+            Box::new(Jacobi { damping: options.damping, settings: options.settings.clone() })
+        },
+    },
+    Entry {
+        name: "block-pgs",
+        method: "projected Gauss-Seidel by contacts and joints, iterative",
+        class: Class::of(MatrixClass::Semidefinite),
+        group: Group::Sweeps,
+        cost: Cost::each(|i| i.stored + 10.0 * i.n),
+        source: "Luo & Tseng 1992",
+        uses: &[],
+        build: |options| {
+            Box::new(BlockPgs { settings: options.settings.clone(), ..BlockPgs::default() })
+        },
+    },
+];
+
+/// Methods that are wrong, kept to be looked at beside the right ones.
+pub const SPECIMENS: &[Entry] = &[Entry {
+    name: "code6",
+    method: "the chapter's Code 6: Gauss-Seidel, clamped after the whole sweep",
+    class: Class { bounds: false, coupling: false, ..CLASS },
+    group: Group::Sweeps,
+    cost: SWEEP,
+    source: "K&M Code 6, E06",
+    uses: &[],
+    build: |options| Box::new(Code6 { settings: options.settings.clone() }),
+}];
+
+fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {
+    Box::new(Pgs { omega, order, settings: options.settings.clone() })
+}
