@@ -4,7 +4,7 @@
 
 mod measure;
 
-use lcplab::report::study::sweep_speed::Plan;
+use lcplab_benches::study::sweep_speed::Plan;
 
 fn main() {
     let rounds = if measure::is_test() { 1 } else { 61 };

@@ -5,7 +5,7 @@
 
 mod measure;
 
-use lcplab::report::study::{direct_speed, warm_factor};
+use lcplab_benches::study::{direct_speed, warm_factor};
 
 fn main() {
     if measure::is_test() {

@@ -4,7 +4,7 @@
 
 mod measure;
 
-use lcplab::report::study::singular::Plan;
+use lcplab_benches::study::singular::Plan;
 
 fn main() {
     let seconds = if measure::is_test() { 0.0 } else { 2.0 };

@@ -4,7 +4,7 @@
 
 mod measure;
 
-use lcplab::report::study::sparse_speed::{Plan, Problem};
+use lcplab_benches::study::sparse_speed::{Plan, Problem};
 
 fn main() {
     let net = Problem { scene: "net".into(), step: 3, goal: 1.4 };

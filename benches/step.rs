@@ -4,7 +4,7 @@
 
 mod measure;
 
-use lcplab::report::study::step_speed::Plan;
+use lcplab_benches::study::step_speed::Plan;
 
 fn main() {
     if measure::is_test() {

@@ -1,20 +1,23 @@
 //! The studies of speed: nothing is timed that is not right. What the clock says is no test.
 
 use lcplab::lcp::merit;
-use lcplab::report::experiment::Experiment;
 use lcplab::report::results::Results;
 use lcplab::report::study::attempt::Outcome;
-use lcplab::report::study::singular;
-use lcplab::report::study::sparse_speed;
-use lcplab::report::study::sweep_speed::{self, Checked, ROW_BY_ROW};
-use lcplab::report::study::timing::{Contender, Time, interleaved};
-use lcplab::report::study::yardstick::{Finding, YARDSTICK};
 use lcplab::report::view::{self, View};
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::{Pgs, Settings};
+use lcplab_benches::study::singular;
+use lcplab_benches::study::sparse_speed;
+use lcplab_benches::study::sweep_speed::{self, Checked, ROW_BY_ROW};
+use lcplab_benches::study::timing::{Contender, Time, interleaved};
+use lcplab_benches::study::yardstick::{Finding, YARDSTICK};
 
-use super::standard::{experiment, run_all, table};
+use lcplab::report::experiment::Experiment;
+use lcplab::report::page::Table;
+use lcplab::report::view::Document;
+use lcplab::report::{kind, run};
+use lcplab::solver::Stop;
 use lcplab_testing::iterates;
 
 /// All kinds on problems that take milliseconds.
@@ -42,7 +45,15 @@ rounds = 1
 "#;
 
 fn small() -> Results {
-    run_all(&experiment(SMALL).unwrap())
+    kind::add(lcplab_benches::KINDS);
+    let experiment = Experiment::parse(SMALL, "small.toml", "small").unwrap();
+    let progress = indicatif::ProgressBar::hidden();
+    run::run(&experiment, None, &progress, &Stop::default(), &|_| Ok(())).unwrap()
+}
+
+/// The document's table whose file has this name.
+fn table(document: &Document, name: &str) -> Table {
+    document.tables.iter().find(|(id, _)| id == name).expect("a table of that name").1.clone()
 }
 
 fn times<P: View>(results: &Results, section: &str) -> Vec<P::Times> {
@@ -205,7 +216,7 @@ fn contenders_take_turns_and_the_first_round_does_not_count() {
 
 #[test]
 fn all_studies_of_the_shipped_report_run_beside_nothing_else() {
-    let report = Experiment::load("performance").unwrap();
+    let report = lcplab_benches::report().unwrap();
     let studies: Vec<_> = report.sections.iter().filter_map(|s| s.study.as_ref()).collect();
     assert_eq!(studies.len(), 9);
     assert!(studies.iter().all(|study| study.alone()));

@@ -34,7 +34,8 @@ macro_rules! shipped {
 }
 
 /// The reports that lcplab ships, by name.
-pub const SHIPPED: &[(&str, &str)] = shipped!["standard" "solvers" "schemes" "friction" "verification" "performance" "scenes" "storage"];
+pub const SHIPPED: &[(&str, &str)] =
+    shipped!["standard" "solvers" "schemes" "friction" "verification" "scenes" "storage"];
 
 /// A report's description.
 pub struct Experiment {
@@ -132,7 +133,11 @@ impl Experiment {
         Ok(self)
     }
 
-    fn parse(text: &str, input: &str, name: &str) -> Result<Self> {
+    /// The report of a text; `input` stands in the messages.
+    ///
+    /// # Errors
+    /// All defects, with their lines.
+    pub fn parse(text: &str, input: &str, name: &str) -> Result<Self> {
         let line = |at: usize| 1 + text[..at].matches('\n').count();
         let mut file: File = toml::from_str(text).map_err(|cause| {
             let at = cause.span().map_or(0, |span| span.start);

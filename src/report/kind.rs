@@ -1,5 +1,7 @@
 //! The kinds of studies that a report file can ask for, and a study of any kind.
 
+use std::sync::{PoisonError, RwLock};
+
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -19,51 +21,55 @@ pub struct Kind {
 
 /// All kinds.
 pub const KINDS: &[Kind] = &[
-    kind::<study::verification::Plan>(),
-    kind::<study::comparison::Plan>(),
-    kind::<study::cross_check::Plan>(),
-    kind::<study::convergence::Plan>(),
-    kind::<study::rates::Plan>(),
-    kind::<study::worst_cases::Plan>(),
-    kind::<study::sliding::Plan>(),
-    kind::<study::merits::Plan>(),
-    kind::<study::sparsity::Plan>(),
-    kind::<study::drift::Plan>(),
-    kind::<study::storage::Plan>(),
-    kind::<study::profiles::Plan>(),
-    kind::<study::ratio::Plan>(),
-    kind::<study::relaxation::Plan>(),
-    kind::<study::scaling::Plan>(),
-    kind::<study::warm_start::Plan>(),
-    kind::<study::residual_map::Plan>(),
-    kind::<study::plane::Plan>(),
-    kind::<study::race::Plan>(),
-    kind::<study::schemes::Plan>(),
-    kind::<study::sinking::Plan>(),
-    kind::<study::force_path::Plan>(),
-    kind::<study::order::Plan>(),
-    kind::<study::ledger::Plan>(),
-    kind::<study::footage::Plan>(),
-    kind::<study::ramp::Plan>(),
-    kind::<study::creep::Plan>(),
-    kind::<study::painleve::Plan>(),
-    kind::<study::friction_solvers::Plan>(),
-    kind::<study::published::Plan>(),
-    kind::<study::singular::Plan>(),
-    kind::<study::sweep_speed::Plan>(),
-    kind::<study::direct_speed::Plan>(),
-    kind::<study::peers::Plan>(),
-    kind::<study::sparse_speed::Plan>(),
-    kind::<study::step_speed::Plan>(),
-    kind::<study::warm_factor::Plan>(),
+    Kind::of::<study::verification::Plan>(),
+    Kind::of::<study::comparison::Plan>(),
+    Kind::of::<study::cross_check::Plan>(),
+    Kind::of::<study::convergence::Plan>(),
+    Kind::of::<study::rates::Plan>(),
+    Kind::of::<study::worst_cases::Plan>(),
+    Kind::of::<study::sliding::Plan>(),
+    Kind::of::<study::merits::Plan>(),
+    Kind::of::<study::sparsity::Plan>(),
+    Kind::of::<study::drift::Plan>(),
+    Kind::of::<study::storage::Plan>(),
+    Kind::of::<study::profiles::Plan>(),
+    Kind::of::<study::ratio::Plan>(),
+    Kind::of::<study::relaxation::Plan>(),
+    Kind::of::<study::scaling::Plan>(),
+    Kind::of::<study::warm_start::Plan>(),
+    Kind::of::<study::residual_map::Plan>(),
+    Kind::of::<study::plane::Plan>(),
+    Kind::of::<study::race::Plan>(),
+    Kind::of::<study::schemes::Plan>(),
+    Kind::of::<study::sinking::Plan>(),
+    Kind::of::<study::force_path::Plan>(),
+    Kind::of::<study::order::Plan>(),
+    Kind::of::<study::ledger::Plan>(),
+    Kind::of::<study::footage::Plan>(),
+    Kind::of::<study::ramp::Plan>(),
+    Kind::of::<study::creep::Plan>(),
+    Kind::of::<study::painleve::Plan>(),
+    Kind::of::<study::friction_solvers::Plan>(),
+    Kind::of::<study::published::Plan>(),
 ];
 
-const fn kind<S: View + 'static>() -> Kind {
-    Kind {
-        name: S::NAME,
-        title: S::TITLE,
-        read: |settings| Ok(Box::new(S::deserialize(settings)?)),
+impl Kind {
+    /// The kind of a study that can be shown.
+    pub const fn of<S: View + 'static>() -> Kind {
+        Kind {
+            name: S::NAME,
+            title: S::TITLE,
+            read: |settings| Ok(Box::new(S::deserialize(settings)?)),
+        }
     }
+}
+
+/// Kinds that other programs have [added](add).
+static ADDED: RwLock<Vec<&'static Kind>> = RwLock::new(Vec::new());
+
+/// Lets report files of this process ask for more kinds: those of a program with studies of its own.
+pub fn add(kinds: &'static [Kind]) {
+    ADDED.write().unwrap_or_else(PoisonError::into_inner).extend(kinds);
 }
 
 /// The kind of this name.
@@ -71,10 +77,12 @@ const fn kind<S: View + 'static>() -> Kind {
 /// # Errors
 /// If there is none.
 pub fn by_name(name: &str) -> Result<&'static Kind> {
-    KINDS.iter().find(|kind| kind.name == name).ok_or_else(|| Error::Unknown {
+    let added = ADDED.read().unwrap_or_else(PoisonError::into_inner);
+    let all = || KINDS.iter().chain(added.iter().copied());
+    all().find(|kind| kind.name == name).ok_or_else(|| Error::Unknown {
         kind: "study",
         name: name.into(),
-        known: KINDS.iter().map(|kind| kind.name.into()).collect(),
+        known: all().map(|kind| kind.name.into()).collect(),
     })
 }
 

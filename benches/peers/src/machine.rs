@@ -3,7 +3,7 @@
 use std::fs::read_to_string;
 use std::process::Command;
 
-use lcplab::report::study::peers::Machine;
+use lcplab_benches::study::peers::Machine;
 
 pub fn describe() -> Machine {
     Machine {

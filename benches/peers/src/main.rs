@@ -26,7 +26,7 @@ mod world;
 use std::error::Error;
 use std::path::PathBuf;
 
-use lcplab::report::study::peers::Recording;
+use lcplab_benches::study::peers::Recording;
 
 /// What the command line asks for.
 struct Asked {

@@ -2,9 +2,9 @@
 
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
-use lcplab::report::study::direct_speed::Bounds;
-use lcplab::report::study::peers::Problem;
-use lcplab::report::study::singular::Stack;
+use lcplab_benches::study::direct_speed::Bounds;
+use lcplab_benches::study::peers::Problem;
+use lcplab_benches::study::singular::Stack;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::{self, Options};

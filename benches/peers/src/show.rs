@@ -3,7 +3,7 @@
 #[path = "../../measure/table.rs"]
 mod table;
 
-use lcplab::report::study::peers::{Plan, Recording};
+use lcplab_benches::study::peers::{Plan, Recording};
 use lcplab::report::view::Document;
 
 pub fn tables(recording: &Recording) {

@@ -5,11 +5,11 @@ use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 
-use super::attempt::Outcome;
 use super::timing::{Contender, Time, interleaved, timed};
-use crate::lcp::{Lcp, merit};
-use crate::reference::Reference;
-use crate::solver::{Solution, Status};
+use lcplab::lcp::{Lcp, merit};
+use lcplab::reference::Reference;
+use lcplab::report::study::attempt::Outcome;
+use lcplab::solver::{Solution, Status};
 
 /// The gap and feasibility that a yardstick is asked for, one after the other, until its residual is as
 /// small as ours must be.

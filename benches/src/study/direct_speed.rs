@@ -6,10 +6,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
 use super::yardstick::{Finding, Terms, Times, measure};
-use crate::error::Result;
-use crate::lcp::{Lcp, library};
+use lcplab::error::Result;
+use lcplab::lcp::{Lcp, library};
+use lcplab::report::study::Study;
 
 /// Which sizes and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -4,10 +4,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
 use super::yardstick::{Finding, Terms, Times, measure};
-use crate::error::Result;
-use crate::lcp::{Lcp, Matrix, library};
+use lcplab::error::Result;
+use lcplab::lcp::{Lcp, Matrix, library};
+use lcplab::report::study::Study;
 
 /// Which stacks and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

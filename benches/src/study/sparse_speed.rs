@@ -13,17 +13,17 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
 use super::contest::{Answer, Tried, clocked};
-use super::settings::AtStep;
 use super::sweep_speed::posed;
 use super::timing::Time;
-use crate::error::{Error, Result};
-use crate::lcp::{Lcp, merit};
-use crate::reference::{box_qp_to, velocity_qp_to};
-use crate::solver::kernel::impulses::{Row, RowByRow, System, WIDTH};
-use crate::solver::{InteriorPoint, Settings, Solver, Start};
-use crate::storage::Factors;
+use lcplab::error::{Error, Result};
+use lcplab::lcp::{Lcp, merit};
+use lcplab::reference::{box_qp_to, velocity_qp_to};
+use lcplab::report::study::Study;
+use lcplab::report::study::settings::AtStep;
+use lcplab::solver::kernel::impulses::{Row, RowByRow, System, WIDTH};
+use lcplab::solver::{InteriorPoint, Settings, Solver, Start};
+use lcplab::storage::Factors;
 
 /// The name of our solver by rows.
 pub const ROWS: &str = "interior-point, rows";

@@ -8,12 +8,12 @@ use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
 use super::timing::Time;
-use crate::body::State;
-use crate::error::{Error, Result};
-use crate::scene::Scene;
-use crate::simulation::stepper::{Kernel, Part, Stepper};
+use lcplab::body::State;
+use lcplab::error::{Error, Result};
+use lcplab::report::study::Study;
+use lcplab::scene::Scene;
+use lcplab::simulation::stepper::{Kernel, Part, Stepper};
 
 /// How large, and how often.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

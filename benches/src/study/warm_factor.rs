@@ -6,13 +6,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
-use super::attempt::Outcome;
 use super::direct_speed::Bounds;
 use super::timing::{Contender, Time, interleaved, timed};
-use crate::error::Result;
-use crate::lcp::Lcp;
-use crate::solver::{BlockPivoting, Settings, Solution, Solver, Start, Warm};
+use lcplab::error::Result;
+use lcplab::lcp::Lcp;
+use lcplab::report::study::Study;
+use lcplab::report::study::attempt::Outcome;
+use lcplab::solver::{BlockPivoting, Settings, Solution, Solver, Start, Warm};
 
 /// More rounds say nothing new.
 const MOST_ROUNDS: f64 = 301.0;

@@ -3,13 +3,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::attempt::entries;
 use super::contest::{Answer, Tried, clocked};
 use super::timing::Time;
-use crate::error::{Error, Result};
-use crate::lcp::Lcp;
-use crate::reference::box_qp_to;
-use crate::solver::{Options, Settings, Start};
+use lcplab::error::{Error, Result};
+use lcplab::lcp::Lcp;
+use lcplab::reference::box_qp_to;
+use lcplab::report::study::attempt::entries;
+use lcplab::solver::{Options, Settings, Start};
 
 /// The name of the yardstick.
 pub const YARDSTICK: &str = "clarabel";

@@ -1,11 +1,12 @@
 //! What direct and Newton-like solvers cost by the number of rows.
 
-use super::attempt::tolerance;
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome, View, yardstick};
-use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::study::direct_speed::{Bounds, Plan};
-use crate::report::study::yardstick::{Finding, Times, YARDSTICK};
+use super::yardstick;
+use crate::study::direct_speed::{Bounds, Plan};
+use crate::study::yardstick::{Finding, Times, YARDSTICK};
+use lcplab::plot::{Axis, Lines, Panel, Series};
+use lcplab::report::view::attempt::tolerance;
+use lcplab::report::view::{Document, Outcome, View};
 
 impl View for Plan {
     const TITLE: &'static str = "Direct and Newton-like methods on definite problems";
@@ -24,7 +25,8 @@ impl View for Plan {
 
     fn show_times(&self, times: &[Times], document: &mut Document) {
         let title = "Direct and Newton-like methods: goals";
-        let goals = goal::table(title, "cargo bench --bench direct", &self.goals(times));
+        let goals =
+            goal::table(title, "cargo bench -p lcplab-benches --bench direct", &self.goals(times));
         document.table("direct_speed_goals", goals);
         document.figure(self.figure(times));
         let title = "Time to an answer of a definite problem";

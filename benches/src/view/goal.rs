@@ -1,10 +1,10 @@
 //! What was asked of a time, what was measured, and whether it is enough.
 
-use crate::plot::number::readable;
-use crate::report::page::{Cell, Column, Mark, Table};
+use lcplab::plot::number::readable;
+use lcplab::report::page::{Cell, Column, Mark, Table};
 
 /// A number that is asked for.
-pub(super) struct Goal {
+pub(crate) struct Goal {
     /// What is measured.
     pub what: String,
     /// What is asked.
@@ -17,7 +17,7 @@ pub(super) struct Goal {
 
 /// Which side of a number is good.
 #[derive(Clone, Copy)]
-pub(super) enum Asked {
+pub(crate) enum Asked {
     /// This or less.
     AtMost(f64),
     /// This or more.
@@ -25,7 +25,7 @@ pub(super) enum Asked {
 }
 
 /// The goals as a table; `command` repeats the measurement.
-pub(super) fn table(title: &str, command: &str, goals: &[Goal]) -> Table {
+pub(crate) fn table(title: &str, command: &str, goals: &[Goal]) -> Table {
     Table {
         title: title.into(),
         how_to_read: format!(

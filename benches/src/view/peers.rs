@@ -1,10 +1,10 @@
 //! Other engines beside ours, as they were recorded.
 
-use super::attempt::{anchor, listed, tolerance};
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome, View};
-use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::peers::{Answer, Engine, GOALS, Library, Plan, Recording, Scene};
+use crate::study::peers::{Answer, Engine, GOALS, Library, Plan, Recording, Scene};
+use lcplab::report::page::{Cell, Column, Mark, Table};
+use lcplab::report::view::attempt::{anchor, listed, tolerance};
+use lcplab::report::view::{Document, Outcome, View};
 
 /// How to make another recording.
 const COMMAND: &str = "cd benches/peers && cargo run --release -- --json ../peers.json";
@@ -66,7 +66,7 @@ fn words(recording: &Recording) -> String {
     )
 }
 
-fn asked(recording: &Recording, goal: &crate::report::study::peers::Goal) -> Goal {
+fn asked(recording: &Recording, goal: &crate::study::peers::Goal) -> Goal {
     let ours = goal.ours.unwrap_or("the fastest of ours");
     Goal {
         what: format!("{}: {ours} beside {}", goal.problem, goal.peer),
@@ -149,7 +149,7 @@ fn engines(scene: &Scene) -> Table {
              each decides for itself. Then the engines step in turns. A step is all that an engine does: collisions, \
              solving, moving.",
             scene.bodies,
-            crate::plot::number::readable(1e3 * scene.dt, 3),
+            lcplab::plot::number::readable(1e3 * scene.dt, 3),
             scene.after,
             1e3 * scene.bounds.penetration,
             1e3 * scene.bounds.drift,

@@ -1,11 +1,12 @@
 //! What an exact answer costs where contacts are redundant.
 
-use super::attempt::tolerance;
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome, View, yardstick};
-use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::study::singular::Plan;
-use crate::report::study::yardstick::{Finding, Times};
+use super::yardstick;
+use crate::study::singular::Plan;
+use crate::study::yardstick::{Finding, Times};
+use lcplab::plot::{Axis, Lines, Panel, Series};
+use lcplab::report::view::attempt::tolerance;
+use lcplab::report::view::{Document, Outcome, View};
 
 impl View for Plan {
     const TITLE: &'static str = "Right where contacts are redundant";
@@ -25,7 +26,7 @@ impl View for Plan {
 
     fn show_times(&self, times: &[Times], document: &mut Document) {
         let goals: Vec<Goal> = self.solvers.iter().map(|name| self.goal_of(name, times)).collect();
-        let command = "cargo bench --bench singular";
+        let command = "cargo bench -p lcplab-benches --bench singular";
         let title = "Exact answers to redundant contacts: goals";
         document.table("singular_goals", goal::table(title, command, &goals));
         document.figure(self.figure(times));

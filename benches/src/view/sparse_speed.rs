@@ -1,11 +1,11 @@
 //! What an exact answer costs where A is large and sparse.
 
-use super::attempt::tolerance;
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome as Verdict, View};
-use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::attempt::Outcome;
-use crate::report::study::sparse_speed::{Finding, Judged, Plan, Times, YARDSTICK};
+use crate::study::sparse_speed::{Finding, Judged, Plan, Times, YARDSTICK};
+use lcplab::report::page::{Cell, Column, Mark, Table};
+use lcplab::report::study::attempt::Outcome;
+use lcplab::report::view::attempt::tolerance;
+use lcplab::report::view::{Document, Outcome as Verdict, View};
 
 impl View for Plan {
     const TITLE: &'static str = "Exact where A is large and sparse";
@@ -27,7 +27,8 @@ impl View for Plan {
 
     fn show_times(&self, times: &[Times], document: &mut Document) {
         let goals: Vec<Goal> = times.iter().map(goal_of).collect();
-        let (title, command) = ("Large and sparse: goals", "cargo bench --bench sparse");
+        let (title, command) =
+            ("Large and sparse: goals", "cargo bench -p lcplab-benches --bench sparse");
         document.table("sparse_goals", goal::table(title, command, &goals));
         document.table("sparse_times", seconds(times));
     }

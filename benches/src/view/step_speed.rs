@@ -1,11 +1,11 @@
 //! What a whole step costs, and how that grows.
 
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome as Verdict, View};
-use crate::plot::{Axis, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::step_speed::{Finding, Kind, Plan, Times};
-use crate::simulation::stepper::Part;
+use crate::study::step_speed::{Finding, Kind, Plan, Times};
+use lcplab::plot::{Axis, Lines, Panel, Series};
+use lcplab::report::page::{Cell, Column, Mark, Table};
+use lcplab::report::view::{Document, Outcome as Verdict, View};
+use lcplab::simulation::stepper::Part;
 
 impl View for Plan {
     const TITLE: &'static str = "The whole step";
@@ -26,7 +26,8 @@ impl View for Plan {
             .into_iter()
             .chain([Kind::Tower, Kind::Net].into_iter().flat_map(|kind| self.growth(kind, times)))
             .collect();
-        let (title, command) = ("The whole step: goals", "cargo bench --bench step");
+        let (title, command) =
+            ("The whole step: goals", "cargo bench -p lcplab-benches --bench step");
         document.table("step_goals", goal::table(title, command, &goals));
         document.figure(figure(times));
         document.table("step_times", seconds(times));

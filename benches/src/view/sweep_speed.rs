@@ -1,14 +1,14 @@
 //! What a sweep costs.
 
-use super::attempt::{anchor, tolerance};
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome, View};
-use crate::plot::{Axis, Bar, Bars};
-use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::sweep_speed::{
+use crate::study::sweep_speed::{
     COLUMNS, Checked, EIGHT_PAIRS, Finding, Plan, ROW_BY_ROW, ROWS, Run, Times,
 };
-use crate::report::study::timing::Time;
+use crate::study::timing::Time;
+use lcplab::plot::{Axis, Bar, Bars};
+use lcplab::report::page::{Cell, Column, Mark, Table};
+use lcplab::report::view::attempt::{anchor, tolerance};
+use lcplab::report::view::{Document, Outcome, View};
 
 impl View for Plan {
     const TITLE: &'static str = "What a sweep costs";
@@ -28,7 +28,7 @@ impl View for Plan {
 
     fn show_times(&self, times: &[Times], document: &mut Document) {
         let goals: Vec<Goal> = times.iter().flat_map(|times| self.goals(times)).collect();
-        let command = "cargo bench --bench dense_sweep --bench tower_sweep";
+        let command = "cargo bench -p lcplab-benches --bench dense_sweep --bench tower_sweep";
         document.table("sweep_goals", goal::table("Sweeps: goals", command, &goals));
         let dense: Vec<&Times> = times.iter().filter(|times| times.read.is_some()).collect();
         if !dense.is_empty() {

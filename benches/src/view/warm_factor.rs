@@ -1,11 +1,11 @@
 //! What the last active set and its factor are worth.
 
-use super::attempt::tolerance;
 use super::goal::{self, Asked, Goal};
-use super::{Document, Outcome as Verdict, View};
-use crate::report::page::{Cell, Column, Table};
-use crate::report::study::attempt::Outcome;
-use crate::report::study::warm_factor::{Finding, Plan, Times};
+use crate::study::warm_factor::{Finding, Plan, Times};
+use lcplab::report::page::{Cell, Column, Table};
+use lcplab::report::study::attempt::Outcome;
+use lcplab::report::view::attempt::tolerance;
+use lcplab::report::view::{Document, Outcome as Verdict, View};
 
 impl View for Plan {
     const TITLE: &'static str = "Going on from the last active set";
@@ -30,7 +30,8 @@ impl View for Plan {
             measured: Some(times.warm.best / times.cold.best),
         };
         let goals: Vec<Goal> = times.iter().map(goal).collect();
-        let (title, command) = ("A warm start: goals", "cargo bench --bench direct");
+        let (title, command) =
+            ("A warm start: goals", "cargo bench -p lcplab-benches --bench direct");
         document.table("warm_factor_goals", goal::table(title, command, &goals));
         document.table("warm_factor_times", seconds(times));
     }

@@ -1,14 +1,14 @@
 //! Solvers beside clarabel: what the judge says, and the clock on what is right.
 
-use super::Outcome as Verdict;
-use super::attempt::tolerance;
-use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::attempt::Outcome;
-use crate::report::study::contest::Answer;
-use crate::report::study::yardstick::{Finding, Times, YARDSTICK};
+use crate::study::contest::Answer;
+use crate::study::yardstick::{Finding, Times, YARDSTICK};
+use lcplab::report::page::{Cell, Column, Mark, Table};
+use lcplab::report::study::attempt::Outcome;
+use lcplab::report::view::Outcome as Verdict;
+use lcplab::report::view::attempt::tolerance;
 
 /// Whether no claim was refuted, and how many answers were accepted.
-pub(super) fn outcome(to: &str, findings: &[Finding]) -> Verdict {
+pub(crate) fn outcome(to: &str, findings: &[Finding]) -> Verdict {
     let ours = || findings.iter().flat_map(|f| &f.answers).filter(|a| a.solver != YARDSTICK);
     let solved = ours().filter(|answer| answer.outcome.is_solved()).count();
     let refuted = ours().filter(|answer| answer.outcome == Outcome::Refuted).count();
@@ -20,7 +20,7 @@ pub(super) fn outcome(to: &str, findings: &[Finding]) -> Verdict {
 }
 
 /// What the judge says of each answer.
-pub(super) fn claims(title: &str, findings: &[Finding]) -> Table {
+pub(crate) fn claims(title: &str, findings: &[Finding]) -> Table {
     let names = findings.first().map_or(&[][..], |finding| &finding.answers[..]);
     let columns = [Column::words("problem"), Column::numbers("rows", "")]
         .into_iter()
@@ -55,7 +55,7 @@ fn verdict(answer: &Answer) -> Cell {
 }
 
 /// What each answer cost.
-pub(super) fn seconds(title: &str, times: &[Times]) -> Table {
+pub(crate) fn seconds(title: &str, times: &[Times]) -> Table {
     let row = |times: &Times| {
         let yardstick = times.yardstick();
         let problem = times.problem.clone();

@@ -4,11 +4,9 @@
 //! A [`Study`] is a list of tasks that do not depend on each other.
 
 pub mod comparison;
-pub mod contest;
 pub mod convergence;
 pub mod creep;
 pub mod cross_check;
-pub mod direct_speed;
 pub mod drift;
 pub mod film;
 pub mod footage;
@@ -20,7 +18,6 @@ pub mod ledger;
 pub mod merits;
 pub mod order;
 pub mod painleve;
-pub mod peers;
 pub mod plane;
 pub mod posed;
 pub mod profiles;
@@ -34,22 +31,15 @@ pub mod residual_map;
 pub mod scaling;
 pub mod schemes;
 pub mod settings;
-pub mod singular;
 pub mod sinking;
 pub mod slider;
 pub mod sliding;
-pub mod sparse_speed;
 pub mod sparsity;
-pub mod step_speed;
 pub mod storage;
-pub mod sweep_speed;
-pub mod timing;
 pub mod variation;
 pub mod verification;
-pub mod warm_factor;
 pub mod warm_start;
 pub mod worst_cases;
-pub mod yardstick;
 
 pub use lcplab_study::{attempt, families};
 

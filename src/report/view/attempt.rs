@@ -7,7 +7,7 @@ use crate::report::study::attempt::{Attempt, Outcome};
 use crate::solver::Group;
 
 /// What came of it, marked.
-pub(super) fn outcome(outcome: &Outcome) -> Cell {
+pub fn outcome(outcome: &Outcome) -> Cell {
     let mark = match outcome {
         Outcome::Proved | Outcome::Accepted => Mark::Good,
         Outcome::Refuted => Mark::Bad,
@@ -22,24 +22,24 @@ pub(super) fn outcome(outcome: &Outcome) -> Cell {
 }
 
 /// The iterations, if it was solved.
-pub(super) fn iterations(attempt: &Attempt) -> Cell {
+pub fn iterations(attempt: &Attempt) -> Cell {
     if attempt.outcome.is_solved() { Cell::count(attempt.iterations) } else { Cell::text("–") }
 }
 
 /// The multiplications, if it was solved.
-pub(super) fn work(attempt: &Attempt) -> Cell {
+pub fn work(attempt: &Attempt) -> Cell {
     if attempt.outcome.is_solved() { Cell::number(attempt.work, 2) } else { Cell::text("–") }
 }
 
 /// `1 234 sweeps`.
-pub(super) fn iterations_in_words(solver: &str, iterations: usize) -> String {
+pub fn iterations_in_words(solver: &str, iterations: usize) -> String {
     let unit = Group::of(solver).map_or("iterations", Group::unit);
     let unit = if iterations == 1 { unit.trim_end_matches('s') } else { unit };
     format!("{} {unit}", count(iterations))
 }
 
 /// Two digits of a large number, in a form that can be read aloud: `12 000`, `1.2×10⁸`.
-pub(super) fn rough(value: f64) -> String {
+pub fn rough(value: f64) -> String {
     if !(10.0..1e6).contains(&value) {
         return readable(value, 2);
     }
@@ -48,7 +48,7 @@ pub(super) fn rough(value: f64) -> String {
 }
 
 /// `a, b and c`; empty for nothing.
-pub(super) fn listed<S: AsRef<str>>(names: &[S]) -> String {
+pub fn listed<S: AsRef<str>>(names: &[S]) -> String {
     match names {
         [] => String::new(),
         [one] => one.as_ref().to_string(),
@@ -60,22 +60,22 @@ pub(super) fn listed<S: AsRef<str>>(names: &[S]) -> String {
 }
 
 /// A tolerance: `10⁻⁸`.
-pub(super) fn tolerance(value: f64) -> String {
+pub fn tolerance(value: f64) -> String {
     readable(value, 1)
 }
 
 /// The id of the section that is open: what figures and tables of it are named after.
-pub(super) fn section_id(document: &Document) -> String {
+pub fn section_id(document: &Document) -> String {
     document.page.sections.last().map_or_else(String::new, |section| section.id.clone())
 }
 
 /// A scene's name as part of a file's name: a scene may be called anything.
-pub(super) fn stem(scene: &str) -> String {
+pub fn stem(scene: &str) -> String {
     scene.replace(|c: char| !(c.is_ascii_alphanumeric() || "_-".contains(c)), "-")
 }
 
 /// Words as part of a file's name.
-pub(super) fn anchor(words: &str) -> String {
+pub fn anchor(words: &str) -> String {
     let parts = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
     parts.collect::<Vec<_>>().join("-").to_ascii_lowercase()
 }

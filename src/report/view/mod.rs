@@ -1,23 +1,20 @@
 //! Results as pages: tables, figures and what to see in them. Nothing is solved here.
 
-mod attempt;
+pub mod attempt;
 mod comparison;
 mod convergence;
 mod creep;
 mod cross_check;
-mod direct_speed;
 mod drift;
 mod families;
 mod film;
 mod footage;
 mod force_path;
 mod friction_solvers;
-mod goal;
 mod ledger;
 mod merits;
 mod order;
 mod painleve;
-mod peers;
 mod plane;
 mod profiles;
 mod published;
@@ -29,20 +26,14 @@ mod relaxation;
 mod residual_map;
 mod scaling;
 mod schemes;
-mod singular;
 mod sinking;
 mod sliding;
-mod sparse_speed;
 mod sparsity;
-mod step_speed;
 mod storage;
 mod summary;
-mod sweep_speed;
 mod verification;
-mod warm_factor;
 mod warm_start;
 mod worst_cases;
-mod yardstick;
 
 pub use comparison::{alike, document as comparison_document, table as comparison_table};
 
@@ -231,7 +222,8 @@ impl Document {
         }
     }
 
-    fn text(&mut self, text: impl Into<String>) {
+    /// Adds words, in page markup.
+    pub fn text(&mut self, text: impl Into<String>) {
         self.add(Block::Text(text.into()));
     }
 
@@ -239,13 +231,14 @@ impl Document {
         self.add(Block::Equation { latex: latex.into(), label: Some(label.into()) });
     }
 
-    fn figure(&mut self, figure: impl Figure + 'static) {
+    /// Adds a figure.
+    pub fn figure(&mut self, figure: impl Figure + 'static) {
         self.add(Block::Figure(Picture::of(&figure, FILES)));
         self.figures.push(Box::new(figure));
     }
 
     /// Adds a table whose CSV file is called `id`.
-    fn table(&mut self, id: &str, mut table: Table) {
+    pub fn table(&mut self, id: &str, mut table: Table) {
         table.files = vec![("data (CSV)".into(), format!("{FILES}/{id}.csv"))];
         self.tables.push((id.into(), table.clone()));
         self.add(Block::Table(table));

@@ -5,7 +5,6 @@ mod friction;
 mod grid;
 mod ledger;
 mod page;
-mod performance;
 mod published;
 mod rates;
 mod recording;

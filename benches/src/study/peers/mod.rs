@@ -9,11 +9,11 @@ pub use recording::{Answer, Bounds, Engine, Library, Machine, Problem, Recording
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
-use crate::error::{Error, Result};
+use lcplab::error::{Error, Result};
+use lcplab::report::study::Study;
 
 /// The recorded run.
-const RECORDED: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/benches/peers.json"));
+const RECORDED: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/peers.json"));
 
 /// Nothing can be chosen about a recording.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::report::study::timing::Time;
+use crate::study::timing::Time;
 
 /// One run of `benches/peers`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -1,16 +1,16 @@
 //! A step of a scene with contacts: A assembled, and A never formed. Friction follows the normal force.
 
 use super::{Checked, Finding, Form, Plan, Sweeper, Times, clocked};
-use crate::error::{Error, Result};
-use crate::formulation::Problem;
-use crate::report::study::Study;
-use crate::report::study::settings::AtStep;
-use crate::scene::Scene;
-use crate::simulation::Simulation;
-use crate::solver::kernel::Width;
-use crate::solver::kernel::impulses::{EightPairs, RowByRow, System};
-use crate::solver::{Options, Settings, by_name};
-use crate::storage::Factors;
+use lcplab::error::{Error, Result};
+use lcplab::formulation::Problem;
+use lcplab::report::study::Study;
+use lcplab::report::study::settings::AtStep;
+use lcplab::scene::Scene;
+use lcplab::simulation::Simulation;
+use lcplab::solver::kernel::Width;
+use lcplab::solver::kernel::impulses::{EightPairs, RowByRow, System};
+use lcplab::solver::{Options, Settings, by_name};
+use lcplab::storage::Factors;
 
 /// The name of the form without A in the natural order.
 pub const ROW_BY_ROW: &str = "row by row";
@@ -70,7 +70,7 @@ pub(super) fn measure(plan: &Plan, problem: String, at: &AtStep) -> Result<(Find
 
 /// The first problem of the step, after steps by a few sweeps each: direct methods take too long on
 /// a tower.
-pub(in crate::report::study) fn posed(at: &AtStep) -> Result<Problem> {
+pub(crate) fn posed(at: &AtStep) -> Result<Problem> {
     let settings = Settings { max_iterations: ON_THE_WAY, ..Settings::default() };
     let pgs = by_name("pgs", &Options { settings, ..Options::default() })?;
     let mut simulation = Simulation::new(Scene::load(&at.scene)?, pgs);

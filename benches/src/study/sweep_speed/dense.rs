@@ -3,11 +3,12 @@
 use std::hint::black_box;
 
 use super::{BEFORE, COUNTED, Checked, Finding, Form, On, Plan, Started, Times, clocked};
-use crate::error::Result;
-use crate::lcp::{Lcp, Matrix, library};
-use crate::report::study::timing::{Contender, Time, timed};
-use crate::solver::kernel::Width;
-use crate::solver::kernel::dense::{Columns, Reading, Rows, read};
+use crate::study::timing::{Contender, Time, timed};
+use lcplab::error::Result;
+use lcplab::lcp::{Lcp, Matrix, library};
+use lcplab::solver::kernel::Width;
+use lcplab::solver::kernel::dense::{Columns, Rows};
+use lcplab::solver::kernel::reading::{Reading, read};
 
 /// The name of the form by rows.
 pub const ROWS: &str = "by rows";

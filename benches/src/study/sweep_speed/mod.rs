@@ -17,13 +17,13 @@ pub use dense::{COLUMNS, ROWS};
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
-use super::settings::AtStep;
 use super::timing::{Contender, Time, interleaved, timed};
-use crate::error::{Error, Result};
-use crate::lcp::{Lcp, merit};
-use crate::solver::Status;
-use crate::solver::kernel::Width;
+use lcplab::error::{Error, Result};
+use lcplab::lcp::{Lcp, merit};
+use lcplab::report::study::Study;
+use lcplab::report::study::settings::AtStep;
+use lcplab::solver::Status;
+use lcplab::solver::kernel::Width;
 
 /// Sweeps from x = 0 before those that are timed, which must still change x.
 const BEFORE: usize = 3;

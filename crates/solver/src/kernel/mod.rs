@@ -23,6 +23,7 @@ pub mod impulses;
 mod lanes;
 pub(crate) mod panels;
 pub(super) mod rank_one;
+pub mod reading;
 pub(crate) mod rows;
 pub mod table;
 mod terms;

@@ -1,6 +1,7 @@
 use lcplab_problem::{Coupling, Lcp, Matrix};
 use lcplab_solver::kernel::Width;
-use lcplab_solver::kernel::dense::{Columns, RENEWED, Reading, Rows, read};
+use lcplab_solver::kernel::dense::{Columns, RENEWED, Rows};
+use lcplab_solver::kernel::reading::{Reading, read};
 use lcplab_solver::{Dantzig, Solver, Start, Status};
 use proptest::prelude::*;
 

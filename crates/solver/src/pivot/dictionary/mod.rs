@@ -9,14 +9,13 @@
 //! nonbasic variables at 0, c is the value of the basic ones. A variable v of limited range can be
 //! *mirrored*: the distance v' from the other end takes its place, v = range − v'.
 
+mod exchange;
+
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use super::variable::{Place, Places, Variable};
 use crate::kernel::{Width, table::Table};
 use crate::linalg::elimination::difference;
-
-/// An entry below this part of the largest that it was is zero.
-const RELATIVE_ZERO: f64 = 1e-12;
+use crate::pivot::variable::{Place, Places, Variable};
 
 /// v_B = c + T v_N.
 #[derive(Debug, Clone)]
@@ -161,40 +160,6 @@ impl Dictionary {
         }
         self.places.put(variable, Place::Nowhere);
         self.places.put(mirrored, place);
-    }
-
-    /// Exchanges these basic variables for these nonbasic ones, the largest entry first, until all
-    /// are exchanged or only zeros are left. Zero is an entry that has lost all its digits, compared
-    /// with the largest that it was on the way.
-    pub(crate) fn exchange(
-        &mut self,
-        is_leaving: impl Fn(Variable) -> bool,
-        is_entering: impl Fn(Variable) -> bool,
-    ) {
-        let mut rows: Vec<usize> = (0..self.basic.len()).collect();
-        let mut columns: Vec<usize> = (0..self.nonbasic.len()).collect();
-        let mut largest = vec![0.0f64; rows.len() * columns.len()];
-        loop {
-            rows.retain(|&r| is_leaving(self.basic[r]));
-            columns.retain(|&c| is_entering(self.nonbasic[c]));
-            self.table.settle();
-            let (mut pivot, mut size) = (None, 0.0);
-            for &r in &rows {
-                for &c in &columns {
-                    let now = self.table.entry(r, c).abs();
-                    let seen = &mut largest[r * self.nonbasic.len() + c];
-                    *seen = seen.max(now);
-                    if now > RELATIVE_ZERO * *seen && now >= size {
-                        (pivot, size) = (Some((r, c)), now);
-                    }
-                }
-            }
-            let Some((r, c)) = pivot else { break };
-            self.pivot(r, c);
-        }
-        for (&r, &c) in rows.iter().flat_map(|r| columns.iter().map(move |c| (r, c))) {
-            self.table.set(r, c, 0.0);
-        }
     }
 
     /// The dictionary of some of these equations and variables, or their opposites, in this order.

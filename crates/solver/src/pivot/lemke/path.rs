@@ -1,111 +1,35 @@
-//! Lemke's complementary pivoting: follows a path of almost-solutions, for any square A.
-//!
-//! A covering variable z₀ makes every w big enough:
-//!
-//! ```text
-//! w = A x + b + z₀ e,   x, w, z₀ ≥ 0,   x_i w_i = 0        e = (1, …, 1)
-//! ```
-//!
-//! (Bounds are 0 and ∞ here: a boxed problem is first brought into this form, see
-//! `standard_form.rs`. Where the units of the rows are far apart, e_i is that of
-//! w_i.) At x = 0 the least z₀ that works has some w_r = 0. From there the partner of whatever has
-//! just become zero is raised, until the next variable becomes zero: a *pivot*. The path never
-//! forks, so it cannot return, and it ends in one of two ways:
-//!
-//! - z₀ becomes zero: x is a solution;
-//! - nothing becomes zero: a *ray*, `Ray`. For copositive-plus A, which includes every positive
-//!   semidefinite A, symmetric or not, this happens only if no x ≥ 0 has A x + b ≥ 0, hence if no
-//!   solution exists. If A is symmetric too, the ray's x is a Farkas vector d, A d = 0 and bᵀd < 0,
-//!   which the judge can check. For other A a ray says nothing about solvability.
-//!
-//! It also solves every problem whose A is a P-matrix and every problem with all bounds finite
-//! (there z̃ = 0 on a ray, so a second ray does not exist). Ties in "which one becomes zero" are
-//! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
-//! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
-//! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
-//! At the end x is computed afresh from the active set. Rounding piles up: a path of more than 50
-//! pivots, or with a very small one, that ends at no solution is followed once more, with a tableau
-//! that is made anew every 50 pivots; its pivots are counted on, and the solution says so ([`Fallback`]).
-//!
-//! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
-//! [`frozen`].
+//! The path: from the entry of the covering variable, pivot by pivot, to its end.
 
 use std::collections::HashSet;
 use std::ops::ControlFlow;
 
-use super::active_set::{ROUNDING, claim};
-use super::opening;
-use super::ratio_test::{Blocking, Candidate, least};
-use super::standard_form::{FORGIVEN, StandardForm};
+use super::PIVOTS_TO_RENEWAL;
 use crate::linalg::elimination::{RELATIVE_ZERO, difference};
-use crate::{
-    Event, Fallback, Iterate, Leaving, Observer, Part, Settings, Solution, Solver, Start, Status,
-    Tableau, Variable, frozen,
-};
-use lcplab_problem::memory::Memory;
+use crate::pivot::active_set::{ROUNDING, claim};
+use crate::pivot::ratio_test::{Blocking, Candidate, least};
+use crate::pivot::standard_form::{FORGIVEN, StandardForm};
+use crate::{Event, Iterate, Leaving, Observer, Part, Settings, Status, Tableau, Variable};
 use lcplab_problem::{Lcp, merit};
 
 /// A pivot below this part of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;
-/// A path of more pivots may be followed a second time; then the tableau is made anew after each so
-/// many pivots.
-const PIVOTS_TO_RENEWAL: usize = 50;
-
-/// Lemke's method with lexicographic ties.
-#[derive(Debug, Clone, Default)]
-pub struct Lemke {
-    /// The common settings; an iteration is a pivot, the entry of the covering variable included.
-    pub settings: Settings,
-}
-
-impl Solver for Lemke {
-    fn name(&self) -> &'static str {
-        "lemke"
-    }
-
-    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        let x = start.point(lcp);
-        if let Some(status) = opening::at_once(lcp, &x, tableaux(lcp), &self.settings, observer) {
-            return Solution::new(lcp, x, status, 0);
-        }
-        frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
-            frozen::tell(lcp, frozen, observer);
-            let lcp = frozen;
-            let mut path = Path::new(lcp, before);
-            let (x, status) = path.solve(&self.settings, observer);
-            let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
-            let is_led_astray = match status {
-                Status::Ray { .. } | Status::NotFinite | Status::Inaccurate => is_long,
-                Status::Stalled => true,
-                _ => false,
-            };
-            if !is_led_astray {
-                return Solution::new(lcp, x, status, path.pivots);
-            }
-            let mut path = Path::new(lcp, path.pivots).with_renewals();
-            let (x, status) = path.solve(&self.settings, observer);
-            let solution = Solution::new(lcp, x, status, path.pivots);
-            solution.with_fallback(Some(Fallback::SecondPath))
-        })
-    }
-}
-
-struct Path<'a> {
+/// A path that is followed.
+pub(super) struct Path<'a> {
     lcp: &'a Lcp,
     form: StandardForm,
     /// The variables that were basic before the first pivot.
     first: Vec<Variable>,
     renews: bool,
     /// Whether some pivot may have been nothing but rounding.
-    is_doubtful: bool,
+    pub(super) is_doubtful: bool,
     /// x after the last pivot.
     x: Vec<f64>,
-    pivots: usize,
+    pub(super) pivots: usize,
 }
 
 impl<'a> Path<'a> {
     /// The start of the path, after so many pivots on other ones.
-    fn new(lcp: &'a Lcp, pivots: usize) -> Self {
+    pub(super) fn new(lcp: &'a Lcp, pivots: usize) -> Self {
         let mut form = StandardForm::of(lcp);
         form.dictionary.forgives = 0.0;
         let (x, first) = (form.x(lcp), form.dictionary.basic()[..form.pairs].to_vec());
@@ -113,13 +37,17 @@ impl<'a> Path<'a> {
     }
 
     /// The same, with a fresh tableau now and then and generous zeros.
-    fn with_renewals(mut self) -> Self {
+    pub(super) fn with_renewals(mut self) -> Self {
         self.form.dictionary.forgives = FORGIVEN;
         Path { renews: true, ..self }
     }
 
     /// x at the end of the path, and what it is worth.
-    fn solve(&mut self, settings: &Settings, observer: &mut dyn Observer) -> (Vec<f64>, Status) {
+    pub(super) fn solve(
+        &mut self,
+        settings: &Settings,
+        observer: &mut dyn Observer,
+    ) -> (Vec<f64>, Status) {
         let end = self.follow(settings.max_iterations, observer);
         let x = self.refined();
         match (claim(self.lcp, &x, settings), end) {
@@ -332,9 +260,4 @@ impl<'a> Path<'a> {
         }
         best
     }
-}
-
-/// Room for three tableaux: the first, the one that is pivoted, and one to make that anew.
-fn tableaux(lcp: &Lcp) -> Memory {
-    Memory::square(lcp.len() + 2).times(3)
 }

@@ -3,9 +3,13 @@
 //! Every solver needs the same few things of A, one row at a time: the product of a row with x, the
 //! diagonal, and the entries of a row. Rows are contiguous in both storages.
 
-use dashu_ratio::RBig;
 #[cfg(feature = "nalgebra")]
 use nalgebra::{DMatrix, DMatrixView};
+
+mod sparse;
+
+pub use sparse::Sparse;
+use sparse::summed;
 
 /// The square matrix A.
 #[derive(Debug, Clone)]
@@ -23,39 +27,10 @@ pub struct Dense {
     entries: Vec<f64>,
 }
 
-/// Some entries of an n × n matrix, row by row, columns ascending in each row (compressed sparse rows).
-#[derive(Debug, Clone)]
-pub struct Sparse {
-    /// Where each row begins, and where the last one ends: n + 1 places.
-    starts: Vec<usize>,
-    columns: Vec<usize>,
-    values: Vec<f64>,
-}
-
 impl Dense {
     /// The n² entries.
     pub fn entries(&self) -> &[f64] {
         &self.entries
-    }
-}
-
-impl Sparse {
-    /// From entries in order, no two at the same place.
-    fn new(n: usize, entries: &[(usize, usize, f64)]) -> Self {
-        let mut starts = vec![0; n + 1];
-        for &(row, column, _) in entries {
-            assert!(row < n && column < n, "entry ({row}, {column}) is outside a {n} × {n} matrix");
-            starts[row + 1] += 1;
-        }
-        for i in 0..n {
-            starts[i + 1] += starts[i];
-        }
-        let (columns, values) = entries.iter().map(|&(_, column, value)| (column, value)).unzip();
-        Sparse { starts, columns, values }
-    }
-
-    fn row(&self, i: usize) -> std::ops::Range<usize> {
-        self.starts[i]..self.starts[i + 1]
     }
 }
 
@@ -268,27 +243,4 @@ pub fn dot(x: &[f64], y: &[f64]) -> f64 {
     }
     let [a, b, c, d, e, f, g, h] = lanes;
     (((a + e) + (c + g)) + ((b + f) + (d + h))) + tail
-}
-
-/// The entries with those at the same place as one. In floating point their sum would depend on their order,
-/// and what is proved of A would not hold for the file that A came from.
-fn summed(entries: &[(usize, usize, f64)]) -> Vec<(usize, usize, f64)> {
-    let mut entries = entries.to_vec();
-    let place = |&(row, col, _): &(usize, usize, f64)| (row, col);
-    if entries.is_sorted_by(|a, b| place(a) < place(b)) {
-        return entries;
-    }
-    entries.sort_by_key(place);
-    let groups = entries.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
-    groups.map(|group| (group[0].0, group[0].1, exact_sum(group))).collect()
-}
-
-/// The sum of the values, rounded once; of values that are not all finite, as floating point has it.
-fn exact_sum(group: &[(usize, usize, f64)]) -> f64 {
-    let values = || group.iter().map(|&(_, _, value)| value);
-    if let [(_, _, value)] = group {
-        return *value;
-    }
-    let exact = values().try_fold(RBig::ZERO, |sum, value| Some(sum + RBig::try_from(value).ok()?));
-    exact.map_or_else(|| values().sum(), |sum| sum.to_f64().value())
 }

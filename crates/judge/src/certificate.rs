@@ -1,0 +1,133 @@
+//! Everything the judge found out about x: measured, and shown in exact arithmetic.
+
+use dashu_ratio::RBig;
+
+use super::{Refusal, Refutation, Verdict};
+use lcplab_problem::Lcp;
+use lcplab_problem::accurate::Sum;
+use lcplab_problem::merit::{RowTerms, Sum as _};
+
+/// Everything the judge found out about x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Certificate {
+    /// w = A x + b.
+    pub w: Vec<f64>,
+    /// max_i |x_i − Π(x_i − w_i)|.
+    pub natural_residual: f64,
+    /// max_i r_i, dimensionless: see
+    /// [`RowTerms::scaled_residual`](lcplab_problem::merit::RowTerms::scaled_residual).
+    pub scaled_residual: f64,
+    /// The row that has it.
+    pub worst_row: usize,
+    /// The size of x below which a row is at rest: [`Lcp::scale`], 0 if the problem states none.
+    pub scale: f64,
+    /// max_i of w_i⁺ (x_i − lo_i) and w_i⁻ (hi_i − x_i), over finite bounds.
+    pub complementarity_gap: f64,
+    /// How far x lies outside its bounds: max_i of lo_i − x_i and x_i − hi_i, or 0.
+    pub bound_violation: f64,
+    /// max_i |w_i| where it pushes x_i towards an infinite bound: 0 at a solution.
+    pub dual_infeasibility: f64,
+    /// ½ xᵀAx + bᵀx.
+    pub objective: f64,
+    /// Objective minus dual objective: Σ_i w_i⁺ (x_i − lo_i) + w_i⁻ (hi_i − x_i), over finite
+    /// bounds. With A symmetric semidefinite and no infeasibility it bounds the objective's error.
+    pub duality_gap: f64,
+    /// The decision.
+    pub verdict: Verdict,
+    /// What else was shown in exact arithmetic.
+    pub evidence: Option<Evidence>,
+}
+
+/// What exact arithmetic shows beside the verdict.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Evidence {
+    /// With the verdict *proved*: a direction in which x* can be moved without moving any w. Redundant
+    /// contacts share a load in many ways.
+    NotUnique(Vec<RBig>),
+    /// With the verdict *within tolerance*: the active set of x carries an exact solution, but so far
+    /// from x that it is no proof of it.
+    FarSolution {
+        /// max_i |x_i − x*_i|, rounded up.
+        distance: f64,
+    },
+    /// With the verdict *not a solution*: no x is one.
+    NoSolution(Refutation),
+}
+
+impl Certificate {
+    /// The same x as the answer to a problem that has no solution.
+    pub fn refuted_by(self, refutation: Refutation) -> Self {
+        let verdict = self.verdict.refused(self.worst_row, self.scaled_residual);
+        Certificate { verdict, evidence: Some(Evidence::NoSolution(refutation)), ..self }
+    }
+
+    /// The direction in which the solution can be moved without moving any w, if one was shown.
+    pub fn null_direction(&self) -> Option<&[RBig]> {
+        match &self.evidence {
+            Some(Evidence::NotUnique(direction)) => Some(direction),
+            _ => None,
+        }
+    }
+
+    /// Why the problem has no solution, if that was shown.
+    pub fn refutation(&self) -> Option<&Refutation> {
+        self.evidence.as_ref().and_then(Evidence::refutation)
+    }
+}
+
+impl Evidence {
+    pub(crate) fn refutation(&self) -> Option<&Refutation> {
+        match self {
+            Evidence::NoSolution(refutation) => Some(refutation),
+            _ => None,
+        }
+    }
+}
+
+/// The certificate of x before anything is proved, from the terms of its rows.
+pub(super) fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
+    let (mut worst_row, mut scaled_residual) = (0, 0.0);
+    let (mut natural, mut gap, mut outside, mut infeasible) = (0.0, 0.0, 0.0, 0.0);
+    let (mut objective, mut duality_gap) = (Sum::default(), Sum::default());
+    for (i, row) in terms.iter().enumerate() {
+        let ((lo, hi), w) = (lcp.bounds(i, x), row.w());
+        let residual = row.scaled_residual(lcp, i, x);
+        if residual > scaled_residual {
+            (worst_row, scaled_residual) = (i, residual);
+        }
+        natural = f64::max(natural, finite_or_infinite(w.min(x[i] - lo).max(x[i] - hi).abs()));
+        outside = f64::max(outside, (lo - x[i]).max(x[i] - hi));
+        let room = if w > 0.0 { x[i] - lo } else { hi - x[i] };
+        if room.is_infinite() {
+            infeasible = f64::max(infeasible, w.abs());
+        } else {
+            gap = f64::max(gap, w.abs() * room);
+            duality_gap.add_product(w.abs(), room);
+        }
+        objective.add_product(0.5 * x[i], w);
+        objective.add_product(0.5 * x[i], lcp.b()[i]);
+    }
+    Certificate {
+        w: terms.iter().map(RowTerms::w).collect(),
+        natural_residual: natural,
+        scaled_residual,
+        worst_row,
+        scale: lcp.scale(),
+        complementarity_gap: gap,
+        bound_violation: outside,
+        dual_infeasibility: infeasible,
+        objective: objective.value(),
+        duality_gap: duality_gap.value(),
+        verdict: Verdict::NotASolution {
+            row: worst_row,
+            amount: scaled_residual,
+            why: Refusal::Residual,
+        },
+        evidence: None,
+    }
+}
+
+/// NaN is as bad as a residual can be.
+fn finite_or_infinite(residual: f64) -> f64 {
+    if residual.is_nan() { f64::INFINITY } else { residual }
+}

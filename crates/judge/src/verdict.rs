@@ -1,0 +1,135 @@
+//! The judge's word on an x, and how its bounds are printed.
+
+/// The judge's word.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Verdict {
+    /// An exact solution was shown to exist this far from x (max norm, in the unit of x), at most 1e-6
+    /// of the largest entry of x.
+    Proved {
+        /// max_i |x_i − x*_i|, rounded up.
+        distance: f64,
+    },
+    /// The scaled residual is at most the tolerance, x is worth something, and nothing was found that
+    /// speaks against a solution.
+    WithinTolerance,
+    /// x is not a solution.
+    NotASolution {
+        /// The row with the largest scaled residual.
+        row: usize,
+        /// That residual.
+        amount: f64,
+        /// Why x is refused.
+        why: Refusal,
+    },
+}
+
+/// Why x is no solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refusal {
+    /// The residual is above the tolerance.
+    Residual,
+    /// The residual is small beside the terms of a far away x, and that is all: x is no nearer to a
+    /// solution than Π(0).
+    Worthless,
+    /// The problem has no solution.
+    Impossible,
+}
+
+impl Verdict {
+    /// Whether x counts as a solution.
+    pub fn is_solution(&self) -> bool {
+        !matches!(self, Verdict::NotASolution { .. })
+    }
+
+    /// How far an exact solution lies from x at most, where one was proved.
+    pub fn distance(&self) -> Option<f64> {
+        match self {
+            Verdict::Proved { distance } => Some(*distance),
+            _ => None,
+        }
+    }
+
+    /// The verdict once it is known that the problem has no solution: an x that misses already is
+    /// refused for that.
+    pub(crate) fn refused(self, row: usize, amount: f64) -> Verdict {
+        let why = match self {
+            Verdict::NotASolution { why: Refusal::Residual, .. } => Refusal::Residual,
+            _ => Refusal::Impossible,
+        };
+        Verdict::NotASolution { row, amount, why }
+    }
+
+    /// The word used in JSON, tables and plots.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Verdict::Proved { .. } => "proved",
+            Verdict::WithinTolerance => "within_tolerance",
+            Verdict::NotASolution { .. } => "not_a_solution",
+        }
+    }
+}
+
+impl std::fmt::Display for Verdict {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Verdict::Proved { distance } => {
+                let distance = upper_bound(*distance);
+                write!(f, "proved: an exact solution lies within {distance} of x")
+            }
+            Verdict::WithinTolerance => write!(f, "within tolerance"),
+            Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
+                write!(f, "not a solution: row {row} misses by {amount:.1e} of its terms")
+            }
+            Verdict::NotASolution { why: Refusal::Worthless, .. } => {
+                write!(
+                    f,
+                    "not a solution: x is no nearer to one than zero is, only its terms are large"
+                )
+            }
+            Verdict::NotASolution { why: Refusal::Impossible, .. } => {
+                write!(f, "not a solution: the problem has none")
+            }
+        }
+    }
+}
+
+/// A bound with two digits, rounded up as a bound must be: 1.04e-9 is `1.1e-9`.
+///
+/// ```
+/// use lcplab_judge::upper_bound;
+///
+/// assert_eq!(upper_bound(1.04e-9), "1.1e-9");
+/// assert_eq!(upper_bound(9.96e3), "1.0e4");
+/// assert_eq!(upper_bound(0.25), "2.5e-1"); // exact
+/// assert_eq!(upper_bound(f64::from_bits(1)), "5.0e-324"); // 4.94…e-324
+/// ```
+pub fn upper_bound(bound: f64) -> String {
+    if bound == 0.0 || !bound.is_finite() {
+        return format!("{bound:.1e}");
+    }
+    let all = format!("{bound:.800e}"); // every digit that a number has
+    let (digits, exponent) = all.split_once('e').expect("an exponent");
+    let (two, rest) = digits.split_at(3);
+    let exponent: i32 = exponent.parse().expect("a whole number");
+    let tens: u32 = two.replace('.', "").parse().expect("two digits");
+    let is_exact = rest.bytes().all(|digit| digit == b'0');
+    match tens + u32::from(!is_exact) {
+        100 => format!("1.0e{}", exponent + 1),
+        tens => format!("{}.{}e{exponent}", tens / 10, tens % 10),
+    }
+}
+
+/// A number that is at least the bound, also where its shortest decimal form is read exactly.
+pub fn printed_up(bound: f64) -> f64 {
+    let (shown, all) = (format!("{bound:e}"), format!("{bound:.800e}"));
+    let parts = |text: &str| {
+        let (digits, exponent) = text.split_once('e').unwrap_or((text, "0"));
+        let digits: String = digits.chars().filter(char::is_ascii_digit).collect();
+        (exponent.parse::<i32>().unwrap_or(0), format!("{digits:0<801}"))
+    };
+    if bound > 0.0 && bound.is_finite() && parts(&shown) < parts(&all) {
+        bound.next_up()
+    } else {
+        bound
+    }
+}

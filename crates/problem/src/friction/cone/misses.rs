@@ -1,0 +1,87 @@
+//! How far a contact is from its own step, under either law.
+
+use super::{ConeProblem, project};
+use crate::friction::Contact;
+use crate::friction::tangents::Tangents;
+use crate::merit::{self, Miss, RowTerms};
+
+impl ConeProblem {
+    /// The normal as a contact without friction, the tangents against their disc.
+    pub(super) fn coulomb(
+        &self,
+        contact: &Contact,
+        rows: [RowTerms; 3],
+        x: [f64; 3],
+        size: f64,
+    ) -> [Miss; 2] {
+        let [n, t1, t2] = rows;
+        let exponent = common_exponent(&[t1, t2]);
+        let scale = self.tangential_scale(contact);
+        let tangents = Tangents::new([t1, t2], scale, contact.mu, size, exponent);
+        let [w1, w2] = tangents.w;
+        let [of_scale, of_reach] = tangents.measured(|unit| {
+            let [p1, p2] = [x[1], x[2]].map(|x| unit.of(x));
+            let radius = contact.mu * unit.of(x[0].max(0.0));
+            let [d1, d2] = in_disc(radius, [p1 - w1, p2 - w2]);
+            (p1 - d1).hypot(p2 - d2)
+        });
+        let residual = merit::relative(of_reach, tangents.magnitude);
+        let normal = n.miss_between(x[0], 0.0, f64::INFINITY, || f64::INFINITY);
+        [normal, Miss { size: of_scale, scale, exponent, residual }]
+    }
+
+    /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ = √(s_t/s_n).
+    pub(super) fn associated(
+        &self,
+        contact: &Contact,
+        rows: [RowTerms; 3],
+        x: [f64; 3],
+        size: f64,
+    ) -> [Miss; 2] {
+        let [n, t1, t2] = rows;
+        let exponent = common_exponent(&rows);
+        let [of_normal, scale] = [n.positive_scale(), self.tangential_scale(contact)];
+        let tangents = Tangents::new([t1, t2], scale, contact.mu, size, exponent);
+        let [w1, w2] = tangents.w;
+        let [w_n, load] = [n.w, n.magnitude].map(|v| libm::ldexp(v, n.exponent - exponent));
+        let p_n = merit::product(of_normal, x[0], -exponent);
+        let [of_scale, of_reach] = tangents.measured(|unit| {
+            let rho = (unit.value() / of_normal).sqrt();
+            let [p1, p2] = [x[1], x[2]].map(|x| unit.of(x));
+            let [q, q1, q2] = project(contact.mu * rho, [rho * (p_n - w_n), p1 - w1, p2 - w2]);
+            [(p_n - q / rho).abs(), (p1 - q1).hypot(p2 - q2)]
+        });
+        let miss = |k: usize, scale, terms| {
+            let residual = merit::relative(of_reach[k], terms);
+            Miss { size: of_scale[k], scale, exponent, residual }
+        };
+        [miss(0, of_normal, load), miss(1, scale, tangents.magnitude)]
+    }
+
+    /// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the
+    /// largest |a_ij| of both rows, or 1.
+    fn tangential_scale(&self, contact: &Contact) -> f64 {
+        let a = self.friction.lcp.matrix();
+        let [_, t1, t2] = contact.rows;
+        let row_sum = |i: usize| a.entry(i, t1).abs() + a.entry(i, t2).abs();
+        let entries = || [t1, t2].into_iter().flat_map(|i| a.row(i).iter().map(|(_, a)| a.abs()));
+        match row_sum(t1).max(row_sum(t2)) {
+            0.0 => Some(entries().fold(0.0, f64::max)).filter(|&s| s > 0.0).unwrap_or(1.0),
+            s => s,
+        }
+    }
+}
+
+/// The point of the disc nearest to t.
+fn in_disc(radius: f64, [t1, t2]: [f64; 2]) -> [f64; 2] {
+    match t1.hypot(t2) {
+        length if length <= radius => [t1, t2],
+        length => [radius * (t1 / length), radius * (t2 / length)],
+    }
+}
+
+/// The unit 2^exponent in which none of these rows overflows; a row of zeros has none.
+fn common_exponent(rows: &[RowTerms]) -> i32 {
+    let rows = rows.iter().filter(|row| row.magnitude > 0.0);
+    rows.map(|row| row.exponent).max().unwrap_or(0)
+}

@@ -1,0 +1,246 @@
+//! The boxed LCP itself: A, b, the bounds, and what friction couples.
+
+use std::sync::Arc;
+
+use crate::error::{Defects, Error, Result};
+use crate::friction::{Contact, FrictionProblem};
+use crate::{Coupling, Matrix};
+
+/// A boxed LCP, with its contacts if there is friction. It is valid from construction on: sizes agree, all numbers of A and b are finite,
+/// no bound is NaN and lo ≤ hi, so no solver checks again.
+#[derive(Debug, Clone)]
+pub struct Lcp {
+    /// Shared, so that the same problem with other bounds costs no copy of A.
+    pub(crate) matrix: Arc<Matrix>,
+    pub(crate) b: Vec<f64>,
+    pub(crate) lo: Vec<f64>,
+    pub(crate) hi: Vec<f64>,
+    pub(crate) coupling: Option<Coupling>,
+    pub(crate) scale: f64,
+}
+
+impl Lcp {
+    /// The problem with matrix A (n × n), offset b and bounds lo ≤ x ≤ hi (n each).
+    ///
+    /// The unit of b is that of w (a velocity or an acceleration), the unit of x that of an impulse
+    /// or a force.
+    ///
+    /// # Errors
+    /// One [`Error::Invalid`] that lists every defect.
+    ///
+    /// ```
+    /// use lcplab_problem::{Lcp, Matrix};
+    ///
+    /// let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
+    /// let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+    /// assert_eq!(lcp.w(&[0.5, 0.0]), [0.0, 1.5]); // row 0 is free, row 1 rests at its lower bound
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    pub fn new(matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Result<Self> {
+        let mut defects = Defects::default();
+        let n = matrix.len();
+        for (name, values) in [("b", &b), ("lo", &lo), ("hi", &hi)] {
+            check_length(name, values, n, &mut defects);
+        }
+        for i in 0..n {
+            for (j, a) in matrix.row(i).iter().filter(|(_, a)| !a.is_finite()) {
+                defects.add(format!("A[{i}][{j}]"), format!("must be finite, is {a}"));
+            }
+        }
+        check_finite("b", &b, &mut defects);
+        for (i, (lo, hi)) in lo.iter().zip(&hi).enumerate() {
+            check_bounds(i, *lo, *hi, &mut defects);
+        }
+        defects.into_result("problem")?;
+        Ok(Lcp { matrix: Arc::new(matrix), b, lo, hi, coupling: None, scale: 0.0 })
+    }
+
+    /// The same problem with some rows bounded by ±μ times another row's x.
+    ///
+    /// # Errors
+    /// Lists every row whose coupling is impossible: see [`Coupling`].
+    pub fn with_coupling(mut self, coupling: Coupling) -> Result<Self> {
+        coupling.check(&self.lo, &self.hi)?;
+        for (i, _) in coupling.rows() {
+            (self.lo[i], self.hi[i]) = (f64::NEG_INFINITY, f64::INFINITY);
+        }
+        self.coupling = (!coupling.is_empty()).then_some(coupling);
+        Ok(self)
+    }
+
+    /// The same problem with friction at these contacts, as the box model has it: their tangents are
+    /// bounded by ±μ x_n. The other models are made of the same contacts ([`friction`](crate::friction)).
+    ///
+    /// # Errors
+    /// Lists every contact that is impossible: see [`FrictionProblem::new`].
+    pub fn with_contacts(self, contacts: Vec<Contact>) -> Result<Self> {
+        Ok(FrictionProblem::new(self, contacts)?.coupled_box())
+    }
+
+    /// The contacts with friction: normal, two tangents, μ. Coupled rows that do not come in pairs
+    /// with one μ are in none.
+    pub fn contacts(&self) -> &[Contact] {
+        self.coupling.as_ref().map_or(&[], Coupling::contacts)
+    }
+
+    /// The same problem with the size of x that counts as something.
+    ///
+    /// Where all terms of a row are rounding, of 1e-19 m/s beside 1 m/s of other rows, say, nothing can
+    /// be said of its w. So a row whose terms are below s_i times this is measured by s_i times this
+    /// ([`RowTerms`](crate::merit::RowTerms)). Scenes state the impulse of their lightest body's weight in a step;
+    /// the default 0 measures each row by its own terms.
+    ///
+    /// # Errors
+    /// If it is negative or not finite.
+    pub fn with_scale(self, scale: f64) -> Result<Self> {
+        if !(scale >= 0.0 && scale.is_finite()) {
+            let reason = format!("must be finite and not negative, is {scale}");
+            return Err(Error::invalid("problem", "scale", reason));
+        }
+        Ok(Lcp { scale, ..self })
+    }
+
+    /// The size of x that counts as something, 0 if the problem does not state one.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The number of rows, n.
+    pub fn len(&self) -> usize {
+        self.b.len()
+    }
+
+    /// Whether n = 0.
+    pub fn is_empty(&self) -> bool {
+        self.b.is_empty()
+    }
+
+    /// The matrix A.
+    pub fn matrix(&self) -> &Matrix {
+        &self.matrix
+    }
+
+    /// The matrix as it is shared with the problems that were made of this one.
+    pub fn shared_matrix(&self) -> &Arc<Matrix> {
+        &self.matrix
+    }
+
+    /// The offset b.
+    pub fn b(&self) -> &[f64] {
+        &self.b
+    }
+
+    /// The lower bounds; −∞ for a coupled row.
+    pub fn lo(&self) -> &[f64] {
+        &self.lo
+    }
+
+    /// The upper bounds; ∞ for a coupled row.
+    pub fn hi(&self) -> &[f64] {
+        &self.hi
+    }
+
+    /// Which rows are bounded by another row's x, if any.
+    pub fn coupling(&self) -> Option<&Coupling> {
+        self.coupling.as_ref()
+    }
+
+    /// Whether row i is bounded by another row's x.
+    pub fn is_coupled(&self, i: usize) -> bool {
+        self.coupling.as_ref().is_some_and(|coupling| coupling.index(i).is_some())
+    }
+
+    /// The bounds of row i at x: those of the file, or ±μ max(x_k, 0) for a coupled row.
+    pub fn bounds(&self, i: usize, x: &[f64]) -> (f64, f64) {
+        self.coupling
+            .as_ref()
+            .and_then(|coupling| coupling.bounds(i, x))
+            .unwrap_or((self.lo[i], self.hi[i]))
+    }
+
+    /// Π_i(value): the nearest number within the bounds of row i at x. K&M (3).
+    pub fn project(&self, i: usize, value: f64, x: &[f64]) -> f64 {
+        let (lo, hi) = self.bounds(i, x);
+        value.max(lo).min(hi)
+    }
+
+    /// x ← Π(x). A friction row is clamped by the x its normal row has after that.
+    pub fn project_all(&self, x: &mut [f64]) {
+        for i in 0..x.len() {
+            x[i] = x[i].max(self.lo[i]).min(self.hi[i]);
+        }
+        for (i, _) in self.coupling.iter().flat_map(Coupling::rows) {
+            x[i] = self.project(i, x[i], x);
+        }
+    }
+
+    /// w_i = (A x)_i + b_i.
+    pub fn row_w(&self, i: usize, x: &[f64]) -> f64 {
+        self.matrix.row_dot(i, x) + self.b[i]
+    }
+
+    /// w = A x + b.
+    pub fn w(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.len()).map(|i| self.row_w(i, x)).collect()
+    }
+
+    /// The same A and bounds with another b.
+    ///
+    /// # Errors
+    /// As [`Lcp::new`].
+    pub fn with_b(&self, b: Vec<f64>) -> Result<Lcp> {
+        let mut defects = Defects::default();
+        check_length("b", &b, self.len(), &mut defects);
+        check_finite("b", &b, &mut defects);
+        defects.into_result("problem")?;
+        Ok(Lcp { b, ..self.clone() })
+    }
+
+    /// The same b and bounds with this part of each diagonal entry of A added to it: every row yields
+    /// a little.
+    ///
+    /// # Errors
+    /// If an entry is not finite then.
+    pub fn softened(&self, part: f64) -> Result<Lcp> {
+        let matrix = self.matrix.softened(part);
+        let mut defects = Defects::default();
+        let diagonal: Vec<f64> = (0..self.len()).map(|i| matrix.diagonal(i)).collect();
+        check_finite("diagonal", &diagonal, &mut defects);
+        defects.into_result("problem")?;
+        Ok(Lcp { matrix: Arc::new(matrix), ..self.clone() })
+    }
+
+    /// The same A and bounds with b = 0.
+    pub fn homogeneous(&self) -> Lcp {
+        Lcp { b: vec![0.0; self.len()], scale: 0.0, ..self.clone() }
+    }
+
+    /// The boxed problem without coupling whose bounds are those of this one at x.
+    pub fn frozen_at(&self, x: &[f64]) -> Lcp {
+        let (lo, hi) = (0..self.len()).map(|i| self.bounds(i, x)).unzip();
+        Lcp { lo, hi, coupling: None, ..self.clone() }
+    }
+}
+
+fn check_length(name: &str, values: &[f64], n: usize, defects: &mut Defects) {
+    if values.len() != n {
+        defects.add(name, format!("has {} rows, A is {n} × {n}", values.len()));
+    }
+}
+
+fn check_finite(name: &str, values: &[f64], defects: &mut Defects) {
+    for (i, value) in values.iter().enumerate().filter(|(_, value)| !value.is_finite()) {
+        defects.add(format!("{name}[{i}]"), format!("must be finite, is {value}"));
+    }
+}
+
+fn check_bounds(i: usize, lo: f64, hi: f64, defects: &mut Defects) {
+    for (name, value, impossible) in [("lo", lo, f64::INFINITY), ("hi", hi, f64::NEG_INFINITY)] {
+        if value.is_nan() || value == impossible {
+            defects.add(format!("{name}[{i}]"), format!("is {value}, no number can meet it"));
+        }
+    }
+    if lo > hi {
+        defects.add(format!("lo[{i}]"), format!("is {lo}, above hi[{i}] = {hi}"));
+    }
+}

@@ -1,0 +1,87 @@
+//! Lemke's complementary pivoting: follows a path of almost-solutions, for any square A.
+//!
+//! A covering variable z₀ makes every w big enough:
+//!
+//! ```text
+//! w = A x + b + z₀ e,   x, w, z₀ ≥ 0,   x_i w_i = 0        e = (1, …, 1)
+//! ```
+//!
+//! (Bounds are 0 and ∞ here: a boxed problem is first brought into this form, see
+//! `standard_form.rs`. Where the units of the rows are far apart, e_i is that of
+//! w_i.) At x = 0 the least z₀ that works has some w_r = 0. From there the partner of whatever has
+//! just become zero is raised, until the next variable becomes zero: a *pivot*. The path never
+//! forks, so it cannot return, and it ends in one of two ways:
+//!
+//! - z₀ becomes zero: x is a solution;
+//! - nothing becomes zero: a *ray*, `Ray`. For copositive-plus A, which includes every positive
+//!   semidefinite A, symmetric or not, this happens only if no x ≥ 0 has A x + b ≥ 0, hence if no
+//!   solution exists. If A is symmetric too, the ray's x is a Farkas vector d, A d = 0 and bᵀd < 0,
+//!   which the judge can check. For other A a ray says nothing about solvability.
+//!
+//! It also solves every problem whose A is a P-matrix and every problem with all bounds finite
+//! (there z̃ = 0 on a ray, so a second ray does not exist). Ties in "which one becomes zero" are
+//! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
+//! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
+//! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
+//! At the end x is computed afresh from the active set. Rounding piles up: a path of more than 50
+//! pivots, or with a very small one, that ends at no solution is followed once more, with a tableau
+//! that is made anew every 50 pivots; its pivots are counted on, and the solution says so ([`Fallback`]).
+//!
+//! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
+//! [`frozen`].
+
+mod path;
+
+use self::path::Path;
+use crate::pivot::opening;
+use crate::{Fallback, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use lcplab_problem::Lcp;
+use lcplab_problem::memory::Memory;
+
+/// A path of more pivots may be followed a second time; then the tableau is made anew after each so
+/// many pivots.
+const PIVOTS_TO_RENEWAL: usize = 50;
+
+/// Lemke's method with lexicographic ties.
+#[derive(Debug, Clone, Default)]
+pub struct Lemke {
+    /// The common settings; an iteration is a pivot, the entry of the covering variable included.
+    pub settings: Settings,
+}
+
+impl Solver for Lemke {
+    fn name(&self) -> &'static str {
+        "lemke"
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        let x = start.point(lcp);
+        if let Some(status) = opening::at_once(lcp, &x, tableaux(lcp), &self.settings, observer) {
+            return Solution::new(lcp, x, status, 0);
+        }
+        frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
+            frozen::tell(lcp, frozen, observer);
+            let lcp = frozen;
+            let mut path = Path::new(lcp, before);
+            let (x, status) = path.solve(&self.settings, observer);
+            let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
+            let is_led_astray = match status {
+                Status::Ray { .. } | Status::NotFinite | Status::Inaccurate => is_long,
+                Status::Stalled => true,
+                _ => false,
+            };
+            if !is_led_astray {
+                return Solution::new(lcp, x, status, path.pivots);
+            }
+            let mut path = Path::new(lcp, path.pivots).with_renewals();
+            let (x, status) = path.solve(&self.settings, observer);
+            let solution = Solution::new(lcp, x, status, path.pivots);
+            solution.with_fallback(Some(Fallback::SecondPath))
+        })
+    }
+}
+
+/// Room for three tableaux: the first, the one that is pivoted, and one to make that anew.
+fn tableaux(lcp: &Lcp) -> Memory {
+    Memory::square(lcp.len() + 2).times(3)
+}
