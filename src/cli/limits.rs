@@ -31,7 +31,7 @@ pub struct TimeLimit {
 /// How much memory a command may use.
 #[derive(Debug, Args)]
 pub struct MemoryLimit {
-    /// Most memory of a problem, a matrix, a factor, a record, each by itself
+    /// Memory limit for any single object: a problem, a matrix, a factor, a recording
     #[arg(long, value_name = "SIZE", default_value = "4GB")]
     pub max_memory: Memory,
 }

@@ -196,8 +196,8 @@ impl Lcp {
         Ok(Lcp { b, ..self.clone() })
     }
 
-    /// The same b and bounds with this part of each diagonal entry of A added to it: every row yields
-    /// a little.
+    /// The same b and bounds with this part of each diagonal entry of A added to it: every row is
+    /// a little compliant.
     ///
     /// # Errors
     /// If an entry is not finite then.

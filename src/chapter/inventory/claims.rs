@@ -207,7 +207,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .errata(&["E14"])
         .code(&[
             "formulation::velocity",
-            "test simulation::pendulum::both_formulations_give_one_motion_as_dt_shrinks",
+            "test simulation::pendulum::both_levels_give_one_motion_as_dt_shrinks",
         ])
         .lesson(&[3, 9])
         .remark("What J̇ u would give comes a step late, as an error of position."),

@@ -4,6 +4,7 @@ mod force_path;
 mod friction;
 mod grid;
 mod ledger;
+mod looks;
 mod page;
 mod published;
 mod rates;

@@ -61,7 +61,7 @@ pub struct Row {
     pub velocity_product: f64,
     /// What J u is to be (m/s or rad/s).
     pub speed: f64,
-    /// How it yields.
+    /// Its spring and damper, if it is compliant.
     pub spring: Option<Spring>,
     /// What its force may be; a friction row's `normal` counts among the rows of the assembly.
     pub bounds: Bounds,

@@ -133,11 +133,11 @@ pub struct Row {
     pub bounds: Bounds,
     /// What J u is to be (m/s or rad/s): 0 but for motors.
     pub speed: f64,
-    /// How the row yields; a row without yields to nothing.
+    /// Its spring and damper; a row without is rigid.
     pub spring: Option<Spring>,
 }
 
-/// A row that yields: x = −(k c + d ċ), taken at the end of the step so that no stiffness is too
+/// A compliant row: x = −(k c + d ċ), taken at the end of the step so that no stiffness is too
 /// large for it.
 ///
 /// ```text

@@ -4,8 +4,8 @@
 //! x = −(k c + d ċ);   c, J, J'u those of the constraint that it softens
 //! ```
 //!
-//! taken at the end of the step, as [`Spring`] says. A rod that yields is a spring with a damper
-//! beside it, a rotation that yields a torsion spring. The static deflection under a load f is f/k at
+//! taken at the end of the step, as [`Spring`] says. A compliant rod is a spring with a damper
+//! beside it, a compliant rotation a torsion spring. The static deflection under a load f is f/k at
 //! any step; swinging at ω0 = √(k/m), a step h gives the frequency atan(h ω0)/h and damps by
 //! 1/√(1 + h²ω0²) a step, so it never gains. `math §4`; Catto, *Soft Constraints*, GDC 2011.
 
@@ -19,12 +19,12 @@ use super::{
 };
 use crate::body::{Pose, State};
 
-/// A constraint that yields.
+/// A compliant constraint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elastic<C> {
     /// What is at rest where its c is 0.
     pub held: C,
-    /// How each of its rows yields.
+    /// The spring and damper of each of its rows.
     pub spring: Spring,
 }
 

@@ -152,7 +152,7 @@ impl Default for Soft {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Xpbd {
-    /// How far every row without a spring of its own yields (m/N, for angles rad/(N m)); 0 is rigid.
+    /// The compliance of every row without a spring of its own (m/N, for angles rad/(N m)); 0 is rigid.
     pub compliance: f64,
     /// Sweeps over the rows in a substep.
     pub sweeps: usize,

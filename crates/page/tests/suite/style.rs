@@ -1,35 +1,5 @@
 use lcplab_page::plot::style::{style, styles};
 
-const SOLVERS: [&str; 16] = [
-    "pgs",
-    "jacobi",
-    "block_pgs",
-    "nncg",
-    "apgd",
-    "dantzig",
-    "lemke",
-    "murty",
-    "fischer_newton",
-    "interior_point",
-    "clarabel",
-    "sor ω = 0.8",
-    "sor ω = 1.3",
-    "sor ω = 1.5",
-    "sor ω = 1.7",
-    "sor ω = 1.9",
-];
-
-#[test]
-fn no_two_solvers_look_the_same_in_grey() {
-    let looks = SOLVERS.map(style);
-    for (k, a) in looks.iter().enumerate() {
-        for (b, name) in looks.iter().zip(SOLVERS).skip(k + 1) {
-            let grey = (a.dash, a.marker) == (b.dash, b.marker);
-            assert!(!grey, "{} and {name} are the same in grey", SOLVERS[k]);
-        }
-    }
-}
-
 #[test]
 fn spelling_does_not_change_the_look() {
     assert_eq!(style("Block PGS"), style("block_pgs"));
@@ -47,7 +17,7 @@ fn names_that_would_look_the_same_are_told_apart_in_a_figure() {
 }
 
 #[test]
-fn steps_of_one_formulation_keep_its_hue_and_change_the_dash() {
+fn steps_of_one_scheme_keep_its_hue_and_change_the_dash() {
     let looks = ["velocity, dt", "velocity, dt/2", "velocity, dt/4"].map(style);
     assert_eq!(looks[2].color, style("velocity").color);
     assert!(looks[0].dash != looks[1].dash && looks[1].dash != looks[2].dash);

@@ -147,8 +147,8 @@ impl FrictionProblem {
         &self.lcp
     }
 
-    /// The problem with this part of each diagonal entry of A added to it: every row yields a
-    /// little, and no load can be shared in two ways any more.
+    /// The problem with this part of each diagonal entry of A added to it: every row is a
+    /// little compliant, and no load can be shared in two ways any more.
     ///
     /// # Errors
     /// If an entry is not finite then.

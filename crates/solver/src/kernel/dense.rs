@@ -15,9 +15,7 @@
 //! ```
 //!
 //! By columns, a row costs nothing but a look where x_i stays at its bound: for symmetric A only, whose
-//! columns are rows. w collects rounding, so it is made anew every [`RENEWED`] sweeps.
-//!
-//! For bounds that follow another row, [`Pgs`](crate::Pgs).
+//! columns are rows. w collects rounding, so it is made anew every [`RENEWED`] sweeps. For coupled rows: [`Pgs`](crate::Pgs).
 
 use super::lanes::{Lanes, Width, Work, sum};
 use crate::Status;

@@ -6,7 +6,7 @@
 //!
 //! that is, it minimises ½ xᵀA x + bᵀx + ρ/2 |x − xᵏ|²_D in the box (Rockafellar 1976). A + ρ D is
 //! positive definite where A is semidefinite, so block pivoting solves each step, from the active set of
-//! the last one. The rows do not yield: where x stays, the term is gone, and what ends the steps is the
+//! the last one. This softens nothing: where x stays, the added term is zero, and what ends the steps is the
 //! residual of the problem as it was posed.
 //!
 //! Along an eigenvector of D⁻¹A with the eigenvalue λ a step leaves the part ρ/(ρ + λ) of the error; for

@@ -18,14 +18,6 @@ fn posed(model: Model, problem: &FrictionProblem) -> Posed {
 }
 
 #[test]
-fn the_solvers_come_first_each_with_the_options_it_reads() {
-    for (method, entry) in methods().iter().zip(ALL) {
-        assert_eq!((method.name(), method.uses()), (entry.name, entry.uses));
-    }
-    assert_eq!(method("cone-pgs").uses(), []);
-}
-
-#[test]
 fn a_model_is_taken_by_the_methods_whose_theory_holds_for_it() {
     let polygon = Model::Polyhedral { directions: 8 };
     // Its matrix is copositive, not symmetric, and has zeros on its diagonal: Lemke's alone.

@@ -71,7 +71,7 @@ fn the_period_of_a_large_swing_is_the_elliptic_one_to_second_order() {
 }
 
 #[test]
-fn both_formulations_give_one_motion_as_dt_shrinks() {
+fn both_levels_give_one_motion_as_dt_shrinks() {
     let end = |level, dt: f64| {
         let mut pendulum = scene("pendulum", level);
         (pendulum.step.dt, pendulum.step.alpha) = (dt, 0.2 / dt);

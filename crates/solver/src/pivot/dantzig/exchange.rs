@@ -46,7 +46,7 @@ impl Run<'_> {
                 self.basis.factor.remove(k);
                 self.state.w[row] = 0.0;
                 self.put(row, side);
-                self.wake(&dependents)?;
+                self.admit_idle(&dependents)?;
             }
             (_, Side::Free) if row == i => self.enter(row, &direction),
             (_, Side::Free) => {
@@ -91,7 +91,7 @@ impl Run<'_> {
     }
 
     /// After a row has left C, lets the idle row that no longer depends on C enter in its place.
-    fn wake(&mut self, dependents: &[usize]) -> ControlFlow<Status> {
+    fn admit_idle(&mut self, dependents: &[usize]) -> ControlFlow<Status> {
         for &row in dependents {
             let direction = self.direction(row)?;
             let is_free = direction.schur > 0.0;

@@ -30,6 +30,7 @@
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
 //! [`frozen`].
 
+mod end;
 mod path;
 
 use self::path::Path;

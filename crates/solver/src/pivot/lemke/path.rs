@@ -4,26 +4,26 @@ use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use super::PIVOTS_TO_RENEWAL;
-use crate::linalg::elimination::{RELATIVE_ZERO, difference};
-use crate::pivot::active_set::{ROUNDING, claim};
+use crate::linalg::elimination::difference;
+use crate::pivot::active_set::claim;
 use crate::pivot::ratio_test::{Blocking, Candidate, least};
 use crate::pivot::standard_form::{FORGIVEN, StandardForm};
 use crate::{Event, Iterate, Leaving, Observer, Part, Settings, Status, Tableau, Variable};
-use lcplab_problem::{Lcp, merit};
+use lcplab_problem::Lcp;
 
 /// A pivot below this part of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;
 /// A path that is followed.
 pub(super) struct Path<'a> {
-    lcp: &'a Lcp,
-    form: StandardForm,
+    pub(super) lcp: &'a Lcp,
+    pub(super) form: StandardForm,
     /// The variables that were basic before the first pivot.
     first: Vec<Variable>,
     renews: bool,
     /// Whether some pivot may have been nothing but rounding.
     pub(super) is_doubtful: bool,
     /// x after the last pivot.
-    x: Vec<f64>,
+    pub(super) x: Vec<f64>,
     pub(super) pivots: usize,
 }
 
@@ -214,50 +214,5 @@ impl<'a> Path<'a> {
         if renewed.dictionary.basic().iter().all(|&v| now.row_of(v).is_some()) {
             self.form = renewed;
         }
-    }
-
-    /// Why nothing becomes zero. Along a ray d no x_i w_i changes, so that dᵀA d ≤ 0; where it is more,
-    /// something does become zero, but only beyond the largest number.
-    fn endless(&self, c: usize) -> Status {
-        let direction = self.form.direction(c);
-        let (mut product, mut size) = (0.0, 0.0);
-        for (i, d_i) in direction.iter().enumerate().filter(|(_, d)| **d != 0.0) {
-            for (j, a_ij) in self.lcp.matrix().row(i).iter() {
-                let term = d_i * a_ij * direction[j];
-                product += term;
-                size += term.abs();
-            }
-        }
-        if product > RELATIVE_ZERO * size {
-            return Status::NotFinite;
-        }
-        let size = |&i: &usize| direction[i].abs();
-        let row = (0..direction.len()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
-        Status::Ray { row, direction }
-    }
-
-    /// x at the end of the path without the rounding of the path: from a fresh factorisation of the
-    /// active set, first with the free rows at a bound that are there but for rounding.
-    fn refined(&self) -> Vec<f64> {
-        let (lcp, x) = (self.lcp, &self.x);
-        let set = self.form.active_set();
-        let tight = set.tightened(lcp, x);
-        let points: [&dyn Fn() -> Option<Vec<f64>>; 4] = [
-            &|| tight.point(lcp).ok(),
-            &|| Some(tight.moved_to_bounds(lcp, x)),
-            &|| set.point(lcp).ok(),
-            &|| Some(x.clone()),
-        ];
-        let (mut best, mut least) = (Vec::new(), f64::INFINITY);
-        for point in points.iter().filter_map(|point| point()) {
-            let residual = merit::scaled_residual(lcp, &point);
-            if best.is_empty() || residual.total_cmp(&least).is_lt() {
-                (best, least) = (point, residual);
-            }
-            if least <= ROUNDING {
-                break; // none is better but by rounding
-            }
-        }
-        best
     }
 }
