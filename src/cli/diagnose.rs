@@ -12,7 +12,7 @@ use super::form::Writing;
 use super::scene::Changes;
 use super::{Outcome, print, read_problem};
 
-/// Say why a scene or a problem cannot be solved, or not in one way only
+/// Explain why a scene or a problem has no solution, or more than one
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -21,10 +21,10 @@ Example:
   lcplab diagnose fig8 --json
   lcplab generate fathi | lcplab diagnose - --format markdown
 
-Counted are rank, condition number and degrees of freedom; named are zero rows, dependent rows, rows
-that no forces satisfy, constraints without direction, drift and overlap, and what a wrong sign leaves in
-A. A name that ends as those of problem files do (.json, .mtx, …: `convert --list`), or -, is one. Exit code 0 if it can be solved, with remarks or
-without, 1 if not, 2 for bad input.")]
+It reports rank, condition number and degrees of freedom, and lists zero rows, dependent rows, rows that
+no forces satisfy, constraints without direction, drift, overlap, and sign errors in A. INPUT is a problem
+file if its ending is one of `convert --list`, or -; otherwise a scene. Exit code 0 if it can be solved,
+1 if not, 2 for bad input.")]
 pub struct Diagnose {
     /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
     /// JSON from standard input

@@ -38,7 +38,7 @@ pub struct Explain {
     /// symmetric]
     #[arg(long)]
     solver: Option<String>,
-    /// The level of a scene's LCP [default: the scene's]
+    /// Velocity or acceleration level [default: the scene's]
     #[arg(long, value_enum)]
     scheme: Option<Level>,
     #[command(flatten)]

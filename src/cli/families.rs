@@ -29,11 +29,11 @@ Example:
   lcplab compare-solvers pushed-rod --model coulomb-cone --model polygon-16
   lcplab compare-solvers problem.mtx          # a problem file, any format of `convert --list`
 
-Without names all families run, by eight solvers, one of each kind; --all runs all twenty. clarabel is
-the reference. Families with
-friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and -16, associated-cone
-and coulomb-cone, each by the solvers that it fits. Exit code 1 if a claim is refuted, made of a problem
-that has no solution, or a failure that must happen does not.")]
+Without names all families run, by eight solvers, one of each kind; --all runs all solvers. clarabel is the
+reference. Families with friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and
+-16, associated-cone and coulomb-cone, each by the solvers that can handle it. Exit code 1 if the judge
+refutes a solver's claim, a solver claims a solution where none exists, or an expected failure does not
+occur.")]
 pub struct CompareSolvers {
     /// Families that `problems` lists, or problem files; all families without one
     families: Vec<String>,
@@ -43,7 +43,7 @@ pub struct CompareSolvers {
     /// A solver; may be given more than once
     #[arg(long)]
     solver: Vec<String>,
-    /// A model of friction; may be given more than once, and leaves out families without friction
+    /// Use this friction model (repeatable); only families with friction are run
     #[arg(long)]
     model: Vec<Model>,
     /// Problems of each family that has a seed: the seeds 1 to this

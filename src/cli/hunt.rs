@@ -17,12 +17,12 @@ Example:
   lcplab hunt --problems 100000 --seed 1
   lcplab hunt --solver dantzig --json
 
-Problem k of a seed is the same in every run. The exit code is 1 if a solver lied.")]
+Problem k of a seed is the same in every run. The exit code is 1 if a solver's claim is false.")]
 pub struct Challenge {
     /// How many problems
     #[arg(long, default_value_t = 10_000)]
     problems: usize,
-    /// The seed of them all
+    /// Random seed
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Only this solver [default: all]

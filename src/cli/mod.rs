@@ -48,7 +48,7 @@ Example:
 
 Exit codes:
   0    good: solved, accepted, written
-  1    not good: refuted, failed or diverged, a row that misses, or stopped by the time limit
+  1    not good: refuted, failed or diverged, a check of verify that fails, or stopped by the time limit
   2    bad input or usage, or a file that cannot be read or written
   130  stopped by Ctrl-C, or by SIGTERM where there is one
 

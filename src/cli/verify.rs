@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::{Outcome, print};
 
-/// Measure what is known without a computer, with shorter and shorter steps
+/// Compare simulations with closed-form results, at several lengths of the step
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -16,9 +16,9 @@ Example:
   lcplab verify --only pendulum --json
   lcplab verify --long      # a pendulum and a stack of ten for a minute, by every scheme: some minutes
 
-Each closed form is measured with dt, dt/2, dt/4 and dt/8. What the step length spoils must come right
-at the order that theory gives, within 0.1; what it does not must be right at every length. Exit code 1
-if a row fails, 2 for bad input.")]
+Each closed form is measured with dt, dt/2, dt/4 and dt/8. Errors that depend on dt must
+fall at the theoretical order, within 0.1; others must be small at every dt. Exit code 1 if a check fails,
+2 for bad input.")]
 pub struct Verify {
     /// One case, by the name in the first column
     #[arg(long)]

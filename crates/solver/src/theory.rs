@@ -115,6 +115,27 @@ pub fn optimal_omega(jacobi_radius: f64) -> f64 {
     2.0 / (1.0 + (1.0 - jacobi_radius * jacobi_radius).sqrt())
 }
 
+/// Young's ρ(ω) of SOR from the spectral radius of the undamped Jacobi matrix, for a consistently ordered A: by
+/// how much a sweep shrinks the error in the long run.
+///
+/// ```
+/// use lcplab_solver::theory::sor_radius;
+///
+/// assert_eq!(sor_radius(0.8, 1.0), 0.8_f64.powi(2)); // Gauss-Seidel
+/// assert!((sor_radius(0.8, 1.25) - 0.25).abs() < 1e-7); // ω* = 1.25: ω* − 1
+/// assert_eq!(sor_radius(0.8, 1.5), 0.5);
+/// ```
+pub fn sor_radius(jacobi_radius: f64, omega: f64) -> f64 {
+    let along = omega * jacobi_radius;
+    let root = along * along - 4.0 * (omega - 1.0);
+    if root < 0.0 { omega - 1.0 } else { (0.5 * (along + root.sqrt())).powi(2) }
+}
+
+/// ρ_J = cos(π/2n), the spectral radius of the Jacobi matrix of a column of n bodies on the ground.
+pub fn column_radius(n: usize) -> f64 {
+    libm::cos(std::f64::consts::FRAC_PI_2 / n as f64)
+}
+
 /// The sweeps after which the error has shrunk by `reduction` (below 1) at spectral radius ρ;
 /// infinite for ρ ≥ 1.
 ///

@@ -24,7 +24,7 @@ pub const BOX_QP: Entry = Entry {
     method: "the reference: clarabel's interior point for the box QP, iterative",
     class: Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) },
     group: Group::Newton,
-    cost: Cost::each(|i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
+    cost: Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
     source: SOURCE,
     uses: &[],
     build: |options| Box::new(Clarabel { settings: options.settings.clone() }),

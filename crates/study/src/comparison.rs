@@ -128,7 +128,7 @@ const NONE: Entry = Entry {
     method: "no LCP is solved",
     class: Class::of(MatrixClass::General),
     group: Group::Pivoting,
-    cost: Cost::each(|_| 0.0),
+    cost: Cost::each("0", |_| 0.0),
     source: "",
     uses: &[],
     build: |options| Box::new(Dantzig { settings: options.settings.clone() }),

@@ -94,7 +94,7 @@ impl Judged {
         let FrictionCertificate { scaled_residual, verdict, .. } = &self.certificate;
         let mut text = format!(
             "verdict    {verdict}\n  scaled residual   {scaled_residual:>9.2e}  under this model\n  \
-             coulomb residual  {:>9.2e}  under Coulomb's law: what the model gives up\n",
+             coulomb residual  {:>9.2e}  under Coulomb's law: the error of the model\n",
             self.coulomb_residual
         );
         text += &self.certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();

@@ -120,7 +120,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .code(&[
             "trace::Convergence",
             "report::study::convergence",
-            "test solver::sweep::pgs::no_sweep_raises_the_objective",
+            "test solver::pgs::no_sweep_raises_the_objective",
         ])
         .lesson(&[4, 6])
         .remark("The objective never rises; distance and residual may."),

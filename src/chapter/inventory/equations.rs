@@ -26,7 +26,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     .code(&[
         "solver::sweep::pgs",
         "solver::theory::sor_iteration_matrix",
-        "test solver::sweep::code6::without_bounds_it_is_gauss_seidel",
+        "test solver::code6::without_bounds_it_is_gauss_seidel",
     ])
     .lesson(&[4])
     .remark("The coefficients are missing from the sums; the listing has them."),
@@ -109,7 +109,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "The standard LCP: b = A x + q, both sides at least 0 and orthogonal.",
     )
     .errata(&["E02"])
-    .code(&["lcp::Lcp", "solver::standard_form", "solver::Lemke"])
+    .code(&["lcp::Lcp", "solver::pivot::standard_form", "solver::pivot::lemke::Lemke"])
     .lesson(&[1])
     .remark(
         "Bounds 0 and ∞ make (1) of it. Its b is the w of (1), and joints need x \
@@ -120,7 +120,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .code(&[
             "solver::linalg::ldlt",
             "reference::box_qp",
-            "test solver::newton::a_linear_system_takes_one_step_of_the_minimum_map",
+            "test solver::a_linear_system_takes_one_step_of_the_minimum_map",
         ])
         .lesson(&[1, 6])
         .remark("Its b has the opposite sign to that of (1), and A is semidefinite in general."),

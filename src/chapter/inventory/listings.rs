@@ -48,7 +48,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     ),
     Entry::new("Code 6", Wrong, "Gauss-Seidel with bounds.")
         .errata(code::code06_solver::LISTING.errata)
-        .code(&["chapter::code::code06_solver", "solver::Code6", "solver::Pgs"])
+        .code(&["chapter::code::code06_solver", "solver::sweep::Code6", "solver::sweep::Pgs"])
         .lesson(&[4])
         .remark(
             "It clamps after the sweep: wrong limits, and divergence on definite matrices. \
@@ -117,7 +117,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         "Declarations of product, transpose, sum, difference and scaling.",
     )
     .errata(code::code11_map_matrix::OPERATORS.errata)
-    .code(&["storage::product", "lcp::Matrix"])
+    .code(&["storage::product", "lcp::matrix::Matrix"])
     .lesson(&[10])
     .remark("A product of three needs constant references in standard C++."),
 ];

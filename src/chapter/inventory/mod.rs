@@ -41,7 +41,7 @@ pub struct Entry {
     /// The exhibits that show what does not.
     pub errata: &'static [&'static str],
     /// Where the library has it: a module or item (`lcp::merit`), `scene fig7`, a command
-    /// (`lcplab verify`), `test solver::sweep::pgs`, `bench pivoting` or `example own_solver`.
+    /// (`lcplab verify`), `test solver::pgs`, `bench pivoting` or `example own_solver`.
     pub code: &'static [&'static str],
     /// The lessons that teach it.
     pub lesson: &'static [u8],

@@ -70,11 +70,7 @@ pub(super) const ENTRIES: &[Entry] = &[
          and matched by the names of rows.",
         ),
     Entry::new("N7", Right, "A zero on the diagonal sends the solution to infinity.")
-        .code(&[
-            "solver::Status",
-            "test solver::sweep::pgs::a_zero_diagonal_is_named",
-            "diagnosis::Cause",
-        ])
+        .code(&["solver::Status", "test solver::pgs::a_zero_diagonal_is_named", "diagnosis::Cause"])
         .lesson(&[4, 6])
         .remark("Ours is a status with the row, and x stays finite."),
     Entry::new(
@@ -82,7 +78,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         Opinion,
         "A wrapper for matrices gives room for checks, other platforms, templates.",
     )
-    .code(&["lcp::Matrix", "storage::Storage"])
+    .code(&["lcp::matrix::Matrix", "storage::Storage"])
     .lesson(&[10])
     .remark(
         "Dense and sparse A are one type here; nalgebra and faer do the algebra and \

@@ -88,7 +88,7 @@ pub(super) const ENTRIES: &[Entry] = &[
             "storage::Dense",
             "storage::CompressedRows",
             "report::study::storage",
-            "lcp::Matrix",
+            "lcp::matrix::Matrix",
         ])
         .lesson(&[10])
         .remark(
@@ -97,7 +97,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         ),
     Entry::new("T48", Opinion, "Overloaded operators with assertions make programs readable.")
         .errata(&["E49"])
-        .code(&["lcp::Matrix", "storage::product"])
+        .code(&["lcp::matrix::Matrix", "storage::product"])
         .lesson(&[10])
         .remark("nalgebra and faer have them; what cannot be multiplied does not pass."),
     Entry::new("T49", Right, "Change the matrix behind the same face.")
@@ -109,7 +109,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .lesson(&[10]),
     Entry::new("T50", Opinion, "Get it to work with dense matrices first.")
         .code(&[
-            "lcp::Matrix::dense",
+            "lcp::matrix::Matrix::dense",
             "test lcp::matrix::dense_and_sparse_storage_agree_on_every_operation",
         ])
         .lesson(&[10])
@@ -182,8 +182,8 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::new("T62", Opinion, "Graphics processors and several platforms.")
         .code(&[
             "solver::sweep::order",
-            "solver::Jacobi",
-            "test solver::sweep::order::rows_of_a_colour_do_not_touch",
+            "solver::sweep::Jacobi",
+            "test solver::order::rows_of_a_colour_do_not_touch",
         ])
         .lesson(&[4])
         .remark(

@@ -23,14 +23,14 @@ use crate::cli::{Outcome, bar, print, say};
 Example:
   lcplab compare stack --steps 20 --out stack-report
 
-Without --scheme at both levels that are one LCP, velocity and acceleration; with it by that
-scheme alone. Schemes that solve no LCP have one row. Only solvers that are made for the model of
-friction run, and only levels that know it.
+By default all solvers step the scene, at the velocity and at the acceleration level; --solver and --scheme
+select one. Schemes that solve no LCP have one row. Only solvers that can handle the friction model run,
+and only levels that know it.
 With --out the folder gets a page with a film of the solvers side by side, the table and the plots.
-The film shows one solver of each group that moves alike, or those named by --show:
+The film shows one solver of each set with the same motion, or those named by --show:
   lcplab compare stack --show pgs:5 --show dantzig --out stack-report   # five sweeps beside exact
-Exit code 1 if the judge refutes a
-solver's claim, 2 for bad input; a solver that admits failure is a row of the table.")]
+Exit code 1 if the judge refutes a solver's claim, 2 for bad input; a solver that admits failure is a row of
+the table.")]
 pub struct Compare {
     #[command(flatten)]
     scene: SceneArgs,

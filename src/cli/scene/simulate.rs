@@ -46,7 +46,7 @@ pub struct Simulate {
     /// Folder for the recorded motion
     #[arg(long)]
     out: Option<PathBuf>,
-    /// Write every so manieth step to the tables
+    /// Write every Nth step to the tables
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
     /// Number of instants in frames.svg

@@ -3,6 +3,7 @@
 use super::plan::Task;
 use crate::lcp::{Lcp, Matrix};
 use crate::scene::Solver;
+use crate::solver::theory::{column_radius, optimal_omega, sor_radius};
 
 /// A closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,9 +72,9 @@ impl Theory {
                     "pgs" => 1.0,
                     _ => return None,
                 };
-                let jacobi = column_radius(lcp.matrix())?;
+                let jacobi = radius_of_column(lcp.matrix())?;
                 let value = libm::log(solver.tolerance) / libm::log(sor_radius(jacobi, omega));
-                let optimum = 2.0 / (1.0 + (1.0 - jacobi * jacobi).sqrt());
+                let optimum = optimal_omega(jacobi);
                 Some(Prediction { value, optimum: Some(optimum) })
             }
             Theory::MassRatio => {
@@ -87,7 +88,7 @@ impl Theory {
 }
 
 /// ρ_J = cos(π/2n) of a column; `None` for another matrix.
-fn column_radius(a: &Matrix) -> Option<f64> {
+fn radius_of_column(a: &Matrix) -> Option<f64> {
     let n = a.len();
     let unit = if n > 0 { a.diagonal(0) } else { return None };
     let expected = |i: usize, j: usize| match i.abs_diff(j) {
@@ -99,12 +100,5 @@ fn column_radius(a: &Matrix) -> Option<f64> {
     let fits = |i: usize, j: usize| (a.entry(i, j) / unit - expected(i, j)).abs() <= 1e-9;
     let stored = |i: usize| a.row(i).iter().all(|(j, _)| fits(i, j));
     let is_column = (0..n).all(|i| stored(i) && fits(i, i) && (i == 0 || fits(i, i - 1)));
-    is_column.then(|| libm::cos(std::f64::consts::FRAC_PI_2 / n as f64))
-}
-
-/// ρ(ω) of SOR on a consistently ordered matrix.
-fn sor_radius(jacobi: f64, omega: f64) -> f64 {
-    let (half, under_root) =
-        (omega * jacobi / 2.0, omega * omega * jacobi * jacobi - 4.0 * (omega - 1.0));
-    if under_root <= 0.0 { omega - 1.0 } else { (half + under_root.sqrt() / 2.0).powi(2) }
+    is_column.then(|| column_radius(n))
 }

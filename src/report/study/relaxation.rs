@@ -11,7 +11,6 @@
 //!
 //! Below ω* the largest eigenvalue is real, above it all of them lie on a circle of radius ω − 1.
 
-use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
@@ -76,23 +75,6 @@ pub struct Point {
     pub sweeps: Option<usize>,
 }
 
-/// ρ(ω) of SOR on a consistently ordered matrix whose Jacobi matrix has spectral radius ρ_J < 1.
-///
-/// ```
-/// use lcplab::report::study::relaxation::young;
-///
-/// assert_eq!(young(0.8, 1.0), 0.8_f64.powi(2)); // Gauss-Seidel
-/// assert!((young(0.8, 1.25) - 0.25).abs() < 1e-7); // ω* = 1.25: ω* − 1
-/// assert_eq!(young(0.8, 1.5), 0.5);
-/// ```
-pub fn young(jacobi: f64, omega: f64) -> f64 {
-    let root = omega * omega * jacobi * jacobi - 4.0 * (omega - 1.0);
-    if root < 0.0 {
-        return omega - 1.0;
-    }
-    (0.5 * (omega * jacobi + root.sqrt())).powi(2)
-}
-
 impl Study for Plan {
     const NAME: &'static str = "relaxation";
     type Finding = Column;
@@ -105,7 +87,7 @@ impl Study for Plan {
     fn run(&self, task: usize) -> Result<(Column, ())> {
         let bodies = self.bodies[task];
         let lcp = column(bodies, 1.0)?;
-        let jacobi = (PI / (2 * bodies) as f64).cos();
+        let jacobi = theory::column_radius(bodies);
         let best = theory::optimal_omega(jacobi);
         if let Some(wrong) = self.omegas.iter().find(|omega| !(0.0 < **omega && **omega < 2.0)) {
             let reason = format!("must lie between 0 and 2, is {wrong}");
@@ -123,7 +105,7 @@ impl Study for Plan {
 impl Plan {
     fn point(&self, lcp: &Lcp, jacobi: f64, omega: f64) -> Point {
         let residuals = self.residuals(lcp, omega);
-        let closed_form = young(jacobi, omega);
+        let closed_form = theory::sor_radius(jacobi, omega);
         let matrix = theory::sor_iteration_matrix(lcp.matrix(), omega);
         Point {
             omega,

@@ -7,7 +7,7 @@ use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::attempt::{Attempt, Outcome};
 use crate::report::study::profiles::{Cost, Plan, Profile, Tried, costs, profiles};
-use crate::solver::Group;
+use crate::solver::{ALL, Entry, Group};
 
 /// A failure: solver, tolerance, reason; and the families where it happened.
 type Failures = Vec<((String, usize, String), Vec<String>)>;
@@ -334,24 +334,19 @@ fn matrix(tried: &[Tried], solvers: &[String], k: usize, value: f64) -> Table {
     }
 }
 
-/// The formulas of [`Work`](crate::trace::Work).
+/// The formulas of costs, as the registry has them: one row for the methods of a group that share one.
 fn iteration_costs() -> Table {
-    let rows = [
-        ("pgs, sor, red-black, jacobi", "sweep", "s + n"),
-        ("ssor", "sweep", "2 (s + n)"),
-        ("block-pgs", "sweep", "s + 10 n"),
-        ("nncg", "step", "s + 5 n"),
-        ("apgd, spectral, mprgp", "step", "2 s + 5 n"),
-        ("admm", "step", "n², and n³/6 once"),
-        ("interior-point", "step", "n³/6 + 2 n² + s"),
-        ("newton, fischer-newton", "step", "5/3 n³"),
-        ("dantzig", "pivot", "f n"),
-        ("lemke", "pivot", "n (n + 2)"),
-        ("murty, block-pivoting", "exchange", "f³/3 + f² + s, and once before the first"),
-        ("enumeration", "active set", "n³/3, of fractions"),
-    ];
-    let row = |(solver, iteration, cost): (&str, &str, &str)| {
-        vec![Cell::text(solver), Cell::text(iteration), Cell::text(cost)]
+    let mut rows: Vec<(Vec<&str>, &Entry)> = Vec::new();
+    for entry in ALL {
+        let key = |e: &Entry| (e.group, e.cost.formula);
+        match rows.iter_mut().find(|(_, first)| key(first) == key(entry)) {
+            Some((names, _)) => names.push(entry.name),
+            None => rows.push((vec![entry.name], entry)),
+        }
+    }
+    let row = |(names, entry): &(Vec<&str>, &Entry)| {
+        let iteration = entry.group.unit().trim_end_matches('s');
+        vec![Cell::text(names.join(", ")), Cell::text(iteration), Cell::text(entry.cost.formula)]
     };
     Table {
         title: "What an iteration is taken to cost".into(),
@@ -364,7 +359,7 @@ fn iteration_costs() -> Table {
             Column::words("iteration"),
             Column::words("multiplications"),
         ],
-        rows: rows.map(row).into(),
+        rows: rows.iter().map(row).collect(),
         ..Table::default()
     }
 }

@@ -6,8 +6,9 @@ use crate::plot::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column as Head, Mark, Table};
 use crate::report::study::posed::BLOW;
-use crate::report::study::relaxation::{Column, Plan, Point, young};
+use crate::report::study::relaxation::{Column, Plan, Point};
 use crate::solver::theory;
+use crate::solver::theory::sor_radius;
 
 /// An eigenvalue is the formula's up to this: at ω* the matrix is defective, and half of the digits go.
 const EIGENVALUE: f64 = 1e-5;
@@ -65,7 +66,7 @@ impl Point {
 impl Plan {
     fn figure(&self, id: String, column: &Column) -> Lines {
         let omegas = || (1..400).map(|k| f64::from(k) / 200.0);
-        let rate = |omega| young(column.jacobi, omega);
+        let rate = |omega| sor_radius(column.jacobi, omega);
         let sweeps = |omega| theory::sweeps_to(self.target / BLOW, rate(omega));
         let of = |of: fn(&Point) -> Option<f64>| {
             column.points.iter().filter_map(|p| Some((p.omega, of(p)?))).collect::<Vec<_>>()

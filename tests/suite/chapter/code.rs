@@ -7,7 +7,7 @@ use lcplab::chapter::code::code05_rigid_body::{self as code05, RigidBody, Vector
 use lcplab::chapter::code::code07_whole_step::{Limits, WholeStep, World, gathered};
 use lcplab::chapter::code::constraint_class::{Constraint, Joint};
 use lcplab::chapter::code::{
-    Form, LISTINGS, code02_constrained_step as code02, code03_update as code03,
+    Form, code02_constrained_step as code02, code03_update as code03,
     code04_drift_correction as code04, code06_solver as code06,
 };
 use lcplab::scene::Scene;

@@ -1,13 +1,20 @@
 //! The pushed block: solvers against geometry, and the geometry against its definition.
 
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
+use std::sync::OnceLock;
 
 use lcplab::report::study::friction::Model;
 use lcplab::report::study::slider;
-use lcplab::report::study::sliding::{Figure, run};
+use lcplab::report::study::sliding::{Figure, Finding, run};
 use lcplab::report::view;
 
 use super::standard;
+
+/// What is found out about one block and one push, once for all tests.
+fn study() -> &'static Finding {
+    static STUDY: OnceLock<Finding> = OnceLock::new();
+    STUDY.get_or_init(|| run(0.4, 3.0).unwrap())
+}
 
 #[test]
 fn figures_reach_as_far_as_their_corners_and_edges() {
@@ -46,7 +53,7 @@ fn the_nearest_point_is_in_the_figure_and_no_other_is_nearer() {
 
 #[test]
 fn solvers_find_the_friction_that_geometry_demands() {
-    let study = run(0.4, 2.5).unwrap();
+    let study = study();
     assert_eq!(study.slides.len(), Model::ALL.len() * 19);
     for slide in &study.slides {
         let (contact, expected) = (&slide.answer.contacts[0], slide.expected);
@@ -63,7 +70,7 @@ fn solvers_find_the_friction_that_geometry_demands() {
 
 #[test]
 fn the_block_withstands_what_the_figure_reaches() {
-    for grip in run(0.5, 3.0).unwrap().grips {
+    for grip in &study().grips {
         // Half of what 14 halvings of 2 leave, and the slip that counts as none.
         assert!((grip.measured - grip.expected).abs() < 1e-4, "{grip:?}");
     }
@@ -71,7 +78,7 @@ fn the_block_withstands_what_the_figure_reaches() {
 
 #[test]
 fn on_the_rod_more_corners_come_nearer_to_coulomb_and_the_frozen_box_mistakes_the_load() {
-    let rod = run(0.3, 3.0).unwrap().rod;
+    let rod = &study().rod;
     let of = |model| rod.iter().find(|answer| answer.model == model).unwrap();
     let residual = |directions| of(Model::Polyhedral { directions }).coulomb_residual;
     assert!(residual(16) < residual(8) && residual(8) < residual(4));
@@ -94,7 +101,7 @@ fn a_coefficient_that_is_none_is_an_error() {
 
 #[test]
 fn the_table_has_a_row_a_model_and_all_agree() {
-    let table = standard::table(&view::document(&standard::results(1)).unwrap(), "friction_block");
+    let table = standard::table(&view::document(standard::results()).unwrap(), "friction_block");
     let column = table.columns.iter().position(|column| column.title == "agreement").unwrap();
     assert_eq!(table.rows.len(), Model::ALL.len());
     assert!(table.rows.iter().all(|row| row[column].text == "agrees"));
@@ -135,7 +142,7 @@ fn the_way_to_the_stop_is_the_one_that_small_steps_of_the_law_take() {
 
 #[test]
 fn the_block_of_the_scene_stops_there_under_every_model_and_all_answers_are_accepted() {
-    let table = standard::table(&view::document(&standard::results(1)).unwrap(), "friction_paths");
+    let table = standard::table(&view::document(standard::results()).unwrap(), "friction_paths");
     let column = table.columns.iter().position(|column| column.title == "agreement").unwrap();
     assert_eq!(table.rows.len(), Model::ALL.len());
     for row in &table.rows {

@@ -9,9 +9,9 @@ use lcplab::report::study::attempt::{Attempt, Outcome};
 use lcplab::report::study::posed::{BLOW, Source};
 use lcplab::report::study::profiles::{self, Cost, costs, profiles};
 use lcplab::report::study::ratio::{self, Stack, System};
-use lcplab::report::study::relaxation::young;
 use lcplab::report::study::{plane, race, relaxation, residual_map, scaling, warm_start};
 use lcplab::report::view;
+use lcplab::solver::theory::sor_radius;
 use lcplab::solver::{self, Options, Start, entry};
 use lcplab::trace::Work;
 
@@ -200,7 +200,7 @@ fn the_relaxation_factor_does_what_young_says() {
         let sum = omega * omega * (PI / 20.0).cos().powi(2) - 2.0 * (omega - 1.0);
         assert!((point.closed_form + other - sum).abs() < 1e-12);
     }
-    assert_eq!(young(0.5, 1.8), 0.8);
+    assert_eq!(sor_radius(0.5, 1.8), 0.8);
 }
 
 #[test]

@@ -1,3 +1,5 @@
+use std::sync::OnceLock;
+
 use indicatif::ProgressBar;
 use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
@@ -70,7 +72,13 @@ pub fn experiment(text: &str) -> lcplab::error::Result<Experiment> {
     Experiment::load(path.to_str().unwrap())
 }
 
-pub fn results(threads: usize) -> Results {
+/// The results of the small report, found once for all tests.
+pub fn results() -> &'static Results {
+    static RESULTS: OnceLock<Results> = OnceLock::new();
+    RESULTS.get_or_init(|| run_on(2))
+}
+
+fn run_on(threads: usize) -> Results {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let experiment = experiment(SMALL).unwrap();
     pool.install(|| run_all(&experiment))
@@ -88,7 +96,7 @@ pub fn table(document: &Document, name: &str) -> Table {
 
 #[test]
 fn results_are_the_same_for_any_number_of_threads() {
-    let [one, three] = [1, 3].map(results);
+    let [one, three] = [1, 3].map(run_on);
     let json = |results: &Results| {
         let mut value = serde_json::to_value(results).unwrap();
         value.as_object_mut().unwrap().remove("machine").expect("the only part that differs");
@@ -99,10 +107,10 @@ fn results_are_the_same_for_any_number_of_threads() {
 
 #[test]
 fn results_survive_their_file_and_give_the_same_page() {
-    let results = results(2);
+    let results = results();
     let text = serde_json::to_string(&results).unwrap();
     let back: Results = serde_json::from_str(&text).unwrap();
-    assert_eq!(back, results);
+    assert_eq!(back, *results);
     let page = |results| view::document(results).unwrap().page.render().unwrap();
     assert_eq!(page(&back), page(&results));
 }
@@ -110,7 +118,7 @@ fn results_survive_their_file_and_give_the_same_page() {
 #[test]
 fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
     let folder = tempfile::tempdir().unwrap();
-    let page = write::report(&results(2), folder.path()).unwrap();
+    let page = write::report(results(), folder.path()).unwrap();
     let html = std::fs::read_to_string(page).unwrap();
     for fetched in ["src=\"http", "href=\"http", "url(http", "@import", "<script src", "<img"] {
         assert!(!html.contains(fetched), "{fetched}");
@@ -130,13 +138,13 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
 
 #[test]
 fn no_claim_is_refuted() {
-    let results = results(2);
+    let results = results();
     assert!(results.is_good().unwrap(), "{}", results.summary().unwrap());
 }
 
 #[test]
 fn measured_slopes_are_the_spectral_radii_on_the_chain() {
-    for curve in &results(2).findings::<convergence::Plan>().unwrap()[0].curves {
+    for curve in &results().findings::<convergence::Plan>().unwrap()[0].curves {
         let (predicted, measured) = (curve.predicted_rate.unwrap(), curve.measured_rate.unwrap());
         assert!((measured.ln() / predicted.ln() - 1.0).abs() < 0.1, "ω = {}", curve.omega);
     }
@@ -234,7 +242,7 @@ fn a_thinned_motion_keeps_its_ends_and_its_extremes() {
 
 #[test]
 fn every_figure_and_table_says_how_it_was_obtained() {
-    let document = view::document(&results(2)).unwrap();
+    let document = view::document(results()).unwrap();
     let section = document.page.sections.iter().find(|section| section.id == "rates").unwrap();
     for block in &section.blocks {
         let (Block::Figure(Picture { origin, .. }) | Block::Table(Table { origin, .. })) = block
@@ -257,7 +265,7 @@ fn one_section_can_be_run_alone() {
 }
 
 fn results_of(id: &str) -> Part {
-    results(1).sections.into_iter().find(|part| part.id == id).unwrap()
+    results().sections.iter().cloned().find(|part| part.id == id).unwrap()
 }
 
 #[test]

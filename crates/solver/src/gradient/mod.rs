@@ -21,7 +21,7 @@ use crate::{Class, Cost, Entry, Group, MatrixClass};
 /// What these methods ask for.
 const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
 /// Two products with A, and what goes with them.
-const PRODUCTS: Cost = Cost::each(|i| 2.0 * i.stored + 5.0 * i.n);
+const PRODUCTS: Cost = Cost::each("2 s + 5 n", |i| 2.0 * i.stored + 5.0 * i.n);
 
 /// The methods of this group.
 pub const ENTRIES: &[Entry] = &[
@@ -30,7 +30,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "nonsmooth nonlinear conjugate gradients around PGS, iterative",
         class: CLASS,
         group: Group::FirstOrder,
-        cost: Cost::each(|i| i.stored + 5.0 * i.n),
+        cost: Cost::each("s + 5 n", |i| i.stored + 5.0 * i.n),
         source: "Silcowitz, Niebe & Erleben 2010",
         uses: &[],
         build: |options| Box::new(Nncg { settings: options.settings.clone() }),
@@ -70,7 +70,11 @@ pub const ENTRIES: &[Entry] = &[
         method: "alternating direction method of multipliers, iterative",
         class: CLASS,
         group: Group::FirstOrder,
-        cost: Cost { start: |i| i.n.powi(3) / 6.0, iteration: |i| i.n * i.n },
+        cost: Cost {
+            formula: "n², and n³/6 before the first",
+            start: |i| i.n.powi(3) / 6.0,
+            iteration: |i| i.n * i.n,
+        },
         source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
         uses: &[],
         build: |options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),

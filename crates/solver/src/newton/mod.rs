@@ -17,10 +17,11 @@ use crate::{Class, Cost, Entry, Event, Group, MatrixClass, Options, Solver};
 /// What the methods ask for that divide by the diagonal of A.
 const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
 /// A least-squares step; a sweep where it takes one.
-const LEAST_SQUARES: Cost = Cost::each(|i| match i.event {
-    Event::Step => 5.0 / 3.0 * i.n.powi(3),
-    _ => i.stored + i.n,
-});
+const LEAST_SQUARES: Cost =
+    Cost::each("5/3 n³, and s + n where it takes a sweep", |i| match i.event {
+        Event::Step => 5.0 / 3.0 * i.n.powi(3),
+        _ => i.stored + i.n,
+    });
 
 /// The methods of this group.
 pub const ENTRIES: &[Entry] = &[
@@ -49,7 +50,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "primal-dual interior point, predictor-corrector, iterative",
         class: CLASS,
         group: Group::Newton,
-        cost: Cost::each(|i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
+        cost: Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
         source: "Mehrotra 1992",
         uses: &[],
         build: |options| Box::new(InteriorPoint { settings: options.settings.clone() }),

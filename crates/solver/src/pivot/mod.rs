@@ -32,7 +32,11 @@ use crate::{Class, Cost, Effort, Entry, Group, MatrixClass};
 
 /// A factorisation for the free rows in an exchange, and one for the first active set; the most, where A is
 /// symmetric.
-const ACTIVE_SET: Cost = Cost { start: factorisation, iteration: factorisation };
+const ACTIVE_SET: Cost = Cost {
+    formula: "f³/3 + f² + s, and once before the first",
+    start: factorisation,
+    iteration: factorisation,
+};
 
 fn factorisation(i: &Effort<'_>) -> f64 {
     let f = i.free();
@@ -46,7 +50,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "Dantzig pivoting with updated LDLᵀ, finite",
         class: Class::of(MatrixClass::Semidefinite),
         group: Group::Pivoting,
-        cost: Cost::each(|i| i.free() * i.n),
+        cost: Cost::each("f n", |i| i.free() * i.n),
         source: "Cottle & Dantzig 1968; Baraff 1994",
         uses: &[],
         build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
@@ -56,7 +60,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "Lemke's complementary pivoting, lexicographic ties, finite",
         class: Class::of(MatrixClass::CopositivePlus),
         group: Group::Pivoting,
-        cost: Cost::each(|i| i.n * (i.n + 2.0)),
+        cost: Cost::each("n (n + 2)", |i| i.n * (i.n + 2.0)),
         source: "Lemke 1965; Cottle, Pang & Stone 1992",
         uses: &[],
         build: |options| Box::new(Lemke { settings: options.settings.clone() }),
@@ -89,7 +93,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "up to 65536 active sets in exact arithmetic, finite",
         class: Class::of(MatrixClass::General),
         group: Group::Pivoting,
-        cost: Cost::each(|i| i.n.powi(3) / 3.0),
+        cost: Cost::each("n³/3, of fractions", |i| i.n.powi(3) / 3.0),
         source: "the definition of a solution",
         uses: &[],
         build: |options| Box::new(Enumeration { settings: options.settings.clone() }),

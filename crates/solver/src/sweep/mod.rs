@@ -27,7 +27,7 @@ use crate::{Choice, Class, Cost, Entry, Group, MatrixClass, Options, Solver};
 /// What the methods ask for that divide by the diagonal of A.
 const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
 /// A product A x and n divisions.
-const SWEEP: Cost = Cost::each(|i| i.stored + i.n);
+const SWEEP: Cost = Cost::each("s + n", |i| i.stored + i.n);
 
 /// The methods of this group.
 pub const ENTRIES: &[Entry] = &[
@@ -56,7 +56,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "projected symmetric SOR, a sweep there and back, 0 < ω < 2, iterative",
         class: CLASS,
         group: Group::Sweeps,
-        cost: Cost::each(|i| 2.0 * (i.stored + i.n)),
+        cost: Cost::each("2 (s + n)", |i| 2.0 * (i.stored + i.n)),
         source: "Sheldon 1955; Mangasarian 1977",
         uses: &[Choice::Omega],
         build: |options| relaxation(options.omega, Order::Symmetric, options),
@@ -88,7 +88,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "projected Gauss-Seidel by contacts and joints, iterative",
         class: Class::of(MatrixClass::Semidefinite),
         group: Group::Sweeps,
-        cost: Cost::each(|i| i.stored + 10.0 * i.n),
+        cost: Cost::each("s + 10 n", |i| i.stored + 10.0 * i.n),
         source: "Luo & Tseng 1992",
         uses: &[],
         build: |options| {

@@ -14,26 +14,28 @@ pub fn dantzig(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector) -> Vector {
         loop {
             let bound = if w[k] > 0.0 { lo[k] } else { hi[k] };
             if w[k] == 0.0 || x[k] == bound {
+                free[k] = lo[k] < x[k] && x[k] < hi[k];
                 break; // row k is satisfied
             }
             let d = direction(A, &free, k, (bound - x[k]).signum());
-            let v = A * &d;
+            let v = A * &d; // how fast w changes along d
             // How far until w_k is 0, or x_k at its bound, or a row before it at the end of its side?
-            let mut step = (-w[k] / v[k], k, true);
+            let mut first = (-w[k] / v[k], k, true);
             let mut ends_at = |length: f64, i: usize, becomes_free: bool| {
-                if length < step.0 {
-                    step = (length, i, becomes_free);
+                if length < first.0 {
+                    first = (length, i, becomes_free);
                 }
             };
             ends_at((bound - x[k]) / d[k], k, false);
             for i in 0..k {
+                let leaves_bound = if x[i] == lo[i] { v[i] < 0.0 } else { v[i] > 0.0 };
                 if free[i] && d[i] != 0.0 {
                     ends_at((if d[i] > 0.0 { hi[i] } else { lo[i] } - x[i]) / d[i], i, false);
-                } else if !free[i] && lo[i] < hi[i] && w[i] * v[i] < 0.0 {
+                } else if !free[i] && lo[i] < hi[i] && leaves_bound {
                     ends_at(-w[i] / v[i], i, true);
                 }
             }
-            let (length, i, becomes_free) = step;
+            let (length, i, becomes_free) = first;
             x += length * &d;
             w += length * &v;
             free[i] = becomes_free;
@@ -46,7 +48,8 @@ pub fn dantzig(A: &Matrix, b: &Vector, lo: &Vector, hi: &Vector) -> Vector {
     x
 }
 
-/// The direction in which x_k goes one unit, free rows keep their w, and the others keep their x.
+/// The direction in which x_k goes one unit, up or down by the sign, free rows keep their w, and the others keep
+/// their x.
 fn direction(A: &Matrix, free: &[bool], k: usize, sign: f64) -> Vector {
     let mut d = point(A, &(sign * A.column(k)), free); // A_FF d_F = −A_Fk d_k
     d[k] = sign;

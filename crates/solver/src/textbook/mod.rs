@@ -71,7 +71,8 @@ pub type Vector = nalgebra::DVector<f64>;
 /// The point of a set F of free rows: A_FF x_F = −b_F, and x = 0 elsewhere.
 fn point(A: &Matrix, b: &Vector, free: &[bool]) -> Vector {
     let n = b.len();
-    let M = Matrix::from_fn(n, n, |i, j| if free[i] { A[(i, j)] } else { f64::from(i == j) });
+    let in_F = |i: usize, j: usize| free[i] && free[j];
+    let M = Matrix::from_fn(n, n, |i, j| if in_F(i, j) { A[(i, j)] } else { f64::from(i == j) });
     let r = Vector::from_fn(n, |i, _| if free[i] { -b[i] } else { 0.0 });
     M.lu().solve(&r).expect("A_FF is not singular")
 }

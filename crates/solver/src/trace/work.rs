@@ -7,24 +7,8 @@ use lcplab_problem::{Lcp, merit};
 
 /// An observer that adds up the multiplications of a solve, as the formula of each method has them.
 ///
-/// With n rows, s stored entries of A and f free rows:
-///
-/// ```text
-/// a product A x                                    s
-/// pgs, sor, red-black, jacobi       a sweep        s + n
-/// ssor                              a sweep        2 (s + n)
-/// block-pgs                         a sweep        s + 10 n     blocks of three rows
-/// nncg                              a sweep        s + 5 n
-/// apgd, spectral, mprgp             a step         2 s + 5 n
-/// admm                              a step         n²           and n³/6 once
-/// interior-point                    a step         n³/6 + 2 n² + s
-/// newton, fischer-newton            a step         5/3 n³       a sweep where it takes one: s + n
-/// dantzig                           a pivot        f n
-/// lemke                             a pivot        n (n + 2)
-/// murty, block-pivoting             an exchange    f³/3 + f² + s   and once for the first active set;
-///                                                                  the most, where A is symmetric
-/// enumeration                       a set          n³/3         of fractions
-/// ```
+/// Each entry of the registry states its [`Cost`]: a product A x is s multiplications, s being the stored
+/// entries of A, and a factorisation of f free rows f³/3.
 ///
 /// That is the leading term of the method, not a count of instructions: stop tests, of which each is
 /// another product, line searches and additions are left out.
@@ -74,6 +58,8 @@ impl Observer for Work<'_> {
 /// What the iterations of a method cost, in multiplications.
 #[derive(Debug, Clone, Copy)]
 pub struct Cost {
+    /// The formula in words: n rows, s stored entries of A, f free rows.
+    pub formula: &'static str,
     /// Before the first one.
     pub start: fn(&Effort<'_>) -> f64,
     /// Each of them.
@@ -82,8 +68,8 @@ pub struct Cost {
 
 impl Cost {
     /// So much an iteration, and nothing before.
-    pub const fn each(iteration: fn(&Effort<'_>) -> f64) -> Cost {
-        Cost { start: |_| 0.0, iteration }
+    pub const fn each(formula: &'static str, iteration: fn(&Effort<'_>) -> f64) -> Cost {
+        Cost { formula, start: |_| 0.0, iteration }
     }
 }
 

@@ -2,7 +2,9 @@
 
 use lcplab_judge::{Demand, judge, ray};
 use lcplab_problem::{Lcp, Matrix};
-use lcplab_solver::{ALL, Options, Solution, Solver, Start, Status, all_solutions, by_name};
+use lcplab_solver::{
+    ALL, Options, Settings, Solution, Solver, Start, Status, all_solutions, by_name,
+};
 
 use lcplab_testing::INF;
 
@@ -60,8 +62,10 @@ fn problem(dice: &mut Dice, kind: Kind) -> Lcp {
 fn check(kind: Kind, seed: u64, count: usize, must_solve: &[&str]) {
     println!("seed {seed}");
     let mut dice = Dice(seed);
+    let settings = Settings { max_iterations: 1000, ..Settings::default() };
+    let options = Options { settings, ..Options::default() };
     let solvers: Vec<Box<dyn Solver>> =
-        ALL.iter().map(|entry| by_name(entry.name, &Options::default()).unwrap()).collect();
+        ALL.iter().map(|entry| by_name(entry.name, &options).unwrap()).collect();
     for number in 0..count {
         let lcp = problem(&mut dice, kind);
         let exact = all_solutions(&lcp).expect("few enough sets");

@@ -3,7 +3,7 @@
 use lcplab_problem::friction::{Contact, FrictionProblem, Model, Polyhedral, Posed};
 use lcplab_problem::merit;
 use lcplab_solver::{
-    ALL, Lemke, Method, Options, SPECIMENS, Settings, Start, Status, methods, solve_polyhedral,
+    Lemke, Method, Options, SPECIMENS, Settings, Start, Status, methods, solve_polyhedral,
 };
 
 use lcplab_testing::{INF, boxed, pushed_mass};

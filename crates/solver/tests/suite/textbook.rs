@@ -99,6 +99,25 @@ fn dantzig_of_the_textbook_finds_the_solvers_x_in_a_box() {
     }
 }
 
+/// Small whole numbers: rows with w = 0 from the start, between their bounds and at them, pinned rows, ties.
+#[test]
+fn dantzig_of_the_textbook_finds_the_solvers_x_where_many_numbers_are_equal() {
+    for seed in 0..PROBLEMS {
+        let mut random = Rand64::new(seed.into());
+        let n = 1 + seed as usize % 6;
+        let mut whole =
+            |least: i64, most: i64| random.rand_range(0..(most - least + 1) as u64) as i64 + least;
+        let j = Matrix::from_fn(n, n, |_, _| whole(-1, 1) as f64);
+        let a = &j * j.transpose() + Matrix::identity(n, n);
+        let b = Vector::from_fn(n, |_, _| whole(-1, 1) as f64);
+        let lo = Vector::from_fn(n, |_, _| whole(-1, 0) as f64);
+        let hi = Vector::from_fn(n, |_, _| whole(0, 1) as f64);
+        let problem = Problem { a, b, lo, hi };
+        let Problem { a, b, lo, hi } = &problem;
+        problem.assert_same("dantzig", &textbook::dantzig(a, b, lo, hi), 1e-10);
+    }
+}
+
 #[test]
 fn the_interior_point_of_the_textbook_comes_to_the_solvers_x() {
     for problem in problems(true, false) {
