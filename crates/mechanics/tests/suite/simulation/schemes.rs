@@ -329,7 +329,7 @@ fn every_family_takes_steps_on_every_shipped_scene() {
     for shipped in catalogue::SHIPPED {
         for scheme in Scheme::ALL {
             let scene = scene(shipped.name, scheme);
-            let few = if scene.bodies.len() > 100 { 1 } else { 5 };
+            let few = if scene.bodies.len() > 40 { 1 } else { 3 };
             let mut moving = simulation(scene);
             for _ in 0..few {
                 match moving.step() {
