@@ -112,7 +112,7 @@ fn results_survive_their_file_and_give_the_same_page() {
     let back: Results = serde_json::from_str(&text).unwrap();
     assert_eq!(back, *results);
     let page = |results| view::document(results).unwrap().page.render().unwrap();
-    assert_eq!(page(&back), page(&results));
+    assert_eq!(page(&back), page(results));
 }
 
 #[test]
@@ -265,7 +265,7 @@ fn one_section_can_be_run_alone() {
 }
 
 fn results_of(id: &str) -> Part {
-    results().sections.iter().cloned().find(|part| part.id == id).unwrap()
+    results().sections.iter().find(|part| part.id == id).unwrap().clone()
 }
 
 #[test]
