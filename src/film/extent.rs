@@ -78,7 +78,7 @@ pub(super) fn size(landmarks: &[Landmark]) -> f64 {
 fn solids(scene: &Scene, states: &[State], moving: bool) -> Vec<Solid> {
     let bodies = scene.bodies.iter().zip(states).enumerate();
     let wanted = bodies.filter(|(_, (body, _))| (body.mass != Mass::Fixed) == moving);
-    wanted.filter_map(|(k, (body, state))| Solid::of(k, body, &state.pose, 0.0)).collect()
+    wanted.flat_map(|(k, (body, state))| Solid::of(k, body, &state.pose, 0.0)).collect()
 }
 
 fn marks(solids: &[Solid]) -> Vec<Landmark> {

@@ -2,7 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use crate::body::{Body, Polytope, Pose, Shape};
+use crate::body::{Body, Placed, Polytope, Pose, Shape};
 
 /// A convex solid in world coordinates (m): the hull of its corners, swollen by a radius. A ball is
 /// one corner and a radius, a polyhedron has the radius 0, a capsule would be two corners and a
@@ -33,18 +33,27 @@ pub(super) enum Part {
 }
 
 impl Solid {
-    /// The solid of a body; a point gets the radius `dot` (m), and a half space has none.
-    pub fn of(index: usize, body: &Body, pose: &Pose, dot: f64) -> Option<Self> {
-        let part = Part::Body(index);
-        match &body.shape {
-            Shape::Point => Some(ball(part, pose, dot)),
-            Shape::Sphere { radius } => Some(ball(part, pose, *radius)),
-            Shape::Box { half } => Some(polyhedron(part, pose, &Polytope::cuboid(half))),
+    /// The solids of a body, one but of a compound; a point gets the radius `dot` (m), and a half space has
+    /// none.
+    pub fn of(index: usize, body: &Body, pose: &Pose, dot: f64) -> Vec<Self> {
+        Solid::of_shape(Part::Body(index), &body.shape, pose, dot)
+    }
+
+    fn of_shape(part: Part, shape: &Shape, pose: &Pose, dot: f64) -> Vec<Self> {
+        match shape {
+            Shape::Point => vec![ball(part, pose, dot)],
+            Shape::Sphere { radius } => vec![ball(part, pose, *radius)],
+            Shape::Box { half } => vec![polyhedron(part, pose, &Polytope::cuboid(half))],
             Shape::Capsule { half_length, radius } => {
-                Some(capsule(part, pose, *half_length, *radius))
+                vec![capsule(part, pose, *half_length, *radius)]
             }
-            Shape::Hull(hull) => Some(polyhedron(part, pose, hull)),
-            Shape::Plane { .. } => None,
+            Shape::Hull(hull) => vec![polyhedron(part, pose, hull)],
+            Shape::Compound(placed) => {
+                let of =
+                    |own: &Placed| Solid::of_shape(part, &own.shape, &pose.after(&own.pose), dot);
+                placed.iter().flat_map(of).collect()
+            }
+            Shape::Plane { .. } => Vec::new(),
         }
     }
 

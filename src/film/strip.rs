@@ -110,7 +110,7 @@ impl Strip {
         let bodies = self.scene.bodies.iter().zip(&frame.states).enumerate();
         let dot = joint::dot(&self.scene, lens) / lens.scale;
         let mut solids: Vec<_> =
-            bodies.filter_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
+            bodies.flat_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
         solids.extend(joint::rods(&self.scene, frame, joint::ROD / lens.scale));
         let order = depth::order(&lens.camera, &solids);
         let painted: Vec<_> = order.into_iter().map(|k| &solids[k]).collect();

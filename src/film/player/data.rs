@@ -60,24 +60,24 @@ pub(super) fn json(film: &Film) -> Value {
     })
 }
 
-/// Corners and faces in the body's own frame; null where nothing is drawn.
+/// The parts of each body, one but of a compound, with corners and faces in the body's own frame; none where
+/// nothing is drawn.
 fn bodies(scene: &Scene, lens: &Lens) -> Vec<Value> {
     let dot = joint::dot(scene, lens) / lens.scale;
-    let of = |(k, body): (usize, &Body)| {
-        let solid = Solid::of(k, body, &State::WORLD.pose, dot)?;
-        let corners: Vec<_> = solid
-            .corners
-            .iter()
-            .map(|c| [c.x, c.y, c.z].map(|x| (x * 1e6).round() / 1e6))
-            .collect();
-        Some(json!({
-            "corners": corners,
+    let part = |k: usize, body: &Body, solid: Solid| {
+        let short = |c: &nalgebra::Vector3<f64>| [c.x, c.y, c.z].map(|x| (x * 1e6).round() / 1e6);
+        json!({
+            "corners": solid.corners.iter().map(short).collect::<Vec<_>>(),
             "faces": solid.faces,
             "radius": solid.radius,
             "color": paint(&scene.bodies, k),
             "plain": paint(&scene.bodies, k) == POINT,
             "fixed": body.mass == Mass::Fixed,
-        }))
+        })
+    };
+    let of = |(k, body): (usize, &Body)| {
+        let solids = Solid::of(k, body, &State::WORLD.pose, dot);
+        solids.into_iter().map(|solid| part(k, body, solid)).collect::<Vec<_>>()
     };
     scene.bodies.iter().enumerate().map(of).map(Value::from).collect()
 }
@@ -165,7 +165,7 @@ fn order(scene: &Scene, frame: &Frame, lens: &Lens) -> Vec<usize> {
     let dot = joint::dot(scene, lens) / lens.scale;
     let bodies = scene.bodies.iter().zip(&frame.states).enumerate();
     let mut solids: Vec<_> =
-        bodies.filter_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
+        bodies.flat_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
     let mut names: Vec<usize> = solids.iter().filter_map(body_of).collect();
     for (k, constraint) in scene.constraints.iter().enumerate() {
         if let Some(rod) = joint::rod(constraint.as_ref(), frame, joint::ROD / lens.scale) {
@@ -173,7 +173,11 @@ fn order(scene: &Scene, frame: &Frame, lens: &Lens) -> Vec<usize> {
             names.push(scene.bodies.len() + k);
         }
     }
-    depth::order(&lens.camera, &solids).into_iter().map(|k| names[k]).collect()
+    let mut order: Vec<usize> =
+        depth::order(&lens.camera, &solids).into_iter().map(|k| names[k]).collect();
+    let mut seen = std::collections::HashSet::new();
+    order.retain(|name| seen.insert(*name)); // a compound stands where the farthest of its parts does
+    order
 }
 
 fn body_of(solid: &Solid) -> Option<usize> {

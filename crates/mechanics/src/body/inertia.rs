@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion, Vector3};
 
-use super::{Polytope, Pose, Shape};
+use super::{Placed, Polytope, Pose, Shape};
 
 /// Products of inertia below this part of the moments are rounding.
 const DIAGONAL: f64 = 1e-12;
@@ -17,6 +17,7 @@ pub fn volume(shape: &Shape) -> Option<f64> {
             Some(cylinder(*half_length, *radius) + ball(*radius))
         }
         Shape::Hull(hull) => Some(Solid::of(hull).volume),
+        Shape::Compound(parts) => Some(Solid::of_parts(parts).volume),
         Shape::Point | Shape::Plane { .. } => None,
     }
 }
@@ -43,6 +44,10 @@ pub fn moments(shape: &Shape, mass: f64) -> Option<Vector3<f64>> {
             let solid = Solid::of(hull);
             Some(solid.inertia().diagonal() * (mass / solid.volume))
         }
+        Shape::Compound(parts) => {
+            let solid = Solid::of_parts(parts);
+            Some(solid.inertia().diagonal() * (mass / solid.volume))
+        }
         Shape::Point | Shape::Plane { .. } => None,
     }
 }
@@ -50,17 +55,28 @@ pub fn moments(shape: &Shape, mass: f64) -> Option<Vector3<f64>> {
 /// The frame of a homogeneous polytope, in the polytope's own axes: its origin is the centre of
 /// mass and its axes are principal. Axes that are principal already stay.
 pub fn principal_frame(polytope: &Polytope) -> Pose {
-    let solid = Solid::of(polytope);
-    let inertia = solid.inertia();
-    let products = inertia - Matrix3::from_diagonal(&inertia.diagonal());
-    if products.amax() <= DIAGONAL * inertia.trace() {
-        return Pose { p: solid.centre, q: UnitQuaternion::identity() };
+    Solid::of(polytope).frame()
+}
+
+/// The same of homogeneous parts together; where two overlap, the matter counts twice.
+pub fn principal_frame_of_parts(parts: &[Placed]) -> Pose {
+    Solid::of_parts(parts).frame()
+}
+
+impl Solid {
+    fn frame(&self) -> Pose {
+        let solid = self;
+        let inertia = solid.inertia();
+        let products = inertia - Matrix3::from_diagonal(&inertia.diagonal());
+        if products.amax() <= DIAGONAL * inertia.trace() {
+            return Pose { p: solid.centre, q: UnitQuaternion::identity() };
+        }
+        let axes = SymmetricEigen::new(inertia).eigenvectors;
+        let (x, y) = (axes.column(0).into_owned(), axes.column(1).into_owned());
+        let right_handed = Matrix3::from_columns(&[x, y, x.cross(&y)]);
+        let rotation = Rotation3::from_matrix_unchecked(right_handed);
+        Pose { p: solid.centre, q: UnitQuaternion::from_rotation_matrix(&rotation) }
     }
-    let axes = SymmetricEigen::new(inertia).eigenvectors;
-    let (x, y) = (axes.column(0).into_owned(), axes.column(1).into_owned());
-    let right_handed = Matrix3::from_columns(&[x, y, x.cross(&y)]);
-    let rotation = Rotation3::from_matrix_unchecked(right_handed);
-    Pose { p: solid.centre, q: UnitQuaternion::from_rotation_matrix(&rotation) }
 }
 
 fn ball(radius: f64) -> f64 {
@@ -116,6 +132,22 @@ impl Solid {
             centre: within + offset,
             second: second - offset * offset.transpose() * volume,
         }
+    }
+
+    /// The sum of the parts: with d from the centre of all to that of a part, C = Σ (R C_i Rᵀ + V_i d dᵀ).
+    fn of_parts(parts: &[Placed]) -> Self {
+        let volumes: Vec<f64> = parts.iter().map(|p| volume(&p.shape).unwrap_or(0.0)).collect();
+        let volume: f64 = volumes.iter().sum();
+        let weighted = parts.iter().zip(&volumes).map(|(part, v)| part.pose.p * *v);
+        let centre = weighted.sum::<Vector3<f64>>() / volume;
+        let second = |(part, v): (&Placed, &f64)| {
+            let moments = moments(&part.shape, *v).unwrap_or_default();
+            let own = Matrix3::from_diagonal(&moments.map(|moment| 0.5 * moments.sum() - moment));
+            let (r, d) = (part.pose.q.to_rotation_matrix(), part.pose.p - centre);
+            r.matrix() * own * r.matrix().transpose() + d * d.transpose() * *v
+        };
+        let second = parts.iter().zip(&volumes).map(second).sum();
+        Solid { volume, centre, second }
     }
 
     /// The tensor of inertia about the centre for density 1: tr(C) 1 − C.

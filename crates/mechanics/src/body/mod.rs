@@ -89,11 +89,22 @@ pub enum Shape {
     },
     /// A convex polytope with its centre of mass at the origin and principal axes.
     Hull(Arc<Polytope>),
+    /// Several convex shapes that move as one, the centre of mass of all at the origin.
+    Compound(Arc<Vec<Placed>>),
     /// The half space behind a plane through the body's origin.
     Plane {
         /// The unit normal, pointing out of the matter.
         normal: Vector3<f64>,
     },
+}
+
+/// A convex part of a compound.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed {
+    /// Its shape.
+    pub shape: Shape,
+    /// Where it is in the body's frame.
+    pub pose: Pose,
 }
 
 impl Mass {

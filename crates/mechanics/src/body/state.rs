@@ -37,6 +37,17 @@ impl Pose {
     pub fn local(&self, world: &Vector3<f64>) -> Vector3<f64> {
         self.q.inverse() * (world - self.p)
     }
+
+    /// The pose in the world of what has this pose in the body's frame.
+    pub fn after(&self, inner: &Pose) -> Pose {
+        Pose { p: self.point(&inner.p), q: self.q * inner.q }
+    }
+
+    /// The pose that undoes this one.
+    pub fn inverse(&self) -> Pose {
+        let q = self.q.inverse();
+        Pose { p: -(q * self.p), q }
+    }
 }
 
 /// A body's pose and velocity.

@@ -8,11 +8,11 @@ use std::sync::Arc;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::description::{self, Capsule, Description, Rotation};
+use super::description::{self, Capsule, Description, Part, Rotation};
 use super::joints::Site;
 use super::settings::{not_negative, positive, within_one};
 use super::{Scene, friction, generate};
-use crate::body::{Body, Mass, Polytope, Pose, Shape, State, inertia};
+use crate::body::{Body, Mass, Placed, Polytope, Pose, Shape, State, inertia};
 use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::memory::Memory;
 
@@ -138,7 +138,7 @@ fn leaning(defects: &mut Defects, whole: &Description) -> Vector3<f64> {
 }
 
 /// The shape in the body's frame, and that frame in the axes in which the shape is written: they
-/// differ for a hull only.
+/// differ for hulls and compounds only.
 fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -> (Shape, Pose) {
     let place = format!("{place}.shape");
     let shape = match shape {
@@ -164,6 +164,7 @@ fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -
             return build_hull(defects, &place, &prism(*length, *radius));
         }
         description::Shape::Hull(points) => return build_hull(defects, &place, points),
+        description::Shape::Compound(parts) => return build_compound(defects, &place, parts),
         description::Shape::Plane(normal) => {
             Shape::Plane { normal: direction(defects, &place, normal) }
         }
@@ -180,6 +181,39 @@ fn build_hull(defects: &mut Defects, place: &str, points: &[[f64; 3]]) -> (Shape
     };
     let frame = inertia::principal_frame(&hull);
     (Shape::Hull(Arc::new(hull.seen_from(&frame))), frame)
+}
+
+fn build_compound(defects: &mut Defects, place: &str, parts: &[Part]) -> (Shape, Pose) {
+    let mut placed = Vec::with_capacity(parts.len());
+    for (k, part) in parts.iter().enumerate() {
+        let place = format!("{place}.compound[{k}]");
+        finite(defects, &format!("{place}.position"), &part.position);
+        let q = part.rotation.map_or(Some(UnitQuaternion::identity()), |rotation| turn(&rotation));
+        if q.is_none() {
+            let reason = "is not a rotation: it must be finite and not 0";
+            defects.add(format!("{place}.rotation"), reason);
+        }
+        let (shape, frame) = build_shape(defects, &place, &part.shape);
+        if matches!(shape, Shape::Point | Shape::Plane { .. } | Shape::Compound(_)) {
+            let reason = "a part is a sphere, a box, a capsule, a cylinder or a hull";
+            defects.add(format!("{place}.shape"), reason);
+        }
+        let written = Pose { p: part.position.into(), q: q.unwrap_or_default() };
+        placed.push(Placed { shape, pose: written.after(&frame) });
+    }
+    if placed.is_empty() {
+        defects.add(format!("{place}.compound"), "has no parts");
+    }
+    let weighs = placed.iter().all(|part| inertia::volume(&part.shape).is_some_and(|v| v > 0.0));
+    let is_finite = placed.iter().all(|part| part.pose.p.iter().all(|x| x.is_finite()));
+    if placed.is_empty() || !weighs || !is_finite {
+        return (Shape::Sphere { radius: 1.0 }, State::WORLD.pose); // causes no further defects
+    }
+    let frame = inertia::principal_frame_of_parts(&placed);
+    for part in &mut placed {
+        part.pose = Pose { p: frame.local(&part.pose.p), q: frame.q.inverse() * part.pose.q };
+    }
+    (Shape::Compound(Arc::new(placed)), frame)
 }
 
 /// The sides of the prism that stands for a cylinder.
@@ -208,8 +242,13 @@ fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shap
         defects.add(format!("{place}.shape"), "a plane must be fixed");
         return STAND_IN;
     }
-    if matches!(body.shape, description::Shape::Hull(_)) && body.inertia.is_some() {
-        defects.add(format!("{place}.inertia"), "that of a hull follows from its points");
+    let follows = match body.shape {
+        description::Shape::Hull(_) => Some("that of a hull follows from its points"),
+        description::Shape::Compound(_) => Some("that of a compound follows from its parts"),
+        _ => None,
+    };
+    if let (Some(reason), true) = (follows, body.inertia.is_some()) {
+        defects.add(format!("{place}.inertia"), reason);
         return STAND_IN;
     }
     let Some(mass) = weigh(defects, place, body, shape) else { return STAND_IN };
@@ -305,7 +344,7 @@ fn build_state(
     }
     let written = Pose { p: body.position.into(), q: q.unwrap_or_default() };
     State {
-        pose: Pose { p: written.point(&frame.p), q: written.q * frame.q },
+        pose: written.after(frame),
         v: body.velocity.into(),
         omega: body.angular_velocity.into(),
     }

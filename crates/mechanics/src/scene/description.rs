@@ -172,8 +172,25 @@ pub enum Shape {
     Cylinder(Capsule),
     /// The convex hull of these points (m), which must span a volume.
     Hull(Vec<[f64; 3]>),
+    /// Several shapes that move as one, as `{ compound = [{ shape = { sphere = 0.2 }, position = [0, 0, 1] }] }`.
+    /// Where two overlap, the matter counts twice.
+    Compound(Vec<Part>),
     /// The half space below a plane with this normal (any length); must be fixed.
     Plane([f64; 3]),
+}
+
+/// A part of a compound.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// A sphere, a box, a capsule, a cylinder or a hull.
+    pub shape: Shape,
+    /// Where its origin is (m), in the axes in which the body is written.
+    #[serde(default)]
+    pub position: [f64; 3],
+    /// How it is turned in these axes.
+    #[serde(default)]
+    pub rotation: Option<Rotation>,
 }
 
 /// A segment along the body's z axis, and the radius around it.

@@ -56,6 +56,9 @@ pub(super) fn size(shape: &Shape) -> Option<f64> {
         Shape::Point | Shape::Plane { .. } => None,
         Shape::Sphere { radius } | Shape::Capsule { radius, .. } => Some(2.0 * radius),
         Shape::Box { half } => Some(2.0 * half.min()),
+        Shape::Compound(parts) => {
+            parts.iter().filter_map(|part| size(&part.shape)).reduce(f64::min)
+        }
         Shape::Hull(hull) => {
             let deepest = hull.faces.iter().map(|face| {
                 let heights = hull.vertices.iter().map(|v| face.normal.dot(v));

@@ -152,7 +152,7 @@ function stage(film, take, pane) {
     };
     const ends = film.joints.map((joint) => joint && joint.ends.map((end, side) => world(joint.bodies[side], end)));
     bodies.innerHTML = orders[now].map((k) => k < film.bodies.length
-      ? solid(film, film.bodies[k], places[k])
+      ? solids(film, film.bodies[k], places[k])
       : rod(film, ends[k - film.bodies.length])).join("") + marks(film, ends);
     forces.innerHTML = arrows(take.forces[now]);
     const shown = film.measures.map((measure, m) =>
@@ -185,8 +185,17 @@ const shade = (color, light) => `rgb(${color.map((c) => Math.round(Math.min(255,
 const fine = (x) => x.toFixed(1);
 const joined = (points) => points.map(([x, y]) => `${fine(x)} ${fine(y)}`).join("L");
 
+// The parts of a body, the farthest first.
+function solids(film, parts, { p, q }) {
+  const far = (part) => {
+    const sum = part.corners.reduce(plus, [0, 0, 0]).map((x) => x / part.corners.length);
+    return seen(film, plus(p, turned(q, sum)))[2];
+  };
+  const drawn = parts.length > 1 ? [...parts].sort((a, b) => far(a) - far(b)) : parts;
+  return drawn.map((part) => solid(film, part, { p, q })).join("");
+}
+
 function solid(film, body, { p, q }) {
-  if (!body) return "";
   const corners = body.corners.map((corner) => plus(p, turned(q, corner)));
   const radius = body.radius * film.scale;
   if (body.faces.length > 0) return faces(film, body, corners);

@@ -1,4 +1,4 @@
-//! The pairs of bodies that may touch: those whose boxes along the world's axes meet.
+//! The pairs of convex parts that may touch: those whose boxes along the world's axes meet.
 //!
 //! The boxes lie in a tree (parry's bounding volume hierarchy), so that n bodies with few
 //! neighbours each cost n log n. The tree is built anew each time, in memory that is kept, so which
@@ -17,7 +17,8 @@ const ROUNDING: f64 = 1e-12;
 
 /// A half space in its place.
 pub(super) struct HalfSpace {
-    pub body: usize,
+    /// Its place among the solids.
+    pub solid: usize,
     /// The unit normal (world), out of the matter.
     pub normal: Vector3<f64>,
     /// A point of its surface (m).
@@ -49,12 +50,12 @@ impl Broad {
                 pairs.push(pair);
             }
         };
-        for (body, solid) in solids.iter().enumerate() {
+        for (k, solid) in solids.iter().enumerate() {
             let Some(solid) = solid else { continue };
             let around = bounds(solid, margin / 2.0);
-            tree.insert_or_update_partially(around, body as u32, 0.0);
+            tree.insert_or_update_partially(around, k as u32, 0.0);
             for plane in half_spaces.iter().filter(|plane| plane.reaches(&around, margin / 2.0)) {
-                add(plane.body, body);
+                add(plane.solid, k);
             }
         }
         tree.rebuild(workspace, BvhBuildStrategy::Binned);

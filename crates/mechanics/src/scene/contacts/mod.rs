@@ -1,7 +1,7 @@
 //! Where bodies touch, or nearly: contact points with names that persist between steps.
 //!
 //! Every shape but the half space is a convex polytope with a radius around it ([`solid`]): a point
-//! for a ball, a segment for a capsule. So all pairs are one case. The data flow:
+//! for a ball, a segment for a capsule; a compound is several. So all pairs are one case. The data flow:
 //!
 //! ```text
 //! broad: pairs of bodies ─→ separation: the axis ─→ overlap: face on anything │ crossing: edges │
@@ -114,10 +114,32 @@ pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<Found> {
     detector.found
 }
 
+/// Whose part a solid is.
+#[derive(Debug, Clone, Copy)]
+struct Owner {
+    body: usize,
+    /// How many vertices, edges and faces the body's parts before have: features are counted on.
+    before: [usize; 3],
+}
+
+impl Owner {
+    /// The feature of the part as one of the body.
+    fn name(&self, feature: Feature) -> Feature {
+        let [vertices, edges, faces] = self.before;
+        match feature {
+            Feature::Vertex(k) => Feature::Vertex(vertices + k),
+            Feature::Edge(k) => Feature::Edge(edges + k),
+            Feature::Face(k) => Feature::Face(faces + k),
+        }
+    }
+}
+
 /// Finds the contacts of a scene again and again.
 pub struct Detector {
-    /// The bodies' polytopes; none for a half space.
+    /// The bodies' convex parts, body by body; none for a half space.
     solids: Vec<Option<Solid>>,
+    /// Whose part each is.
+    owners: Vec<Owner>,
     half_spaces: Vec<HalfSpace>,
     /// The pairs that a constraint joins, ascending.
     joined: Vec<[usize; 2]>,
@@ -133,16 +155,23 @@ impl Detector {
             scene.constraints.iter().filter_map(|c| ordered(c.bodies())).collect();
         joined.sort_unstable();
         let mut solids: Vec<Option<Solid>> = Vec::with_capacity(scene.bodies.len());
+        let mut owners = Vec::with_capacity(scene.bodies.len());
+        let mut parts = Vec::new();
         for (k, body) in scene.bodies.iter().enumerate() {
-            let like = k.checked_sub(1).filter(|&before| scene.bodies[before].shape == body.shape);
-            let polytope = match like {
-                Some(before) => solids[before].as_ref().map(Solid::polytope),
-                None => solid::polytope(&body.shape),
-            };
-            solids.push(polytope.map(|p| Solid::new(p, solid::radius(&body.shape))));
+            if k == 0 || scene.bodies[k - 1].shape != body.shape {
+                parts = solid::parts(&body.shape); // else those of the body before, shared
+            }
+            let mut before = [0; 3];
+            for part in &parts {
+                let solid = part.clone().map(|(polytope, radius)| Solid::new(polytope, radius));
+                owners.push(Owner { body: k, before });
+                let own = solid.as_ref().map_or([0; 3], Solid::features);
+                (0..3).for_each(|kind| before[kind] += own[kind]);
+                solids.push(solid);
+            }
         }
         let (half_spaces, touches, found) = Default::default();
-        Detector { solids, half_spaces, joined, broad: Broad::default(), touches, found }
+        Detector { solids, owners, half_spaces, joined, broad: Broad::default(), touches, found }
     }
 
     /// All contact points with a gap up to `margin` (m), of the scene that it was made for. One entry
@@ -163,6 +192,7 @@ impl Detector {
         let solids = self.solids.iter().flatten().map(Solid::bytes).sum::<usize>();
         solids
             + self.solids.capacity() * size_of::<Option<Solid>>()
+            + self.owners.capacity() * size_of::<Owner>()
             + self.joined.capacity() * size_of::<[usize; 2]>()
             + self.broad.bytes()
             + self.touches.capacity() * size_of::<Touch>()
@@ -172,23 +202,24 @@ impl Detector {
     /// The first half of [`find`](Detector::find): the pairs of bodies that are near each other.
     pub fn find_pairs(&mut self, scene: &Scene, states: &[State], margin: f64) {
         self.half_spaces.clear();
-        for (body, solid) in self.solids.iter_mut().enumerate() {
-            let pose = &states[body].pose;
-            match (solid, &scene.bodies[body].shape) {
+        for (k, (solid, owner)) in self.solids.iter_mut().zip(&self.owners).enumerate() {
+            let pose = &states[owner.body].pose;
+            match (solid, &scene.bodies[owner.body].shape) {
                 (Some(solid), _) => solid.place(pose),
                 (None, Shape::Plane { normal }) => {
                     let normal = pose.direction(normal);
-                    self.half_spaces.push(HalfSpace { body, normal, point: pose.p });
+                    self.half_spaces.push(HalfSpace { solid: k, normal, point: pose.p });
                 }
                 (None, _) => {}
             }
         }
-        let joined = &self.joined;
-        let may_touch = |pair: [usize; 2]| {
+        let (joined, owners) = (&self.joined, &self.owners);
+        let may_touch = |solids: [usize; 2]| {
+            let pair = solids.map(|k| owners[k].body);
             let [a, b] = pair.map(|k| &scene.bodies[k]);
             let moves = a.mass != Mass::Fixed || b.mass != Mass::Fixed;
             let points_only = a.shape == Shape::Point && b.shape == Shape::Point;
-            moves && !points_only && joined.binary_search(&pair).is_err()
+            pair[0] != pair[1] && moves && !points_only && joined.binary_search(&pair).is_err()
         };
         self.broad.search(&self.solids, &self.half_spaces, margin, may_touch);
     }
@@ -198,9 +229,12 @@ impl Detector {
         self.found.clear();
         for &pair in self.broad.pairs() {
             self.touches.clear();
-            touches(scene, states, &self.solids, pair, margin, &mut self.touches);
+            let owners = pair.map(|k| self.owners[k]);
+            touches(scene, states, &self.solids, owners, pair, margin, &mut self.touches);
             let first = self.found.len();
-            let points = self.touches.iter().filter_map(|touch| point(scene, states, pair, touch));
+            let radii = pair.map(|k| self.solids[k].as_ref().map_or(0.0, |solid| solid.radius));
+            let of = |touch| point(scene, states, owners, radii, touch);
+            let points = self.touches.iter().filter_map(of);
             self.found.extend(points.filter(|found| found.gap <= margin));
             if scene.contact.manifold == Manifold::Four {
                 reduce::to_four(&mut self.found, first);
@@ -214,25 +248,26 @@ fn ordered(bodies: [Option<usize>; 2]) -> Option<[usize; 2]> {
     Some([first.min(second), first.max(second)])
 }
 
-/// Where two bodies may touch, in an empty list; a body without a solid is a half space.
+/// Where two parts may touch, in an empty list; one without a solid is a half space.
 fn touches(
     scene: &Scene,
     states: &[State],
     solids: &[Option<Solid>],
+    owners: [Owner; 2],
     pair: [usize; 2],
     margin: f64,
     out: &mut Vec<Touch>,
 ) {
-    let mut plane = |k: usize, solid: &Solid| {
-        if let Shape::Plane { normal } = &scene.bodies[k].shape {
-            plane::touches(normal, &states[k].pose, solid, out);
+    let mut plane = |owner: Owner, solid: &Solid| {
+        if let Shape::Plane { normal } = &scene.bodies[owner.body].shape {
+            plane::touches(normal, &states[owner.body].pose, solid, out);
         }
     };
     match pair.map(|k| solids[k].as_ref()) {
         [Some(a), Some(b)] => pair::touches(a, b, margin, out),
-        [None, Some(b)] => plane(pair[0], b),
+        [None, Some(b)] => plane(owners[0], b),
         [Some(a), None] => {
-            plane(pair[1], a);
+            plane(owners[1], a);
             out.iter_mut().for_each(|touch| touch.swapped = true);
         }
         [None, None] => {}
@@ -241,13 +276,21 @@ fn touches(
 
 /// The contact of two features; balls with one centre, which have no normal, are pushed apart along the
 /// world's z axis. None where there is no direction either.
-fn point(scene: &Scene, states: &[State], pair: [usize; 2], touch: &Touch) -> Option<Found> {
+fn point(
+    scene: &Scene,
+    states: &[State],
+    owners: [Owner; 2],
+    radii: [f64; 2],
+    touch: &Touch,
+) -> Option<Found> {
+    let pair = owners.map(|owner| owner.body);
+    let in_order = |of: [f64; 2]| if touch.swapped { [of[1], of[0]] } else { of };
     let [k0, k1] = if touch.swapped { [pair[1], pair[0]] } else { pair };
     let local = |k: usize, anchor: &Vector3<f64>| states[k].pose.local(anchor);
     let contact = Contact {
         bodies: [Some(k0), Some(k1)],
         anchors: [local(k0, &touch.anchors[0]), local(k1, &touch.anchors[1])],
-        radii: [k0, k1].map(|k| solid::radius(&scene.bodies[k].shape)),
+        radii: in_order(radii),
         normal: touch.normal,
         friction: (scene.bodies[k0].friction * scene.bodies[k1].friction).sqrt(),
     };
@@ -263,6 +306,7 @@ fn point(scene: &Scene, states: &[State], pair: [usize; 2], touch: &Touch) -> Op
         (Err(_), _) => return None,
     };
     let point = states[k1].pose.point(&contact.anchors[1]) - contact.radii[1] * normal;
-    let id = ContactId { bodies: pair, features: touch.names() };
+    let [f0, f1] = touch.names();
+    let id = ContactId { bodies: pair, features: [owners[0].name(f0), owners[1].name(f1)] };
     Some(Found { id, contact, gap, normal, point })
 }

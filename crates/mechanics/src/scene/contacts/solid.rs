@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::body::{Edge, Polytope, Pose, Shape};
+use crate::body::{Edge, Placed, Polytope, Pose, Shape};
 
 /// A direction counts as along a surface when it leaves it by no more than this (as a sine).
 const ALONG: f64 = 1e-9;
@@ -27,14 +27,32 @@ pub(super) struct Solid {
     inwards: Vec<Option<[Vector3<f64>; 2]>>,
 }
 
-/// The polytope of a shape; none for a half space.
-pub(super) fn polytope(shape: &Shape) -> Option<Arc<Polytope>> {
+/// A polytope in a body's axes, and the radius (m) around it.
+pub(super) type Round = (Arc<Polytope>, f64);
+
+/// The convex parts of a shape: one, or several of a compound; `None` for a half space.
+pub(super) fn parts(shape: &Shape) -> Vec<Option<Round>> {
+    let convex = |polytope: Polytope, radius: f64| vec![Some((Arc::new(polytope), radius))];
     match shape {
-        Shape::Point | Shape::Sphere { .. } => Some(Arc::new(Polytope::point())),
-        Shape::Capsule { half_length, .. } => Some(Arc::new(Polytope::segment(*half_length))),
-        Shape::Box { half } => Some(Arc::new(Polytope::cuboid(half))),
-        Shape::Hull(hull) => Some(hull.clone()),
-        Shape::Plane { .. } => None,
+        Shape::Point => convex(Polytope::point(), 0.0),
+        Shape::Sphere { radius } => convex(Polytope::point(), *radius),
+        Shape::Capsule { half_length, radius } => convex(Polytope::segment(*half_length), *radius),
+        Shape::Box { half } => convex(Polytope::cuboid(half), 0.0),
+        Shape::Hull(hull) => vec![Some((hull.clone(), 0.0))],
+        Shape::Compound(placed) => {
+            let moved = |part: &Placed, (polytope, radius): Round| {
+                (Arc::new(polytope.seen_from(&part.pose.inverse())), radius)
+            };
+            let of = |part: &Placed| {
+                parts(&part.shape)
+                    .into_iter()
+                    .flatten()
+                    .map(|own| Some(moved(part, own)))
+                    .collect::<Vec<_>>()
+            };
+            placed.iter().flat_map(of).collect()
+        }
+        Shape::Plane { .. } => vec![None],
     }
 }
 
@@ -47,9 +65,10 @@ impl Solid {
         Solid { polytope, pose, radius, size, vertices, normals, directions, inwards }
     }
 
-    /// The polytope, which other bodies may have too.
-    pub fn polytope(&self) -> Arc<Polytope> {
-        self.polytope.clone()
+    /// How many vertices, edges and faces it has.
+    pub fn features(&self) -> [usize; 3] {
+        let Polytope { vertices, edges, faces } = &*self.polytope;
+        [vertices.len(), edges.len(), faces.len()]
     }
 
     /// Puts it in its place.
@@ -137,13 +156,5 @@ impl Solid {
     /// The normal of a face in the body's own axes.
     pub fn local_normal(&self, face: usize) -> Vector3<f64> {
         self.polytope.faces[face].normal
-    }
-}
-
-/// The radius (m) around the polytope of a shape.
-pub(super) fn radius(shape: &Shape) -> f64 {
-    match shape {
-        Shape::Sphere { radius } | Shape::Capsule { radius, .. } => *radius,
-        Shape::Point | Shape::Box { .. } | Shape::Hull(_) | Shape::Plane { .. } => 0.0,
     }
 }

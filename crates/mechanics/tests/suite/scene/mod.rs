@@ -2,6 +2,7 @@
 
 mod bad_files;
 mod catalogue;
+mod compounds;
 mod contacts;
 mod documentation;
 mod generate;

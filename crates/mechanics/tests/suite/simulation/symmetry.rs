@@ -125,7 +125,7 @@ impl Units {
                     *half_length *= self.metre;
                     *radius *= self.metre;
                 }
-                Shape::Point | Shape::Plane { .. } | Shape::Hull(_) => {}
+                Shape::Point | Shape::Plane { .. } | Shape::Hull(_) | Shape::Compound(_) => {}
             }
         }
         for state in &mut scene.states {

@@ -31,7 +31,9 @@ fn shape(shape: &Shape) -> SharedShape {
             let points: Vec<DVec3> = hull.vertices.iter().map(glam).collect();
             SharedShape::new(ConvexPolyhedron::from_convex_hull(&points).unwrap())
         }
-        Shape::Point | Shape::Plane { .. } => unreachable!("not among the solids"),
+        Shape::Point | Shape::Plane { .. } | Shape::Compound(_) => {
+            unreachable!("not among the solids")
+        }
     }
 }
 

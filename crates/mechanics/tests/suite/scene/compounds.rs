@@ -1,0 +1,124 @@
+//! Several shapes that move as one: mass by the parallel axis theorem, contacts of every part.
+
+use lcplab_mechanics::body::{Mass, State};
+use lcplab_mechanics::scene::{Scene, contacts};
+use lcplab_mechanics::simulation::Simulation;
+use nalgebra::Vector3;
+
+fn scene(bodies: &str) -> Scene {
+    let text = format!(
+        "gravity = [0, 0, -10]\nstep = {{ dt = 0.01 }}\ncontact = {{ friction = 0.3 }}\n\
+         [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n{bodies}"
+    );
+    Scene::from_toml("compound.toml", &text).unwrap()
+}
+
+fn body(shape: &str, rest: &str) -> String {
+    format!("[[bodies]]\nname = \"body\"\nshape = {shape}\n{rest}\n")
+}
+
+const DUMBBELL: &str = "{ compound = [\
+    { shape = { sphere = 0.5 }, position = [0, 0, 0] }, \
+    { shape = { sphere = 0.5 }, position = [4, 0, 0] }] }";
+
+#[test]
+fn a_dumbbell_has_the_moments_of_the_parallel_axis_theorem_about_its_middle() {
+    let scene = scene(&body(DUMBBELL, "mass = 2\nposition = [10, 0, 5]"));
+    let Mass::Rigid { mass, moments } = scene.bodies[1].mass else { panic!("it turns") };
+    // 1 kg each at 2 m from the middle: 2/5 m r² along the bar, m d² more across it.
+    let own = 2.0 * 0.4 * 0.25;
+    let mut found = [moments.x, moments.y, moments.z];
+    found.sort_by(f64::total_cmp);
+    for (found, expected) in found.into_iter().zip([own, own + 8.0, own + 8.0]) {
+        assert!((found - expected).abs() < 1e-14, "{found}, not {expected}");
+    }
+    assert_eq!(mass, 2.0);
+    assert!((scene.states[1].pose.p - Vector3::new(12.0, 0.0, 5.0)).norm() < 1e-14);
+}
+
+#[test]
+fn turned_parts_have_the_tensor_of_what_they_make() {
+    // A bar of 2 by 1 by 1, of two cubes one of which is turned by 90 degrees, and in one piece.
+    let whole = scene(&body("{ box = [2, 1, 1] }", "density = 3"));
+    let halves = "{ compound = [{ shape = { box = [1, 1, 1] }, position = [-0.5, 0, 0] }, \
+                  { shape = { box = [1, 1, 1] }, position = [0.5, 0, 0], rotation = { x = 90 } }] }";
+    let halves = scene(&body(halves, "density = 3"));
+    let [Mass::Rigid { mass: m, moments: i }, Mass::Rigid { mass, moments }] =
+        [whole.bodies[1].mass, halves.bodies[1].mass]
+    else {
+        panic!("both turn")
+    };
+    assert!((m - mass).abs() < 1e-14 && (i - moments).norm() < 1e-14, "{i} {moments}");
+}
+
+#[test]
+fn two_halves_move_as_the_whole_in_flight_and_on_the_ground() {
+    let motion =
+        "density = 1\nposition = [0, 0, 0.52]\nvelocity = [3, 1, 0]\nangular_velocity = [0, 0, 2]";
+    let whole = scene(&body("{ box = [2, 1, 1] }", motion));
+    let halves = "{ compound = [{ shape = { box = [1, 1, 1] }, position = [-0.5, 0, 0] }, \
+                  { shape = { box = [1, 1, 1] }, position = [0.5, 0, 0] }] }";
+    let halves = scene(&body(halves, motion));
+    let after = |scene: &Scene| -> State {
+        let mut simulation = Simulation::of(scene).unwrap();
+        (0..30).for_each(|_| drop(simulation.step().unwrap()));
+        simulation.states()[1]
+    };
+    let (a, b) = (after(&whole), after(&halves));
+    // Height and fall are unique; how friction is shared between twelve points instead of eight is not.
+    assert!((a.pose.p.z - b.pose.p.z).abs() < 1e-9 && (a.v.z - b.v.z).abs() < 1e-9);
+    assert!(a.v.x > 0.5 && b.v.x > 0.5 && (a.v.x - b.v.x).abs() < 0.2, "{} {}", a.v.x, b.v.x);
+    let flight = |scene: &Scene| {
+        let mut scene = scene.clone();
+        scene.states[1].pose.p.z = 100.0;
+        after(&scene)
+    };
+    let (a, b) = (flight(&whole), flight(&halves));
+    assert!((a.pose.p - b.pose.p).norm() < 1e-12 && (a.omega - b.omega).norm() < 1e-12);
+}
+
+#[test]
+fn a_dumbbell_rests_on_both_its_balls_each_with_half_of_the_weight() {
+    let scene = scene(&body(DUMBBELL, "mass = 2\nposition = [0, 0, 0.5]"));
+    let found = contacts(&scene, &scene.states, 0.01);
+    assert_eq!(found.len(), 2);
+    assert_ne!(found[0].id, found[1].id);
+    let mut simulation = Simulation::of(&scene).unwrap();
+    let step = simulation.step().unwrap();
+    let x = &step.solves[0].solution.x;
+    let normals = step.solves[0].problem.lcp.contacts().iter().map(|contact| x[contact.rows[0]]);
+    for push in normals {
+        assert!((push - 0.1).abs() < 1e-12, "{push} N s"); // half of 2 kg × 10 m/s² × 0.01 s
+    }
+    assert!(simulation.states()[1].v.norm() < 1e-12);
+}
+
+#[test]
+fn parts_of_one_body_do_not_collide_and_those_of_two_do() {
+    let pair = |position: &str| {
+        let two = "{ compound = [{ shape = { sphere = 0.5 } }, { shape = { sphere = 0.5 }, position = [0.6, 0, 0] }] }";
+        let other =
+            body(two, &format!("mass = 1\nposition = {position}")).replace("\"body\"", "\"other\"");
+        let scene = scene(&(body(two, "mass = 1\nposition = [0, 0, 5]") + &other));
+        contacts(&scene, &scene.states, 0.01).len()
+    };
+    assert_eq!(pair("[0, 0, 9]"), 0);
+    assert_eq!(pair("[0, 1, 5]"), 2); // side by side: ball on ball, twice
+    assert_eq!(pair("[1.6, 0, 5]"), 1); // one behind the other
+}
+
+#[test]
+fn what_is_no_compound_is_refused_with_the_part() {
+    let refused = |shape: &str, rest: &str| {
+        let text = body(shape, rest);
+        Scene::from_toml("compound.toml", &text).unwrap_err().to_string()
+    };
+    let plane = "{ compound = [{ shape = { sphere = 1 } }, { shape = { plane = [0, 0, 1] } }] }";
+    let message = refused(plane, "mass = 1");
+    assert!(message.contains("compound[1].shape: a part is a sphere"), "{message}");
+    assert!(refused("{ compound = [] }", "mass = 1").contains("has no parts"));
+    let message = refused(DUMBBELL, "mass = 1\ninertia = [1, 1, 1]");
+    assert!(message.contains("that of a compound follows from its parts"), "{message}");
+    let message = refused("{ compound = [{ shape = { sphere = -1 } }] }", "mass = 1");
+    assert!(message.contains("compound[0].shape"), "{message}");
+}
