@@ -29,6 +29,8 @@ use serde::{Deserialize, Serialize};
 
 use super::Study;
 use crate::error::{Error, Result};
+use crate::lcp::friction::Model;
+use crate::scene::Scheme;
 
 /// How far an observed order may lie from the derived one.
 pub const ORDER_SLACK: f64 = 0.1;
@@ -204,22 +206,42 @@ const CASES: &[(&str, Case)] = &[
     ("painleve", painleve::rod),
 ];
 
+/// A case with settings of its own.
+type Chosen = Box<dyn Fn(Size) -> Result<Vec<Row>> + Send + Sync>;
+
 /// A simulated minute each, at two step lengths: minutes of work, so that no report runs them.
-const LONG: [(&str, Case); 2] =
-    [("long-pendulum", schemes::long_pendulum), ("long-stack", schemes::long_stack)];
+fn long() -> Vec<(String, Chosen)> {
+    let stack = |(scheme, model): (Scheme, Model)| -> (String, Chosen) {
+        let name = format!("long-stack-{}-{model}", scheme.name());
+        (name, Box::new(move |size| schemes::long_stack(scheme, model, size)))
+    };
+    let pendulum: (String, Chosen) = ("long-pendulum".into(), Box::new(schemes::long_pendulum));
+    [pendulum].into_iter().chain(schemes::long_stacks().map(stack)).collect()
+}
 
 /// The names of the cases but the long ones.
 pub fn names() -> Vec<&'static str> {
     CASES.iter().map(|(name, _)| *name).collect()
 }
 
-/// The rows of the long cases.
+/// The rows of the long cases, or of one; `note` is called at the end of each.
 ///
 /// # Errors
-/// None; every scene is our own.
-pub fn run_long() -> Result<Vec<Row>> {
-    let rows: Result<Vec<Vec<Row>>> = LONG.iter().map(|(_, study)| study(Size::Fast)).collect();
+/// If there is no case of that name.
+pub fn run_long(only: Option<&str>, note: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
+    let chosen = chosen(long(), only)?;
+    let one = |(_, study): &(String, Chosen)| {
+        let rows = study(Size::Fast);
+        note();
+        rows
+    };
+    let rows: Result<Vec<Vec<Row>>> = chosen.par_iter().map(one).collect();
     Ok(rows?.concat())
+}
+
+/// How many long cases there are.
+pub fn long_cases() -> usize {
+    long().len()
 }
 
 /// The rows of all cases but the long ones, or of one. They do not depend on the number of threads.
@@ -227,13 +249,18 @@ pub fn run_long() -> Result<Vec<Row>> {
 /// # Errors
 /// If there is no case of that name.
 pub fn run(size: Size, only: Option<&str>) -> Result<Vec<Row>> {
-    let is_long = |name: &str| LONG.iter().any(|(long, _)| *long == name);
-    let is_chosen = |name: &str| only.map_or(!is_long(name), |only| only == name);
-    let chosen: Vec<_> = CASES.iter().chain(&LONG).filter(|(name, _)| is_chosen(name)).collect();
-    if let (Some(only), true) = (only, chosen.is_empty()) {
-        let known = CASES.iter().chain(&LONG).map(|(name, _)| name.to_string()).collect();
-        return Err(Error::Unknown { kind: "closed form", name: only.into(), known });
-    }
+    let all = CASES.iter().map(|&(name, study)| (name.to_string(), study)).collect();
+    let chosen = chosen(all, only)?;
     let rows: Result<Vec<Vec<Row>>> = chosen.par_iter().map(|(_, study)| study(size)).collect();
     Ok(rows?.concat())
+}
+
+/// All of these cases, or the one of that name.
+fn chosen<C>(all: Vec<(String, C)>, only: Option<&str>) -> Result<Vec<(String, C)>> {
+    let Some(only) = only else { return Ok(all) };
+    let known = all.iter().map(|(name, _)| name.clone()).collect();
+    match all.into_iter().find(|(name, _)| name == only) {
+        Some(case) => Ok(vec![case]),
+        None => Err(Error::Unknown { kind: "closed form", name: only.into(), known }),
+    }
 }
