@@ -7,7 +7,7 @@
 //! |x − x*|₂ ≤ (1 + |A|₂) / λ_min(A) · |r|₂
 //! ```
 //!
-//! (Pang 1987; `math §6`). The problem is scaled by powers of two to a diagonal near 1 first, so that
+//! (Pang 1987). The problem is scaled by powers of two to a diagonal near 1 first, so that
 //! units do not spoil the constant. Every quantity is then bounded to the safe side: |A|₂ by the
 //! largest row sum; λ_min by a Cholesky factorisation of A − σ, which cannot succeed in floating
 //! point unless λ_min ≥ σ − 4 (n + 2) u tr A (Rump 2006; u = 2⁻⁵³); w by the error of its

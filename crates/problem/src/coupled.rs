@@ -3,7 +3,7 @@
 //! Row i is a tangential direction of a contact, row k its normal one, and
 //! −μ_i max(x_k, 0) ≤ x_i ≤ μ_i max(x_k, 0): the box model of dry friction. Open Dynamics Engine calls k
 //! the `findex` of i. Rows may also be coupled that make no contact: a single tangent, or two with a μ
-//! each. `math §5`, model 2.
+//! each.
 
 use crate::error::{Defects, Result};
 use crate::friction::Contact;

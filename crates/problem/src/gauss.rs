@@ -7,7 +7,7 @@
 //!
 //! Its optimal value is minus that of the LCP's quadratic program with A = J M⁻¹ Jᵀ + diag(γ) and
 //! b = J u* + bias, and u = u* + M⁻¹ Jᵀ x. It never forms A, so it checks the assembly of A as well
-//! as the solver. `math §3`, `math §7`.
+//! as the solver.
 
 /// The data of the primal program; u has k entries, there are n rows.
 #[derive(Debug, Clone, Default)]

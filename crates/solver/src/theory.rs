@@ -22,7 +22,7 @@
 //! ρ_GS = ρ_J²,   ω* = 2 / (1 + √(1 − ρ_J²)),   ρ(ω*) = ω* − 1
 //! ```
 //!
-//! Where A is singular, G keeps the null vectors of A and ρ = 1; w does not feel them. `math §6`.
+//! Where A is singular, G keeps the null vectors of A and ρ = 1; w does not feel them.
 
 use nalgebra::DMatrix;
 

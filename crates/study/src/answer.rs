@@ -220,7 +220,7 @@ pub fn certificate_text(certificate: &Certificate) -> String {
     }
     if certificate.scale > 0.0 {
         text += &format!(
-            "  scale            {:>10.2e}  rows whose terms are smaller than those of this x are at rest\n",
+            "  scale            {:>10.2e}  rows with smaller terms than this x has count as at rest\n",
             certificate.scale
         );
     }

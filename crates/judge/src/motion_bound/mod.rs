@@ -40,7 +40,7 @@
 //!
 //! The bound is on the exact motion of the data (M, J, bias, u*, γ, lo, hi) as they stand. A margin m
 //! costs Σ x m, so √(2 Σ x m), about 1e-8 of the size of √(x u), is as small as it gets where the data
-//! need rounding. `math §3`.
+//! need rounding.
 
 mod mass;
 mod repair;

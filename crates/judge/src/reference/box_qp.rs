@@ -5,7 +5,7 @@
 //! ```
 //!
 //! For symmetric positive semidefinite A its minimisers are the LCP's solutions: the multipliers of
-//! the bounds are the parts of w. `math §3`.
+//! the bounds are the parts of w.
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};

@@ -4,7 +4,7 @@
 //! minimise ½ xᵀA x + bᵀx   subject to   |x_t| ≤ μ x_n for each contact,   lo ≤ x ≤ hi elsewhere
 //! ```
 //!
-//! `math §5`, model 4. The multipliers of the cones are the w in their dual cones.
+//! Model 4. The multipliers of the cones are the w in their dual cones.
 
 use super::Reference;
 use super::program::{MAX_ITERATIONS, Program};

@@ -2,7 +2,7 @@
 //!
 //! Only moving bodies have columns: for a fixed one M⁻¹ = 0, so its part of J drops out of
 //! everything. Constraints come first, in the order of the scene, then contacts, each as normal,
-//! first and second tangent. `math §1`, `math §2`.
+//! first and second tangent.
 
 mod freedoms;
 mod mass;

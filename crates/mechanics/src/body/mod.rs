@@ -1,7 +1,7 @@
 //! One rigid body: what it weighs, what it looks like, where it is and how it moves.
 //!
 //! World axes are right-handed, z is up by custom. A body's frame has its origin in the centre of
-//! mass and its axes along the principal axes of inertia. SI units throughout. `math §1`.
+//! mass and its axes along the principal axes of inertia. SI units throughout.
 
 mod alignment;
 mod gyroscopic;

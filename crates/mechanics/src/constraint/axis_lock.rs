@@ -7,7 +7,7 @@
 //! rotation     c = 2 n·e_v          the component along n of the relative orientation
 //! ```
 //!
-//! A slider is two translation locks and an orientation. `math §2`.
+//! A slider is two translation locks and an orientation.
 
 use std::sync::Arc;
 

@@ -6,7 +6,7 @@
 //! J'u = cent = ω1×(ω1×r1) − ω0×(ω0×r0)
 //! ```
 //!
-//! Row k is the row of n · d with n the k-th world axis, which does not move. K&M (13), `math §2`.
+//! Row k is the row of n · d with n the k-th world axis, which does not move. K&M (13).
 
 use std::sync::Arc;
 

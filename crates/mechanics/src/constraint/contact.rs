@@ -16,7 +16,7 @@
 //!          J = [−n, −(r0×n) + e0×(e1×t), n, r1×n + e1×(t×e0)], J'u = n·cent + 2 n'·rel + n''·d
 //! ```
 //!
-//! K&M (22), `math §2`.
+//! K&M (22).
 
 use nalgebra::{RealField, Vector3, Vector6};
 

@@ -19,7 +19,7 @@
 //! by φ'' = 2 Im(z''/z − (z'/z)²), z'' = −¼ |a|² z + (linear in a'), and Re(z'/z) = |z|'/|z|. Where
 //! the axes coincide, as on a hinge, t = n and φ is the angle. Where body 1 is turned over
 //! (|z| = 0) the twist is not defined. The state knows φ only up to whole turns. Diebel 2006,
-//! *Representing Attitude*; `math §2`.
+//! *Representing Attitude*.
 
 use nalgebra::{RealField, Vector3};
 

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! x ≥ 0 pushes the ends apart: a rod under tension has x < 0. Where the ends coincide n is not
-//! defined. `math §2`.
+//! defined.
 
 use std::sync::Arc;
 

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! where Ω carries the tangents along with n: body 0's ω where n is fixed to it, else n×n'. The
-//! touching point of a ball is not material, which is why ρ1' has n' in it. `math §5`, model 2.
+//! touching point of a ball is not material, which is why ρ1' has n' in it.
 
 use nalgebra::Vector3;
 

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! a is the axis on body 1, t1 and t2 are two directions across the axis on body 0: both
-//! perpendicular to a leave a = ±n, and the motion keeps the sign. K&M T27, `math §2`.
+//! perpendicular to a leave a = ±n, and the motion keeps the sign. K&M T27.
 
 use std::sync::Arc;
 

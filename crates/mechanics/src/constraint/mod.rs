@@ -3,7 +3,7 @@
 //! A constraint gives for each of its rows the position c(s), the row of J with dc/dt = J u, and
 //! the velocity product J'u with d²c/dt² = J u' + J'u. It acts between body 0 and body 1, the sign
 //! is body 1 minus body 0, and the world may take the place of either. Larger joints are combined
-//! of these, never special-cased. `math §2`.
+//! of these, never special-cased.
 //!
 //! [`Constraint`] is what assembly sees. [`Position`] is c(s) again, over any real scalar, so that
 //! [`verify()`] can hold every J and J'u against exact derivatives, yours too.
@@ -144,7 +144,7 @@ pub struct Row {
 /// over a step h:   w = J u⁺ + β/h c + γ x,   γ = 1/(h (d + h k)),   β = h k/(d + h k)
 /// ```
 ///
-/// `math §4`; Catto, *Soft Constraints*, GDC 2011.
+/// Catto, *Soft Constraints*, GDC 2011.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
     /// k (N/m or N m/rad), at least 0.

@@ -4,7 +4,7 @@
 //! c = l − |d| ≥ 0,   x ≥ 0        the rod's row, negated:   J = −J_rod,   J'u = −J'u_rod
 //! ```
 //!
-//! x is the tension: it pulls the ends together and is 0 while the rope is slack. `math §2`.
+//! x is the tension: it pulls the ends together and is 0 while the rope is slack.
 
 use std::sync::Arc;
 

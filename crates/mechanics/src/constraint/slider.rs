@@ -4,7 +4,7 @@
 //! c = (t1·d, t2·d, c of the orientation),   5 rows; J and J'u likewise
 //! ```
 //!
-//! t1 and t2 are two directions across the axis on body 0. K&M T27, `math §2`.
+//! t1 and t2 are two directions across the axis on body 0. K&M T27.
 
 use std::sync::Arc;
 

@@ -19,7 +19,7 @@
 //! the slip within the step where its bound allows, and is at the bound, against the slip, where it
 //! does not: the box model of the velocity level, on accelerations. Without it, a force at its bound
 //! would flip to whichever side the other forces pull, even against the slip. A motor is dry friction
-//! against another speed than 0. `math §4`.
+//! against another speed than 0.
 
 use crate::assembly::{Assembly, Row};
 use crate::constraint::Bounds;

@@ -9,7 +9,7 @@
 //!
 //! and only the target and the bias tell the stages apart: velocity.rs, acceleration.rs and position.rs
 //! have one formula each. γ > 0 where a row is a spring; forces that have a bound of their own act for a
-//! duration, dt for an impulse, and not at all in a blow. x ≥ 0 pushes apart. `math §3`, `math §4`.
+//! duration, dt for an impulse, and not at all in a blow. x ≥ 0 pushes apart.
 
 mod acceleration;
 mod delassus;

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Nothing moves without corrections, so the target is 0. Motors and springs have no error to
-//! correct. `math §4`.
+//! correct.
 
 use crate::assembly::{Assembly, Row};
 use crate::constraint::Kind;

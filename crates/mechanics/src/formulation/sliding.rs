@@ -8,7 +8,7 @@
 //! That is Coulomb's law exactly, as long as the contact slides. But A_nn may be negative: a rod
 //! pushed like chalk is turned into the ground by its own friction, more pressure more so, and there
 //! is no force that helps (Painlevé 1895; Baraff 1993). Row n then proves by itself that the problem
-//! has no solution. `math §5`.
+//! has no solution.
 
 use std::collections::BTreeMap;
 

@@ -11,7 +11,7 @@
 //!
 //! β/dt is the corrected feedback; the chapter prints others, see [`Feedback`]. A row that bounces
 //! has the bias e J u⁻ instead, never beside: a bias added to the bounce would turn a position error
-//! into energy. K&M Code 7 has −x (see the errata), `math §4`.
+//! into energy. K&M Code 7 has −x (see the errata).
 
 use super::{Problem, Stage};
 use crate::assembly::{Assembly, Row};

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::settings::{not_negative, positive};
 use lcplab_problem::error::Defects;
 
-/// How a step is taken. `math §4`.
+/// How a step is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scheme {

@@ -9,7 +9,7 @@
 //!
 //! q' = ½ (0, ω) ⊗ q is linear in q, so the stages take q as it comes: normalised between the stages
 //! the fourth order would be lost. The forces see the rotation of the direction of q. At the end of
-//! the step q is normalised. `math §4`; Hairer, Lubich & Wanner, *Geometric Numerical Integration*.
+//! the step q is normalised. Hairer, Lubich & Wanner, *Geometric Numerical Integration*.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3, Vector6};
 

@@ -11,7 +11,7 @@
 //!
 //! A solution is a fixed point of [`FrictionProblem::frozen_box`]: x̄_n in, x_n out. It need not be
 //! unique, and freezing need not lead to it, when μ is large. Open Dynamics Engine's `findex` and most
-//! game engines are this model. `math §5`, model 2.
+//! game engines are this model.
 
 use super::FrictionProblem;
 use crate::{Coupling, Lcp};

@@ -8,7 +8,7 @@
 //! A, hence a convex quadratic program: w is unique, and every solver of this crate takes it. The
 //! price is a delay: a body that lands gets no friction in its first step, one that lifts off keeps
 //! some in its last, and x_t may lie outside the box of the x_n found. Repeating it with the x_n found
-//! until nothing changes leads to [`FrictionProblem::coupled_box`]. `math §5`, model 1.
+//! until nothing changes leads to [`FrictionProblem::coupled_box`].
 
 use super::FrictionProblem;
 use crate::Lcp;

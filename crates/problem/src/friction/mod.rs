@@ -24,7 +24,7 @@
 //!
 //! A push along an edge of the square and one along its diagonal meet resistances of μ x_n and
 //! √2 μ x_n: the box rubs 41 % too much. A polygon with four corners on the disc rubs 29 % too little
-//! across an edge, one with k corners 1 − cos(π/k). `math §5`.
+//! across an edge, one with k corners 1 − cos(π/k).
 //!
 //! ```
 //! use lcplab_problem::{Lcp, Matrix};

@@ -38,7 +38,7 @@
 //! case all three may hold. The lists give one solution where only the parts of friction that cancel
 //! each other can be chosen.
 //!
-//! Painlevé 1895; Lecornu 1905; Génot & Brogliato 1999. `math §6`.
+//! Painlevé 1895; Lecornu 1905; Génot & Brogliato 1999.
 
 use dashu_ratio::RBig;
 

@@ -16,7 +16,7 @@
 //! k; [`Damping::Safe`] takes 1/θ from a bound on λ. A sweep costs one product A x.
 //!
 //! A row with a_ii ≤ 0 ends it with `ZeroDiagonal`; iterates that overflow with `Diverged`.
-//! Coupled rows are clamped to ±μ times the new x of their normal rows. `math §6`.
+//! Coupled rows are clamped to ±μ times the new x of their normal rows.
 
 use std::ops::ControlFlow;
 

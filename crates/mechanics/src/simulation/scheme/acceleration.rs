@@ -11,7 +11,7 @@
 //! in every stage, so with them an integrator of higher order is of first order again.
 //!
 //! Where friction of sliding contacts is substituted, a contact whose slip would turn round within
-//! the step sticks. Restitution is part of the impacts. Baraff 1989, 1994; K&M (U2), `math §4`.
+//! the step sticks. Restitution is part of the impacts. Baraff 1989, 1994; K&M (U2).
 
 use std::borrow::Cow;
 

@@ -8,7 +8,7 @@
 //! The push y out of an error never becomes a velocity, so it adds no kinetic energy, unlike
 //! Baumgarte's. What it lifts gains potential energy all the same. One step of Newton's method in
 //! c: errors that curve are gone to second order. Restitution: as at velocity level. Coumans,
-//! *Bullet*, 2005; `math §4`.
+//! *Bullet*, 2005.
 
 use super::velocity;
 use crate::assembly::Entering;

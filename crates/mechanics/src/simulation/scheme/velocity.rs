@@ -4,7 +4,7 @@
 //! u⁺ = u + dt M⁻¹F + M⁻¹Jᵀx,   s⁺ = s + dt S u⁺
 //! ```
 //!
-//! Stewart & Trinkle 1996, Anitescu & Potra 1997; `math §4`.
+//! Stewart & Trinkle 1996, Anitescu & Potra 1997.
 
 use super::moved;
 use crate::assembly::Entering;

@@ -29,7 +29,7 @@
 //! x alone says whether it is a solution: [`Polyhedral::z`] finds the β and γ that belong to it, if any
 //! do.
 //!
-//! Stewart & Trinkle 1996; Anitescu & Potra 1997. `math §5`, model 3.
+//! Stewart & Trinkle 1996; Anitescu & Potra 1997.
 
 mod unknowns;
 
