@@ -2,7 +2,7 @@
 
 use clap::Args;
 use lcplab::error::{Error, Result};
-use lcplab::hunt::{Hunt, KINDS, Record, Tally};
+use lcplab::hunt::{Hunt, KINDS, Record, Tally, cone};
 use lcplab::report::page::{Cell, Column, Table};
 use lcplab::report::text;
 use lcplab::solver::{ALL, Options, Settings, Solver, entry};
@@ -51,7 +51,10 @@ impl Challenge {
         let hunt = Hunt { problems: self.problems, seed: self.seed };
         let progress = bar(self.problems as u64, "problems");
         let stop = limits.stop();
-        let record = hunt.until(stop, &solvers, &|| progress.inc(1));
+        let mut record = hunt.until(stop, &solvers, &|| progress.inc(1));
+        if self.solver.is_empty() && stop.reason().is_none() {
+            record.tallies.extend(cone::tallies(self.seed, self.contacts(), &options.settings));
+        }
         let stopped = stop.reason().filter(|_| record.problems < self.problems);
         limits.over();
         progress.finish_and_clear();
@@ -63,10 +66,18 @@ impl Challenge {
         })
     }
 
+    /// As many contacts with a cone as there are problems of a kind.
+    fn contacts(&self) -> usize {
+        self.problems.div_ceil(KINDS.len())
+    }
+
     fn words(&self, record: &Record) -> String {
         let mut words = text::table(&table(record));
         words +=
             &format!("{} problems of {} kinds, seed {}", record.problems, KINDS.len(), self.seed);
+        if record.tallies.len() > ALL.len() {
+            words += &format!(", and {} contacts with a cone", self.contacts());
+        }
         let lied: usize = record.tallies.iter().map(|tally| tally.lied).sum();
         words += &format!(": {lied} untrue claims\n");
         for tally in &record.tallies {

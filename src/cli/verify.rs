@@ -14,7 +14,7 @@ use super::{Outcome, bar, print};
 Example:
   lcplab verify
   lcplab verify --only pendulum --json
-  lcplab verify --long      # a pendulum and a stack of ten for a minute, by every scheme: hours
+  lcplab verify --long      # a pendulum and a stack of ten for a minute, by every scheme: an hour
   lcplab verify --long --only long-stack-xpbd-coupled-box
 
 Each closed form is measured with dt, dt/2, dt/4 and dt/8. Errors that depend on dt must

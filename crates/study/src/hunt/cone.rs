@@ -10,9 +10,17 @@
 //! scales a_n, a_t and the loads come from 10⁻⁸ … 10⁸ each, so that a light load beside a heavy one, and a
 //! slip beside a large force, have to be seen.
 
+use rayon::prelude::*;
+
+use super::Tally;
 use super::problem::Random;
+use lcplab_judge::{Demand, judge_cone};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
 use lcplab_problem::{Lcp, Matrix};
+use lcplab_solver::{CONES, ConeEntry, Settings, Start, Status};
+
+/// An answer may be so far from the exact one, beside its largest entry.
+const NEAR: f64 = 1e-6;
 
 /// A contact and its solution under Coulomb's law.
 #[derive(Debug, Clone)]
@@ -56,5 +64,43 @@ pub fn contact(seed: u64, k: usize) -> ConeTruth {
         problem: ConeProblem::new(friction, Law::Coulomb),
         x: [normal, tangents[0], tangents[1]],
         slides: length > limit && limit > 0.0,
+    }
+}
+
+/// What the solvers of cones say of the first contacts of a seed, and whether it is true.
+pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
+    let of_entry = |entry: &ConeEntry| {
+        let empty = || Tally { solver: entry.name.into(), ..Tally::default() };
+        let one = |k: usize| tally(entry, &contact(seed, k), k, settings);
+        (0..contacts).into_par_iter().map(one).reduce(empty, Tally::and)
+    };
+    CONES.iter().map(of_entry).collect()
+}
+
+/// A claim is false where the judge refuses it, or where it is not the closed form; so is the judge where it
+/// refuses the closed form.
+fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Settings) -> Tally {
+    let solution = (entry.build)(settings).solve(&truth.problem, &Start::default(), &mut ());
+    let accepts =
+        |x: &[f64]| judge_cone(&truth.problem, x, &Demand::default()).verdict.is_solution();
+    let size = truth.x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let distance = solution.x.iter().zip(truth.x).map(|(x, exact)| (x - exact).abs());
+    let distance = distance.fold(0.0, f64::max);
+    let is_claim = solution.status == Status::Solved;
+    let wrong = match () {
+        _ if !accepts(&truth.x) => Some("the judge refuses the closed form".to_string()),
+        _ if is_claim && !accepts(&solution.x) => Some("solved, and refused by the judge".into()),
+        _ if is_claim && !(distance <= NEAR * size) => {
+            Some(format!("solved, {distance:.1e} from the closed form, which is {size:.1e} long"))
+        }
+        _ => None,
+    };
+    Tally {
+        solver: entry.name.into(),
+        within: usize::from(is_claim && wrong.is_none()),
+        unsolved: usize::from(!is_claim && wrong.is_none()),
+        lied: usize::from(wrong.is_some()),
+        lies: wrong.into_iter().map(|what| (number, "cone", what)).collect(),
+        ..Tally::default()
     }
 }

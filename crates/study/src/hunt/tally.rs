@@ -13,7 +13,7 @@ const KEPT: usize = 20;
 pub struct Record {
     /// How many problems there were.
     pub problems: usize,
-    /// Solver by solver, in the order they were given.
+    /// Solver by solver, in the order they were given; those of cones after them.
     pub tallies: Vec<Tally>,
 }
 
@@ -92,7 +92,7 @@ impl Tally {
         self.lies.push((number, KINDS[number % KINDS.len()].name, lie.to_string()));
     }
 
-    fn and(mut self, other: Tally) -> Tally {
+    pub(super) fn and(mut self, other: Tally) -> Tally {
         self.lies.extend(other.lies);
         self.lies.sort_by_key(|lie| lie.0); // the first ones, whoever was done first
         self.lies.truncate(KEPT);

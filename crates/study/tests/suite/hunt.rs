@@ -5,7 +5,7 @@ use lcplab_problem::{Complementarity, Lcp};
 use lcplab_solver::{
     ALL, CONES, Observer, Options, Settings, Solution, Solver, Start, Status, all_solutions,
 };
-use lcplab_study::hunt::cone::{ConeTruth, contact};
+use lcplab_study::hunt::cone::{ConeTruth, contact, tallies};
 use lcplab_study::hunt::{Claim, Hunt, KINDS, Lie, claims, problem};
 
 use lcplab_testing::{INF, boxed};
@@ -139,6 +139,20 @@ fn no_solver_of_cones_lies_about_a_contact_in_any_units() {
         }
         assert!(solved > 700, "{} solved {solved} of 1000 only", entry.name);
     }
+}
+
+#[test]
+fn a_hunt_counts_each_contact_of_each_solver_of_cones_once() {
+    let settings = Settings { max_iterations: 2000, ..Settings::default() };
+    let [few, all] = [100, 200].map(|contacts| tallies(6, contacts, &settings));
+    for (few, all) in few.iter().zip(&all) {
+        assert_eq!(few.within + few.unsolved, 100);
+        assert_eq!((all.within + all.unsolved, all.lied), (200, 0), "{:?}", all.lies);
+        assert!(all.within >= few.within && all.within > 140, "{}: {}", all.solver, all.within);
+    }
+    // With no steps at all nothing but a start that is the answer is claimed.
+    let none = Settings { max_iterations: 0, ..Settings::default() };
+    assert!(tallies(6, 200, &none).iter().all(|tally| tally.unsolved > 50 && tally.lied == 0));
 }
 
 #[test]
