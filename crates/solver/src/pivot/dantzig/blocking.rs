@@ -43,7 +43,7 @@ impl Run<'_> {
         d: &mut Direction,
     ) -> ControlFlow<Status, Option<Block>> {
         loop {
-            let mut block = self.nearest(i, sign, d);
+            let mut block = self.find_nearest(i, sign, d);
             match &mut block {
                 Some(Block { row, side: Side::Free, entering, .. }) if *row != i => {
                     let of_row = self.direction(*row)?;
@@ -60,7 +60,7 @@ impl Run<'_> {
     }
 
     /// The nearest end of a move; of several that are equally near the first.
-    fn nearest(&mut self, i: usize, sign: f64, d: &Direction) -> Option<Block> {
+    fn find_nearest(&mut self, i: usize, sign: f64, d: &Direction) -> Option<Block> {
         let mut ends = std::mem::take(&mut self.scratch.ends);
         ends.clear();
         ends.extend(self.ends(i, sign, d));
