@@ -92,6 +92,7 @@ fn give(u: &mut Unstructured<'_>, field: Field, written: &mut Constraint) -> Res
         Field::Angle => written.angle = Some(length(u)?),
         Field::Limits => written.limits = Some([-length(u)?, length(u)?]),
         Field::Speed => written.speed = Some(coordinate(u)?),
+        Field::StartSpeed => written.start_speed = Some(coordinate(u)?),
         Field::Effort => written.effort = Some(length(u)?),
         Field::Stiffness => written.stiffness = Some(length(u)?),
         Field::Damping => written.damping = Some(length(u)?),
