@@ -163,7 +163,7 @@ impl Detector {
             }
             let mut before = [0; 3];
             for part in &parts {
-                let solid = part.clone().map(|(polytope, radius)| Solid::new(polytope, radius));
+                let solid = part.clone().map(Solid::new);
                 owners.push(Owner { body: k, before });
                 let own = solid.as_ref().map_or([0; 3], Solid::features);
                 (0..3).for_each(|kind| before[kind] += own[kind]);

@@ -15,7 +15,7 @@ pub(super) struct Solid {
     pose: Pose,
     /// The distance (m) up to which points around the polytope belong to the body.
     pub radius: f64,
-    /// The extent of the polytope (m): the greatest distance of a vertex from the body's origin.
+    /// The extent of the polytope (m): the greatest distance of a vertex from its own origin.
     pub size: f64,
     /// The polytope's vertices (m).
     pub vertices: Vec<Vector3<f64>>,
@@ -27,28 +27,40 @@ pub(super) struct Solid {
     inwards: Vec<Option<[Vector3<f64>; 2]>>,
 }
 
-/// A polytope in a body's axes, and the radius (m) around it.
-pub(super) type Round = (Arc<Polytope>, f64);
+/// A convex part of a body: a polytope in the body's axes with a radius around it.
+#[derive(Clone)]
+pub(super) struct Round {
+    polytope: Arc<Polytope>,
+    radius: f64,
+    /// The greatest distance (m) of a vertex from the part's own origin.
+    size: f64,
+}
+
+impl Round {
+    fn new(polytope: Arc<Polytope>, radius: f64) -> Self {
+        let size = polytope.vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        Round { polytope, radius, size }
+    }
+
+    /// As a part of another body, in that one's axes.
+    fn placed(self, pose: &Pose) -> Self {
+        Round { polytope: Arc::new(self.polytope.seen_from(&pose.inverse())), ..self }
+    }
+}
 
 /// The convex parts of a shape: one, or several of a compound; `None` for a half space.
 pub(super) fn parts(shape: &Shape) -> Vec<Option<Round>> {
-    let convex = |polytope: Polytope, radius: f64| vec![Some((Arc::new(polytope), radius))];
+    let convex = |polytope: Polytope, radius| vec![Some(Round::new(Arc::new(polytope), radius))];
     match shape {
         Shape::Point => convex(Polytope::point(), 0.0),
         Shape::Sphere { radius } => convex(Polytope::point(), *radius),
         Shape::Capsule { half_length, radius } => convex(Polytope::segment(*half_length), *radius),
         Shape::Box { half } => convex(Polytope::cuboid(half), 0.0),
-        Shape::Hull(hull) => vec![Some((hull.clone(), 0.0))],
+        Shape::Hull(hull) => vec![Some(Round::new(hull.clone(), 0.0))],
         Shape::Compound(placed) => {
-            let moved = |part: &Placed, (polytope, radius): Round| {
-                (Arc::new(polytope.seen_from(&part.pose.inverse())), radius)
-            };
             let of = |part: &Placed| {
-                parts(&part.shape)
-                    .into_iter()
-                    .flatten()
-                    .map(|own| Some(moved(part, own)))
-                    .collect::<Vec<_>>()
+                let in_place = |own: Option<Round>| own.map(|round| round.placed(&part.pose));
+                parts(&part.shape).into_iter().map(in_place).collect::<Vec<_>>()
             };
             placed.iter().flat_map(of).collect()
         }
@@ -57,9 +69,8 @@ pub(super) fn parts(shape: &Shape) -> Vec<Option<Round>> {
 }
 
 impl Solid {
-    /// A polytope with a radius around it, in no place yet.
-    pub fn new(polytope: Arc<Polytope>, radius: f64) -> Self {
-        let size = polytope.vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
+    /// A part in no place yet.
+    pub fn new(Round { polytope, radius, size }: Round) -> Self {
         let (vertices, normals, directions, inwards) = Default::default();
         let pose = Pose::default();
         Solid { polytope, pose, radius, size, vertices, normals, directions, inwards }

@@ -107,6 +107,48 @@ fn parts_of_one_body_do_not_collide_and_those_of_two_do() {
     assert_eq!(pair("[1.6, 0, 5]"), 1); // one behind the other
 }
 
+/// Boxes over a box, corner, edge or face first: where they touch does not depend on what else belongs to the body.
+#[test]
+fn a_part_touches_as_it_does_alone_however_far_from_the_middle_it_is() {
+    let alone = "{ box = [1, 1, 1] }";
+    let with_rest = "{ compound = [{ shape = { box = [1, 1, 1] } }, \
+                     { shape = { box = [0.1, 0.1, 8] }, position = [0, 0, SIDE] }] }";
+    let points = |shapes: [String; 2], rest: &str| {
+        let [table, mover] = shapes;
+        let table = format!(
+            "[[bodies]]\nname = \"table\"\nfixed = true\nshape = {table}\nposition = [0, 0, 900]\n"
+        );
+        let scene = scene(&(table + &body(&mover, rest)));
+        let found = contacts(&scene, &scene.states, 0.3);
+        let mut points: Vec<[f64; 4]> =
+            found.iter().map(|f| [f.point.x, f.point.y, f.point.z, f.gap]).collect();
+        points.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        points
+    };
+    let mut some = 0;
+    for turn in [
+        "x = 3",
+        "x = 20",
+        "y = 40",
+        "z = 30",
+        "quaternion = [3, 1, 1, 0]",
+        "quaternion = [5, 1, 2, 1]",
+    ] {
+        for z in [900.9, 901.05, 901.2, 901.27] {
+            let rest = format!("mass = 1\nposition = [0.4, 0.3, {z}]\nrotation = {{ {turn} }}");
+            let single = points([alone, alone].map(String::from), &rest);
+            let sides = ["-200", "200"].map(|side| with_rest.replace("SIDE", side));
+            let within = points(sides, &rest);
+            assert_eq!(single.len(), within.len(), "{turn} {z}: {single:?} {within:?}");
+            for (a, b) in single.iter().flatten().zip(within.iter().flatten()) {
+                assert!((a - b).abs() < 1e-9, "{turn} {z}: {single:?} {within:?}");
+            }
+            some += single.len();
+        }
+    }
+    assert!(some > 30, "{some}");
+}
+
 #[test]
 fn what_is_no_compound_is_refused_with_the_part() {
     let refused = |shape: &str, rest: &str| {
