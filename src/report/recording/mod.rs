@@ -215,12 +215,13 @@ impl Record {
         })
     }
 
-    /// Who gave the answers; the scene's solver where nobody was asked.
-    fn solver(&self) -> String {
-        match self.solvers.as_slice() {
+    /// Who gave the answers, or would have, had a step posed a problem; nobody where the scheme poses none.
+    fn solver(&self) -> Option<String> {
+        let asked = match self.solvers.as_slice() {
             [] => self.scene.solver.name.clone(),
             names => names.join(", "),
-        }
+        };
+        self.scene.step.scheme.solves_lcps().then_some(asked)
     }
 
     /// What the books say, or that there are none.
@@ -231,11 +232,11 @@ impl Record {
     /// The totals for people.
     pub fn text(&self) -> String {
         let Scene { name, title, .. } = &self.scene;
-        let level = self.scene.step.scheme.name();
+        let scheme = self.scene.step.scheme.name();
         let (start, end) = (self.first.energy(), self.last.energy());
         let mut text = format!(
             "{name}: {title}\n\
-             level        {level}, solver {}, dt {} s\n\
+             scheme       {scheme}{}, dt {} s\n\
              friction     {}\n\
              steps        {} ({} s)\n\
              problems     {}, accepted by the judge {}\n\
@@ -245,7 +246,7 @@ impl Record {
              penetration  {:.2e} m at worst\n\
              laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {}\n\
              ledger       {}",
-            self.solver(),
+            self.solver().map_or_else(String::new, |solver| format!(", solver {solver}")),
             self.scene.step.dt,
             self.scene.contact.model,
             self.steps,
