@@ -2,7 +2,7 @@
 
 use clap::Args;
 use lcplab::error::{Error, Result};
-use lcplab::hunt::{Hunt, KINDS, Record, Tally, cone};
+use lcplab::hunt::{Hunt, KINDS, Record, Tally};
 use lcplab::report::page::{Cell, Column, Table};
 use lcplab::report::text;
 use lcplab::solver::{ALL, Options, Settings, Solver, entry};
@@ -53,7 +53,8 @@ impl Challenge {
         let stop = limits.stop();
         let mut record = hunt.until(stop, &solvers, &|| progress.inc(1));
         if self.solver.is_empty() && stop.reason().is_none() {
-            record.tallies.extend(cone::tallies(self.seed, self.contacts(), &options.settings));
+            let contacts = self.problems.div_ceil(KINDS.len()); // as many as problems of a kind
+            record = record.with_cones(self.seed, contacts, &options.settings);
         }
         let stopped = stop.reason().filter(|_| record.problems < self.problems);
         limits.over();
@@ -66,17 +67,12 @@ impl Challenge {
         })
     }
 
-    /// As many contacts with a cone as there are problems of a kind.
-    fn contacts(&self) -> usize {
-        self.problems.div_ceil(KINDS.len())
-    }
-
     fn words(&self, record: &Record) -> String {
         let mut words = text::table(&table(record));
         words +=
             &format!("{} problems of {} kinds, seed {}", record.problems, KINDS.len(), self.seed);
-        if record.tallies.len() > ALL.len() {
-            words += &format!(", and {} contacts with a cone", self.contacts());
+        if record.contacts > 0 {
+            words += &format!(", and {} contacts with a cone", record.contacts);
         }
         let lied: usize = record.tallies.iter().map(|tally| tally.lied).sum();
         words += &format!(": {lied} untrue claims\n");

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::error::{Defects, Error, Result};
-use crate::friction::{Contact, FrictionProblem};
+use crate::friction::Contact;
 use crate::{Coupling, Matrix};
 
 /// A boxed LCP, with its contacts if there is friction. It is valid from construction on: sizes agree, all numbers of A and b are finite,
@@ -66,15 +66,6 @@ impl Lcp {
         }
         self.coupling = (!coupling.is_empty()).then_some(coupling);
         Ok(self)
-    }
-
-    /// The same problem with friction at these contacts, as the box model has it: their tangents are
-    /// bounded by ±μ x_n. The other models are made of the same contacts ([`friction`](crate::friction)).
-    ///
-    /// # Errors
-    /// Lists every contact that is impossible: see [`FrictionProblem::new`].
-    pub fn with_contacts(self, contacts: Vec<Contact>) -> Result<Self> {
-        Ok(FrictionProblem::new(self, contacts)?.coupled_box())
     }
 
     /// The contacts with friction: normal, two tangents, μ. Coupled rows that do not come in pairs

@@ -28,12 +28,12 @@ use super::options::{Choices, RowOrder};
 struct SceneArgs {
     /// A scene file, or the name of a shipped scene
     scene: String,
-    /// Time-stepping scheme [default: the scene's]
+    /// Time-stepping scheme [default: the scene's; of compare: both levels]
     #[arg(long, value_parser = schemes())]
     scheme: Option<Scheme>,
     #[command(flatten)]
     renamed: Renamed,
-    /// Solver [default: the scene's]
+    /// Solver [default: the scene's; of compare: all]
     #[arg(long)]
     solver: Option<String>,
     /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,

@@ -1,5 +1,8 @@
 //! A film as numbers: what moves, where it is, in which order it is painted, and what acts on it.
 
+use std::collections::HashSet;
+
+use nalgebra::Vector3;
 use serde_json::{Value, json};
 
 use super::super::colours::POINT;
@@ -31,7 +34,7 @@ pub(super) fn json(film: &Film) -> Value {
     let steps = film.longest().iter().map(|shot| shot.motion.step);
     let camera = Camera::new(film.view);
     let basis = [0, 1, 2].map(|k| {
-        let axis = nalgebra::Vector3::ith(k, 1.0);
+        let axis = Vector3::ith(k, 1.0);
         let seen = camera.project(&axis);
         [seen.x, seen.y, seen.z]
     });
@@ -65,7 +68,7 @@ pub(super) fn json(film: &Film) -> Value {
 fn bodies(scene: &Scene, lens: &Lens) -> Vec<Value> {
     let dot = joint::dot(scene, lens) / lens.scale;
     let part = |k: usize, body: &Body, solid: Solid| {
-        let short = |c: &nalgebra::Vector3<f64>| [c.x, c.y, c.z].map(|x| (x * 1e6).round() / 1e6);
+        let short = |c: &Vector3<f64>| [c.x, c.y, c.z].map(|x| (x * 1e6).round() / 1e6);
         json!({
             "corners": solid.corners.iter().map(short).collect::<Vec<_>>(),
             "faces": solid.faces,
@@ -175,7 +178,7 @@ fn order(scene: &Scene, frame: &Frame, lens: &Lens) -> Vec<usize> {
     }
     let mut order: Vec<usize> =
         depth::order(&lens.camera, &solids).into_iter().map(|k| names[k]).collect();
-    let mut seen = std::collections::HashSet::new();
+    let mut seen = HashSet::new();
     order.retain(|name| seen.insert(*name)); // a compound stands where the farthest of its parts does
     order
 }

@@ -1,5 +1,5 @@
-//! Volumes and principal moments of inertia of homogeneous shapes: closed forms, and for a hull
-//! sums over the tetrahedra between its faces and a point within.
+//! Volumes and principal moments of inertia of homogeneous shapes: closed forms, for a hull sums over the
+//! tetrahedra between its faces and a point within, for a compound the parallel axis theorem.
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion, Vector3};
 
@@ -40,14 +40,8 @@ pub fn moments(shape: &Shape, mass: f64) -> Option<Vector3<f64>> {
             Some(square.map(|a| mass * (square.sum() - a) / 3.0))
         }
         Shape::Capsule { half_length, radius } => Some(capsule(*half_length, *radius, mass)),
-        Shape::Hull(hull) => {
-            let solid = Solid::of(hull);
-            Some(solid.inertia().diagonal() * (mass / solid.volume))
-        }
-        Shape::Compound(parts) => {
-            let solid = Solid::of_parts(parts);
-            Some(solid.inertia().diagonal() * (mass / solid.volume))
-        }
+        Shape::Hull(hull) => Some(Solid::of(hull).moments(mass)),
+        Shape::Compound(parts) => Some(Solid::of_parts(parts).moments(mass)),
         Shape::Point | Shape::Plane { .. } => None,
     }
 }
@@ -61,22 +55,6 @@ pub fn principal_frame(polytope: &Polytope) -> Pose {
 /// The same of homogeneous parts together; where two overlap, the matter counts twice.
 pub fn principal_frame_of_parts(parts: &[Placed]) -> Pose {
     Solid::of_parts(parts).frame()
-}
-
-impl Solid {
-    fn frame(&self) -> Pose {
-        let solid = self;
-        let inertia = solid.inertia();
-        let products = inertia - Matrix3::from_diagonal(&inertia.diagonal());
-        if products.amax() <= DIAGONAL * inertia.trace() {
-            return Pose { p: solid.centre, q: UnitQuaternion::identity() };
-        }
-        let axes = SymmetricEigen::new(inertia).eigenvectors;
-        let (x, y) = (axes.column(0).into_owned(), axes.column(1).into_owned());
-        let right_handed = Matrix3::from_columns(&[x, y, x.cross(&y)]);
-        let rotation = Rotation3::from_matrix_unchecked(right_handed);
-        Pose { p: solid.centre, q: UnitQuaternion::from_rotation_matrix(&rotation) }
-    }
 }
 
 fn ball(radius: f64) -> f64 {
@@ -100,7 +78,7 @@ fn capsule(l: f64, r: f64, mass: f64) -> Vector3<f64> {
     Vector3::new(across, across, along)
 }
 
-/// The integrals of 1, x and x xᵀ over a polytope.
+/// The integrals of 1, x and x xᵀ over a homogeneous solid of density 1.
 struct Solid {
     volume: f64,
     centre: Vector3<f64>,
@@ -153,5 +131,24 @@ impl Solid {
     /// The tensor of inertia about the centre for density 1: tr(C) 1 − C.
     fn inertia(&self) -> Matrix3<f64> {
         Matrix3::identity() * self.second.trace() - self.second
+    }
+
+    /// The moments (kg m²) about its axes, which are principal, for this mass (kg).
+    fn moments(&self, mass: f64) -> Vector3<f64> {
+        self.inertia().diagonal() * (mass / self.volume)
+    }
+
+    /// The frame in which its axes are principal.
+    fn frame(&self) -> Pose {
+        let inertia = self.inertia();
+        let products = inertia - Matrix3::from_diagonal(&inertia.diagonal());
+        if products.amax() <= DIAGONAL * inertia.trace() {
+            return Pose { p: self.centre, q: UnitQuaternion::identity() };
+        }
+        let axes = SymmetricEigen::new(inertia).eigenvectors;
+        let (x, y) = (axes.column(0).into_owned(), axes.column(1).into_owned());
+        let right_handed = Matrix3::from_columns(&[x, y, x.cross(&y)]);
+        let rotation = Rotation3::from_matrix_unchecked(right_handed);
+        Pose { p: self.centre, q: UnitQuaternion::from_rotation_matrix(&rotation) }
     }
 }

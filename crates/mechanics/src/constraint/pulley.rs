@@ -7,8 +7,8 @@
 //! ```
 //!
 //! Under tension x < 0: it draws each body to its roller with −x. Where a body is at its roller n is not
-//! defined. The row is an equation: the rope is taken as taut: the distance of one
-//! point to the world, twice.
+//! defined. The row is an equation, since the rope is taken as taut: two distances to
+//! points of the world, added.
 
 use std::sync::Arc;
 

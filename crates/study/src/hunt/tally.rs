@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::{Claim, KINDS, Lie};
-use lcplab_solver::Solver;
+use super::{Claim, KINDS, Lie, cone};
+use lcplab_solver::{Settings, Solver};
 
 /// At most this many lies of a solver are kept; all are counted.
 const KEPT: usize = 20;
@@ -13,6 +13,8 @@ const KEPT: usize = 20;
 pub struct Record {
     /// How many problems there were.
     pub problems: usize,
+    /// How many contacts with a cone.
+    pub contacts: usize,
     /// Solver by solver, in the order they were given; those of cones after them.
     pub tallies: Vec<Tally>,
 }
@@ -47,6 +49,7 @@ impl Record {
             |solver: &dyn Solver| Tally { solver: solver.name().to_string(), ..Tally::default() };
         Record {
             problems: 0,
+            contacts: 0,
             tallies: solvers.iter().map(|solver| tally(solver.as_ref())).collect(),
         }
     }
@@ -54,7 +57,7 @@ impl Record {
     /// Of one problem.
     pub(super) fn of(number: usize, claims: &[(&'static str, Claim)]) -> Record {
         let tally = |(solver, claim): &(&'static str, Claim)| Tally::of(number, solver, claim);
-        Record { problems: 1, tallies: claims.iter().map(tally).collect() }
+        Record { problems: 1, contacts: 0, tallies: claims.iter().map(tally).collect() }
     }
 
     /// Of both.
@@ -62,8 +65,17 @@ impl Record {
         let tallies = self.tallies.into_iter().zip(other.tallies);
         Record {
             problems: self.problems + other.problems,
+            contacts: self.contacts + other.contacts,
             tallies: tallies.map(|(one, other)| one.and(other)).collect(),
         }
+    }
+
+    /// With what the solvers of cones say of the first contacts of a seed.
+    #[must_use]
+    pub fn with_cones(mut self, seed: u64, contacts: usize, settings: &Settings) -> Record {
+        self.contacts += contacts;
+        self.tallies.extend(cone::tallies(seed, contacts, settings));
+        self
     }
 
     /// Whether nobody lied.

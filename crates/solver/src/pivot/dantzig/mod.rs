@@ -21,7 +21,7 @@
 //! a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below some
 //! ten times that is none. run.rs has the method, direction.rs the direction and this decision,
 //! blocking.rs what ends a move and the rule for ties, exchange.rs the pivot, polish.rs the end;
-//! [`textbook`](crate::textbook) has all of it in 54 lines, for problems without ties or rounding.
+//! [`textbook`](crate::textbook) has it on one page, for definite A and without regard to rounding.
 //!
 //! Ends with the exact active set but for rounding, after at most a few n pivots on contact
 //! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then x is refined with

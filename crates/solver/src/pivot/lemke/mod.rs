@@ -23,9 +23,10 @@
 //! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
 //! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
 //! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
-//! At the end x is computed afresh from the active set. Rounding piles up: a path of more than 50
-//! pivots, or with a very small one, that ends at no solution is followed once more, with a tableau
-//! that is made anew every 50 pivots; its pivots are counted on, and the solution says so ([`Fallback`]).
+//! At the end x is computed afresh from the active set. Rounding piles up, and can even lead a path
+//! back to where it was. Such a path, and one of more than 50 pivots or with a very small pivot that
+//! ends at no solution, is followed once more, with a tableau that is made anew every 50 pivots; its
+//! pivots are counted on, and the solution says so ([`Fallback`]).
 //!
 //! Lemke 1965; Cottle, Pang & Stone 1992, algorithm 4.4.5. Coupled rows: see
 //! [`frozen`].

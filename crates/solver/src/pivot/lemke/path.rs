@@ -13,6 +13,7 @@ use lcplab_problem::Lcp;
 
 /// A pivot below this part of its row may be rounding.
 const DOUBTFUL: f64 = 1e-10;
+
 /// A path that is followed.
 pub(super) struct Path<'a> {
     pub(super) lcp: &'a Lcp,
