@@ -74,6 +74,29 @@ fn xpbd_turns_the_error_of_a_joint_into_speed() {
 }
 
 #[test]
+fn a_stack_of_ten_under_xpbd_gains_no_energy_from_its_own_corrections() {
+    let text = "
+        contact.friction = 0.5
+        step.scheme = 'xpbd'
+        [generate]
+        kind = 'stack'
+        count = 10
+        size = 1
+        mass = 1
+        [[bodies]]
+        name = 'ground'
+        fixed = true
+        shape = { plane = [0, 0, 1] }
+    ";
+    let mut stack = simulation(Scene::from_toml("stack_of_ten.toml", text).unwrap());
+    let start = stack.motion().energy();
+    let end = (0..60).map(|_| stack.step().unwrap().motion.energy()).last().unwrap();
+    // A ten-thousandth. Contacts whose x begins every substep with 0 gain 0.13 J of 490 in this second, and more
+    // in each that follows.
+    assert!(end - start < 1e-4 * start, "{} J of {start}", end - start);
+}
+
+#[test]
 fn the_feedback_of_the_chapter_grows_the_error_and_the_corrected_one_shrinks_it() {
     let (beta, dt) = (0.2f64, 1.0 / 60.0);
     for (feedback, factor) in [
