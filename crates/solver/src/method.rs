@@ -9,8 +9,8 @@ use super::{
     ALL, CONES, Choice, Class, ConeEntry, Entry, MatrixClass, Observer, Options, Solution, Solver,
     Start, Status,
 };
+use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{Law, Model, Polyhedral, Posed};
-use lcplab_problem::{Complementarity, merit};
 
 /// A solver of either kind.
 #[derive(Debug, Clone, Copy)]
@@ -114,21 +114,13 @@ pub fn solve_polyhedral(
     impulses(polyhedral, solution, tolerance)
 }
 
-/// Whether the judge of x would accept z.
-fn is_solution(polyhedral: &Polyhedral, z: &[f64], tolerance: f64) -> bool {
-    merit::is_solution(polyhedral.lcp(), z, tolerance)
-        && polyhedral.rubbing(z, merit::RowTerms::at).1 <= tolerance
-}
-
 /// The impulses x of a solution z, and the rows of x that its status means. `Solved` is claimed for
 /// the z that x leads back to, which is all that a judge of x can see.
 fn impulses(polyhedral: &Polyhedral, solution: Solution, tolerance: f64) -> Solution {
     let Solution { x: z, status, iterations, .. } = solution;
     let x = polyhedral.x(&z);
     let status = match status {
-        Status::Solved if !is_solution(polyhedral, &polyhedral.z(&x), tolerance) => {
-            Status::Inaccurate
-        }
+        Status::Solved if !polyhedral.is_solution(&x, tolerance) => Status::Inaccurate,
         Status::ZeroDiagonal { row } => Status::ZeroDiagonal { row: polyhedral.row(row) },
         Status::Singular { row } => Status::Singular { row: polyhedral.row(row) },
         Status::Ray { row, direction } => {

@@ -12,8 +12,8 @@
 
 use crate::formulation::{Posing, Problem};
 use crate::scene::Scene;
+use lcplab_problem::Lcp;
 use lcplab_problem::friction::{Model, Polyhedral, Posed};
-use lcplab_problem::{Lcp, merit};
 use lcplab_solver::{
     self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Newton, Observer,
     PolygonPgs, Settings, Solution, Solver, Start, Status, solve_polyhedral,
@@ -151,7 +151,7 @@ fn by_polygons(
         let soft = polyhedral.softened(part).ok()?;
         let Solution { x, iterations, .. } =
             solve_polyhedral(solver, &soft, start, tolerance, observer);
-        let solves = merit::is_solution(polyhedral.lcp(), &polyhedral.z(&x), tolerance);
+        let solves = polyhedral.is_solution(&x, tolerance);
         let lcp = polyhedral.friction().lcp();
         let solution = || Solution::new(lcp, x, Status::Solved, iterations);
         solves.then(|| solution().with_fallback(Some(Fallback::Softened)))

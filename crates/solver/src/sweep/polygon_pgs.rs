@@ -15,8 +15,8 @@
 //! What it claims is judged by the LCP, on the z that x leads back to.
 
 use crate::{Event, Iterate, Observer, Settings, Solution, Start, Status};
+use lcplab_problem::Lcp;
 use lcplab_problem::friction::{Contact, Polyhedral};
-use lcplab_problem::{Lcp, merit};
 
 /// Whether x is a solution costs as much as some sweeps, and is looked at after so many of them.
 const LOOK_EVERY: usize = 10;
@@ -48,7 +48,6 @@ impl PolygonPgs {
             return Solution::new(lcp, x, Status::ZeroDiagonal { row }, 0);
         }
         let tolerance = self.settings.tolerance;
-        let solves = |x: &[f64]| merit::is_solution(problem.lcp(), &problem.z(x), tolerance);
         let mut event = Event::Start;
         for iteration in 0..=self.settings.max_iterations {
             if iteration > 0 {
@@ -61,7 +60,7 @@ impl PolygonPgs {
             if x.iter().any(|x| !x.is_finite()) {
                 return Solution::new(lcp, x, Status::Diverged, iteration);
             }
-            if iteration % LOOK_EVERY == 0 && solves(&x) {
+            if iteration % LOOK_EVERY == 0 && problem.is_solution(&x, tolerance) {
                 return Solution::new(lcp, x, Status::Solved, iteration);
             }
         }

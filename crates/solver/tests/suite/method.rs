@@ -3,7 +3,8 @@
 use lcplab_problem::friction::{Contact, FrictionProblem, Model, Polyhedral, Posed};
 use lcplab_problem::merit;
 use lcplab_solver::{
-    Lemke, Method, Options, SPECIMENS, Settings, Start, Status, methods, solve_polyhedral,
+    Lemke, Method, Options, PolygonPgs, SPECIMENS, Settings, Start, Status, methods,
+    solve_polyhedral,
 };
 
 use lcplab_testing::{INF, boxed, pushed_mass};
@@ -38,6 +39,19 @@ fn a_model_is_taken_by_the_methods_whose_theory_holds_for_it() {
     assert!(method("lemke").takes(None) && !method("cone-pgs").takes(None));
     let code6 = Method::Boxed(SPECIMENS[0]); // it knows no coupled rows
     assert!(code6.takes(Some(Model::FrozenBox)) && !code6.takes(Some(Model::CoupledBox)));
+}
+
+#[test]
+fn friction_along_the_slip_is_no_solution_however_small_the_load() {
+    // Pressed with 1e-9 and pushed with 3: friction of 5e-10 is a rounding error of the slip, and counts.
+    let problem = pushed_mass(1e-9, 3.0, 0.0);
+    let polygon = Polyhedral::new(&problem, 8).unwrap();
+    let settings = Settings { tolerance: 1e-8, ..Settings::default() };
+    let wrong = [1e-9, -5e-10, 0.0];
+    assert!(!polygon.is_solution(&wrong, settings.tolerance));
+    let swept = PolygonPgs { settings }.solve(&polygon, &Start::at(&wrong), &mut ());
+    assert_eq!(swept.status, Status::Solved);
+    assert!((swept.x[1] - 5e-10).abs() < 1e-16, "{:?}", swept.x);
 }
 
 #[test]

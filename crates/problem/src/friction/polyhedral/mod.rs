@@ -37,7 +37,7 @@ use self::unknowns::{along, beta, delassus, direction, impulses};
 use super::{Contact, FrictionProblem};
 use crate::error::{Error, Result};
 use crate::memory::Memory;
-use crate::merit::RowTerms;
+use crate::merit::{self, RowTerms};
 use crate::{Lcp, Matrix};
 
 /// What an entry takes while the matrix is made (numbers): its place and value, twice, and the matrix.
@@ -144,6 +144,13 @@ impl Polyhedral {
         z.extend(rubbing().flat_map(|contact| beta(contact.of(x), self.directions)));
         z.extend(rubbing().map(|contact| self.gamma(contact, x)));
         z
+    }
+
+    /// Whether impulses x may be called a solution: their z solves the LCP, and no β pushes against the slip.
+    pub fn is_solution(&self, x: &[f64], tolerance: f64) -> bool {
+        let z = self.z(x);
+        merit::is_solution(&self.lcp, &z, tolerance)
+            && self.rubbing(&z, RowTerms::at).1 <= tolerance
     }
 
     fn gamma(&self, contact: &Contact, x: &[f64]) -> f64 {
