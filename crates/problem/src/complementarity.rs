@@ -17,11 +17,9 @@ pub trait Complementarity: Sized {
     /// The largest dimensionless residual, 0 exactly at the solutions.
     fn scaled_residual(&self, x: &[f64]) -> f64;
 
-    /// Whether that is at most the tolerance; `first` is a hint where to look first, and kept from one
-    /// look to the next.
-    fn is_within(&self, x: &[f64], tolerance: f64, _first: &mut usize) -> bool {
-        self.scaled_residual(x) <= tolerance
-    }
+    /// Whether that is at most the tolerance, in compensated sums too; `first` is a hint where to look first, and
+    /// kept from one look to the next.
+    fn is_within(&self, x: &[f64], tolerance: f64, first: &mut usize) -> bool;
 
     /// Whether neither K nor w's shift depends on x.
     fn is_frozen(&self) -> bool;

@@ -1,15 +1,15 @@
 //! How far is x from a solution? One function a measure, each with its definition.
 //!
-//! The bounds are those at x where rows are coupled. All sums here are plain floating point: what a
-//! solver needs to know when to stop. The judge has its own, more careful
-//! arithmetic, and the same definitions.
+//! The bounds are those at x where rows are coupled. A measure is summed in plain floating point. Whether an x
+//! may be called a solution is decided by [compensated sums](crate::accurate), as the judge decides it: at the
+//! tolerance itself the last digit counts.
 
 mod row;
 
 pub use row::{Miss, RowTerms, Sum, row_scale};
 pub(super) use row::{product, relative};
 
-use super::Lcp;
+use super::{Lcp, accurate};
 
 /// max_i r_i, the dimensionless residual that every stop test and the judge use; ∞ if x is not finite.
 ///
@@ -36,14 +36,20 @@ fn row_residual(lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
     RowTerms::at(lcp, i, x).scaled_residual(lcp, i, x)
 }
 
-/// Whether max_i r_i is at most the tolerance. The rows are looked at from `first` on, where the last
-/// look found one that is not: while it is not, nothing else needs to be computed.
+/// Whether max_i r_i is at most the tolerance, in plain sums and in compensated ones. The rows are looked at from
+/// `first` on, where the last look found one that is not: while it is not, nothing else needs to be computed.
 pub fn is_within(lcp: &Lcp, x: &[f64], tolerance: f64, first: &mut usize) -> bool {
     let n = lcp.len();
     let is_outside = |&i: &usize| !(row_residual(lcp, i, x) <= tolerance);
     let outside = (0..n).map(|k| (*first + k) % n).find(is_outside);
     *first = outside.unwrap_or(*first);
-    outside.is_none()
+    outside.is_none() && holds(lcp, x, tolerance)
+}
+
+/// Whether max_i r_i is at most the tolerance, in compensated sums.
+fn holds(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
+    let residual = |i| RowTerms::summed::<accurate::Sum>(lcp, i, x).scaled_residual(lcp, i, x);
+    (0..lcp.len()).all(|i| residual(i) <= tolerance)
 }
 
 /// An answer whose steps are not below this part of those of Π(0) is none.
@@ -74,7 +80,7 @@ pub(super) fn is_better(misses: &[Miss], of_nothing: &[Miss], tolerance: f64) ->
 /// Whether x may be called a solution: the scaled residual is within the tolerance, and x is worth
 /// something.
 pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
-    scaled_residual(lcp, x) <= tolerance && is_worth_something(lcp, x, tolerance)
+    holds(lcp, x, tolerance) && is_worth_something(lcp, x, tolerance)
 }
 
 /// max_i |x_i − Π(x_i − w_i)|: zero exactly at the solutions; it mixes the units of x and w.

@@ -118,9 +118,7 @@ impl Search<'_> {
 
     /// What the method claims of the last point.
     pub(crate) fn claim(&self, lcp: &Lcp) -> Status {
-        let tolerance = self.settings.tolerance;
-        let is_within = self.point.largest_residual(lcp) <= tolerance;
-        match is_within && merit::is_worth_something(lcp, &self.point.x, tolerance) {
+        match merit::is_solution(lcp, &self.point.x, self.settings.tolerance) {
             true => Status::Solved,
             false => Status::Inaccurate,
         }

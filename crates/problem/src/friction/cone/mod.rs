@@ -39,6 +39,7 @@
 mod misses;
 
 use super::{Contact, FrictionProblem};
+use crate::accurate;
 use crate::merit::{self, Miss, RowTerms};
 use crate::{Complementarity, Lcp};
 
@@ -122,9 +123,10 @@ impl ConeProblem {
         self.misses(terms, x).iter().map(|miss| miss.residual).collect()
     }
 
-    fn all_misses(&self, x: &[f64]) -> Vec<Miss> {
+    /// What all rows miss, their terms added up by S.
+    fn all_misses<S: merit::Sum>(&self, x: &[f64]) -> Vec<Miss> {
         let lcp = &self.friction.lcp;
-        let terms: Vec<_> = (0..x.len()).map(|i| RowTerms::at(lcp, i, x)).collect();
+        let terms: Vec<_> = (0..x.len()).map(|i| RowTerms::summed::<S>(lcp, i, x)).collect();
         self.misses(&terms, x)
     }
 }
@@ -144,7 +146,13 @@ impl Complementarity for ConeProblem {
     }
 
     fn scaled_residual(&self, x: &[f64]) -> f64 {
-        self.all_misses(x).iter().map(|miss| miss.residual).fold(0.0, f64::max)
+        self.all_misses::<f64>(x).iter().map(|miss| miss.residual).fold(0.0, f64::max)
+    }
+
+    fn is_within(&self, x: &[f64], tolerance: f64, _first: &mut usize) -> bool {
+        let exactly = || self.all_misses::<accurate::Sum>(x);
+        self.scaled_residual(x) <= tolerance
+            && exactly().iter().all(|miss| miss.residual <= tolerance)
     }
 
     fn is_worth_something(&self, x: &[f64], tolerance: f64) -> bool {
@@ -153,7 +161,8 @@ impl Complementarity for ConeProblem {
             self.project_all(&mut x);
             x
         };
-        merit::is_better(&self.all_misses(x), &self.all_misses(&nothing), tolerance)
+        let misses = |x: &[f64]| self.all_misses::<f64>(x);
+        merit::is_better(&misses(x), &misses(&nothing), tolerance)
     }
 
     fn is_frozen(&self) -> bool {

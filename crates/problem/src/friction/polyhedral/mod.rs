@@ -38,7 +38,7 @@ use super::{Contact, FrictionProblem};
 use crate::error::{Error, Result};
 use crate::memory::Memory;
 use crate::merit::{self, RowTerms};
-use crate::{Lcp, Matrix};
+use crate::{Lcp, Matrix, accurate};
 
 /// What an entry takes while the matrix is made (numbers): its place and value, twice, and the matrix.
 const ENTRY: usize = 8;
@@ -150,7 +150,7 @@ impl Polyhedral {
     pub fn is_solution(&self, x: &[f64], tolerance: f64) -> bool {
         let z = self.z(x);
         merit::is_solution(&self.lcp, &z, tolerance)
-            && self.rubbing(&z, RowTerms::at).1 <= tolerance
+            && self.rubbing(&z, RowTerms::summed::<accurate::Sum>).1 <= tolerance
     }
 
     fn gamma(&self, contact: &Contact, x: &[f64]) -> f64 {

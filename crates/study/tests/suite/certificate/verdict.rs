@@ -1,4 +1,5 @@
 use lcplab_judge::{Demand, Evidence, Refusal, Verdict, judge, printed_up, upper_bound};
+use lcplab_problem::merit;
 use lcplab_solver::{Options, Start};
 use lcplab_study::answer::Answer;
 use proptest::prelude::*;
@@ -14,6 +15,23 @@ fn a_solution_is_proved_and_a_point_beside_it_is_refuted() {
     // |w| = 0.002 of the terms 4.002 + 4
     let Verdict::NotASolution { row: 0, amount, .. } = certificate.verdict else { panic!() };
     assert!((amount - 0.002 / 8.002).abs() < 1e-12);
+}
+
+#[test]
+fn what_a_solver_may_call_solved_the_judge_accepts_at_the_tolerance_itself() {
+    // Where (1 + t) x_1 = (1 − t) x_0 (1 + 1e-8), row 0 misses by t = 1e-8 of its terms but for rounding.
+    let lcp = contacts(&[&[1.0 + 1e-8, -1.0], &[-1.0, 1.0 + 1e-8]], &[0.0, 0.0]);
+    let (mut both, mut differ) = ([0; 2], 0);
+    for k in 0..1000 {
+        let x = 1.0 + f64::from(k) / 1000.0;
+        let x = [x, x * (1.0 + 1e-8) * (1.0 - 1e-8) / (1.0 + 1e-8)];
+        let accepted = judge(&lcp, &x, &Demand::default()).verdict.is_solution();
+        assert_eq!(merit::is_solution(&lcp, &x, 1e-8), accepted, "{x:?}");
+        assert!(accepted || !merit::is_within(&lcp, &x, 1e-8, &mut 0), "{x:?}");
+        both[usize::from(accepted)] += 1;
+        differ += usize::from((merit::scaled_residual(&lcp, &x) <= 1e-8) != accepted);
+    }
+    assert!(both[0] > 0 && both[1] > 0 && differ > 0, "{both:?} {differ}"); // plain sums say otherwise
 }
 
 #[test]
