@@ -50,7 +50,9 @@ pub use method::{Method, methods, solve_polyhedral};
 pub use newton::{Equations, InteriorPoint, Newton};
 pub use observer::{Centring, Event, Iterate, Leaving, Move, Observer, Part, RowUpdate, Tableau};
 pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};
-pub use registry::{ALL, Choice, Entry, Group, Options, SPECIMENS, by_name, default_for, entry};
+pub use registry::{
+    ALL, Build, Choice, Entry, Group, Options, SPECIMENS, add, added, by_name, default_for, entry,
+};
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};
 pub use stop::{Reason, Stop, Watched};

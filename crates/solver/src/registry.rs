@@ -1,13 +1,15 @@
 //! The list of solvers: one entry each, kept by the group that it belongs to. Command line, comparison, report
 //! and tests read it, so that a new solver is its file and its entry.
 
+use std::sync::{PoisonError, RwLock};
+
 pub use super::sweep::SPECIMENS;
 use super::{Class, Cost, Damping, Order, Settings, Solver, gradient, newton, pivot, sweep};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Error, Result};
 
 /// A solver in the registry.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Entry {
     /// The name to choose it by.
     pub name: &'static str,
@@ -24,10 +26,24 @@ pub struct Entry {
     /// Which of the options it looks at, beside the common settings.
     pub uses: &'static [Choice],
     /// Makes one.
-    pub build: fn(&Options) -> Box<dyn Solver>,
+    pub build: &'static Build,
 }
 
-/// The four groups of methods; the [crate](crate) page says what tells them apart.
+/// Makes a solver with these options.
+pub type Build = dyn Fn(&Options) -> Box<dyn Solver> + Send + Sync;
+
+impl std::fmt::Debug for Entry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Entry { name, class, group, .. } = self;
+        f.debug_struct("Entry")
+            .field("name", name)
+            .field("class", class)
+            .field("group", group)
+            .finish()
+    }
+}
+
+/// The groups of methods; the [crate](crate) page says what tells them apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Group {
     /// Row by row.
@@ -38,10 +54,12 @@ pub enum Group {
     Newton,
     /// From one active set to the next.
     Pivoting,
+    /// Someone else's program.
+    Plugin,
 }
 
 impl Group {
-    /// All of them.
+    /// Those of the solvers here.
     pub const ALL: [Group; 4] = [Group::Sweeps, Group::FirstOrder, Group::Newton, Group::Pivoting];
 
     /// The group of a registered solver.
@@ -56,6 +74,7 @@ impl Group {
             Group::FirstOrder => "First-order methods",
             Group::Newton => "Newton and interior point",
             Group::Pivoting => "Pivoting",
+            Group::Plugin => "Plug-ins",
         }
     }
 
@@ -65,6 +84,7 @@ impl Group {
             Group::Sweeps => "sweeps",
             Group::FirstOrder | Group::Newton => "steps",
             Group::Pivoting => "pivots",
+            Group::Plugin => "iterations",
         }
     }
 }
@@ -177,12 +197,37 @@ pub fn by_name(name: &str, options: &Options) -> Result<Box<dyn Solver>> {
     Ok((entry(name)?.build)(options))
 }
 
-/// The entry of this name, among the solvers and the specimens.
+/// What was added to the registry while the program ran.
+static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
+
+/// Adds a solver to the registry, so that it can be named wherever a solver is; it stays until the program ends.
+///
+/// # Errors
+/// If there is one of this name.
+pub fn add(entry: Entry) -> Result<&'static Entry> {
+    let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
+    let known = ALL.iter().chain(SPECIMENS).chain(added.iter().copied());
+    if known.into_iter().any(|known| known.name == entry.name) {
+        let reason = format!("there is a solver named {:?} already", entry.name);
+        return Err(Error::invalid("solvers", "name", reason));
+    }
+    let entry = &*Box::leak(Box::new(entry));
+    added.push(entry);
+    Ok(entry)
+}
+
+/// The solvers that were added.
+pub fn added() -> Vec<&'static Entry> {
+    ADDED.read().unwrap_or_else(PoisonError::into_inner).clone()
+}
+
+/// The entry of this name, among the solvers, the specimens and what was added.
 ///
 /// # Errors
 /// If there is none.
 pub fn entry(name: &str) -> Result<&'static Entry> {
-    let entries = || ALL.iter().chain(SPECIMENS);
+    let added = added();
+    let entries = || ALL.iter().chain(SPECIMENS).chain(added.iter().copied());
     entries().find(|entry| entry.name == name).ok_or_else(|| Error::Unknown {
         kind: "solver",
         name: name.to_string(),

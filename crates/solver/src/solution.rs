@@ -111,6 +111,11 @@ pub enum Status {
         /// Which property the problem lacks.
         reason: &'static str,
     },
+    /// A solver from outside gave no answer; x is the start.
+    NoAnswer {
+        /// Why.
+        reason: String,
+    },
 }
 
 impl fmt::Display for Status {
@@ -135,6 +140,7 @@ impl fmt::Display for Status {
                 write!(f, "needs {needs}; the limit is {limit} (raise it with --max-memory)")
             }
             Status::OutsideClass { reason } => write!(f, "outside the solver's class: {reason}"),
+            Status::NoAnswer { reason } => write!(f, "no answer: {reason}"),
         }
     }
 }

@@ -133,7 +133,8 @@ pub fn status_word(status: &Status) -> &'static str {
         | Status::ZeroDiagonal { .. }
         | Status::Singular { .. }
         | Status::TooLarge { .. }
-        | Status::OutsideClass { .. } => "failed",
+        | Status::OutsideClass { .. }
+        | Status::NoAnswer { .. } => "failed",
     }
 }
 

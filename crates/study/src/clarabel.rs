@@ -27,7 +27,7 @@ pub const BOX_QP: Entry = Entry {
     cost: Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
     source: SOURCE,
     uses: &[],
-    build: |options| Box::new(Clarabel { settings: options.settings.clone() }),
+    build: &|options| Box::new(Clarabel { settings: options.settings.clone() }),
 };
 
 /// Clarabel on the same over friction cones.

@@ -3,20 +3,23 @@
 use super::clarabel;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
-use lcplab_solver::{ALL, Entry, Method, SPECIMENS, methods};
+use lcplab_solver::{ALL, Entry, Method, SPECIMENS, added, methods};
 
-/// The registered methods, then clarabel for boxes and for cones.
+/// The registered methods, then clarabel for boxes and for cones, then what was added.
 pub fn all() -> Vec<Method> {
     let reference = [Method::Boxed(clarabel::BOX_QP), Method::Cone(clarabel::CONE_QP)];
-    methods().into_iter().chain(reference).collect()
+    let added = added().into_iter().copied().map(Method::Boxed);
+    methods().into_iter().chain(reference).chain(added).collect()
 }
 
-/// The solver of this name for LCPs as they stand; the specimens count too.
+/// The solver of this name for LCPs as they stand; the specimens and what was added count too.
 ///
 /// # Errors
 /// If there is none.
 pub fn entry(name: &str) -> Result<Entry> {
-    let entries = || ALL.iter().chain([&clarabel::BOX_QP]).chain(SPECIMENS);
+    let added = added();
+    let reference = [&clarabel::BOX_QP];
+    let entries = || ALL.iter().chain(reference).chain(SPECIMENS).chain(added.iter().copied());
     let found = entries().find(|entry| entry.name == name).copied();
     found.ok_or_else(|| unknown("solver", name, entries().map(|entry| entry.name)))
 }

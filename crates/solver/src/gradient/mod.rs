@@ -33,7 +33,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: Cost::each("s + 5 n", |i| i.stored + 5.0 * i.n),
         source: "Silcowitz, Niebe & Erleben 2010",
         uses: &[],
-        build: |options| Box::new(Nncg { settings: options.settings.clone() }),
+        build: &|options| Box::new(Nncg { settings: options.settings.clone() }),
     },
     Entry {
         name: "mprgp",
@@ -43,7 +43,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: PRODUCTS,
         source: "Dostál & Schöberl 2005",
         uses: &[],
-        build: |options| Box::new(Mprgp { settings: options.settings.clone() }),
+        build: &|options| Box::new(Mprgp { settings: options.settings.clone() }),
     },
     Entry {
         name: "apgd",
@@ -53,7 +53,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: PRODUCTS,
         source: "Nesterov 1983; Mazhar, Heyn, Negrut & Tasora 2015",
         uses: &[],
-        build: |options| Box::new(Apgd { settings: options.settings.clone() }),
+        build: &|options| Box::new(Apgd { settings: options.settings.clone() }),
     },
     Entry {
         name: "spectral",
@@ -63,7 +63,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: PRODUCTS,
         source: "Barzilai & Borwein 1988; Birgin, Martínez & Raydan 2000",
         uses: &[],
-        build: |options| Box::new(Spectral { settings: options.settings.clone() }),
+        build: &|options| Box::new(Spectral { settings: options.settings.clone() }),
     },
     Entry {
         name: "admm",
@@ -77,6 +77,6 @@ pub const ENTRIES: &[Entry] = &[
         },
         source: "Stellato, Banjac, Goulart, Bemporad & Boyd 2020",
         uses: &[],
-        build: |options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
+        build: &|options| Box::new(Admm { settings: options.settings.clone(), ..Admm::default() }),
     },
 ];

@@ -33,7 +33,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: LEAST_SQUARES,
         source: "Pang 1990; Qi & Sun 1993",
         uses: &[],
-        build: |options| newton(Equations::MinimumMap, options),
+        build: &|options| newton(Equations::MinimumMap, options),
     },
     Entry {
         name: "fischer-newton",
@@ -43,7 +43,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: LEAST_SQUARES,
         source: "Fischer 1992; De Luca, Facchinei & Kanzow 1996",
         uses: &[],
-        build: |options| newton(Equations::FischerBurmeister, options),
+        build: &|options| newton(Equations::FischerBurmeister, options),
     },
     Entry {
         name: "interior-point",
@@ -53,7 +53,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: Cost::each("n³/6 + 2 n² + s", |i| i.n.powi(3) / 6.0 + 2.0 * i.n * i.n + i.stored),
         source: "Mehrotra 1992",
         uses: &[],
-        build: |options| Box::new(InteriorPoint { settings: options.settings.clone() }),
+        build: &|options| Box::new(InteriorPoint { settings: options.settings.clone() }),
     },
 ];
 

@@ -53,7 +53,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: Cost::each("f n", |i| i.free() * i.n),
         source: "Cottle & Dantzig 1968; Baraff 1994",
         uses: &[],
-        build: |options| Box::new(Dantzig { settings: options.settings.clone() }),
+        build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
     },
     Entry {
         name: "lemke",
@@ -63,7 +63,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: Cost::each("n (n + 2)", |i| i.n * (i.n + 2.0)),
         source: "Lemke 1965; Cottle, Pang & Stone 1992",
         uses: &[],
-        build: |options| Box::new(Lemke { settings: options.settings.clone() }),
+        build: &|options| Box::new(Lemke { settings: options.settings.clone() }),
     },
     Entry {
         name: "murty",
@@ -73,7 +73,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: ACTIVE_SET,
         source: "Murty 1974",
         uses: &[],
-        build: |options| Box::new(Murty { settings: options.settings.clone() }),
+        build: &|options| Box::new(Murty { settings: options.settings.clone() }),
     },
     Entry {
         name: "block-pivoting",
@@ -83,7 +83,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: ACTIVE_SET,
         source: "Kostreva 1978; Júdice & Pires 1994",
         uses: &[],
-        build: |options| {
+        build: &|options| {
             let settings = options.settings.clone();
             Box::new(BlockPivoting { settings, ..BlockPivoting::default() })
         },
@@ -96,6 +96,6 @@ pub const ENTRIES: &[Entry] = &[
         cost: Cost::each("n³/3, of fractions", |i| i.n.powi(3) / 3.0),
         source: "the definition of a solution",
         uses: &[],
-        build: |options| Box::new(Enumeration { settings: options.settings.clone() }),
+        build: &|options| Box::new(Enumeration { settings: options.settings.clone() }),
     },
 ];

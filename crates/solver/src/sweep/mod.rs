@@ -39,7 +39,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: SWEEP,
         source: "K&M (2), (3); Cryer 1971",
         uses: &[Choice::Order],
-        build: |options| relaxation(1.0, options.order, options),
+        build: &|options| relaxation(1.0, options.order, options),
     },
     Entry {
         name: "sor",
@@ -49,7 +49,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: SWEEP,
         source: "Cryer 1971; Luo & Tseng 1991",
         uses: &[Choice::Omega, Choice::Order],
-        build: |options| relaxation(options.omega, options.order, options),
+        build: &|options| relaxation(options.omega, options.order, options),
     },
     Entry {
         name: "ssor",
@@ -59,7 +59,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: Cost::each("2 (s + n)", |i| 2.0 * (i.stored + i.n)),
         source: "Sheldon 1955; Mangasarian 1977",
         uses: &[Choice::Omega],
-        build: |options| relaxation(options.omega, Order::Symmetric, options),
+        build: &|options| relaxation(options.omega, Order::Symmetric, options),
     },
     Entry {
         name: "red-black",
@@ -69,7 +69,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: SWEEP,
         source: "Young 1950",
         uses: &[],
-        build: |options| relaxation(1.0, Order::Coloured, options),
+        build: &|options| relaxation(1.0, Order::Coloured, options),
     },
     Entry {
         name: "jacobi",
@@ -79,7 +79,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: SWEEP,
         source: "Goldstein 1964; Mangasarian 1977",
         uses: &[Choice::Damping],
-        build: |options| {
+        build: &|options| {
             Box::new(Jacobi { damping: options.damping, settings: options.settings.clone() })
         },
     },
@@ -91,7 +91,7 @@ pub const ENTRIES: &[Entry] = &[
         cost: Cost::each("s + 10 n", |i| i.stored + 10.0 * i.n),
         source: "Luo & Tseng 1992",
         uses: &[],
-        build: |options| {
+        build: &|options| {
             Box::new(BlockPgs { settings: options.settings.clone(), ..BlockPgs::default() })
         },
     },
@@ -106,7 +106,7 @@ pub const SPECIMENS: &[Entry] = &[Entry {
     cost: SWEEP,
     source: "K&M Code 6, E06",
     uses: &[],
-    build: |options| Box::new(Code6 { settings: options.settings.clone() }),
+    build: &|options| Box::new(Code6 { settings: options.settings.clone() }),
 }];
 
 fn relaxation(omega: f64, order: Order, options: &Options) -> Box<dyn Solver> {

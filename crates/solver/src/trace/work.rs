@@ -67,6 +67,10 @@ pub struct Cost {
 }
 
 impl Cost {
+    /// Nobody knows.
+    pub const UNKNOWN: Cost =
+        Cost { formula: "unknown", start: |_| f64::NAN, iteration: |_| f64::NAN };
+
     /// So much an iteration, and nothing before.
     pub const fn each(formula: &'static str, iteration: fn(&Effort<'_>) -> f64) -> Cost {
         Cost { formula, start: |_| 0.0, iteration }

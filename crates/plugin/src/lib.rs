@@ -1,0 +1,193 @@
+//! Solvers in any language: a program that reads problems and writes answers, line by line.
+//!
+//! ```text
+//! lcplab  →  {"A": {"dense": [[2, -1], [-1, 2]]}, "b": [-1, 2], "lo": [0, 0], "hi": ["inf", "inf"],
+//!             "tolerance": 1e-8, "max_iterations": 10000, "time_limit": 10}
+//! plug-in →  {"x": [0.5, 0]}
+//! ```
+//!
+//! One line of JSON is a problem, the next line out is its answer; then comes the next problem, so that
+//! the start of the program is paid once. What a plug-in says is a claim, as any solver's is: the judge looks at
+//! x. One that hangs, crashes or writes what nobody can read is ended, with [`Status::NoAnswer`] and the
+//! reason, and begins anew with the next problem.
+//!
+//! `docs/plugins.md` has the protocol key by key.
+
+mod message;
+mod process;
+
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use lcplab_problem::Lcp;
+use lcplab_problem::error::{Defects, Error, Result};
+use lcplab_solver::{
+    Class, Cost, Entry, Event, Group, Iterate, MatrixClass, Observer, Options, Settings, Solution,
+    Solver, Start, Status, add,
+};
+
+use self::message::Answer;
+use self::process::{Process, Trouble};
+
+/// A program that solves problems, in the registry for as long as this lives; the program ends with it.
+#[derive(Debug)]
+pub struct Plugin {
+    name: &'static str,
+    program: Arc<Program>,
+}
+
+impl Plugin {
+    /// Starts a program and adds it to the [registry](lcplab_solver::entry). `spec` is a command, split into words
+    /// as a shell would, though none runs it; or `NAME=COMMAND`. Without a name it is called like its file.
+    /// An answer must come within `time_limit`.
+    ///
+    /// # Errors
+    /// If the command or the name cannot be used, or the program does not answer a problem of one row.
+    pub fn start(spec: &str, time_limit: Duration) -> Result<Plugin> {
+        let (name, words) = parse(spec)?;
+        let program = Arc::new(Program { words, time_limit, process: Mutex::new(None) });
+        if let Err(reason) = program.greet() {
+            return Err(Error::invalid(format!("plug-in {name}"), "start", reason));
+        }
+        let name: &'static str = Box::leak(name.into_boxed_str());
+        let runs = Arc::clone(&program);
+        let build = move |options: &Options| -> Box<dyn Solver> {
+            Box::new(Outside {
+                name,
+                program: Arc::clone(&runs),
+                settings: options.settings.clone(),
+            })
+        };
+        add(Entry {
+            name,
+            method: "a plug-in",
+            class: CLASS,
+            group: Group::Plugin,
+            cost: Cost::UNKNOWN,
+            source: "a plug-in",
+            uses: &[],
+            build: Box::leak(Box::new(build)),
+        })?;
+        Ok(Plugin { name, program })
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+}
+
+impl Drop for Plugin {
+    fn drop(&mut self) {
+        self.program.end();
+    }
+}
+
+/// Every boxed LCP that a division by the diagonal can be made for: what a plug-in is not made for it says
+/// itself.
+const CLASS: Class = Class { divides_by_diagonal: true, ..Class::of(MatrixClass::General) };
+
+/// The name and the words of a command.
+fn parse(spec: &str) -> Result<(String, Vec<String>)> {
+    let is_name = |name: &str| {
+        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "_-".contains(c))
+    };
+    let (name, command) = match spec.split_once('=') {
+        Some((name, command)) if is_name(name) => (Some(name.to_string()), command),
+        _ => (None, spec),
+    };
+    let mut defects = Defects::default();
+    let words = shlex::split(command).unwrap_or_default();
+    if words.is_empty() {
+        defects.add("command", format!("{command:?} is no command"));
+    }
+    let file = words.iter().rev().find(|word| !word.starts_with('-'));
+    let stem = || std::path::Path::new(file?).file_stem()?.to_str().map(str::to_string);
+    let name = name.or_else(stem).unwrap_or_default();
+    if defects.is_empty() && !is_name(&name) {
+        defects.add("name", "has none of letters, digits, _ and -; write NAME=COMMAND");
+    }
+    defects.into_result("plug-in")?;
+    Ok((name, words))
+}
+
+/// A command, and the process that runs it.
+#[derive(Debug)]
+struct Program {
+    words: Vec<String>,
+    time_limit: Duration,
+    /// `None` before the first problem, and after one that the process did not survive.
+    process: Mutex<Option<Process>>,
+}
+
+impl Program {
+    /// One problem of one row, so that what follows is not late because the program has to begin.
+    fn greet(&self) -> std::result::Result<(), String> {
+        let one = [1.0];
+        let lcp =
+            Lcp::new(lcplab_problem::Matrix::dense(1, &one), vec![-1.0], vec![0.0], vec![2.0])
+                .map_err(|error| error.to_string())?;
+        self.ask(&lcp, &Start::default(), &Settings::default()).map(|_| ())
+    }
+
+    /// The answer to a problem, or why there is none. A process without an answer is ended.
+    fn ask(
+        &self,
+        lcp: &Lcp,
+        start: &Start<'_>,
+        settings: &Settings,
+    ) -> std::result::Result<Answer, String> {
+        let request = message::request(lcp, start, settings, self.time_limit);
+        let mut process = self.process.lock().unwrap_or_else(PoisonError::into_inner);
+        let longest = message::longest(lcp.len());
+        let ask = |mut running: Process| match running.ask(&request, longest, self.time_limit) {
+            Ok(line) => Ok((running, line)),
+            Err(trouble) => Err(trouble),
+        };
+        let again = match process.take().map(ask) {
+            Some(Err(Trouble::Ended(_))) | None => ask(Process::start(&self.words)?), // made for one problem
+            Some(answered) => answered,
+        };
+        let (running, line) = again.map_err(Trouble::in_words)?;
+        let answer = Answer::read(&line, lcp.len())?;
+        *process = Some(running);
+        Ok(answer)
+    }
+
+    fn end(&self) {
+        self.process.lock().unwrap_or_else(PoisonError::into_inner).take();
+    }
+}
+
+/// The plug-in as a solver.
+struct Outside {
+    name: &'static str,
+    program: Arc<Program>,
+    settings: Settings,
+}
+
+impl Solver for Outside {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        let first = start.point(lcp);
+        let started = Iterate { iteration: 0, x: &first, event: Event::Start };
+        if observer.observe(&started).is_break() {
+            return Solution::new(lcp, first, Status::Stopped, 0);
+        }
+        let answer = match self.program.ask(lcp, start, &self.settings) {
+            Ok(answer) => answer,
+            Err(reason) => return Solution::new(lcp, first, Status::NoAnswer { reason }, 0),
+        };
+        for (k, x) in answer.iterates.iter().enumerate() {
+            let iterate = Iterate { iteration: k + 1, x, event: Event::Step };
+            if observer.observe(&iterate).is_break() {
+                return Solution::new(lcp, x.clone(), Status::Stopped, k + 1);
+            }
+        }
+        let x = answer.x.unwrap_or(first);
+        Solution::new(lcp, x, answer.status, answer.iterations)
+    }
+}

@@ -1,0 +1,65 @@
+//! Plug-ins as programs of their own: what the protocol promises, and what hostile ones cannot do.
+
+mod examples;
+mod hostile;
+mod protocol;
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use lcplab_judge::{Certificate, Demand, judge};
+use lcplab_plugin::Plugin;
+use lcplab_problem::Lcp;
+use lcplab_solver::{Options, Solution, Start, by_name};
+use lcplab_testing::contacts;
+
+/// Long enough for any answer here, beside other work.
+const LONG: Duration = Duration::from_secs(60);
+
+/// 2x₀ − x₁ − 1, −x₀ + 2x₁ + 2 for two contacts: x = (½, 0).
+fn pushed() -> Lcp {
+    contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, 2.0])
+}
+
+/// A Python program of these lines, in a folder of its own.
+struct Script {
+    folder: tempfile::TempDir,
+    file: PathBuf,
+}
+
+impl Script {
+    fn new(name: &str, lines: &str) -> Script {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join(format!("{name}.py"));
+        std::fs::write(&file, lines).unwrap();
+        Script { folder, file }
+    }
+
+    /// `answer` is the body of a loop over the problems p; the greeting of one row is answered beforehand.
+    fn answering(name: &str, answer: &str) -> Script {
+        let lines = format!(
+            "import json, os, subprocess, sys, time\nfor line in sys.stdin:\n    p = json.loads(line)\n    n = len(p['b'])\n    \
+             if n == 1:\n        print('{{\"x\": [1]}}', flush=True)\n        continue\n    {answer}\n"
+        );
+        Script::new(name, &lines)
+    }
+
+    fn start(&self, limit: Duration) -> Plugin {
+        start(&self.file, limit)
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+}
+
+fn start(file: &Path, limit: Duration) -> Plugin {
+    Plugin::start(&format!("python3 '{}'", file.display()), limit).unwrap()
+}
+
+fn solve(plugin: &Plugin, lcp: &Lcp) -> (Solution, Certificate) {
+    let solver = by_name(plugin.name(), &Options::default()).unwrap();
+    let solution = solver.solve(lcp, &Start::default(), &mut ());
+    let certificate = judge(lcp, &solution.x, &Demand::default());
+    (solution, certificate)
+}

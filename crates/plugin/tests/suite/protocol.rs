@@ -1,0 +1,85 @@
+//! What goes to and fro.
+
+use std::time::Duration;
+
+use lcplab_plugin::Plugin;
+use lcplab_solver::{Options, Settings, Start, Status, by_name};
+use lcplab_testing::Iterates;
+
+use super::{LONG, Script, pushed, solve};
+
+#[test]
+fn a_plug_in_is_told_the_problem_and_what_is_demanded() {
+    let script = Script::answering(
+        "echo",
+        "open(sys.argv[0] + '.json', 'w').write(line); print('{\"x\": [0.5, 0]}', flush=True)",
+    );
+    let plugin = script.start(Duration::from_secs(7));
+    let settings = Settings { tolerance: 1e-9, max_iterations: 50, ..Settings::default() };
+    let solver = by_name("echo", &Options { settings, ..Options::default() }).unwrap();
+    let solution = solver.solve(&pushed(), &Start::at(&[1.0, 2.0]), &mut ());
+    assert_eq!((solution.x, solution.status), (vec![0.5, 0.0], Status::Solved));
+    let told = std::fs::read_to_string(script.path("echo.py.json")).unwrap();
+    assert_eq!(
+        told.trim(),
+        "{\"A\":{\"dense\":[[2.0,-1.0],[-1.0,2.0]]},\"b\":[-1.0,2.0],\"lo\":[0.0,0.0],\"hi\":[\"inf\",\"inf\"],\
+         \"tolerance\":1e-9,\"max_iterations\":50,\"time_limit\":7.0,\"start\":[1.0,2.0]}"
+    );
+    drop(plugin);
+}
+
+#[test]
+fn what_a_plug_in_says_beside_x_is_heard() {
+    let says = |name: &str, answer: &str| {
+        let script = Script::answering(name, &format!("print('{answer}', flush=True)"));
+        solve(&script.start(LONG), &pushed()).0
+    };
+    let stopped =
+        says("stopped", r#"{"x": [0, 0], "status": "iteration_limit", "iterations": 12}"#);
+    assert_eq!((stopped.status, stopped.iterations), (Status::IterationLimit, 12));
+    let outside = says("outside", r#"{"status": "outside_class"}"#);
+    assert!(matches!(outside.status, Status::OutsideClass { .. }));
+    let none = says("none", r#"{"status": "infeasible", "vector": [0, -1]}"#);
+    assert_eq!(none.status, Status::Ray { row: 1, direction: vec![0.0, -1.0] });
+    let failed = says("failed", r#"{"x": [0, 0], "status": "out of luck"}"#);
+    assert_eq!(failed.status, Status::NoAnswer { reason: "it says \"out of luck\"".into() });
+}
+
+#[test]
+fn iterates_are_seen_as_those_of_any_solver() {
+    let answer = "print('{\"x\": [0.5, 0], \"iterates\": [[1, 1], [0.5, 0]]}', flush=True)";
+    let script = Script::answering("iterates", answer);
+    let plugin = script.start(LONG);
+    let mut seen = Iterates::default();
+    let solver = by_name(plugin.name(), &Options::default()).unwrap();
+    let solution = solver.solve(&pushed(), &Start::default(), &mut seen);
+    assert_eq!(seen.0, [vec![0.0, 0.0], vec![1.0, 1.0], vec![0.5, 0.0]]);
+    assert_eq!(solution.iterations, 2);
+}
+
+#[test]
+fn one_process_a_problem_is_a_plug_in_too() {
+    let once = "import json, sys\np = json.loads(sys.stdin.readline())\nprint('{\"x\": [0.5, 0]}' if len(p['b']) == 2 else '{\"x\": [1]}')\n";
+    let script = Script::new("once", once);
+    let plugin = script.start(LONG);
+    for _ in 0..3 {
+        assert_eq!(solve(&plugin, &pushed()).0.status, Status::Solved);
+    }
+}
+
+#[test]
+fn a_command_that_cannot_be_a_plug_in_is_refused_in_a_line() {
+    let refusal = |spec: &str| Plugin::start(spec, LONG).unwrap_err().to_string();
+    assert_eq!(refusal(""), "plug-in: command: \"\" is no command");
+    assert_eq!(
+        refusal("a=nobody-knows-it"),
+        "plug-in a: start: nobody-knows-it cannot be run: No such file or directory (os error 2)"
+    );
+    assert_eq!(refusal("pgs=cat"), "plug-in pgs: start: its answer has no \"x\"");
+    let dumb = Script::answering("dantzig", "pass");
+    let named = Plugin::start(&format!("python3 '{}'", dumb.path("dantzig.py").display()), LONG);
+    assert_eq!(
+        named.unwrap_err().to_string(),
+        "solvers: name: there is a solver named \"dantzig\" already"
+    );
+}
