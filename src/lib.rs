@@ -31,7 +31,7 @@
 //!
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
 //! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
-//! [`formulation`]; [`hunt`] asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
+//! [`formulation`]; [`plugin`] lets programs in other languages solve, [`hunt`] asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
 //! [`explain`] derives a step line by line, [`diagnosis`] says why one cannot be taken, [`chapter`] shows
 //! what K&M print beside what holds, and [`lesson`] teaches it.
 
@@ -39,6 +39,7 @@ pub use lcplab_judge as certificate;
 pub use lcplab_judge::reference;
 pub use lcplab_mechanics::{assembly, body, constraint, formulation, scene, simulation};
 pub use lcplab_page::{document, page, plot};
+pub use lcplab_plugin as plugin;
 pub use lcplab_problem::{error, json, memory};
 pub use lcplab_solver as solver;
 pub use lcplab_solver::{textbook, trace};

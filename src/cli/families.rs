@@ -1,6 +1,6 @@
 //! `compare-solvers`: the problem library × the solvers.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use lcplab::error::{Error, Result};
@@ -8,12 +8,14 @@ use lcplab::lcp::exchange;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
+use lcplab::plugin::Plugin;
 use lcplab::report::study::families;
 use lcplab::report::{methods, text, view};
 use lcplab::solver::Method;
 
 use super::limits::Limits;
 use super::options::SolverArgs;
+use super::plugin::Plugins;
 use super::{Outcome, print, read_problem, say};
 
 /// One solver of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for
@@ -28,6 +30,7 @@ Example:
   lcplab compare-solvers murty fathi stack --solver dantzig --solver lemke
   lcplab compare-solvers pushed-rod --model coulomb-cone --model polygon-16
   lcplab compare-solvers problem.mtx          # a problem file, any format of `convert --list`
+  lcplab compare-solvers pd --plugin \"python3 mine.py\"       # a solver of yours beside eight of ours
 
 Without names all families run, by eight solvers, one of each kind; --all runs all solvers. clarabel is the
 reference. Families with friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and
@@ -35,7 +38,7 @@ reference. Families with friction are solved under the models frozen-box, couple
 refutes a solver's claim, a solver claims a solution where none exists, or an expected failure does not
 occur.")]
 pub struct CompareSolvers {
-    /// Families that `problems` lists, or problem files; all families without one
+    /// Families that `problems` lists, problem files, or folders of them; all families without one
     families: Vec<String>,
     /// Run all solvers, not one of each kind
     #[arg(long, conflicts_with = "solver")]
@@ -52,6 +55,8 @@ pub struct CompareSolvers {
     /// Print one JSON object
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    plugins: Plugins,
     #[command(flatten)]
     settings: SolverArgs,
 }
@@ -73,7 +78,8 @@ impl CompareSolvers {
             say(&format!("note: {name}: compared as a coupled box alone, for it {reason}"));
         }
         let models = if self.model.is_empty() { &Model::ALL } else { self.model.as_slice() };
-        let methods = self.methods()?;
+        let plugins = self.plugins.start()?;
+        let methods = self.methods(&plugins)?;
         let options = self.settings.options(&methods)?;
         let stop = limits.stop();
         let mut rows = families::run_on(&problems, models, &methods, &options, stop);
@@ -115,28 +121,54 @@ impl CompareSolvers {
         if self.families.is_empty() {
             return Ok(library::all().map(|f| (f.name().to_string(), named(f))).collect());
         }
-        let of = |name: &String| match Path::new(name) {
-            path if exchange::is_problem(path) => {
-                Ok((name.clone(), vec![read_problem(path, self.settings.memory())?]))
+        let mut problems = Vec::new();
+        for name in &self.families {
+            let path = Path::new(name);
+            if exchange::is_problem(path) {
+                problems.push((name.clone(), vec![read_problem(path, self.settings.memory())?]));
+            } else if path.is_dir() {
+                for file in problem_files(path)? {
+                    let problem = read_problem(&file, self.settings.memory())?;
+                    problems.push((file.display().to_string(), vec![problem]));
+                }
+            } else {
+                problems.push((name.clone(), named(library::by_name(name)?)));
             }
-            _ => Ok((name.clone(), named(library::by_name(name)?))),
-        };
-        self.families.iter().map(of).collect()
+        }
+        Ok(problems)
     }
 
-    /// The methods of these names, of boxes and of cones.
-    fn methods(&self) -> Result<Vec<Method>> {
+    /// The methods of these names, of boxes and of cones, and the plug-ins.
+    fn methods(&self, plugins: &[Plugin]) -> Result<Vec<Method>> {
         if self.all {
             return Ok(methods::all());
         }
-        let named = || self.solver.iter().map(String::as_str);
-        let names: Vec<&str> =
-            if self.solver.is_empty() { USUAL.to_vec() } else { named().collect() };
+        let named = self.solver.iter().map(String::as_str);
+        let mut names: Vec<&str> =
+            if self.solver.is_empty() { USUAL.to_vec() } else { named.collect() };
+        names.extend(plugins.iter().map(|plugin| -> &str { plugin.name() }));
         let mut found = Vec::new();
         for name in names {
             found.extend(methods::named(name)?);
         }
         Ok(found)
+    }
+}
+
+/// The problem files of a folder, by name.
+fn problem_files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let cannot = |cause: std::io::Error| {
+        Error::invalid(folder.display().to_string(), "folder", cause.to_string())
+    };
+    let mut files = Vec::new();
+    for entry in folder.read_dir().map_err(cannot)? {
+        files.push(entry.map_err(cannot)?.path());
+    }
+    files.retain(|file| exchange::is_problem(file));
+    files.sort();
+    match files.as_slice() {
+        [] => Err(Error::invalid(folder.display().to_string(), "folder", "has no problem files")),
+        _ => Ok(files),
     }
 }
 

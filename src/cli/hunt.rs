@@ -8,6 +8,7 @@ use lcplab::report::text;
 use lcplab::solver::{ALL, Options, Settings, Solver, entry};
 
 use super::limits::Limits;
+use super::plugin::Plugins;
 use super::{Outcome, bar, print};
 
 /// Give random hostile problems to the solvers and look for claims that are not true
@@ -16,6 +17,7 @@ use super::{Outcome, bar, print};
 Example:
   lcplab hunt --problems 100000 --seed 1
   lcplab hunt --solver dantzig --json
+  lcplab hunt --plugin \"python3 mine.py\" --problems 1000
 
 Problem k of a seed is the same in every run. The exit code is 1 if a solver's claim is false.")]
 pub struct Challenge {
@@ -25,12 +27,14 @@ pub struct Challenge {
     /// Random seed
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Only this solver [default: all]
+    /// Only this solver (repeatable), and the plug-ins [default: all solvers]
     #[arg(long)]
     solver: Vec<String>,
     /// Most sweeps or pivots: enough for an answer, few enough for many problems
     #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]
     max_iterations: usize,
+    #[command(flatten)]
+    plugins: Plugins,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -41,10 +45,14 @@ impl Challenge {
         let settings = Settings { max_iterations: self.max_iterations, ..Settings::default() };
         let options = Options { settings, ..Options::default() };
         options.validate()?;
-        let solvers: Vec<Box<dyn Solver>> = match &self.solver[..] {
+        let plugins = self.plugins.start()?;
+        let named = self.solver.iter().map(String::as_str);
+        let names: Vec<&str> =
+            named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
+        let solvers: Vec<Box<dyn Solver>> = match names.as_slice() {
             [] => ALL.iter().map(|entry| (entry.build)(&options)).collect(),
             names => {
-                let build = |name: &String| Ok((entry(name)?.build)(&options));
+                let build = |name: &&str| Ok((entry(name)?.build)(&options));
                 names.iter().map(build).collect::<Result<_>>()?
             }
         };
@@ -52,7 +60,7 @@ impl Challenge {
         let progress = bar(self.problems as u64, "problems");
         let stop = limits.stop();
         let mut record = hunt.until(stop, &solvers, &|| progress.inc(1));
-        if self.solver.is_empty() && stop.reason().is_none() {
+        if names.is_empty() && stop.reason().is_none() {
             let contacts = self.problems.div_ceil(KINDS.len()); // as many as problems of a kind
             record = record.with_cones(self.seed, contacts, &options.settings);
         }

@@ -14,6 +14,7 @@ mod library;
 mod limits;
 mod options;
 mod pdf;
+mod plugin;
 mod problem;
 mod report;
 mod scene;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lcplab::certificate::{Certificate, Demand, Verdict, judge, printed_up, upper_bound};
-use lcplab::error::Result;
+use lcplab::error::{Error, Result};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::{Problem, number, read_answer};
 use lcplab::lcp::friction::Model;
@@ -15,6 +15,7 @@ use lcplab::solver::{Method, Reason, Settings, Start, Status, default_for};
 use super::friction::{Friction, model};
 use super::limits::{Limits, MemoryLimit};
 use super::options::SolverArgs;
+use super::plugin::Plugins;
 use super::{Outcome, print, read_problem};
 
 /// Rows up to which `judge` and `solve --exact` prove.
@@ -32,6 +33,7 @@ Example:
   lcplab generate pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
   lcplab generate stack | lcplab solve - --solver pgs --order shuffled --seed 7
   lcplab solve problem.mtx        # and problem_b.mtx beside it; any format of `convert --list`
+  lcplab solve problem.json --plugin \"python3 mine.py\"     # a solver of yours, in any language
 
 A problem with friction rows is solved as it stands, as a coupled box, unless --model, the key
 \"model\" of the file or a solver for cones says otherwise. Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
@@ -53,17 +55,27 @@ pub struct Solve {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    plugins: Plugins,
+    #[command(flatten)]
     settings: SolverArgs,
 }
 
 impl Solve {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
+        let plugins = self.plugins.start()?;
+        let solver = match (self.solver.as_deref(), plugins.as_slice()) {
+            (solver, []) => solver,
+            (None, [plugin]) => Some(plugin.name()),
+            _ => {
+                let reason = "one solver solves: --solver, or one plug-in";
+                return Err(Error::invalid("options", "--plugin", reason));
+            }
+        };
         let problem = read_problem(&self.problem, self.settings.memory())?;
         let mut demand = self.settings.demand();
         if self.exact {
             demand.prove_up_to = PROVED_ROWS;
         }
-        let solver = self.solver.as_deref();
         if let Some(model) = model(self.model, solver, &problem) {
             let method = methods::by_name(solver.unwrap_or(methods::default_for(model)), model)?;
             let options = self.settings.options(&[method])?;

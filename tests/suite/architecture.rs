@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 
 /// The libraries, and those of ours that each may use. The judge must not see a solver, a page neither
 /// solvers nor scenes.
-const CRATES: [(&str, &[&str]); 7] = [
+const CRATES: [(&str, &[&str]); 8] = [
     ("problem", &[]),
     ("solver", &["problem"]),
     ("judge", &["problem"]),
     ("files", &["problem"]),
+    ("plugin", &["problem", "solver"]),
     ("page", &["problem"]),
     ("mechanics", &["problem", "solver", "judge"]),
     ("study", &["problem", "solver", "judge", "mechanics", "page"]),

@@ -50,7 +50,7 @@ pub struct Row {
     pub fallbacks: usize,
     /// What that was, the last time.
     pub fallback: Option<String>,
-    /// Why the last problem that was not solved was not.
+    /// Why the last problem that was not solved was not, or what the judge says of a refuted claim.
     pub trouble: Option<String>,
     /// Why this solver cannot solve this family, where that is known.
     pub known_failure: Option<String>,
@@ -216,7 +216,10 @@ impl Row {
         if claims {
             let worst = self.worst_residual.map_or(0.0, |worst| worst);
             self.worst_residual = Some(worst.max(certificate.scaled_residual));
-        } else {
+            if !holds {
+                self.trouble = Some(certificate.verdict.to_string());
+            }
+        } else if self.refuted_claims == 0 {
             self.trouble = Some(solution.status.to_string());
         }
     }

@@ -9,6 +9,7 @@ mod exit_code;
 mod friction;
 mod hostile;
 mod limits;
+mod plugin;
 mod report;
 mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens

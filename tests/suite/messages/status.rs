@@ -2,6 +2,7 @@
 
 use lcplab::lcp::{Coupling, Lcp, Matrix};
 use lcplab::memory::Memory;
+use lcplab::plugin::Plugin;
 use lcplab::solver::{Options, Settings, Start, Status, Stop, by_name};
 
 use lcplab_testing::{INF, boxed, contacts};
@@ -45,6 +46,8 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
         pgs.solve(&pair, &Start::default(), &mut stop.watch(&mut ())).status
     };
     let small = Settings { memory: Memory::bytes(1), ..usual() };
+    let always_one = r#"short=python3 -c "import sys; [print('{\"x\": [1]}', flush=True) for line in sys.stdin]""#;
+    let short = Plugin::start(always_one, std::time::Duration::from_secs(60)).unwrap();
     each_variant! { Status:
         Status::Solved => said("dantzig", &one, usual()), "solved";
         Status::Inaccurate => said("murty", &no_float, exactly.clone()), "ended above the tolerance";
@@ -63,5 +66,7 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
             format!("needs {needs}; the limit is {limit} (raise it with --max-memory)");
         Status::OutsideClass { .. } => said("dantzig", &skew, usual()),
             "outside the solver's class: A is not symmetric";
+        Status::NoAnswer { .. } => said(short.name(), &pair, usual()),
+            "no answer: x has 1 entries, the problem has 2 rows";
     }
 }

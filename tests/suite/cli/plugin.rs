@@ -1,0 +1,85 @@
+//! `--plugin`: someone else's program as a solver.
+
+use serde_json::Value;
+
+use super::{err, out, run};
+
+/// The example of the documentation: Gauss-Seidel that knows no friction.
+const SWEEPS: &str =
+    concat!("python3 '", env!("CARGO_MANIFEST_DIR"), "/examples/plugins/sweeps.py'");
+
+/// The JSON that a command puts out, and its exit code.
+fn told(command: &[&str]) -> (Value, Option<i32>) {
+    let output = run(&[command, &["--json"]].concat());
+    let json = serde_json::from_str(&out(&output));
+    (json.unwrap_or_else(|_| panic!("{}", err(&output))), output.status.code())
+}
+
+#[test]
+fn a_problem_is_solved_by_a_plug_in_and_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("push.json");
+    std::fs::write(&file, r#"{"A": {"dense": [[2, -1], [-1, 2]]}, "b": [-1, 2]}"#).unwrap();
+    let (answer, code) = told(&["solve", file.to_str().unwrap(), "--plugin", SWEEPS]);
+    assert_eq!((&answer["solver"], &answer["status"]), (&"sweeps".into(), &"solved".into()));
+    assert_eq!((&answer["verdict"], code), (&"proved".into(), Some(0)));
+    assert_eq!(answer["x"], serde_json::json!([0.5, 0.0]));
+}
+
+#[test]
+fn a_folder_of_problems_shows_which_claims_are_wrong_and_in_which_row() {
+    let folder = tempfile::tempdir().unwrap();
+    let plain = r#"{"A": {"dense": [[2]]}, "b": [-4]}"#;
+    // x_n = 2; the tangent is pushed with 3, and friction may be 1 of it.
+    let friction = r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [-2, -3], "friction_index": [-1, 0], "mu": [0, 0.5]}"#;
+    for (name, text) in [("a.json", plain), ("b.json", friction), ("notes.md", "not a problem")] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let path = folder.path().to_str().unwrap();
+    let (table, code) = told(&["compare-solvers", path, "--solver", "dantzig", "--plugin", SWEEPS]);
+    let rows: Vec<_> = table["rows"].as_array().unwrap().iter().collect();
+    let brief = |row: &Value| {
+        let file = row["family"].as_str().unwrap().rsplit(['/', '\\']).next().unwrap().to_string();
+        (file, row["solver"].clone(), row["accepted"].clone(), row["trouble"].clone())
+    };
+    let refused = rows.iter().map(|row| brief(row)).collect::<Vec<_>>();
+    let of = |file: &str, solver: &str, accepted: u32, trouble: Value| {
+        (file.to_string(), Value::from(solver), Value::from(accepted), trouble)
+    };
+    // x_t = 3 lies 2 beyond its bound; a friction force reaches as far as μ times the 4 of row 0's terms.
+    let beyond = "not a solution: row 1 misses by 1.0e0 of its terms";
+    assert_eq!(
+        refused,
+        [
+            of("a.json", "dantzig", 1, Value::Null),
+            of("a.json", "sweeps", 1, Value::Null),
+            of("b.json", "dantzig", 1, Value::Null),
+            of("b.json", "sweeps", 0, beyond.into()),
+        ]
+    );
+    assert_eq!(code, Some(1));
+}
+
+#[test]
+fn the_hunt_finds_what_a_plug_in_says_that_is_not_true() {
+    let output = run(&["hunt", "--problems", "18", "--plugin", SWEEPS]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        out(&output).contains("sweeps on problem 6 (friction): solved, but row"),
+        "{}",
+        out(&output)
+    );
+}
+
+#[test]
+fn a_command_that_is_no_plug_in_is_bad_usage() {
+    let told = |options: &[&str]| {
+        let output = run(&[&["hunt", "--problems", "1"], options].concat());
+        assert_eq!(output.status.code(), Some(2));
+        err(&output)
+    };
+    let refused = "error: plug-in true: start: it ended (exit status: 0)\n";
+    assert_eq!(told(&["--plugin", "true"]), refused);
+    let zero = told(&["--plugin", "true", "--plugin-time-limit", "0"]);
+    assert_eq!(zero, "error: options: --plugin-time-limit: must be above 0, is 0\n");
+}
