@@ -29,7 +29,7 @@ impl Solver for Jacobi {
 }
 
 fn main() -> lcplab::error::Result<()> {
-    let mine = Entry { name: "jacobi", build: |_| Box::new(Jacobi), ..*entry("pgs")? };
+    let mine = Entry { name: "jacobi", build: &|_| Box::new(Jacobi), ..*entry("pgs")? };
     let solvers = [mine, *entry("pgs")?, *entry("dantzig")?];
     let (comparison, _) = compare(&Scene::load("fig7")?, &solvers, 3, &|| ());
     print!("{}", text::table(&view::comparison_table(&comparison)));
