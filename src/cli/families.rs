@@ -140,15 +140,15 @@ impl CompareSolvers {
 
     /// The methods of these names, of boxes and of cones, and the plug-ins.
     fn methods(&self, plugins: &[Plugin]) -> Result<Vec<Method>> {
-        if self.all {
-            return Ok(methods::all());
-        }
         let named = self.solver.iter().map(String::as_str);
-        let mut names: Vec<&str> =
-            if self.solver.is_empty() { USUAL.to_vec() } else { named.collect() };
-        names.extend(plugins.iter().map(|plugin| -> &str { plugin.name() }));
-        let mut found = Vec::new();
-        for name in names {
+        let names: Vec<&str> = match (self.all, self.solver.as_slice()) {
+            (true, _) => Vec::new(),
+            (false, []) => USUAL.to_vec(),
+            (false, _) => named.collect(),
+        };
+        let plugins = plugins.iter().map(|plugin| -> &str { plugin.name() });
+        let mut found = if self.all { methods::all() } else { Vec::new() };
+        for name in names.into_iter().chain(plugins) {
             found.extend(methods::named(name)?);
         }
         Ok(found)

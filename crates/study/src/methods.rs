@@ -5,11 +5,15 @@ use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
 use lcplab_solver::{ALL, Entry, Method, SPECIMENS, added, methods};
 
-/// The registered methods, then clarabel for boxes and for cones, then what was added.
+/// The registered methods, then clarabel for boxes and for cones; what was added is asked for by name.
 pub fn all() -> Vec<Method> {
     let reference = [Method::Boxed(clarabel::BOX_QP), Method::Cone(clarabel::CONE_QP)];
-    let added = added().into_iter().copied().map(Method::Boxed);
-    methods().into_iter().chain(reference).chain(added).collect()
+    methods().into_iter().chain(reference).collect()
+}
+
+/// All methods that have a name.
+fn nameable() -> impl Iterator<Item = Method> {
+    all().into_iter().chain(added().into_iter().copied().map(Method::Boxed))
 }
 
 /// The solver of this name for LCPs as they stand; the specimens and what was added count too.
@@ -29,7 +33,7 @@ pub fn entry(name: &str) -> Result<Entry> {
 /// # Errors
 /// If there is none.
 pub fn by_name(name: &str, model: Model) -> Result<Method> {
-    let taking = || all().into_iter().filter(|method| method.takes(Some(model)));
+    let taking = || nameable().filter(|method| method.takes(Some(model)));
     let found = taking().find(|method| method.name() == name);
     let kind = "solver for this model of friction";
     found.ok_or_else(|| unknown(kind, name, taking().map(|method| method.name())))
@@ -49,7 +53,7 @@ pub fn default_for(model: Model) -> &'static str {
 /// # Errors
 /// If there is none.
 pub fn named(name: &str) -> Result<Vec<Method>> {
-    let known = || all().into_iter().chain(SPECIMENS.iter().copied().map(Method::Boxed));
+    let known = || nameable().chain(SPECIMENS.iter().copied().map(Method::Boxed));
     let found: Vec<Method> = known().filter(|method| method.name() == name).collect();
     if found.is_empty() {
         return Err(unknown("solver", name, known().map(|method| method.name())));
