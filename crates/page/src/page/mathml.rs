@@ -1,6 +1,8 @@
-//! LaTeX as MathML by math-core, which copies the names of operators as they stand and calls itself for
-//! all that nests: what it writes is checked, and it gets a stack to suit.
+//! LaTeX as MathML by math-core, which copies the names of operators as they stand, calls itself for
+//! all that nests, and asserts what a stray `&` makes untrue: what it writes is checked, it gets a stack to
+//! suit, and a panic is an error.
 
+use std::panic;
 use std::thread;
 
 use math_core::{ConvertResult, LatexToMathML, MathDisplay};
@@ -41,12 +43,22 @@ pub(super) fn converted(
             format!("the equation {latex:?} at character {reason}")
         })
     };
-    let ConvertResult { mathml, .. } =
-        if latex.len() <= SHORT { convert() } else { with_stack(latex.len() * STACK, convert) }?;
-    match foreign(&mathml) {
-        Some(tag) => Err(format!("the equation {latex:?} has a tag that is not MathML: {tag:?}")),
+    let ConvertResult { mathml, .. } = if latex.len() <= SHORT {
+        panic::catch_unwind(panic::AssertUnwindSafe(convert)).unwrap_or_else(|_| unset())
+    } else {
+        with_stack(latex.len() * STACK, convert)
+    }?;
+    if let Some(tag) = foreign(&mathml) {
+        return Err(format!("the equation {latex:?} has a tag that is not MathML: {tag:?}"));
+    }
+    match incomplete(&mathml) {
+        Some(name) => Err(format!("the equation {latex:?} has an {name} without all its parts")),
         None => Ok(mathml),
     }
+}
+
+fn unset<T>() -> Result<T, String> {
+    Err("an equation cannot be set".into())
 }
 
 /// Does it on a thread with so much stack (bytes).
@@ -57,7 +69,7 @@ fn with_stack<T: Send>(
     thread::scope(|scope| {
         let thread = thread::Builder::new().stack_size(size).spawn_scoped(scope, work);
         let thread = thread.map_err(|cause| format!("no thread for an equation: {cause}"))?;
-        thread.join().map_err(|_| "an equation cannot be set".to_string())?
+        thread.join().unwrap_or_else(|_| unset())
     })
 }
 
@@ -75,6 +87,40 @@ fn foreign(mathml: &str) -> Option<&str> {
         }
         !(has(ELEMENTS, name) && are_own(attributes))
     })
+}
+
+/// Elements that have so many parts, no more and no fewer.
+const PARTS: [(&str, usize); 8] = [
+    ("mfrac", 2),
+    ("mroot", 2),
+    ("msub", 2),
+    ("msup", 2),
+    ("msubsup", 3),
+    ("munder", 2),
+    ("mover", 2),
+    ("munderover", 3),
+];
+
+/// The first element that lacks a part: a power of nothing, say.
+fn incomplete(mathml: &str) -> Option<&str> {
+    let mut open: Vec<(&str, usize)> = Vec::new();
+    for tag in mathml.split('<').skip(1) {
+        let tag = tag.split('>').next().unwrap_or(tag);
+        if tag.starts_with('/') {
+            let (name, parts) = open.pop()?;
+            if PARTS.iter().any(|&(known, all)| known == name && parts != all) {
+                return Some(name);
+            }
+            continue;
+        }
+        if let Some((_, parts)) = open.last_mut() {
+            *parts += 1;
+        }
+        if !tag.ends_with('/') {
+            open.push((tag.split([' ', '/']).next().unwrap_or(tag), 0));
+        }
+    }
+    None
 }
 
 /// Whether the names of attributes are: names and values take turns, as in `width="1em" class="a"/`.

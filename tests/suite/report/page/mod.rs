@@ -108,6 +108,22 @@ fn no_formula_brings_tags_of_its_own() {
 }
 
 #[test]
+fn a_power_of_nothing_is_refused_and_a_stray_column_is_no_panic() {
+    let set = |latex: &str| {
+        let latex = format!("\\begin{{pmatrix}} {latex} \\end{{pmatrix}}");
+        page(vec![Block::Equation { latex, label: None }]).render()
+    };
+    for latex in ["a &^ b", "a &_ b", "a \\\\ ^ b", "a & \\frac{1} & b"] {
+        let message = set(latex).unwrap_err().to_string();
+        assert!(message.contains("without all its parts"), "{message}");
+    }
+    for latex in ["a & \\sqrt & b", "a & \\hat & b", "a & \\left( & b", "& & \\\\ &"] {
+        let _ = set(latex); // an error is an answer
+    }
+    assert!(set("a^{2} & \\frac{1}{2} \\\\ \\sum_{i}^{n} & {}^{3}b").is_ok());
+}
+
+#[test]
 fn formulas_nest_as_deep_as_they_are_long() {
     let nested =
         ["{", "\\hat", "\\sqrt ", "\\frac", "\\left(", "\\color{red}", "\\not ", "√", "x^{", "["];
