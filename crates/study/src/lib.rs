@@ -9,6 +9,7 @@
 pub mod answer;
 pub mod aside;
 pub mod attempt;
+pub mod card;
 pub mod clarabel;
 #[cfg(feature = "mechanics")]
 pub mod comparison;

@@ -13,7 +13,7 @@
 use rayon::prelude::*;
 
 use super::Tally;
-use super::problem::Random;
+use super::numbers::Random;
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
 use lcplab_problem::{Lcp, Matrix};

@@ -28,12 +28,19 @@
 //!
 //! Problem k of a seed is the same in every hunt, on any number of threads: [`problem`].
 
+mod change;
 pub mod cone;
+mod measure;
+mod numbers;
 mod problem;
+mod search;
+mod shrink;
 mod tally;
 mod truth;
 
+pub use measure::{Measure, Score, Trial};
 pub use problem::{KINDS, Kind, problem};
+pub use search::{Catch, Search, Searched};
 pub use tally::{Record, Tally};
 pub use truth::{Claim, Lie, Truth};
 

@@ -4,9 +4,8 @@
 //! Most entries are small whole numbers, so that sums cancel exactly: ties are ties, a dependent row is
 //! dependent, and a problem without solution misses one by more than rounding.
 
-use oorandom::Rand64;
-
-use lcplab_problem::{Coupling, Lcp, Matrix};
+use super::numbers::{Numbers, Random};
+use lcplab_problem::Lcp;
 
 /// A kind of problem.
 #[derive(Debug, Clone, Copy)]
@@ -115,64 +114,16 @@ pub const KINDS: &[Kind] = &[
 /// Problem k of a seed, and where the solvers start: from nothing, or from a guess as bad as can be.
 pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
     let random = &mut Random::new(seed, k);
-    let lcp = (KINDS[k % KINDS.len()].make)(random).lcp();
+    let lcp = (KINDS[k % KINDS.len()].make)(random)
+        .lcp()
+        .expect("finite numbers, lo ≤ hi, tangents after normals");
     let start = (0..lcp.len()).map(|_| random.one_of(&[0.0, 1.0, -1.0, 1e-300, 1e9, -1e300]));
     let start: Vec<f64> = start.collect();
     let is_cold = random.whole(0, 2) > 0;
     (lcp, if is_cold { None } else { Some(start) })
 }
 
-/// A stream of random numbers.
-pub(super) struct Random(Rand64);
-
-impl Random {
-    /// The stream of problem k of a seed.
-    pub(super) fn new(seed: u64, k: usize) -> Self {
-        Random(Rand64::new((u128::from(seed) << 64) | k as u128))
-    }
-
-    pub(super) fn whole(&mut self, least: i64, most: i64) -> i64 {
-        least + self.0.rand_range(0..(most - least + 1) as u64) as i64
-    }
-
-    pub(super) fn number(&mut self, size: i64) -> f64 {
-        self.whole(-size, size) as f64
-    }
-
-    pub(super) fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
-        list[self.whole(0, list.len() as i64 - 1) as usize]
-    }
-}
-
-/// A problem under way.
-struct Numbers {
-    a: Vec<Vec<f64>>,
-    b: Vec<f64>,
-    lo: Vec<f64>,
-    hi: Vec<f64>,
-    friction: Option<(Vec<Option<usize>>, Vec<f64>)>,
-}
-
 impl Numbers {
-    /// Contacts with these numbers.
-    fn new(a: Vec<Vec<f64>>, b: Vec<f64>) -> Numbers {
-        let n = b.len();
-        Numbers { a, b, lo: vec![0.0; n], hi: vec![f64::INFINITY; n], friction: None }
-    }
-
-    fn lcp(self) -> Lcp {
-        let n = self.b.len();
-        let matrix = Matrix::dense(n, &self.a.concat());
-        let lcp = Lcp::new(matrix, self.b, self.lo, self.hi).expect("finite numbers, lo ≤ hi");
-        match self.friction {
-            None => lcp,
-            Some((index, mu)) => {
-                let coupling = Coupling::new(index, mu).expect("tangents follow normals");
-                lcp.with_coupling(coupling).expect("normal rows of which x ≥ 0")
-            }
-        }
-    }
-
     /// Other bounds for half of the rows.
     fn bounded(mut self, random: &mut Random) -> Numbers {
         for i in 0..self.b.len() {

@@ -8,4 +8,5 @@ mod hunt;
 mod outputs;
 mod range;
 mod reference;
+mod search;
 mod worked_examples;

@@ -1,0 +1,111 @@
+//! The numbers of a problem while they change, and where chance comes from.
+
+use oorandom::Rand64;
+
+use lcplab_problem::error::Result;
+use lcplab_problem::{Coupling, Lcp, Matrix};
+
+/// A stream of random numbers.
+pub(super) struct Random(Rand64);
+
+impl Random {
+    /// The stream of problem k of a seed.
+    pub(super) fn new(seed: u64, k: usize) -> Self {
+        Random(Rand64::new((u128::from(seed) << 64) | k as u128))
+    }
+
+    pub(super) fn whole(&mut self, least: i64, most: i64) -> i64 {
+        least + self.0.rand_range(0..(most - least + 1) as u64) as i64
+    }
+
+    pub(super) fn number(&mut self, size: i64) -> f64 {
+        self.whole(-size, size) as f64
+    }
+
+    pub(super) fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
+        list[self.whole(0, list.len() as i64 - 1) as usize]
+    }
+}
+
+/// A problem under way.
+#[derive(Clone, Debug)]
+pub(super) struct Numbers {
+    pub a: Vec<Vec<f64>>,
+    pub b: Vec<f64>,
+    pub lo: Vec<f64>,
+    pub hi: Vec<f64>,
+    /// The rows that bound the others, and μ.
+    pub friction: Option<(Vec<Option<usize>>, Vec<f64>)>,
+}
+
+impl Numbers {
+    /// Contacts with these numbers.
+    pub fn new(a: Vec<Vec<f64>>, b: Vec<f64>) -> Numbers {
+        let n = b.len();
+        Numbers { a, b, lo: vec![0.0; n], hi: vec![f64::INFINITY; n], friction: None }
+    }
+
+    /// The numbers of a problem.
+    pub fn of(lcp: &Lcp) -> Numbers {
+        let n = lcp.len();
+        let row = |i| (0..n).map(|j| lcp.matrix().entry(i, j)).collect();
+        let friction = lcp.coupling().map(|c| (0..n).map(|i| (c.index(i), c.mu(i))).unzip());
+        Numbers {
+            a: (0..n).map(row).collect(),
+            b: lcp.b().to_vec(),
+            lo: lcp.lo().to_vec(),
+            hi: lcp.hi().to_vec(),
+            friction,
+        }
+    }
+
+    /// The problem.
+    ///
+    /// # Errors
+    /// If the numbers make none: an entry that is not finite, lo > hi.
+    pub fn lcp(self) -> Result<Lcp> {
+        let matrix = Matrix::dense(self.len(), &self.a.concat());
+        let lcp = Lcp::new(matrix, self.b, self.lo, self.hi)?;
+        match self.friction {
+            None => Ok(lcp),
+            Some((index, mu)) => lcp.with_coupling(Coupling::new(index, mu)?),
+        }
+    }
+
+    pub fn len(&self) -> usize {
+        self.b.len()
+    }
+
+    pub fn is_symmetric(&self) -> bool {
+        (0..self.len()).all(|i| (0..i).all(|j| self.a[i][j] == self.a[j][i]))
+    }
+
+    /// Whether row i is bounded by the x of another one.
+    pub fn is_coupled(&self, i: usize) -> bool {
+        self.friction.as_ref().is_some_and(|(index, _)| index[i].is_some())
+    }
+
+    /// Whether the x of row i bounds another one.
+    pub fn bounds_another(&self, i: usize) -> bool {
+        self.friction.as_ref().is_some_and(|(index, _)| index.contains(&Some(i)))
+    }
+
+    /// The same without row i and the rows that it bounds.
+    pub fn without(&self, i: usize) -> Numbers {
+        let index = |row: usize| self.friction.as_ref().and_then(|(index, _)| index[row]);
+        let kept: Vec<usize> =
+            (0..self.len()).filter(|&row| row != i && index(row) != Some(i)).collect();
+        let of = |all: &[f64]| kept.iter().map(|&row| all[row]).collect::<Vec<f64>>();
+        let place = |k: usize| kept.iter().position(|&row| row == k);
+        let friction = self.friction.as_ref().map(|(index, mu)| {
+            (kept.iter().map(|&row| index[row].and_then(place)).collect(), of(mu))
+        });
+        Numbers {
+            a: kept.iter().map(|&row| of(&self.a[row])).collect(),
+            b: of(&self.b),
+            lo: of(&self.lo),
+            hi: of(&self.hi),
+            friction: friction.filter(|(index, _): &(Vec<_>, _)| index.iter().any(Option::is_some)),
+        }
+    }
+}

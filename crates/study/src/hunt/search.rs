@@ -1,0 +1,276 @@
+//! The search for a problem that breaks a solver: random starts, a climb from each, and the best of all made small.
+//!
+//! A start is a problem of the [kinds](super::KINDS), of a family of the library, or JJᵀ of small whole
+//! numbers. A climb makes small random changes and keeps what measures no less, until nothing has come of
+//! it for long. Climbs run side by side in rounds of a fixed size, each with random numbers of its own, so that the
+//! same seed and budget find the same problem on any number of threads; a time limit only ends it sooner.
+
+use std::ops::RangeInclusive;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+use rayon::prelude::*;
+
+use lcplab_problem::Lcp;
+use lcplab_problem::error::{Defects, Result};
+use lcplab_problem::library;
+use lcplab_solver::Stop;
+
+use super::measure::{Measure, Score, Trial};
+use super::numbers::{Numbers, Random};
+use super::problem;
+
+/// Climbs side by side, however many threads there are.
+const ROUND: usize = 16;
+/// Evaluations that a climb may take, and how many without any gain.
+const CLIMB: usize = 4000;
+const PATIENCE: usize = 500;
+/// What still shows it while it is made smaller: this part of what was found.
+const KEPT: f64 = 0.9;
+/// A change may multiply the iterations by so much and is measured to the end, once they are above the least.
+const GROWTH: usize = 4;
+const LEAST_ITERATIONS: usize = 2000;
+
+/// Where to search, and for how long.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Search {
+    /// How many rows the problem may have.
+    pub rows: RangeInclusive<usize>,
+    /// How many problems are tried before the best one is made smaller.
+    pub evaluations: usize,
+    /// The seed of the random numbers.
+    pub seed: u64,
+    /// Search no further once the measure is so large.
+    pub at_least: Option<f64>,
+}
+
+/// What was found.
+#[derive(Debug, Clone)]
+pub struct Catch {
+    /// The smallest problem that shows it.
+    pub lcp: Lcp,
+    /// Its measure.
+    pub value: f64,
+    /// The measure of the one that was found at first.
+    pub value_at_first: f64,
+    /// How many rows that had.
+    pub rows_at_first: usize,
+    /// The number of the evaluation that found it, from 1.
+    pub evaluation: usize,
+    /// How many more it took to make it small.
+    pub shrinking: usize,
+}
+
+/// What came of a search.
+#[derive(Debug, Clone)]
+pub struct Searched {
+    /// The find, if there is one: a lie or a failure, or the largest measure above 0.
+    pub catch: Option<Catch>,
+    /// Problems tried before the shrinking.
+    pub evaluations: usize,
+}
+
+/// The best of a climb.
+struct Climb {
+    numbers: Numbers,
+    score: Score,
+    /// The evaluation that found it, within the climb, and all of them.
+    at: usize,
+    used: usize,
+}
+
+impl Score {
+    fn is_above(&self, other: &Score) -> bool {
+        (self.is_found, self.value) > (other.is_found, other.value)
+    }
+}
+
+impl Search {
+    /// Whether it can be begun.
+    ///
+    /// # Errors
+    /// If the rows are none, or more than exact arithmetic can follow.
+    pub fn validate(&self) -> Result<()> {
+        let (least, most) = (*self.rows.start(), *self.rows.end());
+        let mut defects = Defects::default();
+        if least == 0 || least > most || most > 60 {
+            defects.add("--n", format!("must lie within 1..60, is {least}..{most}"));
+        }
+        if self.evaluations == 0 {
+            defects.add("--evaluations", "must be at least 1, is 0");
+        }
+        defects.into_result("options")
+    }
+
+    /// Searches; `tick` hears how many more problems were tried.
+    pub fn run(&self, trial: &Trial, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> Searched {
+        let (mut evaluations, mut round) = (0, 0);
+        let mut best: Option<(Climb, usize)> = None;
+        let mut is_over = false;
+        while evaluations < self.evaluations && !is_over && stop.reason().is_none() {
+            let most = (self.evaluations - evaluations).div_ceil(ROUND).min(CLIMB);
+            let elite = best.as_ref().map(|(climb, _)| &climb.numbers);
+            let first = AtomicUsize::new(usize::MAX); // the first climb of the round that came to the end
+            let climb = |k: usize| {
+                let from = elite.filter(|_| k % 2 == 1);
+                let is_too_late = || first.load(Relaxed) < k || stop.reason().is_some();
+                let climb = self.climb(trial, round * ROUND + k, from, most, &is_too_late);
+                tick(climb.used);
+                if self.ends(trial, &climb.score) {
+                    first.fetch_min(k, Relaxed);
+                }
+                climb
+            };
+            for climb in (0..ROUND).into_par_iter().map(climb).collect::<Vec<Climb>>() {
+                let at = evaluations + climb.at;
+                evaluations += climb.used;
+                is_over = self.ends(trial, &climb.score);
+                if best.as_ref().is_none_or(|(best, _)| climb.score.is_above(&best.score)) {
+                    best = Some((climb, at));
+                }
+                if is_over {
+                    break; // the climbs after it were cut short
+                }
+            }
+            round += 1;
+        }
+        let found = best.filter(|(climb, _)| {
+            if trial.measure.is_yes_or_no() {
+                climb.score.is_found
+            } else {
+                climb.score.value > 0.0
+            }
+        });
+        let catch = found.map(|(climb, at)| self.shrunk(trial, &climb, at, stop));
+        Searched { catch, evaluations }
+    }
+
+    /// Whether nothing more is to be found.
+    fn ends(&self, trial: &Trial, score: &Score) -> bool {
+        if trial.measure.is_yes_or_no() {
+            score.is_found
+        } else {
+            self.at_least.is_some_and(|least| score.value >= least)
+        }
+    }
+
+    fn climb(
+        &self,
+        trial: &Trial,
+        k: usize,
+        from: Option<&Numbers>,
+        most: usize,
+        is_too_late: &dyn Fn() -> bool,
+    ) -> Climb {
+        let random = &mut Random::new(self.seed ^ 0x5eed, k);
+        let rows = (*self.rows.start(), *self.rows.end());
+        let numbers = from.cloned().unwrap_or_else(|| self.start(k, random));
+        let score = Score { value: -1.0, is_found: false, iterations: 0 };
+        let mut candidate = numbers.clone();
+        let mut climb = Climb { numbers, score, at: 0, used: 0 };
+        let mut gained = 0;
+        while climb.used < most && climb.used - gained < PATIENCE && !is_too_late() {
+            climb.used += 1;
+            if let Ok(lcp) = candidate.clone().lcp() {
+                let score = trial.score(&lcp, most_iterations(trial, &climb.score));
+                if !climb.score.is_above(&score) && trial.is_fair(&lcp) {
+                    if score.is_above(&climb.score) {
+                        (gained, climb.at) = (climb.used, climb.used);
+                    }
+                    (climb.numbers, climb.score) = (candidate, score);
+                }
+                if self.ends(trial, &climb.score) {
+                    break;
+                }
+            }
+            candidate = climb.numbers.changed(random, rows);
+        }
+        climb
+    }
+
+    /// The problem where climb k begins.
+    fn start(&self, k: usize, random: &mut Random) -> Numbers {
+        let of_size = |lcp: &Lcp| self.rows.contains(&lcp.len());
+        let found = match k % 3 {
+            0 => Some(problem(self.seed, k / 3).0).filter(of_size),
+            1 => family(random, self.rows.clone()).filter(of_size),
+            _ => None,
+        };
+        found.map_or_else(|| whole(random, self.rows.clone()), |lcp| Numbers::of(&lcp))
+    }
+
+    /// The smallest problem that shows what the climb found.
+    fn shrunk(&self, trial: &Trial, climb: &Climb, evaluation: usize, stop: &Stop) -> Catch {
+        let goal = self.at_least.unwrap_or(KEPT * climb.score.value).min(climb.score.value);
+        let (mut smallest, mut score) = (climb.numbers.clone(), climb.score);
+        let shows = |numbers: &Numbers, before: &Score| -> Option<Score> {
+            let lcp = numbers.clone().lcp().ok()?;
+            let score = trial.score(&lcp, most_iterations(trial, before));
+            let holds =
+                if trial.measure.is_yes_or_no() { score.is_found } else { score.value >= goal };
+            (holds && trial.is_fair(&lcp)).then_some(score)
+        };
+        let (mut tried, mut failed, mut at) = (0, 0, 0);
+        let mut simpler = smallest.simpler();
+        while failed < simpler.len() && tried < self.evaluations && stop.reason().is_none() {
+            let candidate = &simpler[at % simpler.len()];
+            let has_rows = self.rows.contains(&candidate.len());
+            tried += 1;
+            match if has_rows { shows(candidate, &score) } else { None } {
+                Some(new) => {
+                    (smallest, score, failed) = (candidate.clone(), new, 0);
+                    simpler = smallest.simpler();
+                }
+                None => (failed, at) = (failed + 1, at + 1),
+            }
+        }
+        Catch {
+            lcp: smallest.lcp().expect("a problem that was solved"),
+            value: score.value,
+            value_at_first: climb.score.value,
+            rows_at_first: climb.numbers.len(),
+            evaluation,
+            shrinking: tried,
+        }
+    }
+}
+
+/// The iterations that the next problem may take.
+fn most_iterations(trial: &Trial, before: &Score) -> usize {
+    let most = trial.options.settings.max_iterations;
+    match trial.measure {
+        Measure::Iterations | Measure::Ratio => {
+            before.iterations.saturating_mul(GROWTH).clamp(LEAST_ITERATIONS.min(most), most)
+        }
+        _ => most,
+    }
+}
+
+/// A problem of a family that has such sizes, at random.
+fn family(random: &mut Random, rows: RangeInclusive<usize>) -> Option<Lcp> {
+    let families: Vec<_> = library::all().collect();
+    let family = families[random.whole(0, families.len() as i64 - 1) as usize];
+    let n = random.whole(*rows.start() as i64, *rows.end() as i64) as f64;
+    let given = |name: &str| match name {
+        "n" => Some(n),
+        "seed" => Some(1.0),
+        _ => None,
+    };
+    let seed = random.whole(1, 1000) as f64;
+    let values = family.parameters().iter().filter_map(|p| Some((p.name, given(p.name)?)));
+    let values: Vec<_> =
+        values.map(|(name, v)| (name, if name == "seed" { seed } else { v })).collect();
+    family.generate(&values).ok().map(|problem| problem.lcp)
+}
+
+/// JJᵀ of whole numbers, with something on the diagonal for half of them.
+fn whole(random: &mut Random, rows: RangeInclusive<usize>) -> Numbers {
+    let n = random.whole(*rows.start() as i64, *rows.end() as i64) as usize;
+    let columns = random.whole(1, n as i64 + 1) as usize;
+    let j: Vec<Vec<f64>> =
+        (0..n).map(|_| (0..columns).map(|_| random.number(2)).collect()).collect();
+    let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
+    let own = random.whole(0, 1) as f64;
+    let entry = |i: usize, k: usize| dot(&j[i], &j[k]) + if i == k { own } else { 0.0 };
+    let a = (0..n).map(|i| (0..n).map(|k| entry(i, k)).collect()).collect();
+    Numbers::new(a, (0..n).map(|_| random.number(3)).collect())
+}

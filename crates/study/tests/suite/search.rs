@@ -1,0 +1,140 @@
+//! Whether a search finds what is known to be there, from random starts, and makes it small.
+
+use std::ops::RangeInclusive;
+
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::all_solutions;
+use lcplab_solver::{
+    Entry, Observer, Options, Settings, Solution, Solver, Start, Status, Stop, entry,
+};
+use lcplab_study::hunt::{Catch, Measure, Search, Trial};
+
+/// A plain projected Gauss-Seidel with one mistake.
+#[derive(Clone, Copy)]
+enum Mistaken {
+    ClampsAfterTheSweep,
+    NeverRenewsTheFrictionBounds,
+    AddsInSinglePrecision,
+}
+
+impl Solver for Mistaken {
+    fn name(&self) -> &'static str {
+        "mistaken"
+    }
+
+    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
+        let n = lcp.len();
+        let mut x = vec![0.0; n];
+        let first = x.clone();
+        for sweep in 1..=1000 {
+            let before = x.clone();
+            for i in 0..n {
+                let w = match self {
+                    Mistaken::AddsInSinglePrecision => {
+                        let terms = lcp.matrix().row(i).iter().map(|(j, a)| (a * x[j]) as f32);
+                        f64::from(terms.sum::<f32>() + lcp.b()[i] as f32)
+                    }
+                    _ => lcp.row_w(i, &x),
+                };
+                if lcp.matrix().diagonal(i) <= 0.0 {
+                    return Solution::new(lcp, x, Status::ZeroDiagonal { row: i }, sweep);
+                }
+                let free = x[i] - w / lcp.matrix().diagonal(i);
+                x[i] = match self {
+                    Mistaken::ClampsAfterTheSweep => free,
+                    Mistaken::NeverRenewsTheFrictionBounds => lcp.project(i, free, &first),
+                    Mistaken::AddsInSinglePrecision => lcp.project(i, free, &x),
+                };
+            }
+            if matches!(self, Mistaken::ClampsAfterTheSweep) {
+                lcp.project_all(&mut x);
+            }
+            let moved = x.iter().zip(&before).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+            if !moved.is_finite() || x.iter().any(|x| !x.is_finite()) {
+                return Solution::new(lcp, before, Status::Diverged, sweep);
+            }
+            if moved <= 1e-14 * x.iter().fold(0.0, |most: f64, x| most.max(x.abs())) {
+                return Solution::new(lcp, x, Status::Solved, sweep);
+            }
+        }
+        Solution::new(lcp, x, Status::IterationLimit, 1000)
+    }
+}
+
+fn mistaken(mistake: Mistaken) -> Entry {
+    let build = move |_: &Options| -> Box<dyn Solver> { Box::new(mistake) };
+    Entry { name: "mistaken", build: Box::leak(Box::new(build)), ..*entry("pgs").unwrap() }
+}
+
+fn trial(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: usize) -> Trial {
+    let settings = Settings { max_iterations, ..Settings::default() };
+    Trial {
+        measure,
+        solver,
+        rival: rival.map(|name| *entry(name).unwrap()),
+        options: Options { settings, ..Options::default() },
+        best_omega: true,
+    }
+}
+
+fn search(trial: &Trial, rows: RangeInclusive<usize>, evaluations: usize) -> Option<Catch> {
+    let search = Search { rows, evaluations, seed: 1, at_least: None };
+    search.validate().unwrap();
+    search.run(trial, &Stop::default(), &|_| ()).catch
+}
+
+#[test]
+fn three_planted_mistakes_are_found_and_shrunk_to_a_contact_or_two() {
+    for (mistake, rows) in [
+        (Mistaken::ClampsAfterTheSweep, 2), // one row clamped late is clamped all the same
+        (Mistaken::NeverRenewsTheFrictionBounds, 2), // a normal and a tangent
+        (Mistaken::AddsInSinglePrecision, 2),
+    ] {
+        let trial = trial(Measure::Lie, mistaken(mistake), None, 1000);
+        let catch = search(&trial, 1..=8, 20_000).expect("a lie");
+        println!("{} {} {:?}", catch.evaluation, catch.shrinking, catch.lcp);
+        assert!(catch.lcp.len() <= rows, "{} rows: {:?}", catch.lcp.len(), catch.lcp);
+        assert!(trial.score(&catch.lcp, 1000).is_found);
+        assert!(all_solutions(&catch.lcp).is_some());
+    }
+}
+
+#[test]
+fn the_wrong_fixed_point_of_code_6_is_found() {
+    let trial = trial(Measure::Failure, *entry("code6").unwrap(), None, 1000);
+    let catch = search(&trial, 2..=5, 20_000).expect("a failure");
+    println!("{} {} {:?}", catch.evaluation, catch.shrinking, catch.lcp);
+    assert_eq!(catch.lcp.len(), 2);
+}
+
+#[test]
+fn an_honest_solver_is_not_caught() {
+    let trial = trial(Measure::Lie, *entry("pgs").unwrap(), None, 500);
+    assert!(search(&trial, 1..=4, 4000).is_none());
+}
+
+#[test]
+fn a_matrix_is_found_on_which_least_index_pivoting_takes_many_pivots_and_block_pivoting_few() {
+    let trial = trial(Measure::Ratio, *entry("murty").unwrap(), Some("block-pivoting"), 1000);
+    let catch = search(&trial, 8..=8, 60_000).expect("a ratio");
+    println!("{} {} {} {:?}", catch.value, catch.evaluation, catch.shrinking, catch.lcp);
+    let pivots = |name: &str| {
+        let solver = (entry(name).unwrap().build)(&Options::default());
+        solver.solve(&catch.lcp, &Start::default(), &mut ()).iterations
+    };
+    assert!(
+        pivots("murty") >= 64 && pivots("block-pivoting") <= 16,
+        "{} {}",
+        pivots("murty"),
+        pivots("block-pivoting")
+    );
+}
+
+#[test]
+fn two_rows_are_found_on_which_gauss_seidel_takes_a_thousand_times_the_sweeps_of_the_best_sor() {
+    let trial = trial(Measure::Ratio, *entry("pgs").unwrap(), Some("sor"), 100_000_000);
+    let search = Search { rows: 2..=3, evaluations: 4000, seed: 1, at_least: Some(1000.0) };
+    let catch = search.run(&trial, &Stop::default(), &|_| ()).catch.expect("a ratio");
+    println!("{} {} {} {:?}", catch.value, catch.evaluation, catch.shrinking, catch.lcp);
+    assert!(catch.value >= 1000.0, "{}", catch.value);
+}
