@@ -206,10 +206,16 @@ fn read_problem(path: &Path, most: Memory) -> Result<Problem> {
     Ok(problem)
 }
 
+/// Warnings that are printed at most.
+const WARNINGS: usize = 20;
+
 /// Says what was ignored while a problem was read.
 fn warn(problem: &Problem) {
-    for warning in &problem.warnings {
+    for warning in problem.warnings.iter().take(WARNINGS) {
         say(&format!("warning: {warning}"));
+    }
+    if problem.warnings.len() > WARNINGS {
+        say(&format!("warning: and {} more", problem.warnings.len() - WARNINGS));
     }
 }
 

@@ -9,7 +9,7 @@ How far x is from it: each part beside its own scale s and its own terms T = sum
     r_n = |x_n - max(x_n - w_n/s_n, 0)| s_n / T_n                    s_n = |a_nn|
     r_t = |x_t - D(x_t - w_t/s_t)| s_t / |(T_t1, T_t2)|              s_t = the largest row sum of |A| among t1, t2
 
-but s_t is at least |(T_t1, T_t2)| / R, R = max(mu x_n, mu T_n/s_n, 1e-6 |(T_t1, T_t2)| / s_t), and
+but s_t is at least |(T_t1, T_t2)| / R, R = mu max(x_n, T_n/s_n) unless that is 0, and
 where D(v) is the point of the disc of radius mu x_n nearest to v. Other rows as in judge.py. The associated law
 (x in K, w in its dual, x.w = 0) is the fixed point x = P(x - w/s), P the nearest point of the cone in the metric
 of s. x is worth something if the longest |x - its step| sqrt(s) is at most a
@@ -95,7 +95,7 @@ class Cones:
             s_t = dec(max(abs(self.A[i][t1]) + abs(self.A[i][t2]) for i in (t1, t2)))
             s_t = s_t or dec(max(self.box.scale[t1], self.box.scale[t2]))
             plane = norm(T[t1], T[t2])
-            reach = max(mu * X[n], mu * T[n] / s_n, plane / s_t / 10**6)
+            reach = mu * max(X[n], T[n] / s_n)
             near = max(s_t, plane / reach) if reach else s_t
 
             def gaps(s_t):

@@ -10,9 +10,9 @@ its bounds are -+ mu_i max(x_k, 0); row k is not coupled and has lo_k >= 0.  Eve
 is an exact rational, and all arithmetic below is exact.
 RESIDUALS.  P_i clamps to the bounds of row i at x.  s_i = |a_ii|, else max_j |a_ij|, else 1.
     T_i = sum_j |a_ij x_j| + |b_i|;   e_i = min(T_i/s_i, R_i);   r_i = |x_i - P_i(x_i - e_i w_i/T_i)| / e_i, 0/0 = 0;
-    scaled_residual = max r_i.   R_i = max(mu_i x_k, mu_i e_k, 1e-6 T_i/s_i) in a coupled row, elsewhere the
-    largest of the finite |lo_i|, |hi_i| (but at least the key `scale`), infinity if they are 0 or infinite.
-    T_i of a coupled row is at least 1e-6 s_i mu_i x_k.
+    scaled_residual = max r_i.   R_i = mu_i max(x_k, e_k) in a coupled row, elsewhere the
+    largest of the finite |lo_i|, |hi_i| (but at least the key `scale`); infinity if that is 0 or infinite.
+    An x_i of a coupled row within 2^-50 mu_i x_k of a bound, a rounded product, is at it.
     A problem with the key `scale` has at least s_i scale as that sum (of a row of zeros: no more than |b_i|).
     natural_residual = max_i |x_i - P_i(x_i - w_i)|;       e(x) = max_i |x_i - P_i(x_i - w_i/s_i)| sqrt(s_i)
     x is worth something if e(x) <= e(P(0))/10 or scaled_residual(P(0)) <= tolerance.
@@ -141,9 +141,9 @@ class Problem:
         """All numbers about x: w, the sizes of its terms, r, both residuals and the square of e(x)."""
         at = SimpleNamespace(w=[], size=[], r=[], natural=Q(0), e2=Q(0))
         rows = [(w, max(size, rest), lo, hi) for rest, (w, size, lo, hi) in zip(self.rest, self.rows_at(x))]
-        rows = [(w, size if k < 0 else max(size, s * hi / 10**6), lo, hi)
-                for s, k, (w, size, lo, hi) in zip(self.scale, self.owner, rows)]
         for i, (v, s, (w, size, lo, hi)) in enumerate(zip(x, self.scale, rows)):
+            if self.owner[i] >= 0:
+                v = next((bound for bound in (lo, hi) if abs(v - bound) <= hi / 2**50), v)
             gap = abs(v - clamp(v - w / s, lo, hi))
             at.w.append(w)
             at.size.append(size)
@@ -159,7 +159,7 @@ class Problem:
         k = self.owner[i]
         if k >= 0:
             natural = max(x[k], min(rows[k][1] / self.scale[k], self.reach(k, x, rows)))
-            return max(self.mu[i] * natural, rows[i][1] / self.scale[i] / 10**6)
+            return self.mu[i] * natural or INF
         largest = max([abs(v) for v in (self.lo[i], self.hi[i]) if abs(v) != INF], default=Q(0))
         return max(largest, self.least) if largest else INF
 

@@ -42,7 +42,7 @@ pub struct FrictionCertificate {
     pub worst_row: usize,
     /// The decision; its row is one of x, t1 for a β and n for a γ of a polygon.
     pub verdict: Verdict,
-    /// What else was shown in exact arithmetic; of boxes only.
+    /// What else was shown in exact arithmetic, of boxes and of polygons with four corners: of these in their own unknowns.
     pub evidence: Option<Evidence>,
 }
 

@@ -38,15 +38,25 @@ pub fn refute(lcp: &Lcp, row: usize, direction: &[f64]) -> Option<Farkas> {
     }
     let guess: Vec<f64> =
         (0..lcp.len()).map(|i| if lcp.is_coupled(i) { 0.0 } else { direction[i] }).collect();
+    if let Some(checked) = checked(lcp, &guess) {
+        return Some(checked);
+    }
     let transposed = transposed(lcp)?;
     let zeros: Vec<usize> =
         (0..lcp.len()).filter(|&j| must_vanish(lcp, &transposed, j, &guess)).collect();
     let entries: Vec<usize> = (0..lcp.len()).filter(|&i| i != row && guess[i] != 0.0).collect();
     let dual = Exact::new(&transposed);
-    let as_given = dual.repaired(&guess, &[], &[]);
-    let d = as_given
-        .filter(|d| proves(lcp, &dual, d))
-        .or_else(|| dual.repaired(&guess, &zeros, &entries).filter(|d| proves(lcp, &dual, d)))?;
+    let d = dual.repaired(&guess, &zeros, &entries).filter(|d| proves(lcp, &dual, d))?;
+    Some(Farkas { vector: d.entries() })
+}
+
+/// The vector, if it proves as it is given that no solution exists: checked exactly, at any size.
+pub fn checked(lcp: &Lcp, vector: &[f64]) -> Option<Farkas> {
+    if vector.len() != lcp.len() || vector.iter().any(|d| !d.is_finite()) {
+        return None;
+    }
+    let dual = Exact::new(&transposed(lcp)?);
+    let d = dual.repaired(vector, &[], &[]).filter(|d| proves(lcp, &dual, d))?;
     Some(Farkas { vector: d.entries() })
 }
 

@@ -10,7 +10,7 @@ use lcplab_problem::Lcp;
 use lcplab_problem::exact::{Pieces, Point, Search, Side};
 
 /// Of larger problems only the vectors that are at hand are tried.
-const MOST_ROWS: usize = 50;
+const MOST_ROWS: usize = 150;
 /// The same for all pieces, each of which costs the cube of the rows.
 const MOST_ROWS_IN_PIECES: usize = 20;
 

@@ -4,8 +4,8 @@ use dashu_ratio::RBig;
 use serde_json::{Map, Value, json};
 
 use lcplab_judge::{
-    Certificate, Demand, Evidence, Refutation, Verdict, error_bound, judge, printed_up, refutation,
-    upper_bound,
+    Certificate, Demand, Evidence, Refutation, Verdict, error_bound, judge, printed_up, ray,
+    refutation, upper_bound,
 };
 use lcplab_problem::Lcp;
 use lcplab_problem::file::number;
@@ -78,14 +78,18 @@ impl Answer {
     }
 }
 
-/// What the judge finds where a solver has ended on a ray or says that there is no solution.
+/// What the judge finds where a solver has ended on a ray or says that there is no solution: its own vector proves
+/// it at any size, another proof is looked for in problems that are small enough.
 pub fn proof_of_denial(lcp: &Lcp, status: &Status, demand: &Demand) -> Option<Refutation> {
-    let ray = match status {
+    let vector = match status {
         Status::Ray { direction, .. } => Some(direction.as_slice()),
         Status::NoSolution => None,
         _ => return None,
     };
-    (lcp.len() <= demand.prove_up_to).then(|| refutation(lcp, ray.as_slice())).flatten()
+    if lcp.len() <= demand.prove_up_to {
+        return refutation(lcp, vector.as_slice());
+    }
+    vector.and_then(|vector| ray::checked(lcp, vector)).map(Refutation::Vector)
 }
 
 /// A solver's claim, in one of four words and in a sentence. `infeasible` is said only with a proof.

@@ -58,6 +58,10 @@ impl Judged {
     pub fn with_claim(self, posed: &Posed, status: &Status, demand: &Demand) -> Self {
         let proof = match posed {
             Posed::Boxed(lcp) => proof_of_denial(lcp, status, demand),
+            // The directions of more corners are rounded numbers.
+            Posed::Polyhedral(polygon) if polygon.directions() == 4 => {
+                proof_of_denial(polygon.lcp(), status, demand)
+            }
             Posed::Polyhedral(_) | Posed::Cone(_) => None,
         };
         match proof {

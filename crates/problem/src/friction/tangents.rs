@@ -5,7 +5,7 @@
 //! (terms_t / R) x_t      where it is narrower: then no step is longer than the disc is wide
 //! ```
 
-use crate::merit::{self, RowTerms};
+use crate::merit::{self, RowTerms, reach_of_friction};
 
 /// The tangents' w and the sizes to measure them by, in units of 2^`exponent`.
 #[derive(Debug, Clone, Copy)]
@@ -52,8 +52,7 @@ impl Tangents {
         let w = rows.map(|row| libm::ldexp(row.w, row.exponent - exponent));
         let [m1, m2] = rows.map(|row| libm::ldexp(row.magnitude, row.exponent - exponent));
         let magnitude = m1.hypot(m2);
-        let both = RowTerms { w: 0.0, magnitude, scale, exponent };
-        let reach = both.reach_of_friction(mu, normal);
+        let reach = reach_of_friction(mu, normal);
         Tangents { w, magnitude, scale, exponent, reach }
     }
 

@@ -6,7 +6,7 @@
 
 mod row;
 
-pub use row::{Miss, RowTerms, Sum, row_scale};
+pub use row::{Miss, RowTerms, Sum, reach_of_friction, row_scale};
 pub(super) use row::{product, relative};
 
 use super::{Lcp, accurate};
@@ -14,11 +14,12 @@ use super::{Lcp, accurate};
 /// max_i r_i, the dimensionless residual that every stop test and the judge use; ∞ if x is not finite.
 ///
 /// ```text
-/// terms_i = Σ_j |a_ij x_j| + |b_i|              at least s_i times the problem's scale, if it has one, and
-///                                               10⁻⁶ s_i μ_i x_k where row i is coupled to row k
+/// terms_i = Σ_j |a_ij x_j| + |b_i|              at least s_i times the problem's scale, if it has one
 /// e_i = min(terms_i / s_i, R_i)                 s_i = row_scale, R_i = RowTerms::reach
 /// r_i = |x_i − Π(x_i − e_i w_i / terms_i)| / e_i,   0/0 = 0
 /// ```
+///
+/// An x_i that is at a bound ±μ_i x_k but for the rounding of the product counts as at it.
 ///
 /// No unit and no scaling of a row or column changes it; rounding alone makes it about 1e-16.
 ///

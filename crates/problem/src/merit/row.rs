@@ -5,8 +5,8 @@ use crate::Lcp;
 /// Terms in this range lose nothing to overflow or underflow, nor do their sums.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
 
-/// The part of what its terms ask for that a friction force must be to be told from rounding.
-const SEEN: f64 = 1e-6;
+/// The bounds ±μ x_k of a coupled row are rounded products: an x so near to one, in parts of it, is at it.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// What one row contributes to a residual: w_i with the sizes to measure it by.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,11 +92,9 @@ impl RowTerms {
     /// How far x_i is from its own projected step, between the bounds of row i at x.
     pub fn miss(&self, lcp: &Lcp, i: usize, x: &[f64]) -> Miss {
         let (lo, hi) = lcp.bounds(i, x);
-        // The bounds of a coupled row are rounded, and its terms may be none.
-        let least = if lcp.is_coupled(i) { SEEN * self.positive_scale() * hi } else { 0.0 };
-        let magnitude = self.magnitude.max(libm::ldexp(least, -self.exponent));
-        let terms = RowTerms { magnitude, ..*self };
-        terms.miss_between(x[i], lo, hi, || terms.reach(lcp, i, x))
+        let is_at = |bound: f64| lcp.is_coupled(i) && (x[i] - bound).abs() <= ROUNDING * hi;
+        let own = [lo, hi].into_iter().find(|&bound| is_at(bound)).unwrap_or(x[i]);
+        self.miss_between(own, lo, hi, || self.reach(lcp, i, x))
     }
 
     /// The same for an x_i between any bounds with their [reach](Self::reach). That is asked for only where
@@ -136,26 +134,20 @@ impl RowTerms {
     ///
     /// ```text
     /// R_i = max(|lo_i|, |hi_i|) of those that are finite, ∞ if they are all 0
-    /// R_i = max(μ_i x_k, μ_i e_k, 10⁻⁶ terms_i / s_i)      where row i is coupled to row k
+    /// R_i = μ_i max(x_k, e_k), ∞ if that is 0      where row i is coupled to row k
     /// ```
     ///
     /// A bound of 0 has no size of its own, and none is below the [scale](Lcp::scale) of the problem. The
-    /// bounds of a coupled row may vanish with x_k, but x_k is not known better than beside e_k; and
-    /// friction whose whole effect on w_i is in the last digits of its terms is rounding.
+    /// bounds of a coupled row may vanish with x_k, but x_k is not known better than beside e_k.
     pub fn reach(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
         if let Some((k, mu)) = lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
-            return self.reach_of_friction(mu, RowTerms::at(lcp, k, x).size(lcp, k, x));
+            return reach_of_friction(mu, RowTerms::at(lcp, k, x).size(lcp, k, x));
         }
         let size = |bound: f64| if bound.is_finite() { bound.abs() } else { 0.0 };
         match size(lcp.lo()[i]).max(size(lcp.hi()[i])) {
             0.0 => f64::INFINITY,
             reach => reach.max(lcp.scale()),
         }
-    }
-
-    /// The same for a friction row under a normal of this [size](Self::size).
-    pub fn reach_of_friction(&self, mu: f64, normal: f64) -> f64 {
-        (mu * normal).max(SEEN * self.natural())
     }
 
     /// max(x_k, e_k): how large x_k is, as far as it is known.
@@ -176,6 +168,14 @@ impl RowTerms {
     /// w_i itself, which may overflow.
     pub fn w(&self) -> f64 {
         libm::ldexp(self.w, self.exponent)
+    }
+}
+
+/// R of friction with this μ under a normal of this [size](RowTerms::size).
+pub fn reach_of_friction(mu: f64, normal: f64) -> f64 {
+    match mu * normal {
+        0.0 => f64::INFINITY,
+        reach => reach,
     }
 }
 

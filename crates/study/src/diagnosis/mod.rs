@@ -28,13 +28,13 @@ pub use freedom::Freedoms;
 #[cfg(feature = "mechanics")]
 pub use situation::scene;
 
-use lcplab_judge::error_bound;
 use lcplab_judge::regularity::{Regularity, least_eigenvalue, regularity};
+use lcplab_judge::{Refutation, error_bound, refutation};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::file::Problem;
-use lcplab_problem::friction::Model;
+use lcplab_problem::friction::{Model, Posed};
 use lcplab_solver::theory;
 
 /// Problems with more rows are not examined.
@@ -92,7 +92,24 @@ pub fn problem(problem: &Problem) -> Result<Diagnosis> {
     let labels = (0..problem.lcp.len()).map(label).collect();
     let mut found = Diagnosis::named(name.to_string(), labels);
     found.examine(&problem.lcp, matches!(problem.model, None | Some(Model::CoupledBox)))?;
+    if found.is_sound() {
+        found.causes.splice(0..0, impossible_polygons(problem));
+    }
     Ok(found)
+}
+
+/// That no friction from polygons with four corners satisfies the rows, where it is proved. The directions of more
+/// corners are rounded numbers, and nothing is proved of them.
+fn impossible_polygons(problem: &Problem) -> Option<Cause> {
+    let model = problem.model.filter(|model| *model == Model::Polyhedral { directions: 4 })?;
+    let Ok(Posed::Polyhedral(polygons)) = model.pose(&problem.friction()?.ok()?, None) else {
+        return None;
+    };
+    let proof = match refutation(polygons.lcp(), &[])? {
+        Refutation::Vector(_) => Proof::Vector,
+        Refutation::CaseSplit { pieces } => Proof::CaseSplit { pieces },
+    };
+    Some(Cause::Impossible { rows: Vec::new(), proof })
 }
 
 /// How many sweeps theory foretells, if they are many.

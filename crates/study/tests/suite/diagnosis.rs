@@ -31,6 +31,15 @@ fn equations(rows: &[&[f64]], b: &[f64]) -> Lcp {
 }
 
 #[test]
+fn friction_of_a_polygon_that_no_forces_satisfy_is_called_impossible() {
+    // Every piece of the polygon's LCP was tried by hand-written rational code too: none holds a solution.
+    let text = r#"{"A": {"dense": [[1, -1, 0], [0, -1, -2], [-2, 2, 2]]}, "b": [-2, 0, 0],
+                   "friction_index": [-1, 0, 0], "mu": [0, 2, 2], "model": "polygon-4"}"#;
+    let found = problem(&Problem::parse(text, "polygon").unwrap()).unwrap();
+    assert!(!found.is_sound(), "{:?}", names(&found));
+}
+
+#[test]
 fn a_regular_problem_has_nothing_wrong() {
     let found = of_lcp(contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, 2.0]));
     let regular = found.regularity.as_ref().unwrap();

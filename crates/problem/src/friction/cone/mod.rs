@@ -33,7 +33,7 @@
 //! ```
 //!
 //! s_t is the scale of the tangents' block of A, but at least terms_t / R, so that no step is longer than
-//! the disc may be wide: R = max(μ x_n, μ terms_n / s_n, 10⁻⁶ terms_t / s_t), as in a row with bounds
+//! the disc may be wide: R = μ max(x_n, terms_n / s_n), as in a row with bounds
 //! ([`scaled_residual`](merit::scaled_residual)).
 
 mod misses;

@@ -1,6 +1,7 @@
 //! Each model's certificate judges x, whoever found it.
 
-use lcplab_judge::{Demand, Verdict, judge_friction};
+use lcplab_judge::{Demand, Verdict, judge, judge_friction};
+use lcplab_problem::Coupling;
 use lcplab_problem::friction::{Contact, FrictionProblem, Model};
 
 use lcplab_testing::{INF, boxed, cases, pushed_mass, rubbing};
@@ -54,6 +55,52 @@ fn no_speed_of_the_slip_hides_friction_that_is_missing() {
                 assert!(!verdict.is_solution(), "{model:?} {s} {v} {wrong}: {verdict}");
             }
         }
+    }
+}
+
+#[test]
+fn no_unit_and_no_mass_hides_friction_that_is_missing_or_pushes_with_the_slip() {
+    // Masses 1/a and 1/s, pressed with p and pushed with v p: x = p (1, ½, 0), in units of x from 2⁻⁶⁰ to 2⁶⁰.
+    let units = (-60..=60).step_by(12).map(|k| 2f64.powi(k));
+    let weights = [1.0, 2f64.powi(-60), 2f64.powi(60)];
+    let speeds = [1.0, 1e3, 1e14];
+    let all = units.flat_map(|p| weights.map(|s| (p, s)));
+    for (p, s, v) in all.flat_map(|(p, s)| speeds.map(|v| (p, s, v))) {
+        for a in [1.0 / p, 1.0] {
+            let (s, push) = (s * a, s * a * v * p);
+            let rows: [&[f64]; 3] = [&[a, 0.0, 0.0], &[0.0, s, 0.0], &[0.0, 0.0, s]];
+            let lcp = boxed(&rows, &[-a * p, -push, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
+            let contact = Contact { rows: [0, 1, 2], mu: 0.5 };
+            let problem = FrictionProblem::new(lcp, vec![contact]).unwrap();
+            for model in [
+                Model::CoupledBox,
+                Model::Polyhedral { directions: 4 },
+                Model::Polyhedral { directions: 8 },
+                Model::CoulombCone,
+            ] {
+                let is_solution =
+                    |x: [f64; 3]| verdict(&problem, model, &x.map(|x| p * x)).is_solution();
+                assert!(is_solution([1.0, 0.5, 0.0]), "{model} {p} {a} {s} {v}");
+                for wrong in [[1.0, 0.0, 0.0], [1.0, 0.25, 0.0], [1.0, -0.5, 0.0], [1.0, 0.0, 0.5]]
+                {
+                    assert!(!is_solution(wrong), "{model} {p} {a} {s} {v} {wrong:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn friction_that_no_row_feels_is_friction_all_the_same() {
+    // w_t = 1 whatever x, so x_t = −μ x_n; the normal may feel it or not.
+    for (a_nt, n, x) in
+        [(0.0, 1.0, [1.0, -0.5]), (0.0, 1e15, [1e15, -0.5e15]), (1.0, 1e15, [2e15, -1e15])]
+    {
+        let lcp = boxed(&[&[1.0, a_nt], &[0.0, 0.0]], &[-n, 1.0], &[0.0, -INF], &[INF; 2]);
+        let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
+        let lcp = lcp.with_coupling(coupling).unwrap();
+        let is_solution = |x: [f64; 2]| judge(&lcp, &x, &Demand::default()).verdict.is_solution();
+        assert!(is_solution(x) && !is_solution([n, 0.0]), "{n}");
     }
 }
 
