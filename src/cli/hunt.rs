@@ -9,17 +9,24 @@ use lcplab::solver::{ALL, Options, Settings, Solver, entry};
 
 use super::limits::Limits;
 use super::plugin::Plugins;
+use super::search::Quarry;
 use super::{Outcome, bar, print};
 
-/// Give random hostile problems to the solvers and look for claims that are not true
+/// Give random hostile problems to the solvers and look for claims that are not true, or search for the
+/// smallest problem that breaks one
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   lcplab hunt --problems 100000 --seed 1
   lcplab hunt --solver dantzig --json
   lcplab hunt --plugin \"python3 mine.py\" --problems 1000
+  lcplab hunt --plugin \"python3 mine.py\" --measure lie --out bug.json   # the smallest problem it gets wrong
+  lcplab hunt --measure ratio murty:block-pivoting --n 8
 
-Problem k of a seed is the same in every run. The exit code is 1 if a solver's claim is false.")]
+Without --measure it prints a table of what was claimed of so many problems. With it, it climbs from random ones
+(hostile kinds, families of the library, small whole numbers) by small changes, makes the best one as small as
+it can, and prints it with its exact solution and a test. The same seed finds the same. The exit code is 1 if
+a solver's claim is false.")]
 pub struct Challenge {
     /// How many problems
     #[arg(long, default_value_t = 10_000)]
@@ -33,6 +40,8 @@ pub struct Challenge {
     /// Most sweeps or pivots: enough for an answer, few enough for many problems
     #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]
     max_iterations: usize,
+    #[command(flatten)]
+    quarry: Quarry,
     #[command(flatten)]
     plugins: Plugins,
     /// Print JSON
@@ -49,6 +58,9 @@ impl Challenge {
         let named = self.solver.iter().map(String::as_str);
         let names: Vec<&str> =
             named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
+        if self.quarry.is_given() {
+            return self.quarry.hunt(&names, options, self.seed, self.json, limits);
+        }
         let solvers: Vec<Box<dyn Solver>> = match names.as_slice() {
             [] => ALL.iter().map(|entry| (entry.build)(&options)).collect(),
             names => {

@@ -18,6 +18,7 @@ mod plugin;
 mod problem;
 mod report;
 mod scene;
+mod search;
 mod shell;
 mod verify;
 

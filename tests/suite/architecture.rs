@@ -28,7 +28,7 @@ const ROWS: [(&str, &[&[&str]]); 4] = [
     (
         "crates/study/src",
         &[
-            &["answer", "aside", "attempt", "clarabel", "number"],
+            &["answer", "aside", "attempt", "card", "clarabel", "number"],
             &["families", "friction", "methods", "profiles", "tasks"],
             &["comparison", "hunt"],
             &["explain", "diagnosis"],

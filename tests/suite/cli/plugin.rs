@@ -72,6 +72,38 @@ fn the_hunt_finds_what_a_plug_in_says_that_is_not_true() {
 }
 
 #[test]
+fn the_smallest_problem_that_a_plug_in_gets_wrong_has_a_normal_and_a_tangent() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("bug.json");
+    let file = file.to_str().unwrap();
+    let hunt = ["hunt", "--plugin", SWEEPS, "--measure", "lie", "--n", "2..4", "--out", file];
+    let [(found, code), (again, _)] = [told(&hunt), told(&hunt)];
+    assert_eq!((&found["found"], code), (&Value::Bool(true), Some(1)));
+    assert_eq!(found, again); // the same seed finds the same
+    assert_eq!(found["problem"]["friction_index"].as_array().map(Vec::len), Some(2));
+    assert_eq!(found["problem"]["expected"]["complete"], true);
+    // The file shows it again, and says who is right.
+    assert_eq!(told(&["solve", file, "--plugin", SWEEPS]).1, Some(1));
+    assert_eq!(told(&["solve", file, "--solver", "enumeration"]).1, Some(0));
+}
+
+#[test]
+fn a_search_that_cannot_be_made_is_bad_usage() {
+    for (options, reason) in [
+        (&["--measure", "lie"][..], "one solver is hunted"),
+        (&["--measure", "luck", "--solver", "pgs"], "must be lie, failure"),
+        (&["--measure", "ratio", "--solver", "pgs"], "needs a rival"),
+        (&["--measure", "ratio", "pgs"], "of two solvers, A:B"),
+        (&["--measure", "lie", "--solver", "pgs", "--n", "0..3"], "must lie within"),
+        (&["--n", "3"], "--measure"),
+    ] {
+        let output = run(&[&["hunt"], options].concat());
+        assert_eq!(output.status.code(), Some(2), "{options:?}");
+        assert!(err(&output).contains(reason), "{options:?}: {}", err(&output));
+    }
+}
+
+#[test]
 fn a_command_that_is_no_plug_in_is_bad_usage() {
     let told = |options: &[&str]| {
         let output = run(&[&["hunt", "--problems", "1"], options].concat());

@@ -1,5 +1,6 @@
 //! What a search looks for, as a number that grows towards it.
 
+use std::fmt;
 use std::str::FromStr;
 
 use lcplab_judge::{Demand, Evidence, Verdict, judge};
@@ -43,6 +44,18 @@ impl FromStr for Measure {
             "ratio" => Ok(Measure::Ratio),
             _ => Err("must be lie, failure, iterations, error or ratio".into()),
         }
+    }
+}
+
+impl fmt::Display for Measure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Measure::Lie => "lie",
+            Measure::Failure => "failure",
+            Measure::Iterations => "iterations",
+            Measure::Error => "error",
+            Measure::Ratio => "ratio",
+        })
     }
 }
 

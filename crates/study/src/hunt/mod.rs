@@ -27,9 +27,13 @@
 //! ```
 //!
 //! Problem k of a seed is the same in every hunt, on any number of threads: [`problem`].
+//!
+//! A [`Search`] goes on from there: it climbs from random problems towards one that breaks a solver
+//! ([`Measure`]) and makes that as small as it can; a [`Finding`] explains it.
 
 mod change;
 pub mod cone;
+mod finding;
 mod measure;
 mod numbers;
 mod problem;
@@ -38,6 +42,7 @@ mod shrink;
 mod tally;
 mod truth;
 
+pub use finding::Finding;
 pub use measure::{Measure, Score, Trial};
 pub use problem::{KINDS, Kind, problem};
 pub use search::{Catch, Search, Searched};

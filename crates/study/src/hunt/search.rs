@@ -250,15 +250,10 @@ fn family(random: &mut Random, rows: RangeInclusive<usize>) -> Option<Lcp> {
     let families: Vec<_> = library::all().collect();
     let family = families[random.whole(0, families.len() as i64 - 1) as usize];
     let n = random.whole(*rows.start() as i64, *rows.end() as i64) as f64;
-    let given = |name: &str| match name {
-        "n" => Some(n),
-        "seed" => Some(1.0),
-        _ => None,
-    };
     let seed = random.whole(1, 1000) as f64;
-    let values = family.parameters().iter().filter_map(|p| Some((p.name, given(p.name)?)));
-    let values: Vec<_> =
-        values.map(|(name, v)| (name, if name == "seed" { seed } else { v })).collect();
+    let has = |name: &str| family.parameters().iter().any(|parameter| parameter.name == name);
+    let values: Vec<(&str, f64)> =
+        [("n", n), ("seed", seed)].into_iter().filter(|(name, _)| has(name)).collect();
     family.generate(&values).ok().map(|problem| problem.lcp)
 }
 

@@ -2,12 +2,13 @@
 
 use std::ops::RangeInclusive;
 
-use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
+use lcplab_problem::{Lcp, merit};
+use lcplab_solver::theory::optimal_omega;
 use lcplab_solver::{
     Entry, Observer, Options, Settings, Solution, Solver, Start, Status, Stop, entry,
 };
-use lcplab_study::hunt::{Catch, Measure, Search, Trial};
+use lcplab_study::hunt::{Catch, Finding, Measure, Search, Trial};
 
 /// A plain projected Gauss-Seidel with one mistake.
 #[derive(Clone, Copy)]
@@ -53,6 +54,12 @@ impl Solver for Mistaken {
             if !moved.is_finite() || x.iter().any(|x| !x.is_finite()) {
                 return Solution::new(lcp, before, Status::Diverged, sweep);
             }
+            if matches!(self, Mistaken::NeverRenewsTheFrictionBounds) {
+                if merit::scaled_residual(&lcp.frozen_at(&first), &x) <= 1e-9 {
+                    return Solution::new(lcp, x, Status::Solved, sweep);
+                }
+                continue;
+            }
             if moved <= 1e-14 * x.iter().fold(0.0, |most: f64, x| most.max(x.abs())) {
                 return Solution::new(lcp, x, Status::Solved, sweep);
             }
@@ -92,7 +99,6 @@ fn three_planted_mistakes_are_found_and_shrunk_to_a_contact_or_two() {
     ] {
         let trial = trial(Measure::Lie, mistaken(mistake), None, 1000);
         let catch = search(&trial, 1..=8, 20_000).expect("a lie");
-        println!("{} {} {:?}", catch.evaluation, catch.shrinking, catch.lcp);
         assert!(catch.lcp.len() <= rows, "{} rows: {:?}", catch.lcp.len(), catch.lcp);
         assert!(trial.score(&catch.lcp, 1000).is_found);
         assert!(all_solutions(&catch.lcp).is_some());
@@ -103,7 +109,6 @@ fn three_planted_mistakes_are_found_and_shrunk_to_a_contact_or_two() {
 fn the_wrong_fixed_point_of_code_6_is_found() {
     let trial = trial(Measure::Failure, *entry("code6").unwrap(), None, 1000);
     let catch = search(&trial, 2..=5, 20_000).expect("a failure");
-    println!("{} {} {:?}", catch.evaluation, catch.shrinking, catch.lcp);
     assert_eq!(catch.lcp.len(), 2);
 }
 
@@ -113,28 +118,48 @@ fn an_honest_solver_is_not_caught() {
     assert!(search(&trial, 1..=4, 4000).is_none());
 }
 
+/// The same with an end to what is asked; `docs/hunt.md` has what the whole search finds, in its time.
+fn enough(trial: &Trial, rows: RangeInclusive<usize>, at_least: f64) -> Catch {
+    let search = Search { rows, evaluations: 20_000, seed: 1, at_least: Some(at_least) };
+    search.run(trial, &Stop::default(), &|_| ()).catch.expect("a ratio")
+}
+
 #[test]
 fn a_matrix_is_found_on_which_least_index_pivoting_takes_many_pivots_and_block_pivoting_few() {
     let trial = trial(Measure::Ratio, *entry("murty").unwrap(), Some("block-pivoting"), 1000);
-    let catch = search(&trial, 8..=8, 60_000).expect("a ratio");
-    println!("{} {} {} {:?}", catch.value, catch.evaluation, catch.shrinking, catch.lcp);
+    let catch = enough(&trial, 6..=6, 12.0);
     let pivots = |name: &str| {
         let solver = (entry(name).unwrap().build)(&Options::default());
         solver.solve(&catch.lcp, &Start::default(), &mut ()).iterations
     };
-    assert!(
-        pivots("murty") >= 64 && pivots("block-pivoting") <= 16,
-        "{} {}",
-        pivots("murty"),
-        pivots("block-pivoting")
-    );
+    let (murty, block) = (pivots("murty"), pivots("block-pivoting"));
+    assert_eq!(murty as f64 / block as f64, catch.value);
+    assert!(catch.value >= 12.0, "{murty} {block}");
 }
 
 #[test]
-fn two_rows_are_found_on_which_gauss_seidel_takes_a_thousand_times_the_sweeps_of_the_best_sor() {
-    let trial = trial(Measure::Ratio, *entry("pgs").unwrap(), Some("sor"), 100_000_000);
-    let search = Search { rows: 2..=3, evaluations: 4000, seed: 1, at_least: Some(1000.0) };
-    let catch = search.run(&trial, &Stop::default(), &|_| ()).catch.expect("a ratio");
-    println!("{} {} {} {:?}", catch.value, catch.evaluation, catch.shrinking, catch.lcp);
-    assert!(catch.value >= 1000.0, "{}", catch.value);
+fn two_rows_are_found_on_which_gauss_seidel_takes_a_hundred_times_the_sweeps_of_the_best_sor() {
+    let trial = trial(Measure::Ratio, *entry("pgs").unwrap(), Some("sor"), 10_000_000);
+    let catch = enough(&trial, 2..=3, 100.0);
+    assert!(catch.value >= 100.0, "{}", catch.value);
+    // Young: with rho of Jacobi, ln rho^2 of Gauss-Seidel beside ln (omega* - 1) of the best SOR.
+    let a = catch.lcp.matrix();
+    if catch.lcp.len() == 2 {
+        let jacobi = (a.entry(0, 1) * a.entry(1, 0) / (a.diagonal(0) * a.diagonal(1))).sqrt();
+        let best = optimal_omega(jacobi) - 1.0;
+        let ratio = best.ln() / (jacobi * jacobi).ln();
+        assert!((0.3..3.0).contains(&(catch.value / ratio)), "{} {ratio}", catch.value);
+    }
+}
+
+#[test]
+fn what_was_found_is_explained_with_its_exact_solution() {
+    let trial = trial(Measure::Lie, mistaken(Mistaken::ClampsAfterTheSweep), None, 1000);
+    let catch = search(&trial, 2..=2, 2000).expect("a lie");
+    let finding = Finding::of(&catch, &trial, 1);
+    let solutions = finding.problem.extra["expected"]["solutions"].as_array().unwrap();
+    assert_eq!(solutions.len(), all_solutions(&catch.lcp).unwrap().len());
+    assert!(finding.words.starts_with("mistaken says: solved, but row"), "{}", finding.words);
+    assert!(finding.equations().starts_with("  w_0 = "), "{}", finding.equations());
+    assert!(finding.test.contains("fn lie_of_mistaken()"));
 }

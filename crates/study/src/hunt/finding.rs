@@ -1,0 +1,154 @@
+//! What a search found, as a file, a paragraph and a test case.
+
+use dashu_ratio::RBig;
+use serde_json::{Value, json};
+
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::all_solutions;
+use lcplab_problem::file::Problem;
+
+use super::measure::{Measure, Trial};
+use super::search::Catch;
+use crate::card::Card;
+
+/// Solutions that are written out at most.
+const SHOWN: usize = 3;
+/// Problems with more rows are not written as equations.
+const WRITTEN_ROWS: usize = 8;
+
+/// A problem that breaks a solver, explained.
+#[derive(Debug, Clone)]
+pub struct Finding {
+    /// The problem, with its exact solutions where all pieces could be tried.
+    pub problem: Problem,
+    /// What happens on it, what it is like, and what is true.
+    pub words: String,
+    /// A test in Rust that fails while it happens.
+    pub test: String,
+}
+
+impl Finding {
+    /// What a search with this seed found.
+    pub fn of(catch: &Catch, trial: &Trial, seed: u64) -> Finding {
+        let lcp = &catch.lcp;
+        let measure = trial.measure;
+        let solutions = all_solutions(lcp);
+        let title = format!(
+            "{measure} of {}, seed {seed}, evaluation {}",
+            trial.solver.name, catch.evaluation
+        );
+        let mut problem = Problem::new(title, lcp.clone());
+        problem.extra.insert("source".into(), json!("found by lcplab hunt"));
+        if let Some(solutions) = &solutions {
+            problem.extra.insert("expected".into(), expected(solutions));
+        }
+        let truth = solutions.as_deref().map(truth).unwrap_or_default();
+        let (happens, card) = (trial.words(lcp), Card::of(lcp).words());
+        let words = format!("{happens}. The problem has {card}.{truth}");
+        let test = test(&problem, trial, catch);
+        Finding { problem, words, test }
+    }
+
+    /// The problem as equations, row by row; nothing of a large one.
+    pub fn equations(&self) -> String {
+        let lcp = &self.problem.lcp;
+        if lcp.len() > WRITTEN_ROWS {
+            return String::new();
+        }
+        (0..lcp.len()).map(|i| format!("  {}\n", row(lcp, i))).collect()
+    }
+}
+
+/// w_1 = 2 x_0 − x_1 + 3 and the bounds of x_1.
+fn row(lcp: &Lcp, i: usize) -> String {
+    let mut sum = String::new();
+    let mut add = |value: f64, of: &str| {
+        let sign = match (value < 0.0, sum.is_empty()) {
+            (true, true) => "−",
+            (true, false) => " − ",
+            (false, true) => "",
+            (false, false) => " + ",
+        };
+        let size = value.abs();
+        let factor = if size == 1.0 && !of.is_empty() { String::new() } else { short(size) + " " };
+        sum += sign;
+        sum += (factor + of).trim_end();
+    };
+    for (j, a) in lcp.matrix().row(i).iter().filter(|(_, a)| *a != 0.0) {
+        add(a, &format!("x_{j}"));
+    }
+    if lcp.b()[i] != 0.0 || lcp.matrix().row(i).iter().all(|(_, a)| a == 0.0) {
+        add(lcp.b()[i], "");
+    }
+    let bounds = match lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
+        Some((k, mu)) => format!("|x_{i}| ≤ {} x_{k}", short(mu)),
+        None => match (lcp.lo()[i], lcp.hi()[i]) {
+            (lo, hi) if lo == hi => format!("x_{i} = {}", short(lo)),
+            (f64::NEG_INFINITY, f64::INFINITY) => format!("x_{i} free"),
+            (f64::NEG_INFINITY, hi) => format!("x_{i} ≤ {}", short(hi)),
+            (lo, f64::INFINITY) => format!("x_{i} ≥ {}", short(lo)),
+            (lo, hi) => format!("{} ≤ x_{i} ≤ {}", short(lo), short(hi)),
+        },
+    };
+    format!("w_{i} = {sum},   {bounds}")
+}
+
+/// The shortest text that is read as this number.
+fn short(value: f64) -> String {
+    let text = format!("{value:?}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_string).replace('-', "−")
+}
+
+/// The key `expected` of a problem file.
+fn expected(solutions: &[Vec<RBig>]) -> Value {
+    let texts = |solution: &Vec<RBig>| solution.iter().map(ToString::to_string).collect();
+    let solutions: Vec<Vec<String>> = solutions.iter().map(texts).collect();
+    json!({ "solutions": solutions, "complete": true })
+}
+
+/// What is true, in a sentence.
+fn truth(solutions: &[Vec<RBig>]) -> String {
+    let vector = |solution: &Vec<RBig>| {
+        let entries: Vec<String> = solution.iter().map(ToString::to_string).collect();
+        format!("({})", entries.join(", ").replace('-', "−"))
+    };
+    let shown: Vec<String> = solutions.iter().take(SHOWN).map(vector).collect();
+    match solutions.len() {
+        0 => " It has no solution, as all choices of active rows show.".into(),
+        1 => format!(" Its solution is x = {}.", shown[0]),
+        n if n > SHOWN => format!(" It has {n} solutions, such as x = {}.", shown[0]),
+        n => format!(" It has {n} solutions: x = {}.", shown.join(", ")),
+    }
+}
+
+/// A test that fails as long as the solver does what was found.
+fn test(problem: &Problem, trial: &Trial, catch: &Catch) -> String {
+    let demand = match trial.measure {
+        Measure::Lie => "let verdict = judge(&lcp, &solution.x, &Demand::default()).verdict;\n    \
+             assert!(solution.status != Status::Solved || verdict.is_solution(), \"{verdict}\");"
+            .to_string(),
+        Measure::Failure => "assert_eq!(solution.status, Status::Solved);".to_string(),
+        Measure::Error => format!(
+            "let proof = judge(&lcp, &solution.x, &Demand::default());\n    \
+             assert!(proof.verdict.is_solution()); // and its distance is below {:e}",
+            catch.value
+        ),
+        Measure::Iterations => format!("assert!(solution.iterations < {});", catch.value),
+        Measure::Ratio => {
+            let name = trial.rival.map_or("", |rival| rival.name);
+            format!("assert!(solution.iterations < 100); // {:.0} times {name}", catch.value)
+        }
+    };
+    let (name, most) = (trial.solver.name, trial.options.settings.max_iterations);
+    let word = name.replace('-', "_");
+    format!(
+        "#[test]\nfn {}_of_{word}() {{\n    let text = r#\"{}\"#;\n    \
+         let lcp = Problem::parse(text, \"hunt\").unwrap().lcp;\n    \
+         let settings = Settings {{ max_iterations: {most}, ..Settings::default() }};\n    \
+         let options = Options {{ settings, ..Options::default() }};\n    \
+         let solver = by_name(\"{name}\", &options).unwrap();\n    \
+         let solution = solver.solve(&lcp, &Start::default(), &mut ());\n    {demand}\n}}\n",
+        trial.measure,
+        problem.to_json(),
+    )
+}
