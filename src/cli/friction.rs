@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use lcplab::certificate::Demand;
+use lcplab::certificate::{Demand, Verdict, judge_friction};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::{FrictionProblem, Model, Posed};
@@ -82,14 +82,20 @@ impl Friction {
     }
 
     /// Judges an answer and prints the verdict.
-    pub fn judge(&self, title: &str, x: &[f64], demand: &Demand, json: bool) -> Result<Outcome> {
+    pub fn judge(&self, title: &str, x: &[f64], demand: &Demand, json: bool) -> Result<Verdict> {
         let judged = Judged::of(&self.problem, &self.posed, x, demand);
         if json {
             self.print_json(Map::new(), &judged)?;
         } else {
             self.print_text(title, "", &judged)?;
         }
-        Ok(outcome(&judged.certificate.verdict, None))
+        Ok(judged.certificate.verdict)
+    }
+
+    /// The verdict on an answer, and its scaled residual.
+    pub fn verdict(&self, x: &[f64], demand: &Demand) -> (Verdict, f64) {
+        let certificate = judge_friction(&self.posed, x, demand);
+        (certificate.verdict, certificate.scaled_residual)
     }
 
     fn print_json(&self, mut object: Map<String, Value>, judged: &Judged) -> Result<()> {

@@ -20,13 +20,12 @@ Example:
   lcplab hunt --problems 100000 --seed 1
   lcplab hunt --solver dantzig --json
   lcplab hunt --plugin \"python3 mine.py\" --problems 1000
-  lcplab hunt --plugin \"python3 mine.py\" --measure lie --out bug.json   # the smallest problem it gets wrong
+  lcplab hunt --plugin \"python3 mine.py\" --measure lie --out bug.json
   lcplab hunt --measure ratio murty:block-pivoting --n 8
 
-Without --measure it prints a table of what was claimed of so many problems. With it, it climbs from random ones
-(hostile kinds, families of the library, small whole numbers) by small changes, makes the best one as small as
-it can, and prints it with its exact solution and a test. The same seed finds the same. The exit code is 1 if
-a solver's claim is false.")]
+Without --measure it prints a table of what was claimed of so many problems. With it, it climbs from
+random problems by small changes, makes the best one as small as it can, and prints it with its exact
+solution and a test. The same seed finds the same. Exit code 1 if a solver's claim is false.")]
 pub struct Challenge {
     /// How many problems
     #[arg(long, default_value_t = 10_000)]

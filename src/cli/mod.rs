@@ -9,6 +9,7 @@ mod form;
 mod friction;
 mod grid;
 mod hunt;
+mod judge;
 mod lesson;
 mod library;
 mod limits;
@@ -20,6 +21,7 @@ mod report;
 mod scene;
 mod search;
 mod shell;
+mod trace;
 mod verify;
 
 use std::path::{Path, PathBuf};
@@ -67,7 +69,7 @@ enum Command {
     Report(report::Report),
     Grid(grid::Grid),
     Solve(problem::Solve),
-    Judge(problem::Judge),
+    Judge(judge::Judge),
     Problems(library::Problems),
     Generate(library::Generate),
     Convert(convert::Convert),

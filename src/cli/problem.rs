@@ -1,25 +1,28 @@
-//! `solve` and `judge`: commands on a problem file.
+//! `solve`: a problem file, solved and judged; and how an answer to one is printed.
 
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::certificate::{Certificate, Demand, Verdict, judge, printed_up, upper_bound};
+use lcplab::certificate::{Certificate, Verdict, upper_bound};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::Lcp;
-use lcplab::lcp::file::{Problem, number, read_answer};
+use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{Answer, bound, certificate_json, certificate_text};
+use lcplab::report::answer::{Answer, certificate_text};
 use lcplab::report::methods;
-use lcplab::solver::{Method, Reason, Settings, Start, Status, default_for};
+use lcplab::solver::{Method, Observer, Reason, Start, Status, default_for};
+
+use lcplab::trace::Convergence;
 
 use super::friction::{Friction, model};
-use super::limits::{Limits, MemoryLimit};
+use super::limits::Limits;
 use super::options::SolverArgs;
 use super::plugin::Plugins;
+use super::trace::Tracing;
 use super::{Outcome, print, read_problem};
 
 /// Rows up to which `judge` and `solve --exact` prove.
-const PROVED_ROWS: usize = 150;
+pub const PROVED_ROWS: usize = 150;
 /// Characters of a problem's name that are printed at most.
 const NAME: usize = 200;
 /// Rows of x and w that are printed at most.
@@ -33,6 +36,7 @@ Example:
   lcplab generate pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
   lcplab generate stack | lcplab solve - --solver pgs --order shuffled --seed 7
   lcplab solve problem.mtx        # and problem_b.mtx beside it; any format of `convert --list`
+  lcplab solve stack.json --solver sor --omega 1.7 --trace trace.csv --plot trace.svg
   lcplab solve problem.json --plugin \"python3 mine.py\"     # a solver of yours, in any language
 
 A problem with friction rows is solved as it stands, as a coupled box, unless --model, the key
@@ -54,6 +58,8 @@ pub struct Solve {
     /// Print one JSON object
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    tracing: Tracing,
     #[command(flatten)]
     plugins: Plugins,
     #[command(flatten)]
@@ -77,6 +83,7 @@ impl Solve {
             demand.prove_up_to = PROVED_ROWS;
         }
         if let Some(model) = model(self.model, solver, &problem) {
+            self.tracing.check(false)?;
             let method = methods::by_name(solver.unwrap_or(methods::default_for(model)), model)?;
             let options = self.settings.options(&[method])?;
             let friction = Friction::of(&problem, model, &self.problem)?;
@@ -86,9 +93,13 @@ impl Solve {
         let entry = methods::entry(solver.unwrap_or_else(|| default_for(&problem.lcp)))?;
         let options = self.settings.options(&[Method::Boxed(entry)])?;
         let (solver, stop) = ((entry.build)(&options), limits.stop());
-        let solution = solver.solve(&problem.lcp, &Start::default(), &mut stop.watch(&mut ()));
+        let mut trace = Convergence::of(&problem.lcp);
+        let observer: &mut dyn Observer =
+            if self.tracing.is_wanted() { &mut trace } else { &mut () };
+        let solution = solver.solve(&problem.lcp, &Start::default(), &mut stop.watch(observer));
         let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
         limits.over();
+        self.tracing.write(&problem.lcp, entry.name, &options, &solution, &trace.records)?;
         let answer = Answer::judged(&problem.lcp, entry.name, solution, &demand).stopped(stopped);
         if self.json {
             print(&format!("{}\n", answer.to_json()))?;
@@ -113,60 +124,6 @@ impl Solve {
     }
 }
 
-/// Judge an answer to a problem, whoever found it
-#[derive(Debug, Args)]
-#[command(after_help = "\
-Example:
-  lcplab solve problem.json --json > answer.json; lcplab judge problem.json answer.json
-  lcplab judge friction.json answer.json --model coulomb-cone
-
-Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
-pub struct Judge {
-    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
-    problem: PathBuf,
-    /// Any JSON object with a key "x"
-    answer: PathBuf,
-    /// Model of friction to judge by [default: the file's]
-    #[arg(long)]
-    model: Option<Model>,
-    /// Largest scaled residual that counts as solved
-    #[arg(long, allow_negative_numbers = true, default_value_t = Demand::default().tolerance)]
-    tolerance: f64,
-    #[command(flatten)]
-    memory: MemoryLimit,
-    /// Print one JSON object
-    #[arg(long)]
-    json: bool,
-}
-
-impl Judge {
-    pub fn run(&self) -> Result<Outcome> {
-        Settings { tolerance: self.tolerance, ..Settings::default() }.validate()?;
-        let memory = self.memory.max_memory;
-        let problem = read_problem(&self.problem, memory)?;
-        let x = read_answer(&self.answer, problem.lcp.len(), memory)?;
-        let demand = Demand { tolerance: self.tolerance, prove_up_to: PROVED_ROWS };
-        if let Some(model) = model(self.model, None, &problem) {
-            let friction = Friction::of(&problem, model, &self.problem)?;
-            return friction.judge(&title(&problem), &x, &demand, self.json);
-        }
-        let certificate = judge(&problem.lcp, &x, &demand);
-        let bound = bound(&problem.lcp, &x, &certificate);
-        if self.json {
-            let mut object = certificate_json(&certificate);
-            if let Some(bound) = bound {
-                object.insert("error_bound".into(), number(printed_up(bound)));
-            }
-            print(&format!("{}\n", serde_json::Value::Object(object)))?;
-        } else {
-            let text =
-                title(&problem) + "\n" + &certificate_text(&certificate) + &bound_text(bound);
-            print(&(text + &rows(&problem.lcp, &x, &certificate)))?;
-        }
-        Ok(outcome(&certificate.verdict, None))
-    }
-}
-
 /// How it came out: what counts is the judge's word, unless the solver was stopped.
 pub fn outcome(verdict: &Verdict, stopped: Option<Reason>) -> Outcome {
     match stopped {
@@ -176,7 +133,7 @@ pub fn outcome(verdict: &Verdict, stopped: Option<Reason>) -> Outcome {
     }
 }
 
-fn title(problem: &Problem) -> String {
+pub fn title(problem: &Problem) -> String {
     let name = if problem.name.is_empty() { "problem" } else { &on_one_line(&problem.name) };
     let n = problem.lcp.len();
     format!("{name}: {n} rows, {} stored entries", problem.lcp.matrix().stored())
@@ -189,14 +146,14 @@ fn on_one_line(name: &str) -> String {
     if name.chars().nth(NAME).is_some() { shown + "…" } else { shown }
 }
 
-fn bound_text(bound: Option<f64>) -> String {
+pub fn bound_text(bound: Option<f64>) -> String {
     let line = |bound| {
         format!("  error bound      {:>10}  no entry of x is further off\n", upper_bound(bound))
     };
     bound.map(line).unwrap_or_default()
 }
 
-fn rows(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> String {
+pub fn rows(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> String {
     let mut text = format!("{:>5} {:>13} {:>13} {:>13} {:>13}\n", "row", "lo", "x", "hi", "w");
     for i in 0..x.len().min(PRINTED_ROWS) {
         let (lo, hi) = lcp.bounds(i, x);

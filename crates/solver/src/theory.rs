@@ -26,7 +26,7 @@
 
 use nalgebra::DMatrix;
 
-use lcplab_problem::Matrix;
+use lcplab_problem::{Lcp, Matrix};
 
 /// The rows and columns `rows` of A, in that order: the matrix of a phase with these rows free.
 pub fn principal_submatrix(a: &Matrix, rows: &[usize]) -> Matrix {
@@ -104,6 +104,18 @@ pub fn contraction(g: &DMatrix<f64>) -> f64 {
         values.iter().filter(|z| moving(z)).map(|z| z.re.hypot(z.im)).fold(0.0, f64::max)
     };
     g.eigenvalues().map_or(f64::NAN, largest)
+}
+
+/// The contraction of sweeps on the rows that are free at x, the point that they lead to; `None` if it is not below 1.
+/// `matrix` makes the iteration matrix of a block of A.
+pub fn rate_beside(lcp: &Lcp, x: &[f64], matrix: impl Fn(&Matrix) -> DMatrix<f64>) -> Option<f64> {
+    let is_inside = |&i: &usize| {
+        let (lo, hi) = lcp.bounds(i, x);
+        lo < x[i] && x[i] < hi
+    };
+    let free: Vec<usize> = (0..lcp.len()).filter(is_inside).collect();
+    let rate = contraction(&matrix(&principal_submatrix(lcp.matrix(), &free)));
+    (rate < 1.0).then_some(rate)
 }
 
 /// An eigenvalue this near to 1 is 1 but for rounding.

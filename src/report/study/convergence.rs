@@ -131,19 +131,7 @@ fn curve(lcp: &Lcp, omega: f64) -> Curve {
     Curve {
         omega,
         records: trace.records,
-        predicted_rate: predicted(lcp, &x, omega),
+        predicted_rate: theory::rate_beside(lcp, &x, |a| theory::sor_iteration_matrix(a, omega)),
         measured_rate,
     }
-}
-
-/// The contraction on the rows that are free at x, where the sweeps have led.
-fn predicted(lcp: &Lcp, x: &[f64], omega: f64) -> Option<f64> {
-    let inside = |&i: &usize| {
-        let (lo, hi) = lcp.bounds(i, x);
-        lo < x[i] && x[i] < hi
-    };
-    let free: Vec<usize> = (0..lcp.len()).filter(inside).collect();
-    let a = theory::principal_submatrix(lcp.matrix(), &free);
-    let rate = theory::contraction(&theory::sor_iteration_matrix(&a, omega));
-    (rate < 1.0).then_some(rate)
 }

@@ -120,3 +120,63 @@ fn an_exported_step_is_solved_like_any_other_problem() {
     assert_eq!(answer["x"], serde_json::json!([4.0, 3.0, 1.0])); // errata, part 3
     assert_eq!(err(&solved), "");
 }
+
+#[test]
+fn many_answers_and_their_iterates_have_a_row_each() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_string()
+    };
+    let problem = write("one.json", r#"{"A": {"dense": [[2]]}, "b": [-1]}"#);
+    let path = write("path.json", r#"{"x": [0.5], "iterates": [[1], [0.75]]}"#);
+    let wrong = write("wrong.json", r#"{"x": [1]}"#);
+    let near = write("near.json", r#"{"x": [0.5000001]}"#);
+    let judge = |arguments: &[&str]| run(&[&["judge", &problem], arguments].concat());
+    let output = judge(&[&path, &wrong, "--json"]);
+    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let word = |k: usize| told["answers"][k]["verdict"].as_str().unwrap().to_string();
+    // |2 x - 1| beside 2 x + 1: 1/3 and 1/5 of the terms, then nothing.
+    assert_eq!(
+        (0..4).map(word).collect::<Vec<_>>(),
+        ["not_a_solution", "not_a_solution", "proved", "not_a_solution"]
+    );
+    assert_eq!(told["answers"][1]["amount"], 0.2);
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(judge(&[&path]).status.code(), Some(0)); // iterates aside
+    let [loose, strict] =
+        [&["--tolerance", "1e-6"][..], &["--tolerance", "1e-6", "--fail-on", "within_tolerance"]]
+            .map(|options| judge(&[&[near.as_str()], options].concat()).status.code());
+    assert_eq!((loose, strict), (Some(0), Some(0))); // proved: the exact solution is 1e-7 away
+    let far = write("far.json", r#"{"x": [0.500001]}"#);
+    let [loose, strict] =
+        [&["--tolerance", "1e-5"][..], &["--tolerance", "1e-5", "--fail-on", "within_tolerance"]]
+            .map(|options| judge(&[&[far.as_str()], options].concat()).status.code());
+    assert_eq!((loose, strict), (Some(0), Some(1))); // 1e-6 away is more than a millionth of x
+}
+
+#[test]
+fn a_trace_has_a_line_for_each_iterate_and_a_picture_the_rate_of_theory() {
+    let folder = tempfile::tempdir().unwrap();
+    let [problem, csv, svg] =
+        ["pair.json", "trace.csv", "trace.svg"].map(|name| folder.path().join(name));
+    std::fs::write(&problem, r#"{"A": {"dense": [[1, 0.5], [0.5, 1]]}, "b": [-1, -1]}"#).unwrap();
+    let [problem, csv, svg] = [&problem, &csv, &svg].map(|path| path.to_str().unwrap());
+    let output = run(&["solve", problem, "--solver", "pgs", "--trace", csv, "--plot", svg]);
+    assert_eq!(output.status.code(), Some(0));
+    let lines = std::fs::read_to_string(csv).unwrap();
+    let residuals: Vec<f64> = lines
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').nth(2).unwrap().parse().unwrap())
+        .collect();
+    assert!(out(&output).contains(&format!("solved, {} iterations", residuals.len() - 1)));
+    // Gauss-Seidel on [[1, c], [c, 1]]: rho = c^2.
+    for pair in residuals[2..10].windows(2) {
+        assert!((pair[1] / pair[0] - 0.25).abs() < 1e-6, "{residuals:?}");
+    }
+    assert!(std::fs::read_to_string(svg).unwrap().contains("ρ = 0.250000"));
+    let refused = run(&["solve", problem, "--model", "coulomb-cone", "--plot", svg]);
+    assert_eq!(refused.status.code(), Some(2));
+}

@@ -193,17 +193,49 @@ impl Problem {
 /// # Errors
 /// If the file cannot be read within this memory or has no such vector of `n` numbers.
 pub fn read_answer(path: &Path, n: usize, most: Memory) -> Result<Vec<f64>> {
+    read_answers(path, n, most).map(|answers| answers.x)
+}
+
+/// What an answer file holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answers {
+    /// The answer.
+    pub x: Vec<f64>,
+    /// What led to it, under the key `iterates`; none without the key.
+    pub iterates: Vec<Vec<f64>>,
+}
+
+/// The vectors under the keys `x` and `iterates` of an answer file.
+///
+/// # Errors
+/// As [`read_answer`], and if an iterate is no vector of `n` numbers.
+pub fn read_answers(path: &Path, n: usize, most: Memory) -> Result<Answers> {
     let input = path.display().to_string();
-    let object = parse_object(&read_text(path, most)?, &input)?;
+    let mut object = parse_object(&read_text(path, most)?, &input)?;
     let mut defects = Defects::default();
-    let x = numbers(&object, "x", &mut defects).unwrap_or_default();
-    if defects.is_empty() && !object.contains_key("x") {
-        defects.add("x", "is missing");
-    } else if defects.is_empty() && x.len() != n {
-        defects.add("x", format!("has {} entries, the problem has {n} rows", x.len()));
-    }
+    let mut vector = |object: &Map<String, Value>, key: &str| {
+        let before = defects.len();
+        let x = numbers(object, key, &mut defects).unwrap_or_default();
+        if defects.len() == before && !object.contains_key(key) {
+            defects.add(key, "is missing");
+        } else if defects.len() == before && x.len() != n {
+            defects.add(key, format!("has {} entries, the problem has {n} rows", x.len()));
+        }
+        x
+    };
+    let iterates = match object.remove("iterates") {
+        None | Some(Value::Null) => Vec::new(),
+        Some(Value::Array(list)) => list,
+        Some(_) => return Err(Error::invalid(input, "iterates", "must be a list of vectors")),
+    };
+    let x = vector(&object, "x");
+    let iterate = |(k, value): (usize, Value)| {
+        let key = format!("iterates[{k}]");
+        vector(&Map::from_iter([(key.clone(), value)]), &key)
+    };
+    let iterates = iterates.into_iter().enumerate().map(iterate).collect();
     defects.into_result(input)?;
-    Ok(x)
+    Ok(Answers { x, iterates })
 }
 
 /// What a JSON value takes while it is read, with its place in a list and in the matrix (bytes).

@@ -13,6 +13,8 @@ use crate::card::Card;
 
 /// Solutions that are written out at most.
 const SHOWN: usize = 3;
+/// A fraction with more characters is written as a decimal number; the file has it as it is.
+const LONGEST: usize = 24;
 /// Problems with more rows are not written as equations.
 const WRITTEN_ROWS: usize = 8;
 
@@ -108,8 +110,12 @@ fn expected(solutions: &[Vec<RBig>]) -> Value {
 
 /// What is true, in a sentence.
 fn truth(solutions: &[Vec<RBig>]) -> String {
+    let entry = |x: &RBig| match x.to_string() {
+        exact if exact.len() <= LONGEST => exact,
+        _ => format!("≈ {:.6e}", x.to_f64().value()),
+    };
     let vector = |solution: &Vec<RBig>| {
-        let entries: Vec<String> = solution.iter().map(ToString::to_string).collect();
+        let entries: Vec<String> = solution.iter().map(entry).collect();
         format!("({})", entries.join(", ").replace('-', "−"))
     };
     let shown: Vec<String> = solutions.iter().take(SHOWN).map(vector).collect();

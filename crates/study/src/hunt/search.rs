@@ -107,13 +107,14 @@ impl Search {
         let mut best: Option<(Climb, usize)> = None;
         let mut is_over = false;
         while evaluations < self.evaluations && !is_over && stop.reason().is_none() {
-            let most = (self.evaluations - evaluations).div_ceil(ROUND).min(CLIMB);
+            let left = self.evaluations - evaluations;
+            let most = |k: usize| (left / ROUND + usize::from(k < left % ROUND)).min(CLIMB);
             let elite = best.as_ref().map(|(climb, _)| &climb.numbers);
             let first = AtomicUsize::new(usize::MAX); // the first climb of the round that came to the end
             let climb = |k: usize| {
                 let from = elite.filter(|_| k % 2 == 1);
                 let is_too_late = || first.load(Relaxed) < k || stop.reason().is_some();
-                let climb = self.climb(trial, round * ROUND + k, from, most, &is_too_late);
+                let climb = self.climb(trial, round * ROUND + k, from, most(k), &is_too_late);
                 tick(climb.used);
                 if self.ends(trial, &climb.score) {
                     first.fetch_min(k, Relaxed);

@@ -1,0 +1,185 @@
+//! `judge`: answers to a problem, whoever found them.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use lcplab::certificate::{Demand, Verdict, judge, printed_up};
+use lcplab::error::Result;
+use lcplab::lcp::file::{Problem, number, read_answers};
+use lcplab::lcp::friction::Model;
+use lcplab::report::answer::{bound, certificate_json, certificate_text, verdict_json};
+use lcplab::report::page::{Cell, Column, Table};
+use lcplab::report::text;
+use lcplab::solver::Settings;
+use serde_json::{Map, Value, json};
+
+use super::friction::{Friction, model};
+use super::limits::MemoryLimit;
+use super::problem::{PROVED_ROWS, bound_text, rows, title};
+use super::{Outcome, print, read_problem};
+
+/// Judge answers to a problem, whoever found them
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab solve problem.json --json > answer.json; lcplab judge problem.json answer.json
+  lcplab judge problem.json mine.json theirs.json     # a table, an answer a row
+  lcplab judge friction.json answer.json --model coulomb-cone
+
+An answer with a key \"iterates\", a list of vectors, has a row for each of them, and for its x.
+Exit code 0 if the judge accepts every answer, iterates aside; 1 if not; 2 for bad input.")]
+pub struct Judge {
+    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
+    problem: PathBuf,
+    /// Any JSON objects with a key "x"
+    #[arg(required = true)]
+    answers: Vec<PathBuf>,
+    /// Model of friction to judge by [default: the file's]
+    #[arg(long)]
+    model: Option<Model>,
+    /// Largest scaled residual that counts as solved
+    #[arg(long, allow_negative_numbers = true, default_value_t = Demand::default().tolerance)]
+    tolerance: f64,
+    /// The verdict from which on the exit code is 1
+    #[arg(long, value_enum, default_value_t = Worst::NotASolution)]
+    fail_on: Worst,
+    #[command(flatten)]
+    memory: MemoryLimit,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+/// Verdicts that a command may fail on, and on those that are worse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+enum Worst {
+    /// Only what is proved passes
+    WithinTolerance,
+    /// What is accepted passes
+    NotASolution,
+}
+
+impl Worst {
+    fn outcome(self, verdict: &Verdict) -> Outcome {
+        let passes = match self {
+            Worst::WithinTolerance => matches!(verdict, Verdict::Proved { .. }),
+            Worst::NotASolution => verdict.is_solution(),
+        };
+        if passes { Outcome::Good } else { Outcome::Refuted }
+    }
+}
+
+/// One x with the judge's word.
+struct Judged {
+    label: String,
+    verdict: Verdict,
+    scaled_residual: f64,
+    is_answer: bool,
+}
+
+impl Judge {
+    pub fn run(&self) -> Result<Outcome> {
+        Settings { tolerance: self.tolerance, ..Settings::default() }.validate()?;
+        let memory = self.memory.max_memory;
+        let problem = read_problem(&self.problem, memory)?;
+        let read = |path: &PathBuf| read_answers(path, problem.lcp.len(), memory);
+        let answers = self.answers.iter().map(read).collect::<Result<Vec<_>>>()?;
+        let friction = model(self.model, None, &problem)
+            .map(|model| Friction::of(&problem, model, &self.problem))
+            .transpose()?;
+        match answers.as_slice() {
+            [only] if only.iterates.is_empty() => self.one(&problem, friction.as_ref(), &only.x),
+            _ => {
+                let mut all = Vec::new();
+                for (path, answers) in self.answers.iter().zip(&answers) {
+                    let name = path.display().to_string();
+                    for (k, x) in answers.iterates.iter().enumerate() {
+                        let label = format!("{name}, iterate {}", k + 1);
+                        all.push(self.judged(label, &problem, friction.as_ref(), x, false));
+                    }
+                    all.push(self.judged(name, &problem, friction.as_ref(), &answers.x, true));
+                }
+                self.many(&problem, &all)
+            }
+        }
+    }
+
+    fn demand(&self) -> Demand {
+        Demand { tolerance: self.tolerance, prove_up_to: PROVED_ROWS }
+    }
+
+    /// One answer, with its rows.
+    fn one(&self, problem: &Problem, friction: Option<&Friction>, x: &[f64]) -> Result<Outcome> {
+        let demand = self.demand();
+        if let Some(friction) = friction {
+            let verdict = friction.judge(&title(problem), x, &demand, self.json)?;
+            return Ok(self.fail_on.outcome(&verdict));
+        }
+        let certificate = judge(&problem.lcp, x, &demand);
+        let bound = bound(&problem.lcp, x, &certificate);
+        if self.json {
+            let mut object = certificate_json(&certificate);
+            if let Some(bound) = bound {
+                object.insert("error_bound".into(), number(printed_up(bound)));
+            }
+            print(&format!("{}\n", Value::Object(object)))?;
+        } else {
+            let text = title(problem) + "\n" + &certificate_text(&certificate) + &bound_text(bound);
+            print(&(text + &rows(&problem.lcp, x, &certificate)))?;
+        }
+        Ok(self.fail_on.outcome(&certificate.verdict))
+    }
+
+    fn judged(
+        &self,
+        label: String,
+        problem: &Problem,
+        friction: Option<&Friction>,
+        x: &[f64],
+        is_answer: bool,
+    ) -> Judged {
+        let (verdict, scaled_residual) = match friction {
+            Some(friction) => friction.verdict(x, &self.demand()),
+            None => {
+                let certificate = judge(&problem.lcp, x, &self.demand());
+                (certificate.verdict, certificate.scaled_residual)
+            }
+        };
+        Judged { label, verdict, scaled_residual, is_answer }
+    }
+
+    /// Many of them, a line each.
+    fn many(&self, problem: &Problem, all: &[Judged]) -> Result<Outcome> {
+        if self.json {
+            let object = |judged: &Judged| {
+                let mut object = Map::new();
+                object.insert("answer".into(), json!(judged.label));
+                object.insert("scaled_residual".into(), number(judged.scaled_residual));
+                object.extend(verdict_json(&judged.verdict));
+                Value::Object(object)
+            };
+            let answers: Vec<Value> = all.iter().map(object).collect();
+            print(&format!("{}\n", json!({ "answers": answers })))?;
+        } else {
+            let row = |judged: &Judged| {
+                let residual = Cell::number(judged.scaled_residual, 3);
+                vec![Cell::text(&judged.label), residual, Cell::text(&judged.verdict.to_string())]
+            };
+            let table = Table {
+                title: title(problem),
+                columns: vec![
+                    Column::words("answer"),
+                    Column::numbers("scaled residual", ""),
+                    Column::words("verdict"),
+                ],
+                rows: all.iter().map(row).collect(),
+                ..Table::default()
+            };
+            print(&text::table(&table))?;
+        }
+        let fails = |judged: &&Judged| self.fail_on.outcome(&judged.verdict) == Outcome::Refuted;
+        let wrong = all.iter().filter(|judged| judged.is_answer).find(fails);
+        Ok(wrong.map_or(Outcome::Good, |_| Outcome::Refuted))
+    }
+}

@@ -1,0 +1,135 @@
+//! `solve --trace` and `--plot`: how the iterates came to the answer.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::file;
+use lcplab::lcp::Lcp;
+use lcplab::plot::{Axis, Figure, Lines, Panel, Series, csv};
+use lcplab::solver::{Group, Options, Order, Solution, theory};
+use lcplab::trace::Record;
+
+/// Beyond so many rows no eigenvalues are computed.
+const EIGENVALUE_ROWS: usize = 500;
+
+/// Where the iterates go.
+#[derive(Debug, Args)]
+pub struct Tracing {
+    /// Write the merits of each iterate as CSV
+    #[arg(long, value_name = "FILE")]
+    trace: Option<PathBuf>,
+    /// Draw them as SVG, with the rate that theory knows of pgs, sor and ssor
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+}
+
+impl Tracing {
+    pub fn is_wanted(&self) -> bool {
+        self.trace.is_some() || self.plot.is_some()
+    }
+
+    /// That there are iterates to be written.
+    pub fn check(&self, has_iterates: bool) -> Result<()> {
+        let options = if self.trace.is_some() { "--trace" } else { "--plot" };
+        let reason = "writes the iterates of a problem that is solved as it stands, without a model of friction";
+        match self.is_wanted() && !has_iterates {
+            true => Err(Error::invalid("options", options, reason)),
+            false => Ok(()),
+        }
+    }
+
+    /// Writes the files.
+    pub fn write(
+        &self,
+        lcp: &Lcp,
+        solver: &str,
+        options: &Options,
+        solution: &Solution,
+        records: &[Record],
+    ) -> Result<()> {
+        if let Some(path) = &self.trace {
+            file::write(path, &table(records))?;
+        }
+        if let Some(path) = &self.plot {
+            let rate = rate(lcp, solver, options, &solution.x);
+            file::write(path, figure(solver, records, rate).svg())?;
+        }
+        Ok(())
+    }
+}
+
+fn table(records: &[Record]) -> String {
+    let mut text = String::new();
+    let names = ["iteration", "scaled_residual", "natural_residual", "objective", "free_rows"];
+    csv::record(&mut text, names);
+    for record in records {
+        csv::record(
+            &mut text,
+            [
+                record.iteration.to_string(),
+                csv::number(record.scaled_residual),
+                csv::number(record.natural_residual),
+                csv::number(record.objective),
+                record.free_rows.to_string(),
+            ],
+        );
+    }
+    text
+}
+
+/// The contraction of a sweep on the rows that are free in the end, where theory knows it.
+fn rate(lcp: &Lcp, solver: &str, options: &Options, x: &[f64]) -> Option<f64> {
+    let slides = |i: usize| {
+        let (lo, hi) = lcp.bounds(i, x);
+        lcp.is_coupled(i) && hi > 0.0 && (x[i] <= lo || x[i] >= hi)
+    };
+    // A row that slides moves with its normal, and is neither free nor at rest.
+    let is_known = options.order == Order::Natural && !(0..lcp.len()).any(slides);
+    if lcp.len() > EIGENVALUE_ROWS || !is_known {
+        return None;
+    }
+    match solver {
+        "pgs" => theory::rate_beside(lcp, x, |a| theory::sor_iteration_matrix(a, 1.0)),
+        "sor" => theory::rate_beside(lcp, x, |a| theory::sor_iteration_matrix(a, options.omega)),
+        "ssor" => theory::rate_beside(lcp, x, |a| theory::ssor_iteration_matrix(a, options.omega)),
+        _ => None,
+    }
+}
+
+fn figure(solver: &str, records: &[Record], rate: Option<f64>) -> Lines {
+    let points = |merit: fn(&Record) -> f64| -> Vec<(f64, f64)> {
+        records.iter().map(|record| (record.iteration as f64, merit(record))).collect()
+    };
+    let natural = points(|record| record.natural_residual);
+    let mut series = vec![Series::measured(solver, natural)];
+    let ends = records.get(records.len() / 2).zip(records.first()).zip(records.last());
+    if let (Some(rate), Some(((middle, first), last))) = (rate, ends) {
+        let at = |k: usize| {
+            let sweeps = k as f64 - middle.iteration as f64;
+            (k as f64, middle.natural_residual * rate.powf(sweeps))
+        };
+        let name = format!("theory, {solver}: ρ = {rate:.6}");
+        series.push(Series::theory(name, vec![at(first.iteration), at(last.iteration)]));
+    }
+    let scaled = vec![Series::measured(solver, points(|record| record.scaled_residual))];
+    Lines {
+        id: "iterates".into(),
+        title: format!("The iterates of {solver}"),
+        caption: String::new(),
+        x: Axis::linear(unit(solver), ""),
+        panels: vec![
+            Panel { y: Axis::log("natural residual", "unit of x or w"), series },
+            Panel { y: Axis::log("scaled residual", ""), series: scaled },
+        ],
+    }
+}
+
+/// What an iteration is.
+fn unit(solver: &str) -> &'static str {
+    match Group::of(solver) {
+        Some(Group::Sweeps) => "sweep",
+        Some(Group::Pivoting) => "pivot",
+        _ => "iteration",
+    }
+}
