@@ -43,7 +43,7 @@ pub use lcplab_plugin as plugin;
 pub use lcplab_problem::{error, json, memory};
 pub use lcplab_solver as solver;
 pub use lcplab_solver::{textbook, trace};
-pub use lcplab_study::{diagnosis, explain, hunt};
+pub use lcplab_study::{card, diagnosis, explain, hunt};
 
 pub mod chapter;
 pub mod film;

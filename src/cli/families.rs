@@ -16,7 +16,7 @@ use lcplab::solver::Method;
 use super::limits::Limits;
 use super::options::SolverArgs;
 use super::plugin::Plugins;
-use super::{Outcome, print, read_problem, say};
+use super::{Outcome, print, profile, read_problem, say};
 
 /// One solver of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for
 /// cones, and the reference.
@@ -30,6 +30,7 @@ Example:
   lcplab compare-solvers murty fathi stack --solver dantzig --solver lemke
   lcplab compare-solvers pushed-rod --model coulomb-cone --model polygon-16
   lcplab compare-solvers problem.mtx          # a problem file, any format of `convert --list`
+  lcplab compare-solvers set --plugin \"python3 mine.py\" --profile mine     # of `problems --export set`
   lcplab compare-solvers pd --plugin \"python3 mine.py\"       # a solver of yours beside eight of ours
 
 Without names all families run, by eight solvers, one of each kind; --all runs all solvers. clarabel is the
@@ -52,6 +53,9 @@ pub struct CompareSolvers {
     /// Problems of each family that has a seed: the seeds 1 to this
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     seeds: u32,
+    /// Write NAME.svg, NAME.csv and NAME.tex: a performance profile of the wall times
+    #[arg(long, value_name = "NAME")]
+    profile: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -88,6 +92,9 @@ impl CompareSolvers {
         limits.over();
         if rows.is_empty() && stopped.is_none() {
             return Err(self.nothing_to_compare());
+        }
+        if let Some(name) = &self.profile {
+            profile::write(name, &rows)?;
         }
         if self.json {
             print(&format!("{}\n", serde_json::json!({ "rows": rows })))?;

@@ -164,7 +164,7 @@ impl Judge {
         } else {
             let row = |judged: &Judged| {
                 let residual = Cell::number(judged.scaled_residual, 3);
-                vec![Cell::text(&judged.label), residual, Cell::text(&judged.verdict.to_string())]
+                vec![Cell::text(&judged.label), residual, Cell::text(judged.verdict.to_string())]
             };
             let table = Table {
                 title: title(problem),

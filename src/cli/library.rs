@@ -7,21 +7,33 @@ use lcplab::error::Result;
 use lcplab::file;
 use lcplab::lcp::library::{self, Family};
 
-use super::{Outcome, print};
+use super::{Outcome, bar, print, problem_set};
 
 /// List the families of the problem library, or what is known of one
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   lcplab problems
-  lcplab problems manufactured   # its parameters")]
+  lcplab problems manufactured   # its parameters
+  lcplab problems --export set; lcplab compare-solvers set --profile profile")]
 pub struct Problems {
     /// Describe this family and its parameters
     name: Option<String>,
+    /// Write the library and steps of the shipped scenes into this folder: a file a problem, and index.csv with a card
+    /// of each
+    #[arg(long, value_name = "FOLDER", conflicts_with = "name")]
+    export: Option<PathBuf>,
 }
 
 impl Problems {
     pub fn run(&self) -> Result<Outcome> {
+        if let Some(folder) = &self.export {
+            let progress = bar(0, "problems");
+            let count = problem_set::write(folder, &progress)?;
+            progress.finish_and_clear();
+            print(&format!("{count} problems in {}\n", folder.display()))?;
+            return Ok(Outcome::Good);
+        }
         let text = match &self.name {
             Some(name) => description(library::by_name(name)?),
             None => library::all()

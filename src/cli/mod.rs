@@ -17,6 +17,8 @@ mod options;
 mod pdf;
 mod plugin;
 mod problem;
+mod problem_set;
+mod profile;
 mod report;
 mod scene;
 mod search;

@@ -3,12 +3,12 @@
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::hunt::{Catch, Finding, Measure, Search, Trial};
 use lcplab::report::methods;
-use lcplab::solver::{Entry, Options};
+use lcplab::solver::{Entry, MatrixClass, Options};
 use serde_json::json;
 
 use super::limits::Limits;
@@ -25,6 +25,9 @@ pub struct Quarry {
     /// Rows of the problem
     #[arg(long, value_name = "LEAST..MOST", default_value = "1..6", value_parser = rows, requires = "measure")]
     n: RangeInclusive<usize>,
+    /// Only matrices of this class
+    #[arg(long, value_enum, default_value_t = Class::Any, requires = "measure")]
+    class: Class,
     /// Problems to try before the best one is made smaller
     #[arg(long, default_value_t = 20_000, requires = "measure")]
     evaluations: usize,
@@ -37,6 +40,30 @@ pub struct Quarry {
     /// Write the problem to this file
     #[arg(long, value_name = "FILE", requires = "measure")]
     out: Option<PathBuf>,
+}
+
+/// Classes of matrices that can be decided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Class {
+    /// Whatever is found
+    Any,
+    /// Symmetric positive semidefinite, as of every scene
+    Semidefinite,
+    /// Symmetric positive definite
+    Definite,
+    /// All principal minors positive
+    P,
+}
+
+impl From<Class> for MatrixClass {
+    fn from(class: Class) -> Self {
+        match class {
+            Class::Any => MatrixClass::General,
+            Class::Semidefinite => MatrixClass::Semidefinite,
+            Class::Definite => MatrixClass::Definite,
+            Class::P => MatrixClass::P,
+        }
+    }
 }
 
 impl Quarry {
@@ -78,7 +105,7 @@ impl Quarry {
         };
         let finding = Finding::of(&catch, &trial, seed);
         if let Some(path) = &self.out {
-            file::write(path, &format!("{}\n", finding.problem.to_json()))?;
+            file::write(path, format!("{}\n", finding.problem.to_json()))?;
         }
         print(&match json {
             true => in_json(&catch, &finding, seed),
@@ -104,7 +131,8 @@ impl Quarry {
             (None, [name]) => (methods::entry(name)?, None),
             (None, _) => return Err(wrong("one solver is hunted: --solver NAME, or one --plugin")),
         };
-        let trial = Trial { measure, solver, rival, options, best_omega: self.omega.is_none() };
+        let (within, best_omega) = (self.class.into(), self.omega.is_none());
+        let trial = Trial { measure, solver, rival, options, within, best_omega };
         trial.validate()?;
         Ok(trial)
     }

@@ -49,7 +49,7 @@ impl Tracing {
         records: &[Record],
     ) -> Result<()> {
         if let Some(path) = &self.trace {
-            file::write(path, &table(records))?;
+            file::write(path, table(records))?;
         }
         if let Some(path) = &self.plot {
             let rate = rate(lcp, solver, options, &solution.x);

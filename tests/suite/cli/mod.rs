@@ -10,6 +10,7 @@ mod friction;
 mod hostile;
 mod limits;
 mod plugin;
+mod problem_set;
 mod report;
 mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens

@@ -77,6 +77,8 @@ pub struct Trial {
     pub rival: Option<Entry>,
     /// The options of both.
     pub options: Options,
+    /// The class that the matrix must belong to, whatever the solver is made for.
+    pub within: MatrixClass,
     /// Whether a rival that has an ω is given the best one for each problem.
     pub best_omega: bool,
 }
@@ -202,10 +204,12 @@ impl Trial {
         (if fails { 1.0 + part } else { part.min(1.0) }, fails)
     }
 
-    /// Whether a long way to the solution may be laid to the solver: it, and its rival, are made for the problem.
+    /// Whether the problem may be laid to the solver: it is of the class that was asked for, and where a long way is
+    /// looked for the solver, and its rival, are made for it.
     pub(super) fn is_fair(&self, lcp: &Lcp) -> bool {
-        !matches!(self.measure, Measure::Iterations | Measure::Ratio)
-            || std::iter::once(&self.solver).chain(&self.rival).all(|entry| is_in_class(entry, lcp))
+        let all = || std::iter::once(&self.solver).chain(&self.rival);
+        let must_suit = matches!(self.measure, Measure::Iterations | Measure::Ratio);
+        is_of(self.within, lcp) && (!must_suit || all().all(|entry| is_in_class(entry, lcp)))
     }
 
     /// How far the accepted answer is from the exact solution beside it, in parts of max |x|.
@@ -249,22 +253,24 @@ impl Trial {
 /// Whether the solver is made for the problem, as far as that can be decided. Every problem has bounds: one that
 /// does not heed them fails.
 fn is_in_class(entry: &Entry, lcp: &Lcp) -> bool {
-    use MatrixClass::{CopositivePlus, Definite, General, P, P0, POrSemidefinite, Semidefinite};
     let class = entry.class;
     let has_diagonal = || (0..lcp.len()).all(|i| lcp.matrix().diagonal(i) > 0.0);
     let is_free = |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite();
     let rows = class.coupling || lcp.coupling().is_none();
     let free = class.free_rows || !(0..lcp.len()).any(|i| is_free(i) && !lcp.is_coupled(i));
     let diagonal = !class.divides_by_diagonal || has_diagonal();
-    let matrix = || {
-        let of = class_of(lcp.matrix());
-        match class.matrix {
-            General => true,
-            Definite => of == Some(Definite),
-            P => matches!(of, Some(P | Definite)),
-            Semidefinite | CopositivePlus => matches!(of, Some(Definite | Semidefinite)),
-            P0 | POrSemidefinite => matches!(of, Some(P | Definite | Semidefinite)),
-        }
-    };
-    rows && free && diagonal && matrix()
+    rows && free && diagonal && is_of(class.matrix, lcp)
+}
+
+/// Whether A is of a class, as far as that can be decided.
+fn is_of(class: MatrixClass, lcp: &Lcp) -> bool {
+    use MatrixClass::{CopositivePlus, Definite, General, P, P0, POrSemidefinite, Semidefinite};
+    let of = || class_of(lcp.matrix());
+    match class {
+        General => true,
+        Definite => of() == Some(Definite),
+        P => matches!(of(), Some(P | Definite)),
+        Semidefinite | CopositivePlus => matches!(of(), Some(Definite | Semidefinite)),
+        P0 | POrSemidefinite => matches!(of(), Some(P | Definite | Semidefinite)),
+    }
 }

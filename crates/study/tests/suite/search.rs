@@ -6,7 +6,7 @@ use lcplab_problem::exact::all_solutions;
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::theory::optimal_omega;
 use lcplab_solver::{
-    Entry, Observer, Options, Settings, Solution, Solver, Start, Status, Stop, entry,
+    Entry, MatrixClass, Observer, Options, Settings, Solution, Solver, Start, Status, Stop, entry,
 };
 use lcplab_study::hunt::{Catch, Finding, Measure, Search, Trial};
 
@@ -80,6 +80,7 @@ fn trial(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: u
         solver,
         rival: rival.map(|name| *entry(name).unwrap()),
         options: Options { settings, ..Options::default() },
+        within: MatrixClass::General,
         best_omega: true,
     }
 }

@@ -1,0 +1,115 @@
+//! `compare-solvers --profile`: a performance profile for a paper.
+
+use std::path::{Path, PathBuf};
+
+use lcplab::error::Result;
+use lcplab::file;
+use lcplab::plot::profile::{Curve, Group as Line, Profiles};
+use lcplab::plot::{Axis, Figure};
+use lcplab::report::study::families::Row;
+use lcplab::report::study::profiles::{Cost, Profile, profiles};
+use lcplab::solver::{Group, added};
+
+/// Writes NAME.svg, NAME.csv and NAME.tex: Dolan & Moré's profile of the wall times, once of all rows, where what was
+/// not attempted is not solved, and once of those that the solver took on.
+pub fn write(name: &Path, rows: &[Row]) -> Result<()> {
+    let solvers = distinct(rows.iter().map(|row| row.solver.as_str()));
+    let costs = costs(rows, &solvers);
+    let strict = |row: &Vec<Cost>| {
+        row.iter().map(|cost| if *cost == Cost::NotTried { Cost::Failed } else { *cost }).collect()
+    };
+    let of_all = profiles(&costs.iter().map(strict).collect::<Vec<_>>());
+    let of_its_own = profiles(&costs);
+    let figure = figure(&solvers, &of_all, &of_its_own);
+    let beside = |ending: &str| -> PathBuf { name.with_extension(ending) };
+    file::write(&beside("svg"), figure.svg())?;
+    file::write(&beside("csv"), figure.csv())?;
+    file::write(&beside("tex"), latex(&solvers, &of_all, &of_its_own))
+}
+
+fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut found = Vec::new();
+    for name in names {
+        if !found.contains(&name) {
+            found.push(name);
+        }
+    }
+    found
+}
+
+/// By problem, or family, under a model, and then by solver. Where no solution exists there is nothing to win.
+fn costs(rows: &[Row], solvers: &[&str]) -> Vec<Vec<Cost>> {
+    let mut posings: Vec<(&str, Option<&str>)> = Vec::new();
+    for row in rows {
+        let posing = (row.family.as_str(), row.model.as_deref());
+        if !posings.contains(&posing) {
+            posings.push(posing);
+        }
+    }
+    let cost = |posing: &(&str, Option<&str>), solver: &str| {
+        let is_it = |row: &&Row| {
+            (row.family.as_str(), row.model.as_deref()) == *posing && row.solver == solver
+        };
+        match rows.iter().find(is_it) {
+            None => Cost::NotTried,
+            Some(row) if row.outside == row.problems => Cost::NotTried,
+            Some(row) if row.claimed == row.problems && row.accepted == row.problems => {
+                Cost::Solved(row.seconds.max(f64::MIN_POSITIVE))
+            }
+            Some(_) => Cost::Failed,
+        }
+    };
+    let of = |posing: &(&str, Option<&str>)| -> Vec<Cost> {
+        solvers.iter().map(|solver| cost(posing, solver)).collect()
+    };
+    let costs = posings.iter().map(of);
+    costs.filter(|row| row.iter().any(|cost| matches!(cost, Cost::Solved(_)))).collect()
+}
+
+fn figure(solvers: &[&str], of_all: &[Profile], of_its_own: &[Profile]) -> Profiles {
+    let curve = |solver: usize| Curve {
+        name: solvers[solver].to_string(),
+        columns: [of_all, of_its_own]
+            .map(|profiles| (profiles[solver].steps.clone(), profiles[solver].attempted))
+            .into(),
+    };
+    let is_added = |name: &str| added().iter().any(|entry| entry.name == name);
+    let group_of = |name: &str| Group::of(name).or(is_added(name).then_some(Group::Plugin));
+    let line = |group: Option<Group>| Line {
+        name: group.map_or("Others", Group::name).into(),
+        curves: (0..solvers.len()).filter(|&k| group_of(solvers[k]) == group).map(curve).collect(),
+    };
+    let groups = [Group::Plugin].into_iter().chain(Group::ALL).map(Some).chain([None]).map(line);
+    Profiles {
+        id: "profile".into(),
+        title: "Performance profiles, wall time".into(),
+        caption: String::new(),
+        x: Axis::log("τ: at most so many times the fastest", ""),
+        y: Axis::linear("share solved", ""),
+        columns: vec!["of all problems".into(), "of those it took on".into()],
+        groups: groups.filter(|group| !group.curves.is_empty()).collect(),
+    }
+}
+
+/// The ends of the profiles as a table.
+fn latex(solvers: &[&str], of_all: &[Profile], of_its_own: &[Profile]) -> String {
+    let at_most = |profile: &Profile, tau: f64| {
+        let steps = profile.steps.iter().take_while(|(at, _)| *at <= tau);
+        100.0 * steps.last().map_or(0.0, |(_, share)| *share)
+    };
+    let mut text = "% Shares in percent: of all problems, and of those that the solver took on.\n\
+                    \\begin{tabular}{lrrrrr}\n\
+                    solver & fastest & within 10$\\times$ & solved & took on & solved of these \\\\\n\
+                    \\hline\n"
+        .to_string();
+    for ((name, all), own) in solvers.iter().zip(of_all).zip(of_its_own) {
+        let [fastest, near, solved] = [1.0, 10.0, f64::INFINITY].map(|tau| at_most(all, tau));
+        let of_these = at_most(own, f64::INFINITY);
+        let name = name.replace('_', "\\_");
+        text += &format!(
+            "{name} & {fastest:.0} & {near:.0} & {solved:.0} & {} & {of_these:.0} \\\\\n",
+            own.attempted
+        );
+    }
+    text + "\\end{tabular}\n"
+}
