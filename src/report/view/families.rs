@@ -2,6 +2,7 @@
 
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::families::Row;
+use crate::trace::NO_ITERATES;
 
 /// One row a family, model of friction and solver.
 pub fn table(rows: &[Row]) -> Table {
@@ -11,8 +12,9 @@ pub fn table(rows: &[Row]) -> Table {
             "*friction*: the model that x is solved and judged under. *outside*: the solver says \
                       the problem is not in its class. *claims* are its own, *proved* and \
                       *accepted* the judge's; *refuted* and *false* claims must be 0. *worst \
-                      residual*: of the answers that it claims; – where it claims none. *fallback*: \
-                      what else than the method itself had a part, and how often. *must fail*: a \
+                      residual*: of the answers that it claims; – where it claims none. *iterates*: a \
+                      fingerprint of their path; – where none were told. *fallback*: what else than \
+                      the method itself had a part, and how often. *must fail*: a \
                       failure that mathematics explains, and that must stay one."
                 .into(),
         columns: vec![
@@ -52,6 +54,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         Some(what) => format!("{what}, {} of {}", row.fallbacks, row.problems),
         None => "none".into(),
     };
+    let has_iterates = row.fingerprint != format!("{NO_ITERATES:016x}");
     vec![
         Cell::text(&row.family),
         Cell::text(row.model.as_deref().unwrap_or_default()),
@@ -66,7 +69,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         Cell::number(row.iterations as f64 / attempts.max(1) as f64, 3),
         row.worst_residual.map_or(Cell::text("–"), |worst| Cell::number(worst, 2)),
         Cell::number(1e3 * row.seconds, 2),
-        Cell::text(&row.fingerprint[..8]),
+        Cell::text(if has_iterates { &row.fingerprint[..8] } else { "–" }),
         Cell::text(fallback),
         Cell::text(why),
     ]

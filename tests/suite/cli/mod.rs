@@ -1,5 +1,6 @@
 //! The program as a user runs it: messages, exit codes, pipes.
 
+mod adapters;
 mod agreement;
 mod bad_input;
 mod compare_solvers;

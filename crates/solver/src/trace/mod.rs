@@ -7,5 +7,5 @@ mod work;
 
 pub use convergence::{Convergence, Record};
 pub use path::Path;
-pub use provenance::Provenance;
+pub use provenance::{NO_ITERATES, Provenance};
 pub use work::{Cost, Effort, Work};

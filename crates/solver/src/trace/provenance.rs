@@ -46,13 +46,15 @@ impl PartialEq for Provenance<'_> {
     }
 }
 
-const FNV_OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
+/// The fingerprint of no iterates at all, where the hash (FNV-1a) begins.
+pub const NO_ITERATES: u64 = 0xcbf2_9ce4_8422_2325;
+
 const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
 
 impl<'a> Provenance<'a> {
     /// No iterates so far, of a solver of this problem.
     pub fn of(lcp: &'a Lcp) -> Self {
-        Provenance { lcp, fingerprint: FNV_OFFSET, iterations: 0, active_rows: 0 }
+        Provenance { lcp, fingerprint: NO_ITERATES, iterations: 0, active_rows: 0 }
     }
 }
 

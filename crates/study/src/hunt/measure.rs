@@ -152,8 +152,11 @@ impl Trial {
         }
     }
 
-    fn omega_words(&self) -> &'static str {
-        if self.omegas().len() > 1 { " with the best of 25 ω" } else { "" }
+    fn omega_words(&self) -> String {
+        match self.omegas().len() {
+            1 => String::new(),
+            count => format!(" with the best of {count} ω"),
+        }
     }
 
     fn solve(&self, entry: &Entry, lcp: &Lcp, most: usize) -> Solution {
@@ -168,9 +171,7 @@ impl Trial {
 
     fn is_solved(&self, lcp: &Lcp, solution: &Solution) -> bool {
         let tolerance = self.options.settings.tolerance;
-        solution.status == Status::Solved
-            && merit::is_solution(lcp, &solution.x, tolerance)
-            && merit::is_worth_something(lcp, &solution.x, tolerance)
+        solution.status == Status::Solved && merit::is_solution(lcp, &solution.x, tolerance)
     }
 
     /// The claim, held against the truth where that can be had quickly.

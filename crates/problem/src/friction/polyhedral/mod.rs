@@ -31,15 +31,14 @@
 //!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997.
 
+mod rubbing;
 mod unknowns;
-
-use std::ops::Range;
 
 use self::unknowns::{along, beta, delassus, direction, impulses};
 use super::{Contact, FrictionProblem};
 use crate::error::{Error, Result};
 use crate::memory::Memory;
-use crate::merit::{self, RowTerms, reach_of_friction, relative};
+use crate::merit::{self, RowTerms};
 use crate::{Lcp, Matrix, accurate};
 
 /// What an entry takes while the matrix is made (numbers): its place and value, twice, and the matrix.
@@ -55,14 +54,6 @@ pub struct Polyhedral {
     friction: FrictionProblem,
     /// k.
     directions: usize,
-}
-
-/// Where the unknowns of a contact are, and its μ.
-struct Unknowns {
-    normal: usize,
-    beta: Range<usize>,
-    gamma: usize,
-    mu: f64,
 }
 
 impl Polyhedral {
@@ -208,47 +199,6 @@ impl Polyhedral {
         let distance = |q: &[f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
         let beyond = (0..k).filter_map(to_edge);
         beyond.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(p)
-    }
-
-    /// The worst residual of the friction, with its row of x. The LCP's own compares a β with the terms of a fast slip,
-    /// and a γ, a speed, with impulses; here what is left of μ x_n is small beside μ x_n
-    /// ([`RowTerms::reach`]), and a slip beside its terms. `terms` says how those of a row of the LCP at z are added up.
-    pub fn rubbing(
-        &self,
-        z: &[f64],
-        terms: impl Fn(&Lcp, usize, &[f64]) -> RowTerms,
-    ) -> (usize, f64) {
-        let at = |unknown: usize| terms(&self.lcp, unknown, z);
-        let residuals = self.rubbing_contacts().flat_map(|Unknowns { normal, beta, gamma, mu }| {
-            let reach = reach_of_friction(mu, at(normal).size(&self.lcp, normal, z));
-            let push = beta.clone().map(|unknown| {
-                let miss = at(unknown).miss_between(z[unknown], 0.0, f64::INFINITY, || reach);
-                (self.row(unknown), miss.residual)
-            });
-            let slip = beta.clone().map(|unknown| {
-                let terms = at(unknown);
-                relative(libm::ldexp(z[gamma], -terms.exponent), terms.magnitude)
-            });
-            let left = at(gamma).w() / reach; // of μ x_n
-            let slips = slip.fold(f64::INFINITY, f64::min);
-            push.chain([(self.row(gamma), left.min(slips).abs())]).collect::<Vec<_>>()
-        });
-        residuals.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0))
-    }
-
-    /// The unknowns of the contacts with friction.
-    fn rubbing_contacts(&self) -> impl Iterator<Item = Unknowns> + '_ {
-        let k = self.directions;
-        let contacts = self.friction.contacts();
-        let normals = (self.friction.others().len()..).zip(contacts);
-        let rubbing = normals.filter(|(_, contact)| contact.mu > 0.0);
-        let first = self.friction.others().len() + contacts.len();
-        rubbing.enumerate().map(move |(c, (normal, contact))| Unknowns {
-            normal,
-            beta: first + c * k..first + (c + 1) * k,
-            gamma: self.impulses.len() + c,
-            mu: contact.mu,
-        })
     }
 
     /// The row of x that an unknown belongs to: its own, t1 for β, n for γ.

@@ -1,5 +1,8 @@
 use lcplab_judge::ray::refute;
+use lcplab_judge::{Demand, judge};
+use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{Options, Start, Status, by_name};
+use lcplab_study::answer::proof_of_denial;
 use proptest::prelude::*;
 
 use lcplab_testing::{INF, boxed, cases, contacts, manufactured};
@@ -66,4 +69,29 @@ proptest! {
             status => prop_assert_eq!(status, Status::Solved),
         }
     }
+}
+
+#[test]
+fn a_vector_that_proves_is_found_up_to_150_rows_and_checked_at_any_size() {
+    // Pairs of walls: x_1 - x_2 >= 1 and x_2 - x_1 >= 1e-9 - 1; the rows of a pair add up to w = -1e-9.
+    let walls = |pairs: usize| {
+        let n = 2 * pairs;
+        let entries: Vec<_> = (0..pairs)
+            .flat_map(|k| {
+                let (i, j) = (2 * k, 2 * k + 1);
+                [(i, i, 1.0), (i, j, -1.0), (j, i, -1.0), (j, j, 1.0)]
+            })
+            .collect();
+        let b = (0..n).map(|i| if i % 2 == 0 { -1.0 } else { 1.0 - 1e-9 }).collect();
+        Lcp::new(Matrix::sparse(n, &entries), b, vec![0.0; n], vec![INF; n]).unwrap()
+    };
+    let demand = Demand { prove_up_to: 150, ..Demand::default() };
+    let x: Vec<f64> = (0..60).map(|i| f64::from(i % 2 == 0)).collect();
+    assert!(!judge(&walls(30), &x, &demand).verdict.is_solution());
+    let large = walls(200);
+    let says = |direction: Vec<f64>| Status::Ray { row: 0, direction };
+    let ones = says(vec![1.0; 400]);
+    assert!(proof_of_denial(&large, &ones, &Demand::default()).is_some());
+    let wrong = says((0..400).map(|i| f64::from(i % 2 == 0)).collect());
+    assert!(proof_of_denial(&large, &wrong, &Demand::default()).is_none());
 }
