@@ -6,11 +6,11 @@ use serde_json::{Value, json};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::file::Problem;
-use lcplab_solver::Group;
+use lcplab_solver::{Group, MatrixClass};
 
 use super::measure::{Measure, Trial};
 use super::search::Catch;
-use crate::card::Card;
+use crate::card::{Card, class_of};
 
 /// Solutions that are written out at most.
 const SHOWN: usize = 3;
@@ -45,7 +45,10 @@ impl Finding {
         if let Some(solutions) = &solutions {
             problem.extra.insert("expected".into(), expected(solutions));
         }
-        let truth = solutions.as_deref().map(truth).unwrap_or_default();
+        let is_unique =
+            matches!(class_of(lcp.matrix()), Some(MatrixClass::Definite | MatrixClass::P))
+                && lcp.coupling().is_none();
+        let truth = solutions.as_deref().map(|all| truth(all, is_unique)).unwrap_or_default();
         let (happens, card) = (trial.words(lcp), Card::of(lcp).words());
         let words = format!("{happens}. The problem has {card}.{truth}");
         let test = test(&problem, trial, catch);
@@ -110,7 +113,7 @@ fn expected(solutions: &[Vec<RBig>]) -> Value {
 }
 
 /// What is true, in a sentence.
-fn truth(solutions: &[Vec<RBig>]) -> String {
+fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
     let entry = |x: &RBig| match x.to_string() {
         exact if exact.len() <= LONGEST => exact,
         _ => format!("≈ {:.6e}", x.to_f64().value()),
@@ -122,17 +125,20 @@ fn truth(solutions: &[Vec<RBig>]) -> String {
     let shown: Vec<String> = solutions.iter().take(SHOWN).map(vector).collect();
     match solutions.len() {
         0 => " It has no solution, as all choices of active rows show.".into(),
-        1 => format!(" Its solution is x = {}.", shown[0]),
-        n if n > SHOWN => format!(" It has {n} solutions, such as x = {}.", shown[0]),
-        n => format!(" It has {n} solutions: x = {}.", shown.join(", ")),
+        1 if is_unique => format!(" Its solution is x = {}.", shown[0]),
+        1 => format!(" A solution is x = {}; no other one is apart from it.", shown[0]),
+        n if n > SHOWN => format!(" It has {n} solutions apart, such as x = {}.", shown[0]),
+        n => format!(" It has {n} solutions apart: x = {}.", shown.join(", ")),
     }
 }
 
 /// A test that fails as long as the solver does what was found; of a plug-in, a command.
 fn test(problem: &Problem, trial: &Trial, catch: &Catch) -> String {
     if trial.solver.group == Group::Plugin {
-        return "test       lcplab solve PROBLEM --plugin COMMAND   # exit code 1 until it is mended\n"
-            .into();
+        let most = trial.options.settings.max_iterations;
+        return format!(
+            "test       lcplab solve PROBLEM --plugin COMMAND --max-iterations {most}   # exit code 1 until it is mended\n"
+        );
     }
     let demand = match trial.measure {
         Measure::Lie => "let verdict = judge(&lcp, &solution.x, &Demand::default()).verdict;\n    \
