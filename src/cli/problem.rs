@@ -11,7 +11,6 @@ use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{Answer, certificate_text};
 use lcplab::report::methods;
 use lcplab::solver::{Method, Observer, Reason, Start, Status, default_for};
-
 use lcplab::trace::Convergence;
 
 use super::friction::{Friction, model};

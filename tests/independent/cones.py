@@ -9,8 +9,8 @@ How far x is from it: each part beside its own scale s and its own terms T = sum
     r_n = |x_n - max(x_n - w_n/s_n, 0)| s_n / T_n                    s_n = |a_nn|
     r_t = |x_t - D(x_t - w_t/s_t)| s_t / |(T_t1, T_t2)|              s_t = the largest row sum of |A| among t1, t2
 
-but s_t is at least |(T_t1, T_t2)| / R, R = mu max(x_n, T_n/s_n) unless that is 0, and
-where D(v) is the point of the disc of radius mu x_n nearest to v. Other rows as in judge.py. The associated law
+but s_t is at least |(T_t1, T_t2)| / R, and just that where t1 and t2 are rows of zeros, with
+R = mu max(x_n, T_n/s_n) unless that is 0, and where D(v) is the point of the disc of radius mu x_n nearest to v. Other rows as in judge.py. The associated law
 (x in K, w in its dual, x.w = 0) is the fixed point x = P(x - w/s), P the nearest point of the cone in the metric
 of s. x is worth something if the longest |x - its step| sqrt(s) is at most a
 tenth of that of x = 0, or 0 is within the tolerance.
@@ -94,9 +94,10 @@ class Cones:
             s_n = dec(self.box.scale[n])
             s_t = dec(max(abs(self.A[i][t1]) + abs(self.A[i][t2]) for i in (t1, t2)))
             s_t = s_t or dec(max(self.box.scale[t1], self.box.scale[t2]))
+            is_zero = not any(self.A[t1]) and not any(self.A[t2])
             plane = norm(T[t1], T[t2])
             reach = mu * max(X[n], T[n] / s_n)
-            near = max(s_t, plane / reach) if reach else s_t
+            near = (plane / reach if is_zero else max(s_t, plane / reach)) if reach and plane else s_t
 
             def gaps(s_t):
                 aim_n, aim_t = X[n] - w[n] / s_n, [X[t] - w[t] / s_t for t in (t1, t2)]

@@ -13,8 +13,9 @@ pub(super) struct Tangents {
     pub w: [f64; 2],
     /// The terms of both.
     pub magnitude: f64,
-    /// s_t.
+    /// s_t, or 1 where both rows of A are 0.
     pub scale: f64,
+    has_scale: bool,
     pub exponent: i32,
     /// R: how wide the disc may be, as far as the normal is known.
     reach: f64,
@@ -48,20 +49,29 @@ impl Unit {
 
 impl Tangents {
     /// Those with these terms and s_t under a normal of this size.
-    pub fn new(rows: [RowTerms; 2], scale: f64, mu: f64, normal: f64, exponent: i32) -> Self {
+    pub fn new(
+        rows: [RowTerms; 2],
+        scale: Option<f64>,
+        mu: f64,
+        normal: f64,
+        exponent: i32,
+    ) -> Self {
         let w = rows.map(|row| libm::ldexp(row.w, row.exponent - exponent));
         let [m1, m2] = rows.map(|row| libm::ldexp(row.magnitude, row.exponent - exponent));
         let magnitude = m1.hypot(m2);
         let reach = reach_of_friction(mu, normal);
-        Tangents { w, magnitude, scale, exponent, reach }
+        let (scale, has_scale) = (scale.unwrap_or(1.0), scale.is_some());
+        Tangents { w, magnitude, scale, has_scale, exponent, reach }
     }
 
-    /// What is measured in the unit of s_t, and in that of the disc where it is narrower.
+    /// What is measured in the unit of s_t, and in that of the disc where it is narrower, or where nothing moves with
+    /// x_t and s_t is no unit of it.
     pub fn measured<T: Copy>(&self, measure: impl Fn(Unit) -> T) -> [T; 2] {
-        let Tangents { magnitude, scale, exponent, reach, .. } = *self;
+        let Tangents { magnitude, scale, has_scale, exponent, reach, .. } = *self;
         let own = Unit::Scale { scale, exponent };
         let by_scale = measure(own);
-        match own.of(reach) < magnitude {
+        let is_felt = magnitude > 0.0 && reach.is_finite();
+        match is_felt && (own.of(reach) < magnitude || !has_scale) {
             true => [by_scale, measure(Unit::Reach { magnitude, reach, exponent })],
             false => [by_scale; 2],
         }

@@ -6,7 +6,7 @@
 
 mod row;
 
-pub use row::{Miss, RowTerms, Sum, reach_of_friction, row_scale};
+pub use row::{Miss, RowTerms, Sum, block_scale, reach_of_friction, row_scale};
 pub(super) use row::{product, relative};
 
 use super::{Lcp, accurate};

@@ -1,6 +1,6 @@
 //! One row: its w with the sizes to measure it by, and how far its x is from where it should be.
 
-use crate::Lcp;
+use crate::{Lcp, Matrix};
 
 /// Terms in this range lose nothing to overflow or underflow, nor do their sums.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
@@ -244,4 +244,11 @@ pub fn row_scale(lcp: &Lcp, i: usize) -> f64 {
         0.0 => lcp.matrix().row(i).iter().fold(0.0, |s, (_, a)| f64::max(s, a.abs())),
         s => s,
     }
+}
+
+/// The largest absolute row sum of these rows and columns of A, by which the modulus of their largest eigenvalue is
+/// bounded.
+pub fn block_scale(a: &Matrix, rows: &[usize]) -> f64 {
+    let row_sum = |&i: &usize| rows.iter().map(|&j| a.entry(i, j).abs()).sum();
+    rows.iter().map(row_sum).fold(0.0, f64::max)
 }

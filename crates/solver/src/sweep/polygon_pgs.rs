@@ -15,8 +15,8 @@
 //! What it claims is judged by the LCP, on the z that x leads back to.
 
 use crate::{Event, Iterate, Observer, Settings, Solution, Start, Status};
-use lcplab_problem::Lcp;
-use lcplab_problem::friction::{Contact, Polyhedral};
+use lcplab_problem::friction::Polyhedral;
+use lcplab_problem::merit;
 
 /// Whether x is a solution costs as much as some sweeps, and is looked at after so many of them.
 const LOOK_EVERY: usize = 10;
@@ -77,18 +77,11 @@ fn sweep(problem: &Polyhedral, x: &mut [f64]) {
     for contact in friction.contacts() {
         let [n, t1, t2] = contact.rows;
         x[n] = (x[n] - lcp.row_w(n, x) / lcp.matrix().diagonal(n)).max(0.0);
-        let s = tangential_scale(lcp, contact);
+        let s = match merit::block_scale(lcp.matrix(), &[t1, t2]) {
+            0.0 => 1.0,
+            s => s,
+        };
         let aim = [t1, t2].map(|t| x[t] - lcp.row_w(t, x) / s);
         [x[t1], x[t2]] = problem.nearest(contact.mu * x[n], aim);
-    }
-}
-
-/// The largest absolute row sum of the block of tangents; 1 for a block of zeros.
-fn tangential_scale(lcp: &Lcp, contact: &Contact) -> f64 {
-    let [_, t1, t2] = contact.rows;
-    let row_sum = |i: usize| [t1, t2].iter().map(|&j| lcp.matrix().entry(i, j).abs()).sum();
-    match f64::max(row_sum(t1), row_sum(t2)) {
-        0.0 => 1.0,
-        s => s,
     }
 }

@@ -51,7 +51,7 @@ impl Finding {
         let truth = solutions.as_deref().map(|all| truth(all, is_unique)).unwrap_or_default();
         let (happens, card) = (trial.words(lcp), Card::of(lcp).words());
         let words = format!("{happens}. The problem has {card}.{truth}");
-        let test = test(&problem, trial, catch);
+        let test = test(&problem, trial, catch, solutions.as_deref().unwrap_or_default());
         Finding { problem, words, test }
     }
 
@@ -133,7 +133,7 @@ fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
 }
 
 /// A test that fails as long as the solver does what was found; of a plug-in, a command.
-fn test(problem: &Problem, trial: &Trial, catch: &Catch) -> String {
+fn test(problem: &Problem, trial: &Trial, catch: &Catch, solutions: &[Vec<RBig>]) -> String {
     if trial.solver.group == Group::Plugin {
         let most = trial.options.settings.max_iterations;
         return format!(
@@ -145,15 +145,26 @@ fn test(problem: &Problem, trial: &Trial, catch: &Catch) -> String {
              assert!(solution.status != Status::Solved || verdict.is_solution(), \"{verdict}\");"
             .to_string(),
         Measure::Failure => "assert_eq!(solution.status, Status::Solved);".to_string(),
-        Measure::Error => format!(
-            "let proof = judge(&lcp, &solution.x, &Demand::default());\n    \
-             assert!(proof.verdict.is_solution()); // and its distance is below {:e}",
-            catch.value
-        ),
-        Measure::Iterations => format!("assert!(solution.iterations < {});", catch.value),
+        Measure::Error => {
+            let exact: Vec<f64> = solutions
+                .iter()
+                .flatten()
+                .take(catch.lcp.len())
+                .map(|x| x.to_f64().value())
+                .collect();
+            format!(
+                "let exact = {exact:?}; // the exact solution, rounded\n    \
+                 let size = exact.iter().fold(0.0, |most: f64, x| most.max(x.abs()));\n    \
+                 let misses = solution.x.iter().zip(exact).map(|(x, exact)| (x - exact).abs());\n    \
+                 assert!(misses.fold(0.0, f64::max) < {:e} * size);",
+                0.5 * catch.value
+            )
+        }
+        Measure::Iterations => format!("assert!(solution.iterations < {});", catch.iterations),
         Measure::Ratio => {
-            let name = trial.rival.map_or("", |rival| rival.name);
-            format!("assert!(solution.iterations < 100); // {:.0} times {name}", catch.value)
+            let (name, ratio) = (trial.rival.map_or("", |rival| rival.name), catch.value);
+            let fewer = format!("assert!(solution.iterations < {});", catch.iterations);
+            format!("{fewer} // {ratio:.0} times those of {name}")
         }
     };
     let (name, most) = (trial.solver.name, trial.options.settings.max_iterations);

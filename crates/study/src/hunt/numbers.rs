@@ -109,3 +109,13 @@ impl Numbers {
         }
     }
 }
+
+/// p · q.
+pub(super) fn dot(p: &[f64], q: &[f64]) -> f64 {
+    p.iter().zip(q).map(|(p, q)| p * q).sum()
+}
+
+/// J Jᵀ of these rows of J.
+pub(super) fn gram(j: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    j.iter().map(|row| j.iter().map(|other| dot(row, other)).collect()).collect()
+}

@@ -4,7 +4,7 @@
 //! Most entries are small whole numbers, so that sums cancel exactly: ties are ties, a dependent row is
 //! dependent, and a problem without solution misses one by more than rounding.
 
-use super::numbers::{Numbers, Random};
+use super::numbers::{Numbers, Random, dot, gram};
 use lcplab_problem::Lcp;
 
 /// A kind of problem.
@@ -238,8 +238,7 @@ fn contacts_of(random: &mut Random, most: i64) -> Numbers {
     let columns = random.whole(1, n as i64) as usize;
     let j: Vec<Vec<f64>> =
         (0..n).map(|_| (0..columns).map(|_| random.number(2)).collect()).collect();
-    let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
-    let a = j.iter().map(|row| j.iter().map(|other| dot(row, other)).collect()).collect();
+    let a = gram(&j);
     let velocity: Vec<f64> = (0..columns).map(|_| random.number(3)).collect();
     let is_consistent = random.whole(0, 2) > 0;
     let b = j.iter().map(|row| if is_consistent { dot(row, &velocity) } else { random.number(3) });
@@ -253,8 +252,7 @@ fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
     let rows = 1 + tangents;
     let n = rows * points;
     let j: Vec<Vec<f64>> = (0..n).map(|_| (0..4).map(|_| random.number(2)).collect()).collect();
-    let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
-    let a = j.iter().map(|row| j.iter().map(|other| dot(row, other)).collect()).collect();
+    let a = gram(&j);
     let velocity: Vec<f64> = (0..4).map(|_| random.number(3)).collect();
     let b = j.iter().map(|row| dot(row, &velocity)).collect();
     let index = (0..n).map(|i| (i % rows > 0).then_some(i - i % rows)).collect();

@@ -16,7 +16,7 @@ use lcplab_problem::library;
 use lcplab_solver::Stop;
 
 use super::measure::{Measure, Score, Trial};
-use super::numbers::{Numbers, Random};
+use super::numbers::{Numbers, Random, gram};
 use super::problem;
 
 /// Climbs side by side, however many threads there are.
@@ -50,6 +50,8 @@ pub struct Catch {
     pub lcp: Lcp,
     /// Its measure.
     pub value: f64,
+    /// The iterations that the solver takes.
+    pub iterations: usize,
     /// The measure of the one that was found at first.
     pub value_at_first: f64,
     /// How many rows that had.
@@ -227,6 +229,7 @@ impl Search {
         Catch {
             lcp: smallest.lcp().expect("a problem that was solved"),
             value: score.value,
+            iterations: score.iterations,
             value_at_first: climb.score.value,
             rows_at_first: climb.numbers.len(),
             evaluation,
@@ -264,9 +267,7 @@ fn whole(random: &mut Random, rows: RangeInclusive<usize>) -> Numbers {
     let columns = random.whole(1, n as i64 + 1) as usize;
     let j: Vec<Vec<f64>> =
         (0..n).map(|_| (0..columns).map(|_| random.number(2)).collect()).collect();
-    let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
-    let own = random.whole(0, 1) as f64;
-    let entry = |i: usize, k: usize| dot(&j[i], &j[k]) + if i == k { own } else { 0.0 };
-    let a = (0..n).map(|i| (0..n).map(|k| entry(i, k)).collect()).collect();
+    let (mut a, own) = (gram(&j), random.whole(0, 1) as f64);
+    (0..n).for_each(|i| a[i][i] += own);
     Numbers::new(a, (0..n).map(|_| random.number(3)).collect())
 }

@@ -18,7 +18,7 @@ impl ConeProblem {
         let exponent = common_exponent(&[t1, t2]);
         let scale = self.tangential_scale(contact);
         let tangents = Tangents::new([t1, t2], scale, contact.mu, size, exponent);
-        let [w1, w2] = tangents.w;
+        let ([w1, w2], scale) = (tangents.w, tangents.scale);
         let [of_scale, of_reach] = tangents.measured(|unit| {
             let [p1, p2] = [x[1], x[2]].map(|x| unit.of(x));
             let radius = contact.mu * unit.of(x[0].max(0.0));
@@ -40,9 +40,9 @@ impl ConeProblem {
     ) -> [Miss; 2] {
         let [n, t1, t2] = rows;
         let exponent = common_exponent(&rows);
-        let [of_normal, scale] = [n.positive_scale(), self.tangential_scale(contact)];
+        let (of_normal, scale) = (n.positive_scale(), self.tangential_scale(contact));
         let tangents = Tangents::new([t1, t2], scale, contact.mu, size, exponent);
-        let [w1, w2] = tangents.w;
+        let ([w1, w2], scale) = (tangents.w, tangents.scale);
         let [w_n, load] = [n.w, n.magnitude].map(|v| libm::ldexp(v, n.exponent - exponent));
         let p_n = merit::product(of_normal, x[0], -exponent);
         let [of_scale, of_reach] = tangents.measured(|unit| {
@@ -59,15 +59,14 @@ impl ConeProblem {
     }
 
     /// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the
-    /// largest |a_ij| of both rows, or 1.
-    fn tangential_scale(&self, contact: &Contact) -> f64 {
+    /// largest |a_ij| of both rows; `None` if they are all 0.
+    fn tangential_scale(&self, contact: &Contact) -> Option<f64> {
         let a = self.friction.lcp.matrix();
         let [_, t1, t2] = contact.rows;
-        let row_sum = |i: usize| a.entry(i, t1).abs() + a.entry(i, t2).abs();
         let entries = || [t1, t2].into_iter().flat_map(|i| a.row(i).iter().map(|(_, a)| a.abs()));
-        match row_sum(t1).max(row_sum(t2)) {
-            0.0 => Some(entries().fold(0.0, f64::max)).filter(|&s| s > 0.0).unwrap_or(1.0),
-            s => s,
+        match merit::block_scale(a, &[t1, t2]) {
+            0.0 => Some(entries().fold(0.0, f64::max)).filter(|&s| s > 0.0),
+            s => Some(s),
         }
     }
 }

@@ -33,7 +33,7 @@
 //! ```
 //!
 //! s_t is the scale of the tangents' block of A, but at least terms_t / R, so that no step is longer than
-//! the disc may be wide: R = μ max(x_n, terms_n / s_n), as in a row with bounds
+//! the disc may be wide, and just that where both rows of A are 0: R = μ max(x_n, terms_n / s_n), as in a row with bounds
 //! ([`scaled_residual`](merit::scaled_residual)).
 
 mod misses;
@@ -92,9 +92,7 @@ impl ConeProblem {
     /// s: the largest absolute row sum of the contact's 3 × 3 block of A, by which its largest
     /// eigenvalue is bounded; 1 for a block of zeros.
     pub fn scale(&self, contact: &Contact) -> f64 {
-        let a = self.friction.lcp.matrix();
-        let row_sum = |i: usize| contact.rows.iter().map(|&j| a.entry(i, j).abs()).sum::<f64>();
-        match contact.rows.map(row_sum).into_iter().fold(0.0, f64::max) {
+        match merit::block_scale(self.friction.lcp.matrix(), &contact.rows) {
             0.0 => 1.0,
             s => s,
         }

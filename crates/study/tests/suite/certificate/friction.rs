@@ -105,6 +105,27 @@ fn friction_that_no_row_feels_is_friction_all_the_same() {
 }
 
 #[test]
+fn a_cone_that_no_row_feels_holds_friction_to_its_direction_in_any_unit() {
+    // Slip 1/p along t1 whatever x: x = p (1, −μ, 0), and w_n = 0 under Coulomb's law, μ/p under the associated one.
+    for p in (-60..=60).step_by(12).map(|k| 2f64.powi(k)) {
+        for (model, lift) in [(Model::CoulombCone, 0.0), (Model::AssociatedCone, 1.0 / p)] {
+            let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0; 3], &[0.0; 3]];
+            let lcp = boxed(&rows, &[lift - p, 1.0 / p, 0.0], &[0.0, -INF, -INF], &[INF; 3]);
+            let contact = Contact { rows: [0, 1, 2], mu: 1.0 };
+            let problem = FrictionProblem::new(lcp, vec![contact]).unwrap();
+            let is_solution =
+                |x: [f64; 3]| verdict(&problem, model, &x.map(|x| p * x)).is_solution();
+            assert!(is_solution([1.0, -1.0, 0.0]), "{model} {p}");
+            let wrong = [[1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, -0.5, 0.0]];
+            // Below, x is nothing beside terms_n / s_n.
+            if model == Model::CoulombCone || p >= 1.0 {
+                assert!(wrong.iter().all(|&x| !is_solution(x)), "{p}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_refused_row_is_one_of_x() {
     let problem = pushed_mass(2.0, 3.0, 0.0);
     for model in Model::ALL {
