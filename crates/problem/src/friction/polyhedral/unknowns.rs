@@ -1,6 +1,7 @@
 //! The unknowns β of a polygon: which x they add to, and the products that make A of them.
 
-use std::f64::consts::TAU;
+use std::cmp::Ordering;
+use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
 use crate::Matrix;
 use crate::friction::FrictionProblem;
@@ -36,11 +37,23 @@ pub(super) fn impulses(problem: &FrictionProblem, k: usize) -> Vec<Vec<(usize, f
     impulses
 }
 
-/// d_j = (cos 2πj/k, sin 2πj/k), each quarter being the one before turned by exactly 90°.
+/// d_j = (cos 2πj/k, sin 2πj/k), each quarter being the one before turned by exactly 90°, and the halves of each
+/// being mirror images: what cancels along (1, −1) leaves no rounding.
 pub(super) fn direction(j: usize, k: usize) -> [f64; 2] {
     let (quarter, rest) = (j / (k / 4), j % (k / 4));
-    let (sin, cos) = (TAU * rest as f64 / k as f64).sin_cos();
-    (0..quarter).fold([cos, sin], |[d1, d2], _| [-d2, d1])
+    let cos_sin = |rest: usize| {
+        let angle = TAU * rest as f64 / k as f64;
+        [libm::cos(angle), libm::sin(angle)]
+    };
+    let first = match (8 * rest).cmp(&k) {
+        Ordering::Less => cos_sin(rest),
+        Ordering::Equal => [FRAC_1_SQRT_2; 2],
+        Ordering::Greater => {
+            let [cos, sin] = cos_sin(k / 4 - rest);
+            [sin, cos]
+        }
+    };
+    (0..quarter).fold(first, |[d1, d2], _| [-d2, d1])
 }
 
 /// The entries u_pᵀ A u_q other than 0 for the impulses u.

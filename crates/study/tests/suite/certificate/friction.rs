@@ -126,6 +126,21 @@ fn a_cone_that_no_row_feels_holds_friction_to_its_direction_in_any_unit() {
 }
 
 #[test]
+fn a_contact_that_sticks_is_accepted_where_the_tangents_move_as_one() {
+    // x_1 ± x_2 = c leaves w_t = 0, inside of the square, the polygons and the disc.
+    for (sign, c) in [(1.0, 0.0), (-1.0, 0.0), (1.0, 1.0), (-1.0, 1.0)] {
+        let rows: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, sign], &[0.0, sign, 1.0]];
+        let lcp = boxed(&rows, &[-4.0, -c, -sign * c], &[0.0, -INF, -INF], &[INF; 3]);
+        let contact = Contact { rows: [0, 1, 2], mu: 0.5 };
+        let problem = FrictionProblem::new(lcp, vec![contact]).unwrap();
+        for (model, x_1) in Model::ALL.into_iter().flat_map(|m| [0.3, 0.5, 0.75, 0.95].map(|x| (m, x))) {
+            let x = [4.0, x_1, sign * (c - x_1)];
+            assert!(verdict(&problem, model, &x).is_solution(), "{model} {x:?}");
+        }
+    }
+}
+
+#[test]
 fn a_refused_row_is_one_of_x() {
     let problem = pushed_mass(2.0, 3.0, 0.0);
     for model in Model::ALL {
