@@ -1,22 +1,21 @@
 //! `compare-solvers`: the problem library × the solvers.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use lcplab::error::{Error, Result};
-use lcplab::lcp::exchange;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
 use lcplab::plugin::Plugin;
-use lcplab::report::study::families;
+use lcplab::report::study::{families, problems};
 use lcplab::report::{methods, text, view};
 use lcplab::solver::Method;
 
 use super::limits::Limits;
 use super::options::SolverArgs;
 use super::plugin::Plugins;
-use super::{Outcome, print, profile, read_problem, say};
+use super::{Outcome, print, profile, say, warn};
 
 /// One solver of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for
 /// cones, and the reference.
@@ -39,7 +38,7 @@ reference. Families with friction are solved under the models frozen-box, couple
 refutes a solver's claim, a solver claims a solution where none exists, or an expected failure does not
 occur.")]
 pub struct CompareSolvers {
-    /// Families that `problems` lists, problem files, or folders of them; all families without one
+    /// Families that `problems` lists, problem files, folders of them or patterns; all families without one
     families: Vec<String>,
     /// Run all solvers, not one of each kind
     #[arg(long, conflicts_with = "solver")]
@@ -124,24 +123,15 @@ impl CompareSolvers {
 
     /// The problems of each family or file.
     fn problems(&self) -> Result<Vec<(String, Vec<Problem>)>> {
-        let named = |family: &dyn Family| families::instances(family, self.seeds);
-        if self.families.is_empty() {
-            return Ok(library::all().map(|f| (f.name().to_string(), named(f))).collect());
-        }
+        let names: Vec<&str> = match self.families.as_slice() {
+            [] => library::all().map(Family::name).collect(),
+            names => names.iter().map(String::as_str).collect(),
+        };
         let mut problems = Vec::new();
-        for name in &self.families {
-            let path = Path::new(name);
-            if exchange::is_problem(path) {
-                problems.push((name.clone(), vec![read_problem(path, self.settings.memory())?]));
-            } else if path.is_dir() {
-                for file in problem_files(path)? {
-                    let problem = read_problem(&file, self.settings.memory())?;
-                    problems.push((file.display().to_string(), vec![problem]));
-                }
-            } else {
-                problems.push((name.clone(), named(library::by_name(name)?)));
-            }
+        for name in names {
+            problems.extend(problems::named(name, self.seeds, self.settings.memory())?);
         }
+        problems.iter().flat_map(|(_, problems)| problems).for_each(warn);
         Ok(problems)
     }
 
@@ -159,23 +149,6 @@ impl CompareSolvers {
             found.extend(methods::named(name)?);
         }
         Ok(found)
-    }
-}
-
-/// The problem files of a folder, by name.
-fn problem_files(folder: &Path) -> Result<Vec<PathBuf>> {
-    let cannot = |cause: std::io::Error| {
-        Error::invalid(folder.display().to_string(), "folder", cause.to_string())
-    };
-    let mut files = Vec::new();
-    for entry in folder.read_dir().map_err(cannot)? {
-        files.push(entry.map_err(cannot)?.path());
-    }
-    files.retain(|file| exchange::is_problem(file));
-    files.sort();
-    match files.as_slice() {
-        [] => Err(Error::invalid(folder.display().to_string(), "folder", "has no problem files")),
-        _ => Ok(files),
     }
 }
 

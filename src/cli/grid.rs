@@ -8,6 +8,7 @@ use lcplab::report::grid::{Folder, Grid as File, collect, plan_table};
 use lcplab::report::text;
 
 use super::limits::Limits;
+use super::plugin::Declared;
 use super::{Outcome, bar, folder_of, print, say, threads};
 
 /// Rows of the plan that are printed.
@@ -58,6 +59,8 @@ struct Run {
     /// Threads to use; the results are the same for any number
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
+    #[command(flatten)]
+    plugins: Declared,
 }
 
 /// Put the results together: tables and a page
@@ -113,7 +116,8 @@ impl Plan {
 
 impl Run {
     fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let (_, folder) = self.place.open()?;
+        let (grid, folder) = self.place.open()?;
+        let _running = self.plugins.start(&self.place.grid, &grid.plugins)?;
         if let Some(task) = self.task {
             let record = folder.run_one(task)?;
             let refuted = record.finding.and_then(|finding| finding.get("refuted"));

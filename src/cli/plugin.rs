@@ -1,10 +1,12 @@
 //! `--plugin`: someone else's program as a solver.
 
-use std::time::Duration;
+use std::collections::BTreeMap;
 
 use clap::Args;
 use lcplab::error::{Error, Result};
-use lcplab::plugin::Plugin;
+use lcplab::plugin::{Declaration, Plugin};
+
+use super::say;
 
 /// Programs that solve problems.
 #[derive(Debug, Args)]
@@ -21,12 +23,58 @@ pub struct Plugins {
 impl Plugins {
     /// Starts them; each ends when it is dropped.
     pub fn start(&self) -> Result<Vec<Plugin>> {
-        let seconds = self.plugin_time_limit;
-        let limit = Duration::try_from_secs_f64(seconds).ok().filter(|limit| !limit.is_zero());
-        let Some(limit) = limit else {
-            let reason = format!("must be above 0, is {seconds}");
-            return Err(Error::invalid("options", "--plugin-time-limit", reason));
-        };
+        let limit = self.plugin_time_limit;
         self.plugin.iter().map(|spec| Plugin::start(spec, limit)).collect()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.plugin.is_empty()
+    }
+
+    /// The one solver of a command that runs one: that named beside, or the plug-in.
+    pub fn sole<'a>(named: Option<&'a str>, plugins: &[Plugin]) -> Result<Option<&'a str>> {
+        match (named, plugins) {
+            (named, []) => Ok(named),
+            (None, [plugin]) => Ok(Some(plugin.name())),
+            _ => {
+                let reason = "one solver solves: --solver, or one plug-in";
+                Err(Error::invalid("options", "--plugin", reason))
+            }
+        }
+    }
+}
+
+/// Programs that a file declares.
+#[derive(Debug, Args)]
+pub struct Declared {
+    /// Run the commands under [plugins] in the file; they are printed first
+    #[arg(long)]
+    allow_plugins: bool,
+}
+
+impl Declared {
+    /// Starts the plug-ins of a file, if that is allowed; each ends when it is dropped.
+    pub fn start(
+        &self,
+        input: &str,
+        plugins: &BTreeMap<String, Declaration>,
+    ) -> Result<Vec<Plugin>> {
+        if plugins.is_empty() {
+            return Ok(Vec::new());
+        }
+        let commands = plugins.iter().map(|(name, plugin)| format!("{name}: {}", plugin.command));
+        let commands: Vec<String> = commands.collect();
+        if !self.allow_plugins {
+            let reason = format!("would run {}; --allow-plugins lets it", commands.join(" and "));
+            return Err(Error::invalid(input, "plugins", reason));
+        }
+        commands.iter().for_each(|command| say(&format!("plug-in {command}")));
+        plugins.iter().map(|(name, plugin)| Plugin::declared(name, plugin)).collect()
+    }
+
+    /// The option, if it was given.
+    pub fn word(&self) -> Option<String> {
+        self.allow_plugins.then(|| "--allow-plugins".into())
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lcplab::certificate::{Certificate, Verdict, upper_bound};
-use lcplab::error::{Error, Result};
+use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
@@ -68,14 +68,7 @@ pub struct Solve {
 impl Solve {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         let plugins = self.plugins.start()?;
-        let solver = match (self.solver.as_deref(), plugins.as_slice()) {
-            (solver, []) => solver,
-            (None, [plugin]) => Some(plugin.name()),
-            _ => {
-                let reason = "one solver solves: --solver, or one plug-in";
-                return Err(Error::invalid("options", "--plugin", reason));
-            }
-        };
+        let solver = Plugins::sole(self.solver.as_deref(), &plugins)?;
         let problem = read_problem(&self.problem, self.settings.memory())?;
         let mut demand = self.settings.demand();
         if self.exact {

@@ -14,6 +14,7 @@ use lcplab::report::{difference, run, text, view, write};
 
 use super::limits::Limits;
 use super::pdf::Browser;
+use super::plugin::Declared;
 use super::{Outcome, bar, folder_of, print, say, threads};
 use crate::handout::ALL;
 
@@ -69,6 +70,8 @@ pub struct Report {
     /// Print the page to report.pdf beside it too, by a Chromium or Chrome that is on the PATH
     #[arg(long, conflicts_with = "compare")]
     pdf: bool,
+    #[command(flatten)]
+    plugins: Declared,
 }
 
 impl Report {
@@ -96,6 +99,7 @@ impl Report {
             return self.handout();
         }
         let mut experiment = Experiment::load(&self.report)?;
+        let _running = self.plugins.start(&self.report, &experiment.plugins)?;
         let mut folder = folder_of(self.out.as_deref(), "reports", &experiment.name)?;
         if let Some(id) = &self.section {
             experiment = experiment.only(id)?;
@@ -128,6 +132,7 @@ impl Report {
         if let Some(folder) = &self.out {
             words.extend(["--out".into(), shell_word(&folder.display().to_string())]);
         }
+        words.extend(self.plugins.word());
         words.join(" ")
     }
 

@@ -15,6 +15,7 @@
 //! text = "Everything else."
 //! ```
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -26,6 +27,9 @@ use super::kind::{self, AnyStudy};
 use super::results::Results;
 use crate::error::{Defects, Error, Result};
 use crate::file;
+use crate::lcp::exchange;
+use crate::plugin::Declaration;
+use crate::scene::catalogue;
 
 macro_rules! shipped {
     ($($name:literal)*) => {
@@ -47,6 +51,8 @@ pub struct Experiment {
     pub lead: String,
     /// The sections, in the order of the page.
     pub sections: Vec<Section>,
+    /// Programs of others that its studies may name as solvers; whoever runs it has to start them.
+    pub plugins: BTreeMap<String, Declaration>,
     /// The command that runs it, if it is run by one.
     pub command: Option<String>,
 }
@@ -72,6 +78,8 @@ pub struct Section {
 struct File {
     title: String,
     lead: String,
+    #[serde(default)]
+    plugins: BTreeMap<String, Declaration>,
     #[serde(default)]
     section: Vec<Spanned<toml::Table>>,
 }
@@ -116,6 +124,7 @@ impl Experiment {
             title: results.title.clone(),
             lead: results.lead.clone(),
             sections: results.sections.iter().map(section).collect::<Result<_>>()?,
+            plugins: results.plugins.clone(),
             command: results.machine.command.clone(),
         })
     }
@@ -153,8 +162,8 @@ impl Experiment {
             }
         }
         defects.into_result(input)?;
-        let File { title, lead, .. } = file;
-        Ok(Experiment { name: name.into(), title, lead, sections, command: None })
+        let File { title, lead, plugins, .. } = file;
+        Ok(Experiment { name: name.into(), title, lead, sections, plugins, command: None })
     }
 }
 
@@ -186,10 +195,41 @@ fn section(mut table: toml::Table) -> std::result::Result<Section, String> {
         return Ok(Section { id: anchor(&title), title, text, times, summary, study: None });
     };
     let kind = kind::by_name(&name).map_err(|error| error.to_string())?;
+    table.iter_mut().try_for_each(|(_, value)| spread(value)).map_err(|error| error.to_string())?;
     let settings = serde_json::to_value(&table).map_err(|error| error.to_string())?;
     let study = (kind.read)(&settings).map_err(|error| format!("{name}: {error}"))?;
     let title = title.unwrap_or_else(|| kind.title.into());
     Ok(Section { id: name, title, text, times, summary, study: Some(study.into()) })
+}
+
+/// In a list of tables, one whose `scene` or `problem` is a folder or a pattern becomes one for each of its files.
+fn spread(value: &mut toml::Value) -> Result<()> {
+    let toml::Value::Array(list) = value else { return Ok(()) };
+    let is_wanted = |file: &Path| {
+        file.extension().is_some_and(|ending| ending == "toml") || exchange::is_problem(file)
+    };
+    let is_shipped = |name: &str| catalogue::SHIPPED.iter().any(|shipped| shipped.name == name);
+    let mut all = Vec::new();
+    for item in list.drain(..) {
+        let named =
+            ["scene", "problem"].into_iter().find_map(|key| Some((key, item.get(key)?.as_str()?)));
+        let several = match named {
+            Some((_, name)) if is_shipped(name) => None,
+            Some((key, name)) => exchange::several(name, is_wanted)?.map(|files| (key, files)),
+            None => None,
+        };
+        let Some((key, files)) = several else {
+            all.push(item);
+            continue;
+        };
+        all.extend(files.into_iter().map(|file| {
+            let mut item = item.clone();
+            item[key] = file.into();
+            item
+        }));
+    }
+    *list = all;
+    Ok(())
 }
 
 fn read(name: &str, settings: &Value) -> Result<Arc<dyn AnyStudy>> {

@@ -2,6 +2,8 @@
 //!
 //! All of it but `machine` is the same in every run on the same kind of processor.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -9,6 +11,7 @@ use super::experiment::{Experiment, Section};
 use super::study::Study;
 use super::study::settings::file_name;
 use crate::error::{Error, Result};
+use crate::plugin::Declaration;
 
 /// The results of a report, complete or as far as it has come.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -23,6 +26,9 @@ pub struct Results {
     pub title: String,
     /// What it is about.
     pub lead: String,
+    /// The programs of others that its studies name as solvers.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub plugins: BTreeMap<String, Declaration>,
     /// Its sections.
     pub sections: Vec<Part>,
     /// What differs from machine to machine.
@@ -109,6 +115,7 @@ impl Results {
             name: experiment.name.clone(),
             title: experiment.title.clone(),
             lead: experiment.lead.clone(),
+            plugins: experiment.plugins.clone(),
             sections: experiment.sections.iter().map(Part::empty).collect(),
             machine: Machine {
                 platform: format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
@@ -171,9 +178,12 @@ impl Results {
         (over < all).then(|| format!("{over} of {all} tasks done; the same command goes on"))
     }
 
-    /// Takes over what an earlier run of the same version found out for the same settings.
+    /// Takes over what an earlier run of the same version found out for the same settings, with the same plug-ins.
     pub fn resume(&mut self, earlier: &Results) {
-        if earlier.version != self.version || earlier.libraries != self.libraries {
+        let by = |results: &Results| {
+            (results.version.clone(), results.libraries.clone(), results.plugins.clone())
+        };
+        if by(earlier) != by(self) {
             return;
         }
         for part in &mut self.sections {

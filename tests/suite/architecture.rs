@@ -28,7 +28,8 @@ const ROWS: [(&str, &[&[&str]]); 4] = [
     (
         "crates/study/src",
         &[
-            &["answer", "aside", "attempt", "card", "clarabel", "number"],
+            &["number"],
+            &["answer", "aside", "attempt", "card", "clarabel"],
             &["families", "friction", "methods", "profiles", "tasks"],
             &["comparison", "hunt"],
             &["explain", "diagnosis"],

@@ -46,12 +46,14 @@ pub mod matrix_market;
 pub mod npz;
 mod output;
 pub mod qps;
+mod several;
 pub mod siconos;
 mod table;
 mod words;
 
 pub use input::Input;
 pub use output::Output;
+pub use several::several;
 
 use std::path::{Path, PathBuf};
 

@@ -19,6 +19,9 @@ mod process;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Error, Result};
 use lcplab_solver::{
@@ -36,20 +39,85 @@ pub struct Plugin {
     program: Arc<Program>,
 }
 
+/// A plug-in as a file declares it, under its name.
+///
+/// ```toml
+/// [plugins.mine]
+/// command = "python3 mine.py"
+/// class = "semidefinite"
+/// settings = { sweeps = 50 }
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Declaration {
+    /// The command, split into words as a shell would, though none runs it.
+    pub command: String,
+    /// The matrices that it is made for, [`MatrixClass::word`]; any without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub class: Option<String>,
+    /// What it is told with every problem, under the key `settings`.
+    #[serde(default, skip_serializing_if = "Map::is_empty")]
+    pub settings: Map<String, Value>,
+    /// An answer must come within so many seconds.
+    #[serde(default = "ten")]
+    pub time_limit: f64,
+}
+
+fn ten() -> f64 {
+    10.0
+}
+
+impl Declaration {
+    /// A command, with all else as it is where nothing is said.
+    pub fn of(command: impl Into<String>) -> Self {
+        let (class, settings, time_limit) = (None, Map::new(), ten());
+        Declaration { command: command.into(), class, settings, time_limit }
+    }
+}
+
 impl Plugin {
-    /// Starts a program and adds it to the [registry](lcplab_solver::entry). `spec` is a command, split into words
-    /// as a shell would, though none runs it; or `NAME=COMMAND`. Without a name it is called like its file.
-    /// An answer must come within `time_limit`.
+    /// Starts what a command line names: a command, or `NAME=COMMAND`. Without a name it is called like its file.
+    /// An answer must come within `time_limit` seconds.
     ///
     /// # Errors
-    /// If the command or the name cannot be used, or the program does not answer a problem of one row.
-    pub fn start(spec: &str, time_limit: Duration) -> Result<Plugin> {
-        let (name, words) = parse(spec)?;
-        let program = Arc::new(Program { words, time_limit, process: Mutex::new(None) });
+    /// As [`Plugin::declared`].
+    pub fn start(spec: &str, time_limit: f64) -> Result<Plugin> {
+        let (name, command) = named(spec);
+        Plugin::declared(&name, &Declaration { time_limit, ..Declaration::of(command) })
+    }
+
+    /// Starts a program and adds it to the [registry](lcplab_solver::entry).
+    ///
+    /// # Errors
+    /// If the command, the class, the limit or the name cannot be used, or the program does not answer a problem of
+    /// one row.
+    pub fn declared(name: &str, declaration: &Declaration) -> Result<Plugin> {
+        let Declaration { command, class, settings, time_limit } = declaration;
+        let mut defects = Defects::default();
+        let words = shlex::split(command).unwrap_or_default();
+        if words.is_empty() {
+            defects.add("command", format!("{command:?} is no command"));
+        } else if !is_name(name) {
+            let reason = "has something else than letters, digits, _ and -, or none of them";
+            defects.add("name", format!("{name:?} {reason}; write NAME=COMMAND"));
+        }
+        let limit = Duration::try_from_secs_f64(*time_limit).unwrap_or_default();
+        if limit.is_zero() {
+            defects.add("time_limit", format!("must be above 0, is {time_limit}"));
+        }
+        let matrix = class.as_deref().map_or(Ok(MatrixClass::General), MatrixClass::by_word);
+        if let Err(cause) = &matrix {
+            defects.add("class", cause.to_string());
+        }
+        defects.into_result(format!("plug-in {name}").trim_end())?;
+        // What it divides by is not known.
+        let class = Class { divides_by_diagonal: true, ..Class::of(matrix?) };
+        let (settings, process) = (settings.clone(), Mutex::new(None));
+        let program = Arc::new(Program { words, settings, time_limit: limit, process });
         if let Err(reason) = program.greet() {
             return Err(Error::invalid(format!("plug-in {name}"), "start", reason));
         }
-        let name: &'static str = Box::leak(name.into_boxed_str());
+        let name: &'static str = Box::leak(name.to_string().into_boxed_str());
         let runs = Arc::clone(&program);
         let build = move |options: &Options| -> Box<dyn Solver> {
             Box::new(Outside {
@@ -61,7 +129,7 @@ impl Plugin {
         add(Entry {
             name,
             method: "a plug-in",
-            class: CLASS,
+            class,
             group: Group::Plugin,
             cost: Cost::UNKNOWN,
             source: "a plug-in",
@@ -83,38 +151,26 @@ impl Drop for Plugin {
     }
 }
 
-/// Every boxed LCP that a division by the diagonal can be made for: what a plug-in is not made for it says
-/// itself.
-const CLASS: Class = Class { divides_by_diagonal: true, ..Class::of(MatrixClass::General) };
-
-/// The name and the words of a command.
-fn parse(spec: &str) -> Result<(String, Vec<String>)> {
-    let is_name = |name: &str| {
-        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "_-".contains(c))
-    };
-    let (name, command) = match spec.split_once('=') {
-        Some((name, command)) if is_name(name) => (Some(name.to_string()), command),
-        _ => (None, spec),
-    };
-    let mut defects = Defects::default();
-    let words = shlex::split(command).unwrap_or_default();
-    if words.is_empty() {
-        defects.add("command", format!("{command:?} is no command"));
+/// The name and the command.
+fn named(spec: &str) -> (String, &str) {
+    if let Some((name, command)) = spec.split_once('=').filter(|(name, _)| is_name(name)) {
+        return (name.to_string(), command);
     }
+    let words = shlex::split(spec).unwrap_or_default();
     let file = words.iter().rev().find(|word| !word.starts_with('-'));
     let stem = || std::path::Path::new(file?).file_stem()?.to_str().map(str::to_string);
-    let name = name.or_else(stem).unwrap_or_default();
-    if defects.is_empty() && !is_name(&name) {
-        defects.add("name", "has none of letters, digits, _ and -; write NAME=COMMAND");
-    }
-    defects.into_result("plug-in")?;
-    Ok((name, words))
+    (stem().unwrap_or_default(), spec)
+}
+
+fn is_name(name: &str) -> bool {
+    !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "_-".contains(c))
 }
 
 /// A command, and the process that runs it.
 #[derive(Debug)]
 struct Program {
     words: Vec<String>,
+    settings: Map<String, Value>,
     time_limit: Duration,
     /// `None` before the first problem, and after one that the process did not survive.
     process: Mutex<Option<Process>>,
@@ -137,7 +193,7 @@ impl Program {
         start: &Start<'_>,
         settings: &Settings,
     ) -> std::result::Result<Answer, String> {
-        let request = message::request(lcp, start, settings, self.time_limit);
+        let request = message::request(lcp, start, settings, &self.settings, self.time_limit);
         let mut process = self.process.lock().unwrap_or_else(PoisonError::into_inner);
         let longest = message::longest(lcp.len());
         let ask = |mut running: Process| match running.ask(&request, longest, self.time_limit) {

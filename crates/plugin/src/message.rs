@@ -19,11 +19,12 @@ const SHORT: usize = 1 << 16;
 /// And never longer than this.
 const LONG: usize = 1 << 30;
 
-/// A problem file in one line, with what is demanded of an answer.
+/// A problem file in one line, with what is demanded of an answer, and the plug-in's own settings.
 pub(super) fn request(
     lcp: &Lcp,
     start: &Start<'_>,
     settings: &Settings,
+    own: &Map<String, Value>,
     time_limit: Duration,
 ) -> String {
     let mut object = match Problem::new("", lcp.clone()).to_json() {
@@ -39,6 +40,9 @@ pub(super) fn request(
     object.insert("tolerance".into(), json!(settings.tolerance));
     object.insert("max_iterations".into(), json!(settings.max_iterations));
     object.insert("time_limit".into(), json!(time_limit.as_secs_f64()));
+    if !own.is_empty() {
+        object.insert("settings".into(), Value::Object(own.clone()));
+    }
     if let Some(x) = start.x {
         object.insert("start".into(), json!(x));
     }
@@ -99,6 +103,10 @@ impl Answer {
                 list.iter().map(|x| numbers(x, "an iterate", n)).collect::<Result<_, _>>()?
             }
             Some(_) => return Err(format!("its iterates are no list of at most {ITERATES}")),
+        };
+        let iterates = match (iterates.is_empty(), &x) {
+            (true, Some(x)) => vec![x.clone()], // one step to the answer
+            _ => iterates,
         };
         let counted = object.get("iterations").and_then(Value::as_u64);
         let iterations = counted.map_or(iterates.len(), |count| count as usize);

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use lcplab_problem::error::{Error, Result};
+
 /// Classes of matrices, each with what the theory of LCPs says of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MatrixClass {
@@ -20,6 +22,45 @@ pub enum MatrixClass {
     CopositivePlus,
     /// Any square matrix.
     General,
+}
+
+impl MatrixClass {
+    /// All of them.
+    pub const ALL: [MatrixClass; 7] = [
+        MatrixClass::Definite,
+        MatrixClass::Semidefinite,
+        MatrixClass::P,
+        MatrixClass::POrSemidefinite,
+        MatrixClass::P0,
+        MatrixClass::CopositivePlus,
+        MatrixClass::General,
+    ];
+
+    /// Its name in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            MatrixClass::Definite => "definite",
+            MatrixClass::Semidefinite => "semidefinite",
+            MatrixClass::P => "p",
+            MatrixClass::POrSemidefinite => "p-or-semidefinite",
+            MatrixClass::P0 => "p0",
+            MatrixClass::CopositivePlus => "copositive-plus",
+            MatrixClass::General => "general",
+        }
+    }
+
+    /// The class of this [word](MatrixClass::word).
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn by_word(word: &str) -> Result<MatrixClass> {
+        let found = MatrixClass::ALL.into_iter().find(|class| class.word() == word);
+        found.ok_or_else(|| Error::Unknown {
+            kind: "class of matrices",
+            name: word.into(),
+            known: MatrixClass::ALL.map(|class| class.word().into()).into(),
+        })
+    }
 }
 
 impl fmt::Display for MatrixClass {

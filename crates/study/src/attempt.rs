@@ -85,7 +85,8 @@ pub struct Attempt {
     pub outcome: Outcome,
     /// Sweeps, steps or pivots.
     pub iterations: usize,
-    /// Multiplications ([`Work`]).
+    /// Multiplications ([`Work`]); NaN where nobody counts them, as a plug-in's.
+    #[serde(with = "crate::number::always")]
     pub work: f64,
 }
 

@@ -97,10 +97,11 @@ pub fn profiles(costs: &[Vec<Cost>]) -> Vec<Profile> {
 }
 
 /// The costs of the problems that have a solution, at the tolerance of this number: multiplications, at
-/// least one a row.
+/// least one a row. Where nobody counts them, it is as if the solver had not tried.
 pub fn costs(tried: &[Tried], tolerance: usize) -> Vec<Vec<Cost>> {
     let solvable = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
     let cost = |rows: usize, attempt: &Attempt| match &attempt.outcome {
+        _ if attempt.work.is_nan() => Cost::NotTried,
         outcome if outcome.is_solved() => Cost::Solved(attempt.work.max(rows as f64)),
         outcome if outcome.is_attempt() => Cost::Failed,
         _ => Cost::NotTried,

@@ -50,12 +50,16 @@ pub struct Compare {
 
 impl Compare {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let scene = self.scene.load()?;
+        let plugins = self.scene.plugins.start()?;
+        let scene = self.scene.load(self.scene.solver.as_deref())?;
         let steps = self.steps.unwrap_or(scene.step.count);
-        let solvers = match &self.scene.solver {
+        let mut solvers = match &self.scene.solver {
             Some(name) => vec![self.scene.method(name, &scene)?],
             None => solver::methods(),
         };
+        for plugin in &plugins {
+            solvers.push(self.scene.method(plugin.name(), &scene)?);
+        }
         let schemes = match self.scene.scheme {
             Some(scheme) => vec![scheme],
             None => Scheme::LEVELS.to_vec(),

@@ -10,6 +10,7 @@ use serde_json::json;
 
 use super::SceneArgs;
 use crate::cli::limits::Limits;
+use crate::cli::plugin::Plugins;
 use crate::cli::{Outcome, print, say};
 
 /// Write the LCP of one step of a scene as a problem file
@@ -33,7 +34,8 @@ pub struct Export {
 
 impl Export {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let scene = self.scene.load()?;
+        let plugins = self.scene.plugins.start()?;
+        let scene = self.scene.load(Plugins::sole(self.scene.solver.as_deref(), &plugins)?)?;
         let mut simulation = self.scene.simulation(&scene)?;
         let (stop, mut last) = (limits.stop(), None);
         for _ in 0..self.step {

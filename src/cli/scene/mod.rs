@@ -22,6 +22,7 @@ use lcplab::solver::{Method, entry};
 
 use super::limits::MemoryLimit;
 use super::options::{Choices, RowOrder};
+use super::plugin::Plugins;
 
 /// A scene, and what to change in it.
 #[derive(Debug, Args)]
@@ -49,6 +50,8 @@ struct SceneArgs {
     /// Most sweeps or pivots in a solve
     #[arg(long, visible_alias = "sweeps")]
     max_iterations: Option<usize>,
+    #[command(flatten)]
+    plugins: Plugins,
     #[command(flatten)]
     changes: Changes,
     #[command(flatten)]
@@ -106,7 +109,8 @@ fn schemes() -> impl TypedValueParser<Value = Scheme> {
 }
 
 impl SceneArgs {
-    fn load(&self) -> Result<Scene> {
+    /// The scene, stepped by this solver if it is not its own.
+    fn load(&self, named: Option<&str>) -> Result<Scene> {
         let mut scene = self.changes.load(&self.scene)?;
         scene.step.scheme = self.scheme.unwrap_or(scene.step.scheme);
         scene.step.dt = self.dt.unwrap_or(scene.step.dt);
@@ -114,7 +118,7 @@ impl SceneArgs {
             scene.contact.model = model;
         }
         let solver = &mut scene.solver;
-        solver.name = self.solver.clone().unwrap_or_else(|| solver.name.clone());
+        solver.name = named.unwrap_or(&solver.name).to_string();
         solver.tolerance = self.tolerance.unwrap_or(solver.tolerance);
         solver.max_iterations = self.max_iterations.unwrap_or(solver.max_iterations);
         solver.omega = self.choices.omega.unwrap_or(solver.omega);
@@ -148,10 +152,15 @@ impl SceneArgs {
     fn method(&self, name: &str, scene: &Scene) -> Result<Method> {
         match scene.contact.model {
             Model::CoupledBox | Model::FrozenBox => Ok(Method::Boxed(*entry(name)?)),
-            model if self.solver.is_some() => methods::by_name(name, model),
+            model if self.is_named() => methods::by_name(name, model),
             model => methods::by_name(name, model)
                 .or_else(|_| methods::by_name(methods::default_for(model), model)),
         }
+    }
+
+    /// Whether a solver is asked for.
+    fn is_named(&self) -> bool {
+        self.solver.is_some() || !self.plugins.is_empty()
     }
 
     fn check(&self, solvers: &[Method], scene: &Scene) -> Result<()> {

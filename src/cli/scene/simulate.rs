@@ -16,6 +16,7 @@ use lcplab::solver::Stop;
 
 use super::SceneArgs;
 use crate::cli::limits::Limits;
+use crate::cli::plugin::Plugins;
 use crate::cli::{Outcome, bar, print};
 
 /// The steps that a duration may stand for.
@@ -62,7 +63,8 @@ pub struct Simulate {
 
 impl Simulate {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let scene = self.scene.load()?;
+        let plugins = self.scene.plugins.start()?;
+        let scene = self.scene.load(Plugins::sole(self.scene.solver.as_deref(), &plugins)?)?;
         let simulation = self.scene.simulation(&scene)?;
         if let Some(folder) = &self.out {
             file::prepare(folder)?;

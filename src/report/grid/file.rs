@@ -1,5 +1,6 @@
 //! The grid file: each key read where it stands, so that a defect has its line.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Deserialize;
@@ -12,6 +13,7 @@ use super::theory::Theory;
 use crate::error::{Defects, Error, Result};
 use crate::file;
 use crate::plot::Scale;
+use crate::plugin::Declaration;
 
 /// The sweeps that lcplab ships, by name.
 const SHIPPED: [(&str, &str); 2] = [
@@ -19,9 +21,9 @@ const SHIPPED: [(&str, &str); 2] = [
     ("ratio", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/ratio.toml"))),
 ];
 
-const KEYS: [&str; 14] = [
-    "title", "text", "scene", "family", "steps", "measure", "scale", "theory", "seed", "repeat",
-    "set", "axes", "zip", "labels",
+const KEYS: [&str; 15] = [
+    "title", "text", "plugins", "scene", "family", "steps", "measure", "scale", "theory", "seed",
+    "repeat", "set", "axes", "zip", "labels",
 ];
 
 /// An axis has at most so many points.
@@ -50,6 +52,8 @@ pub struct Grid {
     pub seed: u64,
     /// What settings are called on the page.
     pub labels: Vec<(String, String)>,
+    /// Programs of others that may be named as solvers; whoever runs the tasks has to start them.
+    pub plugins: BTreeMap<String, Declaration>,
     /// The file itself.
     pub(super) source: String,
 }
@@ -171,6 +175,7 @@ impl<'a> Reader<'a> {
             theory,
             labels,
             seed: self.key("seed").unwrap_or(1),
+            plugins: self.key("plugins").unwrap_or_default(),
             source: self.text.into(),
         }
     }

@@ -1,12 +1,11 @@
 //! How the residual falls, sweep by sweep, beside the rate that theory predicts.
 
-use crate::simulation;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
+use super::settings::{AtStep, Given, first};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::scene::Scene;
 use crate::solver::{Dantzig, Order, Pgs, Settings, Solver, Start, theory};
 use crate::trace::{Convergence, Record};
 
@@ -18,13 +17,15 @@ pub struct Plan {
     pub scenes: Vec<Swept>,
 }
 
-/// A scene, one of its steps, and relaxation factors.
+/// An LCP, and relaxation factors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Swept {
-    /// A shipped scene or a file.
+    /// A shipped scene, or a file: of a scene or, under the key `problem` too, of a problem.
+    #[serde(alias = "problem")]
     pub scene: String,
-    /// The number of the step, from 1.
+    /// The number of the step, from 1; a problem file has none.
+    #[serde(default = "first")]
     pub step: usize,
     /// The relaxation factors ω; the optimal one is added where theory knows it.
     pub omegas: Vec<f64>,
@@ -41,14 +42,15 @@ impl Study for Plan {
 
     fn run(&self, task: usize) -> Result<(Self::Finding, ())> {
         let task = &self.scenes[task];
-        Ok((run(&Scene::load(&task.scene)?, task.step, &task.omegas)?, ()))
+        let at = AtStep { scene: task.scene.clone(), step: task.step };
+        Ok((run(at.given()?, &task.omegas), ()))
     }
 }
 
-/// The first LCP of a scene with several relaxation factors.
+/// An LCP with several relaxation factors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// The scene.
+    /// The scene or the file.
     pub scene: String,
     /// Its title.
     pub title: String,
@@ -83,15 +85,9 @@ const SWEEPS: usize = 600;
 /// Residuals below this part of the first are rounding, not convergence.
 const FLOOR: f64 = 1e-12;
 
-/// Runs PGS and SOR on the scene's last LCP of a step.
-///
-/// # Errors
-/// If the simulation fails before.
-pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Result<Finding> {
-    let lcp = simulation::problem_of(scene, step)?.lcp;
-    let mut options = simulation::options(scene);
-    options.settings.tolerance = 1e-12;
-    let direct = Dantzig { settings: options.settings };
+/// Runs PGS and SOR on a problem.
+fn run(Given { name, title, lcp }: Given, omegas: &[f64]) -> Finding {
+    let direct = Dantzig { settings: Settings { tolerance: 1e-12, ..Settings::default() } };
     let pivots = direct.solve(&lcp, &Start::default(), &mut ()).iterations;
     let unbounded = |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite();
     let equations_only = lcp.coupling().is_none() && (0..lcp.len()).all(unbounded);
@@ -102,15 +98,8 @@ pub fn run(scene: &Scene, step: usize, omegas: &[f64]) -> Result<Finding> {
     omegas.sort_by(f64::total_cmp);
     omegas.dedup();
     let curves = omegas.iter().map(|&omega| curve(&lcp, omega)).collect();
-    Ok(Finding {
-        scene: scene.name.clone(),
-        title: scene.title.clone(),
-        rows: lcp.len(),
-        equations_only,
-        optimal_omega,
-        curves,
-        pivots,
-    })
+    let rows = lcp.len();
+    Finding { scene: name, title, rows, equations_only, optimal_omega, curves, pivots }
 }
 
 fn curve(lcp: &Lcp, omega: f64) -> Curve {

@@ -4,17 +4,18 @@ use serde::{Deserialize, Serialize};
 
 use super::Study;
 use super::families::{self, Row};
+use super::problems;
 use crate::error::Result;
 use crate::lcp::friction::Model;
-use crate::lcp::library;
+use crate::memory::Memory;
 use crate::report::methods;
-use crate::solver::{Method, Options, Stop};
+use crate::solver::{Options, Stop};
 
 /// Problem families with friction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// The families.
+    /// Families of the library, problem files, folders of them, or patterns.
     pub families: Vec<String>,
     /// The models of friction, by name.
     #[serde(default = "models")]
@@ -58,15 +59,17 @@ impl Study for Plan {
     }
 
     fn run(&self, task: usize) -> Result<(Vec<Row>, Vec<Times>)> {
-        let family = library::by_name(&self.families[task])?;
+        let problems = problems::named(&self.families[task], self.seeds, Memory::default())?;
         let options = Options::default();
         let models: Vec<Model> = self.models.iter().map(|m| m.parse()).collect::<Result<_>>()?;
-        let wanted = |method: &Method| {
-            self.solvers.is_empty() || self.solvers.iter().any(|name| name == method.name())
+        let methods = match self.solvers.as_slice() {
+            [] => methods::all(),
+            names => {
+                let named = names.iter().map(|name| methods::named(name));
+                named.collect::<Result<Vec<_>>>()?.concat()
+            }
         };
-        let methods: Vec<Method> = methods::all().into_iter().filter(wanted).collect();
-        let mut rows =
-            families::run(&[family], &models, &methods, &options, self.seeds, &Stop::default());
+        let mut rows = families::run_on(&problems, &models, &methods, &options, &Stop::default());
         let times = rows.iter_mut().map(|row| Times {
             family: row.family.clone(),
             model: row.model.clone().unwrap_or_default(),

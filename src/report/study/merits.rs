@@ -1,16 +1,14 @@
 //! The same iterates of one run, measured by every merit function.
 
-use crate::simulation;
 use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use super::settings::AtStep;
+use super::settings::{AtStep, Given};
 use crate::error::Result;
 use crate::lcp::friction::{ConeProblem, FrictionProblem, Law, merit as cone_merit};
 use crate::lcp::{Complementarity, Lcp, merit};
-use crate::scene::Scene;
 use crate::solver::{ConePgs, ConeSolver, Iterate, Observer, Order, Pgs, Settings, Solver, Start};
 
 /// Which problem a run solves.
@@ -40,15 +38,14 @@ impl Study for Plan {
     }
 
     fn run(&self, task: usize) -> Result<(Self::Finding, ())> {
-        let task = &self.scenes[task];
-        Ok((run(&Scene::load(&task.scene)?, task.step)?, ()))
+        Ok((run(self.scenes[task].given()?), ()))
     }
 }
 
-/// A run on one LCP of a scene.
+/// A run on an LCP.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Run {
-    /// The scene.
+    /// The scene or the file.
     pub scene: String,
     /// Its title.
     pub title: String,
@@ -141,24 +138,15 @@ const CONE: [Merit<ConeProblem>; 6] = [
 /// Most sweeps of the run.
 const SWEEPS: usize = 60;
 
-/// Runs PGS on the scene's last LCP of a step, and on its cones where it has contacts with friction.
-///
-/// # Errors
-/// If the simulation fails before.
-pub fn run(scene: &Scene, step: usize) -> Result<Vec<Run>> {
-    let lcp = simulation::problem_of(scene, step)?.lcp;
+/// Runs PGS on an LCP, and on its cones where it has contacts with friction.
+fn run(Given { name, title, lcp }: Given) -> Vec<Run> {
     let settings = Settings {
         tolerance: 0.0,
         max_iterations: SWEEPS,
         check_every: SWEEPS,
         ..Settings::default()
     };
-    let run = |shape, curves| Run {
-        scene: scene.name.clone(),
-        title: scene.title.clone(),
-        shape,
-        curves,
-    };
+    let run = |shape, curves| Run { scene: name.clone(), title: title.clone(), shape, curves };
     let pgs = Pgs { omega: 1.0, order: Order::default(), settings: settings.clone() };
     let mut seen = Seen::new(&lcp, &BOX);
     pgs.solve(&lcp, &Start::default(), &mut seen);
@@ -170,7 +158,7 @@ pub fn run(scene: &Scene, step: usize) -> Result<Vec<Run>> {
         ConePgs { settings }.solve(&problem, &Start::default(), &mut seen);
         runs.push(run(Shape::Cone, seen.curves()));
     }
-    Ok(runs)
+    runs
 }
 
 /// An observer that measures every iterate by every merit.

@@ -20,6 +20,7 @@ pub mod order;
 pub mod painleve;
 pub mod plane;
 pub mod posed;
+pub mod problems;
 pub mod profiles;
 pub mod published;
 pub mod race;

@@ -1,5 +1,5 @@
-//! The LCPs that studies of solvers are about, as settings: a step of a scene, a problem of the
-//! library, or a stack with a heavy load on top.
+//! The LCPs that studies of solvers are about, as settings: a step of a scene, a problem file, a problem of
+//! the library, or a stack with a heavy load on top.
 
 use crate::simulation;
 use std::collections::BTreeMap;
@@ -18,7 +18,7 @@ pub const BLOW: f64 = 9.81 / 60.0;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Source {
-    /// A step of a scene.
+    /// A step of a scene, or a file.
     Scene(AtStep),
     /// A problem of the library.
     Family(OfFamily),
@@ -51,7 +51,7 @@ impl Source {
     /// A name that tells it from the others.
     pub fn name(&self) -> String {
         match self {
-            Source::Scene(AtStep { scene, step }) => format!("{scene}, step {step}"),
+            Source::Scene(at) => at.name(),
             Source::Family(OfFamily { family, values }) => {
                 let values: Vec<String> =
                     values.iter().map(|(k, v)| format!("{k} = {v}")).collect();
@@ -68,12 +68,10 @@ impl Source {
     /// The problem.
     ///
     /// # Errors
-    /// If there is no such scene, step or family.
+    /// If there is no such scene, step, file or family.
     pub fn lcp(&self) -> Result<Lcp> {
         match self {
-            Source::Scene(AtStep { scene, step }) => {
-                Ok(simulation::problem_of(&Scene::load(scene)?, *step)?.lcp)
-            }
+            Source::Scene(at) => Ok(at.given()?.lcp),
             Source::Family(OfFamily { family, values }) => {
                 let values: Vec<(&str, f64)> =
                     values.iter().map(|(name, value)| (name.as_str(), *value)).collect();

@@ -6,11 +6,13 @@ use serde::{Deserialize, Serialize};
 
 use super::Study;
 use super::posed::Source;
+use super::problems;
 use super::settings::AtStep;
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::lcp::file::Problem;
 use crate::lcp::library;
+use crate::memory::Memory;
 use lcplab_study::attempt::{attempt, entries, options};
 pub use lcplab_study::profiles::{Cost, Posed, Profile, Tried, costs, profiles};
 
@@ -18,7 +20,7 @@ pub use lcplab_study::profiles::{Cost, Posed, Profile, Tried, costs, profiles};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// Families of the library; all without it.
+    /// Families of the library, problem files, folders of them, or patterns; the whole library without it.
     #[serde(default)]
     pub families: Vec<String>,
     /// Of families with random numbers, problems with the seeds 1 … `seeds`.
@@ -107,22 +109,16 @@ impl Plan {
         }
     }
 
-    /// The problems of a family, and whether each is known to have no solution.
+    /// The problems of a name, and whether each is known to have no solution.
     fn of_family(&self, name: &str) -> Result<Vec<(Lcp, bool)>> {
-        let family = library::by_name(name)?;
-        let is_random = family.parameters().iter().any(|parameter| parameter.name == "seed");
-        let problems = if is_random {
-            let seeded = |seed: u32| family.generate(&[("seed", f64::from(seed))]);
-            (1..=self.seeds).map(seeded).collect::<Result<Vec<Problem>>>()?
-        } else {
-            vec![family.generate(&[])?]
-        };
+        let named = problems::named(name, self.seeds, Memory::default())?;
+        let problems = named.into_iter().flat_map(|(_, problems)| problems);
         let impossible = |problem: &Problem| {
             problem.extra.get("expected").is_some_and(|expected| {
                 expected["complete"] == true
                     && expected["solutions"].as_array().is_some_and(Vec::is_empty)
             })
         };
-        Ok(problems.into_iter().map(|p| (impossible(&p), p.lcp)).map(|(i, lcp)| (lcp, i)).collect())
+        Ok(problems.map(|p| (impossible(&p), p.lcp)).map(|(i, lcp)| (lcp, i)).collect())
     }
 }

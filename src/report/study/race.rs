@@ -79,7 +79,8 @@ pub struct Runner {
 pub struct Mark {
     /// Sweeps, steps or pivots.
     pub iteration: usize,
-    /// Multiplications ([`Work`]).
+    /// Multiplications ([`Work`]); NaN where nobody counts them.
+    #[serde(with = "lcplab_study::number::always")]
     pub work: f64,
     /// The scaled residual.
     #[serde(with = "lcplab_study::number::always")]

@@ -1,8 +1,15 @@
-//! Scenes as report files name them.
+//! Scenes and problems as report files name them.
+
+use std::path::Path;
 
 use serde::{Deserialize, Deserializer, Serialize, de::Error};
 
+use crate::error::Result as Found;
 use crate::file;
+use crate::lcp::file::Problem;
+use crate::lcp::{Lcp, exchange};
+use crate::scene::Scene;
+use crate::simulation;
 
 /// A name that becomes that of a file.
 ///
@@ -24,14 +31,64 @@ pub struct Stepped {
     pub steps: usize,
 }
 
-/// A scene and one of its steps.
+/// An LCP: the last one of a scene's step, or a problem file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AtStep {
-    /// A shipped scene or a file.
+    /// A shipped scene, or a file: of a scene or, under the key `problem` too, of a problem.
+    #[serde(alias = "problem")]
     pub scene: String,
-    /// The number of the step, from 1.
+    /// The number of the step, from 1; a problem file has none.
+    #[serde(default = "first")]
     pub step: usize,
+}
+
+/// The step where none is named.
+pub fn first() -> usize {
+    1
+}
+
+/// An LCP with what it is called.
+pub struct Given {
+    /// The scene's or the file's name.
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// The problem.
+    pub lcp: Lcp,
+}
+
+impl AtStep {
+    /// The problem.
+    ///
+    /// # Errors
+    /// If the file cannot be read, there is no such scene, or it does not come to this step.
+    pub fn given(&self) -> Found<Given> {
+        if let Some(problem) = self.problem() {
+            return problem;
+        }
+        let scene = Scene::load(&self.scene)?;
+        let lcp = simulation::problem_of(&scene, self.step)?.lcp;
+        Ok(Given { name: scene.name, title: scene.title, lcp })
+    }
+
+    /// The problem of a file that holds one.
+    pub fn problem(&self) -> Option<Found<Given>> {
+        let path = Path::new(&self.scene);
+        let given = |problem: Problem| {
+            let title = if problem.name.is_empty() { &self.scene } else { &problem.name };
+            Given { name: self.scene.clone(), title: title.clone(), lcp: problem.lcp }
+        };
+        exchange::is_problem(path).then(|| exchange::read(path, None).map(given))
+    }
+
+    /// Its name and its step, if it has one.
+    pub fn name(&self) -> String {
+        match exchange::is_problem(Path::new(&self.scene)) {
+            true => self.scene.clone(),
+            false => format!("{}, step {}", self.scene, self.step),
+        }
+    }
 }
 
 /// A scene and how long it runs.

@@ -62,8 +62,10 @@ pub struct Pair {
     /// The same from 0.
     pub cold: usize,
     /// Multiplications ([`Work`]) from the last step's answer.
+    #[serde(with = "lcplab_study::number::always")]
     pub warm_work: f64,
     /// The same from 0.
+    #[serde(with = "lcplab_study::number::always")]
     pub cold_work: f64,
     /// Solves that were not claimed solved, of either kind.
     pub unsolved: usize,

@@ -28,7 +28,10 @@ pub fn iterations(attempt: &Attempt) -> Cell {
 
 /// The multiplications, if it was solved.
 pub fn work(attempt: &Attempt) -> Cell {
-    if attempt.outcome.is_solved() { Cell::number(attempt.work, 2) } else { Cell::text("–") }
+    match attempt.outcome.is_solved() && attempt.work.is_finite() {
+        true => Cell::number(attempt.work, 2),
+        false => Cell::text("–"),
+    }
 }
 
 /// `1 234 sweeps`.

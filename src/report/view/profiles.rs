@@ -61,6 +61,8 @@ impl Plan {
     fn figure(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
         let by_tolerance: Vec<Vec<Profile>> =
             (0..self.tolerances.len()).map(|k| profiles(&costs(tried, k))).collect();
+        let is_counted =
+            |solver: usize| by_tolerance.iter().any(|profiles| profiles[solver].attempted > 0);
         let curve = |solver: usize| Curve {
             name: solvers[solver].clone(),
             columns: by_tolerance
@@ -72,6 +74,7 @@ impl Plan {
             name: group.map_or("Others", Group::name).into(),
             curves: (0..solvers.len())
                 .filter(|solver| Group::of(&solvers[*solver]) == group)
+                .filter(|solver| is_counted(*solver))
                 .map(curve)
                 .collect(),
         };

@@ -53,10 +53,12 @@ fn id(problem: &str, what: &str) -> String {
 fn series(race: &Race, across: fn(&Mark) -> f64) -> Vec<Series> {
     let took_part = |runner: &&Runner| runner.outcome.is_attempt();
     let points = |runner: &Runner| -> Vec<(f64, f64)> {
-        runner.marks.iter().map(|mark| (across(mark), mark.residual.max(LEAST))).collect()
+        let points = runner.marks.iter().map(|mark| (across(mark), mark.residual.max(LEAST)));
+        points.filter(|(across, _)| across.is_finite()).collect()
     };
     let series = |runner: &Runner| curve(&runner.solver, points(runner));
-    race.runners.iter().filter(took_part).map(series).collect()
+    let series = race.runners.iter().filter(took_part).map(series);
+    series.filter(|series| !series.points.is_empty()).collect()
 }
 
 fn curve(solver: &str, points: Vec<(f64, f64)>) -> Series {
@@ -135,7 +137,8 @@ fn table(race: &Race) -> Table {
             Cell::text(&runner.solver),
             outcome(&runner.outcome),
             end.map_or(Cell::text("–"), |end| Cell::count(end.iteration)),
-            end.filter(|_| solved).map_or(Cell::text("–"), |end| Cell::number(end.work, 2)),
+            end.filter(|end| solved && end.work.is_finite())
+                .map_or(Cell::text("–"), |end| Cell::number(end.work, 2)),
             end.map_or(Cell::text("–"), |end| Cell::number(end.residual, 2)),
         ]
     };

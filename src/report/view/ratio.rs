@@ -434,10 +434,11 @@ const CARRIED: f64 = 1e-3;
 const SHOWN: [&str; 8] =
     ["pgs", "sor", "nncg", "apgd", "mprgp", "interior-point", "newton", "dantzig"];
 
-/// The attempts at the last precision that solved it, the cheapest first.
+/// The attempts at the last precision that solved it at a cost that was counted, the cheapest first.
 fn by_cost(stack: &Stack) -> Vec<&Attempt> {
     let last = stack.tried.iter().filter_map(Tried::last);
-    let mut solved: Vec<&Attempt> = last.filter(|attempt| attempt.outcome.is_solved()).collect();
+    let is_counted = |attempt: &&Attempt| attempt.outcome.is_solved() && attempt.work.is_finite();
+    let mut solved: Vec<&Attempt> = last.filter(is_counted).collect();
     solved.sort_by(|a, b| a.work.total_cmp(&b.work));
     solved
 }

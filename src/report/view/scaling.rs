@@ -79,7 +79,7 @@ fn of<'a>(column: &'a Column, solver: &str) -> Option<&'a Attempt> {
 fn points(columns: &[Column], solver: &str, cost: fn(&Attempt) -> f64) -> Vec<(f64, f64)> {
     let point = |column: &Column| {
         let attempt = of(column, solver).filter(|attempt| attempt.outcome.is_solved())?;
-        Some((column.bodies as f64, cost(attempt)))
+        Some((column.bodies as f64, cost(attempt))).filter(|(_, cost)| cost.is_finite())
     };
     columns.iter().filter_map(point).collect()
 }

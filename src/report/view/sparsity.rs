@@ -20,13 +20,14 @@ impl View for Plan {
                 ("jacobian", "J", (scene.rows, scene.columns), &scene.jacobian),
                 ("matrix", "A = J M⁻¹ Jᵀ", (scene.rows, scene.rows), &scene.matrix),
             ];
-            let step = scene.step;
-            for (kind, name, size, places) in figures {
+            let of_problem = scene.columns == 0;
+            for (kind, name, size, places) in figures.into_iter().skip(of_problem.into()) {
+                let name = if of_problem { "A" } else { name };
                 let id = format!("sparsity_{}_{kind}", stem(&scene.scene));
-                let caption = format!(
-                    "{name} in step {step}: {}",
-                    crate::report::page::markup::literal(&scene.title)
-                );
+                let when =
+                    if of_problem { String::new() } else { format!(" in step {}", scene.step) };
+                let title = crate::report::page::markup::literal(&scene.title);
+                let caption = format!("{name}{when}: {title}");
                 let title = format!("{name}: {}", scene.scene);
                 if let Ok(spy) = Spy::new(id, title, caption, size, places.iter().copied()) {
                     document.figure(spy);

@@ -112,5 +112,81 @@ fn a_command_that_is_no_plug_in_is_bad_usage() {
     let refused = "error: plug-in true: start: it ended (exit status: 0)\n";
     assert_eq!(told(&["--plugin", "true"]), refused);
     let zero = told(&["--plugin", "true", "--plugin-time-limit", "0"]);
-    assert_eq!(zero, "error: options: --plugin-time-limit: must be above 0, is 0\n");
+    assert_eq!(zero, "error: plug-in true: time_limit: must be above 0, is 0\n");
+}
+
+/// A folder with two problems that the example solves, and a file whose studies name a plug-in.
+fn declared(text: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, b) in [("a", -1), ("b", -3)] {
+        let text = format!(r#"{{"A": {{"dense": [[2, -1], [-1, 2]]}}, "b": [{b}, 2]}}"#);
+        std::fs::write(folder.path().join(format!("{name}.json")), text).unwrap();
+    }
+    let file = folder.path().join("mine.toml");
+    let plugins = format!("[plugins.mine]\ncommand = {SWEEPS:?}\n");
+    std::fs::write(&file, text.replace("DUMPS", folder.path().to_str().unwrap()) + &plugins)
+        .unwrap();
+    let file = file.to_str().unwrap().to_string();
+    (folder, file)
+}
+
+#[test]
+fn a_report_runs_the_plug_ins_that_it_declares_if_it_is_allowed_to() {
+    let (folder, file) = declared(
+        r#"
+title = "Mine"
+lead = "Mine beside others."
+section = [
+    { study = "race", problems = [{ problem = "DUMPS/*.json" }], solvers = ["mine", "dantzig"] },
+    { study = "profiles", families = ["DUMPS"], solvers = ["mine", "pgs"], tolerances = [1e-6] },
+]
+"#,
+    );
+    let to = folder.path().join("report");
+    let report = ["report", &file, "--out", to.to_str().unwrap()];
+    let refused = run(&report);
+    assert_eq!(refused.status.code(), Some(2));
+    let reason = format!("plugins: would run mine: {SWEEPS}; --allow-plugins lets it");
+    assert!(err(&refused).contains(&reason) && !to.exists(), "{}", err(&refused));
+    let allowed = run(&[&report[..], &["--allow-plugins"]].concat());
+    assert_eq!(allowed.status.code(), Some(0), "{}", err(&allowed));
+    assert!(err(&allowed).starts_with(&format!("plug-in mine: {SWEEPS}\n")));
+    assert!(out(&allowed).contains("4 of 4 arrived"), "{}", out(&allowed));
+    assert!(
+        out(&allowed).contains("4 attempts, 4 claimed solved, 4 accepted"),
+        "{}",
+        out(&allowed)
+    );
+    // Drawing it again runs nothing.
+    let redrawn = run(&["report", "--redraw", to.to_str().unwrap()]);
+    assert_eq!((redrawn.status.code(), err(&redrawn)), (Some(0), String::new()));
+}
+
+#[test]
+fn a_grid_runs_the_plug_ins_that_it_declares_if_it_is_allowed_to() {
+    let (folder, file) = declared(
+        r#"
+family = "stack"
+measure = "iterations"
+axes.solver.name = ["mine", "dantzig"]
+"#,
+    );
+    let to = folder.path().join("grid");
+    let grid = ["grid", "run", &file, "--out", to.to_str().unwrap()];
+    assert_eq!(run(&grid).status.code(), Some(2));
+    let allowed = run(&[&grid[..], &["--allow-plugins"]].concat());
+    assert_eq!(out(&allowed), "2 of 2 tasks run, 0 were done before\n", "{}", err(&allowed));
+    let collected = run(&["grid", "collect", &file, "--out", to.to_str().unwrap()]);
+    assert!(out(&collected).contains("2 of 2 tasks collected, 0 impossible, 0 claims refuted"));
+}
+
+#[test]
+fn a_scene_is_stepped_by_a_plug_in_and_compared_with_another_solver() {
+    let (summary, code) = told(&["simulate", "fig7", "--steps", "1", "--plugin", SWEEPS]);
+    assert_eq!((&summary["solver"], code), (&"sweeps".into(), Some(0)), "{summary}");
+    let velocity = ["--scheme", "velocity", "--solver", "dantzig", "--plugin", SWEEPS];
+    let (told, code) = told(&[&["compare", "fig7", "--steps", "1"], &velocity[..]].concat());
+    let runs = told["comparison"]["runs"].as_array().unwrap();
+    let solvers: Vec<&Value> = runs.iter().map(|run| &run["solver"]).collect();
+    assert_eq!((solvers, code), (vec![&Value::from("dantzig"), &"sweeps".into()], Some(0)));
 }

@@ -47,7 +47,7 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
     };
     let small = Settings { memory: Memory::bytes(1), ..usual() };
     let always_one = r#"short=python3 -c "import sys; [print('{\"x\": [1]}', flush=True) for line in sys.stdin]""#;
-    let short = Plugin::start(always_one, std::time::Duration::from_secs(60)).unwrap();
+    let short = Plugin::start(always_one, 60.0).unwrap();
     each_variant! { Status:
         Status::Solved => said("dantzig", &one, usual()), "solved";
         Status::Inaccurate => said("murty", &no_float, exactly.clone()), "ended above the tolerance";

@@ -46,5 +46,5 @@ fn forty_lines_of_c_plus_plus_are_a_solver() {
         .output()
         .expect("a C++ compiler");
     assert!(compiler.status.success(), "{}", String::from_utf8_lossy(&compiler.stderr));
-    solves(&Plugin::start(&program.display().to_string(), LONG).unwrap());
+    solves(&Plugin::start(&program.display().to_string(), LONG.as_secs_f64()).unwrap());
 }

@@ -54,7 +54,7 @@ impl Script {
 }
 
 fn start(file: &Path, limit: Duration) -> Plugin {
-    Plugin::start(&format!("python3 '{}'", file.display()), limit).unwrap()
+    Plugin::start(&format!("python3 '{}'", file.display()), limit.as_secs_f64()).unwrap()
 }
 
 fn solve(plugin: &Plugin, lcp: &Lcp) -> (Solution, Certificate) {

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use lcplab_plugin::Plugin;
-use lcplab_solver::{Options, Settings, Start, Status, by_name};
+use lcplab_plugin::{Declaration, Plugin};
+use lcplab_solver::{MatrixClass, Options, Settings, Start, Status, by_name, entry};
 use lcplab_testing::Iterates;
 
 use super::{LONG, Script, pushed, solve};
@@ -58,6 +58,32 @@ fn iterates_are_seen_as_those_of_any_solver() {
 }
 
 #[test]
+fn an_answer_without_iterates_is_one_iteration() {
+    let script = Script::answering("answer", "print('{\"x\": [0.5, 0]}', flush=True)");
+    let plugin = script.start(LONG);
+    let mut seen = Iterates::default();
+    let solver = by_name(plugin.name(), &Options::default()).unwrap();
+    assert_eq!(solver.solve(&pushed(), &Start::default(), &mut seen).iterations, 1);
+    assert_eq!(seen.0, [vec![0.0, 0.0], vec![0.5, 0.0]]);
+}
+
+#[test]
+fn a_declared_plug_in_has_a_class_and_is_told_its_settings() {
+    let answer = "c = p['settings']['root']; print(json.dumps({'x': [c, c]}), flush=True)";
+    let script = Script::answering("settings", answer);
+    let command = format!("python3 '{}'", script.path("settings.py").display());
+    let json =
+        serde_json::json!({ "command": command, "class": "definite", "settings": { "root": 3 } });
+    let declaration: Declaration = serde_json::from_value(json).unwrap();
+    let plugin = Plugin::declared("told", &declaration).unwrap();
+    assert_eq!(entry("told").unwrap().class.matrix, MatrixClass::Definite);
+    assert_eq!(solve(&plugin, &pushed()).0.x, [3.0, 3.0]);
+    let wrong = Declaration { class: Some("nice".into()), ..declaration };
+    let refusal = Plugin::declared("wrong", &wrong).unwrap_err().to_string();
+    assert!(refusal.starts_with("plug-in wrong: class: there is no class of matrices"), "{refusal}");
+}
+
+#[test]
 fn one_process_a_problem_is_a_plug_in_too() {
     let once = "import json, sys\np = json.loads(sys.stdin.readline())\nprint('{\"x\": [0.5, 0]}' if len(p['b']) == 2 else '{\"x\": [1]}')\n";
     let script = Script::new("once", once);
@@ -69,7 +95,7 @@ fn one_process_a_problem_is_a_plug_in_too() {
 
 #[test]
 fn a_command_that_cannot_be_a_plug_in_is_refused_in_a_line() {
-    let refusal = |spec: &str| Plugin::start(spec, LONG).unwrap_err().to_string();
+    let refusal = |spec: &str| Plugin::start(spec, LONG.as_secs_f64()).unwrap_err().to_string();
     assert_eq!(refusal(""), "plug-in: command: \"\" is no command");
     assert_eq!(
         refusal("a=nobody-knows-it"),
@@ -77,7 +103,8 @@ fn a_command_that_cannot_be_a_plug_in_is_refused_in_a_line() {
     );
     assert_eq!(refusal("pgs=cat"), "plug-in pgs: start: its answer has no \"x\"");
     let dumb = Script::answering("dantzig", "pass");
-    let named = Plugin::start(&format!("python3 '{}'", dumb.path("dantzig.py").display()), LONG);
+    let dantzig = format!("python3 '{}'", dumb.path("dantzig.py").display());
+    let named = Plugin::start(&dantzig, LONG.as_secs_f64());
     assert_eq!(
         named.unwrap_err().to_string(),
         "solvers: name: there is a solver named \"dantzig\" already"

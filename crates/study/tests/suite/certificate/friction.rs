@@ -133,7 +133,9 @@ fn a_contact_that_sticks_is_accepted_where_the_tangents_move_as_one() {
         let lcp = boxed(&rows, &[-4.0, -c, -sign * c], &[0.0, -INF, -INF], &[INF; 3]);
         let contact = Contact { rows: [0, 1, 2], mu: 0.5 };
         let problem = FrictionProblem::new(lcp, vec![contact]).unwrap();
-        for (model, x_1) in Model::ALL.into_iter().flat_map(|m| [0.3, 0.5, 0.75, 0.95].map(|x| (m, x))) {
+        for (model, x_1) in
+            Model::ALL.into_iter().flat_map(|m| [0.3, 0.5, 0.75, 0.95].map(|x| (m, x)))
+        {
             let x = [4.0, x_1, sign * (c - x_1)];
             assert!(verdict(&problem, model, &x).is_solution(), "{model} {x:?}");
         }

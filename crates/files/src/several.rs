@@ -1,0 +1,54 @@
+//! Names that stand for several files.
+
+use std::path::Path;
+
+use lcplab_problem::error::{Error, Result};
+
+use super::is_problem;
+
+/// The files that a name stands for, in the order of their names: those of a folder that are `wanted`, or all that
+/// match a pattern, `*` being any letters within a name and `**` any folders. `None` for the name of one file, or of
+/// something else.
+///
+/// ```
+/// use lcplab_files::{is_problem, several};
+///
+/// let folder = std::env::temp_dir().join("lcplab-several");
+/// std::fs::create_dir_all(&folder).unwrap();
+/// for name in ["a.json", "b.npz", "notes.txt"] {
+///     std::fs::write(folder.join(name), "").unwrap();
+/// }
+/// let folder = folder.display();
+/// assert_eq!(several(&format!("{folder}"), is_problem)?.unwrap().len(), 2);
+/// assert_eq!(several(&format!("{folder}/*.json"), is_problem)?.unwrap(), [format!("{folder}/a.json")]);
+/// assert_eq!(several(&format!("{folder}/a.json"), is_problem)?, None);
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+///
+/// # Errors
+/// If there is none of these files, or the folder or the pattern cannot be read.
+pub fn several(name: &str, wanted: fn(&Path) -> bool) -> Result<Option<Vec<String>>> {
+    let path = Path::new(name);
+    let fault = |reason: String| Error::invalid(name, "files", reason);
+    let is_pattern = name.contains('*') && !path.exists();
+    if !is_pattern && is_problem(path) {
+        return Ok(None);
+    }
+    let pattern = match (path.is_dir(), is_pattern) {
+        (true, _) => format!("{}/*", glob::Pattern::escape(name.trim_end_matches('/'))),
+        (false, true) => name.to_string(),
+        (false, false) => return Ok(None),
+    };
+    let found = glob::glob(&pattern).map_err(|cause| fault(cause.msg.into()))?;
+    let mut files = Vec::new();
+    for file in found {
+        let file = file.map_err(|cause| fault(cause.to_string()))?;
+        if !path.is_dir() || wanted(&file) {
+            files.push(file.to_str().ok_or_else(|| fault("a name is not UTF-8".into()))?.into());
+        }
+    }
+    if files.is_empty() {
+        return Err(fault("there is none of the kind that is wanted".into()));
+    }
+    Ok(Some(files))
+}
