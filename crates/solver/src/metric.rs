@@ -96,7 +96,7 @@ pub(super) fn diagonal(lcp: &Lcp) -> Result<Vec<f64>, Status> {
 
 /// The same, if A is symmetric too.
 pub(super) fn diagonal_of_symmetric(lcp: &Lcp) -> Result<Vec<f64>, Status> {
-    if lcp.matrix().is_symmetric() {
+    if lcp.matrix().is_nearly_symmetric() {
         diagonal(lcp)
     } else {
         Err(Status::OutsideClass { reason: "A is not symmetric" })

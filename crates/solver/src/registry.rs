@@ -235,7 +235,7 @@ pub fn entry(name: &str) -> Result<&'static Entry> {
     })
 }
 
-/// The solver to take where none is named: Dantzig's for symmetric A, Lemke's for any other.
+/// The solver to take where none is named: Dantzig's for A symmetric but for rounding, Lemke's for any other.
 pub fn default_for(lcp: &Lcp) -> &'static str {
-    if lcp.matrix().is_symmetric() { "dantzig" } else { "lemke" }
+    if lcp.matrix().is_nearly_symmetric() { "dantzig" } else { "lemke" }
 }

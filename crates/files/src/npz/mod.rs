@@ -11,6 +11,9 @@
 //! | `lo`, `hi` | numbers, n | bounds; 0 and ∞ where they are absent |
 //! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](lcplab_problem::file): rows from 0, −1 for none |
 //!
+//! An archive with `G`, `g` and `mus` in their place is one of ContactBench, the benchmark of contact solvers in
+//! robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g.
+//!
 //! ```text
 //! numpy.savez("problem.npz", A=A, b=b)                              # NumPy
 //! numpy.savez("problem.npz", data=A.data, indices=A.indices, indptr=A.indptr,
@@ -24,6 +27,7 @@
 //! (`scipy.sparse.tril`) is taken as it stands; arrays of objects are pickles and are refused.
 
 mod array;
+mod contact_bench;
 mod header;
 
 use std::io::{Cursor, Read, Write};
@@ -42,7 +46,7 @@ use lcplab_problem::file::{Entries, Problem};
 /// NumPy's archives of arrays.
 pub const FORMAT: Format = Format {
     name: "npz",
-    about: "NumPy and SciPy: an archive of arrays, A dense or as scipy.sparse stores it",
+    about: "NumPy and SciPy: an archive of arrays, A dense or as scipy.sparse stores it; ContactBench's G, g, mus",
     endings: &[".npz"],
     in_folder: None,
     beside: &[],
@@ -58,10 +62,21 @@ fn read(input: &Input) -> Result<Problem> {
     let mut archive = Archive::open(input, &name)?;
     let known = ["A", "b", "lo", "hi", "mu", "friction_index"];
     let mut arrays = std::collections::HashMap::new();
-    for part in known.into_iter().chain(SPARSE) {
+    for part in known.into_iter().chain(SPARSE).chain(contact_bench::ARRAYS) {
         if let Some(array) = archive.array(part)? {
             arrays.insert(part, array);
         }
+    }
+    let others = |is_known: &dyn Fn(&str) -> bool| -> Vec<String> {
+        let unknown = |part: &&String| !is_known(part) && **part != "_is_array";
+        let names = archive.names();
+        let unknown = names.iter().filter(unknown);
+        unknown.map(|part| format!("{name}: unknown array {part:?} ignored")).collect()
+    };
+    if arrays.contains_key("G") && !arrays.contains_key("A") {
+        let problem = contact_bench::problem(&arrays, input.stem(), &name)?;
+        let warnings = others(&|part| contact_bench::ARRAYS.contains(&part));
+        return Ok(Problem { warnings, ..problem });
     }
     let table = match arrays.remove("A") {
         Some(a) => a.table().map_err(|reason| Error::invalid(&name, "A", reason))?,
@@ -73,11 +88,7 @@ fn read(input: &Input) -> Result<Problem> {
     };
     let lcp = parts(table, vector, &name)?.into_lcp().map_err(|error| error.within(&name))?;
     let mut problem = Problem::new(input.stem(), lcp);
-    let is_known =
-        |part: &&String| known.contains(&part.as_str()) || SPARSE.contains(&part.as_str());
-    for part in archive.names().iter().filter(|part| !is_known(part) && **part != "_is_array") {
-        problem.warnings.push(format!("{name}: unknown array {part:?} ignored"));
-    }
+    problem.warnings = others(&|part| known.contains(&part) || SPARSE.contains(&part));
     Ok(problem)
 }
 

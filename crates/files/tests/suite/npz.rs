@@ -1,7 +1,9 @@
 use std::io::{Cursor, Write};
 
 use lcplab_files as exchange;
+use lcplab_judge::{Demand, judge_friction};
 use lcplab_problem::file::Problem;
+use lcplab_problem::friction::Model;
 use proptest::prelude::*;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
@@ -78,10 +80,15 @@ fn read(other: &[(&str, Vec<u8>)]) -> Result<Problem, String> {
     ];
     arrays.retain(|(name, _)| other.iter().all(|(of, _)| of != name));
     arrays.extend_from_slice(other);
+    archive(&arrays)
+}
+
+/// The problem of an archive of these arrays.
+fn archive(arrays: &[(&str, Vec<u8>)]) -> Result<Problem, String> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in arrays {
         zip.start_file(format!("{name}.npy"), SimpleFileOptions::default()).unwrap();
-        zip.write_all(&bytes).unwrap();
+        zip.write_all(bytes).unwrap();
     }
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p.npz");
@@ -162,4 +169,28 @@ fn each_defect_of_an_array_has_its_message() {
     }
     let problem = read(&[("colour", numbers(&[1.0]))]).unwrap();
     assert!(problem.warnings[0].ends_with("p.npz: unknown array \"colour\" ignored"));
+}
+
+#[test]
+fn a_contact_of_contact_bench_has_its_normal_last_and_coulombs_cone() {
+    // Pressed with 2 and pushed with 3 along t1, μ = ½: friction is 1, and 2 are left to slide.
+    let unit: Vec<u8> =
+        (0..9).flat_map(|k| f64::from(u8::from(k % 4 == 0)).to_le_bytes()).collect();
+    let column: Vec<u8> = [-3.0, 0.0, -2.0].iter().flat_map(|g: &f64| g.to_le_bytes()).collect();
+    let arrays = |mus: &[f64]| {
+        let g = array("<f8", "(3, 1)", &column);
+        vec![("G", array("<f8", "(3, 3)", &unit)), ("g", g), ("mus", numbers(mus))]
+    };
+    let problem = archive(&arrays(&[0.5])).unwrap();
+    let friction = problem.friction().unwrap().unwrap();
+    assert_eq!(problem.model, Some(Model::CoulombCone));
+    assert_eq!((friction.contacts()[0].rows, friction.contacts()[0].mu), ([2, 0, 1], 0.5));
+    let posed = Model::CoulombCone.pose(&friction, None).unwrap();
+    let is_solution =
+        |x: &[f64]| judge_friction(&posed, x, &Demand::default()).verdict.is_solution();
+    assert!(is_solution(&[1.0, 0.0, 2.0]) && !is_solution(&[2.0, 0.0, 1.0]));
+    assert_eq!(problem.warnings, [""; 0]);
+    let refused = archive(&arrays(&[0.5, 0.5])).unwrap_err();
+    assert_eq!(refused, "mus: has 2 contacts, g has 3 rows");
+    assert_eq!(archive(&arrays(&[0.5])[..2]).unwrap_err(), "mus: is missing beside G");
 }

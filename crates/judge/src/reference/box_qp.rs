@@ -28,7 +28,7 @@ pub fn box_qp_to(lcp: &Lcp, tolerance: f64) -> Option<Reference> {
 }
 
 fn program(lcp: &Lcp) -> Option<Program> {
-    if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
+    if lcp.coupling().is_some() || !lcp.matrix().is_nearly_symmetric() {
         return None;
     }
     let mut program = Program::with_objective(lcp);

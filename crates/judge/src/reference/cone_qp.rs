@@ -21,7 +21,7 @@ pub fn cone_qp(problem: &ConeProblem) -> Option<Reference> {
 /// [`cone_qp`] with a limit on clarabel's iterations.
 pub fn cone_qp_within(problem: &ConeProblem, max_iterations: usize) -> Option<Reference> {
     let (lcp, friction) = (problem.lcp(), problem.friction());
-    if !problem.is_frozen() || !lcp.matrix().is_symmetric() {
+    if !problem.is_frozen() || !lcp.matrix().is_nearly_symmetric() {
         return None;
     }
     let mut program = Program::with_objective(lcp);

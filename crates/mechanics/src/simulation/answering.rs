@@ -169,7 +169,7 @@ fn takes(solver: &dyn Solver, model: Model) -> bool {
 fn suits(solver: &dyn Solver, lcp: &Lcp) -> bool {
     use MatrixClass::{Definite, Semidefinite};
     let class = lcplab_solver::entry(solver.name()).ok().map(|entry| entry.class.matrix);
-    lcp.matrix().is_symmetric() || !matches!(class, Some(Definite | Semidefinite))
+    lcp.matrix().is_nearly_symmetric() || !matches!(class, Some(Definite | Semidefinite))
 }
 
 /// The scene's settings of solvers.

@@ -80,7 +80,10 @@ fn a_declared_plug_in_has_a_class_and_is_told_its_settings() {
     assert_eq!(solve(&plugin, &pushed()).0.x, [3.0, 3.0]);
     let wrong = Declaration { class: Some("nice".into()), ..declaration };
     let refusal = Plugin::declared("wrong", &wrong).unwrap_err().to_string();
-    assert!(refusal.starts_with("plug-in wrong: class: there is no class of matrices"), "{refusal}");
+    assert!(
+        refusal.starts_with("plug-in wrong: class: there is no class of matrices"),
+        "{refusal}"
+    );
 }
 
 #[test]

@@ -131,7 +131,19 @@ impl Matrix {
         }
     }
 
-    /// The same, row by row: what stands right of the diagonal waits for its counterpart below.
+    /// Whether a_ij and a_ji differ by rounding at most, beside √(a_ii a_jj), which bounds both where A is
+    /// semidefinite: what a program computes as J M⁻¹ Jᵀ is seldom symmetric to the last bit.
+    pub fn is_nearly_symmetric(&self) -> bool {
+        const ROUNDING: f64 = 1e-12;
+        let diagonal: Vec<f64> = (0..self.len()).map(|i| self.diagonal(i).abs().sqrt()).collect();
+        let is_close = |i: usize, j: usize, a: f64| {
+            (a - self.entry(j, i)).abs() <= ROUNDING * diagonal[i] * diagonal[j]
+        };
+        let is_close_row = |i: usize| self.row(i).iter().all(|(j, a)| is_close(i, j, a));
+        self.is_symmetric() || (0..self.len()).all(is_close_row)
+    }
+
+    /// [`Matrix::is_symmetric`], row by row: what stands right of the diagonal waits for its counterpart below.
     fn meets_its_transpose(&self) -> bool {
         let nonzero = |i: usize| self.row(i).iter().filter(|&(_, a)| a != 0.0);
         let mut waiting: Vec<_> =

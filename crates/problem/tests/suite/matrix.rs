@@ -21,6 +21,8 @@ proptest! {
         }
         prop_assert_eq!(dense.pattern(), sparse.pattern());
         prop_assert_eq!(dense.is_symmetric(), sparse.is_symmetric());
+        prop_assert_eq!(dense.is_nearly_symmetric(), sparse.is_nearly_symmetric());
+        prop_assert_eq!(dense.is_nearly_symmetric(), dense.is_symmetric()); // whole numbers
     }
 
     #[test]

@@ -47,7 +47,7 @@ impl FreeRows {
     pub(crate) fn of(lcp: &Lcp) -> Self {
         let matrix = Arc::clone(lcp.shared_matrix());
         let most = matrix.len().pow(2) / ENVELOPE_PART;
-        let factor = match matrix.is_symmetric() {
+        let factor = match matrix.is_nearly_symmetric() {
             true if Envelope::entries(&matrix) <= most => Factor::Envelope(Envelope::of(&matrix)),
             true => Factor::Cholesky(Cholesky::default()),
             false => Factor::Lu(None),

@@ -56,6 +56,25 @@ fn no_two_take_the_same_path() {
 }
 
 #[test]
+fn a_matrix_that_is_symmetric_but_for_rounding_is_taken_by_all_and_one_beyond_is_not() {
+    // A dump's J M⁻¹ Jᵀ: a_01 and a_10 differ in the last bit. A x + b = 0 at (1, 2, 1).
+    let dumped = |other: f64| {
+        contacts(
+            &[&[2.0, other, 0.0], &[-1.0, 2.0, -1.0], &[0.0, -1.0, 2.0]],
+            &[-2.0 - 2.0 * other, -2.0, 0.0],
+        )
+    };
+    let lcp = dumped(-1.0 - f64::EPSILON);
+    assert!(!lcp.matrix().is_symmetric() && lcp.matrix().is_nearly_symmetric());
+    for solver in all() {
+        let solution = solver.solve(&lcp, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved, "{}", solver.name());
+        assert_certified(&lcp, &solution.x);
+    }
+    assert!(!dumped(-1.0 - 1e-9).matrix().is_nearly_symmetric());
+}
+
+#[test]
 fn the_empty_problem_is_solved() {
     for solver in all() {
         let solution = solver.solve(&contacts(&[], &[]), &Start::default(), &mut ());

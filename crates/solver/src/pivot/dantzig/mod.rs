@@ -66,7 +66,7 @@ impl Solver for Dantzig {
         if let Some(status) = self.settings.refusal(Memory::square(lcp.len())) {
             return Solution::new(lcp, x, status, 0); // two triangles: a factor, and one made anew
         }
-        if !lcp.matrix().is_symmetric() {
+        if !lcp.matrix().is_nearly_symmetric() {
             let reason = "A is not symmetric";
             return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
         }

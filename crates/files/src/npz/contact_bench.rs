@@ -1,0 +1,46 @@
+//! ContactBench's contact problems: `numpy.savez(…, G=G, g=g, mus=mus)`.
+//!
+//! | array | type | meaning |
+//! | --- | --- | --- |
+//! | `G` | numbers, 3m × 3m | the matrix of m contacts; A = G |
+//! | `g` | numbers, 3m or 3m × 1 | the speeds without impulses; b = g |
+//! | `mus` | numbers, m | the coefficients of friction |
+//!
+//! A contact's rows are t1, t2, n, the normal last, and stay in that order. The law is Coulomb's with the cone.
+
+use std::collections::HashMap;
+
+use super::array::Array;
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::Problem;
+use lcplab_problem::friction::Model;
+use lcplab_problem::{Coupling, Lcp};
+
+/// The names of the arrays.
+pub(super) const ARRAYS: [&str; 3] = ["G", "g", "mus"];
+
+/// The problem of these arrays.
+pub(super) fn problem(arrays: &HashMap<&str, Array>, name: String, input: &str) -> Result<Problem> {
+    let get = |part: &str| {
+        arrays.get(part).ok_or_else(|| Error::invalid(input, part, "is missing beside G"))
+    };
+    let fault = |part: &'static str| move |reason| Error::invalid(input, part, reason);
+    let matrix = get("G")?.table().map_err(fault("G"))?;
+    let b = get("g")?.vector().map_err(fault("g"))?;
+    let mus = get("mus")?.vector().map_err(fault("mus"))?;
+    let n = b.len();
+    if mus.len().checked_mul(3) != Some(n) {
+        let reason = format!("has {} contacts, g has {n} rows", mus.len());
+        return Err(Error::invalid(input, "mus", reason));
+    }
+    let matrix = matrix.square(n, input)?.matrix(n);
+    let is_normal = |i: usize| i % 3 == 2;
+    let lo = (0..n).map(|i| if is_normal(i) { 0.0 } else { -f64::INFINITY }).collect();
+    let index = (0..n).map(|i| (!is_normal(i)).then_some(i - i % 3 + 2)).collect();
+    let mu = (0..n).map(|i| if is_normal(i) { 0.0 } else { mus[i / 3] }).collect();
+    let coupled = Lcp::new(matrix, b, lo, vec![f64::INFINITY; n])
+        .and_then(|lcp| lcp.with_coupling(Coupling::new(index, mu)?));
+    let lcp = coupled.map_err(|error| error.within(input))?;
+    let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
+    Ok(Problem { model, ..Problem::new(name, lcp) })
+}
