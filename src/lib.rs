@@ -48,6 +48,7 @@ pub use lcplab_study::{card, diagnosis, explain, hunt};
 pub mod chapter;
 pub mod film;
 pub mod lesson;
+pub mod problem_set;
 pub mod report;
 pub mod storage;
 

@@ -15,8 +15,18 @@ def matrix(p):
     return A
 
 
-def serve(solve):
-    """Minimises ½ xᵀAx + bᵀx over the box, which is the LCP where A is symmetric and semidefinite; claims nothing else."""
+def is_convex(A, lo, hi):
+    """Whether the LCP is the minimum of ½ xᵀAx + bᵀx over the box, if A is semidefinite too."""
+    return (A == A.T).all()
+
+
+def is_plain(A, lo, hi):
+    """Whether the bounds are 0 and ∞, all that most solvers of LCPs know."""
+    return (lo == 0).all() and np.isposinf(hi).all()
+
+
+def serve(solve, takes=is_convex):
+    """Answers what `solve` is made for: problems without friction that it `takes`; claims nothing of others."""
     out = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # what a library prints goes to the standard error
     for line in sys.stdin:
@@ -24,7 +34,7 @@ def serve(solve):
         A, b = matrix(p["A"]), np.array(p["b"], dtype=float)
         lo, hi = (np.array([float(v) for v in p[key]]) for key in ("lo", "hi"))
         answer = {"status": "outside_class"}
-        if "friction_index" not in p and (A == A.T).all():
+        if "friction_index" not in p and takes(A, lo, hi):
             try:
                 answer = {"x": [float(v) for v in solve(A, b, lo, hi, p["tolerance"])]}
             except Exception as error:

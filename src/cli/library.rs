@@ -5,9 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::error::Result;
 use lcplab::file;
+use lcplab::lcp::file::SCHEMA;
 use lcplab::lcp::library::{self, Family};
+use lcplab::problem_set;
 
-use super::{Outcome, bar, print, problem_set};
+use super::{Outcome, bar, print};
 
 /// List the families of the problem library, or what is known of one
 #[derive(Debug, Args)]
@@ -23,6 +25,9 @@ pub struct Problems {
     /// of each
     #[arg(long, value_name = "FOLDER", conflicts_with = "name")]
     export: Option<PathBuf>,
+    /// Print the JSON schema of problem files
+    #[arg(long, conflicts_with_all = ["name", "export"])]
+    schema: bool,
 }
 
 impl Problems {
@@ -35,6 +40,7 @@ impl Problems {
             return Ok(Outcome::Good);
         }
         let text = match &self.name {
+            _ if self.schema => SCHEMA.to_string(),
             Some(name) => description(library::by_name(name)?),
             None => library::all()
                 .map(|family| format!("{:<18} {}\n", family.name(), family.about()))

@@ -17,7 +17,6 @@ mod options;
 mod pdf;
 mod plugin;
 mod problem;
-mod problem_set;
 mod profile;
 mod report;
 mod scene;

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use lcplab_judge::{Demand, FrictionCertificate, Verdict, judge_friction};
 use lcplab_problem::Complementarity;
-use lcplab_problem::file::Problem;
+use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_problem::library::Family;
 use lcplab_solver::trace::Provenance;
@@ -225,10 +225,7 @@ impl Row {
     }
 }
 
-/// Whether the library knows that there is no solution.
+/// Whether it is known that there is no solution.
 fn has_no_solution(problem: &Problem) -> bool {
-    let expected = problem.extra.get("expected");
-    expected.is_some_and(|expected| {
-        expected["complete"] == true && expected["solutions"].as_array().is_some_and(Vec::is_empty)
-    })
+    Expected::of(problem).is_some_and(|expected| expected.is_impossible())
 }

@@ -5,8 +5,6 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::error::Result;
 use lcplab::file;
-use lcplab::lcp::file::{Problem, number};
-use serde_json::json;
 
 use super::SceneArgs;
 use crate::cli::limits::Limits;
@@ -55,20 +53,7 @@ impl Export {
             say(&format!("error: {}: step {} solves no LCP", scene.name, self.step));
             return Ok(Outcome::Refuted);
         };
-        let assembled = &solve.problem;
-        let mut problem =
-            Problem::new(format!("{}, step {}", scene.name, self.step), assembled.lcp.clone());
-        if let Some(posing) = solve.posing {
-            (problem.model, problem.frozen_at) = (Some(posing.model), posing.frozen_at);
-        }
-        let rows = assembled.assembly.rows.iter().map(|row| {
-            let unit = assembled.stage.unit(row.kind.is_angular());
-            json!({ "label": row.label(&scene), "kind": row.kind.name(), "unit": unit })
-        });
-        problem.extra.insert("rows".into(), rows.collect());
-        problem.extra.insert("dt".into(), number(scene.step.dt));
-        let source = format!("lcplab scene {}, {} level", scene.name, assembled.stage.name());
-        problem.extra.insert("source".into(), source.into());
+        let problem = solve.exported(&scene, self.step as usize);
         let text = format!("{}\n", problem.to_json());
         match &self.out {
             Some(path) => file::write(path, &text)?,

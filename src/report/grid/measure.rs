@@ -4,7 +4,6 @@ use crate::simulation;
 use crate::simulation::Simulation;
 use std::time::Instant;
 
-use dashu_ratio::RBig;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json};
 
@@ -14,7 +13,7 @@ use super::theory::Theory;
 use crate::certificate::{Demand, FrictionCertificate, Verdict, judge};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::lcp::file::{Problem, as_number, number};
+use crate::lcp::file::{Expected, Problem, as_number, number};
 use crate::report::answer::status_word;
 use crate::report::methods;
 use crate::scene::Scene;
@@ -283,8 +282,7 @@ impl Course {
 
 /// The solution of a problem that is known to have no other one.
 fn only_solution(problem: &Problem) -> Option<Vec<f64>> {
-    let expected = problem.extra.get("expected")?;
-    let [Json::Array(x)] = expected["solutions"].as_array()?.as_slice() else { return None };
-    let exact = |x: &Json| Some(x.as_str()?.parse::<RBig>().ok()?.to_f64().value());
-    (expected["complete"] == true).then(|| x.iter().map(exact).collect())?
+    let expected = Expected::of(problem).filter(|expected| expected.complete)?;
+    let [x] = expected.solutions.as_slice() else { return None };
+    Some(x.iter().map(|x| x.to_f64().value()).collect())
 }

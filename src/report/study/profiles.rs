@@ -10,7 +10,7 @@ use super::problems;
 use super::settings::AtStep;
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::lcp::file::Problem;
+use crate::lcp::file::{Expected, Problem};
 use crate::lcp::library;
 use crate::memory::Memory;
 use lcplab_study::attempt::{attempt, entries, options};
@@ -114,10 +114,7 @@ impl Plan {
         let named = problems::named(name, self.seeds, Memory::default())?;
         let problems = named.into_iter().flat_map(|(_, problems)| problems);
         let impossible = |problem: &Problem| {
-            problem.extra.get("expected").is_some_and(|expected| {
-                expected["complete"] == true
-                    && expected["solutions"].as_array().is_some_and(Vec::is_empty)
-            })
+            Expected::of(problem).is_some_and(|expected| expected.is_impossible())
         };
         Ok(problems.map(|p| (impossible(&p), p.lcp)).map(|(i, lcp)| (lcp, i)).collect())
     }

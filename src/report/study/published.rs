@@ -1,10 +1,12 @@
 //! Small LCPs from the literature, whose solutions are known as fractions, by every solver.
 
+use dashu_ratio::RBig;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
 use super::families::{self, Row};
 use crate::error::Result;
+use crate::lcp::file::Expected;
 use crate::lcp::library;
 use crate::report::methods;
 use crate::solver::{Method, Options, Stop};
@@ -88,15 +90,16 @@ impl Study for Plan {
         let mut solvers =
             families::run(&[family], &[], &boxed, &Options::default(), 1, &Stop::default());
         solvers.iter_mut().for_each(|row| row.seconds = 0.0);
-        let solutions = problem.extra.get("expected").map(|expected| &expected["solutions"]);
-        let solutions = solutions.and_then(|s| serde_json::from_value(s.clone()).ok());
+        let expected = Expected::of(&problem).map_or(Vec::new(), |expected| expected.solutions);
+        let fractions = |x: &Vec<RBig>| x.iter().map(ToString::to_string).collect();
+        let solutions = expected.iter().map(fractions).collect();
         let lemke = PUBLISHED.iter().find(|(name, _)| *name == family.name());
         let finding = Finding {
             problem: family.name().into(),
             about: family.about().into(),
             source: family.source().into(),
             rows: problem.lcp.len(),
-            solutions: solutions.unwrap_or_default(),
+            solutions,
             lemke: lemke.and_then(|(_, path)| *path),
             solvers,
         };

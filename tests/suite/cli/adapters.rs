@@ -6,18 +6,21 @@ use serde_json::Value;
 
 use super::{err, out, run};
 
-/// The adapters, and the packages that they need.
-const ADAPTERS: [(&str, &str); 4] = [
-    ("use_osqp", "numpy, osqp, scipy"),
-    ("use_quadprog", "numpy, quadprog"),
-    ("use_proxsuite", "numpy, proxsuite"),
-    ("use_lsq_linear", "numpy, scipy"),
+/// The adapters, the packages that they need, and a family that they are not made for: a matrix that is not
+/// symmetric, or rows that may pull.
+const ADAPTERS: [(&str, &str, &str); 6] = [
+    ("use_osqp", "numpy, osqp, scipy", "murty"),
+    ("use_quadprog", "numpy, quadprog", "murty"),
+    ("use_proxsuite", "numpy, proxsuite", "murty"),
+    ("use_lsq_linear", "numpy, scipy", "murty"),
+    ("use_moby", "numpy, pydrake", "mcp09"),
+    ("use_siconos", "numpy, siconos", "mcp09"),
 ];
 
 #[test]
 fn each_adapter_solves_a_definite_problem_and_leaves_the_others_alone() {
     let python = std::env::var("LCPLAB_PYTHON").unwrap_or_else(|_| "python3".into());
-    for (name, packages) in ADAPTERS {
+    for (name, packages, other) in ADAPTERS {
         let imports = Command::new(&python).args(["-c", &format!("import {packages}")]).output();
         if !imports.is_ok_and(|output| output.status.success()) {
             eprintln!("skipped: {name} needs {packages}");
@@ -25,7 +28,7 @@ fn each_adapter_solves_a_definite_problem_and_leaves_the_others_alone() {
         }
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/plugins/");
         let plugin = format!("'{python}' '{file}{name}.py'");
-        let compare = ["compare-solvers", "manufactured", "murty", "pushed-rod"];
+        let compare = ["compare-solvers", "pd", other, "pushed-rod"];
         let output = run(&[
             &compare[..],
             &["--seeds", "1", "--json", "--solver", "dantzig", "--plugin", &plugin],
@@ -42,8 +45,8 @@ fn each_adapter_solves_a_definite_problem_and_leaves_the_others_alone() {
                 .unwrap()
                 .clone()
         };
-        assert_eq!(row("manufactured")["accepted"], 1, "{}", row("manufactured"));
-        for other in ["murty", "pushed-rod"] {
+        assert_eq!(row("pd")["accepted"], 1, "{}", row("pd"));
+        for other in [other, "pushed-rod"] {
             assert_eq!(
                 (&row(other)["claimed"], &row(other)["outside"]),
                 (&0.into(), &1.into()),

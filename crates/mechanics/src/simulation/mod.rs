@@ -10,6 +10,7 @@ mod acts;
 mod answering;
 mod conflict;
 mod correction;
+mod exported;
 mod integrator;
 mod laws;
 mod ledger;

@@ -31,10 +31,12 @@
 //! before anything of that size is made, and a file that would take more than is allowed
 //! ([`Problem::read_within`]) is refused before it is parsed.
 
+mod expected;
 mod matrix;
 mod parts;
 mod value;
 
+pub use expected::Expected;
 pub use matrix::Entries;
 pub use parts::Parts;
 pub use value::{as_number, number};
@@ -69,6 +71,14 @@ pub struct Problem {
     /// What was ignored while reading.
     pub warnings: Vec<String>,
 }
+
+/// The format as a JSON schema.
+///
+/// ```
+/// let schema: serde_json::Value = serde_json::from_str(lcplab_problem::file::SCHEMA).unwrap();
+/// assert_eq!(schema["required"], serde_json::json!(["A", "b"]));
+/// ```
+pub const SCHEMA: &str = include_str!("schema.json");
 
 const KEPT: [&str; 4] = ["source", "dt", "rows", "expected"];
 const READ: [&str; 10] =

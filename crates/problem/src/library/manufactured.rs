@@ -123,7 +123,7 @@ fn put_into_boxes(
     let a = problem.lcp.matrix().clone();
     let b = offset(&a, &x, &w);
     let x = x.into_iter().map(rational).collect();
-    let is_unique = problem.extra["expected"]["complete"] == true;
+    let is_unique = Expected::of(&problem).is_some_and(|expected| expected.complete);
     let expected = if is_unique { Expected::unique(x) } else { Expected::one_of_several(x) };
     boxed(a, b, vec![0.0; n], hi, &expected)
 }

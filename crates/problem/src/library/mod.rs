@@ -1,23 +1,18 @@
 //! The problem library: LCPs to try solvers on, most of them with exact solutions.
 //!
 //! A [`Family`] makes a problem from a few parameters; the same parameters always make the same
-//! bits. What is known of the solutions stands under the key `expected` of the problem file:
-//!
-//! ```json
-//! {"solutions": [["14/5", "0", "4/5", "6/5"]], "complete": true}
-//! ```
-//!
-//! Each solution is a list of fractions and solves the problem *exactly*, as the numbers of the file
-//! stand. `complete` says that there is no other one, apart from segments between them and rays from
-//! them; an empty complete list says that no solution exists. Families with friction are stated as
-//! model 2, the coupled box, and what they expect holds under every model but the associated one.
+//! bits. What is known of the solutions stands under the key `expected` of the problem file ([`Expected`]). Families
+//! with friction are stated as model 2, the coupled box, and what they expect holds under every model but the
+//! associated one.
 //!
 //! ```
+//! use lcplab_problem::file::Expected;
 //! use lcplab_problem::library;
 //!
 //! let problem = library::by_name("murty")?.generate(&[("n", 4.0)])?;
 //! assert_eq!(problem.lcp.matrix().row_dot(0, &[1.0; 4]), 7.0);
-//! assert_eq!(problem.extra["expected"]["solutions"][0], serde_json::json!(["0", "0", "0", "1"]));
+//! let [x] = &Expected::of(&problem).unwrap().solutions[..] else { panic!() };
+//! assert_eq!(x.iter().map(ToString::to_string).collect::<Vec<_>>(), ["0", "0", "0", "1"]);
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
@@ -31,9 +26,8 @@ mod published;
 mod random;
 
 use dashu_ratio::RBig;
-use serde_json::{Value, json};
 
-use super::file::Problem;
+use super::file::{Expected, Problem};
 use super::{Lcp, Matrix};
 use crate::error::{Defects, Error, Result};
 
@@ -198,30 +192,6 @@ pub fn by_name(name: &str) -> Result<&'static dyn Family> {
         name: name.to_string(),
         known: all().map(|family| family.name().to_string()).collect(),
     })
-}
-
-/// What is known of the solutions, for the key `expected`.
-struct Expected {
-    solutions: Vec<Vec<RBig>>,
-    complete: bool,
-}
-
-impl Expected {
-    /// The one solution.
-    fn unique(x: Vec<RBig>) -> Self {
-        Expected { solutions: vec![x], complete: true }
-    }
-
-    /// One solution; there may be others.
-    fn one_of_several(x: Vec<RBig>) -> Self {
-        Expected { solutions: vec![x], complete: false }
-    }
-
-    fn json(&self) -> Value {
-        let text = |x: &Vec<RBig>| -> Value { x.iter().map(|x| json!(x.to_string())).collect() };
-        let solutions: Value = self.solutions.iter().map(text).collect();
-        json!({ "solutions": solutions, "complete": self.complete })
-    }
 }
 
 /// A problem with bounds 0 and ∞; the caller's numbers are finite and the sizes agree.

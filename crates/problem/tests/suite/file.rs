@@ -1,4 +1,5 @@
-use lcplab_problem::file::{Problem, as_number, number, read_answer};
+use dashu_ratio::RBig;
+use lcplab_problem::file::{Expected, Problem, SCHEMA, as_number, number, read_answer};
 use lcplab_problem::friction::{Contact, Model};
 use lcplab_problem::memory::Memory;
 use lcplab_problem::{Coupling, Lcp, Matrix};
@@ -36,6 +37,32 @@ fn unknown_keys_are_warned_of_and_known_ones_kept() {
     let problem = Problem::parse(text, "p.json").unwrap();
     assert_eq!(problem.warnings, ["p.json: unknown key \"colour\" ignored"]);
     assert_eq!(problem.to_json()["dt"], 0.01);
+}
+
+#[test]
+fn the_schema_names_all_keys_that_are_read_and_no_other() {
+    let all = serde_json::json!({
+        "name": "all keys", "A": { "dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }, "b": [0, 0, 0],
+        "lo": [0, "-inf", "-inf"], "hi": ["inf", "inf", "inf"], "friction_index": [-1, 0, 0],
+        "mu": [0, 0.5, 0.5], "model": "frozen-box", "frozen_at": [1, 0, 0], "scale": 1e-9,
+        "source": "here", "dt": 0.01, "rows": [], "expected": { "solutions": [], "complete": false },
+    });
+    let problem = Problem::parse(&all.to_string(), "p.json").unwrap();
+    assert_eq!(problem.warnings, [""; 0]);
+    let schema: serde_json::Value = serde_json::from_str(SCHEMA).unwrap();
+    let keys = |value: &serde_json::Value| -> std::collections::BTreeSet<String> {
+        value.as_object().unwrap().keys().cloned().collect()
+    };
+    assert_eq!(keys(&schema["properties"]), keys(&all));
+}
+
+#[test]
+fn an_exact_solution_is_integers_over_the_least_denominator() {
+    let x = ["14/5", "0", "-1/10", "3"].map(|x| x.parse::<RBig>().unwrap());
+    let json = Expected::unique(x.to_vec()).json();
+    let solution =
+        serde_json::json!({ "numerators": ["28", "0", "-1", "30"], "denominator": "10" });
+    assert_eq!(json, serde_json::json!({ "solutions": [solution], "complete": true }));
 }
 
 #[test]
@@ -250,7 +277,21 @@ fn a_coupled_sparse_problem_survives_the_round_trip() {
 }
 
 proptest! {
+
     #![proptest_config(cases(100))]
+
+    #[test]
+    fn exact_solutions_are_read_as_they_were_written(
+        entries in proptest::collection::vec((-1000i64..1000, 1u64..50), 1..6), complete: bool,
+    ) {
+        let entry = |(p, q): &(i64, u64)| RBig::from_parts((*p).into(), (*q).into());
+        let solutions = vec![entries.iter().map(entry).collect(), vec![RBig::ZERO; entries.len()]];
+        let expected = Expected { solutions, complete };
+        let lcp = Lcp::new(Matrix::dense(0, &[]), vec![], vec![], vec![]).unwrap();
+        let mut problem = Problem::new("", lcp);
+        problem.extra.insert("expected".into(), expected.json());
+        prop_assert_eq!(Expected::of(&problem), Some(expected));
+    }
 
     #[test]
     fn every_bit_survives_the_round_trip(m in manufactured(4, 4, 0.1), noise in any::<[f64; 4]>()) {

@@ -1,19 +1,15 @@
 use dashu_ratio::RBig;
 use lcplab_judge::{Demand, judge_friction};
 use lcplab_problem::Lcp;
-use lcplab_problem::file::Problem;
+use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::Model;
 use lcplab_problem::library::{self, Family};
 use lcplab_solver::all_solutions;
-use serde_json::Value;
 
 /// The expected solutions, and whether there are no others; `None` where nothing is known.
 fn expected(problem: &Problem) -> Option<(Vec<Vec<RBig>>, bool)> {
-    let expected = problem.extra.get("expected")?;
-    let fraction = |text: &Value| text.as_str().unwrap().parse().unwrap();
-    let solution = |x: &Value| x.as_array().unwrap().iter().map(fraction).collect();
-    let solutions = expected["solutions"].as_array().unwrap().iter().map(solution).collect();
-    Some((solutions, expected["complete"] == true))
+    let Expected { solutions, complete } = Expected::of(problem)?;
+    Some((solutions, complete))
 }
 
 fn rational(x: f64) -> RBig {

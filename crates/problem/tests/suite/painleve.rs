@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use lcplab_judge::ray::refute;
 use lcplab_problem::Lcp;
-use lcplab_problem::file::Problem;
+use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::library;
 use lcplab_solver::{Options, Start, Status, all_solutions, by_name};
 use nalgebra::{Matrix2, Vector2, Vector3};
@@ -15,11 +15,8 @@ fn make(family: &str, values: &[(&str, f64)]) -> Problem {
 }
 
 fn listed(problem: &Problem) -> Vec<Vec<f64>> {
-    let number =
-        |x: &serde_json::Value| x.as_str().unwrap().parse::<RBig>().unwrap().to_f64().value();
-    let solution =
-        |x: &serde_json::Value| x.as_array().unwrap().iter().map(number).collect::<Vec<_>>();
-    problem.extra["expected"]["solutions"].as_array().unwrap().iter().map(solution).collect()
+    let solutions = Expected::of(problem).unwrap().solutions;
+    solutions.iter().map(|x| x.iter().map(|x| x.to_f64().value()).collect()).collect()
 }
 
 /// A_nn, A_nt, A_tt as products J M⁻¹ Jᵀ at an angle, with mass 1 and half-length 1.

@@ -1,11 +1,11 @@
 //! What a search found, as a file, a paragraph and a test case.
 
 use dashu_ratio::RBig;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
-use lcplab_problem::file::Problem;
+use lcplab_problem::file::{Expected, Problem};
 use lcplab_solver::{Group, MatrixClass};
 
 use super::measure::{Measure, Trial};
@@ -43,7 +43,8 @@ impl Finding {
         let mut problem = Problem::new(title, lcp.clone());
         problem.extra.insert("source".into(), json!("found by lcplab hunt"));
         if let Some(solutions) = &solutions {
-            problem.extra.insert("expected".into(), expected(solutions));
+            let expected = Expected { solutions: solutions.clone(), complete: true };
+            problem.extra.insert("expected".into(), expected.json());
         }
         let is_unique =
             matches!(class_of(lcp.matrix()), Some(MatrixClass::Definite | MatrixClass::P))
@@ -103,13 +104,6 @@ fn row(lcp: &Lcp, i: usize) -> String {
 fn short(value: f64) -> String {
     let text = format!("{value:?}");
     text.strip_suffix(".0").map_or(text.clone(), str::to_string).replace('-', "−")
-}
-
-/// The key `expected` of a problem file.
-fn expected(solutions: &[Vec<RBig>]) -> Value {
-    let texts = |solution: &Vec<RBig>| solution.iter().map(ToString::to_string).collect();
-    let solutions: Vec<Vec<String>> = solutions.iter().map(texts).collect();
-    json!({ "solutions": solutions, "complete": true })
 }
 
 /// What is true, in a sentence.

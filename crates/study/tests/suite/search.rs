@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use lcplab_problem::exact::all_solutions;
+use lcplab_problem::file::Expected;
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::theory::optimal_omega;
 use lcplab_solver::{
@@ -158,7 +159,7 @@ fn what_was_found_is_explained_with_its_exact_solution() {
     let trial = trial(Measure::Lie, mistaken(Mistaken::ClampsAfterTheSweep), None, 1000);
     let catch = search(&trial, 2..=2, 2000).expect("a lie");
     let finding = Finding::of(&catch, &trial, 1);
-    let solutions = finding.problem.extra["expected"]["solutions"].as_array().unwrap();
+    let solutions = Expected::of(&finding.problem).unwrap().solutions;
     assert_eq!(solutions.len(), all_solutions(&catch.lcp).unwrap().len());
     assert!(finding.words.starts_with("mistaken says: solved, but row"), "{}", finding.words);
     assert!(finding.equations().starts_with("  w_0 = "), "{}", finding.equations());

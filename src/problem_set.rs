@@ -1,38 +1,50 @@
-//! `problems --export`: the library as files, with cards and an index.
+//! A set of problems that can be cited: the library and steps of the shipped scenes as files, with a card of each.
 
 use std::path::Path;
 
 use indicatif::ProgressBar;
-use lcplab::card::Card;
-use lcplab::certificate::{Demand, judge};
-use lcplab::error::Result;
-use lcplab::file;
-use lcplab::lcp::file::Problem;
-use lcplab::lcp::library::{self, Family};
-use lcplab::plot::csv;
-use lcplab::scene::{Scene, catalogue};
-use lcplab::simulation;
-use lcplab::solver::{Options, Start, by_name, default_for};
 use sha2::{Digest, Sha256};
 
-/// Problems with more rows are left out.
-const MOST_ROWS: usize = 400;
+use crate::card::Card;
+use crate::certificate::exact::prove;
+use crate::certificate::{Demand, Verdict, judge};
+use crate::error::Result;
+use crate::file;
+use crate::lcp::file::{Expected, Problem};
+use crate::lcp::friction::Model;
+use crate::lcp::library::{self, Family};
+use crate::lcp::{Lcp, Matrix};
+use crate::plot::csv;
+use crate::scene::{Scene, catalogue};
+use crate::simulation::Step;
+use crate::solver::{Options, Start, by_name, default_for};
+
+/// Problems with more numbers in A are left out.
+const MOST_NUMBERS: usize = 90_000;
 /// Seeds of each family that has one.
 const SEEDS: u32 = 3;
 /// Numbers of rows, or of bodies, that a family is exported in, where it can be.
 const SIZES: [f64; 3] = [10.0, 50.0, 200.0];
+/// The same for families that are sparse.
+const LARGE: [f64; 2] = [1000.0, 10_000.0];
 /// Steps of each shipped scene.
 const STEPS: [usize; 2] = [1, 10];
+/// Up to so many rows an exact solution is sought where none is known.
+const EXACT_ROWS: usize = 24;
 /// The edition of the set: it changes when a file does.
 const VERSION: &str = "1";
 
-/// Writes one file a problem, index.csv and CITATION.cff.
+/// Writes one file a problem, index.csv and CITATION.cff; returns how many problems.
+///
+/// # Errors
+/// If the folder cannot be written.
 pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
     file::prepare(folder)?;
     let mut problems: Vec<Problem> = library::all().flat_map(of_family).collect();
     let scenes = catalogue::SHIPPED.iter();
     problems.extend(scenes.flat_map(|scene| STEPS.map(|k| step(scene.name, k))).flatten());
-    problems.retain(|problem| (1..=MOST_ROWS).contains(&problem.lcp.len()));
+    problems.retain(|problem| !problem.lcp.is_empty() && is_small(&problem.lcp));
+    problems.iter_mut().for_each(solved);
     progress.set_length(problems.len() as u64);
     let mut index = String::new();
     let columns = [
@@ -71,25 +83,61 @@ pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
 fn of_family(family: &dyn Family) -> Vec<Problem> {
     let has = |name: &str| family.parameters().iter().any(|parameter| parameter.name == name);
     let seeds = if has("seed") { 1..=SEEDS } else { 1..=1 };
-    let sizes = if has("n") { SIZES.map(Some).to_vec() } else { Vec::new() };
     let mut problems = Vec::new();
     for seed in seeds.map(f64::from) {
-        for size in [None].into_iter().chain(sizes.clone()) {
-            let seed = has("seed").then_some(("seed", seed));
-            let given: Vec<_> = seed.into_iter().chain(size.map(|n| ("n", n))).collect();
-            problems.extend(family.generate(&given)); // a size that it does not have is none
+        let given = has("seed").then_some(("seed", seed));
+        // A size that it does not have is none.
+        let sized =
+            |n: f64| family.generate(&given.into_iter().chain([("n", n)]).collect::<Vec<_>>()).ok();
+        problems.extend(family.generate(given.as_slice()));
+        if has("n") {
+            let usual: Vec<Problem> = SIZES.into_iter().filter_map(sized).collect();
+            let is_sparse =
+                usual.last().is_some_and(|p| matches!(p.lcp.matrix(), Matrix::Sparse(_)));
+            problems.extend(usual);
+            if is_sparse && seed == 1.0 {
+                problems
+                    .extend(LARGE.into_iter().map_while(|n| sized(n).filter(|p| is_small(&p.lcp))));
+            }
         }
     }
     problems
 }
 
+fn is_small(lcp: &Lcp) -> bool {
+    lcp.matrix().stored() <= MOST_NUMBERS
+}
+
 /// The last LCP of a step of a shipped scene, if there is one.
 fn step(name: &str, step: usize) -> Option<Problem> {
     let scene = Scene::load(name).ok()?;
-    let lcp = simulation::problem_of(&scene, step).ok()?.lcp;
-    let mut problem = Problem::new(format!("{name}, step {step}"), lcp);
-    problem.extra.insert("source".into(), format!("lcplab scene {name}").into());
-    Some(problem)
+    let solve = Step::of(&scene, step).ok()?.solves.pop()?;
+    Some(solve.exported(&scene, step))
+}
+
+/// Adds an exact solution to a small problem of which none is known.
+fn solved(problem: &mut Problem) {
+    let lcp = &problem.lcp;
+    let is_open = is_boxed(problem) && !problem.extra.contains_key("expected");
+    if !is_open || lcp.len() > EXACT_ROWS {
+        return;
+    }
+    let proof = answer(lcp).and_then(|x| prove(lcp, &x, &lcp.w(&x)));
+    if let Some(proof) = proof {
+        let expected = Expected::one_of_several(proof.x);
+        problem.extra.insert("expected".into(), expected.json());
+    }
+}
+
+/// Whether it is solved as its rows stand, and not under another model of friction.
+fn is_boxed(problem: &Problem) -> bool {
+    problem.model.is_none_or(|model| model == Model::CoupledBox)
+}
+
+/// The default solver's.
+fn answer(lcp: &Lcp) -> Option<Vec<f64>> {
+    let solver = by_name(default_for(lcp), &Options::default()).ok()?;
+    Some(solver.solve(lcp, &Start::default(), &mut ()).x)
 }
 
 /// Letters and digits of a name, for a file.
@@ -123,20 +171,22 @@ fn record(problem: &Problem, name: &str, hash: &str) -> [String; 11] {
     ]
 }
 
-/// What is known of its solutions: by construction, or by a proof of the solver's answer.
+/// What is known of its solutions: by construction, or by the judge's word on the default solver's answer.
 fn truth(problem: &Problem) -> String {
-    if let Some(expected) = problem.extra.get("expected") {
-        let count = expected["solutions"].as_array().map_or(0, Vec::len);
-        return match (count, expected["complete"] == true) {
-            (0, true) => "no solution".into(),
-            (count, true) => format!("all solutions: {count}"),
-            (count, false) => format!("{count} solutions"),
-        };
+    match Expected::of(problem) {
+        Some(expected) if expected.is_impossible() => "no solution".into(),
+        Some(Expected { solutions, complete }) => {
+            let how_many = if complete { "all solutions" } else { "solutions" };
+            format!("{how_many}: {}", solutions.len())
+        }
+        None if !is_boxed(problem) => String::new(),
+        None => {
+            let verdict = answer(&problem.lcp)
+                .map(|x| judge(&problem.lcp, &x, &Demand::default()).verdict)
+                .filter(Verdict::is_solution);
+            verdict.map_or(String::new(), |verdict| verdict.word().replace('_', " "))
+        }
     }
-    let solver = by_name(default_for(&problem.lcp), &Options::default());
-    let Ok(solver) = solver else { return String::new() };
-    let x = solver.solve(&problem.lcp, &Start::default(), &mut ()).x;
-    judge(&problem.lcp, &x, &Demand::default()).verdict.word().replace('_', " ")
 }
 
 fn citation(count: usize) -> String {

@@ -1,0 +1,28 @@
+//! A solve as a problem file.
+
+use lcplab_problem::file::{Problem, number};
+use serde_json::json;
+
+use super::Solve;
+use crate::scene::Scene;
+
+impl Solve {
+    /// The problem of this solve in a scene's step of this number, with what its rows are.
+    pub fn exported(&self, scene: &Scene, step: usize) -> Problem {
+        let assembled = &self.problem;
+        let mut problem =
+            Problem::new(format!("{}, step {step}", scene.name), assembled.lcp.clone());
+        if let Some(posing) = &self.posing {
+            (problem.model, problem.frozen_at) = (Some(posing.model), posing.frozen_at.clone());
+        }
+        let rows = assembled.assembly.rows.iter().map(|row| {
+            let unit = assembled.stage.unit(row.kind.is_angular());
+            json!({ "label": row.label(scene), "kind": row.kind.name(), "unit": unit })
+        });
+        problem.extra.insert("rows".into(), rows.collect());
+        problem.extra.insert("dt".into(), number(scene.step.dt));
+        let source = format!("lcplab scene {}, {} level", scene.name, assembled.stage.name());
+        problem.extra.insert("source".into(), source.into());
+        problem
+    }
+}

@@ -1,0 +1,17 @@
+"""Drake's MobyLcpSolver, Lemke's method with regularisation where it fails, as a plug-in."""
+from pydrake.solvers import MathematicalProgram, MobyLcpSolver
+
+from boxes import is_plain, serve
+
+
+def solve(A, b, lo, hi, tolerance):
+    program = MathematicalProgram()
+    x = program.NewContinuousVariables(len(b))
+    program.AddLinearComplementarityConstraint(A, b, x)
+    result = MobyLcpSolver().Solve(program)
+    if not result.is_success():
+        raise ValueError(result.get_solution_result())
+    return result.GetSolution(x)
+
+
+serve(solve, takes=is_plain)
