@@ -1,4 +1,5 @@
 """Drake's MobyLcpSolver, Lemke's method with regularisation where it fails, as a plug-in."""
+import numpy as np
 from pydrake.solvers import MathematicalProgram, MobyLcpSolver
 
 from boxes import is_plain, serve
@@ -11,7 +12,7 @@ def solve(A, b, lo, hi, tolerance):
     result = MobyLcpSolver().Solve(program)
     if not result.is_success():
         raise ValueError(result.get_solution_result())
-    return result.GetSolution(x)
+    return np.maximum(result.GetSolution(x), 0)
 
 
 serve(solve, takes=is_plain)

@@ -11,7 +11,7 @@ def solve(A, b, lo, hi, tolerance):
     failure = numerics.linearComplementarity_driver(numerics.LCP(A, b), x, w, options)
     if failure:
         raise ValueError(f"linearComplementarity_driver returns {failure}")
-    return x
+    return np.maximum(x, 0)
 
 
 serve(solve, takes=is_plain)
