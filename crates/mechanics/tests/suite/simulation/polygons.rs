@@ -39,7 +39,8 @@ fn a_tower_of_ten_stands_under_polygons_of_friction() {
         }
         assert!(step.motion.penetration < 1e-6, "{}", step.motion.penetration);
     }
-    assert!(tower.motion().kinetic < 1e-12);
+    // Ten boxes of 1 kg, none of which moves by a micrometre a second.
+    assert!(tower.motion().kinetic < 0.5e-12 * 10.0, "{}", tower.motion().kinetic);
 }
 
 #[test]

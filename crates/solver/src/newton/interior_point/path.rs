@@ -8,6 +8,9 @@ use lcplab_problem::Lcp;
 
 /// The part of the way to the nearest bound that a step may use.
 const STAY_INSIDE: f64 = 0.995;
+/// A slack below this part of √(e / a_ii) is none: where push and slack vanish together, x comes no nearer to its bound than
+/// √μ, and beside its own terms that is never near.
+const NONE: f64 = 1e-12;
 /// Steps shorter than this do not count as progress.
 const SHORTEST: f64 = 1e-10;
 
@@ -28,6 +31,8 @@ pub(super) struct Path<'a> {
     lcp: &'a Lcp,
     pinned: Vec<bool>,
     bounds: Vec<Bound>,
+    /// √(e / a_ii) of each row.
+    unit: Vec<f64>,
 }
 
 /// A change of x, with the changes of the slacks and pushes.
@@ -39,15 +44,21 @@ struct Direction {
 
 impl<'a> Path<'a> {
     /// Moves x inside its bounds and chooses the pushes such that every ρ z is the energy
-    /// e = Σ b_i² / a_ii; distances are measured by √(e / a_ii).
+    /// e = Σ w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 count as b does. Distances are measured by
+    /// √(e / a_ii).
     pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl StepEquations, x: &mut [f64]) -> Self {
         let pinned: Vec<bool> = (0..x.len()).map(|i| lcp.lo()[i] == lcp.hi()[i]).collect();
-        let energy: f64 = (0..x.len()).map(|i| lcp.b()[i].powi(2) / equations.diagonal(i)).sum();
+        let mut least = vec![0.0; x.len()];
+        lcp.project_all(&mut least);
+        let w = lcp.w(&least).into_iter().enumerate();
+        let energy: f64 = w.map(|(i, w)| w.powi(2) / equations.diagonal(i)).sum();
         let energy = if energy > 0.0 { energy } else { 1.0 };
+        let unit: Vec<f64> =
+            (0..x.len()).map(|i| (energy / equations.diagonal(i)).sqrt()).collect();
         let mut bounds = Vec::new();
         for row in (0..x.len()).filter(|&i| !pinned[i]) {
             let (lo, hi) = (lcp.lo()[row], lcp.hi()[row]);
-            let distance = f64::min((energy / equations.diagonal(row)).sqrt(), 0.5 * (hi - lo));
+            let distance = f64::min(unit[row], 0.5 * (hi - lo));
             x[row] = x[row].max(lo + distance).min(hi - distance);
             for (sign, at) in [(1.0, lo), (-1.0, hi)] {
                 if at.is_finite() {
@@ -56,7 +67,7 @@ impl<'a> Path<'a> {
                 }
             }
         }
-        Path { lcp, pinned, bounds }
+        Path { lcp, pinned, bounds, unit }
     }
 
     /// Moves x along the path, by Newton's method on the equations of the path.
@@ -85,6 +96,10 @@ impl<'a> Path<'a> {
         for (k, bound) in self.bounds.iter_mut().enumerate() {
             bound.slack += length * direction.slack[k];
             bound.push += length * direction.push[k];
+            if bound.slack < NONE * self.unit[bound.row] {
+                let [lo, hi] = [self.lcp.lo(), self.lcp.hi()];
+                x[bound.row] = if bound.sign > 0.0 { lo[bound.row] } else { hi[bound.row] };
+            }
         }
         ControlFlow::Continue(Event::Step)
     }
