@@ -45,12 +45,32 @@ pub use lcplab_solver as solver;
 pub use lcplab_solver::{textbook, trace};
 pub use lcplab_study::{card, diagnosis, explain, hunt};
 
+extern crate self as lcplab; // the command line and the lessons' cells say so
+
 pub mod chapter;
+pub mod cli;
 pub mod film;
 pub mod lesson;
 pub mod problem_set;
 pub mod report;
 pub mod storage;
+
+/// The lessons' cells, compiled; they are written to be read one by one.
+#[allow(non_snake_case, clippy::type_complexity, clippy::useless_vec)]
+mod lessons {
+    include!(concat!(env!("OUT_DIR"), "/lessons.rs"));
+}
+
+/// The handout's cells, compiled.
+#[allow(non_snake_case, clippy::type_complexity, clippy::useless_vec)]
+mod handout {
+    include!(concat!(env!("OUT_DIR"), "/handout.rs"));
+}
+
+/// The students' answers; a hole leaves its arguments unused.
+#[path = "../notebooks/exercises/mod.rs"]
+#[allow(missing_docs, non_snake_case, unused_variables, unused_mut)]
+mod exercises;
 
 /// Problems in numbers alone, and the files they come from.
 pub mod lcp {

@@ -10,7 +10,7 @@ use lcplab::explain::{Method, problem, steps};
 use lcplab::lcp::exchange;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
-use lcplab::scene::{Scene, Scheme};
+use lcplab::scene::Scheme;
 use lcplab::solver::{Options, default_for};
 
 use super::form::Writing;
@@ -43,6 +43,8 @@ pub struct Explain {
     scheme: Option<Level>,
     #[command(flatten)]
     renamed: super::scene::Renamed,
+    #[command(flatten)]
+    changes: super::scene::Changes,
     /// The model of friction of a scene [default: the scene's]
     #[arg(long)]
     model: Option<Model>,
@@ -82,6 +84,7 @@ impl Explain {
         for (option, given) in [
             ("--scheme", self.scheme.is_some()),
             ("--model", self.model.is_some()),
+            ("--set", !self.changes.is_empty()),
             ("--from", self.from.is_some()),
             ("--steps", self.steps.is_some()),
         ] {
@@ -99,7 +102,7 @@ impl Explain {
     }
 
     fn of_scene(&self) -> Result<Document> {
-        let mut scene = Scene::load(&self.input)?;
+        let mut scene = self.changes.load(&self.input)?;
         scene.step.scheme = match self.scheme {
             Some(Level::Velocity) => Scheme::Velocity,
             Some(Level::Acceleration) => Scheme::Acceleration,

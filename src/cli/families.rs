@@ -34,7 +34,8 @@ Example:
 
 Without names all families run, by eight solvers, one of each kind; --all runs all solvers. clarabel is the
 reference. Families with friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and
--16, associated-cone and coulomb-cone, each by the solvers that can handle it. Exit code 1 if the judge
+-16, associated-cone and coulomb-cone, each by the solvers that can handle it; files under the model that they state, the
+coupled box where they state none. Exit code 1 if the judge
 refutes a solver's claim, a solver claims a solution where none exists, or an expected failure does not
 occur.")]
 pub struct CompareSolvers {
@@ -80,12 +81,18 @@ impl CompareSolvers {
         for (name, reason) in problems.iter().filter_map(only_boxed) {
             say(&format!("note: {name}: compared as a coupled box alone, for it {reason}"));
         }
-        let models = if self.model.is_empty() { &Model::ALL } else { self.model.as_slice() };
         let plugins = self.plugins.start()?;
         let methods = self.methods(&plugins)?;
         let options = self.settings.options(&methods)?;
         let stop = limits.stop();
-        let mut rows = families::run_on(&problems, models, &methods, &options, stop);
+        let (library, files): (Vec<_>, Vec<_>) =
+            problems.into_iter().partition(|(name, _)| library::by_name(name).is_ok());
+        let run = |problems: &[(String, Vec<Problem>)], models: &[Model]| {
+            let models = if self.model.is_empty() { models } else { &self.model };
+            families::run_on(problems, models, &methods, &options, stop)
+        };
+        let mut rows = run(&library, &Model::ALL);
+        rows.extend(run(&files, &[])); // a file says under which model it is a problem
         rows.retain(|row| row.problems > 0); // a file may not say at what to freeze a box
         let stopped = stop.reason();
         limits.over();
@@ -99,6 +106,10 @@ impl CompareSolvers {
             print(&format!("{}\n", serde_json::json!({ "rows": rows })))?;
         } else {
             print(&text::table(&view::families_table(&rows)))?;
+            let is_one = rows.windows(2).all(|pair| pair[0].family == pair[1].family);
+            if !is_one {
+                print(&text::table(&view::solvers_table(&rows)))?;
+            }
         }
         let wrong = rows.iter().any(families::Row::is_wrong);
         Ok(match stopped {

@@ -21,6 +21,7 @@ Example:
   lcplab hunt --solver dantzig --json
   lcplab hunt --plugin \"python3 mine.py\" --problems 1000
   lcplab hunt --plugin \"python3 mine.py\" --measure lie --out bug.json
+  lcplab hunt --plugin \"python3 mine.py\" --measure lie --from dump.json    # makes a problem of yours smaller
   lcplab hunt --measure ratio murty:block-pivoting --n 8
 
 Without --measure it prints a table of what was claimed of so many problems. With it, it climbs from
@@ -39,6 +40,9 @@ pub struct Challenge {
     /// Most sweeps or pivots: enough for an answer, few enough for many problems
     #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]
     max_iterations: usize,
+    /// Largest scaled residual that counts as solved
+    #[arg(long, default_value_t = Settings::default().tolerance)]
+    tolerance: f64,
     #[command(flatten)]
     quarry: Quarry,
     #[command(flatten)]
@@ -50,7 +54,8 @@ pub struct Challenge {
 
 impl Challenge {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let settings = Settings { max_iterations: self.max_iterations, ..Settings::default() };
+        let (tolerance, max_iterations) = (self.tolerance, self.max_iterations);
+        let settings = Settings { tolerance, max_iterations, ..Settings::default() };
         let options = Options { settings, ..Options::default() };
         options.validate()?;
         let plugins = self.plugins.start()?;
@@ -58,7 +63,14 @@ impl Challenge {
         let names: Vec<&str> =
             named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
         if self.quarry.is_given() {
-            return self.quarry.hunt(&names, options, self.seed, self.json, limits);
+            return self.quarry.hunt(
+                &names,
+                options,
+                self.seed,
+                self.json,
+                self.plugins.first(),
+                limits,
+            );
         }
         let solvers: Vec<Box<dyn Solver>> = match names.as_slice() {
             [] => ALL.iter().map(|entry| (entry.build)(&options)).collect(),

@@ -125,7 +125,10 @@ impl Judge {
             }
             print(&format!("{}\n", Value::Object(object)))?;
         } else {
-            let text = title(problem) + "\n" + &certificate_text(&certificate) + &bound_text(bound);
+            let text = title(problem)
+                + "\n"
+                + &certificate_text(&certificate, problem)
+                + &bound_text(bound);
             print(&(text + &rows(&problem.lcp, x, &certificate)))?;
         }
         Ok(self.fail_on.outcome(&certificate.verdict))

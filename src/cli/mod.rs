@@ -25,6 +25,7 @@ mod shell;
 mod trace;
 mod verify;
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -155,9 +156,10 @@ fn code(reason: Reason) -> u8 {
     }
 }
 
-/// Runs the command line and returns the exit code.
-pub fn run() -> ExitCode {
-    let matches = grouped(Cli::command()).get_matches();
+/// Runs the command line of these arguments, the program's name first, and returns the exit code; at once where they
+/// are for help or cannot be used.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let matches = grouped(Cli::command()).get_matches_from(arguments);
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     let limits = Limits::begin(&cli.time);
     let result = match cli.command {

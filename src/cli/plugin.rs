@@ -27,6 +27,11 @@ impl Plugins {
         self.plugin.iter().map(|spec| Plugin::start(spec, limit)).collect()
     }
 
+    /// The first command.
+    pub fn first(&self) -> Option<&str> {
+        self.plugin.first().map(String::as_str)
+    }
+
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.plugin.is_empty()

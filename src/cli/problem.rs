@@ -107,7 +107,7 @@ impl Solve {
             if let Some(fallback) = answer.solution.fallback {
                 text += &format!("fallback   {fallback}\n");
             }
-            text += &certificate_text(&answer.certificate);
+            text += &certificate_text(&answer.certificate, &problem);
             text += &bound_text(answer.error_bound);
             text += &rows(&problem.lcp, &answer.solution.x, &answer.certificate);
             print(&text)?;
@@ -147,15 +147,18 @@ pub fn bound_text(bound: Option<f64>) -> String {
 
 pub fn rows(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> String {
     let mut text = format!("{:>5} {:>13} {:>13} {:>13} {:>13}\n", "row", "lo", "x", "hi", "w");
-    for i in 0..x.len().min(PRINTED_ROWS) {
+    let line = |i: usize| {
         let (lo, hi) = lcp.bounds(i, x);
-        text += &format!(
-            "{i:>5} {lo:>13.6e} {:>13.6e} {hi:>13.6e} {:>13.6e}\n",
-            x[i], certificate.w[i]
-        );
-    }
+        format!("{i:>5} {lo:>13.6e} {:>13.6e} {hi:>13.6e} {:>13.6e}\n", x[i], certificate.w[i])
+    };
+    text.extend((0..x.len().min(PRINTED_ROWS)).map(line));
     if x.len() > PRINTED_ROWS {
         text += &format!("      and {} more rows; --json prints all\n", x.len() - PRINTED_ROWS);
+    }
+    if let Verdict::NotASolution { row, .. } = certificate.verdict
+        && row >= PRINTED_ROWS
+    {
+        text += &line(row);
     }
     text
 }

@@ -7,7 +7,9 @@ use clap::{Args, ValueEnum};
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::hunt::{Catch, Finding, Measure, Search, Trial};
+use lcplab::memory::Memory;
 use lcplab::report::methods;
+use lcplab::report::study::problems;
 use lcplab::solver::{Entry, MatrixClass, Options};
 use serde_json::json;
 
@@ -28,6 +30,13 @@ pub struct Quarry {
     /// Only matrices of this class
     #[arg(long, value_enum, default_value_t = Class::Any, requires = "measure")]
     class: Class,
+    /// Only problems with friction
+    #[arg(long, requires = "measure")]
+    friction: bool,
+    /// Begin with these problems: a file, a folder or a pattern (repeatable). What they show is made smaller, whatever
+    /// their size
+    #[arg(long, value_name = "FILES", requires = "measure")]
+    from: Vec<String>,
     /// Problems to try before the best one is made smaller
     #[arg(long, default_value_t = 20_000, requires = "measure")]
     evaluations: usize,
@@ -72,21 +81,28 @@ impl Quarry {
         !self.measure.is_empty()
     }
 
-    /// Searches for what breaks the one solver that is named, or the first of a ratio.
+    /// Searches for what breaks the one solver that is named, or the first of a ratio; `command` is a plug-in's.
     pub fn hunt(
         &self,
         names: &[&str],
         options: Options,
         seed: u64,
         json: bool,
+        command: Option<&str>,
         limits: &Limits,
     ) -> Result<Outcome> {
         let trial = self.trial(names, options)?;
+        let mut from = Vec::new();
+        for name in &self.from {
+            from.extend(problems::named(name, 1, Memory::default())?);
+        }
+        let from = from.into_iter().flat_map(|(_, problems)| problems).map(|problem| problem.lcp);
         let search = Search {
             rows: self.n.clone(),
             evaluations: self.evaluations,
             seed,
             at_least: self.at_least,
+            from: from.collect(),
         };
         search.validate()?;
         let progress = bar(self.evaluations as u64, "problems");
@@ -103,7 +119,13 @@ impl Quarry {
             })?;
             return Ok(stopped.map_or(Outcome::Good, Outcome::Stopped));
         };
-        let finding = Finding::of(&catch, &trial, seed);
+        let mut finding = Finding::of(&catch, &trial, seed);
+        if let Some(path) = &self.out {
+            finding.test = finding.test.replace("PROBLEM", &path.display().to_string());
+        }
+        if let Some(command) = command {
+            finding.test = finding.test.replace("COMMAND", command);
+        }
         if let Some(path) = &self.out {
             file::write(path, format!("{}\n", finding.problem.to_json()))?;
         }
@@ -132,7 +154,8 @@ impl Quarry {
             (None, _) => return Err(wrong("one solver is hunted: --solver NAME, or one --plugin")),
         };
         let (within, best_omega) = (self.class.into(), self.omega.is_none());
-        let trial = Trial { measure, solver, rival, options, within, best_omega };
+        let with_friction = self.friction;
+        let trial = Trial { measure, solver, rival, options, within, with_friction, best_omega };
         trial.validate()?;
         Ok(trial)
     }
@@ -143,7 +166,7 @@ impl Quarry {
             "{measure} found by evaluation {evaluation} of seed {seed}, with {rows_at_first} rows; made smaller \
              in {shrinking} more\n"
         );
-        text += &format!("measure {value:.3e}, {value_at_first:.3e} at first\n\n");
+        text += &format!("measure {value:.3e}, before that {value_at_first:.3e}\n\n");
         text += &format!("{}\n\n", finding.words);
         text += &finding.equations();
         match &self.out {

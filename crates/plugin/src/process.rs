@@ -109,7 +109,7 @@ impl Process {
                 Err(Trouble::Ended(self.ended()))
             }
             Err(RecvTimeoutError::Timeout) => {
-                other(format!("no answer within {} s", limit.as_secs_f64()))
+                other(format!("none within {} s, its time limit", limit.as_secs_f64()))
             }
         }
     }

@@ -8,7 +8,7 @@ use lcplab_judge::{
     refutation, upper_bound,
 };
 use lcplab_problem::Lcp;
-use lcplab_problem::file::number;
+use lcplab_problem::file::{Problem, number};
 use lcplab_solver::{Reason, Solution, Status};
 
 /// Entries of an exact vector that are printed at most.
@@ -75,6 +75,18 @@ impl Answer {
             fields.insert("error_bound".into(), number(printed_up(bound)));
         }
         Value::Object(fields)
+    }
+}
+
+/// A verdict with what its row is, if the problem says so.
+pub fn named(verdict: &Verdict, problem: &Problem) -> String {
+    let label = |row: usize| problem.extra.get("rows")?.get(row)?.get("label")?.as_str();
+    match verdict {
+        Verdict::NotASolution { row, .. } => match label(*row) {
+            Some(label) => format!("{verdict} ({label})"),
+            None => verdict.to_string(),
+        },
+        _ => verdict.to_string(),
     }
 }
 
@@ -211,7 +223,7 @@ fn fractions(vector: &[RBig]) -> Vec<String> {
 }
 
 /// The residuals and the verdict as lines of text.
-pub fn certificate_text(certificate: &Certificate) -> String {
+pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String {
     let lines = [
         ("scaled residual", certificate.scaled_residual, "of the terms of the worst row"),
         ("natural residual", certificate.natural_residual, "max |x − Π(x − w)|"),
@@ -219,7 +231,7 @@ pub fn certificate_text(certificate: &Certificate) -> String {
         ("complementarity", certificate.complementarity_gap, "largest w times distance to bound"),
         ("duality gap", certificate.duality_gap, "objective minus lower bound"),
     ];
-    let mut text = format!("verdict    {}\n", certificate.verdict);
+    let mut text = format!("verdict    {}\n", named(&certificate.verdict, problem));
     for (name, value, meaning) in lines {
         text += &format!("  {name:<17}{value:>10.2e}  {meaning}\n");
     }

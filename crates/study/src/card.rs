@@ -67,7 +67,7 @@ impl Card {
 
     /// In a sentence.
     pub fn words(&self) -> String {
-        let mut words = format!("{} rows", self.rows);
+        let mut words = format!("{} row{}", self.rows, if self.rows == 1 { "" } else { "s" });
         if self.coupled > 0 {
             words += &format!(", {} of them coupled", self.coupled);
         }

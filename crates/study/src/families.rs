@@ -8,13 +8,14 @@ use std::time::Instant;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use crate::answer::named;
 use lcplab_judge::{Demand, FrictionCertificate, Verdict, judge_friction};
 use lcplab_problem::Complementarity;
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_problem::library::Family;
 use lcplab_solver::trace::Provenance;
-use lcplab_solver::{Method, Options, Solution, Status, Stop};
+use lcplab_solver::{Group, Method, Options, Solution, Status, Stop};
 
 /// A solver on the problems of one family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -97,7 +98,9 @@ pub fn run(
 }
 
 /// Runs each method on the problems of each name that it takes; on problems with friction under each
-/// of the models.
+/// of the models, or, if there are none, under the one that the first of them states.
+///
+/// Plug-ins run one after another and beside nothing else: each has one process, and waiting for it would count as time.
 pub fn run_on(
     problems: &[(String, Vec<Problem>)],
     models: &[Model],
@@ -113,7 +116,16 @@ pub fn run_on(
         .filter(|(posing, method)| method.takes(posing.model))
         .collect();
     let row = |(posing, method): &(&Posing, &Method)| attempt(posing, method, options, stop);
-    pairs.par_iter().filter_map(row).collect()
+    let is_plugin = |(_, method): &(&Posing, &Method)| match method {
+        Method::Boxed(entry) => entry.group == Group::Plugin,
+        Method::Cone(_) => false,
+    };
+    let own = |pair: &(&Posing, &Method)| if is_plugin(pair) { None } else { row(pair) };
+    let mut rows: Vec<Option<Row>> = pairs.par_iter().map(own).collect();
+    for (place, pair) in rows.iter_mut().zip(&pairs).filter(|(_, pair)| is_plugin(pair)) {
+        *place = row(pair);
+    }
+    rows.into_iter().flatten().collect()
 }
 
 /// The problems of a family: one a seed, or one where the family has none.
@@ -132,7 +144,9 @@ fn posings<'a>(family: &'a str, problems: &'a [Problem], models: &[Model]) -> Ve
         let problems = problems.iter().filter_map(|problem| Some((problem, pose(problem, model)?)));
         Posing { family, model, problems: problems.collect() }
     };
-    if problems.iter().any(|problem| problem.friction().is_some()) {
+    if let Some(first) = problems.iter().find(|problem| problem.friction().is_some()) {
+        let own = [first.model.unwrap_or_default()];
+        let models = if models.is_empty() { &own } else { models };
         models.iter().map(|&model| posed(Some(model))).collect()
     } else {
         vec![posed(None)]
@@ -193,13 +207,14 @@ fn attempt(posing: &Posing, method: &Method, options: &Options, stop: &Stop) -> 
         }
         let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
         let certificate = judge_friction(posed, &solution.x, &demand);
-        row.add(&solution, &certificate, has_no_solution(problem));
+        row.add(&solution, &certificate, problem);
     }
     Some(row)
 }
 
 impl Row {
-    fn add(&mut self, solution: &Solution, certificate: &FrictionCertificate, unsolvable: bool) {
+    fn add(&mut self, solution: &Solution, certificate: &FrictionCertificate, problem: &Problem) {
+        let unsolvable = has_no_solution(problem);
         let status = &solution.status;
         let (claims, holds) = (*status == Status::Solved, certificate.verdict.is_solution());
         self.outside += usize::from(matches!(status, Status::OutsideClass { .. }));
@@ -217,7 +232,7 @@ impl Row {
             let worst = self.worst_residual.map_or(0.0, |worst| worst);
             self.worst_residual = Some(worst.max(certificate.scaled_residual));
             if !holds {
-                self.trouble = Some(certificate.verdict.to_string());
+                self.trouble = Some(named(&certificate.verdict, problem));
             }
         } else if self.refuted_claims == 0 {
             self.trouble = Some(solution.status.to_string());

@@ -54,7 +54,7 @@ pub struct Simulate {
     #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u64).range(2..=60))]
     frames: u64,
     /// Draw contacts, contact forces and constraint forces in frames.svg
-    #[arg(long)]
+    #[arg(long, requires = "out")]
     forces: bool,
     /// Print one JSON object
     #[arg(long)]

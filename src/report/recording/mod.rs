@@ -308,8 +308,8 @@ impl Record {
         if excess > MUCH {
             let model = self.scene.contact.model;
             notes.push(format!(
-                "friction of the model {model} reached {excess:.0} % beyond Coulomb's cone in one step at least; \
-                 --model coulomb-cone does not"
+                "friction of the model {model} was up to {excess:.0} % beyond Coulomb's cone, where it works askew \
+                 to the tangents; --model coulomb-cone keeps to it"
             ));
         }
         notes

@@ -40,6 +40,45 @@ pub fn table(rows: &[Row]) -> Table {
     }
 }
 
+/// One row a solver: all that it was given.
+pub fn by_solver(rows: &[Row]) -> Table {
+    let mut names: Vec<&str> = Vec::new();
+    for row in rows {
+        if !names.contains(&row.solver.as_str()) {
+            names.push(&row.solver);
+        }
+    }
+    let cells = |name: &&str| {
+        let own: Vec<&Row> = rows.iter().filter(|row| row.solver == *name).collect();
+        let sum = |of: fn(&Row) -> usize| own.iter().map(|row| of(row)).sum::<usize>();
+        let refuted = sum(|row| row.claimed - row.accepted.min(row.claimed));
+        vec![
+            Cell::text(*name),
+            Cell::count(sum(|row| row.problems)),
+            Cell::count(sum(|row| row.outside)),
+            Cell::count(sum(|row| row.claimed)),
+            Cell::count(sum(|row| row.accepted)),
+            Cell::count(refuted).marked(if refuted == 0 { Mark::Plain } else { Mark::Bad }),
+            Cell::number(1e3 * own.iter().map(|row| row.seconds).sum::<f64>(), 2),
+        ]
+    };
+    Table {
+        title: "By solver".into(),
+        how_to_read: "All problems of the table above, under all models.".into(),
+        columns: vec![
+            Column::words("solver"),
+            Column::numbers("problems", ""),
+            Column::numbers("outside", ""),
+            Column::numbers("claims", ""),
+            Column::numbers("accepted", ""),
+            Column::numbers("refuted", ""),
+            Column::numbers("time", "ms"),
+        ],
+        rows: names.iter().map(cells).collect(),
+        ..Table::default()
+    }
+}
+
 fn cells(row: &Row) -> Vec<Cell> {
     let attempts = row.problems - row.outside;
     let zero =

@@ -37,6 +37,7 @@ mod worst_cases;
 
 pub use comparison::{alike, document as comparison_document, table as comparison_table};
 
+pub use families::by_solver as solvers_table;
 pub use families::table as families_table;
 pub use film::simulation_page;
 pub use verification::table as verification_table;

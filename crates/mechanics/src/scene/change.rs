@@ -27,7 +27,12 @@ pub(super) fn changed(path: &str, text: &str, changes: &[(String, String)]) -> R
 fn of_change(error: Error, key: &str) -> Error {
     match error {
         Error::Invalid { input, defects } => {
-            let reasons: Vec<String> = defects.into_iter().map(|defect| defect.reason).collect();
+            let mut reasons: Vec<String> =
+                defects.into_iter().map(|defect| defect.reason).collect();
+            if !key.contains('.') && reasons.iter().any(|reason| reason.contains("unknown field")) {
+                let short = SHORT.map(|(short, long)| format!("{short} for {long}"));
+                reasons.push(format!("short names are {}", short.join(", ")));
+            }
             Error::invalid(input, key, reasons.join("; "))
         }
         error => error,

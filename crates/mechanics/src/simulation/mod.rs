@@ -86,6 +86,11 @@ impl Simulation {
         Simulation { cone_solver, ..self }
     }
 
+    /// From now on its problems are solved by this one.
+    pub fn solve_by(&mut self, solver: Box<dyn Solver>) {
+        self.solver = solver;
+    }
+
     /// The scene; its states are those at the start.
     pub fn scene(&self) -> &Scene {
         &self.scene

@@ -35,7 +35,10 @@ fn one_that_hangs_is_ended_with_its_children() {
     let plugin = script.start(Duration::from_secs(2));
     let began = Instant::now();
     let (solution, _) = solve(&plugin, &pushed());
-    assert_eq!(solution.status, Status::NoAnswer { reason: "no answer within 2 s".into() });
+    assert_eq!(
+        solution.status,
+        Status::NoAnswer { reason: "none within 2 s, its time limit".into() }
+    );
     assert!(began.elapsed() < LONG);
     let child = std::fs::read_to_string(script.path("hangs.py.pid")).unwrap();
     let stat = std::path::PathBuf::from(format!("/proc/{child}/stat"));

@@ -42,7 +42,7 @@ impl Numbers {
             9 => self.rub(i, random),
             10 => self.bound(i, random),
             11 if random.whole(0, 1) == 0 && n > rows.0 => {
-                let fewer = self.without(i);
+                let fewer = self.without(i..i + 1);
                 if fewer.len() >= rows.0 {
                     *self = fewer;
                 }

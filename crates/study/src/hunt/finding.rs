@@ -131,7 +131,7 @@ fn test(problem: &Problem, trial: &Trial, catch: &Catch, solutions: &[Vec<RBig>]
     if trial.solver.group == Group::Plugin {
         let most = trial.options.settings.max_iterations;
         return format!(
-            "test       lcplab solve PROBLEM --plugin COMMAND --max-iterations {most}   # exit code 1 until it is mended\n"
+            "test       lcplab solve PROBLEM --plugin \"COMMAND\" --max-iterations {most}   # exit code 1 until it is mended\n"
         );
     }
     let demand = match trial.measure {

@@ -60,6 +60,11 @@ impl fmt::Display for Measure {
 }
 
 impl Measure {
+    /// Whether it is there: where that is a question of yes or no, by this answer.
+    pub(super) fn is_found(self, answer: bool) -> bool {
+        answer || !self.is_yes_or_no()
+    }
+
     /// Whether there is nothing more to climb once it is found.
     pub(super) fn is_yes_or_no(self) -> bool {
         matches!(self, Measure::Lie | Measure::Failure)
@@ -79,6 +84,8 @@ pub struct Trial {
     pub options: Options,
     /// The class that the matrix must belong to, whatever the solver is made for.
     pub within: MatrixClass,
+    /// Whether only problems with friction are looked at.
+    pub with_friction: bool,
     /// Whether a rival that has an ω is given the best one for each problem.
     pub best_omega: bool,
 }
@@ -210,7 +217,10 @@ impl Trial {
     pub(super) fn is_fair(&self, lcp: &Lcp) -> bool {
         let all = || std::iter::once(&self.solver).chain(&self.rival);
         let must_suit = matches!(self.measure, Measure::Iterations | Measure::Ratio);
-        is_of(self.within, lcp) && (!must_suit || all().all(|entry| is_in_class(entry, lcp)))
+        let has_friction = lcp.coupling().is_some();
+        (has_friction || !self.with_friction)
+            && is_of(self.within, lcp)
+            && (!must_suit || all().all(|entry| is_in_class(entry, lcp)))
     }
 
     /// How far the accepted answer is from the exact solution beside it, in parts of max |x|.

@@ -1,5 +1,7 @@
 //! The numbers of a problem while they change, and where chance comes from.
 
+use std::ops::Range;
+
 use oorandom::Rand64;
 
 use lcplab_problem::error::Result;
@@ -68,7 +70,11 @@ impl Numbers {
         let lcp = Lcp::new(matrix, self.b, self.lo, self.hi)?;
         match self.friction {
             None => Ok(lcp),
-            Some((index, mu)) => lcp.with_coupling(Coupling::new(index, mu)?),
+            Some((index, mut mu)) => {
+                let rows = mu.iter_mut().zip(&index);
+                rows.filter(|(_, k)| k.is_none()).for_each(|(mu, _)| *mu = 0.0);
+                lcp.with_coupling(Coupling::new(index, mu)?)
+            }
         }
     }
 
@@ -90,11 +96,13 @@ impl Numbers {
         self.friction.as_ref().is_some_and(|(index, _)| index.contains(&Some(i)))
     }
 
-    /// The same without row i and the rows that it bounds.
-    pub fn without(&self, i: usize) -> Numbers {
+    /// The same without these rows and the rows that they bound.
+    pub fn without(&self, rows: Range<usize>) -> Numbers {
         let index = |row: usize| self.friction.as_ref().and_then(|(index, _)| index[row]);
-        let kept: Vec<usize> =
-            (0..self.len()).filter(|&row| row != i && index(row) != Some(i)).collect();
+        let is_gone = |row: usize| {
+            rows.contains(&row) || index(row).is_some_and(|normal| rows.contains(&normal))
+        };
+        let kept: Vec<usize> = (0..self.len()).filter(|&row| !is_gone(row)).collect();
         let of = |all: &[f64]| kept.iter().map(|&row| all[row]).collect::<Vec<f64>>();
         let place = |k: usize| kept.iter().position(|&row| row == k);
         let friction = self.friction.as_ref().map(|(index, mu)| {

@@ -247,7 +247,7 @@ fn contacts_of(random: &mut Random, most: i64) -> Numbers {
 }
 
 /// Up to so many contacts with so many tangents each.
-fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
+pub(super) fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
     let points = random.whole(1, most) as usize;
     let rows = 1 + tangents;
     let n = rows * points;

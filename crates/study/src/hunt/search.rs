@@ -26,12 +26,14 @@ const CLIMB: usize = 4000;
 const PATIENCE: usize = 500;
 /// What still shows it while it is made smaller: this part of what was found.
 const KEPT: f64 = 0.9;
+/// The same of what is there or is not: it may become small, but not too small to be seen.
+const KEPT_OF_A_LIE: f64 = 0.1;
 /// A change may multiply the iterations by so much and is measured to the end, once they are above the least.
 const GROWTH: usize = 4;
 const LEAST_ITERATIONS: usize = 2000;
 
 /// Where to search, and for how long.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Search {
     /// How many rows the problem may have.
     pub rows: RangeInclusive<usize>,
@@ -41,6 +43,8 @@ pub struct Search {
     pub seed: u64,
     /// Search no further once the measure is so large.
     pub at_least: Option<f64>,
+    /// Problems to begin with, of any size.
+    pub from: Vec<Lcp>,
 }
 
 /// What was found.
@@ -106,8 +110,8 @@ impl Search {
     /// Searches; `tick` hears how many more problems were tried.
     pub fn run(&self, trial: &Trial, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> Searched {
         let (mut evaluations, mut round) = (0, 0);
-        let mut best: Option<(Climb, usize)> = None;
-        let mut is_over = false;
+        let mut best = self.given(trial, &mut evaluations, stop);
+        let mut is_over = best.as_ref().is_some_and(|(climb, _)| self.ends(trial, &climb.score));
         while evaluations < self.evaluations && !is_over && stop.reason().is_none() {
             let left = self.evaluations - evaluations;
             let most = |k: usize| (left / ROUND + usize::from(k < left % ROUND)).min(CLIMB);
@@ -137,22 +141,31 @@ impl Search {
             round += 1;
         }
         let found = best.filter(|(climb, _)| {
-            if trial.measure.is_yes_or_no() {
-                climb.score.is_found
-            } else {
-                climb.score.value > 0.0
-            }
+            climb.score.value > 0.0 && trial.measure.is_found(climb.score.is_found)
         });
         let catch = found.map(|(climb, at)| self.shrunk(trial, &climb, at, stop));
         Searched { catch, evaluations }
     }
 
+    /// The one of the given problems that measures most.
+    fn given(&self, trial: &Trial, tried: &mut usize, stop: &Stop) -> Option<(Climb, usize)> {
+        let mut best: Option<(Climb, usize)> = None;
+        for lcp in self.from.iter().take_while(|_| stop.reason().is_none()) {
+            *tried += 1;
+            let score = trial.score(lcp, trial.options.settings.max_iterations);
+            let is_better = best.as_ref().is_none_or(|(best, _)| score.is_above(&best.score));
+            if is_better && trial.is_fair(lcp) {
+                best = Some((Climb { numbers: Numbers::of(lcp), score, at: 0, used: 1 }, *tried));
+            }
+        }
+        best
+    }
+
     /// Whether nothing more is to be found.
     fn ends(&self, trial: &Trial, score: &Score) -> bool {
-        if trial.measure.is_yes_or_no() {
-            score.is_found
-        } else {
-            self.at_least.is_some_and(|least| score.value >= least)
+        match self.at_least {
+            Some(least) => score.value >= least && trial.measure.is_found(score.is_found),
+            None => trial.measure.is_yes_or_no() && score.is_found,
         }
     }
 
@@ -166,7 +179,7 @@ impl Search {
     ) -> Climb {
         let random = &mut Random::new(self.seed ^ 0x5eed, k);
         let rows = (*self.rows.start(), *self.rows.end());
-        let numbers = from.cloned().unwrap_or_else(|| self.start(k, random));
+        let numbers = from.cloned().unwrap_or_else(|| self.start(trial, k, random));
         let score = Score { value: -1.0, is_found: false, iterations: 0 };
         let mut candidate = numbers.clone();
         let mut climb = Climb { numbers, score, at: 0, used: 0 };
@@ -191,10 +204,15 @@ impl Search {
     }
 
     /// The problem where climb k begins.
-    fn start(&self, k: usize, random: &mut Random) -> Numbers {
+    fn start(&self, trial: &Trial, k: usize, random: &mut Random) -> Numbers {
+        if trial.with_friction {
+            let tangents = 1 + k % 2;
+            let contacts = (*self.rows.end() / (1 + tangents)).max(1);
+            return problem::friction(random, contacts as i64, tangents);
+        }
         let of_size = |lcp: &Lcp| self.rows.contains(&lcp.len());
         let found = match k % 3 {
-            0 => Some(problem(self.seed, k / 3).0).filter(of_size),
+            0 => Some(super::problem(self.seed, k / 3).0).filter(of_size),
             1 => family(random, self.rows.clone()).filter(of_size),
             _ => None,
         };
@@ -203,20 +221,21 @@ impl Search {
 
     /// The smallest problem that shows what the climb found.
     fn shrunk(&self, trial: &Trial, climb: &Climb, evaluation: usize, stop: &Stop) -> Catch {
-        let goal = self.at_least.unwrap_or(KEPT * climb.score.value).min(climb.score.value);
+        let kept = if trial.measure.is_yes_or_no() { KEPT_OF_A_LIE } else { KEPT };
+        let goal = self.at_least.unwrap_or(kept * climb.score.value).min(climb.score.value);
+        let rows = *self.rows.start()..=climb.numbers.len();
         let (mut smallest, mut score) = (climb.numbers.clone(), climb.score);
         let shows = |numbers: &Numbers, before: &Score| -> Option<Score> {
             let lcp = numbers.clone().lcp().ok()?;
             let score = trial.score(&lcp, most_iterations(trial, before));
-            let holds =
-                if trial.measure.is_yes_or_no() { score.is_found } else { score.value >= goal };
+            let holds = score.value >= goal && trial.measure.is_found(score.is_found);
             (holds && trial.is_fair(&lcp)).then_some(score)
         };
         let (mut tried, mut failed, mut at) = (0, 0, 0);
         let mut simpler = smallest.simpler();
         while failed < simpler.len() && tried < self.evaluations && stop.reason().is_none() {
             let candidate = &simpler[at % simpler.len()];
-            let has_rows = self.rows.contains(&candidate.len());
+            let has_rows = rows.contains(&candidate.len());
             tried += 1;
             match if has_rows { shows(candidate, &score) } else { None } {
                 Some(new) => {

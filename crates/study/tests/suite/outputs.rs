@@ -8,8 +8,8 @@ use lcplab_judge::{Demand, Verdict, judge};
 use lcplab_page::plot::number::significant;
 use lcplab_problem::Lcp;
 use lcplab_problem::library::{self, Family};
-use lcplab_solver::textbook::{self, Vector};
-use lcplab_solver::{ALL, Options, Settings, Start, Status, by_name};
+use lcplab_solver::textbook::{self, Matrix, Vector};
+use lcplab_solver::{ALL, Damping, Options, Settings, Start, Status, by_name};
 
 use lcplab_testing::iterates;
 
@@ -56,35 +56,43 @@ fn answer(lcp: &Lcp, name: &str) -> String {
     format!("{head}, {word}\n  x = {x}\n  w = {}\n", vector(&w, unit))
 }
 
-/// The first sweeps of Gauss-Seidel, where the textbook makes them too.
-fn sweeps(lcp: &Lcp) -> Option<String> {
-    let n = lcp.len();
-    let starts_at_zero = (0..n).all(|i| lcp.lo()[i] <= 0.0 && lcp.hi()[i] >= 0.0);
-    if lcp.coupling().is_some()
-        || !starts_at_zero
-        || (0..n).any(|i| lcp.matrix().diagonal(i) <= 0.0)
-    {
-        return None;
-    }
+/// A sweeping method of the textbook, as far as the sweep of this number.
+type Twin = fn(&Matrix, &Vector, &Vector, &Vector, usize) -> Vector;
+
+/// What the textbook makes sweep by sweep: its heading, the solver and the twin.
+const SWEEPS: [(&str, &str, Twin); 2] = [
+    ("Jacobi from 0", "jacobi", |a, b, lo, hi, k| textbook::jacobi(a, b, lo, hi, 1.0, k)),
+    ("Gauss-Seidel from 0", "pgs", textbook::gauss_seidel),
+];
+
+/// The first sweeps of a method, which are the twin's.
+fn sweeps(lcp: &Lcp, name: &str, twin: Twin) -> String {
     let settings = Settings { tolerance: 0.0, max_iterations: 3, ..Settings::default() };
-    let pgs = by_name("pgs", &Options { settings, ..Options::default() }).unwrap();
-    let own = iterates(&*pgs, lcp);
+    let options = Options { settings, damping: Damping::Factor(1.0), ..Options::default() };
+    let own = iterates(&*by_name(name, &options).unwrap(), lcp);
     let of = |v: &[f64]| Vector::from_column_slice(v);
+    let a = lcp.matrix().to_dense();
     let mut text = String::new();
     for (k, x) in own.iter().enumerate().skip(1) {
-        let a = lcp.matrix().to_dense();
-        let twin = textbook::gauss_seidel(&a, &of(lcp.b()), &of(lcp.lo()), &of(lcp.hi()), k);
-        assert!((twin - of(x)).amax() <= 1e-12 * largest(x).max(1e-300));
+        let twin = twin(&a, &of(lcp.b()), &of(lcp.lo()), &of(lcp.hi()), k);
+        assert!((twin - of(x)).amax() <= 1e-12 * largest(x).max(1e-300), "{name}, sweep {k}");
         text += &format!("  sweep {k}: {}\n", vector(x, largest(x)));
     }
-    Some(text)
+    text
+}
+
+/// Whether the textbook makes sweeps of this problem too.
+fn is_plain(lcp: &Lcp) -> bool {
+    let starts_at_zero = |i: usize| lcp.lo()[i] <= 0.0 && lcp.hi()[i] >= 0.0;
+    let has_diagonal = |i: usize| lcp.matrix().diagonal(i) > 0.0;
+    lcp.coupling().is_none() && (0..lcp.len()).all(|i| starts_at_zero(i) && has_diagonal(i))
 }
 
 fn outputs(family: &dyn Family) -> String {
     let lcp = family.generate(&[]).unwrap().lcp;
     let mut text = format!("{}: {} rows\n", family.about(), lcp.len());
-    if let Some(sweeps) = sweeps(&lcp) {
-        text += &format!("\nGauss-Seidel from 0\n{sweeps}");
+    for (heading, name, twin) in SWEEPS.into_iter().filter(|_| is_plain(&lcp)) {
+        text += &format!("\n{heading}\n{}", sweeps(&lcp, name, twin));
     }
     for entry in ALL {
         text += &format!("\n{}", answer(&lcp, entry.name));

@@ -82,12 +82,13 @@ fn trial(measure: Measure, solver: Entry, rival: Option<&str>, max_iterations: u
         rival: rival.map(|name| *entry(name).unwrap()),
         options: Options { settings, ..Options::default() },
         within: MatrixClass::General,
+        with_friction: false,
         best_omega: true,
     }
 }
 
 fn search(trial: &Trial, rows: RangeInclusive<usize>, evaluations: usize) -> Option<Catch> {
-    let search = Search { rows, evaluations, seed: 1, at_least: None };
+    let search = Search { rows, evaluations, seed: 1, at_least: None, from: Vec::new() };
     search.validate().unwrap();
     search.run(trial, &Stop::default(), &|_| ()).catch
 }
@@ -122,7 +123,8 @@ fn an_honest_solver_is_not_caught() {
 
 /// The same with an end to what is asked; `docs/hunt.md` has what the whole search finds, in its time.
 fn enough(trial: &Trial, rows: RangeInclusive<usize>, at_least: f64) -> Catch {
-    let search = Search { rows, evaluations: 20_000, seed: 1, at_least: Some(at_least) };
+    let search =
+        Search { rows, evaluations: 20_000, seed: 1, at_least: Some(at_least), from: Vec::new() };
     search.run(trial, &Stop::default(), &|_| ()).catch.expect("a ratio")
 }
 

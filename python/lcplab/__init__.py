@@ -1,0 +1,51 @@
+"""Solve, judge and explain linear complementarity problems of contact.
+
+The problem is ``w = A x + b`` with ``lo <= x <= hi``, where ``w[i] > 0`` only if ``x[i] == lo[i]`` and
+``w[i] < 0`` only if ``x[i] == hi[i]``. Rows of friction have the bounds ``±mu[i] * max(x[k], 0)`` with
+``k = friction_index[i]``.
+
+>>> import lcplab
+>>> r = lcplab.solve([[2, -1], [-1, 2]], [-1, 2])
+>>> r.x.tolist(), r.verdict
+([0.5, 0.0], 'proved')
+"""
+
+from lcplab._lcplab import InputError, __version__
+from lcplab import testing, textbook
+from lcplab._api import (
+    Comparison,
+    Document,
+    Finding,
+    Problem,
+    Result,
+    Scene,
+    Step,
+    Verdict,
+    compare,
+    explain,
+    hunt,
+    judge,
+    solve,
+    solvers,
+)
+
+__all__ = [
+    "Comparison",
+    "Document",
+    "Finding",
+    "InputError",
+    "Problem",
+    "Result",
+    "Scene",
+    "Step",
+    "Verdict",
+    "__version__",
+    "compare",
+    "explain",
+    "hunt",
+    "judge",
+    "solve",
+    "solvers",
+    "testing",
+    "textbook",
+]

@@ -1,0 +1,16 @@
+"""The command ``lcplab``."""
+
+import signal
+import sys
+
+from lcplab._lcplab import run
+
+
+def main() -> int:
+    """Run the command line of ``sys.argv`` and return its exit code."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the program hears Ctrl-C itself
+    return run(["lcplab", *sys.argv[1:]])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

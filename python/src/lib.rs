@@ -1,0 +1,45 @@
+//! lcplab for Python: what the package `lcplab` is built on.
+//!
+//! Arrays come in as NumPy's and go out as NumPy's; what is not an array goes out as the JSON that the command
+//! line prints, which the package reads. While Rust works, Python's other threads run; a function of the
+//! user's that is called from Rust is called with the interpreter held.
+
+mod arrays;
+mod callable;
+mod hunt;
+mod problem;
+mod scene;
+mod solving;
+mod waiting;
+
+use pyo3::prelude::*;
+use pyo3::{create_exception, exceptions::PyValueError};
+
+create_exception!(lcplab, InputError, PyValueError, "Input that cannot be used, with every defect of it.");
+
+/// An error of lcplab as one of Python's.
+fn refused(error: lcplab::error::Error) -> PyErr {
+    InputError::new_err(error.to_string())
+}
+
+#[pymodule]
+fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("InputError", module.py().get_type::<InputError>())?;
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_class::<problem::Problem>()?;
+    module.add_class::<scene::Scene>()?;
+    module.add_function(wrap_pyfunction!(solving::solve, module)?)?;
+    module.add_function(wrap_pyfunction!(solving::judge, module)?)?;
+    module.add_function(wrap_pyfunction!(solving::explain, module)?)?;
+    module.add_function(wrap_pyfunction!(solving::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(solving::solvers, module)?)?;
+    module.add_function(wrap_pyfunction!(hunt::hunt, module)?)?;
+    module.add_function(wrap_pyfunction!(run, module)?)?;
+    Ok(())
+}
+
+/// Runs the command line; the program's name first. Returns the exit code.
+#[pyfunction]
+fn run(py: Python<'_>, arguments: Vec<String>) -> u8 {
+    py.detach(|| lcplab::cli::run(arguments.into_iter().map(Into::into)))
+}

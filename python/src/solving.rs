@@ -1,0 +1,179 @@
+//! Solve, judge, explain and compare.
+
+use lcplab::certificate::Demand;
+use lcplab::document::Format;
+use lcplab::explain::{Method as Explained, problem as explained};
+use lcplab::lcp::Lcp;
+use lcplab::lcp::friction::Model;
+use lcplab::report::answer::{Answer, certificate_json};
+use lcplab::report::study::families;
+use lcplab::report::{methods, text, view};
+use lcplab::solver::{Entry, Method, Options, Settings, Start, Status, Stop, default_for};
+use lcplab::trace::Convergence;
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::problem::Problem;
+use crate::waiting::wait;
+use crate::{callable, refused};
+
+/// Smaller problems are solved before anyone could have waited.
+const QUICK_ROWS: usize = 200;
+
+/// What a solver may use.
+#[derive(FromPyObject)]
+pub struct Given {
+    #[pyo3(item("tolerance"))]
+    tolerance: f64,
+    #[pyo3(item("max_iterations"))]
+    max_iterations: usize,
+    #[pyo3(item("omega"))]
+    omega: Option<f64>,
+}
+
+impl Given {
+    pub fn options(&self) -> PyResult<Options> {
+        let settings = Settings {
+            tolerance: self.tolerance,
+            max_iterations: self.max_iterations,
+            ..Settings::default()
+        };
+        let mut options = Options { settings, ..Options::default() };
+        options.omega = self.omega.unwrap_or(options.omega);
+        options.validate().map_err(refused)?;
+        Ok(options)
+    }
+}
+
+/// The answer as a dictionary: x and w as arrays, the certificate as JSON.
+#[pyfunction]
+pub fn solve<'py>(
+    py: Python<'py>,
+    problem: &Problem,
+    solver: Option<Bound<'py, PyAny>>,
+    given: Given,
+    prove_up_to: usize,
+    trace: bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let lcp = &problem.0.lcp;
+    let entry = match solver {
+        Some(solver) => callable::entry(&solver)?,
+        None => methods::entry(default_for(lcp)).map_err(refused)?,
+    };
+    let options = given.options()?;
+    let demand = Demand { tolerance: given.tolerance, prove_up_to };
+    let stop = Stop::default();
+    let work = || answered(lcp, &entry, &options, &demand, trace, &stop);
+    let (answer, records) = match lcp.len() <= QUICK_ROWS && !trace {
+        true => py.detach(work),
+        false => wait(py, &stop, work)?,
+    };
+    let told = PyDict::new(py);
+    told.set_item("x", PyArray1::from_slice(py, &answer.solution.x))?;
+    told.set_item("w", PyArray1::from_slice(py, &answer.certificate.w))?;
+    told.set_item("status", answer.status_word())?;
+    told.set_item("message", answer.message())?;
+    told.set_item("solver", answer.solver)?;
+    told.set_item("iterations", answer.solution.iterations)?;
+    told.set_item("verdict", answer.certificate.verdict.word())?;
+    told.set_item("residual", answer.certificate.scaled_residual)?;
+    told.set_item("is_solution", answer.certificate.verdict.is_solution())?;
+    told.set_item("is_claimed", answer.solution.status == Status::Solved)?;
+    told.set_item("certificate", serde_json::Value::Object(certificate_json(&answer.certificate)).to_string())?;
+    if trace {
+        let column = |of: fn(&lcplab::trace::Record) -> f64| PyArray1::from_iter(py, records.iter().map(of));
+        let columns = PyDict::new(py);
+        columns.set_item("iteration", column(|record| record.iteration as f64))?;
+        columns.set_item("scaled_residual", column(|record| record.scaled_residual))?;
+        columns.set_item("natural_residual", column(|record| record.natural_residual))?;
+        columns.set_item("objective", column(|record| record.objective))?;
+        told.set_item("trace", columns)?;
+    }
+    Ok(told)
+}
+
+fn answered(
+    lcp: &Lcp,
+    entry: &Entry,
+    options: &Options,
+    demand: &Demand,
+    trace: bool,
+    stop: &Stop,
+) -> (Answer, Vec<lcplab::trace::Record>) {
+    let solver = (entry.build)(options);
+    let mut convergence = Convergence::of(lcp);
+    let solution = match trace {
+        true => solver.solve(lcp, &Start::default(), &mut stop.watch(&mut convergence)),
+        false => solver.solve(lcp, &Start::default(), &mut stop.watch(&mut ())),
+    };
+    (Answer::judged(lcp, entry.name, solution, demand), convergence.records)
+}
+
+/// The judge's certificate, as JSON, with whether x is accepted.
+#[pyfunction]
+pub fn judge(
+    py: Python<'_>,
+    problem: &Problem,
+    x: PyReadonlyArray1<'_, f64>,
+    tolerance: f64,
+    prove_up_to: usize,
+) -> PyResult<(bool, String)> {
+    let (lcp, x) = (&problem.0.lcp, x.as_array().to_vec());
+    if x.len() != lcp.len() {
+        let reason = format!("has {} entries, the problem has {} rows", x.len(), lcp.len());
+        return Err(refused(lcplab::error::Error::invalid("answer", "x", reason)));
+    }
+    let demand = Demand { tolerance, prove_up_to };
+    let certificate = py.detach(|| lcplab::certificate::judge(lcp, &x, &demand));
+    let json = serde_json::Value::Object(certificate_json(&certificate));
+    Ok((certificate.verdict.is_solution(), json.to_string()))
+}
+
+/// The derivation of a solution: as text, as Markdown and as a page.
+#[pyfunction]
+pub fn explain(py: Python<'_>, problem: &Problem, solver: Option<String>, given: Given) -> PyResult<[String; 3]> {
+    let name = solver.unwrap_or_else(|| default_for(&problem.0.lcp).into());
+    let options = given.options()?;
+    let written = py.detach(|| {
+        let document = explained(&problem.0, &Explained::with(&name, options)?)?;
+        let form = |format| document.written(format);
+        Ok([form(Format::Text)?, form(Format::Markdown)?, form(Format::Html)?])
+    });
+    written.map_err(refused)
+}
+
+/// The rows of a comparison, as JSON, and its table as text. Problems of one name are one row.
+#[pyfunction]
+pub fn compare(
+    py: Python<'_>,
+    problems: Vec<(String, Vec<PyRef<'_, Problem>>)>,
+    solvers: Vec<Bound<'_, PyAny>>,
+    models: Vec<String>,
+    given: Given,
+) -> PyResult<(String, String)> {
+    let mut chosen = Vec::new();
+    for solver in &solvers {
+        match solver.extract::<String>() {
+            Ok(name) => chosen.extend(methods::named(&name).map_err(refused)?),
+            Err(_) => chosen.push(Method::Boxed(callable::entry(solver)?)),
+        }
+    }
+    let models = models.iter().map(|model| model.parse()).collect::<Result<Vec<Model>, _>>().map_err(refused)?;
+    let problems: Vec<(String, Vec<_>)> = problems
+        .into_iter()
+        .map(|(name, list)| (name, list.iter().map(|problem| problem.0.clone()).collect()))
+        .collect();
+    let (options, stop) = (given.options()?, Stop::default());
+    let rows = wait(py, &stop, || families::run_on(&problems, &models, &chosen, &options, &stop))?;
+    let table = text::table(&view::families_table(&rows));
+    let json = serde_json::to_string(&rows).unwrap_or_default();
+    Ok((json, table))
+}
+
+/// The solvers that have a name: the name, what it is, and the matrices it is made for.
+#[pyfunction]
+pub fn solvers() -> Vec<(&'static str, &'static str, String)> {
+    let all = lcplab::solver::ALL.iter();
+    all.map(|entry| (entry.name, entry.method, entry.class.to_string())).collect()
+}

@@ -1,0 +1,120 @@
+"""A function is a solver wherever a solver is named."""
+
+import numpy as np
+import pytest
+
+import lcplab
+from lcplab.testing import assert_honest, assert_solves
+
+
+def sweeps(A, b, lo, hi, tolerance, max_iterations, **settings):
+    """Projected Gauss-Seidel that yields its iterates."""
+    x = np.zeros(len(b))
+    for _ in range(max_iterations):
+        for i in range(len(b)):
+            x[i] = np.clip(x[i] - (A[i] @ x + b[i]) / A[i, i], lo[i], hi[i])
+        yield x.copy()
+        w = A @ x + b
+        terms = np.abs(A) @ np.abs(x) + np.abs(b)
+        if (np.abs(x - np.clip(x - w / np.diag(A), lo, hi)) * np.diag(A) <= tolerance * terms).all():
+            return
+
+
+def clamps_late(A, b, lo, hi, **settings):
+    return np.clip(np.linalg.lstsq(A, -b, rcond=None)[0], lo, hi)
+
+
+def breaks(A, b, lo, hi, **settings):
+    raise ZeroDivisionError("row 3 has no mass")
+
+
+P = lcplab.Problem([[2, -1], [-1, 2]], [-1, 2])
+
+
+def test_an_answer_and_iterates_are_heard():
+    r = lcplab.solve(P, solver=clamps_late)
+    assert r.status == "solved" and r.solver == "clamps_late" and r.iterations == 1
+    r = lcplab.solve(P, solver=sweeps, trace=True)
+    assert r and 1 < r.iterations == r.trace["iteration"][-1]
+
+
+def test_a_wrong_answer_is_a_claim_that_the_judge_refutes():
+    p = lcplab.Problem([[2, 1], [1, 2]], [-5, 1])
+    r = lcplab.solve(p, solver=lambda A, b, lo, hi, **s: [1.0, 1.0])
+    assert r.status == "solved" and not r
+
+
+@pytest.mark.parametrize(
+    "function, words",
+    [
+        (breaks, "ZeroDivisionError: row 3 has no mass"),
+        (lambda A, b, lo, hi, **s: [1.0], "x has 1 entries, the problem has 2 rows"),
+        (lambda A, b, lo, hi, **s: [np.nan, 0.0], "no finite number"),
+        (lambda A, b, lo, hi, **s: "x", "TypeError"),
+    ],
+)
+def test_an_exception_is_a_failure_with_its_message(function, words):
+    r = lcplab.solve(P, solver=function)
+    assert r.status == "failed" and words in r.message
+    row = lcplab.compare(P, [function, "dantzig"]).rows[0]
+    assert row["claimed"] == 0 and words in row["trouble"]
+
+
+def test_none_is_no_claim():
+    assert lcplab.solve(P, solver=lambda A, b, lo, hi, **s: None).status == "iteration_limit"
+
+
+def test_functions_are_compared_with_solvers():
+    table = lcplab.compare({"two": P, "one": ([[1]], [-1])}, [sweeps, "pgs"])
+    assert [(row["family"], row["solver"], row["accepted"]) for row in table.rows] == [
+        ("two", "sweeps", 1), ("two", "pgs", 1), ("one", "sweeps", 1), ("one", "pgs", 1),
+    ]
+    assert table.to_csv().count("\n") == 5 and "<table>" in table._repr_html_()
+    assert set(table.profile()) == {"sweeps", "pgs"} and "sweeps" in str(table)
+
+
+def test_the_hunt_finds_the_smallest_wrong_answer_and_finds_it_again():
+    search = dict(n=2, evaluations=2000, within="definite")
+    found = lcplab.hunt(clamps_late, **search)
+    assert len(found.problem) == 2 and found.words.startswith("clamps_late says: solved")
+    assert not lcplab.solve(found.problem, solver=clamps_late)
+    [x] = found.problem.solutions
+    assert lcplab.judge(found.problem, x=[float(x) for x in x])
+    assert lcplab.hunt(clamps_late, **search).problem.to_json() == found.problem.to_json()
+    assert lcplab.hunt("dantzig", n=2, evaluations=200) is None
+
+
+def test_a_function_steps_a_scene():
+    ours, theirs = lcplab.Scene.load("fig7"), lcplab.Scene.load("fig7")
+    assert ours.step(sweeps) and theirs.step("dantzig")
+    np.testing.assert_allclose(ours.poses, theirs.poses, atol=1e-7)
+
+
+def test_other_projects_can_ask_whether_a_solver_solves():
+    assert_solves("dantzig")
+    assert_solves(sweeps, [P])
+    with pytest.raises(AssertionError, match="row 3 has no mass"):
+        assert_solves(breaks, [P])
+    with pytest.raises(AssertionError, match="clamps_late says: solved"):
+        assert_honest(clamps_late)
+
+
+def test_ctrl_c_stops_a_hunt():
+    import os, signal, subprocess, sys, textwrap, time
+
+    script = textwrap.dedent(
+        """
+        import lcplab
+        print("begun", flush=True)
+        try:
+            lcplab.hunt("dantzig", n=(20, 30), evaluations=10**8)
+        except KeyboardInterrupt:
+            print("stopped", flush=True)
+        """
+    )
+    process = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "begun\n"
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    out, _ = process.communicate(timeout=60)
+    assert out == "stopped\n" and process.returncode == 0

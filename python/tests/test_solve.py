@@ -1,0 +1,134 @@
+"""Solving and judging: the answers of closed forms, the words of errors, the bits of the command line."""
+
+import json
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import lcplab
+
+A, B = np.array([[2.0, -1.0], [-1.0, 2.0]]), np.array([-1.0, 2.0])
+FAMILIES = ["manufactured", "pd", "murty", "fathi", "stack", "friction-pile", "contact-graph", "several", "hilbert", "pushed-rod"]
+
+
+@pytest.mark.parametrize("solver", [None, "dantzig", "lemke", "pgs", "newton", "interior-point"])
+def test_two_contacts_have_their_closed_form(solver):
+    r = lcplab.solve(A, B, solver=solver)
+    assert r and r.status == "solved"
+    assert_allclose(r.x, [0.5, 0.0], atol=1e-7)
+    assert_allclose(r.w, A @ r.x + B, atol=1e-15)
+
+
+def test_lists_bounds_and_sparse_arrays_are_taken():
+    from scipy import sparse
+
+    assert lcplab.solve([[2]], [-8], hi=3).x.tolist() == [3.0]
+    assert lcplab.solve([[2]], [8], lo=-np.inf).x.tolist() == [-4.0]
+    r = lcplab.solve(sparse.csr_array(A), B)
+    assert r.x.tolist() == [0.5, 0.0]
+    assert lcplab.solve(A.T[::1], B).x.tolist() == [0.5, 0.0]
+    assert lcplab.solve(np.asfortranarray(A), B.astype(np.float32)).x.tolist() == [0.5, 0.0]
+
+
+def test_friction_is_bounded_by_the_normal_force():
+    # Pressed with 2, pushed with 3, mu = 1/2: friction is 1.
+    r = lcplab.solve(np.eye(2), [-2, -3], friction_index=[-1, 0], mu=[0, 0.5])
+    assert r.verdict == "proved" and r.x.tolist() == [2.0, 1.0]
+
+
+def test_the_judge_names_the_row_and_the_amount():
+    v = lcplab.judge(A, B, [0.5, 0.0])
+    assert v and v.verdict == "proved"
+    v = lcplab.judge(A, B, [0.5, 1.0])
+    assert not v and v.row == 1 and v.amount > 0.5
+
+
+def test_what_has_no_solution_is_proved_to_have_none():
+    r = lcplab.solve([[1, -1], [-1, 1]], [-1, -1], solver="lemke")
+    assert r.status == "infeasible" and not r and r.proof
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (([[1, 2]], [1]), "A: is 1 × 2, b has 1 entries"),
+        (([[np.nan]], [1]), "NaN"),
+        (([[1]], [1], [2], [1]), "lo[0]: is 2, above hi[0] = 1"),
+        (([[1.0, 0], [0, 1]], [np.inf, np.nan]), "b[1]"),
+    ],
+)
+def test_defects_are_input_errors_with_the_words_of_the_command_line(arguments, words):
+    with pytest.raises(lcplab.InputError, match=words.replace("[", r"\[").replace("]", r"\]")):
+        lcplab.solve(*arguments)
+    assert issubclass(lcplab.InputError, ValueError)
+
+
+def test_an_unknown_solver_is_answered_with_the_known_ones():
+    with pytest.raises(lcplab.InputError, match="there is no solver named \"gauss\"; there are pgs"):
+        lcplab.solve(A, B, solver="gauss")
+
+
+def test_the_trace_ends_at_the_answer():
+    r = lcplab.solve(A, B, solver="pgs", trace=True)
+    assert r.trace["iteration"][0] == 0 and r.trace["iteration"][-1] == r.iterations
+    assert r.trace["scaled_residual"][-1] <= 1e-8
+
+
+def test_the_same_bits_as_the_command_line_on_300_problems(tmp_path):
+    count = 0
+    for family in FAMILIES:
+        for seed in range(1, 31):
+            try:
+                problem = lcplab.Problem.generate(family, seed=seed)
+            except lcplab.InputError:  # a family without a seed has sizes
+                problem = lcplab.Problem.generate(family, **{"pairs" if family == "several" else "n": 1 + seed % 6})
+            problem.write(tmp_path / f"{count:03}.json")
+            count += 1
+    assert count == 300
+    script = "import sys, glob, lcplab\nfrom lcplab._lcplab import run\nfor f in sorted(glob.glob(sys.argv[1] + '/*.json')): run(['lcplab', 'solve', f, '--json'])"
+    out = subprocess.run([sys.executable, "-c", script, str(tmp_path)], capture_output=True, text=True, check=True).stdout
+    told = [json.loads(line) for line in out.splitlines()]
+    assert len(told) == 300
+    for k, command in enumerate(told):
+        r = lcplab.solve(lcplab.Problem.read(tmp_path / f"{k:03}.json"))
+        assert r.x.tolist() == [float(x) for x in command["x"]], k
+        assert r.w.tolist() == [float(w) for w in command["w"]], k
+        assert (r.status, r.verdict, r.solver) == (command["status"], command["verdict"], command["solver"])
+
+
+def test_importing_takes_less_than_a_tenth_of_a_second_beside_numpy():
+    script = "import numpy, time; t = time.perf_counter(); import lcplab; print(time.perf_counter() - t)"
+    seconds = min(
+        float(subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout)
+        for _ in range(3)
+    )
+    assert seconds < 0.1
+
+
+def test_other_threads_run_while_rust_works():
+    import threading
+
+    ticks, done = [], threading.Event()
+
+    def count():
+        while not done.is_set():
+            ticks.append(time.perf_counter())
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    lcplab.solve(lcplab.Problem.generate("pd", n=600), solver="lemke")
+    done.set()
+    thread.join()
+    assert len(ticks) > 3 and max(np.diff(ticks)) < 1.0
+
+
+def test_the_command_is_in_the_package():
+    told = subprocess.run([sys.executable, "-m", "lcplab", "--version"], capture_output=True, text=True)
+    assert told.returncode == 0 and told.stdout.startswith("lcplab ")
+    told = subprocess.run([sys.executable, "-m", "lcplab", "solve", "nowhere.json"], capture_output=True, text=True)
+    assert told.returncode == 2 and "nowhere.json" in told.stderr
