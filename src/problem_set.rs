@@ -193,6 +193,6 @@ fn citation(count: usize) -> String {
     format!(
         "cff-version: 1.2.0\ntitle: \"lcplab problem set {VERSION}: {count} linear complementarity problems of contact\"\n\
          type: dataset\nversion: \"{VERSION}\"\nmessage: \"Cite it by version; index.csv has a SHA-256 of each file.\"\n\
-         authors:\n  - name: \"The lcplab developers\"\n"
+         license:\n  - MIT\n  - Apache-2.0\nauthors:\n  - name: \"The lcplab developers\"\n"
     )
 }

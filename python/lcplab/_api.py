@@ -519,7 +519,7 @@ def hunt(
     at_least: float | None = None,
     within: str = "general",
     friction: bool = False,
-    start: Any = (),
+    start: Any = None,
     tolerance: float = 1e-8,
     max_iterations: int = 2000,
 ) -> Finding | None:
@@ -541,7 +541,7 @@ def hunt(
         The class of the matrices: ``"definite"``, ``"semidefinite"``, ``"p"``, ``"general"`` and others.
     friction : bool
         Only problems with friction.
-    start : as the problems of :func:`compare`
+    start : optional, as the problems of :func:`compare`
         Problems to begin with, of any size: what they show is made smaller.
 
     Returns
@@ -568,7 +568,7 @@ def hunt(
         "seconds": seconds,
         "with_friction": friction,
     }
-    given = [problem._inner for _, problem in _named(start)]
+    given = [] if start is None else [problem._inner for _, problem in _named(start)]
     told = _lcplab.hunt(solver, rival, quarry, _given(tolerance, max_iterations, None), given)
     return Finding(told) if "problem" in told else None
 

@@ -83,7 +83,7 @@ pub fn problem(a: &Entries<'_>, vectors: &Vectors<'_>) -> Result<Problem> {
     let least = |i: usize| if is_coupled(i) { -f64::INFINITY } else { 0.0 };
     let lo = given(&vectors.lo).unwrap_or_else(|| (0..n).map(least).collect());
     let hi = given(&vectors.hi).unwrap_or_else(|| vec![f64::INFINITY; n]);
-    let mut lcp = Lcp::new(a.matrix(n)?, b, lo, hi)?.with_scale(vectors.scale)?;
+    let mut lcp = Lcp::new(a.matrix(n)?, b, lo, hi)?.with_scale(vectors.scale.unwrap_or(0.0))?;
     lcp = match (index, &vectors.mu) {
         (Some(index), Some(mu)) => lcp.with_coupling(Coupling::new(index, mu.as_array().to_vec())?)?,
         (None, None) => lcp,

@@ -165,7 +165,10 @@ pub fn compare(
         .map(|(name, list)| (name, list.iter().map(|problem| problem.0.clone()).collect()))
         .collect();
     let (options, stop) = (given.options()?, Stop::default());
-    let rows = wait(py, &stop, || families::run_on(&problems, &models, &chosen, &options, &stop))?;
+    let rows = wait(py, &stop, || {
+        let limits = families::Limits { stop: &stop, each: None, tick: &|| () };
+        families::run_on(&problems, &models, &chosen, &options, &limits)
+    })?;
     let table = text::table(&view::families_table(&rows));
     let json = serde_json::to_string(&rows).unwrap_or_default();
     Ok((json, table))

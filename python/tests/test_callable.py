@@ -34,7 +34,7 @@ P = lcplab.Problem([[2, -1], [-1, 2]], [-1, 2])
 def test_an_answer_and_iterates_are_heard():
     r = lcplab.solve(P, solver=clamps_late)
     assert r.status == "solved" and r.solver == "clamps_late" and r.iterations == 1
-    r = lcplab.solve(P, solver=sweeps, trace=True)
+    r = lcplab.solve([[2, 1], [1, 2]], [-5, -6], solver=sweeps, trace=True)
     assert r and 1 < r.iterations == r.trace["iteration"][-1]
 
 

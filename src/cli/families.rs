@@ -1,8 +1,10 @@
 //! `compare-solvers`: the problem library × the solvers.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::Args;
+use indicatif::ProgressStyle;
 use lcplab::error::{Error, Result};
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
@@ -15,7 +17,7 @@ use lcplab::solver::Method;
 use super::limits::Limits;
 use super::options::SolverArgs;
 use super::plugin::Plugins;
-use super::{Outcome, print, profile, say, warn};
+use super::{Outcome, bar, print, profile, say, warn};
 
 /// One solver of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for
 /// cones, and the reference.
@@ -53,7 +55,11 @@ pub struct CompareSolvers {
     /// Problems of each family that has a seed: the seeds 1 to this
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     seeds: u32,
-    /// Write NAME.svg, NAME.csv and NAME.tex: a performance profile of the wall times
+    /// A solve of ours that takes longer than so many seconds is none; it ends at the iterate after
+    #[arg(long, value_name = "SECONDS")]
+    solve_time_limit: Option<f64>,
+    /// Write NAME.svg, NAME.csv and NAME.tex, a performance profile of the wall times, and NAME_problems.csv, which has
+    /// every problem
     #[arg(long, value_name = "NAME")]
     profile: Option<PathBuf>,
     /// Print one JSON object
@@ -87,20 +93,25 @@ impl CompareSolvers {
         let stop = limits.stop();
         let (library, files): (Vec<_>, Vec<_>) =
             problems.into_iter().partition(|(name, _)| library::by_name(name).is_ok());
+        let progress = bar(0, "").with_style(ProgressStyle::default_spinner());
+        let all = families::Limits { stop, each: self.each()?, tick: &|| progress.inc(1) };
         let run = |problems: &[(String, Vec<Problem>)], models: &[Model]| {
             let models = if self.model.is_empty() { models } else { &self.model };
-            families::run_on(problems, models, &methods, &options, stop)
+            families::run_on(problems, models, &methods, &options, &all)
         };
         let mut rows = run(&library, &Model::ALL);
         rows.extend(run(&files, &[])); // a file says under which model it is a problem
         rows.retain(|row| row.problems > 0); // a file may not say at what to freeze a box
         let stopped = stop.reason();
         limits.over();
+        progress.finish_and_clear();
         if rows.is_empty() && stopped.is_none() {
             return Err(self.nothing_to_compare());
         }
-        if let Some(name) = &self.profile {
-            profile::write(name, &rows)?;
+        match &self.profile {
+            Some(name) if stopped.is_none() => profile::write(name, &rows)?,
+            Some(_) => say("warning: no profile is written, as not all problems were solved"),
+            None => {}
         }
         if self.json {
             print(&format!("{}\n", serde_json::json!({ "rows": rows })))?;
@@ -144,6 +155,18 @@ impl CompareSolvers {
         }
         problems.iter().flat_map(|(_, problems)| problems).for_each(warn);
         Ok(problems)
+    }
+
+    /// How long a solve may take.
+    fn each(&self) -> Result<Option<Duration>> {
+        let Some(seconds) = self.solve_time_limit else { return Ok(None) };
+        match Duration::try_from_secs_f64(seconds) {
+            Ok(limit) if !limit.is_zero() => Ok(Some(limit)),
+            _ => {
+                let reason = format!("must be above 0, is {seconds}");
+                Err(Error::invalid("options", "--solve-time-limit", reason))
+            }
+        }
     }
 
     /// The methods of these names, of boxes and of cones, and the plug-ins.

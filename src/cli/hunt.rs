@@ -79,7 +79,7 @@ impl Challenge {
                 names.iter().map(build).collect::<Result<_>>()?
             }
         };
-        let hunt = Hunt { problems: self.problems, seed: self.seed };
+        let hunt = Hunt { problems: self.problems, seed: self.seed, tolerance };
         let progress = bar(self.problems as u64, "problems");
         let stop = limits.stop();
         let mut record = hunt.until(stop, &solvers, &|| progress.inc(1));

@@ -27,7 +27,6 @@ mod verify;
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
@@ -158,7 +157,7 @@ fn code(reason: Reason) -> u8 {
 
 /// Runs the command line of these arguments, the program's name first, and returns the exit code; at once where they
 /// are for help or cannot be used.
-pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let matches = grouped(Cli::command()).get_matches_from(arguments);
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     let limits = Limits::begin(&cli.time);
@@ -190,11 +189,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             if let Outcome::Stopped(reason) = outcome {
                 say(&format!("error: {reason}"));
             }
-            ExitCode::from(outcome.code())
+            outcome.code()
         }
         Err(error) => {
             say(&format!("error: {error}"));
-            ExitCode::from(2)
+            2
         }
     }
 }

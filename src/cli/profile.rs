@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 use lcplab::error::Result;
 use lcplab::file;
 use lcplab::plot::profile::{Curve, Group as Line, Profiles};
-use lcplab::plot::{Axis, Figure};
+use lcplab::plot::{Axis, Figure, csv};
 use lcplab::report::study::families::Row;
 use lcplab::report::study::profiles::{Cost, Profile, profiles};
-use lcplab::solver::{Group, added};
 
 /// Writes NAME.svg, NAME.csv and NAME.tex: Dolan & Moré's profile of the wall times, once of all rows, where what was
 /// not attempted is not solved, and once of those that the solver took on.
@@ -24,7 +23,31 @@ pub fn write(name: &Path, rows: &[Row]) -> Result<()> {
     let beside = |ending: &str| -> PathBuf { name.with_extension(ending) };
     file::write(&beside("svg"), figure.svg())?;
     file::write(&beside("csv"), figure.csv())?;
-    file::write(&beside("tex"), latex(&solvers, &of_all, &of_its_own))
+    file::write(&beside("tex"), latex(&solvers, &of_all, &of_its_own, costs.len()))?;
+    let stem = name.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into());
+    file::write(&name.with_file_name(format!("{stem}_problems.csv")), problems(rows))
+}
+
+/// What every solver made of every problem, as CSV.
+fn problems(rows: &[Row]) -> String {
+    let mut text = String::new();
+    let columns = ["problem", "model", "solver", "solved", "iterations", "time (s)", "why not"];
+    csv::record(&mut text, columns);
+    for row in rows {
+        csv::record(
+            &mut text,
+            [
+                row.family.clone(),
+                row.model.clone().unwrap_or_default(),
+                row.solver.clone(),
+                format!("{} of {}", row.accepted.min(row.claimed), row.problems),
+                row.iterations.to_string(),
+                csv::number(row.seconds),
+                row.trouble.clone().unwrap_or_default(),
+            ],
+        );
+    }
+    text
 }
 
 fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
@@ -73,13 +96,7 @@ fn figure(solvers: &[&str], of_all: &[Profile], of_its_own: &[Profile]) -> Profi
             .map(|profiles| (profiles[solver].steps.clone(), profiles[solver].attempted))
             .into(),
     };
-    let is_added = |name: &str| added().iter().any(|entry| entry.name == name);
-    let group_of = |name: &str| Group::of(name).or(is_added(name).then_some(Group::Plugin));
-    let line = |group: Option<Group>| Line {
-        name: group.map_or("Others", Group::name).into(),
-        curves: (0..solvers.len()).filter(|&k| group_of(solvers[k]) == group).map(curve).collect(),
-    };
-    let groups = [Group::Plugin].into_iter().chain(Group::ALL).map(Some).chain([None]).map(line);
+    let all = Line { name: String::new(), curves: (0..solvers.len()).map(curve).collect() };
     Profiles {
         id: "profile".into(),
         title: "Performance profiles, wall time".into(),
@@ -87,21 +104,22 @@ fn figure(solvers: &[&str], of_all: &[Profile], of_its_own: &[Profile]) -> Profi
         x: Axis::log("τ: at most so many times the fastest", ""),
         y: Axis::linear("share solved", ""),
         columns: vec!["of all problems".into(), "of those it took on".into()],
-        groups: groups.filter(|group| !group.curves.is_empty()).collect(),
+        groups: vec![all],
     }
 }
 
 /// The ends of the profiles as a table.
-fn latex(solvers: &[&str], of_all: &[Profile], of_its_own: &[Profile]) -> String {
+fn latex(solvers: &[&str], of_all: &[Profile], of_its_own: &[Profile], problems: usize) -> String {
     let at_most = |profile: &Profile, tau: f64| {
         let steps = profile.steps.iter().take_while(|(at, _)| *at <= tau);
         100.0 * steps.last().map_or(0.0, |(_, share)| *share)
     };
-    let mut text = "% Shares in percent: of all problems, and of those that the solver took on.\n\
+    let mut text = "% Percent of the PROBLEMS problems that a solver solved: as the fastest of all, within ten times the time of\n\
+                    % the fastest, and at all; how many it took on, and the percent of these that it solved.\n\
                     \\begin{tabular}{lrrrrr}\n\
                     solver & fastest & within 10$\\times$ & solved & took on & solved of these \\\\\n\
                     \\hline\n"
-        .to_string();
+        .replace("PROBLEMS", &problems.to_string());
     for ((name, all), own) in solvers.iter().zip(of_all).zip(of_its_own) {
         let [fastest, near, solved] = [1.0, 10.0, f64::INFINITY].map(|tau| at_most(all, tau));
         let of_these = at_most(own, f64::INFINITY);

@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::hunt::{Catch, Finding, Measure, Search, Trial};
+use lcplab::lcp::Lcp;
 use lcplab::memory::Memory;
 use lcplab::report::methods;
 use lcplab::report::study::problems;
@@ -27,9 +28,9 @@ pub struct Quarry {
     /// Rows of the problem
     #[arg(long, value_name = "LEAST..MOST", default_value = "1..6", value_parser = rows, requires = "measure")]
     n: RangeInclusive<usize>,
-    /// Only matrices of this class
-    #[arg(long, value_enum, default_value_t = Class::Any, requires = "measure")]
-    class: Class,
+    /// Only matrices of this class [default: any; with --from semidefinite if those are]
+    #[arg(long, value_enum, requires = "measure")]
+    class: Option<Class>,
     /// Only problems with friction
     #[arg(long, requires = "measure")]
     friction: bool,
@@ -91,18 +92,14 @@ impl Quarry {
         command: Option<&str>,
         limits: &Limits,
     ) -> Result<Outcome> {
-        let trial = self.trial(names, options)?;
-        let mut from = Vec::new();
-        for name in &self.from {
-            from.extend(problems::named(name, 1, Memory::default())?);
-        }
-        let from = from.into_iter().flat_map(|(_, problems)| problems).map(|problem| problem.lcp);
+        let from = self.given()?;
+        let trial = self.trial(names, options, &from)?;
         let search = Search {
             rows: self.n.clone(),
             evaluations: self.evaluations,
             seed,
             at_least: self.at_least,
-            from: from.collect(),
+            from,
         };
         search.validate()?;
         let progress = bar(self.evaluations as u64, "problems");
@@ -140,7 +137,18 @@ impl Quarry {
         })
     }
 
-    fn trial(&self, names: &[&str], mut options: Options) -> Result<Trial> {
+    /// The problems to begin with.
+    fn given(&self) -> Result<Vec<Lcp>> {
+        let mut given = Vec::new();
+        for name in &self.from {
+            for (_, problems) in problems::named(name, 1, Memory::default())? {
+                given.extend(problems.into_iter().map(|problem| problem.lcp));
+            }
+        }
+        Ok(given)
+    }
+
+    fn trial(&self, names: &[&str], mut options: Options, from: &[Lcp]) -> Result<Trial> {
         let wrong = |reason: &str| Error::invalid("options", "--measure", reason);
         let measure: Measure = self.measure[0].parse().map_err(|reason: String| wrong(&reason))?;
         let pair = self.measure.get(1).map(|pair| {
@@ -153,7 +161,12 @@ impl Quarry {
             (None, [name]) => (methods::entry(name)?, None),
             (None, _) => return Err(wrong("one solver is hunted: --solver NAME, or one --plugin")),
         };
-        let (within, best_omega) = (self.class.into(), self.omega.is_none());
+        let within = match self.class {
+            Some(class) => class.into(),
+            None if from.is_empty() => MatrixClass::General,
+            None => Trial::class_of(from),
+        };
+        let best_omega = self.omega.is_none();
         let with_friction = self.friction;
         let trial = Trial { measure, solver, rival, options, within, with_friction, best_omega };
         trial.validate()?;

@@ -3,7 +3,7 @@
 //! Families with friction are solved under each model of friction by the methods that it takes, and
 //! judged by the certificate of that model.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -15,7 +15,7 @@ use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_problem::library::Family;
 use lcplab_solver::trace::Provenance;
-use lcplab_solver::{Group, Method, Options, Solution, Status, Stop};
+use lcplab_solver::{Group, Method, Options, Reason, Solution, Status, Stop};
 
 /// A solver on the problems of one family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -94,7 +94,18 @@ pub fn run(
     stop: &Stop,
 ) -> Vec<Row> {
     let named = |family: &&dyn Family| (family.name().to_string(), instances(*family, seeds));
-    run_on(&families.iter().map(named).collect::<Vec<_>>(), models, methods, options, stop)
+    let problems: Vec<_> = families.iter().map(named).collect();
+    run_on(&problems, models, methods, options, &Limits { stop, each: None, tick: &|| () })
+}
+
+/// When to stop, and who is told how far it is.
+pub struct Limits<'a> {
+    /// When all of it ends.
+    pub stop: &'a Stop,
+    /// How long a solve may take; it ends at the iterate after.
+    pub each: Option<Duration>,
+    /// Called after every row.
+    pub tick: &'a (dyn Fn() + Sync),
 }
 
 /// Runs each method on the problems of each name that it takes; on problems with friction under each
@@ -106,7 +117,7 @@ pub fn run_on(
     models: &[Model],
     methods: &[Method],
     options: &Options,
-    stop: &Stop,
+    limits: &Limits<'_>,
 ) -> Vec<Row> {
     let posings: Vec<Posing> =
         problems.iter().flat_map(|(family, problems)| posings(family, problems, models)).collect();
@@ -115,7 +126,7 @@ pub fn run_on(
         .flat_map(|posing| methods.iter().map(move |method| (posing, method)))
         .filter(|(posing, method)| method.takes(posing.model))
         .collect();
-    let row = |(posing, method): &(&Posing, &Method)| attempt(posing, method, options, stop);
+    let row = |(posing, method): &(&Posing, &Method)| attempt(posing, method, options, limits);
     let is_plugin = |(_, method): &(&Posing, &Method)| match method {
         Method::Boxed(entry) => entry.group == Group::Plugin,
         Method::Cone(_) => false,
@@ -164,7 +175,12 @@ fn pose(problem: &Problem, model: Option<Model>) -> Option<Posed> {
 }
 
 /// The row of a method, unless it is time to stop before it is done.
-fn attempt(posing: &Posing, method: &Method, options: &Options, stop: &Stop) -> Option<Row> {
+fn attempt(
+    posing: &Posing,
+    method: &Method,
+    options: &Options,
+    limits: &Limits<'_>,
+) -> Option<Row> {
     let Posing { family, model, problems } = posing;
     let known = KNOWN_FAILURES.iter().find(|(s, f, _)| *s == method.name() && f == family);
     let unsolvable = !problems.is_empty() && problems.iter().all(|(p, _)| has_no_solution(p));
@@ -190,17 +206,21 @@ fn attempt(posing: &Posing, method: &Method, options: &Options, stop: &Stop) -> 
         seconds: 0.0,
     };
     for (problem, posed) in problems {
-        stop.reason().is_none().then_some(())?;
+        limits.stop.reason().is_none().then_some(())?;
         let mut provenance = Provenance::of(match posed {
             Posed::Boxed(lcp) => lcp,
             Posed::Polyhedral(polyhedral) => polyhedral.lcp(),
             Posed::Cone(cone) => cone.lcp(),
         });
         let start = Instant::now();
-        let solution = method.solve(posed, options, &mut stop.watch(&mut provenance));
+        let each = limits.each.map_or_else(Stop::default, Stop::after);
+        let mut watched = limits.stop.watch(&mut provenance);
+        let mut solution = method.solve(posed, options, &mut each.watch(&mut watched));
         row.seconds += start.elapsed().as_secs_f64();
         if solution.status == Status::Stopped {
-            return None;
+            let Some(Reason::TimeLimit(limit)) = each.reason() else { return None };
+            let reason = format!("none within {} s, its time limit", limit.as_secs_f64());
+            solution.status = Status::NoAnswer { reason };
         }
         if row.fingerprint.is_empty() {
             row.fingerprint = format!("{:016x}", provenance.fingerprint);
@@ -209,6 +229,7 @@ fn attempt(posing: &Posing, method: &Method, options: &Options, stop: &Stop) -> 
         let certificate = judge_friction(posed, &solution.x, &demand);
         row.add(&solution, &certificate, problem);
     }
+    (limits.tick)();
     Some(row)
 }
 

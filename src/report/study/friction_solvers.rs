@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use super::families::{self, Row};
+use super::families::{self, Limits, Row};
 use super::problems;
 use crate::error::Result;
 use crate::lcp::friction::Model;
@@ -69,7 +69,8 @@ impl Study for Plan {
                 named.collect::<Result<Vec<_>>>()?.concat()
             }
         };
-        let mut rows = families::run_on(&problems, &models, &methods, &options, &Stop::default());
+        let limits = Limits { stop: &Stop::default(), each: None, tick: &|| () };
+        let mut rows = families::run_on(&problems, &models, &methods, &options, &limits);
         let times = rows.iter_mut().map(|row| Times {
             family: row.family.clone(),
             model: row.model.clone().unwrap_or_default(),

@@ -16,7 +16,10 @@ pub const BLOW: f64 = 9.81 / 60.0;
 
 /// Where an LCP comes from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "a problem is { scene, step }, { problem = file }, { family, values } or { boxes, ratio }"
+)]
 pub enum Source {
     /// A step of a scene, or a file.
     Scene(AtStep),

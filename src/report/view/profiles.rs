@@ -130,6 +130,16 @@ impl Plan {
                 100.0 * at_one(best)
             );
         }
+        let uncounted: Vec<String> = named()
+            .filter(|(_, profile)| profile.attempted == 0)
+            .map(|(solver, _)| format!("*{solver}*"))
+            .collect();
+        if !uncounted.is_empty() {
+            text += &format!(
+                "Not in the figure, as nobody counts their multiplications, or as they took nothing on: {}. ",
+                listed(&uncounted)
+            );
+        }
         text + &format!(
             "Problems that nobody solved: {unsolved} of {}. Claims that the judge refutes, at all \
              precisions: {refuted}.",

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use lcplab_judge::regularity::least_eigenvalue;
 use lcplab_judge::{Demand, Evidence, Verdict, judge};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
@@ -102,6 +103,14 @@ pub struct Score {
 }
 
 impl Trial {
+    /// The class to keep to where problems are given: semidefinite if they are, any otherwise.
+    pub fn class_of(given: &[Lcp]) -> MatrixClass {
+        match given.iter().all(|lcp| is_of(MatrixClass::Semidefinite, lcp)) {
+            true => MatrixClass::Semidefinite,
+            false => MatrixClass::General,
+        }
+    }
+
     /// Checks that the measure has what it needs.
     ///
     /// # Errors
@@ -183,7 +192,7 @@ impl Trial {
 
     /// The claim, held against the truth where that can be had quickly.
     fn claim(&self, lcp: &Lcp, solution: &Solution) -> Claim {
-        let mut claim = Claim::of(lcp, solution);
+        let mut claim = Claim::of(lcp, solution, self.options.settings.tolerance);
         let is_proved = matches!(claim, Claim::Proved); // by a solution that was checked
         if lcp.len() <= TRUTH_ROWS && !is_proved {
             claim.weigh(Truth::of(lcp, std::iter::once(&claim)));
@@ -261,6 +270,12 @@ impl Trial {
     }
 }
 
+/// Whether A is semidefinite but for rounding, as J M⁻¹ Jᵀ of an engine.
+fn is_nearly_semidefinite(lcp: &Lcp) -> bool {
+    const ROUNDING: f64 = 1e-12;
+    least_eigenvalue(lcp).is_some_and(|least| least >= -ROUNDING)
+}
+
 /// Whether the solver is made for the problem, as far as that can be decided. Every problem has bounds: one that
 /// does not heed them fails.
 fn is_in_class(entry: &Entry, lcp: &Lcp) -> bool {
@@ -281,7 +296,9 @@ fn is_of(class: MatrixClass, lcp: &Lcp) -> bool {
         General => true,
         Definite => of() == Some(Definite),
         P => matches!(of(), Some(P | Definite)),
-        Semidefinite | CopositivePlus => matches!(of(), Some(Definite | Semidefinite)),
+        Semidefinite | CopositivePlus => {
+            matches!(of(), Some(Definite | Semidefinite)) || is_nearly_semidefinite(lcp)
+        }
         P0 | POrSemidefinite => matches!(of(), Some(P | Definite | Semidefinite)),
     }
 }

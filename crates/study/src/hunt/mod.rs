@@ -21,7 +21,7 @@
 //! use lcplab_study::hunt::Hunt;
 //!
 //! let solvers = [by_name("pgs", &Options::default())?, by_name("dantzig", &Options::default())?];
-//! let record = Hunt { problems: 40, seed: 7 }.of(&solvers, &|| ());
+//! let record = Hunt { problems: 40, seed: 7, tolerance: 1e-8 }.of(&solvers, &|| ());
 //! assert!(record.tallies.iter().all(|tally| tally.lies.is_empty()));
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
@@ -55,12 +55,14 @@ use lcplab_problem::Lcp;
 use lcplab_solver::{Solver, Start, Stop};
 
 /// So many problems of a seed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hunt {
     /// How many problems, the kinds of [`KINDS`] in turns.
     pub problems: usize,
     /// The seed of them all.
     pub seed: u64,
+    /// The largest scaled residual of a solution.
+    pub tolerance: f64,
 }
 
 impl Hunt {
@@ -83,7 +85,7 @@ impl Hunt {
                 return empty();
             }
             let (lcp, start) = problem(self.seed, k);
-            let claims = claims(&lcp, start.as_deref(), solvers);
+            let claims = claims(&lcp, start.as_deref(), solvers, self.tolerance);
             tick();
             Record::of(k, &claims)
         };
@@ -96,12 +98,11 @@ pub fn claims(
     lcp: &Lcp,
     start: Option<&[f64]>,
     solvers: &[Box<dyn Solver>],
+    tolerance: f64,
 ) -> Vec<(&'static str, Claim)> {
+    let start = Start { x: start, ..Start::default() };
     let solve = |solver: &dyn Solver| {
-        (
-            solver.name(),
-            Claim::of(lcp, &solver.solve(lcp, &Start { x: start, ..Start::default() }, &mut ())),
-        )
+        (solver.name(), Claim::of(lcp, &solver.solve(lcp, &start, &mut ()), tolerance))
     };
     let mut claims: Vec<(&'static str, Claim)> =
         solvers.iter().map(|solver| solve(solver.as_ref())).collect();

@@ -3,7 +3,7 @@
 use lcplab_judge::{Certificate, Demand, Refusal, Verdict, judge, refutation};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
-use lcplab_solver::{Settings, Solution, Status};
+use lcplab_solver::{Solution, Status};
 
 /// What exact arithmetic knows of a problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,8 +91,8 @@ impl Truth {
 
 impl Claim {
     /// The claim of a solution, as far as the judge can see.
-    pub fn of(lcp: &Lcp, solution: &Solution) -> Claim {
-        let demand = Demand { tolerance: Settings::default().tolerance, prove_up_to: lcp.len() };
+    pub fn of(lcp: &Lcp, solution: &Solution, tolerance: f64) -> Claim {
+        let demand = Demand { tolerance, prove_up_to: lcp.len() };
         match &solution.status {
             Status::Solved if solution.x.iter().any(|x| !x.is_finite()) => {
                 Claim::Lie(Lie::NotFinite)

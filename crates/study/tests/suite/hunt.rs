@@ -26,7 +26,7 @@ impl Solver for Liar {
 fn said(lcp: &Lcp, status: Status, x: f64) -> Claim {
     let honest = (lcplab_solver::entry("enumeration").unwrap().build)(&Options::default());
     let solvers: [Box<dyn Solver>; 2] = [Box::new(Liar(status, x)), honest];
-    claims(lcp, None, &solvers).swap_remove(0).1
+    claims(lcp, None, &solvers, 1e-8).swap_remove(0).1
 }
 
 #[test]
@@ -34,7 +34,7 @@ fn no_solver_lies_about_ten_thousand_hostile_problems() {
     let settings = Settings { max_iterations: 500, ..Settings::default() };
     let options = Options { settings, ..Options::default() };
     let solvers: Vec<_> = ALL.iter().map(|entry| (entry.build)(&options)).collect();
-    let record = Hunt { problems: 10_000, seed: 8 }.of(&solvers, &|| ());
+    let record = Hunt { problems: 10_000, seed: 8, tolerance: 1e-8 }.of(&solvers, &|| ());
     assert_eq!(record.problems, 10_000);
     for tally in &record.tallies {
         assert_eq!(tally.lied, 0, "{} {:?}", tally.solver, tally.lies);
@@ -188,7 +188,7 @@ fn the_record_is_the_same_on_any_number_of_threads() {
         let options = Options::default();
         let liar: [Box<dyn Solver>; 2] =
             [Box::new(Liar(Status::Solved, 1.0)), (ALL[0].build)(&options)];
-        pool.install(|| Hunt { problems: 200, seed: 2 }.of(&liar, &|| ()))
+        pool.install(|| Hunt { problems: 200, seed: 2, tolerance: 1e-8 }.of(&liar, &|| ()))
     };
     assert_eq!(record(1), record(2));
     assert_eq!(record(1), record(4));
