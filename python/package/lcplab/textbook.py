@@ -132,7 +132,7 @@ def interior_point(A: Array, b: Array, steps: int) -> Array:
         miss = A @ x + b - w
         # Newton's step on w = A x + b and x_i w_i = mu, without dw
         dx = np.linalg.solve(A + np.diag(w / x), -miss - w + mu / x)
-        dw: Array = np.asarray(A @ dx + miss)
+        dw = np.asarray(A @ dx + miss, dtype=np.float64)
         length = min(farthest(x, dx), farthest(w, dw), 1.0)
         x, w = x + length * dx, w + length * dw
     return x

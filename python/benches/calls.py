@@ -1,4 +1,4 @@
-"""What a call costs beside the solver itself: `python bench.py`."""
+"""What a call costs beside the solver itself: `python python/benches/calls.py`."""
 
 import subprocess
 import sys
