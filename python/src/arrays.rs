@@ -11,7 +11,12 @@ use pyo3::prelude::*;
 #[derive(FromPyObject)]
 pub enum Entries<'py> {
     Dense(PyReadonlyArray2<'py, f64>),
-    Sparse(usize, PyReadonlyArray1<'py, i64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray1<'py, f64>),
+    Sparse(
+        usize,
+        PyReadonlyArray1<'py, i64>,
+        PyReadonlyArray1<'py, i64>,
+        PyReadonlyArray1<'py, f64>,
+    ),
 }
 
 impl Entries<'_> {
@@ -76,7 +81,8 @@ pub fn problem(a: &Entries<'_>, vectors: &Vectors<'_>) -> Result<Problem> {
         .as_ref()
         .map(|index| index.as_array().iter().map(|&k| row(k)).collect::<Result<_>>())
         .transpose()?;
-    let is_coupled = |i: usize| index.as_ref().is_some_and(|index| index.get(i).is_some_and(Option::is_some));
+    let is_coupled =
+        |i: usize| index.as_ref().is_some_and(|index| index.get(i).is_some_and(Option::is_some));
     let given = |bounds: &Option<PyReadonlyArray1<'_, f64>>| {
         bounds.as_ref().map(|bounds| bounds.as_array().to_vec())
     };
@@ -85,7 +91,9 @@ pub fn problem(a: &Entries<'_>, vectors: &Vectors<'_>) -> Result<Problem> {
     let hi = given(&vectors.hi).unwrap_or_else(|| vec![f64::INFINITY; n]);
     let mut lcp = Lcp::new(a.matrix(n)?, b, lo, hi)?.with_scale(vectors.scale.unwrap_or(0.0))?;
     lcp = match (index, &vectors.mu) {
-        (Some(index), Some(mu)) => lcp.with_coupling(Coupling::new(index, mu.as_array().to_vec())?)?,
+        (Some(index), Some(mu)) => {
+            lcp.with_coupling(Coupling::new(index, mu.as_array().to_vec())?)?
+        }
         (None, None) => lcp,
         _ => return Err(Error::invalid("problem", "mu", "friction_index and mu come together")),
     };

@@ -46,7 +46,8 @@ pub fn entry(solver: &Bound<'_, PyAny>) -> PyResult<Entry> {
 
 fn made(function: &Bound<'_, PyAny>) -> PyResult<Entry> {
     let name = function.getattr("__name__").and_then(|name| name.extract::<String>());
-    let name: &'static str = Box::leak(name.unwrap_or_else(|_| "my_solver".into()).into_boxed_str());
+    let name: &'static str =
+        Box::leak(name.unwrap_or_else(|_| "my_solver".into()).into_boxed_str());
     let function = function.clone().unbind();
     let build = move |options: &Options| -> Box<dyn Solver> {
         let function = Python::attach(|py| function.clone_ref(py));
@@ -104,7 +105,8 @@ impl Told<'_> {
     fn hear(&mut self, x: &Bound<'_, PyAny>) -> PyResult<()> {
         let x = numbers(x)?;
         if x.len() != self.lcp.len() {
-            let reason = format!("x has {} entries, the problem has {} rows", x.len(), self.lcp.len());
+            let reason =
+                format!("x has {} entries, the problem has {} rows", x.len(), self.lcp.len());
             return Err(pyo3::exceptions::PyValueError::new_err(reason));
         }
         if let Some(i) = x.iter().position(|x| !x.is_finite()) {
@@ -121,7 +123,13 @@ impl Told<'_> {
 
 impl Callable {
     /// Asks the function; whether it found something.
-    fn answer(&self, py: Python<'_>, lcp: &Lcp, start: &Start<'_>, told: &mut Told<'_>) -> PyResult<bool> {
+    fn answer(
+        &self,
+        py: Python<'_>,
+        lcp: &Lcp,
+        start: &Start<'_>,
+        told: &mut Told<'_>,
+    ) -> PyResult<bool> {
         let n = lcp.len();
         let entries: Vec<f64> =
             (0..n).flat_map(|i| (0..n).map(move |j| lcp.matrix().entry(i, j))).collect();

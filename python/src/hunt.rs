@@ -44,7 +44,10 @@ pub fn hunt<'py>(
     given: Given,
     start: Vec<PyRef<'py, Problem>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let measure: Measure = quarry.measure.parse().map_err(|reason: String| PyValueError::new_err(format!("measure: {reason}")))?;
+    let measure: Measure = quarry
+        .measure
+        .parse()
+        .map_err(|reason: String| PyValueError::new_err(format!("measure: {reason}")))?;
     let within = MatrixClass::by_word(&quarry.within).map_err(refused)?;
     let trial = Trial {
         measure,

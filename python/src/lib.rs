@@ -15,7 +15,12 @@ mod waiting;
 use pyo3::prelude::*;
 use pyo3::{create_exception, exceptions::PyValueError};
 
-create_exception!(lcplab, InputError, PyValueError, "Input that cannot be used, with every defect of it.");
+create_exception!(
+    lcplab,
+    InputError,
+    PyValueError,
+    "Input that cannot be used, with every defect of it."
+);
 
 /// An error of lcplab as one of Python's.
 fn refused(error: lcplab::error::Error) -> PyErr {

@@ -15,7 +15,8 @@ use crate::refused;
 pub struct Problem(pub file::Problem);
 
 /// The rows, the columns and the values of the entries of A.
-type Triplets<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<f64>>);
+type Triplets<'py> =
+    (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<f64>>);
 
 #[pymethods]
 impl Problem {

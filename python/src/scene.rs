@@ -22,13 +22,23 @@ pub struct Scene {
 impl Scene {
     /// A shipped scene or a file, with fields set.
     #[staticmethod]
-    fn load(name: &str, set: Vec<(String, String)>, scheme: Option<String>, solver: Option<String>) -> PyResult<Self> {
+    fn load(
+        name: &str,
+        set: Vec<(String, String)>,
+        scheme: Option<String>,
+        solver: Option<String>,
+    ) -> PyResult<Self> {
         let mut scene = Described::load_with(name, &set).map_err(refused)?;
         if let Some(scheme) = scheme {
-            scene.step.scheme = Scheme::ALL.into_iter().find(|known| known.name() == scheme).ok_or_else(|| {
-                let known = Scheme::ALL.map(Scheme::name).join(", ");
-                refused(lcplab::error::Error::invalid("options", "scheme", format!("must be one of {known}, is {scheme:?}")))
-            })?;
+            scene.step.scheme =
+                Scheme::ALL.into_iter().find(|known| known.name() == scheme).ok_or_else(|| {
+                    let known = Scheme::ALL.map(Scheme::name).join(", ");
+                    refused(lcplab::error::Error::invalid(
+                        "options",
+                        "scheme",
+                        format!("must be one of {known}, is {scheme:?}"),
+                    ))
+                })?;
         }
         if let Some(solver) = solver {
             scene.solver.name = solver;
@@ -38,7 +48,11 @@ impl Scene {
     }
 
     /// Takes one step, by this solver if one is named; what was solved.
-    fn step<'py>(&mut self, py: Python<'py>, solver: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyDict>> {
+    fn step<'py>(
+        &mut self,
+        py: Python<'py>,
+        solver: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
         if let Some(solver) = solver {
             let entry = callable::entry(&solver)?;
             let options = simulation::options(self.simulation.scene());
@@ -133,7 +147,10 @@ fn told<'py>(py: Python<'py>, step: &Step) -> PyResult<Bound<'py, PyDict>> {
     told.set_item("statuses", statuses.collect::<Vec<_>>())?;
     let verdicts = judged.iter().map(|certificate| certificate.verdict.to_string());
     told.set_item("verdicts", verdicts.collect::<Vec<_>>())?;
-    told.set_item("is_accepted", judged.iter().all(|certificate| certificate.verdict.is_solution()))?;
+    told.set_item(
+        "is_accepted",
+        judged.iter().all(|certificate| certificate.verdict.is_solution()),
+    )?;
     if let Some(last) = step.solves.last() {
         told.set_item("x", PyArray1::from_slice(py, &last.solution.x))?;
     }

@@ -80,9 +80,13 @@ pub fn solve<'py>(
     told.set_item("residual", answer.certificate.scaled_residual)?;
     told.set_item("is_solution", answer.certificate.verdict.is_solution())?;
     told.set_item("is_claimed", answer.solution.status == Status::Solved)?;
-    told.set_item("certificate", serde_json::Value::Object(certificate_json(&answer.certificate)).to_string())?;
+    told.set_item(
+        "certificate",
+        serde_json::Value::Object(certificate_json(&answer.certificate)).to_string(),
+    )?;
     if trace {
-        let column = |of: fn(&lcplab::trace::Record) -> f64| PyArray1::from_iter(py, records.iter().map(of));
+        let column =
+            |of: fn(&lcplab::trace::Record) -> f64| PyArray1::from_iter(py, records.iter().map(of));
         let columns = PyDict::new(py);
         columns.set_item("iteration", column(|record| record.iteration as f64))?;
         columns.set_item("scaled_residual", column(|record| record.scaled_residual))?;
@@ -132,7 +136,12 @@ pub fn judge(
 
 /// The derivation of a solution: as text, as Markdown and as a page.
 #[pyfunction]
-pub fn explain(py: Python<'_>, problem: &Problem, solver: Option<String>, given: Given) -> PyResult<[String; 3]> {
+pub fn explain(
+    py: Python<'_>,
+    problem: &Problem,
+    solver: Option<String>,
+    given: Given,
+) -> PyResult<[String; 3]> {
     let name = solver.unwrap_or_else(|| default_for(&problem.0.lcp).into());
     let options = given.options()?;
     let written = py.detach(|| {
@@ -159,7 +168,11 @@ pub fn compare(
             Err(_) => chosen.push(Method::Boxed(callable::entry(solver)?)),
         }
     }
-    let models = models.iter().map(|model| model.parse()).collect::<Result<Vec<Model>, _>>().map_err(refused)?;
+    let models = models
+        .iter()
+        .map(|model| model.parse())
+        .collect::<Result<Vec<Model>, _>>()
+        .map_err(refused)?;
     let problems: Vec<(String, Vec<_>)> = problems
         .into_iter()
         .map(|(name, list)| (name, list.iter().map(|problem| problem.0.clone()).collect()))

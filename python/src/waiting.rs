@@ -47,6 +47,8 @@ pub fn wait<T: Send>(py: Python<'_>, stop: &Stop, work: impl FnOnce() -> T + Sen
     match (asked.or_else(interrupted), result) {
         (Some(error), _) => Err(error),
         (None, Ok(result)) => Ok(result),
-        (None, Err(_)) => Err(pyo3::exceptions::PyRuntimeError::new_err("lcplab failed: please report this")),
+        (None, Err(_)) => {
+            Err(pyo3::exceptions::PyRuntimeError::new_err("lcplab failed: please report this"))
+        }
     }
 }

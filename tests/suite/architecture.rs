@@ -19,7 +19,7 @@ const CRATES: [(&str, &[&str]); 8] = [
 
 /// The modules of the crates that have rows of them; `src` is the program's.
 const ROWS: [(&str, &[&[&str]]); 4] = [
-    ("src", &[&["storage", "film"], &["report"], &["chapter"], &["lesson"]]),
+    ("src", &[&["storage", "film"], &["report", "problem_set"], &["chapter"], &["lesson"]]),
     ("crates/page/src", &[&["plot"], &["page"], &["text"], &["document"]]),
     (
         "crates/mechanics/src",

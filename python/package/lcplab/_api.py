@@ -386,6 +386,8 @@ class Comparison:
     def __str__(self) -> str:
         return self._text
 
+    __repr__ = __str__
+
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> str:
         """All rows as CSV, written to a file if one is named."""
         out = io.StringIO()

@@ -131,7 +131,7 @@ def interior_point(A: Array, b: Array, steps: int) -> Array:
         mu = 0.1 * (x @ w) / n  # a tenth of what it is now
         miss = A @ x + b - w
         # Newton's step on w = A x + b and x_i w_i = mu, without dw
-        dx = np.linalg.solve(A + np.diag(w / x), -miss - w + mu / x)
+        dx = np.asarray(np.linalg.solve(A + np.diag(w / x), -miss - w + mu / x), dtype=np.float64)
         dw = np.asarray(A @ dx + miss, dtype=np.float64)
         length = min(farthest(x, dx), farthest(w, dw), 1.0)
         x, w = x + length * dx, w + length * dw
