@@ -54,4 +54,48 @@ fn a_profile_counts_what_was_not_attempted_as_not_solved_and_once_more_without()
     for ending in ["svg", "csv"] {
         assert!(fs::metadata(name.with_extension(ending)).unwrap().len() > 100);
     }
+    let problems = fs::read_to_string(folder.path().join("profile_problems.csv")).unwrap();
+    assert_eq!(problems.lines().count(), 1 + 4, "{problems}");
+}
+
+#[test]
+fn a_solve_that_takes_too_long_is_none_and_an_unfinished_comparison_has_no_profile() {
+    let folder = tempfile::tempdir().unwrap();
+    let column = folder.path().join("column.json");
+    let column = column.to_str().unwrap();
+    run(&["generate", "stack", "--n", "2000", "--out", column]);
+    // Gauss-Seidel needs some n² = 4 million sweeps.
+    let slow = ["compare-solvers", column, "--solver", "pgs", "--max-iterations", "1000000000"];
+    let output = run(&[&slow[..], &["--json", "--solve-time-limit", "0.2"]].concat());
+    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let row = &told["rows"][0];
+    assert_eq!(row["trouble"], "no answer: none within 0.2 s, its time limit");
+    assert_eq!((&row["claimed"], output.status.code()), (&0.into(), Some(0)));
+    let name = folder.path().join("profile");
+    let profile = ["--profile", name.to_str().unwrap(), "--time-limit", "0.2"];
+    let output = run(&[&slow[..], &profile].concat());
+    let said = String::from_utf8_lossy(&output.stderr).to_string();
+    assert!(said.contains("no profile is written"), "{said}");
+    assert!(!name.with_extension("svg").exists());
+}
+
+#[test]
+fn a_file_is_solved_under_the_model_that_it_states_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let contact = r#"{"A": {"dense": [[1,0,0],[0,1,0],[0,0,1]]}, "b": [-2,-3,0], "friction_index": [-1,0,0], "mu": [0,0.5,0.5]"#;
+    for (name, model) in [("box.json", "}"), ("disc.json", r#", "model": "coulomb-cone"}"#)] {
+        fs::write(folder.path().join(name), format!("{contact}{model}")).unwrap();
+    }
+    let pattern = format!("{}/*.json", folder.path().display());
+    let output = run(&["compare-solvers", &pattern, "--json"]);
+    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let models: HashSet<(bool, &str)> = told["rows"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|row| {
+            (row["family"].as_str().unwrap().ends_with("box.json"), row["model"].as_str().unwrap())
+        })
+        .collect();
+    assert_eq!(models, HashSet::from([(true, "coupled-box"), (false, "coulomb-cone")]));
 }

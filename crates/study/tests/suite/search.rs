@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::file::Expected;
+use lcplab_problem::library;
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::theory::optimal_omega;
 use lcplab_solver::{
@@ -119,6 +120,43 @@ fn the_wrong_fixed_point_of_code_6_is_found() {
 fn an_honest_solver_is_not_caught() {
     let trial = trial(Measure::Lie, *entry("pgs").unwrap(), None, 500);
     assert!(search(&trial, 1..=4, 4000).is_none());
+}
+
+#[test]
+fn a_problem_of_ones_own_is_made_smaller_until_only_the_mistake_is_left() {
+    // A pile of 36 rows, on which friction bounds that are never renewed are wrong.
+    let family = library::by_name("friction-pile").unwrap();
+    let pile = family.generate(&[("bodies", 8.0), ("contacts", 12.0)]).unwrap().lcp;
+    assert!(pile.len() >= 36);
+    let solver = mistaken(Mistaken::NeverRenewsTheFrictionBounds);
+    let trial = Trial { with_friction: true, ..trial(Measure::Lie, solver, None, 1000) };
+    let from = vec![pile];
+    let search = Search { rows: 1..=6, evaluations: 3000, seed: 1, at_least: None, from };
+    let catch = search.run(&trial, &Stop::default(), &|_| ()).catch.expect("a lie");
+    assert_eq!((catch.evaluation, catch.rows_at_first >= 36), (1, true));
+    assert_eq!(catch.lcp.len(), 2); // a normal and a tangent
+    assert!(catch.lcp.is_coupled(1) || catch.lcp.is_coupled(0));
+    assert!(catch.value >= 0.1 * catch.value_at_first);
+    let mu = catch.lcp.coupling().unwrap();
+    assert!((0..2).all(|i| mu.index(i).is_some() || mu.mu(i) == 0.0));
+}
+
+#[test]
+fn a_small_lie_does_not_end_a_search_for_a_large_one() {
+    let solver = mistaken(Mistaken::AddsInSinglePrecision);
+    let trial = trial(Measure::Lie, solver, None, 1000);
+    let catch = enough(&trial, 1..=4, 1e-3);
+    assert!(catch.value >= 1e-3 && trial.score(&catch.lcp, 1000).value >= 1e-3);
+}
+
+#[test]
+fn what_is_within_the_tolerance_that_was_asked_for_is_no_lie() {
+    let mut trial = trial(Measure::Lie, mistaken(Mistaken::AddsInSinglePrecision), None, 1000);
+    let catch = search(&trial, 1..=4, 20_000).expect("a lie");
+    trial.options.settings.tolerance = 2.0 * catch.value;
+    assert!(!trial.score(&catch.lcp, 1000).is_found);
+    trial.options.settings.tolerance = 0.5 * catch.value;
+    assert!(trial.score(&catch.lcp, 1000).is_found);
 }
 
 /// The same with an end to what is asked; `docs/hunt.md` has what the whole search finds, in its time.
