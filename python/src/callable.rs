@@ -23,8 +23,11 @@ struct Callable {
     settings: Settings,
 }
 
-/// The functions that were used as solvers, by their addresses. They are kept, and so is their place.
-static KNOWN: Mutex<Option<HashMap<usize, (Py<PyAny>, Entry)>>> = Mutex::new(None);
+/// Functions as solvers, by their addresses.
+type Known = HashMap<usize, (Py<PyAny>, Entry)>;
+
+/// Those that were used. They are kept, and so is their place.
+static KNOWN: Mutex<Option<Known>> = Mutex::new(None);
 
 /// A solver by its name, or a function as one.
 pub fn entry(solver: &Bound<'_, PyAny>) -> PyResult<Entry> {

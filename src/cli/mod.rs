@@ -1,4 +1,4 @@
-//! The commands, one a file, and their [exit codes](Outcome::code).
+//! The command line: the commands, one a file, and their exit codes.
 
 mod chapter;
 mod convert;
