@@ -3,7 +3,7 @@
 //!
 //! | the problem | the solver | else |
 //! | --- | --- | --- |
-//! | boxed, A symmetric | the simulation's | Newton's method, then sweeps, in place of pivoting that friction leads astray |
+//! | boxed, A symmetric | the simulation's | Newton's method, in place of pivoting that friction leads astray |
 //! | boxed, A not symmetric | the simulation's, if its class has such A | Lemke's method, then the enumeration of all active sets |
 //! | polygons of few contacts | the simulation's, if it takes them, or Lemke's method | sweeps by contact |
 //! | polygons of many contacts | sweeps by contact | the simulation's, or Lemke's method |
@@ -15,7 +15,7 @@ use crate::scene::Scene;
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::{Model, Polyhedral, Posed};
 use lcplab_solver::{
-    self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Newton, Observer, Pgs,
+    self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Newton, Observer,
     PolygonPgs, Settings, Solution, Solver, Start, Status, solve_polyhedral,
 };
 
@@ -55,8 +55,7 @@ impl Solvers<'_> {
         }
     }
 
-    /// The simulation's solver; where friction leads one that pivots astray, Newton's method has a try, from where the
-    /// step begins and from 0, and then sweeps.
+    /// The simulation's solver; where friction leads one that pivots astray, Newton's method has a try.
     fn symmetric(
         self,
         lcp: &Lcp,
@@ -70,18 +69,13 @@ impl Solvers<'_> {
         if !is_lost {
             return (self.boxed.name(), first);
         }
-        let limited = |max_iterations| Settings { max_iterations, ..settings(self.scene) };
-        let newton = Newton { settings: limited(NEWTON_STEPS), ..Newton::default() };
-        let sweeps = Pgs { settings: limited(SWEEPS), ..Pgs::default() };
-        let others: [(&dyn Solver, &Start<'_>); 3] =
-            [(&newton, start), (&newton, &Start::default()), (&sweeps, start)];
-        for (solver, start) in others {
-            let other = solver.solve(lcp, start, observer);
-            if matches!(other.status, Status::Solved | Status::Stopped) {
-                return (solver.name(), other);
-            }
+        let settings = Settings { max_iterations: NEWTON_STEPS, ..settings(self.scene) };
+        let newton = Newton { settings, ..Newton::default() };
+        let second = newton.solve(lcp, start, observer);
+        match second.status {
+            Status::Solved | Status::Stopped => (newton.name(), second),
+            _ => (self.boxed.name(), first),
         }
-        (self.boxed.name(), first)
     }
 
     fn boxed(
@@ -113,9 +107,6 @@ const PIVOTING: [&str; 4] = ["dantzig", "block-pivoting", "murty", "lemke"];
 
 /// Newton's method is there in some ten steps, or not at all.
 const NEWTON_STEPS: usize = 50;
-
-/// Sweeps get there slowly, where nothing else does.
-const SWEEPS: usize = 10_000;
 
 /// With more contacts than these, pivoting a polygon's LCP takes longer than sweeps.
 const FEW_CONTACTS: usize = 8;
