@@ -229,6 +229,11 @@ fn attempt(
         let certificate = judge_friction(posed, &solution.x, &demand);
         row.add(&solution, &certificate, problem);
     }
+    if unsolvable && row.proved > 0 {
+        // A file may say what is not so; a proof outranks it.
+        (row.known_failure, row.false_claims) = (None, 0);
+        row.trouble = Some("the file says that no solution exists, and one was proved".into());
+    }
     (limits.tick)();
     Some(row)
 }

@@ -99,3 +99,27 @@ fn a_file_is_solved_under_the_model_that_it_states_alone() {
         .collect();
     assert_eq!(models, HashSet::from([(true, "coupled-box"), (false, "coulomb-cone")]));
 }
+
+#[test]
+fn a_file_that_denies_a_solution_is_not_believed_against_a_proof() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("denied.json");
+    let text =
+        r#"{"A": {"dense": [[1]]}, "b": [-1], "expected": {"complete": true, "solutions": []}}"#;
+    fs::write(&file, text).unwrap();
+    let output = run(&["compare-solvers", file.to_str().unwrap(), "--solver", "pgs", "--json"]);
+    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let row = &told["rows"][0];
+    assert_eq!((&row["proved"], &row["false_claims"]), (&1.into(), &0.into()), "{row}");
+    assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn what_is_symmetric_but_for_rounding_is_diagnosed_as_symmetric() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("rounded.json");
+    let text = r#"{"A": {"dense": [[2, 1], [1.0000000000000002, 2]]}, "b": [-1, -1]}"#;
+    fs::write(&file, text).unwrap();
+    let output = run(&["diagnose", file.to_str().unwrap()]);
+    assert!(!out(&output).contains("not symmetric"), "{}", out(&output));
+}

@@ -152,7 +152,7 @@ impl Diagnosis {
             return Err(Error::invalid(&self.subject, "A", reason));
         }
         let found = regularity(lcp.matrix());
-        self.is_symmetric = lcp.matrix().is_symmetric();
+        self.is_symmetric = lcp.matrix().is_nearly_symmetric();
         self.definiteness(lcp);
         for &row in found.iter().flat_map(|found| &found.zero_rows) {
             self.causes.push(Cause::ZeroRow { row: self.labels[row].clone() });
@@ -185,7 +185,7 @@ impl Diagnosis {
     }
 
     fn definiteness(&mut self, lcp: &Lcp) {
-        if !lcp.matrix().is_symmetric() {
+        if !lcp.matrix().is_nearly_symmetric() {
             self.causes.push(Cause::Unsymmetric);
         } else if let Some(eigenvalue) = least_eigenvalue(lcp).filter(|&least| least < -NEGATIVE) {
             self.causes.push(Cause::Indefinite { eigenvalue });
