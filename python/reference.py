@@ -75,7 +75,7 @@ def block(doc):
     return "\n".join(out + (["```"] if is_code else [])) + "\n\n"
 
 
-def textbook():
+def others():
     from lcplab import testing
 
     text = "\n## `lcplab.testing`\n\n" + inspect.getdoc(testing).splitlines()[0] + "\n\n"
@@ -90,7 +90,7 @@ def textbook():
 
 
 def reference():
-    text = HEAD + "".join(entry(name) for name in NAMES) + textbook()
+    text = HEAD + "".join(entry(name) for name in NAMES) + others()
     lines = [line.rstrip() for line in text.splitlines()]
     kept = [line for k, line in enumerate(lines) if line or (k and lines[k - 1])]
     return "\n".join(kept).rstrip() + "\n"

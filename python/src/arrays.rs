@@ -1,15 +1,14 @@
-//! Matrices and vectors from Python's arrays.
+//! Matrices and vectors from Python's arrays, and to them.
 
 use lcplab::error::{Error, Result};
-use lcplab::lcp::file::Problem;
-use lcplab::lcp::friction::Model;
-use lcplab::lcp::{Coupling, Lcp, Matrix};
-use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use lcplab::lcp::Lcp;
+use lcplab::lcp::file::{Entries, Parts, Problem};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-/// A dense matrix, or the rows, columns and values of a sparse one.
+/// A dense matrix, or the rows, columns and values of a sparse one with so many rows.
 #[derive(FromPyObject)]
-pub enum Entries<'py> {
+pub enum Given<'py> {
     Dense(PyReadonlyArray2<'py, f64>),
     Sparse(
         usize,
@@ -19,35 +18,33 @@ pub enum Entries<'py> {
     ),
 }
 
-impl Entries<'_> {
-    /// The matrix of a problem of n rows.
-    fn matrix(&self, n: usize) -> Result<Matrix> {
+impl Given<'_> {
+    /// The entries of the matrix of a problem of n rows.
+    fn entries(&self, n: usize) -> Result<Entries> {
         let wrong = |reason: String| Err(Error::invalid("problem", "A", reason));
-        match self {
-            Entries::Dense(entries) => {
-                let view = entries.as_array();
-                if view.dim() != (n, n) {
-                    let (rows, cols) = view.dim();
-                    return wrong(format!("is {rows} × {cols}, b has {n} entries"));
-                }
-                Ok(Matrix::dense(n, &view.iter().copied().collect::<Vec<f64>>()))
+        let (rows, cols) = match self {
+            Given::Dense(entries) => entries.as_array().dim(),
+            Given::Sparse(size, ..) => (*size, *size),
+        };
+        if (rows, cols) != (n, n) {
+            return wrong(format!("is {rows} × {cols}, b has {n} entries"));
+        }
+        let (rows, cols, values) = match self {
+            Given::Dense(entries) => {
+                return Ok(Entries::Dense(entries.as_array().iter().copied().collect()));
             }
-            Entries::Sparse(size, rows, cols, values) => {
-                if *size != n {
-                    return wrong(format!("is {size} × {size}, b has {n} entries"));
-                }
-                let (rows, cols, values) = (rows.as_array(), cols.as_array(), values.as_array());
-                let place = |k: i64| usize::try_from(k).ok().filter(|&k| k < n);
-                let mut entries = Vec::with_capacity(values.len());
-                for ((&i, &j), &value) in rows.iter().zip(&cols).zip(&values) {
-                    match (place(i), place(j)) {
-                        (Some(i), Some(j)) => entries.push((i, j, value)),
-                        _ => return wrong(format!("has an entry at {i}, {j}")),
-                    }
-                }
-                Ok(Matrix::sparse(n, &entries))
+            Given::Sparse(_, rows, cols, values) => (rows, cols, values),
+        };
+        let places = rows.as_array().into_iter().zip(cols.as_array());
+        let place = |k: &i64| usize::try_from(*k).ok().filter(|&k| k < n);
+        let mut entries = Vec::new();
+        for ((i, j), value) in places.zip(values.as_array()) {
+            match (place(i), place(j)) {
+                (Some(i), Some(j)) => entries.push((i, j, *value)),
+                _ => return wrong(format!("has an entry at {i}, {j}")),
             }
         }
+        Ok(Entries::Sparse(entries))
     }
 }
 
@@ -69,37 +66,30 @@ pub struct Vectors<'py> {
     #[pyo3(item("scale"))]
     scale: Option<f64>,
     #[pyo3(item("name"))]
-    name: Option<String>,
+    name: String,
 }
 
 /// The problem of these arrays.
-pub fn problem(a: &Entries<'_>, vectors: &Vectors<'_>) -> Result<Problem> {
-    let b = vectors.b.as_array().to_vec();
-    let n = b.len();
-    let index: Option<Vec<Option<usize>>> = vectors
+pub fn problem(a: &Given<'_>, vectors: &Vectors<'_>) -> Result<Problem> {
+    let numbers = |array: &Option<PyReadonlyArray1<'_, f64>>| {
+        array.as_ref().map(|array| array.as_array().to_vec())
+    };
+    let index = vectors
         .friction_index
         .as_ref()
-        .map(|index| index.as_array().iter().map(|&k| row(k)).collect::<Result<_>>())
-        .transpose()?;
-    let is_coupled =
-        |i: usize| index.as_ref().is_some_and(|index| index.get(i).is_some_and(Option::is_some));
-    let given = |bounds: &Option<PyReadonlyArray1<'_, f64>>| {
-        bounds.as_ref().map(|bounds| bounds.as_array().to_vec())
+        .map(|index| index.as_array().iter().map(|&k| row(k)).collect::<Result<Vec<_>>>());
+    let b = vectors.b.as_array().to_vec();
+    let parts = Parts {
+        entries: a.entries(b.len())?,
+        b,
+        lo: numbers(&vectors.lo),
+        hi: numbers(&vectors.hi),
+        index: index.transpose()?,
+        mu: numbers(&vectors.mu),
     };
-    let least = |i: usize| if is_coupled(i) { -f64::INFINITY } else { 0.0 };
-    let lo = given(&vectors.lo).unwrap_or_else(|| (0..n).map(least).collect());
-    let hi = given(&vectors.hi).unwrap_or_else(|| vec![f64::INFINITY; n]);
-    let mut lcp = Lcp::new(a.matrix(n)?, b, lo, hi)?.with_scale(vectors.scale.unwrap_or(0.0))?;
-    lcp = match (index, &vectors.mu) {
-        (Some(index), Some(mu)) => {
-            lcp.with_coupling(Coupling::new(index, mu.as_array().to_vec())?)?
-        }
-        (None, None) => lcp,
-        _ => return Err(Error::invalid("problem", "mu", "friction_index and mu come together")),
-    };
-    let model: Option<Model> = vectors.model.as_ref().map(|model| model.parse()).transpose()?;
-    let name = vectors.name.clone().unwrap_or_default();
-    Ok(Problem { model, ..Problem::new(name, lcp) })
+    let lcp = parts.into_lcp()?.with_scale(vectors.scale.unwrap_or(0.0))?;
+    let model = vectors.model.as_ref().map(|model| model.parse()).transpose()?;
+    Ok(Problem { model, ..Problem::new(&vectors.name, lcp) })
 }
 
 /// The row that an entry of `friction_index` names; −1 for none.
@@ -110,4 +100,23 @@ fn row(k: i64) -> Result<Option<usize>> {
             Error::invalid("problem", "friction_index", format!("must be a row or -1, is {k}"))
         }),
     }
+}
+
+/// A in full.
+pub fn matrix<'py>(py: Python<'py>, lcp: &Lcp) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let n = lcp.len();
+    let entries = (0..n).flat_map(|i| (0..n).map(move |j| lcp.matrix().entry(i, j)));
+    PyArray1::from_vec(py, entries.collect()).reshape([n, n])
+}
+
+/// The row that bounds each row, −1 for none, and its μ; `None` without friction.
+#[expect(clippy::type_complexity, reason = "two arrays")]
+pub fn coupling<'py>(
+    py: Python<'py>,
+    lcp: &Lcp,
+) -> Option<(Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<f64>>)> {
+    let coupling = lcp.coupling()?;
+    let index = (0..lcp.len()).map(|i| coupling.index(i).map_or(-1, |k| k as i64));
+    let mu = (0..lcp.len()).map(|i| coupling.mu(i));
+    Some((PyArray1::from_iter(py, index), PyArray1::from_iter(py, mu)))
 }

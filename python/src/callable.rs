@@ -8,12 +8,12 @@ use lcplab::solver::{
     Class, Cost, Entry, Event, Group, Iterate, MatrixClass, Observer, Options, Settings, Solution,
     Solver, Start, Status,
 };
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
+use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::refused;
+use crate::{arrays, refused};
 
 /// `solver(A, b, lo, hi, **settings)`, which returns x, or yields iterates of which the last one is x, or returns
 /// `None` where it found nothing.
@@ -133,19 +133,14 @@ impl Callable {
         start: &Start<'_>,
         told: &mut Told<'_>,
     ) -> PyResult<bool> {
-        let n = lcp.len();
-        let entries: Vec<f64> =
-            (0..n).flat_map(|i| (0..n).map(move |j| lcp.matrix().entry(i, j))).collect();
-        let a = PyArray1::from_vec(py, entries).reshape([n, n])?;
+        let a = arrays::matrix(py, lcp)?;
         let vector = |values: &[f64]| PyArray1::from_slice(py, values);
         let settings = PyDict::new(py);
         settings.set_item("tolerance", self.settings.tolerance)?;
         settings.set_item("max_iterations", self.settings.max_iterations)?;
-        if let Some(coupling) = lcp.coupling() {
-            let index = (0..n).map(|i| coupling.index(i).map_or(-1, |k| k as i64));
-            settings.set_item("friction_index", PyArray1::from_iter(py, index))?;
-            let mu = (0..n).map(|i| coupling.mu(i));
-            settings.set_item("mu", PyArray1::from_iter(py, mu))?;
+        if let Some((index, mu)) = arrays::coupling(py, lcp) {
+            settings.set_item("friction_index", index)?;
+            settings.set_item("mu", mu)?;
         }
         if let Some(x) = start.x {
             settings.set_item("start", vector(x))?;

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::problem::Problem;
-use crate::solving::Given;
+use crate::solving::SolverSettings;
 use crate::waiting::wait;
 use crate::{callable, refused};
 
@@ -41,7 +41,7 @@ pub fn hunt<'py>(
     solver: Bound<'py, PyAny>,
     rival: Option<Bound<'py, PyAny>>,
     quarry: Quarry,
-    given: Given,
+    given: SolverSettings,
     start: Vec<PyRef<'py, Problem>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let measure: Measure = quarry

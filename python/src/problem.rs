@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use lcplab::card::Card;
 use lcplab::lcp::{exchange, file, library};
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
-use crate::arrays::{self, Entries, Vectors};
+use crate::arrays::{self, Given, Vectors};
 use crate::refused;
 
 /// A boxed linear complementarity problem.
@@ -22,7 +22,7 @@ type Triplets<'py> =
 impl Problem {
     /// The problem of these arrays.
     #[staticmethod]
-    fn of(a: Entries<'_>, vectors: Vectors<'_>) -> PyResult<Self> {
+    fn of(a: Given<'_>, vectors: Vectors<'_>) -> PyResult<Self> {
         arrays::problem(&a, &vectors).map(Problem).map_err(refused)
     }
 
@@ -67,11 +67,7 @@ impl Problem {
 
     #[getter]
     fn a<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let lcp = &self.0.lcp;
-        let n = lcp.len();
-        let entries: Vec<f64> =
-            (0..n).flat_map(|i| (0..n).map(move |j| lcp.matrix().entry(i, j))).collect();
-        PyArray1::from_vec(py, entries).reshape([n, n])
+        arrays::matrix(py, &self.0.lcp)
     }
 
     fn triplets<'py>(&self, py: Python<'py>) -> Triplets<'py> {
@@ -104,15 +100,12 @@ impl Problem {
 
     #[getter]
     fn friction_index<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<i64>>> {
-        let coupling = self.0.lcp.coupling()?;
-        let index = (0..self.0.lcp.len()).map(|i| coupling.index(i).map_or(-1, |k| k as i64));
-        Some(PyArray1::from_iter(py, index))
+        Some(arrays::coupling(py, &self.0.lcp)?.0)
     }
 
     #[getter]
     fn mu<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
-        let coupling = self.0.lcp.coupling()?;
-        Some(PyArray1::from_iter(py, (0..self.0.lcp.len()).map(|i| coupling.mu(i))))
+        Some(arrays::coupling(py, &self.0.lcp)?.1)
     }
 
     #[getter]

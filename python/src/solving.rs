@@ -1,18 +1,21 @@
 //! Solve, judge, explain and compare.
 
-use lcplab::certificate::Demand;
+use lcplab::certificate::{self, Demand, Verdict};
 use lcplab::document::Format;
+use lcplab::error::Error;
 use lcplab::explain::{Method as Explained, problem as explained};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{Answer, certificate_json};
+use lcplab::report::answer::{Answer, certificate_json, claim};
+use lcplab::report::friction::{self, Modelled};
 use lcplab::report::study::families;
 use lcplab::report::{methods, text, view};
-use lcplab::solver::{Entry, Method, Options, Settings, Start, Status, Stop, default_for};
+use lcplab::solver::{Entry, Method, Options, Settings, Solution, Start, Stop, default_for};
 use lcplab::trace::Convergence;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde_json::Value;
 
 use crate::problem::Problem;
 use crate::waiting::wait;
@@ -23,7 +26,7 @@ const QUICK_ROWS: usize = 200;
 
 /// What a solver may use.
 #[derive(FromPyObject)]
-pub struct Given {
+pub struct SolverSettings {
     #[pyo3(item("tolerance"))]
     tolerance: f64,
     #[pyo3(item("max_iterations"))]
@@ -32,7 +35,7 @@ pub struct Given {
     omega: Option<f64>,
 }
 
-impl Given {
+impl SolverSettings {
     pub fn options(&self) -> PyResult<Options> {
         let settings = Settings {
             tolerance: self.tolerance,
@@ -52,38 +55,44 @@ pub fn solve<'py>(
     py: Python<'py>,
     problem: &Problem,
     solver: Option<Bound<'py, PyAny>>,
-    given: Given,
-    prove_up_to: usize,
+    given: SolverSettings,
+    model: Option<String>,
+    prove: Option<bool>,
     trace: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let prove_up_to = match prove {
+        Some(true) => Demand::EXACT_ROWS,
+        Some(false) => 0,
+        None => Demand::default().prove_up_to,
+    };
+    let demand = Demand { tolerance: given.tolerance, prove_up_to };
+    let options = given.options()?;
+    let name = solver.as_ref().and_then(|solver| solver.extract::<String>().ok());
+    if let Some(modelled) = modelled(problem, model, name.as_deref())? {
+        if trace {
+            let reason =
+                "keeps the iterates of a problem that is solved without a model of friction";
+            return Err(refused(Error::invalid("options", "trace", reason)));
+        }
+        return solve_modelled(py, &modelled, solver, &options, &demand);
+    }
     let lcp = &problem.0.lcp;
     let entry = match solver {
         Some(solver) => callable::entry(&solver)?,
         None => methods::entry(default_for(lcp)).map_err(refused)?,
     };
-    let options = given.options()?;
-    let demand = Demand { tolerance: given.tolerance, prove_up_to };
     let stop = Stop::default();
     let work = || answered(lcp, &entry, &options, &demand, trace, &stop);
     let (answer, records) = match lcp.len() <= QUICK_ROWS && !trace {
         true => py.detach(work),
         false => wait(py, &stop, work)?,
     };
-    let told = PyDict::new(py);
-    told.set_item("x", PyArray1::from_slice(py, &answer.solution.x))?;
-    told.set_item("w", PyArray1::from_slice(py, &answer.certificate.w))?;
+    let certificate = &answer.certificate;
+    let told = told(py, &answer.solution, &certificate.w, &certificate.verdict)?;
     told.set_item("status", answer.status_word())?;
     told.set_item("message", answer.message())?;
     told.set_item("solver", answer.solver)?;
-    told.set_item("iterations", answer.solution.iterations)?;
-    told.set_item("verdict", answer.certificate.verdict.word())?;
-    told.set_item("residual", answer.certificate.scaled_residual)?;
-    told.set_item("is_solution", answer.certificate.verdict.is_solution())?;
-    told.set_item("is_claimed", answer.solution.status == Status::Solved)?;
-    told.set_item(
-        "certificate",
-        serde_json::Value::Object(certificate_json(&answer.certificate)).to_string(),
-    )?;
+    told.set_item("certificate", Value::Object(certificate_json(certificate)).to_string())?;
     if trace {
         let column =
             |of: fn(&lcplab::trace::Record) -> f64| PyArray1::from_iter(py, records.iter().map(of));
@@ -94,6 +103,65 @@ pub fn solve<'py>(
         columns.set_item("objective", column(|record| record.objective))?;
         told.set_item("trace", columns)?;
     }
+    Ok(told)
+}
+
+/// What every answer has.
+fn told<'py>(
+    py: Python<'py>,
+    solution: &Solution,
+    w: &[f64],
+    verdict: &Verdict,
+) -> PyResult<Bound<'py, PyDict>> {
+    let told = PyDict::new(py);
+    told.set_item("x", PyArray1::from_slice(py, &solution.x))?;
+    told.set_item("w", PyArray1::from_slice(py, w))?;
+    told.set_item("iterations", solution.iterations)?;
+    told.set_item("is_solution", verdict.is_solution())?;
+    Ok(told)
+}
+
+/// The problem under the model of friction that is asked for, or that it states; `None` where there is none.
+fn modelled(
+    problem: &Problem,
+    model: Option<String>,
+    solver: Option<&str>,
+) -> PyResult<Option<Modelled>> {
+    let asked = model.map(|model| model.parse()).transpose().map_err(refused)?;
+    let model = friction::model(asked, solver, &problem.0);
+    model.map(|model| Modelled::of(&problem.0, model, "problem")).transpose().map_err(refused)
+}
+
+fn solve_modelled<'py>(
+    py: Python<'py>,
+    modelled: &Modelled,
+    solver: Option<Bound<'py, PyAny>>,
+    options: &Options,
+    demand: &Demand,
+) -> PyResult<Bound<'py, PyDict>> {
+    let model = modelled.model();
+    let method = match solver {
+        Some(solver) if solver.extract::<String>().is_err() => {
+            let method = Method::Boxed(callable::entry(&solver)?);
+            if !method.takes(Some(model)) {
+                let reason = format!("a function of A, b, lo, hi does not solve {model}");
+                return Err(refused(Error::invalid("options", "solver", reason)));
+            }
+            method
+        }
+        Some(solver) => methods::by_name(&solver.extract::<String>()?, model).map_err(refused)?,
+        None => methods::by_name(methods::default_for(model), model).map_err(refused)?,
+    };
+    let stop = Stop::default();
+    let (solution, judged) =
+        wait(py, &stop, || modelled.solve(&method, options, demand, &mut stop.watch(&mut ())))?;
+    let certificate = &judged.certificate;
+    let (status, message) = claim(&solution.status, certificate.refutation(), None);
+    let told = told(py, &solution, &certificate.w, &certificate.verdict)?;
+    told.set_item("status", status)?;
+    told.set_item("message", message)?;
+    told.set_item("solver", method.name())?;
+    told.set_item("certificate", Value::Object(judged.json()).to_string())?;
     Ok(told)
 }
 
@@ -121,17 +189,25 @@ pub fn judge(
     problem: &Problem,
     x: PyReadonlyArray1<'_, f64>,
     tolerance: f64,
-    prove_up_to: usize,
+    model: Option<String>,
 ) -> PyResult<(bool, String)> {
     let (lcp, x) = (&problem.0.lcp, x.as_array().to_vec());
     if x.len() != lcp.len() {
         let reason = format!("has {} entries, the problem has {} rows", x.len(), lcp.len());
-        return Err(refused(lcplab::error::Error::invalid("answer", "x", reason)));
+        return Err(refused(Error::invalid("answer", "x", reason)));
     }
-    let demand = Demand { tolerance, prove_up_to };
-    let certificate = py.detach(|| lcplab::certificate::judge(lcp, &x, &demand));
-    let json = serde_json::Value::Object(certificate_json(&certificate));
-    Ok((certificate.verdict.is_solution(), json.to_string()))
+    let demand = Demand { tolerance, prove_up_to: Demand::EXACT_ROWS };
+    let (verdict, object) = match modelled(problem, model, None)? {
+        Some(modelled) => {
+            let judged = py.detach(|| modelled.judge(&x, &demand));
+            (judged.certificate.verdict, judged.json())
+        }
+        None => {
+            let certificate = py.detach(|| certificate::judge(lcp, &x, &demand));
+            (certificate.verdict, certificate_json(&certificate))
+        }
+    };
+    Ok((verdict.is_solution(), Value::Object(object).to_string()))
 }
 
 /// The derivation of a solution: as text, as Markdown and as a page.
@@ -140,7 +216,7 @@ pub fn explain(
     py: Python<'_>,
     problem: &Problem,
     solver: Option<String>,
-    given: Given,
+    given: SolverSettings,
 ) -> PyResult<[String; 3]> {
     let name = solver.unwrap_or_else(|| default_for(&problem.0.lcp).into());
     let options = given.options()?;
@@ -159,9 +235,13 @@ pub fn compare(
     problems: Vec<(String, Vec<PyRef<'_, Problem>>)>,
     solvers: Vec<Bound<'_, PyAny>>,
     models: Vec<String>,
-    given: Given,
+    given: SolverSettings,
 ) -> PyResult<(String, String)> {
     let mut chosen = Vec::new();
+    let usual = if solvers.is_empty() { methods::USUAL.as_slice() } else { &[] };
+    for name in usual {
+        chosen.extend(methods::named(name).map_err(refused)?);
+    }
     for solver in &solvers {
         match solver.extract::<String>() {
             Ok(name) => chosen.extend(methods::named(&name).map_err(refused)?),

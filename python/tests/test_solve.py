@@ -131,3 +131,39 @@ def test_the_command_is_in_the_package():
     assert told.returncode == 0 and told.stdout.startswith("lcplab ")
     told = subprocess.run([sys.executable, "-m", "lcplab", "solve", "nowhere.json"], capture_output=True, text=True)
     assert told.returncode == 2 and "nowhere.json" in told.stderr
+
+
+def test_a_model_of_friction_is_solved_and_judged_as_its_own():
+    # Pressed with 2, pushed with 3 along (3, 4) / 5, mu = 1/2: the cone gives 1 along the push, the box 1 along each axis.
+    push = np.array([0.6, 0.8])
+    p = lcplab.Problem(
+        np.eye(3), [-2, *(-3 * push)], friction_index=[-1, 0, 0], mu=[0, 0.5, 0.5], lo=[0, -np.inf, -np.inf]
+    )
+    cone = lcplab.solve(p, model="coulomb-cone")
+    assert cone and cone.solver == "apgd"
+    assert_allclose(cone.x, [2, *push], atol=1e-7)
+    [contact] = cone.contacts
+    assert contact["strength"] == pytest.approx(1) and contact["misalignment"] == pytest.approx(0, abs=1e-5)
+    assert lcplab.solve(p).x.tolist() == [2, 1, 1]
+    assert lcplab.judge(p, x=[2, *push], model="coulomb-cone") and not lcplab.judge(p, x=[2, *push])
+    assert lcplab.judge(p, x=[2, 1, 1]) and not lcplab.judge(p, x=[2, 1, 1], model="coulomb-cone")
+
+
+def test_what_does_not_suit_a_model_is_refused_in_words():
+    flat = dict(A=np.eye(2), b=[-2, -3], friction_index=[-1, 0], mu=[0, 0.5])
+    with pytest.raises(lcplab.InputError, match="bounds 1 friction rows, not 2"):
+        lcplab.solve(**flat, model="coulomb-cone")
+    spatial = dict(A=np.eye(3), b=[-2, -3, 0], friction_index=[-1, 0, 0], mu=[0, 0.5, 0.5])
+    with pytest.raises(lcplab.InputError, match="a function of A, b, lo, hi does not solve coulomb-cone"):
+        lcplab.solve(**spatial, model="coulomb-cone", solver=lambda A, b, lo, hi, **settings: b)
+    with pytest.raises(lcplab.InputError, match="trace"):
+        lcplab.solve(**spatial, model="coulomb-cone", trace=True)
+
+
+def test_a_proof_is_looked_for_as_far_as_it_is_asked_for():
+    p = lcplab.Problem.generate("pd", n=60)
+    assert [lcplab.solve(p, prove=prove).verdict for prove in (None, True, False)] == [
+        "within_tolerance",
+        "proved",
+        "within_tolerance",
+    ]

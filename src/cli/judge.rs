@@ -8,14 +8,15 @@ use lcplab::error::Result;
 use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{bound, certificate_json, certificate_text, verdict_json};
+use lcplab::report::friction::{Modelled, model};
 use lcplab::report::page::{Cell, Column, Table};
 use lcplab::report::text;
 use lcplab::solver::Settings;
 use serde_json::{Map, Value, json};
 
-use super::friction::{Friction, model};
+use super::friction;
 use super::limits::MemoryLimit;
-use super::problem::{PROVED_ROWS, bound_text, rows, title};
+use super::problem::{bound_text, rows, title};
 use super::{Outcome, print, read_problem};
 
 /// Judge answers to a problem, whoever found them
@@ -85,8 +86,9 @@ impl Judge {
         let problem = read_problem(&self.problem, memory)?;
         let read = |path: &PathBuf| read_answers(path, problem.lcp.len(), memory);
         let answers = self.answers.iter().map(read).collect::<Result<Vec<_>>>()?;
+        let input = self.problem.display().to_string();
         let friction = model(self.model, None, &problem)
-            .map(|model| Friction::of(&problem, model, &self.problem))
+            .map(|model| Modelled::of(&problem, model, &input))
             .transpose()?;
         match answers.as_slice() {
             [only] if only.iterates.is_empty() => self.one(&problem, friction.as_ref(), &only.x),
@@ -106,14 +108,14 @@ impl Judge {
     }
 
     fn demand(&self) -> Demand {
-        Demand { tolerance: self.tolerance, prove_up_to: PROVED_ROWS }
+        Demand { tolerance: self.tolerance, prove_up_to: Demand::EXACT_ROWS }
     }
 
     /// One answer, with its rows.
-    fn one(&self, problem: &Problem, friction: Option<&Friction>, x: &[f64]) -> Result<Outcome> {
+    fn one(&self, problem: &Problem, friction: Option<&Modelled>, x: &[f64]) -> Result<Outcome> {
         let demand = self.demand();
         if let Some(friction) = friction {
-            let verdict = friction.judge(&title(problem), x, &demand, self.json)?;
+            let verdict = friction::judge(friction, &title(problem), x, &demand, self.json)?;
             return Ok(self.fail_on.outcome(&verdict));
         }
         let certificate = judge(&problem.lcp, x, &demand);
@@ -138,12 +140,15 @@ impl Judge {
         &self,
         label: String,
         problem: &Problem,
-        friction: Option<&Friction>,
+        friction: Option<&Modelled>,
         x: &[f64],
         is_answer: bool,
     ) -> Judged {
         let (verdict, scaled_residual) = match friction {
-            Some(friction) => friction.verdict(x, &self.demand()),
+            Some(friction) => {
+                let certificate = friction.certificate(x, &self.demand());
+                (certificate.verdict, certificate.scaled_residual)
+            }
             None => {
                 let certificate = judge(&problem.lcp, x, &self.demand());
                 (certificate.verdict, certificate.scaled_residual)

@@ -3,25 +3,24 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::certificate::{Certificate, Verdict, upper_bound};
+use lcplab::certificate::{Certificate, Demand, Verdict, upper_bound};
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{Answer, certificate_text};
+use lcplab::report::friction::{Modelled, model};
 use lcplab::report::methods;
 use lcplab::solver::{Method, Observer, Reason, Start, Status, default_for};
 use lcplab::trace::Convergence;
 
-use super::friction::{Friction, model};
+use super::friction;
 use super::limits::Limits;
 use super::options::SolverArgs;
 use super::plugin::Plugins;
 use super::trace::Tracing;
 use super::{Outcome, print, read_problem};
 
-/// Rows up to which `judge` and `solve --exact` prove.
-pub const PROVED_ROWS: usize = 150;
 /// Characters of a problem's name that are printed at most.
 const NAME: usize = 200;
 /// Rows of x and w that are printed at most.
@@ -72,15 +71,17 @@ impl Solve {
         let problem = read_problem(&self.problem, self.settings.memory())?;
         let mut demand = self.settings.demand();
         if self.exact {
-            demand.prove_up_to = PROVED_ROWS;
+            demand.prove_up_to = Demand::EXACT_ROWS;
         }
         if let Some(model) = model(self.model, solver, &problem) {
             self.tracing.check(false)?;
             let method = methods::by_name(solver.unwrap_or(methods::default_for(model)), model)?;
             let options = self.settings.options(&[method])?;
-            let friction = Friction::of(&problem, model, &self.problem)?;
+            let modelled = Modelled::of(&problem, model, &self.problem.display().to_string())?;
             let title = title(&problem);
-            return friction.solve(&title, &method, &options, &demand, self.json, limits);
+            return friction::solve(
+                &modelled, &title, &method, &options, &demand, self.json, limits,
+            );
         }
         let entry = methods::entry(solver.unwrap_or_else(|| default_for(&problem.lcp)))?;
         let options = self.settings.options(&[Method::Boxed(entry)])?;

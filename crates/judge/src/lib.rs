@@ -60,6 +60,11 @@ pub struct Demand {
     pub prove_up_to: usize,
 }
 
+impl Demand {
+    /// A proof of so many rows takes seconds: what a user waits for who asks for one.
+    pub const EXACT_ROWS: usize = 150;
+}
+
 impl Default for Demand {
     fn default() -> Self {
         Demand { tolerance: 1e-8, prove_up_to: 50 }

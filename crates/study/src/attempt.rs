@@ -10,9 +10,6 @@ use lcplab_problem::{Lcp, merit};
 use lcplab_solver::trace::Work;
 use lcplab_solver::{ALL, Entry, Options, Settings, Solution, Start, Status};
 
-/// Problems of up to this many rows are proved exactly, as `lcplab judge` does.
-const PROVED: usize = 150;
-
 /// What came of an attempt.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -35,7 +32,7 @@ pub enum Outcome {
 impl Outcome {
     /// What came of a solve: a claim is judged by this tolerance.
     pub fn of(solution: &Solution, lcp: &Lcp, tolerance: f64) -> Outcome {
-        let demand = Demand { tolerance, prove_up_to: PROVED };
+        let demand = Demand { tolerance, prove_up_to: Demand::EXACT_ROWS };
         let is_within = || merit::scaled_residual(lcp, &solution.x) <= tolerance;
         match &solution.status {
             Status::Solved => match judge(lcp, &solution.x, &demand).verdict {

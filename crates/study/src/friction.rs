@@ -1,20 +1,91 @@
-//! What an x is worth as an answer to a friction problem under one model, as JSON and as text.
+//! Friction problems under a model, and what an x is worth as an answer, as JSON and as text.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use super::answer::{evidence_json, evidence_text, proof_of_denial, verdict_json};
+use super::methods;
 use lcplab_judge::{Demand, FrictionCertificate, judge_cone, judge_friction};
 use lcplab_problem::Lcp;
-use lcplab_problem::file::number;
-use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Posed};
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::file::{Problem, number};
+use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Model, Posed};
 use lcplab_problem::merit::RowTerms;
-use lcplab_solver::Status;
+use lcplab_solver::{Method, Observer, Options, Solution, Status};
 
 /// A contact slides if |w_t| is above this part of the terms it is the sum of.
 const SLIP: f64 = 1e-6;
 /// Contacts that are printed at most.
 const PRINTED: usize = 20;
+
+/// A friction problem under the model that it is solved and judged under.
+#[derive(Debug, Clone)]
+pub struct Modelled {
+    model: Model,
+    problem: FrictionProblem,
+    posed: Posed,
+}
+
+/// The model to take: the one asked for, else the problem's own, else Coulomb's law for a solver that is
+/// made for cones only. Without any, friction rows are rows of a boxed LCP like others.
+pub fn model(asked: Option<Model>, solver: Option<&str>, problem: &Problem) -> Option<Model> {
+    let is_for_cones = |name: &&str| {
+        methods::entry(name).is_err() && methods::by_name(name, Model::CoulombCone).is_ok()
+    };
+    let law = solver.filter(is_for_cones).map(|_| Model::CoulombCone);
+    asked.or(problem.model).or(law)
+}
+
+impl Modelled {
+    /// The friction problem of an input of this name.
+    ///
+    /// # Errors
+    /// If there is no friction in it, or it cannot be stated under this model.
+    pub fn of(problem: &Problem, model: Model, input: &str) -> Result<Self> {
+        let friction = problem.friction().ok_or_else(|| {
+            let reason = format!("is missing: {model} is a model of friction");
+            Error::invalid(input, "friction_index", reason)
+        })?;
+        let friction = friction.map_err(|error| error.within(input))?;
+        let posed = model.pose(&friction, problem.frozen_at.as_deref());
+        let posed = posed.map_err(|error| error.within(input))?;
+        Ok(Modelled { model, problem: friction, posed })
+    }
+
+    /// The model.
+    pub fn model(&self) -> Model {
+        self.model
+    }
+
+    /// How many contacts there are.
+    pub fn contacts(&self) -> usize {
+        self.problem.contacts().len()
+    }
+
+    /// Solves it and has the answer judged.
+    pub fn solve(
+        &self,
+        method: &Method,
+        options: &Options,
+        demand: &Demand,
+        observer: &mut dyn Observer,
+    ) -> (Solution, Judged) {
+        let solution = method.solve(&self.posed, options, observer);
+        let judged = self.judge(&solution.x, demand);
+        let judged = judged.with_claim(&self.posed, &solution.status, demand);
+        (solution, judged)
+    }
+
+    /// Judges an answer, one number a row of the file's problem.
+    pub fn judge(&self, x: &[f64], demand: &Demand) -> Judged {
+        Judged::of(&self.problem, &self.posed, x, demand)
+    }
+
+    /// The judge's certificate alone.
+    pub fn certificate(&self, x: &[f64], demand: &Demand) -> FrictionCertificate {
+        judge_friction(&self.posed, x, demand)
+    }
+}
 
 /// One contact in an answer.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -5,6 +5,11 @@ use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
 use lcplab_solver::{ALL, Entry, Method, SPECIMENS, added, methods};
 
+/// One of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for cones, and the
+/// reference.
+pub const USUAL: [&str; 8] =
+    ["pgs", "newton", "apgd", "interior-point", "dantzig", "lemke", "cone-pgs", "clarabel"];
+
 /// The registered methods, then clarabel for boxes and for cones; what was added is asked for by name.
 pub fn all() -> Vec<Method> {
     let reference = [Method::Boxed(clarabel::BOX_QP), Method::Cone(clarabel::CONE_QP)];

@@ -12,22 +12,11 @@ The problem is ``w = A x + b`` with ``lo <= x <= hi``, where ``w[i] > 0`` only i
 
 from lcplab._lcplab import InputError, __version__
 from lcplab import testing, textbook
-from lcplab._api import (
-    Comparison,
-    Document,
-    Finding,
-    Problem,
-    Result,
-    Scene,
-    Step,
-    Verdict,
-    compare,
-    explain,
-    hunt,
-    judge,
-    solve,
-    solvers,
-)
+from lcplab._compare import Comparison, compare
+from lcplab._hunt import Finding, hunt
+from lcplab._problem import Problem
+from lcplab._scene import Scene, Step
+from lcplab._solve import Document, Result, Verdict, explain, judge, solve, solvers
 
 __all__ = [
     "Comparison",

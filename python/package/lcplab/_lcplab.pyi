@@ -72,11 +72,12 @@ def solve(
     problem: Problem,
     solver: Solver | None,
     given: Mapping[str, Any],
-    prove_up_to: int,
+    model: str | None,
+    prove: bool | None,
     trace: bool,
 ) -> dict[str, Any]: ...
 def judge(
-    problem: Problem, x: NDArray[np.float64], tolerance: float, prove_up_to: int
+    problem: Problem, x: NDArray[np.float64], tolerance: float, model: str | None
 ) -> tuple[bool, str]: ...
 def explain(problem: Problem, solver: str | None, given: Mapping[str, Any]) -> list[str]: ...
 def compare(

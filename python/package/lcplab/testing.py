@@ -11,7 +11,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from lcplab._api import Problem, Solver
+    from lcplab._problem import Problem
+    from lcplab._solve import Solver
 
 #: Families of definite or semidefinite problems that a solver of contacts should solve, without friction.
 FAMILIES = ("pd", "fathi", "stack", "table", "near-duplicate", "manufactured", "deudeu", "trivial")

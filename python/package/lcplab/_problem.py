@@ -1,0 +1,231 @@
+"""Problems."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lcplab import _lcplab
+
+Array = NDArray[np.float64]
+
+
+class Problem:
+    """A boxed linear complementarity problem.
+
+    Parameters
+    ----------
+    A : (n, n) array_like or SciPy sparse array
+        The matrix.
+    b : (n,) array_like
+        The offset of ``w = A x + b``.
+    lo, hi : (n,) array_like or float, optional
+        Bounds; 0 and infinity without them, and none for rows of friction.
+    friction_index : (n,) array_like of int, optional
+        Row ``i`` with ``k = friction_index[i] >= 0`` is bounded by ``±mu[i] * max(x[k], 0)``; -1 for the others.
+    mu : (n,) array_like, optional
+        Coefficients of friction.
+    name : str, optional
+        What it is called.
+
+    Raises
+    ------
+    InputError
+        With every defect.
+
+    Examples
+    --------
+    >>> p = Problem([[2, -1], [-1, 2]], [-1, 2])
+    >>> len(p), p.hi.tolist()
+    (2, [inf, inf])
+    """
+
+    def __init__(
+        self,
+        A: ArrayLike,
+        b: ArrayLike,
+        lo: ArrayLike | None = None,
+        hi: ArrayLike | None = None,
+        *,
+        friction_index: ArrayLike | None = None,
+        mu: ArrayLike | None = None,
+        model: str | None = None,
+        scale: float | None = None,
+        name: str = "",
+    ) -> None:
+        right = vector(b)
+        self._inner = _lcplab.Problem.of(
+            _entries(A),
+            {
+                "b": right,
+                "lo": _bound(lo, len(right)),
+                "hi": _bound(hi, len(right)),
+                "friction_index": None
+                if friction_index is None
+                else np.ascontiguousarray(friction_index, dtype=np.int64),
+                "mu": None if mu is None else vector(mu),
+                "model": model,
+                "scale": scale,
+                "name": name,
+            },
+        )
+
+    @classmethod
+    def _of(cls, inner: _lcplab.Problem) -> Problem:
+        problem = cls.__new__(cls)
+        problem._inner = inner
+        return problem
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Problem:
+        """Read a file of any format that ``lcplab convert --list`` names."""
+        return cls._of(_lcplab.Problem.read(path))
+
+    @classmethod
+    def generate(cls, family: str, **values: float) -> Problem:
+        """Make a problem of the library.
+
+        Examples
+        --------
+        >>> Problem.generate("murty", n=3).solutions
+        [[Fraction(0, 1), Fraction(0, 1), Fraction(1, 1)]]
+        """
+        return cls._of(_lcplab.Problem.generate(family, [(k, float(v)) for k, v in values.items()]))
+
+    def write(self, path: str | os.PathLike[str]) -> list[str]:
+        """Write a file in the format of its ending; what its reader should know is returned."""
+        return self._inner.write(path)
+
+    def to_json(self) -> dict[str, Any]:
+        """The problem as the object of a problem file."""
+        told: dict[str, Any] = json.loads(self._inner.json())
+        return told
+
+    @property
+    def A(self) -> Array:
+        """The matrix, dense."""
+        return self._inner.a
+
+    def triplets(self) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
+        """Rows, columns and values of the stored entries of A."""
+        return self._inner.triplets()
+
+    @property
+    def b(self) -> Array:
+        """The offset."""
+        return self._inner.b
+
+    @property
+    def lo(self) -> Array:
+        """The lower bounds."""
+        return self._inner.lo
+
+    @property
+    def hi(self) -> Array:
+        """The upper bounds."""
+        return self._inner.hi
+
+    @property
+    def friction_index(self) -> NDArray[np.int64] | None:
+        """The row that bounds each row, -1 for none."""
+        return self._inner.friction_index
+
+    @property
+    def mu(self) -> Array | None:
+        """The coefficients of friction."""
+        return self._inner.mu
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return self._inner.name
+
+    @property
+    def card(self) -> dict[str, Any]:
+        """Size, class, rank and condition."""
+        told: dict[str, Any] = json.loads(self._inner.card())
+        return told
+
+    @property
+    def solutions(self) -> list[list[Fraction]] | None:
+        """The exact solutions that are known, if any; an empty list says that there is none."""
+        text = self._inner.expected()
+        if text is None:
+            return None
+        known = json.loads(text)
+        return [
+            [Fraction(int(p), int(s["denominator"])) for p in s["numerators"]]
+            for s in known["solutions"]
+        ]
+
+    def __len__(self) -> int:
+        return len(self._inner)
+
+    def __repr__(self) -> str:
+        return f"<lcplab.Problem {self.name!r}: {len(self)} rows>"
+
+
+def problem_of(
+    A: Any,
+    b: ArrayLike | None,
+    lo: ArrayLike | None,
+    hi: ArrayLike | None,
+    friction_index: ArrayLike | None,
+    mu: ArrayLike | None,
+) -> Problem:
+    if isinstance(A, Problem):
+        if any(value is not None for value in (b, lo, hi, friction_index, mu)):
+            raise TypeError("a Problem has its b, bounds and friction")
+        return A
+    if b is None:
+        raise TypeError("b is missing")
+    return Problem(A, b, lo, hi, friction_index=friction_index, mu=mu)
+
+
+def named(problems: Any) -> list[tuple[str, Problem]]:
+    if isinstance(problems, Mapping):
+        return [(str(name), _single(problem)) for name, problem in problems.items()]
+    if isinstance(problems, (Problem, str, os.PathLike, tuple)):
+        problems = [problems]
+    named = []
+    for k, given in enumerate(problems):
+        problem = _single(given)
+        path = os.fspath(given) if isinstance(given, (str, os.PathLike)) else ""
+        named.append((path or problem.name or f"problem {k}", problem))
+    return named
+
+
+def _single(given: Any) -> Problem:
+    if isinstance(given, Problem):
+        return given
+    if isinstance(given, (str, os.PathLike)):
+        return Problem.read(given)
+    return Problem(*given)
+
+
+def vector(values: ArrayLike) -> Array:
+    return np.ascontiguousarray(values, dtype=np.float64)
+
+
+def _bound(values: ArrayLike | None, n: int) -> Array | None:
+    if values is None:
+        return None
+    bound = vector(values)
+    return np.full(n, bound) if bound.ndim == 0 else bound
+
+
+def _entries(A: Any) -> _lcplab.Entries:
+    if hasattr(A, "tocoo"):
+        sparse = A.tocoo()
+        rows, cols = sparse.shape
+        if rows != cols:
+            raise _lcplab.InputError(f"problem: A: is {rows} × {cols}, must be square")
+        index = [np.ascontiguousarray(k, dtype=np.int64) for k in (sparse.row, sparse.col)]
+        return rows, index[0], index[1], vector(sparse.data)
+    return np.asarray(A, dtype=np.float64)
