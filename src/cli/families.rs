@@ -19,11 +19,6 @@ use super::options::SolverArgs;
 use super::plugin::Plugins;
 use super::{Outcome, bar, print, profile, say, warn};
 
-/// One solver of each kind: sweeps, Newton, gradients, an interior point, two pivoting methods, sweeps for
-/// cones, and the reference.
-const USUAL: [&str; 8] =
-    ["pgs", "newton", "apgd", "interior-point", "dantzig", "lemke", "cone-pgs", "clarabel"];
-
 /// Solve the problem library with one solver of each kind, or all, and judge every answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -93,7 +88,9 @@ impl CompareSolvers {
         let stop = limits.stop();
         let (library, files): (Vec<_>, Vec<_>) =
             problems.into_iter().partition(|(name, _)| library::by_name(name).is_ok());
-        let progress = bar(0, "").with_style(ProgressStyle::default_spinner());
+        let style = ProgressStyle::with_template("{spinner} {pos} rows of the table")
+            .unwrap_or_else(|_| ProgressStyle::default_spinner());
+        let progress = bar(0, "").with_style(style);
         let all = families::Limits { stop, each: self.each()?, tick: &|| progress.inc(1) };
         let run = |problems: &[(String, Vec<Problem>)], models: &[Model]| {
             let models = if self.model.is_empty() { models } else { &self.model };
@@ -110,7 +107,9 @@ impl CompareSolvers {
         }
         match &self.profile {
             Some(name) if stopped.is_none() => profile::write(name, &rows)?,
-            Some(_) => say("warning: no profile is written, as not all problems were solved"),
+            Some(_) => {
+                say("warning: no profile is written, as the comparison did not come to its end")
+            }
             None => {}
         }
         if self.json {
@@ -174,7 +173,7 @@ impl CompareSolvers {
         let named = self.solver.iter().map(String::as_str);
         let names: Vec<&str> = match (self.all, self.solver.as_slice()) {
             (true, _) => Vec::new(),
-            (false, []) => USUAL.to_vec(),
+            (false, []) => methods::USUAL.to_vec(),
             (false, _) => named.collect(),
         };
         let plugins = plugins.iter().map(|plugin| -> &str { plugin.name() });

@@ -31,7 +31,16 @@ pub fn write(name: &Path, rows: &[Row]) -> Result<()> {
 /// What every solver made of every problem, as CSV.
 fn problems(rows: &[Row]) -> String {
     let mut text = String::new();
-    let columns = ["problem", "model", "solver", "solved", "iterations", "time (s)", "why not"];
+    let columns = [
+        "problem",
+        "model",
+        "solver",
+        "solved",
+        "iterations",
+        "multiplications",
+        "time (s)",
+        "why not",
+    ];
     csv::record(&mut text, columns);
     for row in rows {
         csv::record(
@@ -42,6 +51,7 @@ fn problems(rows: &[Row]) -> String {
                 row.solver.clone(),
                 format!("{} of {}", row.accepted.min(row.claimed), row.problems),
                 row.iterations.to_string(),
+                row.multiplications.map(csv::number).unwrap_or_default(),
                 csv::number(row.seconds),
                 row.trouble.clone().unwrap_or_default(),
             ],

@@ -79,7 +79,7 @@ impl Answer {
 }
 
 /// A verdict with what its row is, if the problem says so.
-pub fn named(verdict: &Verdict, problem: &Problem) -> String {
+pub fn labelled(verdict: &Verdict, problem: &Problem) -> String {
     let label = |row: usize| problem.extra.get("rows")?.get(row)?.get("label")?.as_str();
     match verdict {
         Verdict::NotASolution { row, .. } => match label(*row) {
@@ -231,7 +231,7 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
         ("complementarity", certificate.complementarity_gap, "largest w times distance to bound"),
         ("duality gap", certificate.duality_gap, "objective minus lower bound"),
     ];
-    let mut text = format!("verdict    {}\n", named(&certificate.verdict, problem));
+    let mut text = format!("verdict    {}\n", labelled(&certificate.verdict, problem));
     for (name, value, meaning) in lines {
         text += &format!("  {name:<17}{value:>10.2e}  {meaning}\n");
     }

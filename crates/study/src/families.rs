@@ -3,19 +3,20 @@
 //! Families with friction are solved under each model of friction by the methods that it takes, and
 //! judged by the certificate of that model.
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::answer::named;
+use crate::answer::labelled;
 use lcplab_judge::{Demand, FrictionCertificate, Verdict, judge_friction};
 use lcplab_problem::Complementarity;
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_problem::library::Family;
-use lcplab_solver::trace::Provenance;
-use lcplab_solver::{Group, Method, Options, Reason, Solution, Status, Stop};
+use lcplab_solver::trace::{Provenance, Work};
+use lcplab_solver::{Group, Iterate, Method, Observer, Options, Reason, Solution, Status, Stop};
 
 /// A solver on the problems of one family.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -42,6 +43,9 @@ pub struct Row {
     pub false_claims: usize,
     /// Sweeps or pivots in all.
     pub iterations: usize,
+    /// Multiplications in all, by each method's formula; none where nobody knows.
+    #[serde(with = "crate::number::perhaps")]
+    pub multiplications: Option<f64>,
     /// The worst scaled residual among the answers claimed; none without a claim.
     #[serde(with = "crate::number::perhaps")]
     pub worst_residual: Option<f64>,
@@ -197,6 +201,7 @@ fn attempt(
         refuted_claims: 0,
         false_claims: 0,
         iterations: 0,
+        multiplications: Some(0.0),
         worst_residual: None,
         fingerprint: String::new(),
         fallbacks: 0,
@@ -207,14 +212,19 @@ fn attempt(
     };
     for (problem, posed) in problems {
         limits.stop.reason().is_none().then_some(())?;
-        let mut provenance = Provenance::of(match posed {
+        let lcp = match posed {
             Posed::Boxed(lcp) => lcp,
             Posed::Polyhedral(polyhedral) => polyhedral.lcp(),
             Posed::Cone(cone) => cone.lcp(),
-        });
+        };
+        let work = match method {
+            Method::Boxed(entry) => Some(Work::of(entry, lcp)),
+            Method::Cone(_) => None,
+        };
+        let mut told = Told { provenance: Provenance::of(lcp), work };
         let start = Instant::now();
         let each = limits.each.map_or_else(Stop::default, Stop::after);
-        let mut watched = limits.stop.watch(&mut provenance);
+        let mut watched = limits.stop.watch(&mut told);
         let mut solution = method.solve(posed, options, &mut each.watch(&mut watched));
         row.seconds += start.elapsed().as_secs_f64();
         if solution.status == Status::Stopped {
@@ -223,8 +233,10 @@ fn attempt(
             solution.status = Status::NoAnswer { reason };
         }
         if row.fingerprint.is_empty() {
-            row.fingerprint = format!("{:016x}", provenance.fingerprint);
+            row.fingerprint = format!("{:016x}", told.provenance.fingerprint);
         }
+        let known = told.work.map(|work| work.multiplications).filter(|work| work.is_finite());
+        row.multiplications = row.multiplications.zip(known).map(|(sum, own)| sum + own);
         let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
         let certificate = judge_friction(posed, &solution.x, &demand);
         row.add(&solution, &certificate, problem);
@@ -236,6 +248,21 @@ fn attempt(
     }
     (limits.tick)();
     Some(row)
+}
+
+/// What is kept of a solve's iterates.
+struct Told<'a> {
+    provenance: Provenance<'a>,
+    work: Option<Work<'a>>,
+}
+
+impl Observer for Told<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        if let Some(work) = &mut self.work {
+            work.observe(iterate)?;
+        }
+        self.provenance.observe(iterate)
+    }
 }
 
 impl Row {
@@ -258,7 +285,7 @@ impl Row {
             let worst = self.worst_residual.map_or(0.0, |worst| worst);
             self.worst_residual = Some(worst.max(certificate.scaled_residual));
             if !holds {
-                self.trouble = Some(named(&certificate.verdict, problem));
+                self.trouble = Some(labelled(&certificate.verdict, problem));
             }
         } else if self.refuted_claims == 0 {
             self.trouble = Some(solution.status.to_string());

@@ -12,7 +12,8 @@ pub fn table(rows: &[Row]) -> Table {
             "*friction*: the model that x is solved and judged under. *outside*: the solver says \
                       the problem is not in its class. *claims* are its own, *proved* and \
                       *accepted* the judge's; *refuted* and *false* claims must be 0. *worst \
-                      residual*: of the answers that it claims; – where it claims none. *iterates*: a \
+                      residual*: of the answers that it claims; – where it claims none. \
+                      *multiplications*: by the method's formula; – where nobody knows. *iterates*: a \
                       fingerprint of their path; – where none were told. *fallback*: what else than \
                       the method itself had a part, and how often. *must fail*: a \
                       failure that mathematics explains, and that must stay one."
@@ -29,6 +30,7 @@ pub fn table(rows: &[Row]) -> Table {
             Column::numbers("refuted", ""),
             Column::numbers("false", ""),
             Column::numbers("iterations", "a problem"),
+            Column::numbers("multiplications", "a problem"),
             Column::numbers("worst residual", ""),
             Column::numbers("time", "ms"),
             Column::words("iterates"),
@@ -93,6 +95,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         Some(what) => format!("{what}, {} of {}", row.fallbacks, row.problems),
         None => "none".into(),
     };
+    let work = row.multiplications.map(|work| work / attempts.max(1) as f64);
     let has_iterates = row.fingerprint != format!("{NO_ITERATES:016x}");
     vec![
         Cell::text(&row.family),
@@ -106,6 +109,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         zero(row.refuted_claims),
         zero(row.false_claims),
         Cell::number(row.iterations as f64 / attempts.max(1) as f64, 3),
+        work.map_or(Cell::text("–"), |work| Cell::number(work, 3)),
         row.worst_residual.map_or(Cell::text("–"), |worst| Cell::number(worst, 2)),
         Cell::number(1e3 * row.seconds, 2),
         Cell::text(if has_iterates { &row.fingerprint[..8] } else { "–" }),

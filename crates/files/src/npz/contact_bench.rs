@@ -12,9 +12,8 @@ use std::collections::HashMap;
 
 use super::array::Array;
 use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Problem;
+use lcplab_problem::file::{Parts, Problem};
 use lcplab_problem::friction::Model;
-use lcplab_problem::{Coupling, Lcp};
 
 /// The names of the arrays.
 pub(super) const ARRAYS: [&str; 3] = ["G", "g", "mus"];
@@ -33,14 +32,12 @@ pub(super) fn problem(arrays: &HashMap<&str, Array>, name: String, input: &str) 
         let reason = format!("has {} contacts, g has {n} rows", mus.len());
         return Err(Error::invalid(input, "mus", reason));
     }
-    let matrix = matrix.square(n, input)?.matrix(n);
     let is_normal = |i: usize| i % 3 == 2;
-    let lo = (0..n).map(|i| if is_normal(i) { 0.0 } else { -f64::INFINITY }).collect();
     let index = (0..n).map(|i| (!is_normal(i)).then_some(i - i % 3 + 2)).collect();
     let mu = (0..n).map(|i| if is_normal(i) { 0.0 } else { mus[i / 3] }).collect();
-    let coupled = Lcp::new(matrix, b, lo, vec![f64::INFINITY; n])
-        .and_then(|lcp| lcp.with_coupling(Coupling::new(index, mu)?));
-    let lcp = coupled.map_err(|error| error.within(input))?;
+    let entries = matrix.square(n, input)?;
+    let parts = Parts { entries, b, lo: None, hi: None, index: Some(index), mu: Some(mu) };
+    let lcp = parts.into_lcp().map_err(|error| error.within(input))?;
     let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
     Ok(Problem { model, ..Problem::new(name, lcp) })
 }

@@ -234,12 +234,12 @@ impl Search {
         let (mut tried, mut failed, mut at) = (0, 0, 0);
         let mut simpler = smallest.simpler();
         while failed < simpler.len() && tried < self.evaluations && stop.reason().is_none() {
-            let candidate = &simpler[at % simpler.len()];
+            let candidate = simpler[at % simpler.len()].than(&smallest);
             let has_rows = rows.contains(&candidate.len());
             tried += 1;
-            match if has_rows { shows(candidate, &score) } else { None } {
+            match if has_rows { shows(&candidate, &score) } else { None } {
                 Some(new) => {
-                    (smallest, score, failed) = (candidate.clone(), new, 0);
+                    (smallest, score, failed) = (candidate, new, 0);
                     simpler = smallest.simpler();
                 }
                 None => (failed, at) = (failed + 1, at + 1),

@@ -16,15 +16,35 @@ fn parts(n: usize) -> impl Iterator<Item = Range<usize>> {
         .flat_map(move |size| (0..n.div_ceil(size)).map(move |k| k * size..((k + 1) * size).min(n)))
 }
 
-impl Numbers {
-    /// Simpler problems, the boldest simplification first.
-    pub fn simpler(&self) -> Vec<Numbers> {
-        let n = self.len();
-        let mut all: Vec<Numbers> = parts(n).map(|rows| self.without(rows)).collect();
-        if n > NUMBERED {
-            all.retain(|new| (1..n).contains(&new.len()));
-            return all;
+/// What makes a problem simpler.
+pub(super) enum Simpler {
+    /// To leave out these rows. The problem is made when it is tried, for one of a thousand rows takes 8 MB.
+    Without(Range<usize>),
+    /// To put this problem in its place.
+    Numbers(Numbers),
+}
+
+impl Simpler {
+    /// The simpler problem.
+    pub fn than(&self, numbers: &Numbers) -> Numbers {
+        match self {
+            Simpler::Without(rows) => numbers.without(rows.clone()),
+            Simpler::Numbers(simpler) => simpler.clone(),
         }
+    }
+}
+
+impl Numbers {
+    /// What would make this problem simpler, the boldest first.
+    pub fn simpler(&self) -> Vec<Simpler> {
+        let n = self.len();
+        let numbers = if n > NUMBERED { Vec::new() } else { self.plainer() };
+        parts(n).map(Simpler::Without).chain(numbers.into_iter().map(Simpler::Numbers)).collect()
+    }
+
+    /// The same rows with plainer numbers.
+    fn plainer(&self) -> Vec<Numbers> {
+        let (n, mut all) = (self.len(), Vec::new());
         if self.friction.is_some() {
             all.push(Numbers { friction: None, ..self.clone() }); // with rows that have no bounds
         }
@@ -52,7 +72,7 @@ impl Numbers {
                 }));
             }
         }
-        all.retain(|new| new.len() > 0 && new.effort() < self.effort());
+        all.retain(|new| new.effort() < self.effort());
         all
     }
 
