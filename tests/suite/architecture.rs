@@ -6,25 +6,24 @@ use std::path::{Path, PathBuf};
 
 /// The libraries, and those of ours that each may use. The judge must not see a solver, a page neither
 /// solvers nor scenes.
-const CRATES: [(&str, &[&str]); 8] = [
+const CRATES: [(&str, &[&str]); 9] = [
     ("problem", &[]),
     ("solver", &["problem"]),
     ("judge", &["problem"]),
     ("files", &["problem"]),
     ("plugin", &["problem", "solver"]),
     ("page", &["problem"]),
-    ("mechanics", &["problem", "solver", "judge"]),
+    ("bodies", &[]),
+    ("mechanics", &["bodies", "problem", "solver", "judge"]),
     ("study", &["problem", "solver", "judge", "mechanics", "page"]),
 ];
 
 /// The modules of the crates that have rows of them; `src` is the program's.
-const ROWS: [(&str, &[&[&str]]); 4] = [
+const ROWS: [(&str, &[&[&str]]); 5] = [
     ("src", &[&["storage", "film"], &["report", "problem_set"], &["chapter"], &["lesson"]]),
     ("crates/page/src", &[&["plot"], &["page"], &["text"], &["document"]]),
-    (
-        "crates/mechanics/src",
-        &[&["body"], &["constraint"], &["scene"], &["assembly"], &["formulation"], &["simulation"]],
-    ),
+    ("crates/mechanics/src", &[&["scene"], &["assembly"], &["formulation"], &["simulation"]]),
+    ("crates/bodies/src", &[&["body"], &["constraint"]]),
     (
         "crates/study/src",
         &[

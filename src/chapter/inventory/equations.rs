@@ -265,7 +265,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .lesson(&[2])
         .remark("Two points have six velocity components."),
     Entry::new("(41)", Right, "The unit vector between the points.")
-        .code(&["constraint::distance", "constraint::Degenerate", "test constraint::degenerate"])
+        .code(&["constraint::distance", "constraint::Degenerate", "test degenerate"])
         .lesson(&[2])
         .remark("Undefined where they coincide: an error that names the constraint, no NaN."),
     Entry::new("(42)", Right, "A contact: the gap along the normal is at least 0.")

@@ -111,8 +111,8 @@ const HOMES: [(&str, &str); 18] = [
     ("trace", "solver/src/trace"),
     ("certificate", "judge/src"),
     ("reference", "judge/src/reference"),
-    ("body", "mechanics/src/body"),
-    ("constraint", "mechanics/src/constraint"),
+    ("body", "bodies/src/body"),
+    ("constraint", "bodies/src/constraint"),
     ("scene", "mechanics/src/scene"),
     ("assembly", "mechanics/src/assembly"),
     ("formulation", "mechanics/src/formulation"),
@@ -142,7 +142,7 @@ fn home<'a>(root: &Path, path: &'a str) -> Option<(PathBuf, &'a str)> {
 
 /// Whether one of the suites has this test or module; that of a crate may be named before it.
 fn is_test(root: &Path, path: &str) -> bool {
-    let crates = ["problem", "solver", "judge", "files", "mechanics", "page", "study"];
+    let crates = ["problem", "solver", "judge", "files", "bodies", "mechanics", "page", "study"];
     let within = |name: &str| {
         let suite = root.join("crates").join(name).join("tests/suite");
         let known = if name == "problem" { "lcp" } else { name };

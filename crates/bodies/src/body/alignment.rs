@@ -19,7 +19,7 @@ const FLAT: f64 = 1e-9;
 /// in a line or are not as many.
 ///
 /// ```
-/// use lcplab_mechanics::body::alignment;
+/// use lcplab_bodies::body::alignment;
 /// use nalgebra::{UnitQuaternion, Vector3};
 ///
 /// let triangle = [Vector3::x(), Vector3::y(), Vector3::zeros()];

@@ -27,7 +27,7 @@ pub fn volume(shape: &Shape) -> Option<f64> {
 /// half space.
 ///
 /// ```
-/// use lcplab_mechanics::body::{Shape, inertia};
+/// use lcplab_bodies::body::{Shape, inertia};
 ///
 /// let moments = inertia::moments(&Shape::Sphere { radius: 0.5 }, 10.0).unwrap();
 /// assert_eq!(moments.x, 1.0);

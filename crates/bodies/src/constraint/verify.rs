@@ -85,15 +85,15 @@ impl fmt::Display for Quantity {
 /// The first [`Mistake`].
 ///
 /// ```
-/// use lcplab_mechanics::body::State;
-/// use lcplab_mechanics::constraint::{Distance, verify};
+/// use lcplab_bodies::body::State;
+/// use lcplab_bodies::constraint::{Distance, verify};
 /// use nalgebra::Vector3;
 ///
 /// let rod = Distance { bodies: [None, Some(0)], anchors: [Vector3::zeros(); 2], length: 1.0 };
 /// let mut bob = State::WORLD;
 /// (bob.pose.p.x, bob.v.y) = (2.0, 3.0);
 /// verify(&rod, [&State::WORLD, &bob])?;
-/// # Ok::<(), lcplab_mechanics::constraint::Mistake>(())
+/// # Ok::<(), lcplab_bodies::constraint::Mistake>(())
 /// ```
 pub fn verify(constraint: &dyn Verifiable, states: [&State; 2]) -> Result<(), Mistake> {
     let bodies = constraint.bodies();
@@ -128,8 +128,8 @@ pub fn verify(constraint: &dyn Verifiable, states: [&State; 2]) -> Result<(), Mi
 /// the world its state is [`State::WORLD`], whatever is given.
 ///
 /// ```
-/// use lcplab_mechanics::body::State;
-/// use lcplab_mechanics::constraint::{Distance, derivatives};
+/// use lcplab_bodies::body::State;
+/// use lcplab_bodies::constraint::{Distance, derivatives};
 /// use nalgebra::Vector3;
 ///
 /// let rod = Distance { bodies: [None, Some(0)], anchors: [Vector3::zeros(); 2], length: 2.0 };

@@ -1,6 +1,6 @@
 //! Bodies by themselves.
 
-use lcplab_mechanics::body::alignment;
+use lcplab_bodies::body::alignment;
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 

@@ -1,7 +1,7 @@
 //! States in which a constraint has no direction are named, not computed with.
 
-use lcplab_mechanics::body::State;
-use lcplab_mechanics::constraint::{Constraint, Contact, Distance, Normal};
+use lcplab_bodies::body::State;
+use lcplab_bodies::constraint::{Constraint, Contact, Distance, Normal};
 use nalgebra::Vector3;
 
 #[test]

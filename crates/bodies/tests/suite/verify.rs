@@ -1,7 +1,7 @@
 //! `constraint::verify` finds what is wrong, and where.
 
-use lcplab_mechanics::body::{Pose, State};
-use lcplab_mechanics::constraint::{
+use lcplab_bodies::body::{Pose, State};
+use lcplab_bodies::constraint::{
     Bodies, Coincidence, Constraint, Contact, Degenerate, Distance, Mistake, Normal, Position,
     Quantity, Row, verify,
 };
@@ -77,6 +77,6 @@ fn friction_in_a_pair_refers_to_its_own_normal() {
     let ball = Coincidence { bodies: [None, Some(0)], anchors: [Vector3::zeros(); 2] };
     let rows = (ball, contact).rows([&State::WORLD; 2]).unwrap();
     let normals: Vec<_> = rows.iter().map(|row| row.bounds).collect();
-    let friction = lcplab_mechanics::constraint::Bounds::Friction { normal: 3, mu: 0.5 };
+    let friction = lcplab_bodies::constraint::Bounds::Friction { normal: 3, mu: 0.5 };
     assert_eq!(normals[4..], [friction; 2]);
 }

@@ -1,7 +1,6 @@
 //! Bodies, constraints, scenes and motion, held against closed forms.
 
 mod assembly;
-mod body;
 mod constraint;
 mod formulation;
 mod piles;

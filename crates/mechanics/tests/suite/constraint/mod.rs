@@ -2,7 +2,6 @@
 //! closed form of the motion that it leaves. Every joint of the registry is in each of the first
 //! three: [`joints`] has the table.
 
-mod degenerate;
 mod dual;
 mod friction;
 mod gear;
@@ -12,7 +11,6 @@ mod motor;
 mod rank;
 mod rope;
 mod spring;
-mod verify;
 mod weight;
 
 use lcplab_mechanics::body::State;

@@ -1,0 +1,5 @@
+//! Bodies and constraints by themselves, held against closed forms and differences.
+
+mod body;
+mod degenerate;
+mod verify;
