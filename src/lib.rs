@@ -41,6 +41,7 @@ pub use lcplab_mechanics::{assembly, body, constraint, formulation, scene, simul
 pub use lcplab_page::{document, page, plot};
 pub use lcplab_plugin as plugin;
 pub use lcplab_problem::{error, json, memory};
+pub use lcplab_proof as proof;
 pub use lcplab_solver as solver;
 pub use lcplab_solver::{textbook, trace};
 pub use lcplab_study::{card, diagnosis, explain, hunt};

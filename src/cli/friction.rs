@@ -5,14 +5,14 @@ use lcplab::error::Result;
 use lcplab::lcp::file::number;
 use lcplab::report::answer::claim;
 use lcplab::report::friction::{Judged, Modelled};
-use lcplab::solver::{Method, Options, Status};
+use lcplab::solver::{Method, Options, Solution, Status};
 use serde_json::{Map, Value, json};
 
 use super::limits::Limits;
 use super::problem::outcome;
 use super::{Outcome, print};
 
-/// Solves a friction problem, has the answer judged and prints both.
+/// Solves a friction problem, has the answer judged and prints both; the solution too.
 pub fn solve(
     friction: &Modelled,
     title: &str,
@@ -21,7 +21,7 @@ pub fn solve(
     demand: &Demand,
     json: bool,
     limits: &Limits,
-) -> Result<Outcome> {
+) -> Result<(Outcome, Solution)> {
     let stop = limits.stop();
     let (solution, judged) = friction.solve(method, options, demand, &mut stop.watch(&mut ()));
     let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
@@ -41,7 +41,7 @@ pub fn solve(
         let status = format!("status     {status}, {} iterations\n", solution.iterations);
         print_text(friction, title, &(solver + &status), &judged)?;
     }
-    Ok(outcome(&judged.certificate.verdict, stopped))
+    Ok((outcome(&judged.certificate.verdict, stopped), solution))
 }
 
 /// Judges an answer and prints the verdict.

@@ -18,6 +18,7 @@ mod pdf;
 mod plugin;
 mod problem;
 mod profile;
+mod proof;
 mod report;
 mod scene;
 mod search;
@@ -71,6 +72,8 @@ enum Command {
     Grid(grid::Grid),
     Solve(problem::Solve),
     Judge(judge::Judge),
+    Prove(proof::Prove),
+    Check(proof::Check),
     Problems(library::Problems),
     Generate(library::Generate),
     Convert(convert::Convert),
@@ -99,6 +102,8 @@ const GROUPS: [(&str, &[&str]); 4] = [
         &[
             "solve",
             "judge",
+            "prove",
+            "check",
             "diagnose",
             "explain",
             "compare-solvers",
@@ -166,6 +171,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Grid(command) => command.run(&limits),
         Command::Solve(command) => command.run(&limits),
         Command::Judge(command) => command.run(),
+        Command::Prove(command) => command.run(),
+        Command::Check(command) => command.run(),
         Command::Problems(command) => command.run(),
         Command::Generate(command) => command.run(),
         Command::Convert(command) => command.run(),

@@ -18,6 +18,7 @@ use super::friction;
 use super::limits::Limits;
 use super::options::SolverArgs;
 use super::plugin::Plugins;
+use super::proof;
 use super::trace::Tracing;
 use super::{Outcome, print, read_problem};
 
@@ -53,6 +54,9 @@ pub struct Solve {
     /// Prove problems of up to 150 rows exactly, not only of up to 50
     #[arg(long)]
     exact: bool,
+    /// Write the strongest proof that there is, as prove does
+    #[arg(long, value_name = "FILE")]
+    proof: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -75,13 +79,15 @@ impl Solve {
         }
         if let Some(model) = model(self.model, solver, &problem) {
             self.tracing.check(false)?;
+            self.proof.as_ref().map_or(Ok(()), |_| proof::check_model(model))?;
             let method = methods::by_name(solver.unwrap_or(methods::default_for(model)), model)?;
             let options = self.settings.options(&[method])?;
             let modelled = Modelled::of(&problem, model, &self.problem.display().to_string())?;
             let title = title(&problem);
-            return friction::solve(
-                &modelled, &title, &method, &options, &demand, self.json, limits,
-            );
+            let (outcome, solution) =
+                friction::solve(&modelled, &title, &method, &options, &demand, self.json, limits)?;
+            self.prove(&problem, &solution.x)?;
+            return Ok(outcome);
         }
         let entry = methods::entry(solver.unwrap_or_else(|| default_for(&problem.lcp)))?;
         let options = self.settings.options(&[Method::Boxed(entry)])?;
@@ -93,6 +99,7 @@ impl Solve {
         let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
         limits.over();
         self.tracing.write(&problem.lcp, entry.name, &options, &solution, &trace.records)?;
+        self.prove(&problem, &solution.x)?;
         let answer = Answer::judged(&problem.lcp, entry.name, solution, &demand).stopped(stopped);
         if self.json {
             print(&format!("{}\n", answer.to_json()))?;
@@ -114,6 +121,13 @@ impl Solve {
             print(&text)?;
         }
         Ok(outcome(&answer.certificate.verdict, stopped))
+    }
+}
+
+impl Solve {
+    /// Writes the proof, if one is asked for.
+    fn prove(&self, problem: &Problem, x: &[f64]) -> Result<()> {
+        self.proof.as_ref().map_or(Ok(()), |path| proof::write(path, &problem.lcp, x))
     }
 }
 

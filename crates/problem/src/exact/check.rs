@@ -42,7 +42,7 @@ impl Exact {
     }
 
     /// The bounds of row i at a point, times its denominator; `None` for infinity.
-    fn scaled_bounds(&self, i: usize, x: &Point) -> (Option<Dyadic>, Option<Dyadic>) {
+    pub fn scaled_bounds(&self, i: usize, x: &Point) -> (Option<Dyadic>, Option<Dyadic>) {
         let scaled = |bound: &Option<Dyadic>| bound.as_ref().map(|b| b * x.denominator());
         match &self.bounds[i] {
             Bounds::Box(lo, hi) => (scaled(lo), scaled(hi)),

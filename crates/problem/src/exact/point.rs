@@ -16,6 +16,11 @@ pub struct Point {
 }
 
 impl Point {
+    /// The point with these numerators over a positive denominator.
+    pub fn new(numerators: Vec<Dyadic>, denominator: Dyadic) -> Self {
+        Point { numerators, denominator }
+    }
+
     /// The point where the unknowns have these numerators.
     pub(super) fn of(places: &[Place], numerators: Vec<IBig>, denominator: IBig) -> Self {
         let numerators: Vec<Dyadic> = numerators.into_iter().map(whole).collect();
@@ -25,6 +30,16 @@ impl Point {
             Place::Times(u, factor) => factor * &numerators[*u],
         };
         Point { numerators: places.iter().map(numerator).collect(), denominator }
+    }
+
+    /// The number of entries.
+    pub fn len(&self) -> usize {
+        self.numerators.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.numerators.is_empty()
     }
 
     /// Entry i times the denominator.

@@ -1,0 +1,125 @@
+//! Whether a proof proves its claim, by the definitions and in exact arithmetic.
+
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::dyadic::{Dyadic, dyadic, whole};
+use lcplab_problem::exact::{Exact, Point};
+
+use crate::claim::{Claim, Entry, Near, Proof, Reason, Vector};
+use crate::{cases, hash, minors, residual};
+
+/// With more rows not all principal minors are looked at.
+pub const MOST_ROWS_OF_P: usize = 12;
+
+/// Holds a proof against a problem.
+///
+/// # Errors
+/// Why it proves nothing of this problem.
+pub fn check(lcp: &Lcp, proof: &Proof) -> Result<(), String> {
+    if proof.problem != hash(lcp) {
+        return Err("the proof is about another problem".into());
+    }
+    match &proof.claim {
+        Claim::Solution { x, near } => {
+            let point = solution(lcp, x)?;
+            near.as_ref().map_or(Ok(()), |near| is_near(&point, near))
+        }
+        Claim::Unique { x, by } => {
+            solution(lcp, x)?;
+            is_unique(lcp, *by)
+        }
+        Claim::NotUnique { x, y } => {
+            let (x, y) = (solution(lcp, x)?, solution(lcp, y)?);
+            let is_same = |i| x.scaled(i) * y.denominator() == y.scaled(i) * x.denominator();
+            match (0..lcp.len()).all(is_same) {
+                true => Err("the two solutions are one".into()),
+                false => Ok(()),
+            }
+        }
+        Claim::NoSolution { tree } => cases::check(lcp, tree),
+        Claim::Within { answer, residual } => {
+            has_rows(lcp, answer.len())?;
+            match residual::scaled(lcp, answer) {
+                Some(own)
+                    if &own.numerator * &residual.denominator
+                        == &residual.numerator * &own.denominator =>
+                {
+                    Ok(())
+                }
+                Some(own) => Err(format!("the scaled residual is {:e}", own.rounded_up())),
+                None => Err("the scaled residual is not finite".into()),
+            }
+        }
+    }
+}
+
+fn has_rows(lcp: &Lcp, entries: usize) -> Result<(), String> {
+    match entries == lcp.len() {
+        true => Ok(()),
+        false => Err(format!("{entries} entries, the problem has {} rows", lcp.len())),
+    }
+}
+
+/// The point, if it is a solution.
+fn solution(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
+    let point = point(lcp, x)?;
+    match Exact::new(lcp).is_solved_by(&point) {
+        true => Ok(point),
+        false => Err("the point is no solution".into()),
+    }
+}
+
+/// A vector as a point: entries at bounds are worked out, those of coupled rows after the others.
+fn point(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
+    has_rows(lcp, x.entries.len())?;
+    let denominator = whole(x.denominator.clone());
+    let mut numerators = vec![Dyadic::ZERO; lcp.len()];
+    let coupled = |i: usize| lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i))));
+    let (bounded, others): (Vec<usize>, Vec<usize>) =
+        (0..lcp.len()).partition(|&i| coupled(i).is_some());
+    for i in others.into_iter().chain(bounded) {
+        let at = |is_hi: bool| match coupled(i) {
+            Some((k, mu)) => {
+                let reach = dyadic(mu) * numerators[k].clone().max(Dyadic::ZERO);
+                Ok(if is_hi { reach } else { -reach })
+            }
+            None => match if is_hi { lcp.hi()[i] } else { lcp.lo()[i] } {
+                bound if bound.is_finite() => Ok(dyadic(bound) * &denominator),
+                _ => Err(format!("row {i} has no such bound")),
+            },
+        };
+        numerators[i] = match &x.entries[i] {
+            Entry::Numerator(numerator) => whole(numerator.clone()),
+            Entry::Lo => at(false)?,
+            Entry::Hi => at(true)?,
+        };
+    }
+    Ok(Point::new(numerators, denominator))
+}
+
+fn is_near(point: &Point, near: &Near) -> Result<(), String> {
+    let most = dyadic(near.distance) * point.denominator();
+    let is_near = |(i, &answer): (usize, &f64)| {
+        let miss = dyadic(answer) * point.denominator() - point.scaled(i);
+        miss <= most && -miss <= most
+    };
+    match near.answer.len() {
+        n if n != point.len() => Err(format!("the answer has {n} entries")),
+        _ if near.answer.iter().enumerate().all(is_near) => Ok(()),
+        _ => Err("the answer is farther from the solution than the distance".into()),
+    }
+}
+
+fn is_unique(lcp: &Lcp, by: Reason) -> Result<(), String> {
+    if lcp.coupling().is_some_and(|coupling| !coupling.is_empty()) {
+        return Err("rows are coupled".into());
+    }
+    match by {
+        Reason::Definite if minors::is_definite(lcp) => Ok(()),
+        Reason::Definite => Err("A + Aᵀ is not positive definite".into()),
+        Reason::PMatrix if lcp.len() > MOST_ROWS_OF_P => {
+            Err(format!("more than {MOST_ROWS_OF_P} rows"))
+        }
+        Reason::PMatrix if minors::is_p(lcp) => Ok(()),
+        Reason::PMatrix => Err("a principal minor of A is not positive".into()),
+    }
+}

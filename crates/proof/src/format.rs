@@ -1,0 +1,253 @@
+//! Proofs as JSON, written and read as strictly as `docs/proofs.md` says.
+
+use dashu_int::IBig;
+use serde_json::{Map, Value, json};
+
+use lcplab_problem::error::{Error, Result};
+use lcplab_problem::json::parse;
+
+use crate::claim::{Claim, Entry, Fraction, Near, Proof, Reason, Tree, Vector};
+
+/// The key `format`.
+const FORMAT: &str = "lcplab-proof-1";
+/// A tree is no deeper than the rows of a problem that is split into cases.
+const DEPTH: usize = 100;
+
+impl Proof {
+    /// The proof as JSON.
+    pub fn to_json(&self) -> Value {
+        let mut object = Map::new();
+        object.insert("format".into(), json!(FORMAT));
+        object.insert("problem".into(), json!(self.problem));
+        object.insert("kind".into(), json!(self.claim.kind()));
+        let own = match &self.claim {
+            Claim::Solution { x, near: None } => vec![("x", point(x))],
+            Claim::Solution { x, near: Some(near) } => vec![
+                ("x", point(x)),
+                ("answer", json!(near.answer)),
+                ("distance", json!(near.distance)),
+            ],
+            Claim::Unique { x, by } => vec![("x", point(x)), ("by", json!(word(*by)))],
+            Claim::NotUnique { x, y } => vec![("x", point(x)), ("y", point(y))],
+            Claim::NoSolution { tree } => vec![("tree", branches(tree))],
+            Claim::Within { answer, residual } => vec![
+                ("answer", json!(answer)),
+                (
+                    "residual",
+                    json!({
+                        "numerator": hex(&residual.numerator),
+                        "denominator": hex(&residual.denominator),
+                    }),
+                ),
+            ],
+        };
+        object.extend(own.into_iter().map(|(key, value)| (key.to_string(), value)));
+        Value::Object(object)
+    }
+
+    /// Reads a proof from the text of a file called `input`.
+    ///
+    /// # Errors
+    /// If the text is not what the format asks for.
+    pub fn parse(text: &str, input: &str) -> Result<Proof> {
+        let wrong = |(key, reason): (String, String)| Error::invalid(input, key, reason);
+        let value = parse(text).map_err(|cause| wrong(("file".into(), cause.to_string())))?;
+        read(&value).map_err(wrong)
+    }
+}
+
+fn word(by: Reason) -> &'static str {
+    match by {
+        Reason::Definite => "definite",
+        Reason::PMatrix => "p-matrix",
+    }
+}
+
+fn hex(integer: &IBig) -> String {
+    integer.in_radix(16).to_string()
+}
+
+fn point(x: &Vector) -> Value {
+    let entry = |entry: &Entry| match entry {
+        Entry::Numerator(numerator) => hex(numerator),
+        Entry::Lo => "lo".into(),
+        Entry::Hi => "hi".into(),
+    };
+    let numerators: Vec<String> = x.entries.iter().map(entry).collect();
+    json!({ "denominator": hex(&x.denominator), "numerators": numerators })
+}
+
+fn branches(tree: &Tree) -> Value {
+    match tree {
+        Tree::Leaf(d) => {
+            let entries = d.iter().map(|(i, d)| (i.to_string(), json!(hex(d))));
+            json!({ "d": Map::from_iter(entries) })
+        }
+        Tree::Branch { row, lo, free, hi } => {
+            let mut object = Map::new();
+            object.insert("row".into(), json!(row));
+            let sides = [("lo", lo.as_ref()), ("free", Some(free)), ("hi", hi.as_ref())];
+            for (side, tree) in sides {
+                object.extend(tree.map(|tree| (side.to_string(), branches(tree))));
+            }
+            Value::Object(object)
+        }
+    }
+}
+
+/// What is read, or the key that is wrong and why.
+type Read<T> = std::result::Result<T, (String, String)>;
+
+fn wrong<T>(key: &str, reason: impl Into<String>) -> Read<T> {
+    Err((key.to_string(), reason.into()))
+}
+
+fn read(value: &Value) -> Read<Proof> {
+    let Value::Object(object) = value else { return wrong("file", "must be a JSON object") };
+    let text = |key: &str| match object.get(key) {
+        Some(Value::String(text)) => Ok(text.as_str()),
+        _ => wrong(key, "must be a string"),
+    };
+    if text("format")? != FORMAT {
+        return wrong("format", format!("must be {FORMAT:?}"));
+    }
+    let problem = text("problem")?;
+    if problem.len() != 64 || !problem.bytes().all(|b| b"0123456789abcdef".contains(&b)) {
+        return wrong("problem", "must be 64 hexadecimal digits");
+    }
+    let own =
+        |keys: &[&str]| only(object, &[&["format", "problem", "kind"], keys].concat(), "file");
+    let claim = match text("kind")? {
+        "solution" if object.contains_key("answer") || object.contains_key("distance") => {
+            own(&["x", "answer", "distance"])?;
+            let near =
+                Near { answer: numbers(object, "answer")?, distance: number(object, "distance")? };
+            Claim::Solution { x: read_point(object, "x")?, near: Some(near) }
+        }
+        "solution" => {
+            own(&["x"])?;
+            Claim::Solution { x: read_point(object, "x")?, near: None }
+        }
+        "unique" => {
+            own(&["x", "by"])?;
+            let by = match text("by")? {
+                "definite" => Reason::Definite,
+                "p-matrix" => Reason::PMatrix,
+                _ => return wrong("by", "must be \"definite\" or \"p-matrix\""),
+            };
+            Claim::Unique { x: read_point(object, "x")?, by }
+        }
+        "not-unique" => {
+            own(&["x", "y"])?;
+            Claim::NotUnique { x: read_point(object, "x")?, y: read_point(object, "y")? }
+        }
+        "no-solution" => {
+            own(&["tree"])?;
+            Claim::NoSolution { tree: read_tree(object.get("tree"), DEPTH)? }
+        }
+        "within" => {
+            own(&["answer", "residual"])?;
+            let residual = part(object, "residual")?;
+            only(residual, &["numerator", "denominator"], "residual")?;
+            let residual = Fraction {
+                numerator: integer(residual.get("numerator"), "residual")?,
+                denominator: positive(residual.get("denominator"), "residual")?,
+            };
+            Claim::Within { answer: numbers(object, "answer")?, residual }
+        }
+        kind => return wrong("kind", format!("is {kind:?}, which is unknown")),
+    };
+    Ok(Proof { problem: problem.to_string(), claim })
+}
+
+/// That an object has no other keys.
+fn only(object: &Map<String, Value>, keys: &[&str], name: &str) -> Read<()> {
+    match object.keys().find(|key| !keys.contains(&key.as_str())) {
+        Some(key) => wrong(name, format!("has the key {key:?}, which is unknown")),
+        None => Ok(()),
+    }
+}
+
+fn part<'a>(object: &'a Map<String, Value>, key: &str) -> Read<&'a Map<String, Value>> {
+    match object.get(key) {
+        Some(Value::Object(part)) => Ok(part),
+        _ => wrong(key, "must be an object"),
+    }
+}
+
+fn read_point(object: &Map<String, Value>, key: &str) -> Read<Vector> {
+    let point = part(object, key)?;
+    only(point, &["denominator", "numerators"], key)?;
+    let Some(Value::Array(entries)) = point.get("numerators") else {
+        return wrong(key, "must have a list of numerators");
+    };
+    let entry = |value: &Value| match value.as_str() {
+        Some("lo") => Ok(Entry::Lo),
+        Some("hi") => Ok(Entry::Hi),
+        _ => integer(Some(value), key).map(Entry::Numerator),
+    };
+    Ok(Vector {
+        denominator: positive(point.get("denominator"), key)?,
+        entries: entries.iter().map(entry).collect::<Read<_>>()?,
+    })
+}
+
+fn read_tree(value: Option<&Value>, depth: usize) -> Read<Tree> {
+    let Some(Value::Object(object)) = value else { return wrong("tree", "must be an object") };
+    if depth == 0 {
+        return wrong("tree", format!("has more than {DEPTH} branches on a way"));
+    }
+    if object.contains_key("d") {
+        only(object, &["d"], "tree")?;
+        let entry = |(row, d): (&String, &Value)| Ok((index(row)?, integer(Some(d), "tree")?));
+        return Ok(Tree::Leaf(part(object, "d")?.iter().map(entry).collect::<Read<_>>()?));
+    }
+    only(object, &["row", "lo", "free", "hi"], "tree")?;
+    let Some(row) = object.get("row").and_then(Value::as_u64) else {
+        return wrong("tree", "must have a row or a d");
+    };
+    let side = |key: &str| -> Read<Option<Box<Tree>>> {
+        let tree = object.get(key).map(|tree| read_tree(Some(tree), depth - 1));
+        Ok(tree.transpose()?.map(Box::new))
+    };
+    let free = Box::new(read_tree(object.get("free"), depth - 1)?);
+    Ok(Tree::Branch { row: row as usize, lo: side("lo")?, free, hi: side("hi")? })
+}
+
+/// A row as a key.
+fn index(text: &str) -> Read<usize> {
+    match text.parse::<usize>() {
+        Ok(row) if row.to_string() == text => Ok(row),
+        _ => wrong("tree", format!("has the row {text:?}")),
+    }
+}
+
+fn integer(value: Option<&Value>, key: &str) -> Read<IBig> {
+    let text = value.and_then(Value::as_str);
+    let parsed = text.and_then(|text| Some((text, IBig::from_str_radix(text, 16).ok()?)));
+    match parsed {
+        Some((text, integer)) if hex(&integer) == text => Ok(integer),
+        _ => wrong(key, "must be integers in lower-case hexadecimal digits"),
+    }
+}
+
+fn positive(value: Option<&Value>, key: &str) -> Read<IBig> {
+    match integer(value, key)? {
+        integer if integer > IBig::ZERO => Ok(integer),
+        _ => wrong(key, "must have a positive denominator"),
+    }
+}
+
+fn number(object: &Map<String, Value>, key: &str) -> Read<f64> {
+    match object.get(key).and_then(Value::as_f64) {
+        Some(number) if number.is_finite() => Ok(number),
+        _ => wrong(key, "must be a finite number"),
+    }
+}
+
+fn numbers(object: &Map<String, Value>, key: &str) -> Read<Vec<f64>> {
+    let Some(Value::Array(list)) = object.get(key) else { return wrong(key, "must be a list") };
+    let number = |value: &Value| value.as_f64().filter(|number| number.is_finite());
+    let numbers: Option<Vec<f64>> = list.iter().map(number).collect();
+    numbers.map_or_else(|| wrong(key, "must be finite numbers"), Ok)
+}

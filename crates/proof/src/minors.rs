@@ -1,0 +1,69 @@
+//! Signs of principal minors, by elimination over the integers.
+
+use dashu_int::IBig;
+
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::dyadic::{Dyadic, dyadic, integers};
+
+/// Whether A + Aᵀ is positive definite: all its leading principal minors are positive (Sylvester).
+pub fn is_definite(lcp: &Lcp) -> bool {
+    let n = lcp.len();
+    let a = |i, j| dyadic(lcp.matrix().entry(i, j));
+    let sums: Vec<Dyadic> = (0..n).flat_map(|i| (0..n).map(move |j| a(i, j) + a(j, i))).collect();
+    let sums = integers(&sums);
+    has_positive_leading_minors(sums.chunks(n.max(1)).map(<[IBig]>::to_vec).collect())
+}
+
+/// Whether all principal minors of A are positive.
+pub fn is_p(lcp: &Lcp) -> bool {
+    let n = lcp.len();
+    let a: Vec<Dyadic> =
+        (0..n).flat_map(|i| (0..n).map(move |j| dyadic(lcp.matrix().entry(i, j)))).collect();
+    let a = integers(&a);
+    // All sets of rows are sets with a last row; the leading minors of each chain end with it.
+    (1_usize..1 << n).all(|set| {
+        let rows: Vec<usize> = (0..n).filter(|i| set >> i & 1 == 1).collect();
+        let row = |&i: &usize| rows.iter().map(|&j| a[i * n + j].clone()).collect();
+        determinant_is_positive(rows.iter().map(row).collect())
+    })
+}
+
+/// Bareiss's elimination without exchanges: its pivots are the leading principal minors.
+fn has_positive_leading_minors(mut m: Vec<Vec<IBig>>) -> bool {
+    let mut last = IBig::ONE;
+    for c in 0..m.len() {
+        if m[c][c] <= IBig::ZERO {
+            return false;
+        }
+        eliminate(&mut m, c, &last);
+        last = m[c][c].clone();
+    }
+    true
+}
+
+/// The sign of a determinant, rows being exchanged where a pivot is 0.
+fn determinant_is_positive(mut m: Vec<Vec<IBig>>) -> bool {
+    let (mut last, mut is_positive) = (IBig::ONE, true);
+    for c in 0..m.len() {
+        let Some(row) = (c..m.len()).find(|&r| m[r][c] != IBig::ZERO) else { return false };
+        if row != c {
+            m.swap(row, c);
+            is_positive = !is_positive;
+        }
+        eliminate(&mut m, c, &last);
+        last = m[c][c].clone();
+    }
+    (last > IBig::ZERO) == is_positive
+}
+
+/// Column c below the pivot to 0; every division comes out even (Bareiss 1968).
+fn eliminate(m: &mut [Vec<IBig>], c: usize, last: &IBig) {
+    let (upper, lower) = m.split_at_mut(c + 1);
+    let own = &upper[c];
+    for row in lower {
+        let factor = std::mem::take(&mut row[c]);
+        for j in c + 1..own.len() {
+            row[j] = (&row[j] * &own[c] - &factor * &own[j]) / last;
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! Proofs, held against closed forms and against a second checker.

@@ -1,0 +1,148 @@
+//! `prove` and `check`: proof files.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::file;
+use lcplab::lcp::Lcp;
+use lcplab::lcp::file::read_answer;
+use lcplab::lcp::friction::Model;
+use lcplab::proof::{Found, Proof, check, prove};
+use lcplab::report::methods;
+use lcplab::solver::{Options, Settings, Start, Status, default_for};
+use serde_json::json;
+
+use super::limits::MemoryLimit;
+use super::{Outcome, print, read_problem, say};
+
+/// Prove what can be proved about a problem, in exact arithmetic, as a file that others can check
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab export incline --out incline.json
+  lcplab prove incline.json --out proof.json
+  lcplab check incline.json proof.json
+  python3 proofs/lcpcheck.py incline.json proof.json     # by a program that shares nothing with lcplab
+
+The strongest kind that holds is written: no-solution, unique, not-unique, solution, within; which stronger
+ones do not hold, and why, is printed. docs/proofs.md says what each proves, and of what. Exit code 1 if not
+even the residual of the answer is finite.")]
+pub struct Prove {
+    /// A problem file, or - for standard input
+    problem: PathBuf,
+    /// An answer to begin with, a JSON object with x; without it the problem is solved first
+    answer: Option<PathBuf>,
+    /// The file to write; standard output without it
+    #[arg(long)]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    memory: MemoryLimit,
+}
+
+/// Check a proof file against its problem
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab check problem.json proof.json
+
+Exit code 1 if the proof proves nothing of this problem.")]
+pub struct Check {
+    /// A problem file
+    problem: PathBuf,
+    /// A proof file, as prove writes it
+    proof: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    memory: MemoryLimit,
+}
+
+impl Prove {
+    pub fn run(&self) -> Result<Outcome> {
+        let memory = self.memory.max_memory;
+        let problem = read_problem(&self.problem, memory)?;
+        let answer = match &self.answer {
+            Some(path) => read_answer(path, problem.lcp.len(), memory)?,
+            None => solved(&problem.lcp)?,
+        };
+        let Found { proof, missing } = prove(&problem.lcp, &answer);
+        for (kind, reason) in &missing {
+            say(&format!("not {kind}: {reason}"));
+        }
+        let Some(proof) = proof else { return Ok(Outcome::Refuted) };
+        let text = format!("{}\n", proof.to_json());
+        match &self.out {
+            Some(path) => {
+                file::write(path, text)?;
+                print(&format!("{}: {}\n", proof.claim.kind(), proof.claim.sentence()))?;
+            }
+            None => print(&text)?,
+        }
+        Ok(Outcome::Good)
+    }
+}
+
+/// The answer of the first solver that solves it, else of the last.
+fn solved(lcp: &Lcp) -> Result<Vec<f64>> {
+    let mut x = vec![0.0; lcp.len()];
+    for name in [default_for(lcp), "block-pivoting", "lemke", "newton"] {
+        let solver = (methods::entry(name)?.build)(&Options {
+            settings: Settings::default(),
+            ..Options::default()
+        });
+        let solution = solver.solve(lcp, &Start::default(), &mut ());
+        x = solution.x;
+        if solution.status == Status::Solved {
+            break;
+        }
+    }
+    Ok(x)
+}
+
+impl Check {
+    pub fn run(&self) -> Result<Outcome> {
+        let memory = self.memory.max_memory;
+        let problem = read_problem(&self.problem, memory)?;
+        let input = self.proof.display().to_string();
+        let bytes = lcplab::lcp::disk::read(&self.proof, memory)?;
+        let proof = Proof::parse(&bytes, &input)?;
+        let verdict = check(&problem.lcp, &proof);
+        let (kind, claim) = (proof.claim.kind(), proof.claim.sentence());
+        if self.json {
+            let holds = verdict.is_ok();
+            let reason = verdict.as_ref().err();
+            let object = json!({ "kind": kind, "claim": claim, "holds": holds, "reason": reason });
+            print(&format!("{object}\n"))?;
+        } else {
+            print(&match &verdict {
+                Ok(()) => format!("proved: {claim}\n"),
+                Err(reason) => format!("refused: {reason}\n"),
+            })?;
+        }
+        Ok(if verdict.is_ok() { Outcome::Good } else { Outcome::Refuted })
+    }
+}
+
+/// What `solve --proof` asks of the model of friction: that its problem is the file's own.
+pub fn check_model(model: Model) -> Result<()> {
+    match model {
+        Model::CoupledBox => Ok(()),
+        model => {
+            let reason = format!("proofs are about coupled boxes, not about {model}");
+            Err(Error::invalid("options", "--proof", reason))
+        }
+    }
+}
+
+/// Writes the strongest proof that begins with this answer.
+pub fn write(path: &Path, lcp: &Lcp, answer: &[f64]) -> Result<()> {
+    match prove(lcp, answer).proof {
+        Some(proof) => file::write(path, format!("{}\n", proof.to_json())),
+        None => {
+            say("warning: no proof is written, for the residual of the answer is not finite");
+            Ok(())
+        }
+    }
+}
