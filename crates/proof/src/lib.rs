@@ -27,6 +27,7 @@ mod claim;
 mod format;
 mod hash;
 mod minors;
+mod pivot;
 mod program;
 mod prove;
 mod residual;

@@ -12,7 +12,7 @@ use lcplab_problem::exact::{Exact, Point, all_solutions};
 use crate::cases::{self, Search};
 use crate::check::{MOST_ROWS_OF_P, check};
 use crate::claim::{Claim, Entry, Near, Proof, Reason, Tree, Vector};
-use crate::{hash, minors, residual};
+use crate::{hash, minors, pivot, residual};
 
 /// With more rows it is not decided whether A + Aᵀ is definite: elimination takes too long.
 const MOST_ROWS_OF_DEFINITE: usize = 150;
@@ -77,6 +77,13 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
         let w = lcp.w(answer);
         if let Some(exact::Proof { x, null_direction, .. }) = exact::prove(lcp, answer, &w) {
             return Ok(Solvable::Yes(Solution { x, direction: null_direction }));
+        }
+    }
+    if let Some(sides) = pivot::sides(lcp) {
+        let exact = Exact::new(lcp);
+        let point = exact.point(&sides, &vec![0.0; lcp.len()]).map(|(point, _)| point);
+        if let Some(point) = point.filter(|point| exact.is_solved_by(point)) {
+            return Ok(Solvable::Yes(Solution { x: point.entries(), direction: None }));
         }
     }
     match cases::search(lcp) {
