@@ -9,8 +9,7 @@ use lcplab::lcp::Lcp;
 use lcplab::lcp::file::read_answer;
 use lcplab::lcp::friction::Model;
 use lcplab::proof::{Found, Proof, check, prove};
-use lcplab::report::methods;
-use lcplab::solver::{Options, Settings, Start, Status, default_for};
+use lcplab::report::answer::found;
 use serde_json::json;
 
 use super::limits::MemoryLimit;
@@ -65,7 +64,7 @@ impl Prove {
         let problem = read_problem(&self.problem, memory)?;
         let answer = match &self.answer {
             Some(path) => read_answer(path, problem.lcp.len(), memory)?,
-            None => solved(&problem.lcp)?,
+            None => found(&problem.lcp),
         };
         let Found { proof, missing } = prove(&problem.lcp, &answer);
         for (kind, reason) in &missing {
@@ -82,23 +81,6 @@ impl Prove {
         }
         Ok(Outcome::Good)
     }
-}
-
-/// The answer of the first solver that solves it, else of the last.
-fn solved(lcp: &Lcp) -> Result<Vec<f64>> {
-    let mut x = vec![0.0; lcp.len()];
-    for name in [default_for(lcp), "block-pivoting", "lemke", "newton"] {
-        let solver = (methods::entry(name)?.build)(&Options {
-            settings: Settings::default(),
-            ..Options::default()
-        });
-        let solution = solver.solve(lcp, &Start::default(), &mut ());
-        x = solution.x;
-        if solution.status == Status::Solved {
-            break;
-        }
-    }
-    Ok(x)
 }
 
 impl Check {

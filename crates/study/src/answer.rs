@@ -9,7 +9,7 @@ use lcplab_judge::{
 };
 use lcplab_problem::Lcp;
 use lcplab_problem::file::{Problem, number};
-use lcplab_solver::{Reason, Solution, Status};
+use lcplab_solver::{Options, Reason, Solution, Start, Status, by_name, default_for};
 
 /// Entries of an exact vector that are printed at most.
 const SHOWN: usize = 12;
@@ -76,6 +76,20 @@ impl Answer {
         }
         Value::Object(fields)
     }
+}
+
+/// The x of the first of a few solvers that claims one, else of the last.
+pub fn found(lcp: &Lcp) -> Vec<f64> {
+    let mut x = vec![0.0; lcp.len()];
+    for name in [default_for(lcp), "block-pivoting", "lemke", "newton"] {
+        let Ok(solver) = by_name(name, &Options::default()) else { continue };
+        let solution = solver.solve(lcp, &Start::default(), &mut ());
+        x = solution.x;
+        if solution.status == Status::Solved {
+            break;
+        }
+    }
+    x
 }
 
 /// A verdict with what its row is, if the problem says so.

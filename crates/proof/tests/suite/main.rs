@@ -1,1 +1,58 @@
-//! Proofs, held against closed forms and against a second checker.
+//! Proofs, held against closed forms, against all pieces of small problems, and against a checker that shares
+//! nothing with them.
+
+mod claims;
+mod forged;
+mod mutants;
+
+use lcplab_problem::{Coupling, Lcp, Matrix};
+use oorandom::Rand64;
+
+const INF: f64 = f64::INFINITY;
+
+/// A problem with a dense A and the bounds of contacts.
+fn contacts(a: &[f64], b: &[f64]) -> Lcp {
+    let n = b.len();
+    Lcp::new(Matrix::dense(n, a), b.to_vec(), vec![0.0; n], vec![INF; n]).unwrap()
+}
+
+/// Painlevé's trouble in two rows: w_n = x_n − x_t − 1, w_t = x_t − x_n − ½, |x_t| ≤ x_n.
+fn painleve() -> Lcp {
+    let a = Matrix::dense(2, &[1.0, -1.0, -1.0, 1.0]);
+    let lcp = Lcp::new(a, vec![-1.0, -0.5], vec![0.0, -INF], vec![INF; 2]).unwrap();
+    lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0]).unwrap()).unwrap()
+}
+
+/// Small whole numbers: contacts, boxes, equations, or friction in every other problem.
+fn whole(random: &mut Rand64, n: usize) -> Lcp {
+    let mut number = |most: i64| (random.rand_range(0..(2 * most + 1) as u64) as i64 - most) as f64;
+    let is_symmetric = number(1) >= 0.0;
+    let mut a = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..n {
+            a[i * n + j] = if is_symmetric && j < i { a[j * n + i] } else { number(2) };
+        }
+    }
+    let b: Vec<f64> = (0..n).map(|_| number(3)).collect();
+    let bounds: Vec<(f64, f64)> = (0..n)
+        .map(|_| match number(2) {
+            1.0 => (-1.0, 1.5),
+            2.0 => (-INF, INF),
+            -2.0 => (-INF, 0.5),
+            _ => (0.0, INF),
+        })
+        .collect();
+    let (mut lo, mut hi): (Vec<f64>, Vec<f64>) = bounds.into_iter().unzip();
+    let is_rough = n > 1 && number(1) >= 0.0;
+    let mut index = vec![None; n];
+    if is_rough {
+        (lo[0], hi[0]) = (0.0, INF);
+        (lo[n - 1], hi[n - 1]) = (-INF, INF);
+        index[n - 1] = Some(0);
+    }
+    let lcp = Lcp::new(Matrix::dense(n, &a), b, lo, hi).unwrap();
+    match is_rough {
+        true => lcp.with_coupling(Coupling::new(index, vec![0.75; n]).unwrap()).unwrap(),
+        false => lcp,
+    }
+}

@@ -1,0 +1,127 @@
+//! What is claimed is so.
+
+use lcplab_problem::exact::all_solutions;
+use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_proof::{Claim, Proof, canonical_bytes, check, hash, prove};
+use oorandom::Rand64;
+
+use super::{INF, contacts, painleve, whole};
+
+fn kind(lcp: &Lcp, answer: &[f64]) -> (&'static str, Proof) {
+    let proof = prove(lcp, answer).proof.expect("a proof");
+    let text = proof.to_json().to_string();
+    let read = Proof::parse(&text, "proof.json").unwrap();
+    assert_eq!(read, proof, "{text}");
+    assert_eq!(check(lcp, &read), Ok(()), "{text}");
+    (proof.claim.kind(), proof)
+}
+
+#[test]
+fn closed_forms_have_the_strongest_claim_that_is_true_of_them() {
+    let definite = contacts(&[2.0, -1.0, -1.0, 2.0], &[-1.0, 2.0]);
+    assert_eq!(kind(&definite, &[0.5, 0.0]).0, "unique");
+    // A P-matrix that is not definite: x = (1, 0).
+    let p = contacts(&[1.0, -3.0, 0.0, 1.0], &[-1.0, 1.0]);
+    assert_eq!(kind(&p, &[1.0, 0.0]).0, "unique");
+    // All of the segment x_0 + x_1 = 1.
+    let segment = contacts(&[1.0; 4], &[-1.0; 2]);
+    assert_eq!(kind(&segment, &[0.25, 0.75]).0, "not-unique");
+    assert_eq!(kind(&contacts(&[1.0, -1.0, -1.0, 1.0], &[-1.0; 2]), &[0.0; 2]).0, "no-solution");
+    assert_eq!(kind(&painleve(), &[1.0, 0.0]).0, "no-solution");
+    // Pressed with 2, pushed with 3, μ = ½: friction is 1; nothing says that there is no other.
+    let a = Matrix::dense(2, &[1.0, 0.0, 0.0, 1.0]);
+    let rough = Lcp::new(a, vec![-2.0, -3.0], vec![0.0, -INF], vec![INF; 2]).unwrap();
+    let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
+    assert_eq!(kind(&rough.with_coupling(coupling).unwrap(), &[2.0, 1.0]).0, "solution");
+}
+
+#[test]
+fn a_solution_is_claimed_exactly_where_some_piece_has_one() {
+    let mut random = Rand64::new(22);
+    let mut seen = [0; 4];
+    for round in 0..600 {
+        let lcp = whole(&mut random, 1 + round % 4);
+        let all = all_solutions(&lcp).unwrap();
+        let (kind, _) = kind(&lcp, &vec![0.0; lcp.len()]);
+        match kind {
+            "no-solution" => assert!(all.is_empty(), "{lcp:?}"),
+            "unique" => assert_eq!(all.len(), 1, "{lcp:?}"),
+            "not-unique" => assert!(all.len() > 1 || kind == "not-unique" && !all.is_empty()),
+            "solution" => assert!(!all.is_empty(), "{lcp:?}"),
+            other => panic!("{other}: {lcp:?}"),
+        }
+        let place = ["no-solution", "unique", "not-unique", "solution"];
+        seen[place.iter().position(|own| *own == kind).unwrap()] += 1;
+    }
+    assert!(seen.iter().all(|&count| count > 20), "{seen:?}");
+}
+
+#[test]
+fn redundant_contacts_that_rounding_makes_regular_have_an_exact_solution() {
+    // Four legs of a table under friction, with entries that are no short binary fractions: of rank 6 but for
+    // rounding.
+    let legs = [[0.3, 0.7], [-0.3, 0.7], [0.3, -0.7], [-0.3, -0.7]];
+    let rows: Vec<[f64; 6]> = legs
+        .iter()
+        .flat_map(|[x, y]| {
+            let h = -0.35;
+            [
+                [0.0, 0.0, 1.0, *y, -x, 0.0],
+                [1.0, 0.0, 0.0, 0.0, h, -y],
+                [0.0, 1.0, 0.0, -h, 0.0, *x],
+            ]
+        })
+        .collect();
+    let inverse = [0.1, 0.1, 0.1, 1.3, 1.7, 0.9];
+    let entry = |p: &[f64; 6], q: &[f64; 6]| (0..6).map(|k| p[k] * inverse[k] * q[k]).sum::<f64>();
+    let a: Vec<f64> = rows.iter().flat_map(|p| rows.iter().map(move |q| entry(p, q))).collect();
+    let b: Vec<f64> = rows.iter().map(|row| -0.0981 * row[2] + 0.02 * row[0]).collect();
+    let is_normal = |i: usize| i % 3 == 0;
+    let lo = (0..12).map(|i| if is_normal(i) { 0.0 } else { -INF }).collect();
+    let index = (0..12).map(|i| (!is_normal(i)).then_some(i - i % 3)).collect();
+    let lcp = Lcp::new(Matrix::dense(12, &a), b, lo, vec![INF; 12]).unwrap();
+    let lcp = lcp.with_coupling(Coupling::new(index, vec![0.5; 12]).unwrap()).unwrap();
+    let (kind, proof) = kind(&lcp, &vec![0.0; 12]);
+    assert!(["solution", "not-unique"].contains(&kind), "{proof:?}");
+}
+
+#[test]
+fn the_residual_is_that_of_the_definition() {
+    // w = 2 x − 1 at x = ¼: T = 1.5, s = 2, e = ¾; x − e w/T = ½, so r = ¼ / ¾.
+    let lcp = contacts(&[2.0], &[-1.0]);
+    let Claim::Within { residual, .. } = within(&lcp, &[0.25]) else { panic!() };
+    assert_eq!(residual.numerator, 1.into());
+    assert_eq!(residual.denominator, 3.into());
+}
+
+/// The claim about an answer's residual, by a proof that says nothing else.
+fn within(lcp: &Lcp, answer: &[f64]) -> Claim {
+    let text = |numerator: u32, denominator: u32| {
+        format!(
+            r#"{{"format": "lcplab-proof-1", "problem": "{}", "kind": "within", "answer": {answer:?},
+                "residual": {{"numerator": "{numerator:x}", "denominator": "{denominator:x}"}}}}"#,
+            hash(lcp)
+        )
+    };
+    let proof = Proof::parse(&text(1, 3), "proof.json").unwrap();
+    assert_eq!(check(lcp, &proof), Ok(()));
+    let wrong = Proof::parse(&text(1, 4), "proof.json").unwrap();
+    assert!(check(lcp, &wrong).is_err());
+    proof.claim
+}
+
+#[test]
+fn the_canonical_bytes_are_those_of_the_specification() {
+    let bytes = canonical_bytes(&contacts(&[2.0, 0.0, 0.0, -0.0], &[-0.0, 1.0]));
+    let one = [0x3f, 0xf0, 0, 0, 0, 0, 0, 0];
+    let inf = [0x7f, 0xf0, 0, 0, 0, 0, 0, 0];
+    let zero = [0; 8];
+    let mut expected = b"lcplab problem 1\n".to_vec();
+    expected.extend([0, 0, 0, 2]);
+    expected.extend(zero); // scale
+    expected.extend([0, 0, 0, 1, 0, 0, 0, 0, 0x40, 0, 0, 0, 0, 0, 0, 0]); // 2 at (0, 0)
+    expected.extend([0, 0, 0, 0]); // nothing in row 1
+    expected.extend([zero, one, zero, zero, inf, inf].concat());
+    expected.extend([0; 2 * 12 + 4]); // no friction, no motion
+    assert_eq!(bytes, expected);
+}

@@ -1,0 +1,86 @@
+//! A proof that was tampered with is refused, or says something that is true all the same: then the checker that
+//! shares nothing with this crate accepts it too.
+
+use std::path::Path;
+use std::process::Command;
+
+use lcplab_problem::Lcp;
+use lcplab_problem::file::Problem;
+use lcplab_proof::{Proof, check, hash, prove};
+use oorandom::Rand64;
+
+use super::whole;
+
+/// So many by `cargo test`; the variable LCPLAB_MUTANTS asks for another number.
+const MUTANTS: usize = 500;
+
+/// Something else in the text of a proof: a digit, a sign, a letter, a swapped word, an end that is missing.
+fn mutated(text: &str, random: &mut Rand64) -> String {
+    let mut bytes = text.as_bytes().to_vec();
+    let mut below = |n: usize| random.rand_range(0..n as u64) as usize;
+    let begin = text.find("\"kind\"").unwrap_or(0);
+    let at = begin + below(bytes.len() - begin);
+    match below(8) {
+        0 => bytes.truncate(at),
+        1 => bytes[at] = b"0123456789abcdef-\"{}[],:"[below(24)],
+        2 => drop(bytes.remove(at)),
+        3 => bytes.insert(at, b"0123456789abcdef-"[below(17)]),
+        4 => return text.replacen("lo", "hi", 1),
+        5 => return text.replacen("\"free\"", "\"lo\"", 1),
+        _ => {
+            let digits: Vec<usize> =
+                (begin..bytes.len()).filter(|&k| bytes[k].is_ascii_digit()).collect();
+            bytes[digits[below(digits.len())]] = b"0123456789abcdef"[below(16)];
+        }
+    }
+    String::from_utf8(bytes).unwrap()
+}
+
+#[test]
+fn both_checkers_say_the_same_of_every_mutant() {
+    let mut random = Rand64::new(2022);
+    let folder = tempfile::tempdir().unwrap();
+    let count =
+        std::env::var("LCPLAB_MUTANTS").ok().and_then(|n| n.parse().ok()).unwrap_or(MUTANTS);
+    let mut expected = Vec::new();
+    for k in 0..count {
+        let lcp = whole(&mut random, 1 + k % 4);
+        let proof = prove(&lcp, &vec![0.0; lcp.len()]).proof.unwrap();
+        let text = proof.to_json().to_string();
+        let text = match k % 10 {
+            0 => text, // as it is
+            // about another problem of this size, with its hash
+            1 => {
+                let other = whole(&mut random, lcp.len());
+                let text = text.replace(&hash(&lcp), &hash(&other));
+                expected.push((k, holds(&other, &text)));
+                write(folder.path(), k, &other, &text);
+                continue;
+            }
+            _ => mutated(&text, &mut random),
+        };
+        expected.push((k, holds(&lcp, &text)));
+        write(folder.path(), k, &lcp, &text);
+    }
+    let checker = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../proofs/lcpcheck.py");
+    let output = Command::new("python3").arg(checker).arg(folder.path()).output().unwrap();
+    let printed = String::from_utf8(output.stdout).unwrap();
+    let accepted = expected.iter().filter(|(_, holds)| *holds).count();
+    assert!(accepted >= count / 10 && accepted < count / 2, "{accepted} of {count}");
+    for (k, holds) in expected {
+        let name = format!("{k:06}.proof.json: ");
+        let line = printed.lines().find(|line| line.contains(&name));
+        let line = line.unwrap_or_else(|| panic!("{name}{printed}"));
+        assert_eq!(line.contains(": proved: "), holds, "{line}");
+    }
+}
+
+fn holds(lcp: &Lcp, text: &str) -> bool {
+    Proof::parse(text, "proof.json").is_ok_and(|proof| check(lcp, &proof).is_ok())
+}
+
+fn write(folder: &Path, k: usize, lcp: &Lcp, text: &str) {
+    let problem = Problem::new("mutant", lcp.clone()).to_json().to_string();
+    std::fs::write(folder.join(format!("{k:06}.json")), problem).unwrap();
+    std::fs::write(folder.join(format!("{k:06}.proof.json")), text).unwrap();
+}
