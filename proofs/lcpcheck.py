@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Checks proofs about linear complementarity problems: written from docs/proofs.md alone, integers only.
+"""Checks proofs about linear complementarity problems. Written from docs/proofs.md alone; calculates with integers.
 
-    lcpcheck.py PROBLEM PROOF      one proof; prints what it proves, or why it is refused
-    lcpcheck.py FOLDER             every NAME.proof.json in a folder, about NAME.json beside it
+    lcpcheck.py PROBLEM PROOF      one proof: prints what it proves, or why it is refused
+    lcpcheck.py FOLDER             every NAME.proof.json of a folder, about NAME.json beside it
 
 Exit code: 0 if every proof proves its claim, 1 if one is refused, 2 if a problem cannot be read.
 """
 import hashlib, json, re, struct, sys
-from itertools import combinations
 from fractions import Fraction as Q
+from itertools import combinations
 from pathlib import Path
 
 INF, INTEGER = float("inf"), re.compile(r"0|-?[1-9a-f][0-9a-f]*")
@@ -25,141 +25,121 @@ def need(holds, reason):
         raise Refused(reason)
 
 
-def exact(v, shift):
-    """The float v times 2^shift, which must be an integer."""
-    p, q = v.as_integer_ratio()
-    return (p << shift) // q
-
-
-def shift_of(values):
-    """The least s for which all of these floats times 2^s are integers."""
-    return max((v.as_integer_ratio()[1].bit_length() - 1 for v in values), default=0)
-
-
 def number(v):
-    need(type(v) in (int, float) and abs(v) < INF, "a number that is none")
+    need(type(v) in (int, float) and abs(v) < INF, "a number")
     return float(v) + 0.0
 
 
 def integer(v):
-    need(type(v) is str and INTEGER.fullmatch(v) is not None, "an integer that is none")
+    need(type(v) is str and INTEGER.fullmatch(v) is not None, "an integer")
     return int(v, 16)
+
+
+def entries(v, n):
+    need(type(v) is list and len(v) == n, "a list of another length")
+    return v
+
+
+def whole(values):
+    """Integers and s: the floats times 2^s."""
+    ratios = [v.as_integer_ratio() for v in values]
+    s = max((q.bit_length() for _, q in ratios), default=1)
+    return [p << s - q.bit_length() for p, q in ratios], s - 1
+
+
+def only_once(pairs):
+    need(len(dict(pairs)) == len(pairs), "a key twice")
+    return dict(pairs)
+
+
+def read(path):
+    return json.loads(path.read_text(encoding="utf-8"), object_pairs_hook=only_once)
 
 
 class Problem:
     def __init__(self, data):
-        self.b = [number(v) for v in data["b"]]
-        n = self.n = len(self.b)
-        a = data["A"]
+        b, a = [number(v) for v in data["b"]], data["A"]
+        n = self.n = len(b)
         if "dense" in a:
-            need(len(a["dense"]) == n and all(len(row) == n for row in a["dense"]), "A has another size")
-            self.rows = [[(j, number(v)) for j, v in enumerate(row) if v] for row in a["dense"]]
+            placed = [(i, j, number(v)) for i, row in enumerate(entries(a["dense"], n)) for j, v in enumerate(entries(row, n)) if v]
         else:
             need(a["rows"] == a["cols"] == n, "A has another size")
-            entries = {}
-            for i, j, v in a["triplets"]:
-                need(type(i) is type(j) is int and 0 <= i < n and 0 <= j < n and (i, j) not in entries, "a triplet")
-                entries[i, j] = number(v)
-            self.rows = [[] for _ in range(n)]
-            for (i, j), v in sorted(entries.items()):
-                if v:
-                    self.rows[i].append((j, v))
-        index = data.get("friction_index") or [-1] * n
-        mu = data.get("mu") or [0.0] * n
-        ends = {"inf": INF, "-inf": -INF}
-        bound = lambda v: ends[v] if type(v) is str else number(v)
-        lo = data.get("lo") or [0.0 if k < 0 else -INF for k in index]
-        hi = data.get("hi") or [INF] * n
-        need(n == len(index) == len(mu) == len(lo) == len(hi), "sizes differ")
-        self.lo, self.hi, self.scale = [bound(v) for v in lo], [bound(v) for v in hi], number(data.get("scale") or 0)
-        self.owner = [(k, number(m)) if k >= 0 else None for k, m in zip(index, mu)]
-        for i, owner in enumerate(self.owner):
-            need(self.lo[i] <= self.hi[i] and self.lo[i] < INF and self.hi[i] > -INF, f"bounds of row {i}")
-            if owner:
-                k, m = owner
-                need(k != i and k < n and not self.owner[k] and self.lo[k] >= 0 and m >= 0, f"friction of row {i}")
-                need((self.lo[i], self.hi[i]) == (-INF, INF), f"bounds of row {i}")
-        self.sa = shift_of([v for row in self.rows for _, v in row])        # A times 2^sa, b times 2^sb, bounds 2^sl,
-        self.sb, self.sm = shift_of(self.b), shift_of([o[1] for o in self.owner if o])             # mu times 2^sm
-        self.sl = shift_of([v for v in self.lo + self.hi if abs(v) < INF])
-        self.A = [[(j, exact(v, self.sa)) for j, v in row] for row in self.rows]
-        self.B = [exact(v, self.sb) for v in self.b]
-
-    def hash(self):
-        h = hashlib.sha256(b"lcplab problem 1\n" + struct.pack(">Id", self.n, self.scale))
-        for row in self.rows:
-            h.update(struct.pack(">I", len(row)) + b"".join(struct.pack(">Id", j, v) for j, v in row))
-        for vector in self.b, self.lo, self.hi:
-            h.update(struct.pack(f">{self.n}d", *(v + 0.0 for v in vector)))
-        h.update(b"".join(struct.pack(">Id", *((o[0] + 1, o[1]) if o else (0, 0.0))) for o in self.owner))
-        h.update(struct.pack(">I", 0))      # no motion
-        return h.hexdigest()
+            placed = sorted((i, j, number(v)) for i, j, v in a["triplets"])
+            need(all(type(i) is type(j) is int and 0 <= i < n and 0 <= j < n for i, j, _ in placed), "a triplet")
+            need(len({(i, j) for i, j, _ in placed}) == len(placed), "two triplets at one place")
+            placed = [entry for entry in placed if entry[2]]
+        index, mu = entries(data.get("friction_index", [-1] * n), n), entries(data.get("mu", [0] * n), n)
+        self.owner = [k if k >= 0 else None for k in index]
+        bound = lambda v: {"inf": INF, "-inf": -INF}[v] if type(v) is str else number(v)
+        self.lo = [bound(v) for v in entries(data.get("lo", [0 if k is None else "-inf" for k in self.owner]), n)]
+        self.hi = [bound(v) for v in entries(data.get("hi", ["inf"] * n), n)]
+        self.scale = number(data.get("scale", 0))
+        mu = [0.0 if k is None else number(m) for k, m in zip(self.owner, mu)]
+        for i, k in enumerate(self.owner):
+            need(self.lo[i] <= self.hi[i] and self.lo[i] < INF and self.hi[i] > -INF, f"the bounds of row {i}")
+            need(k is None or type(k) is int and k < n and self.owner[k] is None and self.lo[k] >= 0 and mu[i] >= 0
+                 and (self.lo[i], self.hi[i]) == (-INF, INF), f"the friction of row {i}")
+        # Integers: A 2^sa, b 2^sb, bounds 2^sl (None: infinite), mu 2^sm.
+        values, self.sa = whole([v for *_, v in placed])
+        self.A = [[] for _ in range(n)]
+        for (i, j, _), v in zip(placed, values):
+            self.A[i].append((j, v))
+        self.B, self.sb = whole(b)
+        self.mu, self.sm = whole(mu)
+        ends, self.sl = whole([v if abs(v) < INF else 0.0 for v in self.lo + self.hi])
+        ends = [e if abs(v) < INF else None for e, v in zip(ends, self.lo + self.hi)]
+        self.ends = list(zip(ends[:n], ends[n:]))
+        form, h = struct.Struct(">Id"), hashlib.sha256(b"lcplab problem 1\n" + struct.pack(">Id", n, self.scale))
+        rows = [[] for _ in range(n)]
+        for i, j, v in placed:
+            rows[i].append(form.pack(j, v))
+        for row in rows:
+            h.update(struct.pack(">I", len(row)) + b"".join(row))
+        h.update(struct.pack(f">{3 * n}d", *b, *self.lo, *self.hi))
+        h.update(b"".join(form.pack(0 if k is None else k + 1, m) for k, m in zip(self.owner, mu)) + bytes(4))
+        self.hash = h.hexdigest()
 
     def point(self, data):
-        """(X, D): x times D, D a positive integer, from a point of a proof; D is made so large that bounds are integers."""
+        """(X, D): x times D; D is a multiple of the powers of two that make bounds whole."""
         need(type(data) is dict and set(data) == {"denominator", "numerators"}, "a point")
-        d, entries = integer(data["denominator"]), data["numerators"]
-        need(d > 0 and type(entries) is list and len(entries) == self.n, "a point of another size")
-        up, X = self.sl + self.sm, [0] * self.n
+        d, given, X = integer(data["denominator"]), entries(data["numerators"], self.n), [0] * self.n
+        need(d > 0, "a denominator")
         for i in sorted(range(self.n), key=lambda i: self.owner[i] is not None):
-            if entries[i] not in ("lo", "hi"):
-                X[i] = integer(entries[i]) << up
-            elif self.owner[i]:
-                k, mu = self.owner[i]
-                reach = exact(mu, self.sm) * max(X[k], 0)
-                X[i] = (reach >> self.sm) * (1 if entries[i] == "hi" else -1)
+            if given[i] not in ("lo", "hi"):
+                X[i] = integer(given[i]) << self.sl + self.sm
+            elif self.owner[i] is None:
+                end = self.ends[i][given[i] == "hi"]
+                need(end is not None, f"row {i} has no such bound")
+                X[i] = end * d << self.sm
             else:
-                bound = self.lo[i] if entries[i] == "lo" else self.hi[i]
-                need(abs(bound) < INF, f"row {i} has no such bound")
-                X[i] = d * exact(bound, up)
-        return X, d << up
+                X[i] = (self.mu[i] * max(X[self.owner[i]], 0) >> self.sm) * (1 if given[i] == "hi" else -1)
+        return X, d << self.sl + self.sm
 
     def solution(self, data):
-        """The point of a proof, if it is a solution."""
+        """The point of a proof, which must be a solution."""
         X, D = self.point(data)
-        for i, (row, b) in enumerate(zip(self.A, self.B)):
-            w = (sum(a * X[j] for j, a in row) << self.sb) + (b * D << self.sa)
-            if self.owner[i]:
-                k, mu = self.owner[i]
-                x, hi = X[i] << self.sm, exact(mu, self.sm) * max(X[k], 0)
+        for i, (row, b, k) in enumerate(zip(self.A, self.B, self.owner)):
+            w = (sum([a * X[j] for j, a in row]) << self.sb) + (b * D << self.sa)
+            x, (lo, hi) = X[i] << (self.sl if k is None else self.sm), self.ends[i]
+            if k is not None:
+                hi = self.mu[i] * max(X[k], 0)
                 lo = -hi
             else:
-                x = X[i] << self.sl
-                lo, hi = (v if abs(v) == INF else exact(v, self.sl) * D for v in (self.lo[i], self.hi[i]))
-            need(lo <= x <= hi, f"x of row {i} is beyond a bound")
+                lo, hi = (None if end is None else end * D for end in (lo, hi))
+            need((lo is None or lo <= x) and (hi is None or x <= hi), f"x of row {i} is beyond a bound")
             need((w <= 0 or x == lo) and (w >= 0 or x == hi), f"w of row {i} has the wrong sign")
         return X, D
 
-    def minors_are_positive(self, m):
-        """Whether all leading principal minors of an integer matrix are positive."""
-        last = 1
-        for c, own in enumerate(m):
-            if own[c] <= 0:
-                return False
-            for row in m[c + 1:]:
-                f = row[c]
-                row[c:] = [(v * own[c] - f * t) // last for v, t in zip(row[c:], own[c:])]
-            last = own[c]
-        return True
-
     def unique(self, by):
-        need(not any(self.owner), "rows are coupled")
-        full = [[0] * self.n for _ in range(self.n)]
-        for i, row in enumerate(self.A):
-            for j, a in row:
-                full[i][j] = a
+        need(all(k is None for k in self.owner), "rows are coupled")
+        full = [dict(row) for row in self.A]
         if by == "definite":
-            sums = [[full[i][j] + full[j][i] for j in range(self.n)] for i in range(self.n)]
-            need(self.minors_are_positive(sums), "A + A' is not positive definite")
+            need(positive([[row.get(j, 0) + full[j].get(i, 0) for j in range(self.n)] for i, row in enumerate(full)]),
+                 "A + A' is not positive definite")
         else:
             need(by == "p-matrix" and self.n <= 12, "by")
-            for size in range(1, self.n + 1):
-                for rows in combinations(range(self.n), size):      # smaller minors are positive: no exchange is needed
-                    need(self.minors_are_positive([[full[i][j] for j in rows] for i in rows]), "a minor")
-
-    def ends(self, i):
-        """Whether row i has a lower and an upper side."""
-        return (True, True) if self.owner[i] else (self.lo[i] > -INF, self.hi[i] < INF)
+            for rows in (rows for size in range(1, self.n + 1) for rows in combinations(range(self.n), size)):
+                need(positive([[full[i].get(j, 0) for j in rows] for i in rows]), f"the minor of the rows {rows}")
 
     def tree(self, data, sides):
         need(type(data) is dict, "a tree")
@@ -167,9 +147,9 @@ class Problem:
             return self.leaf(data["d"], sides)
         i = data.get("row")
         need(type(i) is int and 0 <= i < self.n and i not in sides, "a branch")
-        ends = {side for side, has in zip(("lo", "hi"), self.ends(i)) if has}
-        need(set(data) == {"row", "free"} | ends, f"the sides of row {i}")
-        for side in ends | {"free"}:
+        there = {"free"} | {side for side, end in zip(("lo", "hi"), self.ends[i]) if end is not None or self.owner[i] is not None}
+        need(set(data) == {"row"} | there, f"the sides of row {i}")
+        for side in there:
             self.tree(data[side], {**sides, i: side})
 
     def leaf(self, data, sides):
@@ -178,55 +158,65 @@ class Problem:
         for key, value in data.items():
             need(re.fullmatch(r"0|[1-9][0-9]*", key) is not None and int(key) < self.n, "a row of d")
             i, d = int(key), integer(value)
-            side = sides.get(i, "none")
-            has_lo, has_hi = self.ends(i)
-            need(d >= 0 or not (side == "lo" or side == "none" and has_lo), f"the sign of d in row {i}")
-            need(d <= 0 or not (side == "hi" or side == "none" and has_hi), f"the sign of d in row {i}")
+            side, bounded = sides.get(i), [self.owner[i] is not None or end is not None for end in self.ends[i]]
+            need(d >= 0 or side in ("hi", "free") or side is None and not bounded[0], f"the sign of d in row {i}")
+            need(d <= 0 or side in ("lo", "free") or side is None and not bounded[1], f"the sign of d in row {i}")
             for j, a in self.A[i]:
                 c[j] += a * d << self.sm
             total += self.B[i] * d << self.sa + self.sl + self.sm
-        for j, owner in enumerate(self.owner):
-            if owner:
-                own, mu = c[j], exact(owner[1], self.sm)
-                c[owner[0]] += (mu * {"lo": -own, "hi": own}.get(sides.get(j), abs(own))) >> self.sm
-        for j, owner in enumerate(self.owner):
-            if not owner:
-                best = self.hi[j] if c[j] > 0 else self.lo[j] if c[j] < 0 else 0.0
-                at = {"lo": self.lo[j], "hi": self.hi[j]}.get(sides.get(j), best)
-                need(abs(at) < INF, f"nothing bounds the product in row {j}")
-                total += c[j] * exact(at, self.sl) << self.sb
+        for j, k in enumerate(self.owner):
+            if k is not None:                   # c_j is a multiple of 2^sm
+                c[k] += self.mu[j] * {"lo": -c[j], "hi": c[j]}.get(sides.get(j), abs(c[j])) >> self.sm
+        for j, k in enumerate(self.owner):
+            side = sides.get(j) if sides.get(j) in ("lo", "hi") else "hi" if c[j] > 0 else "lo"
+            end = self.ends[j][side == "hi"]
+            if k is None and c[j]:
+                need(end is not None, f"nothing bounds the product in row {j}")
+                total += c[j] * end << self.sb
         need(total < 0, "the vector of a case shows nothing")
 
     def residual(self, x):
         """The scaled residual of an answer, as a fraction."""
-        rows, worst = [], Q(0)
-        for row, b in zip(self.rows, self.b):
-            terms = [Q(a) * Q(x[j]) for j, a in row] + [Q(b)]
-            rows.append((sum(terms), sum(map(abs, terms)), dict(row)))
-        scale = [Q(abs(row.get(i, 0)) or max(map(abs, row.values()), default=0) or 1) for i, (*_, row) in enumerate(rows)]
-        terms = [max(t, s * Q(self.scale)) if row else t for s, (_, t, row) in zip(scale, rows)]
-        finite = [max((abs(v) for v in ends if abs(v) < INF), default=0) for ends in zip(self.lo, self.hi)]
-        reach = [Q(max(v, self.scale)) if v else None for v in finite]
-        size = lambda i, r: terms[i] / scale[i] if r is None else min(terms[i] / scale[i], r)
-        for i, (w, *_) in enumerate(rows):
-            own, lo, hi, r = Q(x[i]), self.lo[i], self.hi[i], reach[i]
-            if self.owner[i]:
-                k, mu = self.owner[i]
-                hi = Q(mu) * max(Q(x[k]), 0)
-                lo, r = -hi, Q(mu) * max(Q(x[k]), size(k, reach[k])) or None
+        x, least = [Q(v) for v in x], Q(self.scale)
+        w, T, s, reach = [], [], [], []
+        for i, (row, b) in enumerate(zip(self.A, self.B)):
+            terms = [Q(a, 1 << self.sa) * x[j] for j, a in row] + [Q(b, 1 << self.sb)]
+            size = Q(abs(dict(row).get(i, 0)) or max([abs(a) for _, a in row], default=0), 1 << self.sa)
+            w.append(sum(terms))
+            T.append(max(sum(map(abs, terms)), size * least))
+            s.append(size or Q(1))
+            end = max((abs(end) for end in self.ends[i] if end is not None), default=0)
+            reach.append(max(Q(end, 1 << self.sl), least) if end else None)
+        unit = lambda i, r: T[i] / s[i] if r is None else min(T[i] / s[i], r)
+        worst = Q(0)
+        for i, k in enumerate(self.owner):
+            own, (lo, hi), r = x[i], (None if end is None else Q(end, 1 << self.sl) for end in self.ends[i]), reach[i]
+            if k is not None:
+                mu = Q(self.mu[i], 1 << self.sm)
+                hi, r = mu * max(x[k], 0), mu * max(x[k], unit(k, reach[k])) or None
+                lo = -hi
                 own = next((end for end in (lo, hi) if abs(own - end) <= hi / 2**50), own)
-            e = size(i, r)
-            target = own - (e * w / terms[i] if terms[i] else 0)
-            target = target if lo == -INF else max(target, Q(lo))
-            target = target if hi == INF else min(target, Q(hi))
+            e = unit(i, r)
+            target = own - (e * w[i] / T[i] if T[i] else 0)
+            target = target if lo is None else max(target, lo)
+            target = target if hi is None else min(target, hi)
             need(e > 0 or own == target, "the residual is not finite")
             worst = max(worst, abs(own - target) / e if own != target else Q(0))
         return worst
 
 
-def answer(proof, n):
-    need(type(proof["answer"]) is list and len(proof["answer"]) == n, "the answer has another size")
-    return [number(v) for v in proof["answer"]]
+def positive(m):
+    """Whether all leading principal minors of an integer matrix are positive: they are the pivots of Bareiss."""
+    last = 1
+    for c, own in enumerate(m):
+        p = own[c]
+        if p <= 0:
+            return False
+        for row in m[c + 1:]:
+            f = row[c]
+            row[c:] = [(v * p - f * t) // last for v, t in zip(row[c:], own[c:])]
+        last = p
+    return True
 
 
 def check(problem, proof):
@@ -234,12 +224,13 @@ def check(problem, proof):
     need(type(proof) is dict and proof.get("format") == "lcplab-proof-1", "another format")
     kind = proof.get("kind")
     need(type(kind) is str and set(proof) - {"format", "problem", "kind"} in KEYS.get(kind, []), "the keys of its kind")
-    need(proof.get("problem") == problem.hash(), "it is about another problem")
+    need(proof.get("problem") == problem.hash, "it is about another problem")
+    answer = [number(v) for v in entries(proof["answer"], problem.n)] if "answer" in proof else None
     if kind == "no-solution":
         problem.tree(proof["tree"], {})
         return "no solution exists"
     if kind == "within":
-        given, own = proof["residual"], problem.residual(answer(proof, problem.n))
+        given, own = proof["residual"], problem.residual(answer)
         need(type(given) is dict and set(given) == {"numerator", "denominator"}, "a fraction")
         p, q = integer(given["numerator"]), integer(given["denominator"])
         need(q > 0 and p * own.denominator == q * own.numerator, "the residual is another")
@@ -252,11 +243,12 @@ def check(problem, proof):
         Y, E = problem.solution(proof["y"])
         need(any(x * E != y * D for x, y in zip(X, Y)), "both solutions are one")
         return "two different solutions exist"
-    if "answer" not in proof:
+    if answer is None:
         return "a solution exists"
-    distance, near = Q(number(proof["distance"])), answer(proof, problem.n)
-    need(all(abs(Q(v) * D - x) <= distance * D for v, x in zip(near, X)), "the answer is farther away")
-    return f"a solution exists within {float(distance):.3g} of the answer"
+    distance, (near, s) = number(proof["distance"]), whole(answer)
+    p, q = distance.as_integer_ratio()
+    need(all(abs(v * D - (x << s)) * q <= p * D << s for v, x in zip(near, X)), "the answer is farther away")
+    return f"a solution exists within {distance:.3g} of the answer"
 
 
 def main(arguments):
@@ -268,19 +260,20 @@ def main(arguments):
     else:
         print(__doc__)
         return 2
-    refused = 0
-    for problem, proof in pairs:
+    wrong, refused = (Refused, OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError), 0
+    for path, proof in pairs:
         try:
-            read = Problem(json.loads(problem.read_text()))
-        except (Refused, OSError, ValueError, KeyError, TypeError) as error:
-            print(f"{problem}: cannot be read: {error!r}")
+            problem = Problem(read(path))
+        except wrong as error:
+            print(f"{path}: cannot be read: {error!r}")
             return 2
         try:
-            print(f"{proof}: proved: {check(read, json.loads(proof.read_text()))}")
-        except (Refused, OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+            print(f"{proof}: proved: {check(problem, read(proof))}")
+        except wrong as error:
             refused += 1
             print(f"{proof}: refused: {error}")
-    print(f"{len(pairs) - refused} of {len(pairs)} proofs prove their claims") if len(pairs) != 1 else None
+    if len(pairs) != 1:
+        print(f"{len(pairs) - refused} of {len(pairs)} proofs prove their claims")
     return 1 if refused else 0
 
 

@@ -71,7 +71,8 @@ fn both_checkers_say_the_same_of_every_mutant() {
         let name = format!("{k:06}.proof.json: ");
         let line = printed.lines().find(|line| line.contains(&name));
         let line = line.unwrap_or_else(|| panic!("{name}{printed}"));
-        assert_eq!(line.contains(": proved: "), holds, "{line}");
+        let text = || std::fs::read_to_string(folder.path().join(format!("{k:06}.proof.json")));
+        assert_eq!(line.contains(": proved: "), holds, "{line}\n{}", text().unwrap());
     }
 }
 
