@@ -23,7 +23,7 @@ This page is written by `python python/reference.py` from the docstrings.
 
 #: The order of the page.
 NAMES = [
-    "solve", "Result", "judge", "Verdict", "Problem", "compare", "Comparison", "hunt", "Finding", "explain",
+    "solve", "Result", "judge", "Verdict", "prove", "check", "Proof", "Problem", "compare", "Comparison", "hunt", "Finding", "explain",
     "Document", "Scene", "Step", "solvers", "InputError",
 ]
 

@@ -8,6 +8,7 @@ mod arrays;
 mod callable;
 mod hunt;
 mod problem;
+mod proof;
 mod scene;
 mod solving;
 mod waiting;
@@ -39,6 +40,8 @@ fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(solving::compare, module)?)?;
     module.add_function(wrap_pyfunction!(solving::solvers, module)?)?;
     module.add_function(wrap_pyfunction!(hunt::hunt, module)?)?;
+    module.add_function(wrap_pyfunction!(proof::prove, module)?)?;
+    module.add_function(wrap_pyfunction!(proof::check, module)?)?;
     module.add_function(wrap_pyfunction!(run, module)?)?;
     Ok(())
 }

@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -167,3 +168,21 @@ def test_a_proof_is_looked_for_as_far_as_it_is_asked_for():
         "proved",
         "within_tolerance",
     ]
+
+
+def test_a_proof_of_a_scene_is_that_of_the_command_line_and_convinces_both_checkers(tmp_path):
+    scene = lcplab.Scene.load("incline")
+    scene.step()
+    problem = scene.problem()
+    path, proved, again = tmp_path / "incline.json", tmp_path / "incline.proof.json", tmp_path / "again.json"
+    problem.write(path)
+    proof = lcplab.prove(problem)
+    assert proof and proof.kind == "solution" and "unique" in proof.missing
+    proof.write(proved)
+    assert lcplab.check(problem, proof) is None and lcplab.check(problem, proved) is None
+    subprocess.run([sys.executable, "-m", "lcplab", "prove", path, "--out", again], check=True, capture_output=True)
+    assert again.read_text() == proved.read_text()
+    checker = Path(__file__).parents[2] / "proofs" / "lcpcheck.py"
+    subprocess.run([sys.executable, checker, path, proved], check=True, capture_output=True)
+    with pytest.raises(lcplab.InputError, match="2 entries, the problem has 12 rows"):
+        lcplab.prove(problem, [0, 0])

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 
 /// The libraries, and those of ours that each may use. The judge must not see a solver, a page neither
 /// solvers nor scenes.
-const CRATES: [(&str, &[&str]); 9] = [
+const CRATES: [(&str, &[&str]); 10] = [
     ("problem", &[]),
     ("solver", &["problem"]),
     ("judge", &["problem"]),
+    ("proof", &["problem", "judge"]),
     ("files", &["problem"]),
     ("plugin", &["problem", "solver"]),
     ("page", &["problem"]),

@@ -15,6 +15,7 @@ from lcplab import testing, textbook
 from lcplab._compare import Comparison, compare
 from lcplab._hunt import Finding, hunt
 from lcplab._problem import Problem
+from lcplab._proof import Proof, check, prove
 from lcplab._scene import Scene, Step
 from lcplab._solve import Document, Result, Verdict, explain, judge, solve, solvers
 
@@ -24,15 +25,18 @@ __all__ = [
     "Finding",
     "InputError",
     "Problem",
+    "Proof",
     "Result",
     "Scene",
     "Step",
     "Verdict",
     "__version__",
+    "check",
     "compare",
     "explain",
     "hunt",
     "judge",
+    "prove",
     "solve",
     "solvers",
     "testing",

@@ -8,14 +8,20 @@ use lcplab_problem::{Coupling, Lcp, Matrix, merit};
 use lcplab_solver::{Iterate, Observer, Pgs, Settings, Solver, Start};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, FileFailurePersistence};
+use proptest::test_runner::{Config, FileFailurePersistence, RngSeed};
 
 /// ∞.
 pub const INF: f64 = f64::INFINITY;
 
-/// The configuration of every property test: failing cases are kept beside the tests.
+/// The configuration of every property test: failing cases are kept beside the tests, and every run tries the same
+/// cases, unless PROPTEST_RNG_SEED names others.
 pub fn cases(count: u32) -> Config {
+    let rng_seed = match Config::default().rng_seed {
+        RngSeed::Random => RngSeed::Fixed(1),
+        asked => asked,
+    };
     Config {
+        rng_seed,
         failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
         ..Config::with_cases(count)
     }

@@ -9,6 +9,8 @@ fn vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
 }
 
 proptest! {
+    #![proptest_config(lcplab_testing::cases(256))]
+
     #[test]
     fn the_rotation_of_three_points_is_found_again(
         points in prop::array::uniform3(vector(2.0)),

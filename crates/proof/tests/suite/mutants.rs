@@ -11,7 +11,8 @@ use oorandom::Rand64;
 
 use super::whole;
 
-/// So many by `cargo test`; the variable LCPLAB_MUTANTS asks for another number.
+/// So many by `cargo test`; the variable LCPLAB_MUTANTS asks for another number, and LCPLAB_NODE names a Node.js, for
+/// the checker in JavaScript.
 const MUTANTS: usize = 500;
 
 /// Something else in the text of a proof: a digit, a sign, a letter, a swapped word, an end that is missing.
@@ -37,7 +38,7 @@ fn mutated(text: &str, random: &mut Rand64) -> String {
 }
 
 #[test]
-fn both_checkers_say_the_same_of_every_mutant() {
+fn all_checkers_say_the_same_of_every_mutant() {
     let mut random = Rand64::new(2022);
     let folder = tempfile::tempdir().unwrap();
     let count =
@@ -62,17 +63,21 @@ fn both_checkers_say_the_same_of_every_mutant() {
         expected.push((k, holds(&lcp, &text)));
         write(folder.path(), k, &lcp, &text);
     }
-    let checker = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../proofs/lcpcheck.py");
-    let output = Command::new("python3").arg(checker).arg(folder.path()).output().unwrap();
-    let printed = String::from_utf8(output.stdout).unwrap();
     let accepted = expected.iter().filter(|(_, holds)| *holds).count();
     assert!(accepted >= count / 10 && accepted < count / 2, "{accepted} of {count}");
-    for (k, holds) in expected {
-        let name = format!("{k:06}.proof.json: ");
-        let line = printed.lines().find(|line| line.contains(&name));
-        let line = line.unwrap_or_else(|| panic!("{name}{printed}"));
-        let text = || std::fs::read_to_string(folder.path().join(format!("{k:06}.proof.json")));
-        assert_eq!(line.contains(": proved: "), holds, "{line}\n{}", text().unwrap());
+    let with_node = std::env::var_os("LCPLAB_NODE").map(|node| (node, "lcpcheck.js"));
+    for (program, checker) in [("python3".into(), "lcpcheck.py")].into_iter().chain(with_node) {
+        let checker = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../proofs").join(checker);
+        let output = Command::new(program).arg(checker).arg(folder.path()).output().unwrap();
+        let printed = String::from_utf8(output.stdout).unwrap();
+        let said: Vec<bool> = (printed.lines().filter(|line| line.contains(".proof.json: ")))
+            .map(|line| line.contains(": proved: "))
+            .collect();
+        assert_eq!(said.len(), count, "{printed}");
+        for (said, (k, holds)) in said.into_iter().zip(&expected) {
+            let path = folder.path().join(format!("{k:06}.proof.json"));
+            assert_eq!(said, *holds, "{}", std::fs::read_to_string(path).unwrap());
+        }
     }
 }
 

@@ -1,0 +1,78 @@
+"""Proofs as files."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from lcplab import _lcplab
+from lcplab._problem import Problem, vector
+
+
+class Proof:
+    """What is proved of a problem, in exact arithmetic; true if there is a proof.
+
+    Attributes
+    ----------
+    kind : str or None
+        ``"no-solution"``, ``"unique"``, ``"not-unique"``, ``"solution"`` or ``"within"``.
+    claim : str
+        The same in a sentence.
+    missing : dict
+        The stronger kinds, and why there is no proof of them.
+    data : dict or None
+        The object of a proof file, as ``docs/proofs.md`` describes it.
+    """
+
+    def __init__(self, text: str | None, claim: str, missing: dict[str, str]) -> None:
+        self._text = text
+        self.data: dict[str, Any] | None = None if text is None else json.loads(text)
+        self.kind: str | None = None if self.data is None else self.data["kind"]
+        self.claim = claim
+        self.missing = missing
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Write the proof file."""
+        if self._text is None:
+            raise ValueError("there is no proof")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self._text + "\n")
+
+    def __bool__(self) -> bool:
+        return self._text is not None
+
+    def __repr__(self) -> str:
+        return f"<lcplab.Proof {self.kind}: {self.claim}>"
+
+
+def prove(problem: Problem, x: ArrayLike | None = None) -> Proof:
+    """Prove what can be proved of a problem; an answer ``x`` is where the search begins.
+
+    Examples
+    --------
+    >>> prove(Problem([[2, -1], [-1, 2]], [-1, 2]))
+    <lcplab.Proof unique: exactly one solution exists>
+    """
+    proof, missing = _lcplab.prove(problem._inner, None if x is None else vector(x))
+    text, claim = proof if proof is not None else (None, "nothing")
+    return Proof(text, claim, dict(missing))
+
+
+def check(problem: Problem, proof: Proof | str | os.PathLike[str]) -> str | None:
+    """Hold a proof, or a proof file, against a problem: why it proves nothing of it, or None if it does.
+
+    Examples
+    --------
+    >>> one, other = Problem([[1]], [-1]), Problem([[1]], [-2])
+    >>> check(one, prove(one)), check(other, prove(one))
+    (None, 'the proof is about another problem')
+    """
+    if isinstance(proof, Proof):
+        text = json.dumps(proof.data)
+    else:
+        with open(proof, encoding="utf-8") as file:
+            text = file.read()
+    return _lcplab.check(problem._inner, text)
