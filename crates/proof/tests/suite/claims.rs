@@ -76,12 +76,12 @@ fn redundant_contacts_that_rounding_makes_regular_have_an_exact_solution() {
     let entry = |p: &[f64; 6], q: &[f64; 6]| (0..6).map(|k| p[k] * inverse[k] * q[k]).sum::<f64>();
     let a: Vec<f64> = rows.iter().flat_map(|p| rows.iter().map(move |q| entry(p, q))).collect();
     let b: Vec<f64> = rows.iter().map(|row| -0.0981 * row[2] + 0.02 * row[0]).collect();
-    let is_normal = |i: usize| i % 3 == 0;
+    let is_normal = |i: usize| i.is_multiple_of(3);
     let lo = (0..12).map(|i| if is_normal(i) { 0.0 } else { -INF }).collect();
     let index = (0..12).map(|i| (!is_normal(i)).then_some(i - i % 3)).collect();
     let lcp = Lcp::new(Matrix::dense(12, &a), b, lo, vec![INF; 12]).unwrap();
     let lcp = lcp.with_coupling(Coupling::new(index, vec![0.5; 12]).unwrap()).unwrap();
-    let (kind, proof) = kind(&lcp, &vec![0.0; 12]);
+    let (kind, proof) = kind(&lcp, &[0.0; 12]);
     assert!(["solution", "not-unique"].contains(&kind), "{proof:?}");
 }
 
