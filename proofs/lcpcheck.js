@@ -128,6 +128,8 @@ const lcpcheck = (() => {
     const lo = vector("lo", (i) => (owner[i] < 0 ? 0 : "-inf")).map(bound), hi = vector("hi", () => "inf").map(bound);
     const mu = vector("mu", () => 0).map((v, i) => (owner[i] < 0 ? 0 : number(v)));
     const scale = has(data, "scale") ? number(data.scale) : 0;
+    need(scale > 0 || !has(data, "scale"), "scale");
+    need(has(data, "mu") || owner.every((k) => k < 0), "mu");
     for (let i = 0; i < n; i++) {
       need(lo[i] <= hi[i] && lo[i] < Infinity && hi[i] > -Infinity, `the bounds of row ${i}`);
       const k = owner[i];

@@ -74,20 +74,21 @@ class Problem:
         self.lo = [bound(v) for v in entries(data.get("lo", [0 if k is None else "-inf" for k in self.owner]), n)]
         self.hi = [bound(v) for v in entries(data.get("hi", ["inf"] * n), n)]
         self.scale = number(data.get("scale", 0))
+        need(self.scale > 0 or "scale" not in data, "scale")
+        need("mu" in data or all(k is None for k in self.owner), "mu")
         mu = [0.0 if k is None else number(m) for k, m in zip(self.owner, mu)]
         for i, k in enumerate(self.owner):
             need(self.lo[i] <= self.hi[i] and self.lo[i] < INF and self.hi[i] > -INF, f"the bounds of row {i}")
             need(k is None or type(k) is int and k < n and self.owner[k] is None and self.lo[k] >= 0 and mu[i] >= 0
                  and (self.lo[i], self.hi[i]) == (-INF, INF), f"the friction of row {i}")
-        # Integers: A 2^sa, b 2^sb, bounds 2^sl (None: infinite), mu 2^sm.
-        values, self.sa = whole([v for *_, v in placed])
-        self.A = [[] for _ in range(n)]
-        for (i, j, _), v in zip(placed, values):
-            self.A[i].append((j, v))
-        self.B, self.sb = whole(b)
-        self.mu, self.sm = whole(mu)
-        ends, self.sl = whole([v if abs(v) < INF else 0.0 for v in self.lo + self.hi])
-        ends = [e if abs(v) < INF else None for e, v in zip(ends, self.lo + self.hi)]
+        # All numbers times 2^s are integers; None for an infinite bound.
+        both = self.lo + self.hi
+        ints, self.s = whole([v for *_, v in placed] + b + mu + [v if abs(v) < INF else 0.0 for v in both])
+        ints, self.A = iter(ints), [[] for _ in range(n)]
+        for i, j, _ in placed:
+            self.A[i].append((j, next(ints)))
+        self.B, self.mu = [next(ints) for _ in b], [next(ints) for _ in mu]
+        ends = [v if abs(end) < INF else None for v, end in zip(ints, both)]
         self.ends = list(zip(ends[:n], ends[n:]))
         form, h = struct.Struct(">Id"), hashlib.sha256(b"lcplab problem 1\n" + struct.pack(">Id", n, self.scale))
         rows = [[] for _ in range(n)]
@@ -100,32 +101,31 @@ class Problem:
         self.hash = h.hexdigest()
 
     def point(self, data):
-        """(X, D): x times D; D is a multiple of the powers of two that make bounds whole."""
+        """(X, D): x times D, both integers."""
         need(type(data) is dict and set(data) == {"denominator", "numerators"}, "a point")
         d, given, X = integer(data["denominator"]), entries(data["numerators"], self.n), [0] * self.n
         need(d > 0, "a denominator")
         for i in sorted(range(self.n), key=lambda i: self.owner[i] is not None):
             if given[i] not in ("lo", "hi"):
-                X[i] = integer(given[i]) << self.sl + self.sm
+                X[i] = integer(given[i]) << 2 * self.s
             elif self.owner[i] is None:
                 end = self.ends[i][given[i] == "hi"]
                 need(end is not None, f"row {i} has no such bound")
-                X[i] = end * d << self.sm
+                X[i] = end * d << self.s
             else:
-                X[i] = (self.mu[i] * max(X[self.owner[i]], 0) >> self.sm) * (1 if given[i] == "hi" else -1)
-        return X, d << self.sl + self.sm
+                X[i] = (self.mu[i] * max(X[self.owner[i]], 0) >> self.s) * (1 if given[i] == "hi" else -1)
+        return X, d << 2 * self.s
 
     def solution(self, data):
         """The point of a proof, which must be a solution."""
         X, D = self.point(data)
         for i, (row, b, k) in enumerate(zip(self.A, self.B, self.owner)):
-            w = (sum([a * X[j] for j, a in row]) << self.sb) + (b * D << self.sa)
-            x, (lo, hi) = X[i] << (self.sl if k is None else self.sm), self.ends[i]
-            if k is not None:
+            w, x = sum([a * X[j] for j, a in row]) + b * D, X[i] << self.s
+            if k is None:
+                lo, hi = (None if end is None else end * D for end in self.ends[i])
+            else:
                 hi = self.mu[i] * max(X[k], 0)
                 lo = -hi
-            else:
-                lo, hi = (None if end is None else end * D for end in (lo, hi))
             need((lo is None or lo <= x) and (hi is None or x <= hi), f"x of row {i} is beyond a bound")
             need((w <= 0 or x == lo) and (w >= 0 or x == hi), f"w of row {i} has the wrong sign")
         return X, D
@@ -153,7 +153,7 @@ class Problem:
             self.tree(data[side], {**sides, i: side})
 
     def leaf(self, data, sides):
-        c, total = [0] * self.n, 0              # c times 2^(sa + sm), the total times 2^(sa + sb + sl + sm)
+        c, total = [0] * self.n, 0              # c times 2^2s, the total times 2^3s
         need(type(data) is dict, "a d")
         for key, value in data.items():
             need(re.fullmatch(r"0|[1-9][0-9]*", key) is not None and int(key) < self.n, "a row of d")
@@ -162,37 +162,37 @@ class Problem:
             need(d >= 0 or side in ("hi", "free") or side is None and not bounded[0], f"the sign of d in row {i}")
             need(d <= 0 or side in ("lo", "free") or side is None and not bounded[1], f"the sign of d in row {i}")
             for j, a in self.A[i]:
-                c[j] += a * d << self.sm
-            total += self.B[i] * d << self.sa + self.sl + self.sm
+                c[j] += a * d << self.s
+            total += self.B[i] * d << 2 * self.s
         for j, k in enumerate(self.owner):
-            if k is not None:                   # c_j is a multiple of 2^sm
-                c[k] += self.mu[j] * {"lo": -c[j], "hi": c[j]}.get(sides.get(j), abs(c[j])) >> self.sm
+            if k is not None:                   # c_j is a multiple of 2^s
+                c[k] += self.mu[j] * {"lo": -c[j], "hi": c[j]}.get(sides.get(j), abs(c[j])) >> self.s
         for j, k in enumerate(self.owner):
             side = sides.get(j) if sides.get(j) in ("lo", "hi") else "hi" if c[j] > 0 else "lo"
             end = self.ends[j][side == "hi"]
             if k is None and c[j]:
                 need(end is not None, f"nothing bounds the product in row {j}")
-                total += c[j] * end << self.sb
+                total += c[j] * end
         need(total < 0, "the vector of a case shows nothing")
 
     def residual(self, x):
         """The scaled residual of an answer, as a fraction."""
-        x, least = [Q(v) for v in x], Q(self.scale)
-        w, T, s, reach = [], [], [], []
+        exact = lambda v: None if v is None else Q(v, 1 << self.s)
+        x, least, w, T, s, reach = [Q(v) for v in x], Q(self.scale), [], [], [], []
         for i, (row, b) in enumerate(zip(self.A, self.B)):
-            terms = [Q(a, 1 << self.sa) * x[j] for j, a in row] + [Q(b, 1 << self.sb)]
-            size = Q(abs(dict(row).get(i, 0)) or max([abs(a) for _, a in row], default=0), 1 << self.sa)
+            terms = [exact(a) * x[j] for j, a in row] + [exact(b)]
+            size = exact(abs(dict(row).get(i, 0)) or max([abs(a) for _, a in row], default=0))
             w.append(sum(terms))
             T.append(max(sum(map(abs, terms)), size * least))
             s.append(size or Q(1))
             end = max((abs(end) for end in self.ends[i] if end is not None), default=0)
-            reach.append(max(Q(end, 1 << self.sl), least) if end else None)
+            reach.append(max(exact(end), least) if end else None)
         unit = lambda i, r: T[i] / s[i] if r is None else min(T[i] / s[i], r)
         worst = Q(0)
         for i, k in enumerate(self.owner):
-            own, (lo, hi), r = x[i], (None if end is None else Q(end, 1 << self.sl) for end in self.ends[i]), reach[i]
+            own, (lo, hi), r = x[i], map(exact, self.ends[i]), reach[i]
             if k is not None:
-                mu = Q(self.mu[i], 1 << self.sm)
+                mu = exact(self.mu[i])
                 hi, r = mu * max(x[k], 0), mu * max(x[k], unit(k, reach[k])) or None
                 lo = -hi
                 own = next((end for end in (lo, hi) if abs(own - end) <= hi / 2**50), own)
@@ -234,7 +234,7 @@ def check(problem, proof):
         need(type(given) is dict and set(given) == {"numerator", "denominator"}, "a fraction")
         p, q = integer(given["numerator"]), integer(given["denominator"])
         need(q > 0 and p * own.denominator == q * own.numerator, "the residual is another")
-        return f"the scaled residual of the answer is {float(own):.17g}, rounded"
+        return "the scaled residual of the answer is the fraction that it states"
     X, D = problem.solution(proof["x"])
     if kind == "unique":
         problem.unique(proof["by"])
@@ -260,7 +260,7 @@ def main(arguments):
     else:
         print(__doc__)
         return 2
-    wrong, refused = (Refused, OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError), 0
+    wrong, refused = (Refused, OSError, ValueError, LookupError, ArithmeticError, TypeError, AttributeError, RecursionError), 0
     for path, proof in pairs:
         try:
             problem = Problem(read(path))

@@ -36,3 +36,4 @@ pub use check::check;
 pub use claim::{Claim, Entry, Fraction, Near, Proof, Reason, Tree, Vector};
 pub use hash::{canonical_bytes, hash};
 pub use prove::{Found, prove};
+pub use residual::scaled as exact_residual;

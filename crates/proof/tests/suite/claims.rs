@@ -122,6 +122,10 @@ fn the_canonical_bytes_are_those_of_the_specification() {
     expected.extend([0, 0, 0, 1, 0, 0, 0, 0, 0x40, 0, 0, 0, 0, 0, 0, 0]); // 2 at (0, 0)
     expected.extend([0, 0, 0, 0]); // nothing in row 1
     expected.extend([zero, one, zero, zero, inf, inf].concat());
-    expected.extend([0; 2 * 12 + 4]); // no friction, no motion
+    expected.extend([0; 2 * 12 + 4]); // no friction, and what is kept for later
     assert_eq!(bytes, expected);
+    // the worked example
+    let one = contacts(&[2.0], &[-1.0]);
+    assert_eq!(canonical_bytes(&one).len(), 85);
+    assert!(include_str!("../../../../docs/proofs.md").contains(&hash(&one)));
 }

@@ -6,7 +6,7 @@ use std::process::Command;
 
 use lcplab_problem::Lcp;
 use lcplab_problem::file::Problem;
-use lcplab_proof::{Proof, check, hash, prove};
+use lcplab_proof::{Claim, Proof, check, exact_residual, hash, prove};
 use oorandom::Rand64;
 
 use super::whole;
@@ -37,6 +37,24 @@ fn mutated(text: &str, random: &mut Rand64) -> String {
     String::from_utf8(bytes).unwrap()
 }
 
+/// A proof about the residual of some answer: often on a bound, or so near to one that only rounding is between.
+fn within(lcp: &Lcp, random: &mut Rand64) -> Option<Proof> {
+    let mut answer: Vec<f64> =
+        (0..lcp.len()).map(|_| random.rand_range(0..9) as f64 / 3.0 - 1.0).collect();
+    for i in 0..lcp.len() {
+        let (lo, hi) = lcp.bounds(i, &answer);
+        answer[i] = match random.rand_range(0..5) {
+            0 if lo.is_finite() => lo,
+            1 if hi.is_finite() => hi,
+            2 if hi.is_finite() => hi.next_up(),
+            3 if hi.is_finite() => hi * (1.0 + 5.0 * f64::EPSILON),
+            _ => answer[i],
+        };
+    }
+    let residual = exact_residual(lcp, &answer)?;
+    Some(Proof { problem: hash(lcp), claim: Claim::Within { answer, residual } })
+}
+
 #[test]
 fn all_checkers_say_the_same_of_every_mutant() {
     let mut random = Rand64::new(2022);
@@ -46,7 +64,11 @@ fn all_checkers_say_the_same_of_every_mutant() {
     let mut expected = Vec::new();
     for k in 0..count {
         let lcp = whole(&mut random, 1 + k % 4);
-        let proof = prove(&lcp, &vec![0.0; lcp.len()]).proof.unwrap();
+        let proof = match k % 3 {
+            0 => within(&lcp, &mut random),
+            _ => None,
+        };
+        let proof = proof.or_else(|| prove(&lcp, &vec![0.0; lcp.len()]).proof).unwrap();
         let text = proof.to_json().to_string();
         let text = match k % 10 {
             0 => text, // as it is
