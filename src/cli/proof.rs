@@ -6,8 +6,9 @@ use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::Lcp;
-use lcplab::lcp::file::read_answer;
+use lcplab::lcp::file::{Problem, read_answer};
 use lcplab::lcp::friction::Model;
+use lcplab::page::{Block, Page, Section};
 use lcplab::proof::{Found, Proof, check, prove};
 use lcplab::report::answer::found;
 use serde_json::json;
@@ -23,6 +24,7 @@ Example:
   lcplab prove incline.json --out proof.json
   lcplab check incline.json proof.json
   python3 proofs/lcpcheck.py incline.json proof.json     # by a program that shares nothing with lcplab
+  lcplab prove incline.json --out proof.html             # a page with a button that checks it
 
 The strongest kind that holds is written: no-solution, unique, not-unique, solution, within; which stronger
 ones do not hold, and why, is printed. docs/proofs.md says what each proves, and of what. Exit code 1 if not
@@ -32,7 +34,7 @@ pub struct Prove {
     problem: PathBuf,
     /// An answer to begin with, a JSON object with x; without it the problem is solved first
     answer: Option<PathBuf>,
-    /// The file to write; standard output without it
+    /// The file to write, or a page if it ends in .html; standard output without it
     #[arg(long)]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -74,12 +76,41 @@ impl Prove {
         let text = format!("{}\n", proof.to_json());
         match &self.out {
             Some(path) => {
-                file::write(path, text)?;
+                let is_page = path.extension().is_some_and(|ending| ending == "html");
+                let page = || page(&problem, &proof, &missing, &text).render();
+                file::write(path, if is_page { page()? } else { text.clone() })?;
                 print(&format!("{}: {}\n", proof.claim.kind(), proof.claim.sentence()))?;
             }
             None => print(&text)?,
         }
         Ok(Outcome::Good)
+    }
+}
+
+/// A page with the proof, which checks it where the reader asks it to.
+fn page(problem: &Problem, proof: &Proof, missing: &[(&str, String)], text: &str) -> Page {
+    let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
+    let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
+    let claim = Block::Proof {
+        claim: proof.claim.sentence(),
+        problem: problem.to_json().to_string(),
+        proof: text.to_string(),
+    };
+    let how = "The button runs a checker of this page's own, in whole numbers; it shares no code with lcplab, and its \
+               source is the end of this file. The problem and the proof stand in the page.";
+    let mut blocks = vec![claim, Block::Note(how.into())];
+    if !missing.is_empty() {
+        let reasons: String = reasons.collect();
+        blocks.push(Block::Text(format!(
+            "What would say more, and why it is not proved:\n\n{reasons}"
+        )));
+    }
+    let rows = problem.lcp.len();
+    Page {
+        title: format!("A proof about {name}"),
+        lead: format!("A complementarity problem of {rows} rows, and what is proved of it."),
+        sections: vec![Section { id: "proof".into(), title: "The proof".into(), blocks }],
+        ..Page::default()
     }
 }
 

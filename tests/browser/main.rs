@@ -9,6 +9,7 @@ mod layout;
 mod player;
 mod plot;
 mod print;
+mod proof;
 #[path = "../suite/report/page/sample.rs"]
 mod sample;
 mod table;

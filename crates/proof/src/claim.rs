@@ -2,6 +2,8 @@
 
 use dashu_int::IBig;
 
+use lcplab_judge::upper_bound;
+
 /// A claim about the problem with this hash.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
@@ -65,10 +67,8 @@ impl Claim {
     pub fn sentence(&self) -> String {
         match self {
             Claim::Solution { near: Some(near), .. } => {
-                format!(
-                    "an exact solution exists, and the answer lies within {:e} of it",
-                    near.distance
-                )
+                let distance = upper_bound(near.distance);
+                format!("an exact solution exists, and the answer lies within {distance} of it")
             }
             Claim::Solution { near: None, .. } => "an exact solution exists".into(),
             Claim::Unique { .. } => "exactly one solution exists".into(),
@@ -78,7 +78,8 @@ impl Claim {
                 leaves => format!("no solution exists, in {leaves} cases"),
             },
             Claim::Within { residual, .. } => {
-                format!("the scaled residual of the answer is {:e}", residual.rounded_up())
+                let residual = upper_bound(residual.rounded_up());
+                format!("the scaled residual of the answer is at most {residual}")
             }
         }
     }

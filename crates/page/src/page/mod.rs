@@ -77,6 +77,15 @@ pub enum Block {
     },
     /// A remark set apart from the text.
     Note(String),
+    /// A proof that the reader can have checked by the page itself.
+    Proof {
+        /// What it proves, in a sentence.
+        claim: String,
+        /// The problem file, as text.
+        problem: String,
+        /// The proof file, as text.
+        proof: String,
+    },
 }
 
 /// A numbered picture with its caption.

@@ -43,6 +43,22 @@ struct FigureView<'a> {
     caption: String,
 }
 
+/// The same checker that Node.js runs.
+const CHECKER: &str = include_str!("../../../../proofs/lcpcheck.js");
+
+#[derive(Template)]
+#[template(path = "proof.html")]
+struct ProofView<'a> {
+    claim: &'a str,
+    problem: String,
+    proof: String,
+}
+
+/// JSON that ends no script element.
+fn data(json: &str) -> String {
+    json.trim_end().replace('<', "\\u003c")
+}
+
 #[derive(Template)]
 #[template(path = "table.html")]
 struct TableView<'a> {
@@ -65,13 +81,15 @@ impl Page {
         let sections = self.sections.iter().enumerate();
         let sections = sections.map(|(k, section)| (section, writer.section(k, section))).collect();
         let only = |used, part: &'static str| if used { part } else { "" };
-        let (plots, plays) = (writer.plots, writer.plays);
+        let (plots, plays, proofs) = (writer.plots, writer.plays, writer.proofs);
         let defects = self.ids_checked(writer.defects);
         defects.into_result(format!("page {:?}", self.title))?;
         let script = [
             include_str!("page.js"),
             only(plots, include_str!("plot.js")),
             only(plays, include_str!("player.js")),
+            only(proofs, CHECKER),
+            only(proofs, include_str!("proof.js")),
         ];
         let script = format!("\n{}", script.concat());
         finished(&Document {
@@ -111,9 +129,10 @@ struct Writer {
     markup: Renderer,
     defects: Defects,
     figures: usize,
-    /// Whether there is a picture, and a film.
+    /// Whether there is a picture, a film, and a proof.
     plots: bool,
     plays: bool,
+    proofs: bool,
     tables: usize,
 }
 
@@ -143,6 +162,13 @@ impl Writer {
                 format!(
                     "<pre tabindex=\"0\"><code class=\"language-{language}\">{text}</code></pre>\n"
                 )
+            }
+            Block::Proof { claim, problem, proof } => {
+                self.proofs = true;
+                self.checked(place, |_| {
+                    let (problem, proof) = (data(problem), data(proof));
+                    written(&ProofView { claim, problem, proof })
+                })
             }
             Block::Figure(figure) => self.figure(place, figure),
             Block::Player(player) => self.player(place, player),
