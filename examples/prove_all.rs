@@ -10,7 +10,7 @@ use lcplab::file;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::library;
 use lcplab::proof::{Found, prove};
-use lcplab::report::answer::found;
+use lcplab::report::answer::first_answer;
 use lcplab::scene::catalogue::SHIPPED;
 use lcplab::simulation::Simulation;
 
@@ -26,9 +26,9 @@ fn main() -> Result<()> {
             return Ok(());
         }
         let start = Instant::now();
-        let Found { proof, missing } = prove(&problem.lcp, &found(&problem.lcp));
-        let kind = proof.as_ref().map_or("none", |proof| proof.claim.kind());
-        let coupled = problem.lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
+        let Found { proof, missing } = prove(problem, &first_answer(&problem.lcp));
+        let kind = proof.as_ref().map_or("none", |proof| proof.claim.kind().name());
+        let coupled = problem.lcp.has_coupled_rows();
         *kinds.entry((if coupled { "coupled" } else { "not coupled" }, kind)).or_default() += 1;
         if ["none", "within"].contains(&kind) {
             let reason = &missing[0].1;

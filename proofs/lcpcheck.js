@@ -104,22 +104,42 @@ const lcpcheck = (() => {
   }
 
   // ---- the problem
+  // Puts triplets into the rows of a matrix with so many columns, by rising column, without zeros.
+  function place(triplets, rows, columns) {
+    need(Array.isArray(triplets), "a list of triplets");
+    const seen = new Set();
+    for (const triplet of triplets) {
+      const [i, j, v] = list(triplet, 3);
+      need(isRow(i, rows.length) && isRow(j, columns) && !seen.has(i * columns + j), "a triplet");
+      seen.add(i * columns + j);
+      if (number(v) !== 0) rows[i].push([j, v]);
+    }
+    rows.forEach((row) => row.sort((p, q) => p[0] - q[0]));
+    return rows;
+  }
+  const empty = (n) => Array.from({ length: n }, () => []);
+
+  // The key motion: M, J, bias, compliance, u*.
+  function bodies(data, n) {
+    need(hasKeys(data, ["mass", "jacobian", "bias", "compliance", "target"]), "the keys of motion");
+    need(Array.isArray(data.target), "u*");
+    const target = data.target.map(number), k = target.length;
+    const bias = list(data.bias, n).map(number), soft = list(data.compliance, n).map(number);
+    need(soft.every((v) => v >= 0), "a negative compliance");
+    const mass = place(data.mass, empty(k), k), jacobian = place(data.jacobian, empty(n), k);
+    need(data.mass.every(([i, j]) => i <= j), "an entry below the diagonal");
+    return { mass, jacobian, bias, soft, target };
+  }
+
   function problem(data) {
     need(isObject(data) && Array.isArray(data.b) && isObject(data.A), "A and b");
-    const b = data.b.map(number), n = b.length, rows = Array.from({ length: n }, () => []);
+    const b = data.b.map(number), n = b.length, rows = empty(n);
     if (has(data.A, "dense")) {
       list(data.A.dense, n).forEach((row, i) =>
         list(row, n).forEach((v, j) => { if (number(v) !== 0) rows[i].push([j, v]); }));
     } else {
-      need(data.A.rows === n && data.A.cols === n && Array.isArray(data.A.triplets), "A has another size");
-      const seen = new Set();
-      for (const triplet of data.A.triplets) {
-        const [i, j, v] = list(triplet, 3);
-        need(isRow(i, n) && isRow(j, n) && !seen.has(i * n + j), "a triplet");
-        seen.add(i * n + j);
-        if (number(v) !== 0) rows[i].push([j, v]);
-      }
-      rows.forEach((row) => row.sort((p, q) => p[0] - q[0]));
+      need(data.A.rows === n && data.A.cols === n, "A has another size");
+      place(data.A.triplets, rows, n);
     }
     const vector = (key, other) => (has(data, key) ? list(data[key], n) : b.map((_, i) => other(i)));
     const owner = vector("friction_index", () => -1);
@@ -145,7 +165,10 @@ const lcpcheck = (() => {
     const end = (k, v) => (Number.isFinite(v) ? ends[k] : null);
     const L = lo.map((v, i) => end(i, v)), U = hi.map((v, i) => end(n + i, v));
 
-    const size = 17 + 12 + rows.reduce((sum, row) => sum + 4 + 12 * row.length, 0) + 36 * n + 4;
+    const motion = has(data, "motion") ? bodies(data.motion, n) : null;
+    const sizeOf = (matrix) => matrix.reduce((sum, row) => sum + 4 + 12 * row.length, 0);
+    const size = 17 + 12 + sizeOf(rows) + 36 * n + 4 + (motion === null ? 0
+      : 4 + sizeOf(motion.mass) + sizeOf(motion.jacobian) + 16 * n + 8 * motion.target.length);
     const bytes = new Uint8Array(size), view = new DataView(bytes.buffer);
     let at = 17;
     const put4 = (v) => { view.setUint32(at, v); at += 4; };
@@ -153,14 +176,20 @@ const lcpcheck = (() => {
     bytes.set(Array.from("lcplab problem 1\n", (c) => c.charCodeAt(0)));
     put4(n);
     put8(scale);
-    for (const row of rows) {
+    const putRow = (row) => {
       put4(row.length);
       for (const [j, v] of row) { put4(j); put8(v); }
-    }
+    };
+    rows.forEach(putRow);
     for (const vector of [b, lo, hi]) vector.forEach(put8);
     owner.forEach((k, i) => { put4(k < 0 ? 0 : k + 1); put8(mu[i]); });
-    put4(0);
-    return { n, A, B, M, L, U, owner, sa, sb, sl, sm, least: parts(scale), hash: sha256(bytes) };
+    put4(motion === null ? 0 : 1);
+    if (motion !== null) {
+      put4(motion.target.length);
+      [motion.mass, motion.jacobian].forEach((matrix) => matrix.forEach(putRow));
+      [motion.bias, motion.soft, motion.target].forEach((vector) => vector.forEach(put8));
+    }
+    return { n, A, B, M, L, U, owner, sa, sb, sl, sm, motion, least: parts(scale), hash: sha256(bytes) };
   }
 
   // x times D, and D, from a point of a proof.
@@ -221,6 +250,7 @@ const lcpcheck = (() => {
       return dense;
     });
     if (by === "definite") {
+      need(p.n <= 500, "more than 500 rows");
       need(isPositive(full.map((row, i) => row.map((a, j) => a + full[j][i]))), "A + A' is not positive definite");
       return;
     }
@@ -322,9 +352,59 @@ const lcpcheck = (() => {
     }, zero);
   }
 
+  // 2 (P + D) of an answer and a motion.
+  function gap(p, answer, data) {
+    const exact = (v) => binary(parts(v)), zero = [0n, 1n], minus = (a, b) => plus(a, negative(b));
+    const { mass, jacobian, bias, soft, target } = p.motion, k = target.length, x = answer.map(exact);
+    need(hasKeys(data, ["denominator", "numerators"]), "a motion");
+    const D = integer(data.denominator);
+    need(D > 0n, "a denominator");
+    const v = list(data.numerators, k).map((N) => fraction(integer(N), D));
+    const moved = v.map((v, j) => minus(v, exact(target[j]))), f = Array(k).fill(zero);
+    const add = (j, term) => { f[j] = plus(f[j], term); };
+    mass.forEach((row, i) => row.forEach(([j, m]) => {
+      add(i, times(exact(m), moved[j]));
+      if (i !== j) add(j, times(exact(m), moved[i]));
+    }));
+    let sum = zero;
+    jacobian.forEach((row, i) => {
+      let [lo, hi] = [p.L[i], p.U[i]].map((end) => (end === null ? null : fraction(end, 1n << p.sl)));
+      if (p.owner[i] >= 0) {
+        hi = times(fraction(p.M[i], 1n << p.sm), larger(x[p.owner[i]], zero));
+        lo = negative(hi);
+      }
+      need((lo === null || !less(x[i], lo)) && (hi === null || !less(hi, x[i])), `the answer of row ${i} is beyond a bound`);
+      const give = exact(soft[i]);
+      const w = row.reduce((w, [j, a]) => plus(w, times(exact(a), v[j])), plus(exact(bias[i]), times(give, x[i])));
+      const end = w[0] > 0n ? lo : hi, costs = [];
+      if (end !== null) costs.push(size(times(minus(x[i], end), w)));
+      if (give[0] > 0n) costs.push(over(times(w, w), times([2n, 1n], give)));
+      need(costs.length > 0 || w[0] === 0n, `the motion breaks row ${i}`);
+      if (w[0] !== 0n) sum = plus(sum, times([2n, 1n], costs.reduce(smaller)));
+      row.forEach(([j, a]) => add(j, negative(times(exact(a), x[i]))));
+    });
+    // M = L D L'; f becomes its L^-1 f
+    const left = mass.map((row) => new Map(row.map(([j, m]) => [j, exact(m)])));
+    left.forEach((row, c) => {
+      const pivot = row.get(c) ?? zero;
+      need(pivot[0] > 0n, "the mass matrix is not positive definite");
+      sum = plus(sum, over(times(f[c], f[c]), pivot));
+      for (const [r, value] of row) {
+        if (r === c) continue;
+        const factor = over(value, pivot);
+        add(r, negative(times(factor, f[c])));
+        for (const [s, other] of row) {
+          if (s >= r) left[r].set(s, minus(left[r].get(s) ?? zero, times(factor, other)));
+        }
+      }
+    });
+    return sum;
+  }
+
   const KEYS = {
     "solution": [["x"], ["x", "answer", "distance"]], "unique": [["x", "by"]], "not-unique": [["x", "y"]],
     "no-solution": [["tree"]], "within": [["answer", "residual"]],
+    "motion": [["answer", "motion", "bound"]], "frozen-motion": [["answer", "motion", "bound"]],
   };
 
   function check(p, proof) {
@@ -343,6 +423,14 @@ const lcpcheck = (() => {
       const own = residual(p, answer);
       need(s > 0n && r * own[1] === s * own[0], "the residual is another");
       return "the scaled residual of the answer is the fraction that it states";
+    }
+    if (proof.kind === "motion" || proof.kind === "frozen-motion") {
+      const isFrozen = proof.kind !== "motion";
+      need(isFrozen === p.owner.some((k) => k >= 0), "the kind for rows that are coupled is another");
+      need(p.motion !== null, "the problem says nothing of bodies");
+      const bound = binary(parts(number(proof.bound)));
+      need(bound[0] >= 0n && !less(times(bound, bound), gap(p, answer, proof.motion)), "the motion shows a larger bound only");
+      return `the motion of the answer is within ${proof.bound} of the exact one${isFrozen ? ", with frozen friction" : ""}`;
     }
     const [x, D] = solution(p, proof.x);
     if (proof.kind === "unique") {

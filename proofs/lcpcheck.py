@@ -13,7 +13,8 @@ from pathlib import Path
 
 INF, INTEGER = float("inf"), re.compile(r"0|-?[1-9a-f][0-9a-f]*")
 KEYS = {"solution": [{"x"}, {"x", "answer", "distance"}], "unique": [{"x", "by"}], "not-unique": [{"x", "y"}],
-        "no-solution": [{"tree"}], "within": [{"answer", "residual"}]}
+        "no-solution": [{"tree"}], "within": [{"answer", "residual"}],
+        "motion": [{"answer", "motion", "bound"}], "frozen-motion": [{"answer", "motion", "bound"}]}
 
 
 class Refused(Exception):
@@ -56,18 +57,31 @@ def read(path):
     return json.loads(path.read_text(encoding="utf-8"), object_pairs_hook=only_once)
 
 
+def sparse(triplets, rows, columns):
+    """The rows of a matrix, each {column: value} by rising column, without zeros."""
+    need(all(type(i) is type(j) is int and 0 <= i < rows and 0 <= j < columns for i, j, _ in triplets), "a triplet")
+    need(len({(i, j) for i, j, _ in triplets}) == len(triplets), "two triplets at one place")
+    matrix = [{} for _ in range(rows)]
+    for i, j, v in sorted(triplets):
+        if number(v):
+            matrix[i][j] = number(v)
+    return matrix
+
+
+def packed(matrix):
+    return b"".join(struct.pack(">I", len(row)) + b"".join(struct.pack(">Id", j, v) for j, v in row.items()) for row in matrix)
+
+
 class Problem:
     def __init__(self, data):
         b, a = [number(v) for v in data["b"]], data["A"]
         n = self.n = len(b)
         if "dense" in a:
-            placed = [(i, j, number(v)) for i, row in enumerate(entries(a["dense"], n)) for j, v in enumerate(entries(row, n)) if v]
+            triplets = [(i, j, v) for i, row in enumerate(entries(a["dense"], n)) for j, v in enumerate(entries(row, n))]
         else:
             need(a["rows"] == a["cols"] == n, "A has another size")
-            placed = sorted((i, j, number(v)) for i, j, v in a["triplets"])
-            need(all(type(i) is type(j) is int and 0 <= i < n and 0 <= j < n for i, j, _ in placed), "a triplet")
-            need(len({(i, j) for i, j, _ in placed}) == len(placed), "two triplets at one place")
-            placed = [entry for entry in placed if entry[2]]
+            triplets = a["triplets"]
+        rows = sparse(triplets, n, n)
         index, mu = entries(data.get("friction_index", [-1] * n), n), entries(data.get("mu", [0] * n), n)
         self.owner = [k if k >= 0 else None for k in index]
         bound = lambda v: {"inf": INF, "-inf": -INF}[v] if type(v) is str else number(v)
@@ -83,22 +97,28 @@ class Problem:
                  and (self.lo[i], self.hi[i]) == (-INF, INF), f"the friction of row {i}")
         # All numbers times 2^s are integers; None for an infinite bound.
         both = self.lo + self.hi
-        ints, self.s = whole([v for *_, v in placed] + b + mu + [v if abs(v) < INF else 0.0 for v in both])
-        ints, self.A = iter(ints), [[] for _ in range(n)]
-        for i, j, _ in placed:
-            self.A[i].append((j, next(ints)))
+        ints, self.s = whole([v for row in rows for v in row.values()] + b + mu + [v if abs(v) < INF else 0.0 for v in both])
+        ints = iter(ints)
+        self.A = [[(j, next(ints)) for j in row] for row in rows]
         self.B, self.mu = [next(ints) for _ in b], [next(ints) for _ in mu]
         ends = [v if abs(end) < INF else None for v, end in zip(ints, both)]
         self.ends = list(zip(ends[:n], ends[n:]))
-        form, h = struct.Struct(">Id"), hashlib.sha256(b"lcplab problem 1\n" + struct.pack(">Id", n, self.scale))
-        rows = [[] for _ in range(n)]
-        for i, j, v in placed:
-            rows[i].append(form.pack(j, v))
-        for row in rows:
-            h.update(struct.pack(">I", len(row)) + b"".join(row))
+        h = hashlib.sha256(b"lcplab problem 1\n" + struct.pack(">Id", n, self.scale) + packed(rows))
         h.update(struct.pack(f">{3 * n}d", *b, *self.lo, *self.hi))
-        h.update(b"".join(form.pack(0 if k is None else k + 1, m) for k, m in zip(self.owner, mu)) + bytes(4))
+        h.update(b"".join(struct.pack(">Id", 0 if k is None else k + 1, m) for k, m in zip(self.owner, mu)))
+        h.update(self.bodies(data["motion"]) if "motion" in data else bytes(4))
         self.hash = h.hexdigest()
+
+    def bodies(self, data):
+        """Reads the key motion; its canonical bytes."""
+        need(type(data) is dict and set(data) == {"mass", "jacobian", "bias", "compliance", "target"}, "motion")
+        target, k = [number(v) for v in data["target"]], len(data["target"])
+        bias, soft = ([number(v) for v in entries(data[key], self.n)] for key in ("bias", "compliance"))
+        mass, jacobian = sparse(data["mass"], k, k), sparse(data["jacobian"], self.n, k)
+        need(all(v >= 0 for v in soft) and all(j >= i for i, j, _ in data["mass"]), "compliance and mass")
+        self.motion = [[{j: Q(v) for j, v in row.items()} for row in matrix] for matrix in (mass, jacobian)]
+        self.motion += [[Q(v) for v in values] for values in (bias, soft, target)]
+        return struct.pack(">II", 1, k) + packed(mass) + packed(jacobian) + struct.pack(f">{2 * self.n + k}d", *bias, *soft, *target)
 
     def point(self, data):
         """(X, D): x times D, both integers."""
@@ -134,10 +154,11 @@ class Problem:
         need(all(k is None for k in self.owner), "rows are coupled")
         full = [dict(row) for row in self.A]
         if by == "definite":
+            need(self.n <= 500, "more than 500 rows")
             need(positive([[row.get(j, 0) + full[j].get(i, 0) for j in range(self.n)] for i, row in enumerate(full)]),
                  "A + A' is not positive definite")
         else:
-            need(by == "p-matrix" and self.n <= 12, "by")
+            need(by == "p-matrix" and self.n <= 12, "more than 12 rows")
             for rows in (rows for size in range(1, self.n + 1) for rows in combinations(range(self.n), size)):
                 need(positive([[full[i].get(j, 0) for j in rows] for i in rows]), f"the minor of the rows {rows}")
 
@@ -204,6 +225,41 @@ class Problem:
             worst = max(worst, abs(own - target) / e if own != target else Q(0))
         return worst
 
+    def gap(self, x, data):
+        """2 (P + D) of an answer and a motion, as a fraction."""
+        mass, jacobian, bias, soft, target = self.motion
+        need(type(data) is dict and set(data) == {"denominator", "numerators"}, "a motion")
+        d, x, gap = integer(data["denominator"]), [Q(v) for v in x], Q(0)
+        need(d > 0, "a denominator")
+        v = [Q(integer(p), d) for p in entries(data["numerators"], len(target))]
+        f, rows = [Q(0)] * len(v), [dict(row) for row in mass]
+        for i, row in enumerate(mass):
+            for j, m in row.items():
+                f[i] += m * (v[j] - target[j])
+                f[j] += m * (v[i] - target[i]) if i != j else 0
+        for i, (row, k) in enumerate(zip(jacobian, self.owner)):
+            lo, hi = (None if end is None else Q(end, 1 << self.s) for end in self.ends[i])
+            if k is not None:
+                hi = Q(self.mu[i], 1 << self.s) * max(x[k], 0)
+                lo = -hi
+            need((lo is None or lo <= x[i]) and (hi is None or x[i] <= hi), f"the answer of row {i} is beyond a bound")
+            w = sum([a * v[j] for j, a in row.items()]) + bias[i] + soft[i] * x[i]
+            end = lo if w > 0 else hi
+            costs = [abs((x[i] - end) * w)] if end is not None else []
+            costs += [w * w / (2 * soft[i])] if soft[i] else []
+            need(costs or w == 0, f"the motion breaks row {i}")
+            gap += 2 * min(costs) if w else 0
+            for j, a in row.items():
+                f[j] -= a * x[i]
+        for c, row in enumerate(rows):          # M = L D L', and f becomes its L^-1 f
+            need(row.get(c, 0) > 0, "the mass matrix is not positive definite")
+            gap += f[c] ** 2 / row[c]
+            for r in (r for r in row if r > c):
+                f[r] -= row[r] / row[c] * f[c]
+                for s in (s for s in row if s >= r):
+                    rows[r][s] = rows[r].get(s, 0) - row[r] / row[c] * row[s]
+        return gap
+
 
 def positive(m):
     """Whether all leading principal minors of an integer matrix are positive: they are the pivots of Bareiss."""
@@ -235,6 +291,12 @@ def check(problem, proof):
         p, q = integer(given["numerator"]), integer(given["denominator"])
         need(q > 0 and p * own.denominator == q * own.numerator, "the residual is another")
         return "the scaled residual of the answer is the fraction that it states"
+    if kind in ("motion", "frozen-motion"):
+        need((kind == "motion") == all(k is None for k in problem.owner), "the kind for rows that are coupled is another")
+        need(hasattr(problem, "motion"), "the problem says nothing of bodies")
+        bound = number(proof["bound"])
+        need(bound >= 0 and problem.gap(answer, proof["motion"]) <= Q(bound) ** 2, "the motion shows a larger bound only")
+        return f"the motion of the answer is within {bound:.3g} of the exact one" + ", with frozen friction" * (kind != "motion")
     X, D = problem.solution(proof["x"])
     if kind == "unique":
         problem.unique(proof["by"])

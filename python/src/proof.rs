@@ -1,7 +1,7 @@
 //! Proofs as JSON.
 
-use lcplab::proof;
-use lcplab::report::answer::found;
+use lcplab::proof::{self, Kind};
+use lcplab::report::answer::first_answer;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
@@ -17,7 +17,9 @@ pub fn prove(
     py: Python<'_>,
     problem: &Problem,
     answer: Option<PyReadonlyArray1<'_, f64>>,
+    kind: Option<&str>,
 ) -> PyResult<Proved> {
+    let kind: Option<Kind> = kind.map(str::parse).transpose().map_err(refused)?;
     let lcp = &problem.0.lcp;
     let answer = answer.map(|answer| answer.as_array().to_vec());
     if let Some(n) = answer.as_ref().map(Vec::len).filter(|n| *n != lcp.len()) {
@@ -25,9 +27,14 @@ pub fn prove(
         return Err(refused(lcplab::error::Error::invalid("answer", "x", reason)));
     }
     Ok(py.detach(|| {
-        let found = proof::prove(lcp, &answer.unwrap_or_else(|| found(lcp)));
+        let answer = answer.unwrap_or_else(|| first_answer(lcp));
+        let found = match kind {
+            None => proof::prove(&problem.0, &answer),
+            Some(kind) => proof::prove_kind(&problem.0, &answer, kind),
+        };
         let told = |proof: &proof::Proof| (proof.to_json().to_string(), proof.claim.sentence());
-        (found.proof.as_ref().map(told), found.missing)
+        let missing = found.missing.into_iter().map(|(kind, reason)| (kind.name(), reason));
+        (found.proof.as_ref().map(told), missing.collect())
     }))
 }
 
@@ -35,5 +42,5 @@ pub fn prove(
 #[pyfunction]
 pub fn check(py: Python<'_>, problem: &Problem, text: &str) -> PyResult<Option<String>> {
     let proof = proof::Proof::parse(text, "proof").map_err(refused)?;
-    Ok(py.detach(|| proof::check(&problem.0.lcp, &proof)).err())
+    Ok(py.detach(|| proof::check(&problem.0, &proof)).err())
 }

@@ -5,12 +5,11 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lcp::Lcp;
 use lcplab::lcp::file::{Problem, read_answer};
 use lcplab::lcp::friction::Model;
 use lcplab::page::{Block, Page, Section};
-use lcplab::proof::{Found, Proof, check, prove};
-use lcplab::report::answer::found;
+use lcplab::proof::{Found, Kind, Proof, check, prove, prove_kind};
+use lcplab::report::answer::first_answer;
 use serde_json::json;
 
 use super::limits::MemoryLimit;
@@ -25,15 +24,19 @@ Example:
   lcplab check incline.json proof.json
   python3 proofs/lcpcheck.py incline.json proof.json     # by a program that shares nothing with lcplab
   lcplab prove incline.json --out proof.html             # a page with a button that checks it
+  lcplab prove tower.json --kind motion                  # how far the answer's motion is from the exact one
 
-The strongest kind that holds is written: no-solution, unique, not-unique, solution, within; which stronger
-ones do not hold, and why, is printed. docs/proofs.md says what each proves, and of what. Exit code 1 if not
+The strongest kind that holds is written: no-solution, unique, not-unique, solution, motion, within; which
+stronger ones do not hold, and why, is printed. docs/proofs.md says what each proves, and of what. Exit code 1 if not
 even the residual of the answer is finite.")]
 pub struct Prove {
     /// A problem file, or - for standard input
     problem: PathBuf,
     /// An answer to begin with, a JSON object with x; without it the problem is solved first
     answer: Option<PathBuf>,
+    /// Prove this kind: one of those below, or frozen-motion, which takes the friction limits of the answer
+    #[arg(long)]
+    kind: Option<Kind>,
     /// The file to write, or a page if it ends in .html; standard output without it
     #[arg(long)]
     out: Option<PathBuf>,
@@ -66,9 +69,12 @@ impl Prove {
         let problem = read_problem(&self.problem, memory)?;
         let answer = match &self.answer {
             Some(path) => read_answer(path, problem.lcp.len(), memory)?,
-            None => found(&problem.lcp),
+            None => first_answer(&problem.lcp),
         };
-        let Found { proof, missing } = prove(&problem.lcp, &answer);
+        let Found { proof, missing } = match self.kind {
+            None => prove(&problem, &answer),
+            Some(kind) => prove_kind(&problem, &answer, kind),
+        };
         for (kind, reason) in &missing {
             say(&format!("not {kind}: {reason}"));
         }
@@ -88,7 +94,7 @@ impl Prove {
 }
 
 /// A page with the proof, which checks it where the reader asks it to.
-fn page(problem: &Problem, proof: &Proof, missing: &[(&str, String)], text: &str) -> Page {
+fn page(problem: &Problem, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
     let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
     let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
     let claim = Block::Proof {
@@ -121,8 +127,8 @@ impl Check {
         let input = self.proof.display().to_string();
         let bytes = lcplab::lcp::disk::read(&self.proof, memory)?;
         let proof = Proof::parse(&bytes, &input)?;
-        let verdict = check(&problem.lcp, &proof);
-        let (kind, claim) = (proof.claim.kind(), proof.claim.sentence());
+        let verdict = check(&problem, &proof);
+        let (kind, claim) = (proof.claim.kind().name(), proof.claim.sentence());
         if self.json {
             let holds = verdict.is_ok();
             let reason = verdict.as_ref().err();
@@ -150,8 +156,8 @@ pub fn check_model(model: Model) -> Result<()> {
 }
 
 /// Writes the strongest proof that begins with this answer.
-pub fn write(path: &Path, lcp: &Lcp, answer: &[f64]) -> Result<()> {
-    match prove(lcp, answer).proof {
+pub fn write(path: &Path, problem: &Problem, answer: &[f64]) -> Result<()> {
+    match prove(problem, answer).proof {
         Some(proof) => file::write(path, format!("{}\n", proof.to_json())),
         None => {
             say("warning: no proof is written, for the residual of the answer is not finite");

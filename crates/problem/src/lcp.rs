@@ -136,9 +136,20 @@ impl Lcp {
         self.coupling.as_ref()
     }
 
+    /// Whether any row is bounded by another row's x.
+    pub fn has_coupled_rows(&self) -> bool {
+        self.coupling.as_ref().is_some_and(|coupling| !coupling.is_empty())
+    }
+
     /// Whether row i is bounded by another row's x.
     pub fn is_coupled(&self, i: usize) -> bool {
         self.coupling.as_ref().is_some_and(|coupling| coupling.index(i).is_some())
+    }
+
+    /// The row k that bounds row i by ±μ max(x_k, 0), and μ, if there is one.
+    pub fn coupled_to(&self, i: usize) -> Option<(usize, f64)> {
+        let coupling = self.coupling.as_ref()?;
+        Some((coupling.index(i)?, coupling.mu(i)))
     }
 
     /// The bounds of row i at x: those of the file, or ±μ max(x_k, 0) for a coupled row.

@@ -60,7 +60,7 @@ fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
 
 /// The row that a row is coupled to, and μ.
 fn coupled(lcp: &Lcp, row: usize) -> Option<(usize, Dyadic)> {
-    lcp.coupling().and_then(|c| Some((c.index(row)?, dyadic(c.mu(row)))))
+    lcp.coupled_to(row).map(|(k, mu)| (k, dyadic(mu)))
 }
 
 /// Whether d shows that no solution has these sides.

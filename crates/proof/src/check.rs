@@ -1,12 +1,17 @@
 //! Whether a proof proves its claim, by the definitions and in exact arithmetic.
 
+use dashu_ratio::RBig;
+
 use lcplab_problem::Lcp;
-use lcplab_problem::exact::dyadic::{Dyadic, dyadic, whole};
+use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point};
+use lcplab_problem::file::Problem;
 
-use crate::claim::{Claim, Entry, Near, Proof, Reason, Vector};
-use crate::{cases, hash, minors, residual};
+use crate::claim::{Bounded, Claim, Entry, Near, Proof, Reason, Vector};
+use crate::{cases, hash, minors, motion, residual};
 
+/// With more rows a proof by definiteness is refused: checking it takes minutes.
+pub const MOST_ROWS_OF_DEFINITE: usize = 500;
 /// With more rows not all principal minors are looked at.
 pub const MOST_ROWS_OF_P: usize = 12;
 
@@ -14,8 +19,9 @@ pub const MOST_ROWS_OF_P: usize = 12;
 ///
 /// # Errors
 /// Why it proves nothing of this problem.
-pub fn check(lcp: &Lcp, proof: &Proof) -> Result<(), String> {
-    if proof.problem != hash(lcp) {
+pub fn check(problem: &Problem, proof: &Proof) -> Result<(), String> {
+    let lcp = &problem.lcp;
+    if proof.problem != hash(problem) {
         return Err("the proof is about another problem".into());
     }
     match &proof.claim {
@@ -36,6 +42,9 @@ pub fn check(lcp: &Lcp, proof: &Proof) -> Result<(), String> {
             }
         }
         Claim::NoSolution { tree } => cases::check(lcp, tree),
+        Claim::Motion(_) if lcp.has_coupled_rows() => Err("rows are coupled".into()),
+        Claim::FrozenMotion(_) if !lcp.has_coupled_rows() => Err("no rows are coupled".into()),
+        Claim::Motion(bounded) | Claim::FrozenMotion(bounded) => is_bounded(problem, bounded),
         Claim::Within { answer, residual } => {
             has_rows(lcp, answer.len())?;
             match residual::scaled(lcp, answer) {
@@ -73,11 +82,10 @@ fn point(lcp: &Lcp, x: &Vector) -> Result<Point, String> {
     has_rows(lcp, x.entries.len())?;
     let denominator = whole(x.denominator.clone());
     let mut numerators = vec![Dyadic::ZERO; lcp.len()];
-    let coupled = |i: usize| lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i))));
     let (bounded, others): (Vec<usize>, Vec<usize>) =
-        (0..lcp.len()).partition(|&i| coupled(i).is_some());
+        (0..lcp.len()).partition(|&i| lcp.is_coupled(i));
     for i in others.into_iter().chain(bounded) {
-        let at = |is_hi: bool| match coupled(i) {
+        let at = |is_hi: bool| match lcp.coupled_to(i) {
             Some((k, mu)) => {
                 let reach = dyadic(mu) * numerators[k].clone().max(Dyadic::ZERO);
                 Ok(if is_hi { reach } else { -reach })
@@ -109,11 +117,30 @@ fn is_near(point: &Point, near: &Near) -> Result<(), String> {
     }
 }
 
+/// Whether 2 (P + D) is at most the bound's square.
+fn is_bounded(problem: &Problem, bounded: &Bounded) -> Result<(), String> {
+    let data = problem.motion.as_ref().ok_or("the problem has no key motion")?;
+    has_rows(&problem.lcp, bounded.answer.len())?;
+    if bounded.motion.numerators.len() != data.target.len() {
+        return Err(format!("the motion must have {} entries", data.target.len()));
+    }
+    let exact = |value: f64| rational(&dyadic(value));
+    let x: Vec<RBig> = bounded.answer.iter().map(|&x| exact(x)).collect();
+    let gap = motion::gap(&problem.lcp, data, &x, &bounded.motion.entries())?;
+    match bounded.bound >= 0.0 && gap <= exact(bounded.bound) * exact(bounded.bound) {
+        true => Ok(()),
+        false => Err("the motion shows a larger bound only".into()),
+    }
+}
+
 fn is_unique(lcp: &Lcp, by: Reason) -> Result<(), String> {
-    if lcp.coupling().is_some_and(|coupling| !coupling.is_empty()) {
+    if lcp.has_coupled_rows() {
         return Err("rows are coupled".into());
     }
     match by {
+        Reason::Definite if lcp.len() > MOST_ROWS_OF_DEFINITE => {
+            Err(format!("more than {MOST_ROWS_OF_DEFINITE} rows"))
+        }
         Reason::Definite if minors::is_definite(lcp) => Ok(()),
         Reason::Definite => Err("A + Aᵀ is not positive definite".into()),
         Reason::PMatrix if lcp.len() > MOST_ROWS_OF_P => {

@@ -1,8 +1,14 @@
 //! What a proof claims, with the numbers that show it.
 
+use std::fmt;
+use std::str::FromStr;
+
 use dashu_int::IBig;
+use dashu_int::ops::Gcd;
+use dashu_ratio::RBig;
 
 use lcplab_judge::upper_bound;
+use lcplab_problem::error::Error;
 
 /// A claim about the problem with this hash.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +48,10 @@ pub enum Claim {
         /// The ways that a solution could take, and what is wrong at the end of each.
         tree: Tree,
     },
+    /// The motion that an answer leads to is near the exact one.
+    Motion(Bounded),
+    /// The same with the bounds of coupled rows that the answer gives them.
+    FrozenMotion(Bounded),
     /// The scaled residual of an answer is this fraction.
     Within {
         /// The answer.
@@ -52,14 +62,16 @@ pub enum Claim {
 }
 
 impl Claim {
-    /// The name of its kind in files.
-    pub fn kind(&self) -> &'static str {
+    /// Its kind.
+    pub fn kind(&self) -> Kind {
         match self {
-            Claim::Solution { .. } => "solution",
-            Claim::Unique { .. } => "unique",
-            Claim::NotUnique { .. } => "not-unique",
-            Claim::NoSolution { .. } => "no-solution",
-            Claim::Within { .. } => "within",
+            Claim::Solution { .. } => Kind::Solution,
+            Claim::Unique { .. } => Kind::Unique,
+            Claim::NotUnique { .. } => Kind::NotUnique,
+            Claim::NoSolution { .. } => Kind::NoSolution,
+            Claim::Motion(_) => Kind::Motion,
+            Claim::FrozenMotion(_) => Kind::FrozenMotion,
+            Claim::Within { .. } => Kind::Within,
         }
     }
 
@@ -77,12 +89,130 @@ impl Claim {
                 1 => "no solution exists, by one vector".into(),
                 leaves => format!("no solution exists, in {leaves} cases"),
             },
+            Claim::Motion(Bounded { bound, .. }) => {
+                format!(
+                    "the motion of the answer lies within {} √J of the exact one",
+                    upper_bound(*bound)
+                )
+            }
+            Claim::FrozenMotion(Bounded { bound, .. }) => format!(
+                "with the friction limits of the answer, its motion lies within {} √J of the exact one",
+                upper_bound(*bound)
+            ),
             Claim::Within { residual, .. } => {
                 let residual = upper_bound(residual.rounded_up());
                 format!("the scaled residual of the answer is at most {residual}")
             }
         }
     }
+}
+
+/// The kinds of claims, the strongest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// There is no solution.
+    NoSolution,
+    /// There is one.
+    Unique,
+    /// There are several.
+    NotUnique,
+    /// There is at least one.
+    Solution,
+    /// A bound on the motion of an answer.
+    Motion,
+    /// The residual of an answer.
+    Within,
+    /// A bound on the motion under frozen friction, which proves nothing of the problem itself.
+    FrozenMotion,
+}
+
+impl Kind {
+    /// All of them, the strongest first.
+    pub const ALL: [Kind; 7] = [
+        Kind::NoSolution,
+        Kind::Unique,
+        Kind::NotUnique,
+        Kind::Solution,
+        Kind::Motion,
+        Kind::Within,
+        Kind::FrozenMotion,
+    ];
+
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::NoSolution => "no-solution",
+            Kind::Unique => "unique",
+            Kind::NotUnique => "not-unique",
+            Kind::Solution => "solution",
+            Kind::Motion => "motion",
+            Kind::Within => "within",
+            Kind::FrozenMotion => "frozen-motion",
+        }
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for Kind {
+    type Err = Error;
+
+    fn from_str(name: &str) -> Result<Kind, Error> {
+        let kind = Kind::ALL.into_iter().find(|kind| kind.name() == name);
+        kind.ok_or_else(|| {
+            let names = Kind::ALL.map(Kind::name).join(", ");
+            Error::invalid("options", "kind", format!("is {name:?}, must be one of {names}"))
+        })
+    }
+}
+
+/// An answer, and what shows how far its motion is from the exact one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bounded {
+    /// The answer, within its bounds.
+    pub answer: Vec<f64>,
+    /// A motion that obeys all rows.
+    pub motion: Motion,
+    /// |u(answer) − û|_M is at most this.
+    pub bound: f64,
+}
+
+/// Velocities over one denominator.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// Positive.
+    pub denominator: IBig,
+    /// An entry a column.
+    pub numerators: Vec<IBig>,
+}
+
+impl Motion {
+    /// These, in lowest terms together.
+    pub fn of(entries: &[RBig]) -> Motion {
+        let (numerators, denominator) = over_one_denominator(entries);
+        Motion { denominator, numerators }
+    }
+
+    /// Each as a fraction of its own.
+    pub fn entries(&self) -> Vec<RBig> {
+        let denominator = RBig::from(self.denominator.clone());
+        self.numerators.iter().map(|own| RBig::from(own.clone()) / &denominator).collect()
+    }
+}
+
+/// Fractions as integers over one denominator, the least.
+pub fn over_one_denominator(x: &[RBig]) -> (Vec<IBig>, IBig) {
+    let denominator = x.iter().fold(IBig::ONE, |common, x| {
+        let own = IBig::from(x.denominator().clone());
+        let shared = IBig::from((&common).gcd(&own));
+        common * (own / shared)
+    });
+    let numerator = |x: &RBig| x.numerator() * (&denominator / IBig::from(x.denominator().clone()));
+    (x.iter().map(numerator).collect(), denominator)
 }
 
 /// An answer in floating point near an exact solution.

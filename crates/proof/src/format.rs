@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::json::parse;
 
-use crate::claim::{Claim, Entry, Fraction, Near, Proof, Reason, Tree, Vector};
+use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Tree, Vector};
 
 /// The key `format`.
 const FORMAT: &str = "lcplab-proof-1";
@@ -19,7 +19,7 @@ impl Proof {
         let mut object = Map::new();
         object.insert("format".into(), json!(FORMAT));
         object.insert("problem".into(), json!(self.problem));
-        object.insert("kind".into(), json!(self.claim.kind()));
+        object.insert("kind".into(), json!(self.claim.kind().name()));
         let own = match &self.claim {
             Claim::Solution { x, near: None } => vec![("x", point(x))],
             Claim::Solution { x, near: Some(near) } => vec![
@@ -30,6 +30,11 @@ impl Proof {
             Claim::Unique { x, by } => vec![("x", point(x)), ("by", json!(word(*by)))],
             Claim::NotUnique { x, y } => vec![("x", point(x)), ("y", point(y))],
             Claim::NoSolution { tree } => vec![("tree", branches(tree))],
+            Claim::Motion(bounded) | Claim::FrozenMotion(bounded) => vec![
+                ("answer", json!(bounded.answer)),
+                ("motion", motion(&bounded.motion)),
+                ("bound", json!(bounded.bound)),
+            ],
             Claim::Within { answer, residual } => vec![
                 ("answer", json!(answer)),
                 (
@@ -75,6 +80,11 @@ fn point(x: &Vector) -> Value {
     };
     let numerators: Vec<String> = x.entries.iter().map(entry).collect();
     json!({ "denominator": hex(&x.denominator), "numerators": numerators })
+}
+
+fn motion(motion: &Motion) -> Value {
+    let numerators: Vec<String> = motion.numerators.iter().map(hex).collect();
+    json!({ "denominator": hex(&motion.denominator), "numerators": numerators })
 }
 
 fn branches(tree: &Tree) -> Value {
@@ -145,6 +155,8 @@ fn read(value: &Value) -> Read<Proof> {
             own(&["tree"])?;
             Claim::NoSolution { tree: read_tree(object.get("tree"), DEPTH)? }
         }
+        "motion" => Claim::Motion(read_bounded(object)?),
+        "frozen-motion" => Claim::FrozenMotion(read_bounded(object)?),
         "within" => {
             own(&["answer", "residual"])?;
             let residual = part(object, "residual")?;
@@ -158,6 +170,21 @@ fn read(value: &Value) -> Read<Proof> {
         kind => return wrong("kind", format!("is {kind:?}, which is unknown")),
     };
     Ok(Proof { problem: problem.to_string(), claim })
+}
+
+fn read_bounded(object: &Map<String, Value>) -> Read<Bounded> {
+    only(object, &["format", "problem", "kind", "answer", "motion", "bound"], "file")?;
+    let motion = part(object, "motion")?;
+    only(motion, &["denominator", "numerators"], "motion")?;
+    let Some(Value::Array(numerators)) = motion.get("numerators") else {
+        return wrong("motion", "must have a list of numerators");
+    };
+    let numerators = numerators.iter().map(|value| integer(Some(value), "motion"));
+    let motion = Motion {
+        denominator: positive(motion.get("denominator"), "motion")?,
+        numerators: numerators.collect::<Read<_>>()?,
+    };
+    Ok(Bounded { answer: numbers(object, "answer")?, motion, bound: number(object, "bound")? })
 }
 
 /// That an object has no other keys.

@@ -2,34 +2,53 @@
 
 use sha2::{Digest, Sha256};
 
-use lcplab_problem::Lcp;
+use lcplab_problem::file::Problem;
 
 /// The numbers of a problem in the one order and form that `docs/proofs.md` states.
-pub fn canonical_bytes(lcp: &Lcp) -> Vec<u8> {
+pub fn canonical_bytes(problem: &Problem) -> Vec<u8> {
+    let lcp = &problem.lcp;
     let n = lcp.len();
     let mut bytes = b"lcplab problem 1\n".to_vec();
     integer(&mut bytes, n);
     number(&mut bytes, lcp.scale());
     for i in 0..n {
-        let entries: Vec<(usize, f64)> =
-            lcp.matrix().row(i).iter().filter(|&(_, a)| a != 0.0).collect();
-        integer(&mut bytes, entries.len());
-        for (j, a) in entries {
-            integer(&mut bytes, j);
-            number(&mut bytes, a);
-        }
+        row(&mut bytes, lcp.matrix().row(i).iter());
     }
     for vector in [lcp.b(), lcp.lo(), lcp.hi()] {
         vector.iter().for_each(|&value| number(&mut bytes, value));
     }
     for i in 0..n {
-        let coupled = lcp.coupling().and_then(|c| Some((c.index(i)? + 1, c.mu(i))));
-        let (k, mu) = coupled.unwrap_or_default();
+        let (k, mu) = lcp.coupled_to(i).map_or((0, 0.0), |(k, mu)| (k + 1, mu));
         integer(&mut bytes, k);
         number(&mut bytes, mu);
     }
-    integer(&mut bytes, 0); // no motion
+    let Some(motion) = &problem.motion else {
+        integer(&mut bytes, 0);
+        return bytes;
+    };
+    integer(&mut bytes, 1);
+    let k = motion.target.len();
+    integer(&mut bytes, k);
+    for i in 0..k {
+        let own = motion.mass.iter().filter(|entry| entry.0 == i);
+        row(&mut bytes, own.map(|&(_, j, value)| (j, value)));
+    }
+    motion.jacobian.iter().for_each(|own| row(&mut bytes, own.iter().copied()));
+    for vector in [&motion.bias, &motion.compliance, &motion.target] {
+        vector.iter().for_each(|&value| number(&mut bytes, value));
+    }
     bytes
+}
+
+/// A row of a matrix by rising column.
+fn row(bytes: &mut Vec<u8>, entries: impl Iterator<Item = (usize, f64)>) {
+    let mut entries: Vec<(usize, f64)> = entries.filter(|&(_, value)| value != 0.0).collect();
+    entries.sort_by_key(|&(j, _)| j);
+    integer(bytes, entries.len());
+    for (j, value) in entries {
+        integer(bytes, j);
+        number(bytes, value);
+    }
 }
 
 fn integer(bytes: &mut Vec<u8>, value: usize) {
@@ -41,6 +60,6 @@ fn number(bytes: &mut Vec<u8>, value: f64) {
 }
 
 /// SHA-256 of the canonical bytes, in hexadecimal digits.
-pub fn hash(lcp: &Lcp) -> String {
-    Sha256::digest(canonical_bytes(lcp)).iter().map(|byte| format!("{byte:02x}")).collect()
+pub fn hash(problem: &Problem) -> String {
+    Sha256::digest(canonical_bytes(problem)).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -1,23 +1,25 @@
 //! Proofs about a problem as files: an exact solution, that it is the only one or not, that there is none,
-//! what a floating-point answer misses.
+//! what a floating-point answer misses, how far its motion is from the exact one.
 //!
 //! [`prove`] finds the strongest [`Claim`] that it can prove, [`Proof::to_json`] writes it, and [`check`] holds a
 //! proof against the problem in exact arithmetic. The format, and why each check proves its claim, stand in
 //! `docs/proofs.md`; `proofs/lcpcheck.py` checks the same files and shares no code with this crate.
 //!
 //! ```
+//! use lcplab_problem::file::Problem;
 //! use lcplab_problem::{Lcp, Matrix};
-//! use lcplab_proof::{Proof, check, prove};
+//! use lcplab_proof::{Kind, Proof, check, prove};
 //!
 //! // w = (2 x_0 − x_1 − 1, 2 x_1 − x_0 + 2): x = (½, 0) and no other.
 //! let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 //! let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
-//! let found = prove(&lcp, &[0.5, 0.0]);
+//! let problem = Problem::new("two contacts", lcp);
+//! let found = prove(&problem, &[0.5, 0.0]);
 //! let proof = found.proof.expect("a proof");
-//! assert_eq!(proof.claim.kind(), "unique");
+//! assert_eq!(proof.claim.kind(), Kind::Unique);
 //!
 //! let read = Proof::parse(&proof.to_json().to_string(), "proof.json")?;
-//! assert_eq!(check(&lcp, &read), Ok(()));
+//! assert_eq!(check(&problem, &read), Ok(()));
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
@@ -27,13 +29,14 @@ mod claim;
 mod format;
 mod hash;
 mod minors;
+mod motion;
 mod pivot;
 mod program;
 mod prove;
 mod residual;
 
 pub use check::check;
-pub use claim::{Claim, Entry, Fraction, Near, Proof, Reason, Tree, Vector};
+pub use claim::{Bounded, Claim, Entry, Fraction, Kind, Motion, Near, Proof, Reason, Tree, Vector};
 pub use hash::{canonical_bytes, hash};
-pub use prove::{Found, prove};
+pub use prove::{Found, prove, prove_kind};
 pub use residual::scaled as exact_residual;

@@ -77,9 +77,8 @@ struct Table {
 impl Table {
     fn of(lcp: &Lcp) -> Option<Table> {
         let n = lcp.len();
-        let coupled = |i: usize| lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i))));
         let mut pairs = n;
-        let form = |i: usize| match (coupled(i), lcp.lo()[i], lcp.hi()[i]) {
+        let form = |i: usize| match (lcp.coupled_to(i), lcp.lo()[i], lcp.hi()[i]) {
             (None, f64::NEG_INFINITY, f64::INFINITY) => Form::Equation,
             (None, _, f64::INFINITY) => Form::Up,
             (None, f64::NEG_INFINITY, _) => Form::Down,
@@ -93,13 +92,13 @@ impl Table {
             return None;
         }
         // x_j = start_j + Σ factor y
-        let start = |j: usize| match (coupled(j), forms[j]) {
+        let start = |j: usize| match (lcp.coupled_to(j), forms[j]) {
             (Some((k, mu)), _) => -real(mu) * real(lcp.lo()[k]),
             (None, Form::Equation) => real(0.0),
             (None, Form::Down) => real(lcp.hi()[j]),
             (None, _) => real(lcp.lo()[j]),
         };
-        let factors = |j: usize| match (coupled(j), forms[j]) {
+        let factors = |j: usize| match (lcp.coupled_to(j), forms[j]) {
             (Some((k, mu)), _) => vec![(j, real(1.0)), (k, -real(mu))],
             (None, Form::Down) => vec![(j, real(-1.0))],
             (None, _) => vec![(j, real(1.0))],
@@ -121,7 +120,7 @@ impl Table {
             if let Form::Between(p) = forms[i] {
                 rows[i][p] = real(1.0);
                 rows[p][i] = real(-1.0);
-                match coupled(i) {
+                match lcp.coupled_to(i) {
                     Some((k, mu)) => {
                         rows[p][k] = real(2.0) * real(mu);
                         rows[p][pairs] = real(2.0) * real(mu) * real(lcp.lo()[k]);
@@ -188,7 +187,8 @@ impl Table {
 
     /// Whether a variable is one of an equation: its y has no sign, its v is 0.
     fn is_equation(&self, variable: usize) -> bool {
-        self.forms.get(variable % self.pairs) == Some(&Form::Equation)
+        let is_of_a_pair = variable < 2 * self.pairs; // not that of Lemke
+        is_of_a_pair && self.forms.get(variable % self.pairs) == Some(&Form::Equation)
     }
 
     /// Lemke's method with a covering vector of ones; `None` where it ends on a ray.

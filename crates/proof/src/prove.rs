@@ -1,21 +1,25 @@
 //! The strongest claim that can be proved.
 
+use std::cell::OnceCell;
+
 use dashu_int::IBig;
-use dashu_int::ops::Gcd;
 use dashu_ratio::RBig;
 
 use lcplab_judge::{exact, refuting_vector};
 use lcplab_problem::Lcp;
-use lcplab_problem::exact::dyadic::{dyadic, rational};
+use lcplab_problem::exact::dyadic::{dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point, all_solutions};
+use lcplab_problem::file::Problem;
 
 use crate::cases::{self, Search};
-use crate::check::{MOST_ROWS_OF_P, check};
-use crate::claim::{Claim, Entry, Near, Proof, Reason, Tree, Vector};
-use crate::{hash, minors, pivot, residual};
+use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, check};
+use crate::claim::{Claim, Entry, Kind, Near, Proof, Reason, Tree, Vector, over_one_denominator};
+use crate::{hash, minors, motion, pivot, residual};
 
+/// With more rows no exact solution is looked for: it would take hours.
+const MOST_ROWS: usize = 500;
 /// With more rows it is not decided whether A + Aᵀ is definite: elimination takes too long.
-const MOST_ROWS_OF_DEFINITE: usize = 150;
+const MOST_ROWS_TO_ELIMINATE: usize = 150;
 /// With more rows a second solution is not looked for in all pieces.
 const MOST_ROWS_OF_PIECES: usize = 8;
 
@@ -24,40 +28,36 @@ const MOST_ROWS_OF_PIECES: usize = 8;
 pub struct Found {
     /// The strongest proof; `None` if there is not even a finite residual.
     pub proof: Option<Proof>,
-    /// The stronger kinds, and why there is no proof of them.
-    pub missing: Vec<(&'static str, String)>,
+    /// The kinds that were looked for before, and why there is no proof of them.
+    pub missing: Vec<(Kind, String)>,
 }
 
-/// Looks for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `within`, in this order. The
-/// answer is where it begins.
+/// Looks for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`, `within`, in this
+/// order. The answer is where it begins.
 ///
 /// # Panics
 /// If the answer has not an entry a row.
-pub fn prove(lcp: &Lcp, answer: &[f64]) -> Found {
-    assert_eq!(answer.len(), lcp.len(), "an answer needs one entry a row");
+pub fn prove(problem: &Problem, answer: &[f64]) -> Found {
+    let prover = Prover::new(problem, answer);
     let mut missing = Vec::new();
-    let claim = match solvable(lcp, answer) {
-        Ok(Solvable::No(tree)) => Some(Claim::NoSolution { tree }),
-        Ok(Solvable::Yes(solution)) => {
-            missing.push(("no-solution", "a solution exists".to_string()));
-            Some(solved(lcp, answer, &solution, &mut missing))
+    for kind in Kind::ALL.into_iter().filter(|kind| *kind != Kind::FrozenMotion) {
+        match prover.proof(kind) {
+            Ok(proof) => return Found { proof: Some(proof), missing },
+            Err(reason) => missing.push((kind, reason)),
         }
-        Err(reason) => {
-            missing.push(("no-solution", reason));
-            for kind in ["unique", "not-unique", "solution"] {
-                missing.push((kind, "no exact solution was found".into()));
-            }
-            let is_finite = answer.iter().all(|x| x.is_finite());
-            let residual = if is_finite { residual::scaled(lcp, answer) } else { None };
-            if residual.is_none() {
-                missing.push(("within", "the residual of the answer is not finite".into()));
-            }
-            residual.map(|residual| Claim::Within { answer: answer.to_vec(), residual })
-        }
-    };
-    let proof = claim.map(|claim| Proof { problem: hash(lcp), claim });
-    debug_assert!(proof.as_ref().is_none_or(|proof| check(lcp, proof).is_ok()));
-    Found { proof, missing }
+    }
+    Found { proof: None, missing }
+}
+
+/// Looks for a proof of this kind alone.
+///
+/// # Panics
+/// If the answer has not an entry a row.
+pub fn prove_kind(problem: &Problem, answer: &[f64], kind: Kind) -> Found {
+    match Prover::new(problem, answer).proof(kind) {
+        Ok(proof) => Found { proof: Some(proof), missing: Vec::new() },
+        Err(reason) => Found { proof: None, missing: vec![(kind, reason)] },
+    }
 }
 
 /// An exact solution, and a direction in which it can be moved if one was seen.
@@ -71,8 +71,85 @@ enum Solvable {
     No(Tree),
 }
 
+struct Prover<'a> {
+    problem: &'a Problem,
+    answer: &'a [f64],
+    /// Whether there is a solution, found out once.
+    solvable: OnceCell<Result<Solvable, String>>,
+}
+
+impl<'a> Prover<'a> {
+    fn new(problem: &'a Problem, answer: &'a [f64]) -> Self {
+        assert_eq!(answer.len(), problem.lcp.len(), "an answer needs one entry a row");
+        Prover { problem, answer, solvable: OnceCell::new() }
+    }
+
+    /// The proof of a claim, which is checked before it is given away.
+    fn proof(&self, kind: Kind) -> Result<Proof, String> {
+        let claim = self.claim(kind)?;
+        let proof = Proof { problem: hash(self.problem), claim };
+        check(self.problem, &proof).map_err(|reason| format!("its proof fails: {reason}"))?;
+        Ok(proof)
+    }
+
+    fn claim(&self, kind: Kind) -> Result<Claim, String> {
+        let (lcp, answer) = (&self.problem.lcp, self.answer);
+        match kind {
+            Kind::NoSolution => match self.solvable()? {
+                Solvable::No(tree) => Ok(Claim::NoSolution { tree: tree.clone() }),
+                Solvable::Yes(_) => Err("a solution exists".into()),
+            },
+            Kind::Unique => {
+                let x = vector(lcp, &self.solution()?.x);
+                Ok(Claim::Unique { x, by: unique(lcp)? })
+            }
+            Kind::NotUnique => {
+                let solution = self.solution()?;
+                let y = another(lcp, solution)?;
+                Ok(Claim::NotUnique { x: vector(lcp, &solution.x), y: vector(lcp, &y) })
+            }
+            Kind::Solution => {
+                let x = &self.solution()?.x;
+                Ok(Claim::Solution { x: vector(lcp, x), near: near(answer, x) })
+            }
+            Kind::Motion if lcp.has_coupled_rows() => {
+                Err("rows are coupled, and friction is no minimum".into())
+            }
+            Kind::FrozenMotion if !lcp.has_coupled_rows() => Err("no rows are coupled".into()),
+            Kind::Motion => motion::search(self.problem, answer).map(Claim::Motion),
+            Kind::FrozenMotion => motion::search(self.problem, answer).map(Claim::FrozenMotion),
+            Kind::Within => {
+                let is_finite = answer.iter().all(|x| x.is_finite());
+                let residual = if is_finite { residual::scaled(lcp, answer) } else { None };
+                let residual = residual.ok_or("the residual of the answer is not finite")?;
+                Ok(Claim::Within { answer: answer.to_vec(), residual })
+            }
+        }
+    }
+
+    fn solution(&self) -> Result<&Solution, String> {
+        match self.solvable() {
+            Ok(Solvable::Yes(solution)) => Ok(solution),
+            Ok(Solvable::No(_)) => Err("no solution exists".into()),
+            Err(_) => Err("no exact solution was found".into()),
+        }
+    }
+
+    fn solvable(&self) -> Result<&Solvable, String> {
+        let found = self.solvable.get_or_init(|| solvable(&self.problem.lcp, self.answer));
+        found.as_ref().map_err(String::clone)
+    }
+}
+
 /// A solution or a proof that there is none, or why there is neither.
 fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
+    let at = |x| Ok(Solvable::Yes(Solution { x, direction: None }));
+    if lcp.len() > MOST_ROWS {
+        return Err(format!(
+            "{} rows are too many: at most {MOST_ROWS} are solved exactly",
+            lcp.len()
+        ));
+    }
     if answer.iter().all(|x| x.is_finite()) {
         let w = lcp.w(answer);
         if let Some(exact::Proof { x, null_direction, .. }) = exact::prove(lcp, answer, &w) {
@@ -83,13 +160,11 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
         let exact = Exact::new(lcp);
         let point = exact.point(&sides, &vec![0.0; lcp.len()]).map(|(point, _)| point);
         if let Some(point) = point.filter(|point| exact.is_solved_by(point)) {
-            return Ok(Solvable::Yes(Solution { x: point.entries(), direction: None }));
+            return at(point.entries());
         }
     }
     match cases::search(lcp) {
-        Some(Search::Solution(point)) => {
-            return Ok(Solvable::Yes(Solution { x: point.entries(), direction: None }));
-        }
+        Some(Search::Solution(point)) => return at(point.entries()),
         Some(Search::None(tree)) => return Ok(Solvable::No(tree)),
         None => {}
     }
@@ -103,38 +178,24 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
     }
 }
 
-/// The strongest claim about a problem with this solution.
-fn solved(
-    lcp: &Lcp,
-    answer: &[f64],
-    solution: &Solution,
-    missing: &mut Vec<(&'static str, String)>,
-) -> Claim {
-    let x = vector(lcp, &solution.x);
-    match unique(lcp) {
-        Ok(by) => return Claim::Unique { x, by },
-        Err(reason) => missing.push(("unique", reason)),
+/// How far a finite answer is from x, if that is a number.
+fn near(answer: &[f64], x: &[RBig]) -> Option<Near> {
+    if !answer.iter().all(|x| x.is_finite()) {
+        return None;
     }
-    match another(lcp, solution) {
-        Ok(y) => return Claim::NotUnique { x, y: vector(lcp, &y) },
-        Err(reason) => missing.push(("not-unique", reason)),
-    }
-    let is_finite = answer.iter().all(|x| x.is_finite());
-    let distance = || {
-        let exact = answer.iter().zip(&solution.x).map(|(&own, x)| rational(&dyadic(own)) - x);
-        let most = exact.map(|miss| if miss < RBig::ZERO { -miss } else { miss }).max();
-        lcplab_problem::exact::rounded_up(&most.unwrap_or_default())
-    };
-    let near = is_finite.then(|| Near { answer: answer.to_vec(), distance: distance() });
-    Claim::Solution { x, near: near.filter(|near| near.distance.is_finite()) }
+    let misses = answer.iter().zip(x).map(|(&own, x)| rational(&dyadic(own)) - x);
+    let most = misses.map(|miss| if miss < RBig::ZERO { -miss } else { miss }).max();
+    let distance = lcplab_problem::exact::rounded_up(&most.unwrap_or_default());
+    distance.is_finite().then(|| Near { answer: answer.to_vec(), distance })
 }
 
 /// Why there is at most one solution.
 fn unique(lcp: &Lcp) -> Result<Reason, String> {
-    if lcp.coupling().is_some_and(|coupling| !coupling.is_empty()) {
+    if lcp.has_coupled_rows() {
         return Err("rows are coupled, for which no theorem is at hand".into());
     }
-    if lcp.len() <= MOST_ROWS_OF_DEFINITE && minors::is_definite(lcp) {
+    let most = MOST_ROWS_TO_ELIMINATE.min(MOST_ROWS_OF_DEFINITE);
+    if lcp.len() <= most && minors::is_definite(lcp) {
         return Ok(Reason::Definite);
     }
     if lcp.len() <= MOST_ROWS_OF_P && minors::is_p(lcp) {
@@ -142,7 +203,7 @@ fn unique(lcp: &Lcp) -> Result<Reason, String> {
     }
     Err(match lcp.len() {
         n if n <= MOST_ROWS_OF_P => "A + Aᵀ is not definite, and A is no P-matrix".into(),
-        n if n <= MOST_ROWS_OF_DEFINITE => {
+        n if n <= most => {
             format!("A + Aᵀ is not definite, and {n} rows are too many for all principal minors")
         }
         n => format!("{n} rows are too many"),
@@ -173,27 +234,15 @@ fn another(lcp: &Lcp, solution: &Solution) -> Result<Vec<RBig>, String> {
     other.ok_or_else(|| "no other solution was found in all pieces".into())
 }
 
-/// Fractions as integers over one denominator.
-fn common(x: &[RBig]) -> (Vec<IBig>, IBig) {
-    let denominator = x.iter().fold(IBig::ONE, |common, x| {
-        let own = IBig::from(x.denominator().clone());
-        let shared = IBig::from((&common).gcd(&own));
-        common * (own / shared)
-    });
-    let numerator = |x: &RBig| x.numerator() * (&denominator / IBig::from(x.denominator().clone()));
-    (x.iter().map(numerator).collect(), denominator)
-}
-
 fn point(x: &[RBig]) -> Point {
-    use lcplab_problem::exact::dyadic::whole;
-    let (numerators, denominator) = common(x);
+    let (numerators, denominator) = over_one_denominator(x);
     Point::new(numerators.into_iter().map(whole).collect(), whole(denominator))
 }
 
 /// The shortest way to write it: a bound other than 0 by its name.
 fn vector(lcp: &Lcp, x: &[RBig]) -> Vector {
     let exact = |bound: f64| bound.is_finite().then(|| rational(&dyadic(bound)));
-    let bounds = |i: usize| match lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
+    let bounds = |i: usize| match lcp.coupled_to(i) {
         Some((k, mu)) => {
             let reach = rational(&dyadic(mu)) * &x[k];
             (Some(-reach.clone()), Some(reach))
@@ -208,7 +257,7 @@ fn vector(lcp: &Lcp, x: &[RBig]) -> Vector {
     };
     let names: Vec<Option<Entry>> = x.iter().enumerate().map(named).collect();
     let unnamed = x.iter().zip(&names).filter(|(_, name)| name.is_none()).map(|(x, _)| x.clone());
-    let (numerators, denominator) = common(&unnamed.collect::<Vec<_>>());
+    let (numerators, denominator) = over_one_denominator(&unnamed.collect::<Vec<_>>());
     let mut numerators = numerators.into_iter().map(Entry::Numerator);
     let entries = names.into_iter().filter_map(|name| name.or_else(|| numerators.next())).collect();
     Vector { denominator, entries }
@@ -216,6 +265,6 @@ fn vector(lcp: &Lcp, x: &[RBig]) -> Vector {
 
 /// A direction as integers; entries that are 0 are left out.
 fn integers(d: &[RBig]) -> Vec<(usize, IBig)> {
-    let (numerators, _) = common(d);
+    let (numerators, _) = over_one_denominator(d);
     numerators.into_iter().enumerate().filter(|(_, d)| *d != IBig::ZERO).collect()
 }

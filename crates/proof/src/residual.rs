@@ -56,7 +56,8 @@ fn miss(lcp: &Lcp, i: usize, x: &[f64], rows: &[Row]) -> Option<RBig> {
     let row = &rows[i];
     let (mut own, mut lo, mut hi) = (exact(x[i]), bound(lcp.lo()[i]), bound(lcp.hi()[i]));
     let mut reach = own_reach(lcp, i);
-    if let Some((k, mu)) = lcp.coupling().and_then(|c| Some((c.index(i)?, exact(c.mu(i))))) {
+    if let Some((k, mu)) = lcp.coupled_to(i) {
+        let mu = exact(mu);
         let limit = &mu * exact(x[k]).max(RBig::ZERO);
         let near = &limit / RBig::from(1_u64 << 50);
         for bound in [-limit.clone(), limit.clone()] {

@@ -79,7 +79,7 @@ impl Answer {
 }
 
 /// The x of the first of a few solvers that claims one, else of the last.
-pub fn found(lcp: &Lcp) -> Vec<f64> {
+pub fn first_answer(lcp: &Lcp) -> Vec<f64> {
     let mut x = vec![0.0; lcp.len()];
     for name in [default_for(lcp), "block-pivoting", "lemke", "newton"] {
         let Ok(solver) = by_name(name, &Options::default()) else { continue };

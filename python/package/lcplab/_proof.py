@@ -18,7 +18,7 @@ class Proof:
     Attributes
     ----------
     kind : str or None
-        ``"no-solution"``, ``"unique"``, ``"not-unique"``, ``"solution"`` or ``"within"``.
+        ``"no-solution"``, ``"unique"``, ``"not-unique"``, ``"solution"``, ``"motion"``, ``"within"`` or ``"frozen-motion"``.
     claim : str
         The same in a sentence.
     missing : dict
@@ -48,15 +48,15 @@ class Proof:
         return f"<lcplab.Proof {self.kind}: {self.claim}>"
 
 
-def prove(problem: Problem, x: ArrayLike | None = None) -> Proof:
-    """Prove what can be proved of a problem; an answer ``x`` is where the search begins.
+def prove(problem: Problem, x: ArrayLike | None = None, *, kind: str | None = None) -> Proof:
+    """Prove the strongest that can be proved of a problem, or a ``kind``; an answer ``x`` is where the search begins.
 
     Examples
     --------
     >>> prove(Problem([[2, -1], [-1, 2]], [-1, 2]))
     <lcplab.Proof unique: exactly one solution exists>
     """
-    proof, missing = _lcplab.prove(problem._inner, None if x is None else vector(x))
+    proof, missing = _lcplab.prove(problem._inner, None if x is None else vector(x), kind)
     text, claim = proof if proof is not None else (None, "nothing")
     return Proof(text, claim, dict(missing))
 

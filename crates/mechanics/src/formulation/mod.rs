@@ -255,16 +255,21 @@ impl Problem {
     /// The same motion as a primal program, by Gauss's principle; coupled rows have the bounds that
     /// x gives them.
     pub fn gauss(&self, x: &[f64]) -> Gauss {
+        let (lo, hi) = (0..self.lcp.len()).map(|i| self.lcp.bounds(i, x)).unzip();
+        Gauss { lo, hi, ..self.unbounded_by_friction() }
+    }
+
+    /// The same with coupled rows that have no bounds.
+    pub fn unbounded_by_friction(&self) -> Gauss {
         let n = self.lcp.len();
-        let (lo, hi) = (0..n).map(|i| self.lcp.bounds(i, x)).unzip();
         Gauss {
             mass: self.assembly.blocks.iter().flat_map(|block| block.mass_entries()).collect(),
             jacobian: (0..n).map(|i| self.assembly.jacobian_row(i)).collect(),
             bias: self.bias.clone(),
             compliance: self.compliance.clone(),
             target: self.target.clone(),
-            lo,
-            hi,
+            lo: self.lcp.lo().to_vec(),
+            hi: self.lcp.hi().to_vec(),
         }
     }
 }

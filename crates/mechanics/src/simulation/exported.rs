@@ -15,6 +15,8 @@ impl Solve {
         if let Some(posing) = &self.posing {
             (problem.model, problem.frozen_at) = (Some(posing.model), posing.frozen_at.clone());
         }
+        // With sliding contacts A is not that of a minimum.
+        problem.motion = assembled.slides.is_empty().then(|| assembled.unbounded_by_friction());
         let rows = assembled.assembly.rows.iter().map(|row| {
             let unit = assembled.stage.unit(row.kind.is_angular());
             json!({ "label": row.label(scene), "kind": row.kind.name(), "unit": unit })

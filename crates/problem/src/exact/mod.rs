@@ -68,7 +68,7 @@ impl Exact {
     pub fn new(lcp: &Lcp) -> Self {
         let row = |i: usize| lcp.matrix().row(i).iter().filter(|&(_, a)| a != 0.0);
         let number = |x: f64| x.is_finite().then(|| dyadic(x));
-        let bounds = |i: usize| match lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
+        let bounds = |i: usize| match lcp.coupled_to(i) {
             Some((_, 0.0)) => Bounds::Box(Some(Dyadic::ZERO), Some(Dyadic::ZERO)),
             Some((k, mu)) => Bounds::Coupled(k, dyadic(mu)),
             None => Bounds::Box(number(lcp.lo()[i]), number(lcp.hi()[i])),

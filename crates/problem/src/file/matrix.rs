@@ -26,7 +26,7 @@ impl Entries {
                 Entries::Dense(dense(&a["dense"], n, defects))
             }
             Value::Object(a) if a.contains_key("triplets") => {
-                Entries::Sparse(triplets(a, n, defects))
+                Entries::Sparse(sparse(a, n, defects))
             }
             _ => {
                 defects.add("A", "must be an object with \"dense\" or \"triplets\"");
@@ -72,7 +72,7 @@ fn dense(value: &Value, n: usize, defects: &mut Defects) -> Vec<f64> {
     entries
 }
 
-fn triplets(a: &Map<String, Value>, n: usize, defects: &mut Defects) -> Vec<(usize, usize, f64)> {
+fn sparse(a: &Map<String, Value>, n: usize, defects: &mut Defects) -> Vec<(usize, usize, f64)> {
     for key in ["rows", "cols"] {
         match a.get(key).map(|value| (value, value.as_u64())) {
             None => defects.add(format!("A.{key}"), "is missing"),
@@ -82,27 +82,43 @@ fn triplets(a: &Map<String, Value>, n: usize, defects: &mut Defects) -> Vec<(usi
             }
         }
     }
-    let Value::Array(list) = &a["triplets"] else {
-        defects.add("A.triplets", "must be a list of [row, column, value]");
+    triplets(&a["triplets"], "A.triplets", (n, n), defects)
+}
+
+/// The list under a key of a matrix with so many rows and columns.
+pub(super) fn triplets(
+    list: &Value,
+    key: &str,
+    (rows, columns): (usize, usize),
+    defects: &mut Defects,
+) -> Vec<(usize, usize, f64)> {
+    let Value::Array(list) = list else {
+        defects.add(key, "must be a list of [row, column, value]");
         return Vec::new();
     };
     let mut entries = Vec::new();
     for (k, triplet) in list.iter().enumerate() {
-        let place = || format!("A.triplets[{k}]");
+        let place = || format!("{key}[{k}]");
         let parts = triplet.as_array().map(Vec::as_slice);
         let Some([i, j, value]) = parts else {
             defects.add(place(), "must be [row, column, value]");
             continue;
         };
-        let index = |value: &Value| value.as_u64().filter(|&i| i < n as u64).map(|i| i as usize);
-        match (index(i), index(j), as_number(value)) {
+        let index =
+            |value: &Value, n: usize| value.as_u64().filter(|&i| i < n as u64).map(|i| i as usize);
+        match (index(i, rows), index(j, columns), as_number(value)) {
             (Some(i), Some(j), Some(value)) => entries.push((i, j, value)),
             (_, _, None) => {
                 defects.add(place(), format!("value must be a number, is {}", brief(value)));
             }
             _ => {
-                let reason =
-                    format!("row {} and column {} must be indices below {n}", brief(i), brief(j));
+                let (i, j) = (brief(i), brief(j));
+                let reason = match rows == columns {
+                    true => format!("row {i} and column {j} must be indices below {rows}"),
+                    false => {
+                        format!("row {i} must be an index below {rows}, column {j} below {columns}")
+                    }
+                };
                 defects.add(place(), reason);
             }
         }

@@ -15,6 +15,7 @@
 //! | `model` | under which model of friction x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` where the key is absent |
 //! | `frozen_at` | n numbers, of which the box of model 1, `"frozen-box"`, takes the normal impulses x\[k\] |
 //! | `scale` | the size of x that counts as something: a row whose terms are below s_i times this is at rest, and measured by that; see [`Lcp::with_scale`] |
+//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*}`; see [`Gauss`](crate::Gauss) |
 //! | `name`, `source`, `dt`, `rows`, `expected` | optional, kept as they are |
 //!
 //! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact have the
@@ -33,6 +34,7 @@
 
 mod expected;
 mod matrix;
+mod motion;
 mod parts;
 mod value;
 
@@ -49,7 +51,7 @@ use parts::{frozen_at, model, scale};
 use value::numbers;
 
 use super::friction::{FrictionProblem, Model};
-use super::{Lcp, Matrix};
+use super::{Gauss, Lcp, Matrix};
 use crate::disk;
 use crate::error::{Defects, Error, Result};
 use crate::json;
@@ -66,6 +68,8 @@ pub struct Problem {
     pub model: Option<Model>,
     /// The x at which model 1 freezes its boxes, n entries.
     pub frozen_at: Option<Vec<f64>>,
+    /// The bodies and rows that A and b were made from, if the file says so; it is bounded as the problem is.
+    pub motion: Option<Gauss>,
     /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `expected`.
     pub extra: Map<String, Value>,
     /// What was ignored while reading.
@@ -81,14 +85,15 @@ pub struct Problem {
 pub const SCHEMA: &str = include_str!("schema.json");
 
 const KEPT: [&str; 4] = ["source", "dt", "rows", "expected"];
-const READ: [&str; 10] =
-    ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale"];
+const READ: [&str; 11] =
+    ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale", "motion"];
 
 impl Problem {
     /// A problem with a name and nothing else.
     pub fn new(name: impl Into<String>, lcp: Lcp) -> Self {
+        let (model, frozen_at, motion) = (None, None, None);
         let (extra, warnings) = (Map::new(), Vec::new());
-        Problem { name: name.into(), lcp, model: None, frozen_at: None, extra, warnings }
+        Problem { name: name.into(), lcp, model, frozen_at, motion, extra, warnings }
     }
 
     /// The contacts with friction, if there are any friction rows.
@@ -140,9 +145,11 @@ impl Problem {
         let model = model(&object, &mut defects);
         let frozen_at = frozen_at(&object, parts.b.len(), &mut defects);
         let scale = scale(&object, &mut defects);
+        let motion = motion::read(&object, parts.b.len(), &mut defects);
         defects.into_result(input)?;
         let lcp = parts.into_lcp().and_then(|lcp| lcp.with_scale(scale));
         let lcp = lcp.map_err(|error| error.within(input))?;
+        let motion = motion.map(|motion| motion::within_bounds(motion, &lcp));
         let (mut extra, mut warnings) = (Map::new(), Vec::new());
         for (key, value) in &object {
             if KEPT.contains(&key.as_str()) {
@@ -152,7 +159,7 @@ impl Problem {
             }
         }
         let name = object.get("name").and_then(Value::as_str).unwrap_or_default().to_string();
-        Ok(Problem { name, lcp, model, frozen_at, extra, warnings })
+        Ok(Problem { name, lcp, model, frozen_at, motion, extra, warnings })
     }
 
     /// The problem as JSON, sparse if its matrix is stored sparsely. Reading it back gives the same
@@ -192,6 +199,9 @@ impl Problem {
         }
         if lcp.scale() > 0.0 {
             object.insert("scale".into(), json!(lcp.scale()));
+        }
+        if let Some(motion) = &self.motion {
+            object.insert("motion".into(), motion::to_json(motion));
         }
         object.extend(self.extra.clone());
         Value::Object(object)

@@ -140,7 +140,7 @@ impl RowTerms {
     /// A bound of 0 has no size of its own, and none is below the [scale](Lcp::scale) of the problem. The
     /// bounds of a coupled row may vanish with x_k, but x_k is not known better than beside e_k.
     pub fn reach(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
-        if let Some((k, mu)) = lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
+        if let Some((k, mu)) = lcp.coupled_to(i) {
             return reach_of_friction(mu, RowTerms::at(lcp, k, x).size(lcp, k, x));
         }
         let size = |bound: f64| if bound.is_finite() { bound.abs() } else { 0.0 };

@@ -2,37 +2,37 @@
 
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::{Coupling, Lcp, Matrix};
-use lcplab_proof::{Claim, Proof, canonical_bytes, check, hash, prove};
+use lcplab_proof::{Claim, Kind, Proof, canonical_bytes, check, hash, prove};
 use oorandom::Rand64;
 
-use super::{INF, contacts, painleve, whole};
+use super::{INF, contacts, painleve, problem, whole};
 
-fn kind(lcp: &Lcp, answer: &[f64]) -> (&'static str, Proof) {
-    let proof = prove(lcp, answer).proof.expect("a proof");
+fn kind(lcp: &Lcp, answer: &[f64]) -> (Kind, Proof) {
+    let proof = prove(&problem(lcp), answer).proof.expect("a proof");
     let text = proof.to_json().to_string();
     let read = Proof::parse(&text, "proof.json").unwrap();
     assert_eq!(read, proof, "{text}");
-    assert_eq!(check(lcp, &read), Ok(()), "{text}");
+    assert_eq!(check(&problem(lcp), &read), Ok(()), "{text}");
     (proof.claim.kind(), proof)
 }
 
 #[test]
 fn closed_forms_have_the_strongest_claim_that_is_true_of_them() {
     let definite = contacts(&[2.0, -1.0, -1.0, 2.0], &[-1.0, 2.0]);
-    assert_eq!(kind(&definite, &[0.5, 0.0]).0, "unique");
+    assert_eq!(kind(&definite, &[0.5, 0.0]).0, Kind::Unique);
     // A P-matrix that is not definite: x = (1, 0).
     let p = contacts(&[1.0, -3.0, 0.0, 1.0], &[-1.0, 1.0]);
-    assert_eq!(kind(&p, &[1.0, 0.0]).0, "unique");
+    assert_eq!(kind(&p, &[1.0, 0.0]).0, Kind::Unique);
     // All of the segment x_0 + x_1 = 1.
     let segment = contacts(&[1.0; 4], &[-1.0; 2]);
-    assert_eq!(kind(&segment, &[0.25, 0.75]).0, "not-unique");
-    assert_eq!(kind(&contacts(&[1.0, -1.0, -1.0, 1.0], &[-1.0; 2]), &[0.0; 2]).0, "no-solution");
-    assert_eq!(kind(&painleve(), &[1.0, 0.0]).0, "no-solution");
+    assert_eq!(kind(&segment, &[0.25, 0.75]).0, Kind::NotUnique);
+    assert_eq!(kind(&contacts(&[1.0, -1.0, -1.0, 1.0], &[-1.0; 2]), &[0.0; 2]).0, Kind::NoSolution);
+    assert_eq!(kind(&painleve(), &[1.0, 0.0]).0, Kind::NoSolution);
     // Pressed with 2, pushed with 3, μ = ½: friction is 1; nothing says that there is no other.
     let a = Matrix::dense(2, &[1.0, 0.0, 0.0, 1.0]);
     let rough = Lcp::new(a, vec![-2.0, -3.0], vec![0.0, -INF], vec![INF; 2]).unwrap();
     let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap();
-    assert_eq!(kind(&rough.with_coupling(coupling).unwrap(), &[2.0, 1.0]).0, "solution");
+    assert_eq!(kind(&rough.with_coupling(coupling).unwrap(), &[2.0, 1.0]).0, Kind::Solution);
 }
 
 #[test]
@@ -44,13 +44,13 @@ fn a_solution_is_claimed_exactly_where_some_piece_has_one() {
         let all = all_solutions(&lcp).unwrap();
         let (kind, _) = kind(&lcp, &vec![0.0; lcp.len()]);
         match kind {
-            "no-solution" => assert!(all.is_empty(), "{lcp:?}"),
-            "unique" => assert_eq!(all.len(), 1, "{lcp:?}"),
-            "not-unique" => assert!(all.len() > 1 || kind == "not-unique" && !all.is_empty()),
-            "solution" => assert!(!all.is_empty(), "{lcp:?}"),
+            Kind::NoSolution => assert!(all.is_empty(), "{lcp:?}"),
+            Kind::Unique => assert_eq!(all.len(), 1, "{lcp:?}"),
+            Kind::NotUnique => assert!(!all.is_empty(), "{lcp:?}"),
+            Kind::Solution => assert!(!all.is_empty(), "{lcp:?}"),
             other => panic!("{other}: {lcp:?}"),
         }
-        let place = ["no-solution", "unique", "not-unique", "solution"];
+        let place = [Kind::NoSolution, Kind::Unique, Kind::NotUnique, Kind::Solution];
         seen[place.iter().position(|own| *own == kind).unwrap()] += 1;
     }
     assert!(seen.iter().all(|&count| count > 20), "{seen:?}");
@@ -58,9 +58,11 @@ fn a_solution_is_claimed_exactly_where_some_piece_has_one() {
 
 #[test]
 fn redundant_contacts_that_rounding_makes_regular_have_an_exact_solution() {
-    // Four legs of a table under friction, with entries that are no short binary fractions: of rank 6 but for
+    // Nine legs of a table under friction, with entries that are no short binary fractions: of rank 6 but for
     // rounding.
-    let legs = [[0.3, 0.7], [-0.3, 0.7], [0.3, -0.7], [-0.3, -0.7]];
+    let places = [0.3, -0.1, -0.3];
+    let legs: Vec<[f64; 2]> = places.iter().flat_map(|&x| places.map(|y| [x, 2.3 * y])).collect();
+    let rows_of_legs = 3 * legs.len();
     let rows: Vec<[f64; 6]> = legs
         .iter()
         .flat_map(|[x, y]| {
@@ -76,13 +78,26 @@ fn redundant_contacts_that_rounding_makes_regular_have_an_exact_solution() {
     let entry = |p: &[f64; 6], q: &[f64; 6]| (0..6).map(|k| p[k] * inverse[k] * q[k]).sum::<f64>();
     let a: Vec<f64> = rows.iter().flat_map(|p| rows.iter().map(move |q| entry(p, q))).collect();
     let b: Vec<f64> = rows.iter().map(|row| -0.0981 * row[2] + 0.02 * row[0]).collect();
-    let is_normal = |i: usize| i.is_multiple_of(3);
-    let lo = (0..12).map(|i| if is_normal(i) { 0.0 } else { -INF }).collect();
-    let index = (0..12).map(|i| (!is_normal(i)).then_some(i - i % 3)).collect();
-    let lcp = Lcp::new(Matrix::dense(12, &a), b, lo, vec![INF; 12]).unwrap();
-    let lcp = lcp.with_coupling(Coupling::new(index, vec![0.5; 12]).unwrap()).unwrap();
-    let (kind, proof) = kind(&lcp, &[0.0; 12]);
-    assert!(["solution", "not-unique"].contains(&kind), "{proof:?}");
+    // The same with an equation before them, 2 x = 1, which touches nothing.
+    for equations in [0, 1] {
+        let n = rows_of_legs + equations;
+        let leg = |i: usize| i.checked_sub(equations);
+        let is_normal = |i: usize| leg(i).is_some_and(|leg| leg % 3 == 0);
+        let entry = |i: usize, j: usize| match (leg(i), leg(j)) {
+            (Some(p), Some(q)) => a[p * rows_of_legs + q],
+            (None, None) => 2.0,
+            _ => 0.0,
+        };
+        let whole: Vec<f64> = (0..n * n).map(|k| entry(k / n, k % n)).collect();
+        let offset = (0..n).map(|i| leg(i).map_or(-1.0, |leg| b[leg])).collect();
+        let lo = (0..n).map(|i| if is_normal(i) { 0.0 } else { -INF }).collect();
+        let normal = |i| leg(i).filter(|leg| leg % 3 > 0).map(|leg| i - leg % 3);
+        let index = (0..n).map(normal).collect();
+        let lcp = Lcp::new(Matrix::dense(n, &whole), offset, lo, vec![INF; n]).unwrap();
+        let lcp = lcp.with_coupling(Coupling::new(index, vec![0.5; n]).unwrap()).unwrap();
+        let (kind, proof) = kind(&lcp, &vec![0.0; n]);
+        assert!([Kind::Solution, Kind::NotUnique].contains(&kind), "{proof:?}");
+    }
 }
 
 #[test]
@@ -100,19 +115,19 @@ fn within(lcp: &Lcp, answer: &[f64]) -> Claim {
         format!(
             r#"{{"format": "lcplab-proof-1", "problem": "{}", "kind": "within", "answer": {answer:?},
                 "residual": {{"numerator": "{numerator:x}", "denominator": "{denominator:x}"}}}}"#,
-            hash(lcp)
+            hash(&problem(lcp))
         )
     };
     let proof = Proof::parse(&text(1, 3), "proof.json").unwrap();
-    assert_eq!(check(lcp, &proof), Ok(()));
+    assert_eq!(check(&problem(lcp), &proof), Ok(()));
     let wrong = Proof::parse(&text(1, 4), "proof.json").unwrap();
-    assert!(check(lcp, &wrong).is_err());
+    assert!(check(&problem(lcp), &wrong).is_err());
     proof.claim
 }
 
 #[test]
 fn the_canonical_bytes_are_those_of_the_specification() {
-    let bytes = canonical_bytes(&contacts(&[2.0, 0.0, 0.0, -0.0], &[-0.0, 1.0]));
+    let bytes = canonical_bytes(&problem(&contacts(&[2.0, 0.0, 0.0, -0.0], &[-0.0, 1.0])));
     let one = [0x3f, 0xf0, 0, 0, 0, 0, 0, 0];
     let inf = [0x7f, 0xf0, 0, 0, 0, 0, 0, 0];
     let zero = [0; 8];
@@ -126,6 +141,6 @@ fn the_canonical_bytes_are_those_of_the_specification() {
     assert_eq!(bytes, expected);
     // the worked example
     let one = contacts(&[2.0], &[-1.0]);
-    assert_eq!(canonical_bytes(&one).len(), 85);
-    assert!(include_str!("../../../../docs/proofs.md").contains(&hash(&one)));
+    assert_eq!(canonical_bytes(&problem(&one)).len(), 85);
+    assert!(include_str!("../../../../docs/proofs.md").contains(&hash(&problem(&one))));
 }

@@ -3,9 +3,11 @@
 
 mod claims;
 mod forged;
+mod motion;
 mod mutants;
 
-use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_problem::file::Problem;
+use lcplab_problem::{Coupling, Gauss, Lcp, Matrix};
 use oorandom::Rand64;
 
 const INF: f64 = f64::INFINITY;
@@ -14,6 +16,11 @@ const INF: f64 = f64::INFINITY;
 fn contacts(a: &[f64], b: &[f64]) -> Lcp {
     let n = b.len();
     Lcp::new(Matrix::dense(n, a), b.to_vec(), vec![0.0; n], vec![INF; n]).unwrap()
+}
+
+/// The numbers as a problem that says nothing else.
+fn problem(lcp: &Lcp) -> Problem {
+    Problem::new("numbers", lcp.clone())
 }
 
 /// Painlevé's trouble in two rows: w_n = x_n − x_t − 1, w_t = x_t − x_n − ½, |x_t| ≤ x_n.
@@ -55,4 +62,18 @@ fn whole(random: &mut Rand64, n: usize) -> Lcp {
         true => lcp.with_coupling(Coupling::new(index, vec![0.75; n]).unwrap()).unwrap(),
         false => lcp,
     }
+}
+
+/// The same problem with bodies of whole masses, whether A was made from them or not.
+fn with_bodies(lcp: &Lcp, random: &mut Rand64) -> Problem {
+    let mut number = |most: i64| (random.rand_range(0..(2 * most + 1) as u64) as i64 - most) as f64;
+    let (n, k) = (lcp.len(), 2);
+    let mass = vec![(0, 0, 3.0 + number(2)), (0, 1, number(1)), (1, 1, 4.0 + number(2))];
+    let mut motion =
+        Gauss { mass, lo: lcp.lo().to_vec(), hi: lcp.hi().to_vec(), ..Gauss::default() };
+    motion.jacobian = (0..n).map(|_| (0..k).map(|j| (j, number(2))).collect()).collect();
+    motion.bias = (0..n).map(|_| number(2) / 4.0).collect();
+    motion.compliance = (0..n).map(|_| number(1).max(0.0) / 8.0).collect();
+    motion.target = (0..k).map(|_| number(3)).collect();
+    Problem { motion: Some(motion), ..problem(lcp) }
 }

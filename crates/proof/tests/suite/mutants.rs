@@ -4,12 +4,11 @@
 use std::path::Path;
 use std::process::Command;
 
-use lcplab_problem::Lcp;
 use lcplab_problem::file::Problem;
-use lcplab_proof::{Claim, Proof, check, exact_residual, hash, prove};
+use lcplab_proof::{Claim, Kind, Proof, check, exact_residual, hash, prove, prove_kind};
 use oorandom::Rand64;
 
-use super::whole;
+use super::{problem, whole, with_bodies};
 
 /// So many by `cargo test`; the variable LCPLAB_MUTANTS asks for another number, and LCPLAB_NODE names a Node.js, for
 /// the checker in JavaScript.
@@ -38,7 +37,8 @@ fn mutated(text: &str, random: &mut Rand64) -> String {
 }
 
 /// A proof about the residual of some answer: often on a bound, or so near to one that only rounding is between.
-fn within(lcp: &Lcp, random: &mut Rand64) -> Option<Proof> {
+fn within(problem: &Problem, random: &mut Rand64) -> Option<Proof> {
+    let lcp = &problem.lcp;
     let mut answer: Vec<f64> =
         (0..lcp.len()).map(|_| random.rand_range(0..9) as f64 / 3.0 - 1.0).collect();
     for i in 0..lcp.len() {
@@ -52,7 +52,15 @@ fn within(lcp: &Lcp, random: &mut Rand64) -> Option<Proof> {
         };
     }
     let residual = exact_residual(lcp, &answer)?;
-    Some(Proof { problem: hash(lcp), claim: Claim::Within { answer, residual } })
+    Some(Proof { problem: hash(problem), claim: Claim::Within { answer, residual } })
+}
+
+/// A proof about the motion of an answer of halves.
+fn motion(problem: &Problem, random: &mut Rand64) -> Option<Proof> {
+    let answer: Vec<f64> =
+        (0..problem.lcp.len()).map(|_| random.rand_range(0..9) as f64 / 2.0 - 1.0).collect();
+    let kind = if problem.lcp.has_coupled_rows() { Kind::FrozenMotion } else { Kind::Motion };
+    prove_kind(problem, &answer, kind).proof
 }
 
 #[test]
@@ -64,26 +72,30 @@ fn all_checkers_say_the_same_of_every_mutant() {
     let mut expected = Vec::new();
     for k in 0..count {
         let lcp = whole(&mut random, 1 + k % 4);
-        let proof = match k % 3 {
-            0 => within(&lcp, &mut random),
+        let n = lcp.len();
+        let subject = if k % 2 == 0 { with_bodies(&lcp, &mut random) } else { problem(&lcp) };
+        let proof = match k % 6 {
+            0 | 3 => within(&subject, &mut random),
+            2 => motion(&subject, &mut random),
             _ => None,
         };
-        let proof = proof.or_else(|| prove(&lcp, &vec![0.0; lcp.len()]).proof).unwrap();
+        let proof = proof.or_else(|| prove(&subject, &vec![0.0; n]).proof).unwrap();
         let text = proof.to_json().to_string();
         let text = match k % 10 {
             0 => text, // as it is
             // about another problem of this size, with its hash
             1 => {
-                let other = whole(&mut random, lcp.len());
-                let text = text.replace(&hash(&lcp), &hash(&other));
+                let other = whole(&mut random, n);
+                let other = Problem { lcp: other, ..subject.clone() };
+                let text = text.replace(&hash(&subject), &hash(&other));
                 expected.push((k, holds(&other, &text)));
                 write(folder.path(), k, &other, &text);
                 continue;
             }
             _ => mutated(&text, &mut random),
         };
-        expected.push((k, holds(&lcp, &text)));
-        write(folder.path(), k, &lcp, &text);
+        expected.push((k, holds(&subject, &text)));
+        write(folder.path(), k, &subject, &text);
     }
     let accepted = expected.iter().filter(|(_, holds)| *holds).count();
     assert!(accepted >= count / 10 && accepted < count / 2, "{accepted} of {count}");
@@ -103,12 +115,12 @@ fn all_checkers_say_the_same_of_every_mutant() {
     }
 }
 
-fn holds(lcp: &Lcp, text: &str) -> bool {
-    Proof::parse(text, "proof.json").is_ok_and(|proof| check(lcp, &proof).is_ok())
+fn holds(problem: &Problem, text: &str) -> bool {
+    Proof::parse(text, "proof.json").is_ok_and(|proof| check(problem, &proof).is_ok())
 }
 
-fn write(folder: &Path, k: usize, lcp: &Lcp, text: &str) {
-    let problem = Problem::new("mutant", lcp.clone()).to_json().to_string();
-    std::fs::write(folder.join(format!("{k:06}.json")), problem).unwrap();
+fn write(folder: &Path, k: usize, problem: &Problem, text: &str) {
+    let path = folder.join(format!("{k:06}.json"));
+    std::fs::write(path, problem.to_json().to_string()).unwrap();
     std::fs::write(folder.join(format!("{k:06}.proof.json")), text).unwrap();
 }

@@ -29,7 +29,7 @@ pub(super) fn bounds(section: &mut Section, lcp: &Lcp, law_follows: bool, units:
         .vector(lcp.hi())
         .symbols("= hi", "= \\mathrm{hi}");
     section.formula(formula.unit(units.of_x()));
-    let rubs = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
+    let rubs = lcp.has_coupled_rows();
     if law_follows {
         section.say("Friction rows have no bounds yet: their law comes next.");
     } else if rubs {

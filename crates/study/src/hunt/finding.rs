@@ -87,7 +87,7 @@ fn row(lcp: &Lcp, i: usize) -> String {
     if lcp.b()[i] != 0.0 || lcp.matrix().row(i).iter().all(|(_, a)| a == 0.0) {
         add(lcp.b()[i], "");
     }
-    let bounds = match lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i)))) {
+    let bounds = match lcp.coupled_to(i) {
         Some((k, mu)) => format!("|x_{i}| ≤ {} x_{k}", short(mu)),
         None => match (lcp.lo()[i], lcp.hi()[i]) {
             (lo, hi) if lo == hi => format!("x_{i} = {}", short(lo)),

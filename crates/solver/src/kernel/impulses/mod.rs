@@ -100,8 +100,7 @@ impl System {
         system.clear(bodies);
         for (i, row) in rows.iter().enumerate() {
             let (b, lo, hi) = (lcp.b()[i], lcp.lo()[i], lcp.hi()[i]);
-            let followed = lcp.coupling().and_then(|c| Some((c.index(i)?, c.mu(i))));
-            let aim = match followed {
+            let aim = match lcp.coupled_to(i) {
                 Some((normal, mu)) => Aim { b, lo, hi: mu, follows: Some(normal) },
                 None => Aim { b, lo, hi, follows: None },
             };
