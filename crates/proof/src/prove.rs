@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use lcplab_judge::{exact, refuting_vector};
+use lcplab_judge::{Demand, exact, judge, refuting_vector};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point, all_solutions};
@@ -151,7 +151,7 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
         ));
     }
     if answer.iter().all(|x| x.is_finite()) {
-        let w = lcp.w(answer);
+        let w = judge(lcp, answer, &Demand { prove_up_to: 0, ..Demand::default() }).w;
         if let Some(exact::Proof { x, null_direction, .. }) = exact::prove(lcp, answer, &w) {
             return Ok(Solvable::Yes(Solution { x, direction: null_direction }));
         }

@@ -6,6 +6,7 @@ mod explain;
 mod extremes;
 mod hunt;
 mod outputs;
+mod proofs;
 mod range;
 mod reference;
 mod search;
