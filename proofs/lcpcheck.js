@@ -1,7 +1,7 @@
 // Checks proofs about linear complementarity problems. Written from docs/proofs.md alone; calculates with BigInt.
 //
 //     node lcpcheck.js PROBLEM PROOF    prints what it proves, or why it is refused
-//     node lcpcheck.js FOLDER           every NAME.proof.json of a folder, about NAME.json beside it
+//     node lcpcheck.js FOLDER           every *.proof.json of a folder, about the problem of its hash in another *.json
 //
 // In a page: lcpcheck(problemText, proofText) returns { holds, says }.
 "use strict";
@@ -448,26 +448,31 @@ const lcpcheck = (() => {
     return `a solution exists within ${proof.distance} of the answer`;
   }
 
-  return (problemText, proofText) => {
-    const p = problem(read(problemText));
+  const checked = (p, proofText) => {
     try {
       return { holds: true, says: check(p, read(proofText)) };
     } catch (error) {
       return { holds: false, says: error.message };
     }
   };
+  const lcpcheck = (problemText, proofText) => checked(problem(read(problemText)), proofText);
+  // The same for many proofs: about the problem of its hash each.
+  lcpcheck.all = (problemTexts, proofTexts) => {
+    const problems = new Map(problemTexts.map((text) => problem(read(text))).map((p) => [p.hash, p]));
+    const another = { holds: false, says: "it is about another problem" };
+    const hash = (text) => { try { return JSON.parse(text).problem; } catch { return null; } };
+    return proofTexts.map((text) => (problems.has(hash(text)) ? checked(problems.get(hash(text)), text) : another));
+  };
+  return lcpcheck;
 })();
 
 if (typeof process !== "undefined" && typeof require !== "undefined" && require.main === module) {
   const fs = require("fs"), path = require("path"), given = process.argv.slice(2);
-  const folder = given.length === 1 ? given[0] : null;
-  const names = folder === null ? [] : fs.readdirSync(folder).filter((name) => name.endsWith(".proof.json")).sort();
-  const pairs = folder === null ? [given] : names.map((name) => [name.slice(0, -11) + ".json", name].map((n) => path.join(folder, n)));
-  let refused = 0;
-  for (const [problem, proof] of pairs) {
-    const { holds, says } = lcpcheck(fs.readFileSync(problem, "utf8"), fs.readFileSync(proof, "utf8"));
-    refused += holds ? 0 : 1;
-    console.log(`${proof}: ${holds ? "proved" : "refused"}: ${says}`);
-  }
-  process.exitCode = refused ? 1 : 0;
+  const names = given.length === 1 ? fs.readdirSync(given[0]).sort().map((name) => path.join(given[0], name)) : null;
+  const proofs = names === null ? [given[1]] : names.filter((name) => name.endsWith(".proof.json"));
+  const problems = names === null ? [given[0]] : names.filter((name) => name.endsWith(".json") && !proofs.includes(name));
+  const text = (name) => fs.readFileSync(name, "utf8");
+  const found = lcpcheck.all(problems.map(text), proofs.map(text));
+  found.forEach(({ holds, says }, k) => console.log(`${proofs[k]}: ${holds ? "proved" : "refused"}: ${says}`));
+  process.exitCode = found.every(({ holds }) => holds) ? 0 : 1;
 }

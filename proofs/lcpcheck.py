@@ -2,7 +2,7 @@
 """Checks proofs about linear complementarity problems. Written from docs/proofs.md alone; calculates with integers.
 
     lcpcheck.py PROBLEM PROOF      one proof: prints what it proves, or why it is refused
-    lcpcheck.py FOLDER             every NAME.proof.json of a folder, about NAME.json beside it
+    lcpcheck.py FOLDER             every *.proof.json of a folder, about the problem of its hash in another *.json
 
 Exit code: 0 if every proof proves its claim, 1 if one is refused, 2 if a problem cannot be read.
 """
@@ -313,29 +313,38 @@ def check(problem, proof):
     return f"a solution exists within {distance:.3g} of the answer"
 
 
+WRONG = (Refused, OSError, ValueError, LookupError, ArithmeticError, TypeError, AttributeError, RecursionError)
+
+
 def main(arguments):
-    if len(arguments) == 1 and Path(arguments[0]).is_dir():
-        proofs = sorted(Path(arguments[0]).glob("*.proof.json"))
-        pairs = [(path.with_name(path.name[:-11] + ".json"), path) for path in proofs]
+    folder = Path(arguments[0]) if len(arguments) == 1 else None
+    if folder is not None and folder.is_dir():
+        proofs = sorted(folder.glob("*.proof.json"))
+        paths = sorted(set(folder.glob("*.json")) - set(proofs))
     elif len(arguments) == 2:
-        pairs = [tuple(map(Path, arguments))]
+        paths, proofs = [[Path(argument)] for argument in arguments]
     else:
         print(__doc__)
         return 2
-    wrong, refused = (Refused, OSError, ValueError, LookupError, ArithmeticError, TypeError, AttributeError, RecursionError), 0
-    for path, proof in pairs:
+    problems, refused = {}, 0
+    for path in paths:
         try:
             problem = Problem(read(path))
-        except wrong as error:
+            problems[problem.hash] = problem
+        except WRONG as error:
             print(f"{path}: cannot be read: {error!r}")
             return 2
+    for path in proofs:
         try:
-            print(f"{proof}: proved: {check(problem, read(proof))}")
-        except wrong as error:
+            proof = read(path)
+            need(type(proof) is dict and type(proof.get("problem")) is str, "it is about no problem")
+            need(proof["problem"] in problems, "it is about another problem")
+            print(f"{path}: proved: {check(problems[proof['problem']], proof)}")
+        except WRONG as error:
             refused += 1
-            print(f"{proof}: refused: {error}")
-    if len(pairs) != 1:
-        print(f"{len(pairs) - refused} of {len(pairs)} proofs prove their claims")
+            print(f"{path}: refused: {error}")
+    if folder is not None:
+        print(f"{len(proofs) - refused} of {len(proofs)} proofs prove their claims")
     return 1 if refused else 0
 
 

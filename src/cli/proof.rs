@@ -7,7 +7,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::file::{Problem, read_answer};
 use lcplab::lcp::friction::Model;
-use lcplab::page::{Block, Page, Section};
+use lcplab::page::{self, Block, Page, Section};
 use lcplab::proof::{Found, Kind, Proof, check, prove, prove_kind};
 use lcplab::report::answer::first_answer;
 use serde_json::json;
@@ -83,7 +83,7 @@ impl Prove {
         match &self.out {
             Some(path) => {
                 let is_page = path.extension().is_some_and(|ending| ending == "html");
-                let page = || page(&problem, &proof, &missing, &text).render();
+                let page = || page_of(&problem, &proof, &missing, &text).render();
                 file::write(path, if is_page { page()? } else { text.clone() })?;
                 print(&format!("{}: {}\n", proof.claim.kind(), proof.claim.sentence()))?;
             }
@@ -94,14 +94,15 @@ impl Prove {
 }
 
 /// A page with the proof, which checks it where the reader asks it to.
-fn page(problem: &Problem, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
+fn page_of(problem: &Problem, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
     let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
     let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
-    let claim = Block::Proof {
+    let claim = page::Proof {
         claim: proof.claim.sentence(),
-        problem: problem.to_json().to_string(),
-        proof: text.to_string(),
+        text: text.to_string(),
+        ..page::Proof::default()
     };
+    let claim = Block::Proofs { problem: problem.to_json().to_string(), proofs: vec![claim] };
     let how = "The button runs a checker of this page's own, in whole numbers; it shares no code with lcplab, and its \
                source is the end of this file. The problem and the proof stand in the page.";
     let mut blocks = vec![claim, Block::Note(how.into())];

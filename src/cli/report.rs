@@ -9,6 +9,7 @@ use lcplab::lesson::Program;
 use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::{Experiment, SHIPPED};
 use lcplab::report::kind::KINDS;
+use lcplab::report::proofs::Proofs;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
 
@@ -29,6 +30,7 @@ Example:
   lcplab report chapter        # the chapter, walked through with everything computed
   lcplab report storage --pdf  # the chapter's sparse matrices, measured; and report.pdf
   lcplab report mine.toml --out mine
+  lcplab report --proofs       # with proof files, and buttons on the page that check them
   lcplab report --section convergence          # one section of the standard report
   lcplab report --redraw reports/standard      # the page again, nothing is solved
   lcplab report --compare before/results.json after/results.json
@@ -70,6 +72,9 @@ pub struct Report {
     /// Print the page to report.pdf beside it too, by a Chromium or Chrome that is on the PATH
     #[arg(long, conflicts_with = "compare")]
     pdf: bool,
+    /// Prove what the rows about single problems say, and let the page check it
+    #[arg(long, conflicts_with = "compare")]
+    proofs: bool,
     #[command(flatten)]
     plugins: Declared,
 }
@@ -93,7 +98,7 @@ impl Report {
     /// Writes the page; returns how the report came out, and the page's path.
     fn page(&self, limits: &Limits) -> Result<(Outcome, PathBuf)> {
         if let Some(folder) = &self.redraw {
-            return redraw(folder);
+            return redraw(folder, self.proofs);
         }
         if self.report == HANDOUT.name {
             return self.handout();
@@ -119,7 +124,7 @@ impl Report {
         limits.over();
         progress.finish_and_clear();
         write::results(&results, &folder)?;
-        let (outcome, page) = shown(&results, &folder)?;
+        let (outcome, page) = shown(&results, &folder, self.proofs)?;
         Ok((stopped.map_or(outcome, Outcome::Stopped), page))
     }
 
@@ -131,6 +136,9 @@ impl Report {
         }
         if let Some(folder) = &self.out {
             words.extend(["--out".into(), shell_word(&folder.display().to_string())]);
+        }
+        if self.proofs {
+            words.push("--proofs".into());
         }
         words.extend(self.plugins.word());
         words.join(" ")
@@ -174,17 +182,30 @@ fn list() -> Result<Outcome> {
 }
 
 /// The page of results that were found before.
-fn redraw(folder: &Path) -> Result<(Outcome, PathBuf)> {
+fn redraw(folder: &Path, proofs: bool) -> Result<(Outcome, PathBuf)> {
     let path = folder.join(write::RESULTS);
     let results: Results = serde_json::from_value(difference::read(&path)?).map_err(|cause| {
         Error::invalid(path.display().to_string(), "results", cause.to_string())
     })?;
-    shown(&results, folder)
+    shown(&results, folder, proofs)
 }
 
-/// Writes the page and prints the summary.
-fn shown(results: &Results, folder: &Path) -> Result<(Outcome, PathBuf)> {
-    let page = write::document(&view::document(results)?, folder)?;
+/// Writes the page, with proofs if they are asked for, and prints the summary.
+fn shown(results: &Results, folder: &Path, with_proofs: bool) -> Result<(Outcome, PathBuf)> {
+    let mut document = view::document(results)?;
+    if with_proofs {
+        let progress = bar(0, "proofs");
+        let proofs = Proofs::of(&Experiment::of(results)?, &progress)?;
+        progress.finish_and_clear();
+        proofs.write(folder)?;
+        proofs.onto(&mut document);
+        let left_out = match proofs.left_out {
+            0 => String::new(),
+            count => format!(", {count} more would be too many files"),
+        };
+        say(&format!("{} proofs in {}/proofs{left_out}", proofs.count(), folder.display()));
+    }
+    let page = write::document(&document, folder)?;
     print(&format!("{}\n{}\n", results.summary()?, page.display()))?;
     Ok((if results.is_good()? { Outcome::Good } else { Outcome::Refuted }, page))
 }

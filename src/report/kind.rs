@@ -5,6 +5,7 @@ use std::sync::{PoisonError, RwLock};
 use serde::Deserialize;
 use serde_json::Value;
 
+use super::proofs::Judged;
 use super::study::{self, Study};
 use super::view::{Document, Outcome, View};
 use crate::error::{Error, Result};
@@ -118,6 +119,12 @@ pub trait AnyStudy: Send + Sync {
     /// If it is not of this kind.
     fn show_times(&self, times: &[Value], document: &mut Document) -> Result<()>;
 
+    /// The problems whose verdicts a task's rows show, and the answers.
+    ///
+    /// # Errors
+    /// If a problem cannot be posed again.
+    fn judged(&self, section: &str, task: usize) -> Result<Vec<Judged>>;
+
     /// Whether all came out as it should.
     ///
     /// # Errors
@@ -162,6 +169,10 @@ impl<S: View> AnyStudy for S {
     fn show_times(&self, times: &[Value], document: &mut Document) -> Result<()> {
         View::show_times(self, &read::<S, _>(times)?, document);
         Ok(())
+    }
+
+    fn judged(&self, section: &str, task: usize) -> Result<Vec<Judged>> {
+        View::judged(self, section, task)
     }
 
     fn outcome(&self, findings: &[Value]) -> Result<Outcome> {

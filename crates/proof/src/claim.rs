@@ -78,6 +78,9 @@ impl Claim {
     /// The claim in a sentence.
     pub fn sentence(&self) -> String {
         match self {
+            Claim::Solution { near: Some(near), .. } if near.distance == 0.0 => {
+                "the answer is an exact solution".into()
+            }
             Claim::Solution { near: Some(near), .. } => {
                 let distance = upper_bound(near.distance);
                 format!("an exact solution exists, and the answer lies within {distance} of it")

@@ -297,7 +297,7 @@ fn results_table(grid: &Grid, plan: &Plan, collection: &Collection) -> Table {
 
 fn setting(task: &Task, path: &str) -> Cell {
     match task.number(path) {
-        Some(value) => Cell { text: readable(value, 6), value: Some(value), mark: Mark::Plain },
+        Some(value) => Cell { text: readable(value, 6), value: Some(value), ..Cell::default() },
         None => Cell::text(task.shown(path)),
     }
 }

@@ -100,13 +100,19 @@ pub fn run(scene: &Scene, step: usize) -> Vec<CrossCheck> {
     Scheme::LEVELS.into_iter().filter_map(|level| one(&scene.at_level(level), step)).collect()
 }
 
-fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
+/// The last LCP of a step at a level, and our answer.
+pub fn answered(scene: &Scene, step: usize) -> Option<(Problem, Vec<f64>)> {
     let problem = simulation::problem_of(scene, step).ok()?;
-    let lcp = &problem.lcp;
     let mut options = simulation::options(scene);
     options.settings.tolerance = 1e-12;
     let solver = by_name(STEPPER, &options).ok()?;
-    let x = solver.solve(lcp, &Start::default(), &mut ()).x;
+    let x = solver.solve(&problem.lcp, &Start::default(), &mut ()).x;
+    Some((problem, x))
+}
+
+fn one(scene: &Scene, step: usize) -> Option<CrossCheck> {
+    let (problem, x) = answered(scene, step)?;
+    let lcp = &problem.lcp;
     let certificate = judge(lcp, &x, &Demand::default());
     let check = cross_check(lcp, &x)?;
     let primal = problem.gauss(&x);

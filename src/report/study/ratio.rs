@@ -103,8 +103,9 @@ pub struct Seconds {
 }
 
 /// A problem with the rows that carry all of the weight.
-struct Posed {
-    lcp: Lcp,
+pub struct Posed {
+    /// The problem.
+    pub lcp: Lcp,
     ground: Vec<usize>,
     /// N s.
     weight: f64,
@@ -122,12 +123,8 @@ impl Study for Plan {
     }
 
     fn run(&self, task: usize) -> Result<(Stack, Seconds)> {
-        let ratio = self.ratios[task % self.ratios.len()];
-        let system = if task < self.ratios.len() { System::TwoBodies } else { System::Boxes };
-        let posed = match system {
-            System::TwoBodies => two_bodies(ratio)?,
-            System::Boxes => boxes(self.boxes, ratio)?,
-        };
+        let (system, ratio) = self.stack(task);
+        let posed = self.posed(task)?;
         let (mut tried, mut seconds) = (Vec::new(), Vec::new());
         for entry in entries(&self.solvers)? {
             let mut found = Tried {
@@ -150,6 +147,25 @@ impl Study for Plan {
         }
         let stack = Stack { system, ratio, rows: posed.lcp.len(), tried };
         Ok((stack, Seconds { system, ratio, solvers: seconds }))
+    }
+}
+
+impl Plan {
+    /// What is stacked in a task, and its mass ratio.
+    pub fn stack(&self, task: usize) -> (System, f64) {
+        let system = if task < self.ratios.len() { System::TwoBodies } else { System::Boxes };
+        (system, self.ratios[task % self.ratios.len()])
+    }
+
+    /// The problem of a task.
+    ///
+    /// # Errors
+    /// If the stack cannot be built.
+    pub fn posed(&self, task: usize) -> Result<Posed> {
+        match self.stack(task) {
+            (System::TwoBodies, ratio) => two_bodies(ratio),
+            (System::Boxes, ratio) => boxes(self.boxes, ratio),
+        }
     }
 }
 

@@ -46,6 +46,7 @@ use serde_json::Value;
 
 use super::experiment::{Experiment, SHIPPED};
 use super::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
+use super::proofs::Judged;
 use super::results::{Part, Results, Task};
 use super::study::Study;
 use crate::error::Result;
@@ -74,6 +75,15 @@ pub trait View: Study {
 
     /// Adds what differs from machine to machine to the section of times.
     fn show_times(&self, _times: &[Self::Times], _document: &mut Document) {}
+
+    /// The problems whose verdicts a task's rows show, and the answers, for [proofs](super::proofs); `section` is the
+    /// section's id.
+    ///
+    /// # Errors
+    /// If a problem cannot be posed again.
+    fn judged(&self, _section: &str, _task: usize) -> Result<Vec<Judged>> {
+        Ok(Vec::new())
+    }
 
     /// Whether all came out as it should.
     fn outcome(&self, _findings: &[Self::Finding]) -> Outcome {

@@ -1,8 +1,12 @@
 //! Published problems with their exact answers, and each solver's verdict.
 
 use super::{Document, Outcome, View};
+use crate::error::Result;
+use crate::lcp::library;
 use crate::plot::number::count;
+use crate::report::answer::first_answer;
 use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::proofs::{Answered, Judged};
 use crate::report::study::families::Row;
 use crate::report::study::published::{Finding, Plan};
 
@@ -18,6 +22,17 @@ impl View for Plan {
         );
         document.table("published", problems(findings));
         document.table("published_verdicts", verdicts(findings));
+    }
+
+    fn judged(&self, _section: &str, task: usize) -> Result<Vec<Judged>> {
+        let problem = library::by_name(&self.problems[task])?.generate(&[])?;
+        let row = Answered {
+            table: "published".into(),
+            begins: vec![self.problems[task].clone()],
+            column: "exact solutions",
+            answer: first_answer(&problem.lcp),
+        };
+        Ok(vec![Judged { problem, answers: vec![row] }])
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {

@@ -4,10 +4,13 @@ use super::attempt::{
     iterations, iterations_in_words, listed, outcome, rough, section_id, tolerance, work,
 };
 use super::{Document, Outcome, View};
+use crate::error::Result;
+use crate::lcp::file::Problem;
 use crate::plot::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Column, Mark, Table};
-use crate::report::study::attempt::{Attempt, Outcome as Came};
+use crate::report::proofs::{Answered, Judged};
+use crate::report::study::attempt::{Attempt, Outcome as Came, attempt, entries, options};
 use crate::report::study::ratio::{Plan, Stack, System, Tried};
 use crate::solver::Group;
 use crate::solver::theory;
@@ -53,6 +56,27 @@ impl View for Plan {
                 document.table(&format!("{id}_{word}"), self.table(system, &of_system));
             }
         }
+    }
+
+    fn judged(&self, section: &str, task: usize) -> Result<Vec<Judged>> {
+        if self.stack(task) != (System::Boxes, self.about) {
+            return Ok(Vec::new());
+        }
+        let lcp = self.posed(task)?.lcp;
+        let mut answers = Vec::new();
+        for entry in &entries(&self.solvers)? {
+            for &precision in &self.tolerances {
+                let answer = attempt(entry, &lcp, &options(precision, self.max_iterations)).x;
+                answers.push(Answered {
+                    table: format!("{section}_chosen"),
+                    begins: vec![entry.name.into(), tolerance(precision)],
+                    column: "judge",
+                    answer,
+                });
+            }
+        }
+        let name = format!("{} boxes, ratio {}", self.boxes, self.about);
+        Ok(vec![Judged { problem: Problem::new(name, lcp), answers }])
     }
 
     fn outcome(&self, stacks: &[Stack]) -> Outcome {

@@ -28,7 +28,7 @@ use crate::body::State;
 use crate::constraint::Bounds;
 use crate::scene::Scene;
 use lcplab_problem::error::Result;
-use lcplab_problem::{Coupling, Gauss, Lcp};
+use lcplab_problem::{Coupling, Gauss, Lcp, file};
 
 /// What an LCP decides within a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -250,6 +250,13 @@ impl Problem {
         }
         let moved = self.assembly.with_velocities(states, &self.next_velocity(x, dt));
         self.assembly.advanced(&moved, dt)
+    }
+
+    /// The problem of a file: its numbers, and the bodies and rows that they were made from. With sliding contacts A is
+    /// not that of a minimum, and the file says nothing of bodies.
+    pub fn in_numbers(&self, name: impl Into<String>) -> file::Problem {
+        let motion = self.slides.is_empty().then(|| self.unbounded_by_friction());
+        file::Problem { motion, ..file::Problem::new(name, self.lcp.clone()) }
     }
 
     /// The same motion as a primal program, by Gauss's principle; coupled rows have the bounds that

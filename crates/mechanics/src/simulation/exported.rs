@@ -10,13 +10,10 @@ impl Solve {
     /// The problem of this solve in a scene's step of this number, with what its rows are.
     pub fn exported(&self, scene: &Scene, step: usize) -> Problem {
         let assembled = &self.problem;
-        let mut problem =
-            Problem::new(format!("{}, step {step}", scene.name), assembled.lcp.clone());
+        let mut problem = assembled.in_numbers(format!("{}, step {step}", scene.name));
         if let Some(posing) = &self.posing {
             (problem.model, problem.frozen_at) = (Some(posing.model), posing.frozen_at.clone());
         }
-        // With sliding contacts A is not that of a minimum.
-        problem.motion = assembled.slides.is_empty().then(|| assembled.unbounded_by_friction());
         let rows = assembled.assembly.rows.iter().map(|row| {
             let unit = assembled.stage.unit(row.kind.is_angular());
             json!({ "label": row.label(scene), "kind": row.kind.name(), "unit": unit })

@@ -77,15 +77,28 @@ pub enum Block {
     },
     /// A remark set apart from the text.
     Note(String),
-    /// A proof that the reader can have checked by the page itself.
-    Proof {
-        /// What it proves, in a sentence.
-        claim: String,
+    /// Proofs about one problem that the reader can have checked by the page itself.
+    Proofs {
         /// The problem file, as text.
         problem: String,
-        /// The proof file, as text.
-        proof: String,
+        /// What is proved of it.
+        proofs: Vec<Proof>,
     },
+}
+
+/// A proof on a page.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Proof {
+    /// The anchor that a table's row points to; the proofs of a table are folded. Empty if nothing points to it.
+    pub id: String,
+    /// Whose answer it is about; empty if nobody's in particular.
+    pub about: String,
+    /// What it proves, in a sentence.
+    pub claim: String,
+    /// The proof file, as text.
+    pub text: String,
+    /// The address of this file beside the page; empty if it stands in the page alone.
+    pub file: String,
 }
 
 /// A numbered picture with its caption.
@@ -160,6 +173,8 @@ pub struct Cell {
     pub value: Option<f64>,
     /// Whether it stands out.
     pub mark: Mark,
+    /// Where more is said: an address relative to the page; empty if nowhere.
+    pub link: String,
 }
 
 /// What is said of a cell, by colour and sign.
@@ -196,13 +211,13 @@ impl Cell {
 
     /// A number, shown with so many significant digits.
     pub fn number(value: f64, digits: usize) -> Self {
-        Cell { text: significant(value, digits), value: Some(value), mark: Mark::Plain }
+        Cell { text: significant(value, digits), value: Some(value), ..Cell::default() }
     }
 
     /// A count.
     pub fn count(value: usize) -> Self {
         let text = plot::number::count(value);
-        Cell { text, value: Some(value as f64), mark: Mark::Plain }
+        Cell { text, value: Some(value as f64), ..Cell::default() }
     }
 
     /// The same cell, marked.

@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 
 use super::markup::{Renderer, html};
 use super::player::{self, Player};
-use super::{Align, Block, Cell, Column, Mark, Page, Picture, Section, Table};
+use super::{Align, Block, Cell, Column, Mark, Page, Picture, Proof, Section, Table};
 use lcplab_problem::disk;
 use lcplab_problem::error::{Defects, Error, Result};
 
@@ -47,11 +47,16 @@ struct FigureView<'a> {
 const CHECKER: &str = include_str!("../../../../proofs/lcpcheck.js");
 
 #[derive(Template)]
-#[template(path = "proof.html")]
-struct ProofView<'a> {
-    claim: &'a str,
+#[template(path = "proofs.html")]
+struct ProofsView<'a> {
     problem: String,
-    proof: String,
+    proofs: &'a [Proof],
+}
+
+impl ProofsView<'_> {
+    fn is_folded(&self) -> bool {
+        self.proofs.iter().any(|proof| !proof.id.is_empty())
+    }
 }
 
 /// JSON that ends no script element.
@@ -89,7 +94,7 @@ impl Page {
             only(plots, include_str!("plot.js")),
             only(plays, include_str!("player.js")),
             only(proofs, CHECKER),
-            only(proofs, include_str!("proof.js")),
+            only(proofs, include_str!("proofs.js")),
         ];
         let script = format!("\n{}", script.concat());
         finished(&Document {
@@ -163,12 +168,9 @@ impl Writer {
                     "<pre tabindex=\"0\"><code class=\"language-{language}\">{text}</code></pre>\n"
                 )
             }
-            Block::Proof { claim, problem, proof } => {
+            Block::Proofs { problem, proofs } => {
                 self.proofs = true;
-                self.checked(place, |_| {
-                    let (problem, proof) = (data(problem), data(proof));
-                    written(&ProofView { claim, problem, proof })
-                })
+                self.checked(place, |_| written(&ProofsView { problem: data(problem), proofs }))
             }
             Block::Figure(figure) => self.figure(place, figure),
             Block::Player(player) => self.player(place, player),

@@ -80,7 +80,7 @@ fn sizes(
 fn kilo(bytes: usize) -> Cell {
     let value = bytes as f64 / 1e3;
     let text = if bytes < 100_000 { readable(value, 3) } else { count(value.round() as usize) };
-    Cell { text, value: Some(value), mark: Mark::Plain }
+    Cell { text, value: Some(value), ..Cell::default() }
 }
 
 pub(super) fn steps(document: &mut Document, steps: &Steps) {
@@ -97,7 +97,7 @@ pub(super) fn steps(document: &mut Document, steps: &Steps) {
         most.unwrap_or(&0)
     ));
     let mean =
-        |value: f64| Cell { text: readable(value, 4), value: Some(value), mark: Mark::Plain };
+        |value: f64| Cell { text: readable(value, 4), value: Some(value), ..Cell::default() };
     let row = |count: &Count| {
         let mark = if count.warm == 0.0 { Mark::Good } else { Mark::Note };
         vec![

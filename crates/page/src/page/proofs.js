@@ -4,9 +4,9 @@ for (const box of document.querySelectorAll(".proof")) {
   const button = box.querySelector(".check"), output = box.querySelector("output");
   button.hidden = false;
   button.addEventListener("click", () => {
-    const text = (name) => box.querySelector(`script.${name}`).textContent;
+    const problem = box.closest(".proofs").querySelector(".problem").textContent;
     const start = performance.now();
-    const { holds, says } = lcpcheck(text("problem"), text("given"));
+    const { holds, says } = lcpcheck(problem, box.querySelector("code").textContent);
     const time = Math.max(1, Math.round(performance.now() - start));
     output.textContent = holds ? `Proved: ${says} (${time} ms).` : `Refused: ${says}.`;
     output.className = holds ? "good" : "bad";
