@@ -2,7 +2,10 @@
 
 use lcplab_mechanics::assembly::{Assembly, Entering};
 use lcplab_mechanics::formulation::{Problem, Stage};
+use lcplab_mechanics::scene::catalogue::SHIPPED;
 use lcplab_mechanics::scene::{Scene, contacts};
+use lcplab_mechanics::simulation::Simulation;
+use lcplab_problem::file::Problem as File;
 use nalgebra::{DMatrix, DVector};
 
 fn problem(scene: &Scene) -> Problem {
@@ -115,4 +118,40 @@ fn stages_have_names_and_units() {
         ("acceleration", "N m")
     );
     assert_eq!((Stage::Position.name(), Stage::Position.unit(true)), ("position", "kg m²"));
+}
+
+#[test]
+fn the_bodies_in_an_exported_file_give_its_a_and_b() {
+    let mut compared = 0;
+    for shipped in SHIPPED {
+        let mut simulation = Simulation::of(&shipped.scene().unwrap()).unwrap();
+        let Ok(step) = simulation.step() else { continue };
+        for solve in step.solves.iter().filter(|solve| solve.problem.lcp.len() <= 120) {
+            let text = solve.exported(simulation.scene(), 1).to_json().to_string();
+            let File { lcp, motion, .. } = File::parse(&text, shipped.name).unwrap();
+            let Some(motion) = motion else {
+                assert!(!solve.problem.slides.is_empty(), "{}", shipped.name);
+                continue;
+            };
+            let (n, k) = (lcp.len(), motion.target.len());
+            let mut m = DMatrix::zeros(k, k);
+            for (i, j, value) in motion.mass {
+                (m[(i, j)], m[(j, i)]) = (value, value);
+            }
+            let mut j = DMatrix::zeros(n, k);
+            for (i, row) in motion.jacobian.iter().enumerate() {
+                row.iter().for_each(|&(column, value)| j[(i, column)] = value);
+            }
+            let inverse = m.cholesky().expect("M is positive definite").inverse();
+            let soft = DMatrix::from_diagonal(&DVector::from_vec(motion.compliance));
+            let a = &j * inverse * j.transpose() + soft;
+            let b = &j * DVector::from_vec(motion.target) + DVector::from_vec(motion.bias);
+            let (file_a, file_b) = (lcp.matrix().to_dense(), DVector::from_column_slice(lcp.b()));
+            assert!((&a - &file_a).amax() <= 1e-12 * file_a.amax(), "{}", shipped.name);
+            let size = 1e-12 * (j.amax() + file_b.amax());
+            assert!((&b - &file_b).amax() <= size, "{}", shipped.name);
+            compared += 1;
+        }
+    }
+    assert!(compared > 40, "{compared}");
 }

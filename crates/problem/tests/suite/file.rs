@@ -45,10 +45,12 @@ fn the_schema_names_all_keys_that_are_read_and_no_other() {
         "name": "all keys", "A": { "dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }, "b": [0, 0, 0],
         "lo": [0, "-inf", "-inf"], "hi": ["inf", "inf", "inf"], "friction_index": [-1, 0, 0],
         "mu": [0, 0.5, 0.5], "model": "frozen-box", "frozen_at": [1, 0, 0], "scale": 1e-9,
+        "motion": { "mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]], "bias": [0, 0, 0], "compliance": [0, 0, 0], "target": [-3] },
         "source": "here", "dt": 0.01, "rows": [], "expected": { "solutions": [], "complete": false },
     });
     let problem = Problem::parse(&all.to_string(), "p.json").unwrap();
     assert_eq!(problem.warnings, [""; 0]);
+    assert_eq!(problem.to_json()["motion"]["target"], serde_json::json!([-3.0]));
     let schema: serde_json::Value = serde_json::from_str(SCHEMA).unwrap();
     let keys = |value: &serde_json::Value| -> std::collections::BTreeSet<String> {
         value.as_object().unwrap().keys().cloned().collect()
@@ -106,6 +108,21 @@ fn each_defect_has_its_message() {
         (
             r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [0, 0], "lo": [0, -1], "friction_index": [-1, 0], "mu": [0, 1]}"#,
             "p.json: lo[1]: is -1, but row 1 is bounded by mu[1] x[0]",
+        ),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": [0], "motion": {"mass": [[1, 0, 1], [0, 1, 1], [0, 1, 1]], "jacobian": [[0, 2, 1]],
+                "bias": [0, 0], "compliance": [-1], "target": [0, "inf"]}}"#,
+            "p.json: 6 defects\n  motion.target[1]: must be finite, is inf\n  \
+             motion.bias: has 2 entries, b has 1\n  \
+             motion.jacobian[0]: row 0 must be an index below 1, column 2 below 2\n  \
+             motion.compliance[0]: must not be negative, is -1\n  \
+             motion.mass: has an entry at (1, 0), below the diagonal\n  \
+             motion.mass: has two entries at (0, 1)",
+        ),
+        (
+            r#"{"A": {"dense": [[1]]}, "b": [0], "motion": {"mass": [], "masses": []}}"#,
+            "p.json: 5 defects\n  motion.jacobian: is missing\n  motion.bias: is missing\n  \
+             motion.compliance: is missing\n  motion.target: is missing\n  motion.masses: is unknown",
         ),
         (r#"{"A": {"dense": 1}, "b": [1]}"#, "p.json: A.dense: must be a list of rows"),
         (r#"{"A": {"dense": [1]}, "b": [1]}"#, "p.json: A.dense[0]: must be a list of numbers"),
