@@ -296,7 +296,7 @@ def check(problem, proof):
         need(hasattr(problem, "motion"), "the problem says nothing of bodies")
         bound = number(proof["bound"])
         need(bound >= 0 and problem.gap(answer, proof["motion"]) <= Q(bound) ** 2, "the motion shows a larger bound only")
-        return f"the motion of the answer is within {bound:.3g} of the exact one" + ", with frozen friction" * (kind != "motion")
+        return f"the motion of the answer is within {bound} of the exact one" + ", with frozen friction" * (kind != "motion")
     X, D = problem.solution(proof["x"])
     if kind == "unique":
         problem.unique(proof["by"])
@@ -310,7 +310,7 @@ def check(problem, proof):
     distance, (near, s) = number(proof["distance"]), whole(answer)
     p, q = distance.as_integer_ratio()
     need(all(abs(v * D - (x << s)) * q <= p * D << s for v, x in zip(near, X)), "the answer is farther away")
-    return f"a solution exists within {distance:.3g} of the answer"
+    return f"a solution exists within {distance} of the answer"
 
 
 WRONG = (Refused, OSError, ValueError, LookupError, ArithmeticError, TypeError, AttributeError, RecursionError)
