@@ -25,7 +25,7 @@
 //! let solve = &step.solves[0];
 //! assert_eq!(solve.solution.x, [4.0, 3.0, 1.0]); // impulses in N s, from the ground up
 //! let certificate = judge(&solve.problem.lcp, &solve.solution.x, &Demand::default());
-//! assert_eq!(certificate.verdict.to_string(), "proved: an exact solution lies within 0.0e0 of x");
+//! assert_eq!(certificate.verdict.to_string(), "proved: x is an exact solution");
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 //!

@@ -13,6 +13,7 @@ mod judge;
 mod lesson;
 mod library;
 mod limits;
+mod live;
 mod options;
 mod pdf;
 mod plugin;
@@ -87,6 +88,7 @@ enum Command {
     Chapter(chapter::Chapter),
     Lesson(lesson::Lesson),
     Exercise(lesson::Answer),
+    Live(live::Live),
     Verify(verify::Verify),
     Hunt(hunt::Challenge),
     #[command(hide = true)]
@@ -114,7 +116,7 @@ const GROUPS: [(&str, &[&str]); 4] = [
         ],
     ),
     ("Scenes", &["simulate", "compare", "scenes", "export", "verify"]),
-    ("Learn", &["lesson", "exercise", "chapter"]),
+    ("Learn", &["lesson", "exercise", "live", "chapter"]),
     ("Reports", &["report", "grid"]),
 ];
 
@@ -185,6 +187,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Diagnose(command) => command.run(),
         Command::Chapter(command) => command.run(),
         Command::Lesson(command) => command.run(),
+        Command::Live(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Verify(command) => command.run(),
         Command::Hunt(command) => command.run(&limits),

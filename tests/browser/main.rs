@@ -6,6 +6,7 @@
 
 mod driver;
 mod layout;
+mod live;
 mod player;
 mod plot;
 mod print;

@@ -72,6 +72,7 @@ impl Verdict {
 impl std::fmt::Display for Verdict {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
+            Verdict::Proved { distance: 0.0 } => write!(f, "proved: x is an exact solution"),
             Verdict::Proved { distance } => {
                 let distance = upper_bound(*distance);
                 write!(f, "proved: an exact solution lies within {distance} of x")
@@ -105,7 +106,7 @@ impl std::fmt::Display for Verdict {
 /// ```
 pub fn upper_bound(bound: f64) -> String {
     if bound == 0.0 || !bound.is_finite() {
-        return format!("{bound:.1e}");
+        return format!("{bound}");
     }
     let all = format!("{bound:.800e}"); // every digit that a number has
     let (digits, exponent) = all.split_once('e').expect("an exponent");

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Builds the live pages: the module for WebAssembly, and a page around it each, which needs nothing else.
+
+    python3 live/build.py
+
+It needs `rustup target add wasm32-unknown-unknown`. The pages are committed.
+"""
+import base64, hashlib, os, subprocess, sys, zlib
+from pathlib import Path
+
+LIVE = Path(__file__).parent
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR", LIVE.parent / "target" / "live"))
+PAGES = {"two_rows": "Two rows", "stack": "A stack"}
+MOST = 400_000
+
+
+def module():
+    """The module, deflated, in base 64."""
+    command = ["cargo", "build", "--release", "--locked", "--target", "wasm32-unknown-unknown", "--target-dir", str(TARGET)]
+    subprocess.run(command, cwd=LIVE, check=True)
+    code = (TARGET / "wasm32-unknown-unknown" / "release" / "lcplab_live.wasm").read_bytes()
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    return base64.b64encode(packer.compress(code) + packer.flush()).decode()
+
+
+def page(name, title, packed):
+    part = lambda file: (LIVE / "page" / file).read_text(encoding="utf-8")
+    script = part("live.js") + part(f"{name}.js")
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    parts = {"title": f"{title} · lcplab", "style": part("live.css"), "body": part(f"{name}.html"), "hash": digest}
+    text = part("frame.html")
+    for key, value in {**parts, "script": script, "module": packed}.items():
+        text = text.replace(f"@{key}@", value)
+    return text
+
+
+def main():
+    packed = module()
+    for name, title in PAGES.items():
+        text = page(name, title, packed)
+        size = len(text.encode())
+        (LIVE / f"{name}.html").write_text(text, encoding="utf-8")
+        print(f"live/{name}.html: {size // 1000} kB")
+        if size > MOST:
+            sys.exit(f"more than {MOST // 1000} kB")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,191 @@
+//! The steps of a solver on a problem.
+
+use std::ops::ControlFlow;
+
+use lcplab_judge::{Demand, judge};
+use lcplab_problem::file::{Problem, number};
+use lcplab_problem::{Lcp, merit};
+use lcplab_solver::theory::{principal_submatrix, sor_iteration_matrix};
+use lcplab_solver::{
+    Damping, Dantzig, Event, Iterate, Jacobi, Lemke, Murty, Observer, Order, Part, Pgs, RowUpdate,
+    Settings, Solver, Start,
+};
+use nalgebra::DMatrix;
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+
+use super::Answer;
+
+/// More rows are for the program itself.
+const MOST_ROWS: usize = 60;
+/// More steps nobody looks at.
+const MOST_STEPS: usize = 10_000;
+
+/// Which solver's steps, and on what.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Question {
+    /// A problem file.
+    problem: Map<String, Value>,
+    /// `pgs`, `sor`, `jacobi`, `murty`, `dantzig` or `lemke`.
+    solver: String,
+    /// ω of `sor`.
+    #[serde(default = "one")]
+    omega: f64,
+    /// Sweeps or steps; without it until it is solved.
+    sweeps: Option<usize>,
+    /// Whether sweeps go from the last row to the first.
+    #[serde(default)]
+    backward: bool,
+    /// Where it starts; at 0 without it.
+    start: Option<Vec<f64>>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Question {
+    /// The steps, each with x, w, the residual and what led to it; the status; the judge's word.
+    pub fn answer(self) -> Answer {
+        let text = Value::Object(self.problem).to_string();
+        let Problem { lcp, .. } = Problem::parse(&text, "problem").map_err(|e| e.to_string())?;
+        let n = lcp.len();
+        if n > MOST_ROWS {
+            return Err(format!("{n} rows, at most {MOST_ROWS} are shown here"));
+        }
+        if self.start.as_ref().is_some_and(|x| x.len() != n) {
+            return Err(format!("start: the problem has {n} rows"));
+        }
+        let limit = self.sweeps.unwrap_or(MOST_STEPS).min(MOST_STEPS);
+        let tolerance = if self.sweeps.is_some() { 0.0 } else { Settings::default().tolerance };
+        let settings = Settings { tolerance, max_iterations: limit, ..Settings::default() };
+        let solver = solver(&self.solver, self.omega, self.backward, settings)?;
+        let mut steps = Steps { lcp: &lcp, rows: Vec::new(), steps: Vec::new() };
+        let start = self.start.as_deref().map_or(Start::default(), Start::at);
+        let solution = solver.solve(&lcp, &start, &mut steps);
+        let certificate = judge(&lcp, &solution.x, &Demand::default());
+        Ok(json!({
+            "steps": steps.steps,
+            "x": numbers(&solution.x),
+            "w": numbers(&solution.w),
+            "status": solution.status.to_string(),
+            "verdict": certificate.verdict.to_string(),
+            "proved": certificate.verdict.distance().is_some(),
+            "rate": rate(&self.solver, self.omega, &lcp, &solution.x),
+        }))
+    }
+}
+
+/// What a sweep leaves of the error while no row changes sides: the spectral radius of the free rows' iteration
+/// matrix G, as (|G^2k| / |G^k|)^(1/k) for k = 2¹² (Gelfand); a module without eigenvalues is smaller by a quarter.
+fn rate(solver: &str, omega: f64, lcp: &Lcp, x: &[f64]) -> Option<f64> {
+    let omega = match solver {
+        "pgs" => 1.0,
+        "sor" => omega,
+        _ => return None,
+    };
+    let is_inside = |&i: &usize| lcp.lo()[i] < x[i] && x[i] < lcp.hi()[i];
+    let free: Vec<usize> = (0..lcp.len()).filter(is_inside).collect();
+    let mut n = sor_iteration_matrix(&principal_submatrix(lcp.matrix(), &free), omega);
+    let (mut log, mut logs) = (0.0, [0.0; 2]);
+    for _ in 0..=13 {
+        let size = n.norm();
+        if size == 0.0 || !size.is_finite() {
+            return (size == 0.0).then_some(0.0);
+        }
+        log += libm::log(size); // now G to this power is e^log N, |N| = 1
+        n /= size;
+        logs = [logs[1], log];
+        n = squared(&n);
+        log *= 2.0;
+    }
+    let rate = libm::exp((logs[1] - logs[0]) / f64::from(1 << 12));
+    (rate < 1.0).then_some(rate)
+}
+
+/// N N, summed in one order on every machine.
+fn squared(n: &DMatrix<f64>) -> DMatrix<f64> {
+    let entry = |i, j| (0..n.nrows()).fold(0.0, |sum, k| sum + n[(i, k)] * n[(k, j)]);
+    DMatrix::from_fn(n.nrows(), n.ncols(), entry)
+}
+
+/// A solver by its name.
+pub fn solver(
+    name: &str,
+    omega: f64,
+    backward: bool,
+    settings: Settings,
+) -> Result<Box<dyn Solver>, String> {
+    if !(omega > 0.0 && omega < 2.0) {
+        return Err(format!("omega: must be between 0 and 2, is {omega}"));
+    }
+    let order = if backward { Order::Reverse } else { Order::Natural };
+    let sweeping = |omega| Box::new(Pgs { omega, order, settings: settings.clone() });
+    Ok(match name {
+        "pgs" => sweeping(1.0),
+        "sor" => sweeping(omega),
+        "jacobi" => Box::new(Jacobi { damping: Damping::default(), settings }),
+        "murty" => Box::new(Murty { settings }),
+        "dantzig" => Box::new(Dantzig { settings }),
+        "lemke" => Box::new(Lemke { settings }),
+        name => return Err(format!("solver: {name:?} is not one of these pages")),
+    })
+}
+
+/// Writes down what a solver does.
+struct Steps<'a> {
+    lcp: &'a Lcp,
+    /// The rows of the sweep that is under way.
+    rows: Vec<Value>,
+    steps: Vec<Value>,
+}
+
+impl Observer for Steps<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        let x = iterate.x;
+        self.steps.push(json!({
+            "x": numbers(x),
+            "w": numbers(&self.lcp.w(x)),
+            "residual": number(merit::scaled_residual(self.lcp, x)),
+            "event": words(iterate.event),
+            "rows": std::mem::take(&mut self.rows),
+        }));
+        ControlFlow::Continue(())
+    }
+
+    fn asks_for_parts(&self) -> bool {
+        true
+    }
+
+    fn part(&mut self, part: &Part<'_>) {
+        if let Part::Row(RowUpdate { row, w, diagonal, before, unclamped, after, .. }) = part {
+            self.rows.push(json!({
+                "row": row, "w": number(*w), "diagonal": number(*diagonal), "before": number(*before),
+                "unclamped": number(*unclamped), "after": number(*after),
+            }));
+        }
+    }
+}
+
+fn words(event: Event) -> String {
+    match event {
+        Event::Start => "start".into(),
+        Event::Sweep => "a sweep".into(),
+        Event::Step => "a step".into(),
+        Event::Pivot { driven, blocking } if driven == blocking => {
+            format!("row {driven} is driven to w = 0 or its bound, and gets there")
+        }
+        Event::Pivot { driven, blocking } => {
+            format!("row {driven} is driven, row {blocking} changes sides first")
+        }
+        Event::Exchange { rows: 1 } => "a row changes sides".into(),
+        Event::Exchange { rows } => format!("{rows} rows change sides"),
+        Event::Trial => "another set of free rows is tried".into(),
+    }
+}
+
+/// Numbers as JSON, "inf" and "nan" among them.
+pub fn numbers(values: &[f64]) -> Value {
+    values.iter().map(|&value| number(value)).collect()
+}

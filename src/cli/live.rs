@@ -1,0 +1,69 @@
+//! `live`: pages on which problems are dragged and methods stepped through.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::file;
+
+use super::{Outcome, print};
+
+/// A page: its name, what it shows, and itself.
+type Page = (&'static str, &'static str, &'static str);
+
+const PAGES: [Page; 2] = [
+    (
+        "two_rows",
+        "two rows: the plane of x, complementary cones, six methods step by step",
+        include_str!("../../live/two_rows.html"),
+    ),
+    (
+        "stack",
+        "a stack: who carries what after a row, after a sweep, and in motion",
+        include_str!("../../live/stack.html"),
+    ),
+];
+
+/// Write a live page: drag a problem, step through methods
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab live                  # the list of pages
+  lcplab live two_rows --open
+  lcplab live stack --out lecture
+
+A page needs no network and no server: the solvers are in it, compiled to WebAssembly. Its address keeps
+what it shows, so that it can be sent to others.")]
+pub struct Live {
+    /// The name of a page
+    page: Option<String>,
+    /// Show it in the browser
+    #[arg(long, requires = "page")]
+    open: bool,
+    /// Folder to write it into
+    #[arg(long, default_value = "reports/live")]
+    out: PathBuf,
+}
+
+impl Live {
+    pub fn run(&self) -> Result<Outcome> {
+        let Some(name) = &self.page else {
+            let lines = PAGES.iter().map(|(name, about, _)| format!("{name:<10} {about}\n"));
+            print(&lines.collect::<String>())?;
+            return Ok(Outcome::Good);
+        };
+        let (name, _, text) =
+            PAGES.iter().find(|(own, ..)| own == name).ok_or_else(|| Error::Unknown {
+                kind: "live page",
+                name: name.clone(),
+                known: PAGES.iter().map(|(own, ..)| (*own).to_string()).collect(),
+            })?;
+        let path = self.out.join(format!("{name}.html"));
+        file::write(&path, text)?;
+        if self.open {
+            open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
+        }
+        print(&format!("{}\n", path.display()))?;
+        Ok(Outcome::Good)
+    }
+}

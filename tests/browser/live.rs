@@ -1,0 +1,148 @@
+//! The live pages: what their module answers is what the native program answers, bit for bit, and their controls work.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::driver::Page;
+
+fn page(name: &str) -> Page {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("live/{name}.html"));
+    Page(std::fs::read_to_string(path).unwrap())
+}
+
+/// Waits until the module answers, and listens to what is asked of it.
+const READY: &str = "
+while (document.documentElement.dataset.ready !== 'yes') await wait(10);
+window.asked = [];
+const set = (name, value) => { const node = find(name); if (node.type === 'checkbox') node.checked = value; else node.value = value;
+    node.dispatchEvent(new Event(node.type === 'range' ? 'input' : 'change')); };
+";
+
+/// Fowler, Noll and Vo's hash of 32 bits.
+const HASH: &str = "
+const hash = (text) => { let h = 2166136261; for (const byte of new TextEncoder().encode(text)) h = Math.imul(h ^ byte, 16777619) >>> 0; return h; };
+";
+
+fn hash(text: &str) -> u32 {
+    text.bytes().fold(2_166_136_261, |h, byte| (h ^ u32::from(byte)).wrapping_mul(16_777_619))
+}
+
+/// Every question of a page, answered natively.
+fn compare(asked: &Value, least: usize) {
+    let asked = asked.as_array().unwrap();
+    assert!(asked.len() >= least, "{} questions", asked.len());
+    for pair in asked {
+        let question = pair[0].as_str().unwrap();
+        assert_eq!(json!(hash(&lcplab_live::answer(question))), pair[1], "{question}");
+    }
+}
+
+/// 25 sequences of eight clicks and moves each, the same in every run.
+const SEQUENCES: &str = "
+let seed = 1;
+const below = (n) => { seed = (Math.imul(seed, 1103515245) + 12345) & 0x7fffffff; return (seed >> 8) % n; };
+const turn = (name) => { const node = find(name);
+    set(name, Number(node.min) + below(1 + Math.round((node.max - node.min) / node.step)) * Number(node.step)); };
+const choose = (name) => set(name, find(name).options[below(find(name).options.length)].value);
+for (let sequence = 0; sequence < 25; sequence++) {
+    for (let k = 0; k < 8; k++) acts[below(acts.length)]();
+}
+return asked.map(([question, answer]) => [question, hash(answer)]);
+";
+
+#[test]
+fn two_rows_say_what_the_native_program_says_after_every_click() {
+    let acts = "const acts = [() => turn('#a00'), () => turn('#a01'), () => turn('#a10'), () => turn('#a11'), () => turn('#b0'),
+        () => turn('#b1'), () => turn('#omega'), () => choose('#solver'), () => choose('#bounds'), () => find('#next').click(),
+        () => set('#symmetric', below(2) === 1)];";
+    compare(&page("two_rows").seen(1280, &format!("{READY}{HASH}{acts}{SEQUENCES}")), 300);
+}
+
+#[test]
+fn a_stack_says_what_the_native_program_says_after_every_click() {
+    let acts = "const acts = [() => find('#more').click(), () => find('#fewer').click(), () => choose('#solver'), () => turn('#omega'),
+        () => turn('#sweeps'), () => set('#backward', below(2) === 1), () => set('#warm', below(2) === 1), () => find('#row').click(),
+        () => find('#sweep').click(), () => find('#motion').click(),
+        () => press(find('#mass0'), ['ArrowRight', 'ArrowLeft'][below(2)])];";
+    compare(&page("stack").seen(390, &format!("{READY}{HASH}{acts}{SEQUENCES}")), 300);
+}
+
+#[test]
+fn the_address_keeps_what_a_page_shows() {
+    let found = page("two_rows").seen(
+        1280,
+        &format!("{READY} set('#b1', -3); set('#solver', 'lemke'); find('#next').click(); return location.hash;"),
+    );
+    assert_eq!(found, json!("#b1=-3&solver=lemke&step=1"));
+}
+
+#[test]
+fn gauss_seidel_takes_the_steps_of_the_lesson_and_goes_back() {
+    // Figure of lesson 1: x = (½, ¾) after a sweep of A = [2 −1; −1 2], b = (−1, −1).
+    let script = "set('#b1', -1); find('#next').click();
+        const after = find('#words').textContent; find('#back').click();
+        return [after.includes('x = (0.5, 0.75)'), find('#words').textContent.startsWith('start'), find('#back').disabled];";
+    let found = page("two_rows").seen(390, &format!("{READY}{script}"));
+    assert_eq!(found, json!([true, true, true]));
+}
+
+#[test]
+fn the_number_of_cones_around_a_point_is_the_number_of_solutions() {
+    // A = [2 −3; −3 2] has no solution, one, or two, as b goes around.
+    let script = "set('#a01', -3); const counts = [];
+        for (const [b0, b1] of [[-1, -1], [1, 1.5], [-1, 2]]) {
+            set('#b0', b0); set('#b1', b1);
+            const solutions = JSON.parse(asked.at(-1)[1]).solutions.length;
+            counts.push([solutions, all('.cone.in').length]);
+        }
+        return counts;";
+    let found = page("two_rows").seen(1280, &format!("{READY}{script}"));
+    for pair in found.as_array().unwrap() {
+        assert_eq!(pair[0], pair[1], "{found}");
+    }
+    assert_eq!(found[0][0], 0);
+    assert_eq!(found[1][0], 2);
+}
+
+#[test]
+fn points_are_moved_by_keys() {
+    let script = "const before = location.hash; find('#start').focus(); press(find('#start'), 'ArrowRight'); press(find('#start'), 'ArrowUp');
+        return [before, location.hash, document.activeElement.id];";
+    let found = page("two_rows").seen(1280, &format!("{READY}{script}"));
+    assert_eq!(found, json!(["", "#x0=0.1&x1=0.1", "start"]));
+}
+
+#[test]
+fn a_stack_sinks_under_ten_cold_sweeps_and_stands_under_pivoting() {
+    let script = "const sunk = async (solver) => { set('#solver', solver); find('#motion').click();
+            while (find('#motion').textContent === 'Stop') await wait(20);
+            return Number(find('#says').textContent.match(/sunk (\\S+) cm/)[1].replace('−', '-')); };
+        set('#sweeps', 10);
+        return [await sunk('pgs'), await sunk('dantzig')];";
+    let found = page("stack").seen(1280, &format!("{READY}{script}"));
+    assert!(found[0].as_f64().unwrap() > 1.0, "{found}");
+    assert!(found[1].as_f64().unwrap().abs() < 1e-6, "{found}");
+}
+
+#[test]
+fn a_drawing_of_a_problem_takes_less_than_a_frame() {
+    // 8 boxes, 60 sweeps of them traced: the largest that the page draws while a mass is dragged. In wall time
+    // the fastest of many says what the page costs, not what the machine does besides.
+    let script = "for (let k = 0; k < 3; k++) find('#more').click();
+        let best = 1e9;
+        for (let k = 0; k < 20; k++) { const start = performance.now(); press(find('#mass7'), 'ArrowRight'); best = Math.min(best, performance.now() - start); }
+        return best;";
+    let best = page("stack").seen(1280, &format!("{READY}{script}"));
+    assert!(best.as_f64().unwrap() < 16.0, "{best}");
+}
+
+#[test]
+fn no_control_is_cut_off_on_a_phone() {
+    for name in ["two_rows", "stack"] {
+        let script = "return [document.documentElement.scrollWidth <= innerWidth, all('button, select, input').filter((node) => shown(node)
+            && node.getBoundingClientRect().right > innerWidth).map((node) => node.id)];";
+        let found = page(name).seen(390, &format!("{READY}{script}"));
+        assert_eq!(found, json!([true, []]), "{name}");
+    }
+}
