@@ -46,7 +46,7 @@ function drawStack() {
     picture += svg("circle", { cx: 130 + wide / 2, cy: y + height / 2, r: 9, class: "handle", id: `mass${i}`, role: "slider", "aria-label": `mass of box ${i}`, "aria-valuenow": mass, "aria-valuemin": 0.1, "aria-valuemax": 1000 });
   });
   state.masses.forEach((_, i) => {
-    const y = ground - i * height - 6 - (i > 0 ? sunk[i - 1] * scale : 0), long = (v) => Math.max(0, Math.min(1.2, v / most)) * 120;
+    const y = ground - i * height - 16 - (i > 0 ? sunk[i - 1] * scale : 0), long = (v) => Math.max(0, Math.min(1.2, v / most)) * 120;
     const isLast = !film && moves[state.at].row === i;
     picture += svg("rect", { x: 270, y, width: long(x[i]), height: 12, style: `fill:${isLast ? "var(--two)" : "var(--one)"}` });
     picture += svg("rect", { x: 270, y, width: long(exact[i]), height: 12, style: "fill:none;stroke:var(--ink)" });
