@@ -33,7 +33,7 @@
 //! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`certificate`]. Physics and numbers meet in
 //! [`formulation`]; [`plugin`] lets programs in other languages solve, [`hunt`] asks whether the solvers are honest, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show them,
 //! [`explain`] derives a step line by line, [`diagnosis`] says why one cannot be taken, [`chapter`] shows
-//! what K&M print beside what holds, and [`lesson`] teaches it.
+//! what K&M print beside what holds, [`lesson`] teaches it, and [`live`] lets one touch it.
 
 pub use lcplab_judge as certificate;
 pub use lcplab_judge::reference;
@@ -52,6 +52,7 @@ pub mod chapter;
 pub mod cli;
 pub mod film;
 pub mod lesson;
+pub mod live;
 pub mod problem_set;
 pub mod report;
 pub mod storage;

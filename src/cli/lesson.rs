@@ -7,6 +7,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lesson::Program;
 use lcplab::lesson::exercise::{Exercise, exercises};
+use lcplab::live::{PAGES, Page};
 
 use super::{Outcome, bar, print};
 use crate::lessons::ALL;
@@ -91,6 +92,10 @@ impl Lesson {
             if self.ipynb { lesson.notebook(&record)? } else { lesson.page(&record)?.render()? };
         let path = folder.join(lesson.name).with_extension(kind);
         file::write(&path, &text)?;
+        let is_meant = |page: &&Page| text.contains(&format!("href=\"live/{}.html", page.name));
+        for page in PAGES.iter().filter(is_meant) {
+            file::write(&folder.join(format!("live/{}.html", page.name)), page.text)?;
+        }
         Ok(path)
     }
 }

@@ -5,24 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::live::PAGES;
 
 use super::{Outcome, print};
-
-/// A page: its name, what it shows, and itself.
-type Page = (&'static str, &'static str, &'static str);
-
-const PAGES: [Page; 2] = [
-    (
-        "two_rows",
-        "two rows: the plane of x, complementary cones, six methods step by step",
-        include_str!("../../live/two_rows.html"),
-    ),
-    (
-        "stack",
-        "a stack: who carries what after a row, after a sweep, and in motion",
-        include_str!("../../live/stack.html"),
-    ),
-];
 
 /// Write a live page: drag a problem, step through methods
 #[derive(Debug, Args)]
@@ -48,18 +33,17 @@ pub struct Live {
 impl Live {
     pub fn run(&self) -> Result<Outcome> {
         let Some(name) = &self.page else {
-            let lines = PAGES.iter().map(|(name, about, _)| format!("{name:<10} {about}\n"));
+            let lines = PAGES.iter().map(|page| format!("{:<10} {}\n", page.name, page.about));
             print(&lines.collect::<String>())?;
             return Ok(Outcome::Good);
         };
-        let (name, _, text) =
-            PAGES.iter().find(|(own, ..)| own == name).ok_or_else(|| Error::Unknown {
-                kind: "live page",
-                name: name.clone(),
-                known: PAGES.iter().map(|(own, ..)| (*own).to_string()).collect(),
-            })?;
+        let page = PAGES.iter().find(|page| page.name == name).ok_or_else(|| Error::Unknown {
+            kind: "live page",
+            name: name.clone(),
+            known: PAGES.iter().map(|page| page.name.to_string()).collect(),
+        })?;
         let path = self.out.join(format!("{name}.html"));
-        file::write(&path, text)?;
+        file::write(&path, page.text)?;
         if self.open {
             open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
         }

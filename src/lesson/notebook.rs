@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::show::lined;
-use super::source::{Part, Source};
+use super::source::{Part, Shown, Source};
 use super::{Program, Record, quoted};
 use crate::error::Result;
 
@@ -23,9 +23,14 @@ impl Program {
         for part in &source.parts {
             cells.push(match part {
                 Part::Prose(text) => prose(&quoted(text, record)?),
-                Part::Cell { code: lines, .. } => {
-                    let shown = outputs.next().into_iter().flatten();
-                    code(lines, shown.map(|output| output.in_notebook()).collect())
+                Part::Cell { code: lines, shown } => {
+                    let put_out = outputs.next().into_iter().flatten();
+                    let mut cell =
+                        code(lines, put_out.map(|output| output.in_notebook()).collect());
+                    if *shown != Shown::Open {
+                        cell["metadata"] = json!({ "jupyter": { "source_hidden": true } });
+                    }
+                    cell
                 }
             });
         }

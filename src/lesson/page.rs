@@ -1,6 +1,6 @@
 //! A notebook that ran as a page.
 
-use super::source::{Part, Source};
+use super::source::{Part, Shown, Source};
 use super::{Program, Record, quoted};
 use crate::error::Result;
 use crate::report::page::{Block, Page, Section};
@@ -20,11 +20,17 @@ impl Program {
         let mut outputs = record.cells.iter();
         for part in &source.parts {
             match part {
-                Part::Prose(text) => add_prose(&mut page, &quoted(text, record)?),
-                Part::Cell { code, is_hidden } => {
-                    if !is_hidden {
-                        let block = Block::Code { language: "rust".into(), text: code.clone() };
-                        add(&mut page, block);
+                Part::Prose(text) => {
+                    // Notebooks stand beside the folder of live pages, pages have it in their own.
+                    let text = quoted(text, record)?.replace("](../live/", "](live/");
+                    add_prose(&mut page, &text);
+                }
+                Part::Cell { code, shown } => {
+                    let (language, text) = ("rust".into(), code.clone());
+                    match shown {
+                        Shown::Open => add(&mut page, Block::Code { language, text }),
+                        Shown::Folded => add(&mut page, Block::FoldedCode { language, text }),
+                        Shown::Hidden => {}
                     }
                     for output in outputs.next().into_iter().flatten() {
                         add(&mut page, output.on_page());

@@ -6,6 +6,7 @@
 //! prose, $x^2$, {{name}}       {{name}} is a value that a cell has put there
 //! ```rust                      a cell: shown, compiled and run
 //! ```rust tags=["hide"]        a cell whose code is not shown
+//! ```rust tags=["fold"]        a cell whose code is folded: set-up, tables, plots
 //! ```text                      anything else in fences belongs to the prose
 //! ```
 //!
@@ -29,9 +30,30 @@ pub enum Part {
     Cell {
         /// The lines, as they are.
         code: String,
-        /// Whether readers of a page see only what it puts out.
-        is_hidden: bool,
+        /// How readers see the lines.
+        shown: Shown,
     },
+}
+
+/// How a cell's code is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    /// As it is.
+    Open,
+    /// Folded away, for those who want to look.
+    Folded,
+    /// Not at all on a page.
+    Hidden,
+}
+
+impl Shown {
+    fn of(fence: &str) -> Shown {
+        match fence {
+            fence if fence.contains("\"hide\"") => Shown::Hidden,
+            fence if fence.contains("\"fold\"") => Shown::Folded,
+            _ => Shown::Open,
+        }
+    }
 }
 
 impl Source {
@@ -45,7 +67,7 @@ impl Source {
             if !is_fenced && (line == "```rust" || line.starts_with("```rust ")) {
                 push_prose(&mut parts, &mut prose);
                 let code: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
-                parts.push(Part::Cell { code: code.join("\n"), is_hidden: line.contains("hide") });
+                parts.push(Part::Cell { code: code.join("\n"), shown: Shown::of(line) });
                 continue;
             }
             is_fenced ^= line.starts_with("```");

@@ -87,7 +87,8 @@ impl Renderer {
         match event {
             Event::InlineMath(latex) => self.mathml(&latex, MathDisplay::Inline).map(html),
             Event::DisplayMath(latex) => self.mathml(&latex, MathDisplay::Block).map(html),
-            Event::Html(tag) | Event::InlineHtml(tag) => Ok(Event::Text(tag)),
+            Event::Html(tag) => Ok(fold(&tag).map_or(Event::Text(tag), Event::Html)),
+            Event::InlineHtml(tag) => Ok(Event::Text(tag)),
             Event::Start(Tag::Link { ref dest_url, .. } | Tag::Image { ref dest_url, .. }) => {
                 safe(dest_url)?;
                 Ok(event)
@@ -101,6 +102,17 @@ impl Renderer {
 
     fn mathml(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         mathml::converted(&self.math, latex, display)
+    }
+}
+
+/// The lines between which something is folded away, the only HTML that passes: `<details>`, a `<summary>` of plain
+/// words, `</details>`.
+fn fold(line: &str) -> Option<CowStr<'static>> {
+    let line = line.trim();
+    let words = || line.strip_prefix("<summary>")?.strip_suffix("</summary>");
+    match line {
+        "<details>" | "</details>" => Some(format!("{line}\n").into()),
+        _ => words().map(|words| format!("<summary>{}</summary>\n", html(words)).into()),
     }
 }
 

@@ -75,6 +75,13 @@ pub enum Block {
         /// The lines.
         text: String,
     },
+    /// The same, folded away.
+    FoldedCode {
+        /// The language.
+        language: String,
+        /// The lines.
+        text: String,
+    },
     /// A remark set apart from the text.
     Note(String),
     /// Proofs about one problem that the reader can have checked by the page itself.

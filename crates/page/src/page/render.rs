@@ -59,6 +59,11 @@ impl ProofsView<'_> {
     }
 }
 
+fn code(language: &str, text: &str) -> String {
+    let (language, text) = (html(language), html(text.trim_end()));
+    format!("<pre tabindex=\"0\"><code class=\"language-{language}\">{text}</code></pre>\n")
+}
+
 /// JSON that ends no script element.
 fn data(json: &str) -> String {
     json.trim_end().replace('<', "\\u003c")
@@ -162,12 +167,12 @@ impl Writer {
                 });
                 format!("<div class=\"equation\">{mathml}{label}</div>\n")
             }
-            Block::Code { language, text } => {
-                let (language, text) = (html(language), html(text.trim_end()));
-                format!(
-                    "<pre tabindex=\"0\"><code class=\"language-{language}\">{text}</code></pre>\n"
-                )
-            }
+            Block::Code { language, text } => code(language, text),
+            Block::FoldedCode { language, text } => format!(
+                "<details class=\"folded\"><summary>code: {} lines</summary>\n{}</details>\n",
+                text.trim_end().lines().count(),
+                code(language, text)
+            ),
             Block::Proofs { problem, proofs } => {
                 self.proofs = true;
                 self.checked(place, |_| written(&ProofsView { problem: data(problem), proofs }))
