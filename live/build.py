@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Builds the live pages: the module for WebAssembly, and a page around it each, which needs nothing else.
+"""Builds the live pages: the module for WebAssembly, and a page around it each, which needs nothing else. They are
+written beside this file, or into a folder.
 
-    python3 live/build.py
+    python3 live/build.py [FOLDER]
 
 It needs `rustup target add wasm32-unknown-unknown`. The pages are committed.
 """
@@ -35,12 +36,14 @@ def page(name, title, packed):
 
 
 def main():
+    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else LIVE
+    folder.mkdir(parents=True, exist_ok=True)
     packed = module()
     for name, title in PAGES.items():
         text = page(name, title, packed)
         size = len(text.encode())
-        (LIVE / f"{name}.html").write_text(text, encoding="utf-8")
-        print(f"live/{name}.html: {size // 1000} kB")
+        (folder / f"{name}.html").write_text(text, encoding="utf-8")
+        print(f"{folder / name}.html: {size // 1000} kB")
         if size > MOST:
             sys.exit(f"more than {MOST // 1000} kB")
 

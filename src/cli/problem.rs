@@ -127,7 +127,7 @@ impl Solve {
 impl Solve {
     /// Writes the proof, if one is asked for.
     fn prove(&self, problem: &Problem, x: &[f64]) -> Result<()> {
-        self.proof.as_ref().map_or(Ok(()), |path| proof::write(path, &problem, x))
+        self.proof.as_ref().map_or(Ok(()), |path| proof::write(path, problem, x))
     }
 }
 

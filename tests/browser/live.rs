@@ -1,4 +1,5 @@
 //! The live pages: what their module answers is what the native program answers, bit for bit, and their controls work.
+//! The variable LCPLAB_LIVE names the folder of pages that were built afresh.
 
 use std::path::Path;
 
@@ -7,8 +8,9 @@ use serde_json::{Value, json};
 use super::driver::Page;
 
 fn page(name: &str) -> Page {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("live/{name}.html"));
-    Page(std::fs::read_to_string(path).unwrap())
+    let folder = std::env::var("LCPLAB_LIVE")
+        .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/live").into());
+    Page(std::fs::read_to_string(Path::new(&folder).join(format!("{name}.html"))).unwrap())
 }
 
 /// Waits until the module answers, and listens to what is asked of it.

@@ -15,7 +15,7 @@
 //! | `model` | under which model of friction x is a solution, such as `"coulomb-cone"`: see [`friction`](super::friction); `"coupled-box"` where the key is absent |
 //! | `frozen_at` | n numbers, of which the box of model 1, `"frozen-box"`, takes the normal impulses x\[k\] |
 //! | `scale` | the size of x that counts as something: a row whose terms are below s_i times this is at rest, and measured by that; see [`Lcp::with_scale`] |
-//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*}`; see [`Gauss`](crate::Gauss) |
+//! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*}`; see [`Gauss`] |
 //! | `name`, `source`, `dt`, `rows`, `expected` | optional, kept as they are |
 //!
 //! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact have the

@@ -1,0 +1,110 @@
+//! What the module answers, held against closed forms.
+
+use std::f64::consts::PI;
+
+use serde_json::{Value, json};
+
+fn ask(question: Value) -> Value {
+    serde_json::from_str(&lcplab_live::answer(&question.to_string())).unwrap()
+}
+
+fn column(masses: &[f64]) -> Value {
+    ask(json!({ "ask": "column", "masses": masses, "dt": 0.01 }))["problem"].clone()
+}
+
+#[test]
+fn a_sweep_of_a_column_leaves_what_the_formula_says() {
+    for n in 1..=12 {
+        let problem = column(&vec![1.0; n]);
+        let found =
+            ask(json!({ "ask": "trace", "solver": "pgs", "sweeps": 1, "problem": problem }));
+        // All rows are free in the answer; after one sweep from 0 all of them push already.
+        let rho = (PI / (2 * n) as f64).cos().powi(2);
+        assert!((found["rate"].as_f64().unwrap() - rho).abs() < 1e-6, "{n}: {}", found["rate"]);
+    }
+}
+
+#[test]
+fn two_bodies_obey_the_law_of_the_mass_ratio() {
+    for ratio in [0.1, 1.0, 10.0, 100.0] {
+        let problem = column(&[1.0, ratio]);
+        let found =
+            ask(json!({ "ask": "trace", "solver": "pgs", "sweeps": 1, "problem": problem }));
+        let rho = ratio / (1.0 + ratio);
+        assert!((found["rate"].as_f64().unwrap() - rho).abs() < 1e-6, "{ratio}: {}", found["rate"]);
+    }
+}
+
+#[test]
+fn every_method_finds_what_each_contact_of_a_column_carries() {
+    let masses = [1.0, 2.0, 3.0];
+    for solver in ["pgs", "sor", "jacobi", "dantzig", "lemke", "murty"] {
+        let question =
+            json!({ "ask": "trace", "solver": solver, "omega": 1.2, "problem": column(&masses) });
+        let found = ask(question);
+        for (i, above) in [6.0, 5.0, 3.0].into_iter().enumerate() {
+            let x = found["x"][i].as_f64().unwrap();
+            assert!((x - 9.81 * 0.01 * above).abs() < 1e-6, "{solver}: {x}");
+        }
+        assert_eq!(found["status"], "solved", "{solver}");
+    }
+}
+
+#[test]
+fn a_column_that_is_solved_stands_and_one_that_is_not_sinks() {
+    let motion = |solver: &str, sweeps: Option<usize>, warm: bool| {
+        let question = json!({ "ask": "motion", "masses": [1, 1, 1, 1, 1], "dt": 0.01, "steps": 200,
+            "solver": solver, "sweeps": sweeps, "warm": warm });
+        ask(question)["frames"][199]["z"][4].as_f64().unwrap()
+    };
+    assert!(motion("dantzig", None, false).abs() < 1e-12);
+    let (cold, warm) = (motion("pgs", Some(10), false), motion("pgs", Some(10), true));
+    assert!(cold < -0.1 && warm > cold / 100.0, "{cold} {warm}");
+}
+
+#[test]
+fn all_solutions_are_told_as_fractions() {
+    let two = json!({ "A": { "dense": [[2, -3], [-3, 2]] }, "b": [1, 1.5] });
+    let found = ask(json!({ "ask": "solutions", "problem": two }));
+    let fractions: Vec<&Value> =
+        found["solutions"].as_array().unwrap().iter().map(|own| &own["fractions"]).collect();
+    assert_eq!(fractions, [&json!(["0", "0"]), &json!(["13/10", "6/5"])]);
+}
+
+#[test]
+fn a_question_that_makes_no_sense_is_answered_with_the_reason() {
+    let problem = column(&[1.0]);
+    for (question, reason) in [
+        (json!({ "ask": "weather" }), "unknown variant"),
+        (json!({ "ask": "column", "masses": [], "dt": 0.01 }), "masses"),
+        (json!({ "ask": "trace", "problem": problem, "solver": "oracle" }), "oracle"),
+        (json!({ "ask": "trace", "problem": problem, "solver": "sor", "omega": 2.5 }), "omega"),
+        (json!({ "ask": "trace", "problem": {}, "solver": "pgs" }), "missing"),
+        (json!({ "ask": "trace", "problem": problem, "solver": "pgs", "start": [1, 2] }), "start"),
+    ] {
+        let answer = ask(question.clone());
+        let told = answer["error"].as_str().unwrap_or_else(|| panic!("{question}: {answer}"));
+        assert!(told.contains(reason), "{told}");
+    }
+}
+
+#[test]
+fn the_three_functions_of_a_page_take_a_question_and_give_its_answer() {
+    use lcplab_live::abi::{ask, back, room};
+    let question = br#"{"ask": "column", "masses": [1], "dt": 0.01}"#;
+    // SAFETY: the room is filled and given back as the functions ask for.
+    let told = unsafe {
+        let place = room(question.len());
+        std::ptr::copy_nonoverlapping(question.as_ptr(), place, question.len());
+        let answer = ask(place, question.len());
+        let length =
+            u32::from_le_bytes(std::slice::from_raw_parts(answer, 4).try_into().unwrap()) as usize;
+        let told = std::slice::from_raw_parts(answer.add(4), length).to_vec();
+        back(answer, length);
+        told
+    };
+    assert_eq!(
+        String::from_utf8(told).unwrap(),
+        lcplab_live::answer(std::str::from_utf8(question).unwrap())
+    );
+}
