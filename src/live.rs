@@ -13,7 +13,7 @@ pub struct Page {
 }
 
 /// All of them.
-pub const PAGES: [Page; 2] = [
+pub const PAGES: [Page; 3] = [
     Page {
         name: "two_rows",
         about: "two rows: the plane of x, complementary cones, six methods step by step",
@@ -23,5 +23,10 @@ pub const PAGES: [Page; 2] = [
         name: "stack",
         about: "a stack: who carries what after a row, after a sweep, and in motion",
         text: include_str!("../live/stack.html"),
+    },
+    Page {
+        name: "friction",
+        about: "friction: square, polygon and disc, their nearest points, a block's way over the floor",
+        text: include_str!("../live/friction.html"),
     },
 ];

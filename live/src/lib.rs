@@ -7,6 +7,7 @@
 
 pub mod abi;
 mod column;
+mod friction;
 mod solutions;
 mod trace;
 
@@ -25,6 +26,10 @@ enum Question {
     Column(column::Column),
     /// How a column moves.
     Motion(column::Motion),
+    /// A block that is pushed, under several models of friction.
+    Friction(friction::Push),
+    /// Its way over the floor.
+    Slide(friction::Slide),
 }
 
 /// Answers a question: an object, which has the key `error` if the question makes no sense.
@@ -41,6 +46,8 @@ pub fn answer(question: &str) -> String {
         Ok(Question::Solutions(question)) => question.answer(),
         Ok(Question::Column(column)) => column.answer(),
         Ok(Question::Motion(motion)) => motion.answer(),
+        Ok(Question::Friction(push)) => push.answer(),
+        Ok(Question::Slide(slide)) => slide.answer(),
         Err(cause) => Err(cause.to_string()),
     };
     answered.unwrap_or_else(|reason| json!({ "error": reason })).to_string()

@@ -71,6 +71,28 @@ fn a_stack_says_what_the_native_program_says_after_every_click() {
 }
 
 #[test]
+fn friction_says_what_the_native_program_says_after_every_click() {
+    let acts = "const acts = [() => turn('#press'), () => turn('#mu'), () => turn('#angle'), () => turn('#size'),
+        () => choose('#directions'), () => press(find('#wanted'), ['ArrowRight', 'ArrowUp', 'ArrowDown'][below(3)])];";
+    compare(&page("friction").seen(768, &format!("{READY}{HASH}{acts}{SEQUENCES}")), 300);
+}
+
+#[test]
+fn a_push_is_answered_by_the_corner_of_the_square_and_the_diamond_and_by_a_point_of_the_disc() {
+    // 3 N s at 30 degrees against μ x_n = 1: (1, 1), (1, 0), (cos 30°, sin 30°).
+    let script = "set('#size', 2.95); set('#size', 3);
+        const answer = JSON.parse(asked.filter(([question]) => question.includes('friction')).at(-1)[1]);
+        return answer.models.slice(0, 3).map(({ x }) => x.slice(1));";
+    let found = page("friction").seen(1280, &format!("{READY}{script}"));
+    let (sin, cos) = 30.0_f64.to_radians().sin_cos();
+    for (x, exact) in found.as_array().unwrap().iter().zip([[1.0, 1.0], [1.0, 0.0], [cos, sin]]) {
+        for i in 0..2 {
+            assert!((x[i].as_f64().unwrap() - exact[i]).abs() < 1e-9, "{found}");
+        }
+    }
+}
+
+#[test]
 fn the_address_keeps_what_a_page_shows() {
     let found = page("two_rows").seen(
         1280,
@@ -141,7 +163,7 @@ fn a_drawing_of_a_problem_takes_less_than_a_frame() {
 
 #[test]
 fn no_control_is_cut_off_on_a_phone() {
-    for name in ["two_rows", "stack"] {
+    for name in ["two_rows", "stack", "friction"] {
         let script = "return [document.documentElement.scrollWidth <= innerWidth, all('button, select, input').filter((node) => shown(node)
             && node.getBoundingClientRect().right > innerWidth).map((node) => node.id)];";
         let found = page(name).seen(390, &format!("{READY}{script}"));

@@ -1,0 +1,88 @@
+const USUAL = { press: 2, mu: 0.5, directions: 4, angle: 30, size: 3 };
+const SLIDERS = ["press", "mu", "angle", "size"], SPAN = 5, SPEED = 3, G = 9.81;
+const NAMES = ["coupled-box", "polygon", "coulomb-cone"], CLASSES = ["box", "polygon", "disc"];
+const toPlane = ([x, y]) => [210 + x / SPAN * 420 * 0.55, 210 - y / SPAN * 420 * 0.55];
+const fromPlane = (px, py) => [(px - 210) / 420 * SPAN / 0.55, (210 - py) / 420 * SPAN / 0.55];
+
+let state = stateOf(USUAL), ask, answers, paths;
+const radians = () => state.angle * Math.PI / 180;
+const wanted = () => [state.size * Math.cos(radians()), state.size * Math.sin(radians())];
+
+function solve() {
+  const directions = Number(state.directions);
+  answers = ask({ ask: "friction", press: state.press, mu: state.mu, wanted: wanted(), directions }).models;
+  const speed = [SPEED * Math.cos(radians()), SPEED * Math.sin(radians())], rub = Math.max(state.mu, 0.05);
+  paths = ask({ ask: "slide", mu: state.mu, speed, directions, dt: 0.01, steps: Math.ceil(SPEED / (rub * G) / 0.01) + 60 }).models;
+}
+
+function drawFigures() {
+  const reach = state.mu * state.press, k = Number(state.directions);
+  const corners = (count, turn) => Array.from({ length: count }, (_, j) => toPlane([reach * Math.cos(2 * Math.PI * j / count + turn), reach * Math.sin(2 * Math.PI * j / count + turn)]).map((v) => v.toFixed(1)).join(",")).join(" ");
+  const [ox, oy] = toPlane([0, 0]), radius = toPlane([reach, 0])[0] - ox;
+  let picture = svg("line", { x1: 0, x2: 420, y1: oy, y2: oy, class: "axis" }) + svg("line", { x1: ox, x2: ox, y1: 0, y2: 420, class: "axis" });
+  picture += svg("text", { x: 392, y: oy - 6 }, "x_t1") + svg("text", { x: ox + 6, y: 14 }, "x_t2");
+  picture += svg("rect", { x: ox - radius, y: oy - radius, width: 2 * radius, height: 2 * radius, class: "figure box" });
+  picture += svg("circle", { cx: ox, cy: oy, r: radius, class: "figure disc" });
+  picture += svg("polygon", { points: corners(k, 0), class: "figure polygon" });
+  const [wx, wy] = toPlane(wanted());
+  NAMES.forEach((_, i) => {
+    const [px, py] = toPlane(answers[i].x.slice(1));
+    picture += svg("line", { x1: wx, y1: wy, x2: px, y2: py, class: `reach ${CLASSES[i]}` }) + svg("circle", { cx: px, cy: py, r: 5, class: `answer ${CLASSES[i]}` });
+  });
+  picture += svg("circle", { cx: wx, cy: wy, r: 9, class: "handle", id: "wanted" });
+  const focus = document.activeElement?.id;
+  find("#figures").innerHTML = picture;
+  draggable(find("#wanted"), find("#figures"), (px, py) => {
+    const [x, y] = fromPlane(px, py), angle = Math.atan2(y, x) * 180 / Math.PI;
+    change({ angle: Math.round((angle + 360) % 360), size: Math.round(20 * Math.min(4, Math.hypot(x, y))) / 20 });
+  }, (dx, dy) => change({ angle: (state.angle + 5 * dx + 360) % 360, size: Math.max(0, Math.min(4, Math.round(20 * (state.size - 0.1 * dy)) / 20)) }));
+  if (focus === "wanted") find("#wanted").focus();
+}
+
+function drawFloor() {
+  const far = state.mu > 0 ? SPEED ** 2 / (2 * state.mu * G) : Infinity;
+  const ends = paths.map(({ path }) => path.at(-1)), most = Math.max(0.1, ...ends.flat().map(Math.abs), Number.isFinite(far) ? far : 0) * 1.15;
+  const to = ([x, y]) => [210 + x / most * 200, 210 - y / most * 200].map((v) => v.toFixed(1));
+  let picture = svg("line", { x1: 0, x2: 420, y1: 210, y2: 210, class: "axis" }) + svg("line", { x1: 210, x2: 210, y1: 0, y2: 420, class: "axis" });
+  const length = Math.min(far, 2 * most), [ex, ey] = to([length * Math.cos(radians()), length * Math.sin(radians())]);
+  picture += svg("line", { x1: 210, y1: 210, x2: ex, y2: ey, class: "law" });
+  paths.forEach(({ path }, i) => {
+    picture += svg("polyline", { points: path.map((p) => to(p).join(",")).join(" "), class: `way ${CLASSES[i]}` });
+    const [cx, cy] = to(ends[i]);
+    picture += svg("circle", { cx, cy, r: 5, class: `answer ${CLASSES[i]}` });
+  });
+  picture += svg("text", { x: 396, y: 204 }, "x") + svg("text", { x: 216, y: 14 }, "y") + svg("text", { x: 4, y: 414, class: "faint" }, `${short(most, 2)} m from the middle to the edge`);
+  find("#floor").innerHTML = picture;
+}
+
+function drawWords() {
+  const signed = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 3), lines = [];
+  for (const { model, x, w } of answers) {
+    const slips = Math.hypot(w[1], w[2]) > 1e-6, rub = Math.hypot(x[1], x[2]) / (state.mu * state.press || 1);
+    lines.push(`${model.padEnd(15)} x = (${x.map(signed).join(", ")}) N s   |x_t| = ${signed(rub)} μ·${short(state.press)}   ${slips ? `slips at ${signed(Math.hypot(w[1], w[2]))} m/s` : "sticks"}${Math.abs(w[0]) > 1e-6 ? `, lifts off at ${signed(w[0])} m/s` : ""}`);
+  }
+  find("#words").textContent = lines.join("\n");
+  const strong = 1 / Math.max(Math.abs(Math.cos(radians())), Math.abs(Math.sin(radians())));
+  const holds = state.size <= state.mu * state.press;
+  find("#says").textContent = `By Coulomb's law the block ${holds ? "sticks" : "slides"}. In this direction the box holds ${short(strong, 3)} times as much as the law.`;
+}
+
+function change(changes) { state = { ...state, ...changes }; draw(); }
+function draw() {
+  solve();
+  drawFigures();
+  drawFloor();
+  drawWords();
+  for (const id of SLIDERS) { const slider = find(`#${id}`); slider.value = state[id]; slider.nextElementSibling.textContent = short(state[id]); }
+  find("#directions").value = state.directions;
+  keep(state, USUAL);
+}
+
+opened.then((answering) => {
+  ask = answering;
+  for (const id of SLIDERS) find(`#${id}`).addEventListener("input", (event) => change({ [id]: Number(event.target.value) }));
+  find("#directions").addEventListener("change", (event) => change({ directions: Number(event.target.value) }));
+  addEventListener("hashchange", () => { state = stateOf(USUAL); draw(); });
+  draw();
+  document.documentElement.dataset.ready = "yes";
+});
