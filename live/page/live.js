@@ -34,7 +34,12 @@ function stateOf(usual) {
   }
   return state;
 }
+let keeping; // browsers allow few changes of the address a second, and dragging makes many
 function keep(state, usual) {
+  clearTimeout(keeping);
+  keeping = setTimeout(() => keepNow(state, usual), 200);
+}
+function keepNow(state, usual) {
   const changed = Object.entries(state).filter(([key, value]) => String(value) !== String(usual[key]));
   const text = changed.map(([key, value]) => `${key}=${value}`).join("&");
   history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);

@@ -96,7 +96,7 @@ fn a_push_is_answered_by_the_corner_of_the_square_and_the_diamond_and_by_a_point
 fn the_address_keeps_what_a_page_shows() {
     let found = page("two_rows").seen(
         1280,
-        &format!("{READY} set('#b1', -3); set('#solver', 'lemke'); find('#next').click(); return location.hash;"),
+        &format!("{READY} set('#b1', -3); set('#solver', 'lemke'); find('#next').click(); await wait(400); return location.hash;"),
     );
     assert_eq!(found, json!("#b1=-3&solver=lemke&step=1"));
 }
@@ -131,7 +131,7 @@ fn the_number_of_cones_around_a_point_is_the_number_of_solutions() {
 
 #[test]
 fn points_are_moved_by_keys() {
-    let script = "const before = location.hash; find('#start').focus(); press(find('#start'), 'ArrowRight'); press(find('#start'), 'ArrowUp');
+    let script = "const before = location.hash; find('#start').focus(); press(find('#start'), 'ArrowRight'); press(find('#start'), 'ArrowUp'); await wait(400);
         return [before, location.hash, document.activeElement.id];";
     let found = page("two_rows").seen(1280, &format!("{READY}{script}"));
     assert_eq!(found, json!(["", "#x0=0.1&x1=0.1", "start"]));
