@@ -64,7 +64,7 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     let worst_contact = contacts.iter().position(|contact| contact.rows.contains(&worst));
     let outside = contacts.iter().map(|contact| {
         let [n, t1, t2] = contact.of(x);
-        t1.hypot(t2) - contact.mu * n
+        lcplab_problem::hypot(t1, t2) - contact.mu * n
     });
     let refused = |why| Verdict::NotASolution { row: worst, amount: scaled_residual, why };
     let is_within = x.iter().all(|x| x.is_finite()) && scaled_residual <= demand.tolerance;

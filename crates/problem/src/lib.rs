@@ -19,6 +19,7 @@ pub mod exact;
 pub mod file;
 pub mod friction;
 mod gauss;
+mod hypot;
 #[cfg(feature = "json")]
 pub mod json;
 mod lcp;
@@ -32,5 +33,6 @@ pub use complementarity::Complementarity;
 pub use coupled::Coupling;
 pub use friction::Contact;
 pub use gauss::Gauss;
+pub use hypot::hypot;
 pub use lcp::Lcp;
 pub use matrix::{Dense, Matrix, Row, Sparse, dot};

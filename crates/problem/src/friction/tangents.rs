@@ -58,7 +58,7 @@ impl Tangents {
     ) -> Self {
         let w = rows.map(|row| libm::ldexp(row.w, row.exponent - exponent));
         let [m1, m2] = rows.map(|row| libm::ldexp(row.magnitude, row.exponent - exponent));
-        let magnitude = m1.hypot(m2);
+        let magnitude = crate::hypot(m1, m2);
         let reach = reach_of_friction(mu, normal);
         let (scale, has_scale) = (scale.unwrap_or(1.0), scale.is_some());
         Tangents { w, magnitude, scale, has_scale, exponent, reach }

@@ -92,7 +92,7 @@ pub fn natural_residual(lcp: &Lcp, x: &[f64]) -> f64 {
 /// max_i |φ_i| with the Fischer-Burmeister function φ(a, b) = a + b − √(a² + b²) of the distance to
 /// each bound and the w that pushes to it (Billups' form for two finite bounds).
 pub fn fischer_burmeister(lcp: &Lcp, x: &[f64]) -> f64 {
-    let phi = |a: f64, b: f64| if a.is_infinite() { b } else { a + b - a.hypot(b) };
+    let phi = |a: f64, b: f64| if a.is_infinite() { b } else { a + b - crate::hypot(a, b) };
     worst(lcp.len(), |i| {
         let ((lo, hi), w) = (lcp.bounds(i, x), lcp.row_w(i, x));
         phi(x[i] - lo, -phi(hi - x[i], -w))

@@ -2,6 +2,7 @@
 
 mod file;
 mod friction;
+mod hypot;
 mod library;
 mod matrix;
 mod merit;

@@ -23,7 +23,7 @@ impl ConeProblem {
             let [p1, p2] = [x[1], x[2]].map(|x| unit.of(x));
             let radius = contact.mu * unit.of(x[0].max(0.0));
             let [d1, d2] = in_disc(radius, [p1 - w1, p2 - w2]);
-            (p1 - d1).hypot(p2 - d2)
+            crate::hypot(p1 - d1, p2 - d2)
         });
         let residual = merit::relative(of_reach, tangents.magnitude);
         let normal = n.miss_between(x[0], 0.0, f64::INFINITY, || f64::INFINITY);
@@ -49,7 +49,7 @@ impl ConeProblem {
             let rho = (unit.value() / of_normal).sqrt();
             let [p1, p2] = [x[1], x[2]].map(|x| unit.of(x));
             let [q, q1, q2] = project(contact.mu * rho, [rho * (p_n - w_n), p1 - w1, p2 - w2]);
-            [(p_n - q / rho).abs(), (p1 - q1).hypot(p2 - q2)]
+            [(p_n - q / rho).abs(), crate::hypot(p1 - q1, p2 - q2)]
         });
         let miss = |k: usize, scale, terms| {
             let residual = merit::relative(of_reach[k], terms);
@@ -73,7 +73,7 @@ impl ConeProblem {
 
 /// The point of the disc nearest to t.
 fn in_disc(radius: f64, [t1, t2]: [f64; 2]) -> [f64; 2] {
-    match t1.hypot(t2) {
+    match crate::hypot(t1, t2) {
         length if length <= radius => [t1, t2],
         length => [radius * (t1 / length), radius * (t2 / length)],
     }

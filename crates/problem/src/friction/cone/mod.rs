@@ -79,7 +79,7 @@ impl ConeProblem {
     pub fn shift(&self, contact: &Contact, [_, w1, w2]: [f64; 3]) -> f64 {
         match self.law {
             Law::Associated => 0.0,
-            Law::Coulomb => contact.mu * w1.hypot(w2),
+            Law::Coulomb => contact.mu * crate::hypot(w1, w2),
         }
     }
 
@@ -179,7 +179,7 @@ impl Complementarity for ConeProblem {
     fn recedes(&self, d: &[f64]) -> bool {
         let is_in_cone = |contact: &Contact| {
             let [n, t1, t2] = contact.of(d);
-            t1.hypot(t2) <= contact.mu * n
+            crate::hypot(t1, t2) <= contact.mu * n
         };
         self.is_frozen()
             && self.friction.lcp.recedes(d)
@@ -204,7 +204,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// assert_eq!(project(0.75, [0.0, 0.0, 6.25]), [3.0, 0.0, 2.25]);
 /// ```
 pub fn project(mu: f64, [n, t1, t2]: [f64; 3]) -> [f64; 3] {
-    let t = t1.hypot(t2);
+    let t = crate::hypot(t1, t2);
     if n + mu * t <= ROUNDING * mu * t {
         return [0.0; 3];
     }

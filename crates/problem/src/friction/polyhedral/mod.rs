@@ -196,7 +196,7 @@ impl Polyhedral {
         if radius <= 0.0 {
             return [0.0; 2];
         }
-        let distance = |q: &[f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
+        let distance = |q: &[f64; 2]| crate::hypot(q[0] - p[0], q[1] - p[1]);
         let beyond = (0..k).filter_map(to_edge);
         beyond.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(p)
     }
