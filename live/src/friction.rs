@@ -81,7 +81,7 @@ impl Slide {
 }
 
 fn models(directions: usize) -> Result<[Model; 3], String> {
-    if directions == 0 || directions > 64 || directions % 4 != 0 {
+    if directions == 0 || directions > 64 || !directions.is_multiple_of(4) {
         return Err(format!("directions: must be a multiple of 4, at most 64, is {directions}"));
     }
     Ok([Model::CoupledBox, Model::Polyhedral { directions }, Model::CoulombCone])
