@@ -1,4 +1,5 @@
-//! Turns the cells of the literate notebooks into programs, one function a notebook.
+//! Turns the cells of the literate notebooks into programs, one function a notebook, and keeps the modules of the live
+//! pages once.
 
 // The titles and hidden cells that it also reads are for pages.
 #[path = "src/lesson/source.rs"]
@@ -24,7 +25,38 @@ fn main() -> io::Result<()> {
     sources.sort();
     write_programs(&sources, &out.join("lessons.rs"))?;
     println!("cargo:rerun-if-changed={HANDOUT}");
-    write_programs(&[root.join(HANDOUT)], &out.join("handout.rs"))
+    write_programs(&[root.join(HANDOUT)], &out.join("handout.rs"))?;
+    println!("cargo:rerun-if-changed=live");
+    write_live(&root.join("live"), &out)
+}
+
+/// `(name, before, module, after)` of each live page; pages with the same module share its text.
+fn write_live(folder: &Path, out: &Path) -> io::Result<()> {
+    const OPENS: &str = "id=\"module\">";
+    let mut pages: Vec<PathBuf> =
+        fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
+    pages.retain(|path| path.extension().is_some_and(|kind| kind == "html"));
+    pages.sort();
+    let (mut modules, mut list) = (Vec::new(), String::new());
+    for path in pages {
+        let text = fs::read_to_string(&path)?;
+        let start = text.find(OPENS).expect("a live page has a module") + OPENS.len();
+        let end = start + text[start..].find('<').expect("a module ends");
+        let module = text[start..end].to_string();
+        let k = modules.iter().position(|other| *other == module).unwrap_or_else(|| {
+            modules.push(module);
+            modules.len() - 1
+        });
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let (before, after) = (&text[..start], &text[end..]);
+        let _ = writeln!(list, "    ({name:?}, {before:?}, MODULE_{k}, {after:?}),");
+    }
+    let mut code = String::new();
+    for (k, module) in modules.iter().enumerate() {
+        let _ = writeln!(code, "static MODULE_{k}: &str = {module:?};");
+    }
+    code += &format!("static TEXTS: &[(&str, &str, &str, &str)] = &[\n{list}];\n");
+    fs::write(out.join("live.rs"), code)
 }
 
 /// A function for each notebook, and the list of them.

@@ -38,7 +38,7 @@
 pub use lcplab_judge as certificate;
 pub use lcplab_judge::reference;
 pub use lcplab_mechanics::{assembly, body, constraint, formulation, scene, simulation};
-pub use lcplab_page::{document, page, plot};
+pub use lcplab_page::{csv, document, number, page, plot};
 pub use lcplab_plugin as plugin;
 pub use lcplab_problem::{error, json, memory};
 pub use lcplab_proof as proof;

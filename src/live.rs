@@ -1,6 +1,8 @@
 //! The live pages: problems that are dragged, methods that are stepped through, by the same solvers compiled to
 //! WebAssembly. `live/README.md` says how they are built.
 
+include!(concat!(env!("OUT_DIR"), "/live.rs"));
+
 /// A page.
 #[derive(Debug, Clone, Copy)]
 pub struct Page {
@@ -8,25 +10,37 @@ pub struct Page {
     pub name: &'static str,
     /// What it shows.
     pub about: &'static str,
-    /// The file.
-    pub text: &'static str,
 }
 
 /// All of them.
-pub const PAGES: [Page; 3] = [
+pub const PAGES: [Page; 5] = [
     Page {
         name: "two_rows",
         about: "two rows: the plane of x, complementary cones, six methods step by step",
-        text: include_str!("../live/two_rows.html"),
     },
     Page {
         name: "stack",
         about: "a stack: who carries what after a row, after a sweep, and in motion",
-        text: include_str!("../live/stack.html"),
     },
     Page {
         name: "friction",
         about: "friction: square, polygon and disc, their nearest points, a block's way over the floor",
-        text: include_str!("../live/friction.html"),
+    },
+    Page {
+        name: "problem",
+        about: "your problem: solve it by any method, step by step and derived; judge and prove any x",
+    },
+    Page {
+        name: "painleve",
+        about: "Painlevé's rod: which friction and angle leave one, no or two forces; let it go",
     },
 ];
+
+impl Page {
+    /// The file.
+    pub fn text(&self) -> String {
+        let own = TEXTS.iter().find(|text| text.0 == self.name);
+        let (_, before, module, after) = own.expect("each page has a file");
+        [*before, module, after].concat()
+    }
+}

@@ -26,7 +26,7 @@ const opened = (async () => {
 // What a page shows stands in its address, so that it can be sent to others.
 function stateOf(usual) {
   const state = { ...usual };
-  for (const [key, text] of new URLSearchParams(location.hash.slice(1))) {
+  for (const [key, text] of new URLSearchParams(location.hash.slice(1) || document.documentElement.dataset.state)) {
     if (!(key in usual)) continue;
     const value = typeof usual[key] === "number" ? Number(text) : Array.isArray(usual[key]) ? text.split(",").map(Number)
       : typeof usual[key] === "boolean" ? text === "true" : text;
@@ -40,8 +40,9 @@ function keep(state, usual) {
   keeping = setTimeout(() => keepNow(state, usual), 200);
 }
 function keepNow(state, usual) {
+  if (location.protocol === "about:") return; // in another page
   const changed = Object.entries(state).filter(([key, value]) => String(value) !== String(usual[key]));
-  const text = changed.map(([key, value]) => `${key}=${value}`).join("&");
+  const text = changed.map(([key, value]) => `${key}=${encodeURIComponent(value).replaceAll("%2C", ",")}`).join("&");
   history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
 }
 

@@ -1,7 +1,7 @@
 //! A block that is pressed and pushed along the floor, under several models of friction.
 
 use lcplab_problem::friction::{FrictionProblem, Model, Posed};
-use lcplab_problem::{Coupling, Lcp, Matrix};
+use lcplab_problem::{Coupling, Lcp, Matrix, hypot};
 use lcplab_solver::{ConePgs, ConeSolver, Lemke, Pgs, Settings, Solver, Start, solve_polyhedral};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -66,7 +66,7 @@ impl Slide {
                 let problem = block(self.mu, G * self.dt, v.map(|v| -v))?;
                 let x = solved(model, &problem)?;
                 v = [v[0] + x[1], v[1] + x[2]];
-                if v[0].hypot(v[1]) < 1e-9 {
+                if hypot(v[0], v[1]) < 1e-9 {
                     break;
                 }
                 place = [place[0] + self.dt * v[0], place[1] + self.dt * v[1]];
@@ -100,7 +100,7 @@ fn block(mu: f64, press: f64, wanted: [f64; 2]) -> Result<FrictionProblem, Strin
 }
 
 /// x under a model, by a solver that is made for it.
-fn solved(model: Model, problem: &FrictionProblem) -> Result<Vec<f64>, String> {
+pub fn solved(model: Model, problem: &FrictionProblem) -> Result<Vec<f64>, String> {
     let settings = Settings { tolerance: 1e-12, ..Settings::default() };
     let start = Start::default();
     Ok(match model.pose(problem, None).map_err(|error| error.to_string())? {

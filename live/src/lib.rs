@@ -8,6 +8,9 @@
 pub mod abi;
 mod column;
 mod friction;
+#[cfg(feature = "study")]
+mod problem;
+mod rod;
 mod solutions;
 mod trace;
 
@@ -30,6 +33,19 @@ enum Question {
     Friction(friction::Push),
     /// Its way over the floor.
     Slide(friction::Slide),
+    /// A rod that slides, and what holds it.
+    Rod(rod::Rod),
+    /// How it goes on.
+    Run(rod::Run),
+    /// A problem that somebody brings, by any method.
+    #[cfg(feature = "study")]
+    Solve(problem::Solve),
+    /// The judge's word on an x.
+    #[cfg(feature = "study")]
+    Judge(problem::Judge),
+    /// The strongest proof.
+    #[cfg(feature = "study")]
+    Prove(problem::Prove),
 }
 
 /// Answers a question: an object, which has the key `error` if the question makes no sense.
@@ -48,6 +64,14 @@ pub fn answer(question: &str) -> String {
         Ok(Question::Motion(motion)) => motion.answer(),
         Ok(Question::Friction(push)) => push.answer(),
         Ok(Question::Slide(slide)) => slide.answer(),
+        Ok(Question::Rod(rod)) => rod.answer(),
+        Ok(Question::Run(run)) => run.answer(),
+        #[cfg(feature = "study")]
+        Ok(Question::Solve(question)) => question.answer(),
+        #[cfg(feature = "study")]
+        Ok(Question::Judge(question)) => question.answer(),
+        #[cfg(feature = "study")]
+        Ok(Question::Prove(question)) => question.answer(),
         Err(cause) => Err(cause.to_string()),
     };
     answered.unwrap_or_else(|reason| json!({ "error": reason })).to_string()

@@ -61,7 +61,7 @@ impl Question {
         let tolerance = if self.sweeps.is_some() { 0.0 } else { Settings::default().tolerance };
         let settings = Settings { tolerance, max_iterations: limit, ..Settings::default() };
         let solver = solver(&self.solver, self.omega, self.backward, settings)?;
-        let mut steps = Steps { lcp: &lcp, rows: Vec::new(), steps: Vec::new() };
+        let mut steps = Steps::of(&lcp, MOST_STEPS + 1);
         let start = self.start.as_deref().map_or(Start::default(), Start::at);
         let solution = solver.solve(&lcp, &start, &mut steps);
         let certificate = judge(&lcp, &solution.x, &Demand::default());
@@ -134,22 +134,34 @@ pub fn solver(
 }
 
 /// Writes down what a solver does.
-struct Steps<'a> {
+pub struct Steps<'a> {
     lcp: &'a Lcp,
+    /// After so many the solver goes on, but nothing is kept.
+    most: usize,
     /// The rows of the sweep that is under way.
     rows: Vec<Value>,
-    steps: Vec<Value>,
+    /// x, w, residual, event and rows of each.
+    pub steps: Vec<Value>,
+}
+
+impl<'a> Steps<'a> {
+    pub fn of(lcp: &'a Lcp, most: usize) -> Self {
+        Steps { lcp, most, rows: Vec::new(), steps: Vec::new() }
+    }
 }
 
 impl Observer for Steps<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        let x = iterate.x;
+        let (x, rows) = (iterate.x, std::mem::take(&mut self.rows));
+        if self.steps.len() >= self.most {
+            return ControlFlow::Continue(());
+        }
         self.steps.push(json!({
             "x": numbers(x),
             "w": numbers(&self.lcp.w(x)),
             "residual": number(merit::scaled_residual(self.lcp, x)),
             "event": words(iterate.event),
-            "rows": std::mem::take(&mut self.rows),
+            "rows": rows,
         }));
         ControlFlow::Continue(())
     }

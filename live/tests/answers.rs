@@ -78,6 +78,43 @@ fn a_sliding_block_stops_where_the_law_says_and_under_the_box_axis_by_axis() {
 }
 
 #[test]
+fn a_rod_has_one_force_below_the_critical_friction_and_none_or_two_above() {
+    // tan θ = 2: the critical friction is 4/3, and ω² sin θ − 1 decides between none and two.
+    let theta = 2f64.atan().to_degrees();
+    let rod = |mu: f64, omega: f64| {
+        ask(json!({ "ask": "rod", "mu": mu, "theta": theta, "omega": omega }))
+    };
+    assert!((rod(1.0, 0.0)["critical"].as_f64().unwrap() - 4.0 / 3.0).abs() < 1e-12);
+    for (mu, omega, count) in [(1.3, 0.0, 1), (1.4, 0.0, 0), (1.4, 1.5, 2), (1.3, 1.5, 1)] {
+        assert_eq!(rod(mu, omega)["forces"].as_array().unwrap().len(), count, "{mu} {omega}");
+    }
+    // Without a force the impulse of a short step does not vanish with it: x_n → ¾ sin θ cos θ = 0.3.
+    let last = &rod(2.0, 0.0)["steps"][2];
+    assert!((last["x"][0].as_f64().unwrap() - 0.3).abs() < 1e-3, "{last}");
+    // Where there is one it is (1 − ω² sin θ) dt / a = dt / 0.4 for μ = 1.
+    let last = &rod(1.0, 0.0)["steps"][2];
+    assert!((last["x"][0].as_f64().unwrap() - 1e-3 / 0.4).abs() < 1e-9, "{last}");
+}
+
+#[test]
+fn a_rod_without_friction_falls_straight_down_and_no_rod_sinks_in() {
+    let run = |mu: f64, slip: f64| {
+        let question = json!({ "ask": "run", "mu": mu, "theta": 60.0, "omega": 0.0, "slip": slip, "dt": 0.001, "steps": 1000 });
+        ask(question)["frames"].as_array().unwrap().clone()
+    };
+    let at = |frame: &Value, k: usize| frame["at"][k].as_f64().unwrap();
+    let frames = run(0.0, 0.0);
+    assert!(frames.iter().all(|frame| (at(frame, 0) - at(&frames[0], 0)).abs() < 1e-12));
+    assert!(at(&frames[999], 1) < 0.6 * at(&frames[0], 1)); // it does fall
+    // No end sinks in: the middle is at least as high as half the rod reaches down.
+    for (mu, slip) in [(0.0, 0.0), (0.5, 0.6), (2.0, 0.6)] {
+        for frame in run(mu, slip) {
+            assert!(at(&frame, 1) - at(&frame, 2).sin().abs() > -1e-3, "{mu}: {frame}");
+        }
+    }
+}
+
+#[test]
 fn all_solutions_are_told_as_fractions() {
     let two = json!({ "A": { "dense": [[2, -3], [-3, 2]] }, "b": [1, 1.5] });
     let found = ask(json!({ "ask": "solutions", "problem": two }));
@@ -122,4 +159,47 @@ fn the_three_functions_of_a_page_take_a_question_and_give_its_answer() {
         String::from_utf8(told).unwrap(),
         lcplab_live::answer(std::str::from_utf8(question).unwrap())
     );
+}
+
+#[cfg(feature = "study")]
+mod study {
+    use super::*;
+
+    const FIG7: &str = r#"{"A": {"dense": [[1, -1, 0], [-1, 2, -1], [0, -1, 2]]}, "b": [-1, -1, 1]}"#;
+
+    fn fig7() -> Value {
+        serde_json::from_str(FIG7).unwrap()
+    }
+
+    #[test]
+    fn every_method_of_the_registry_can_be_asked_for() {
+        let first = ask(json!({ "ask": "solve", "problem": fig7() }));
+        for own in first["solvers"].as_array().unwrap() {
+            let found = ask(json!({ "ask": "solve", "problem": fig7(), "solver": own[0] }));
+            for (x, exact) in found["answer"]["x"].as_array().unwrap().iter().zip([4.0, 3.0, 1.0]) {
+                assert!((x.as_f64().unwrap() - exact).abs() < 1e-4, "{own}: {}", found["answer"]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_proof_of_the_page_is_one_for_the_checker() {
+        let found = ask(json!({ "ask": "prove", "problem": fig7(), "x": [4, 3, 1] }));
+        let problem = lcplab_problem::file::Problem::parse(FIG7, "fig7").unwrap();
+        let proof =
+            lcplab_proof::Proof::parse(&found["proof"]["file"].to_string(), "proof").unwrap();
+        assert_eq!(lcplab_proof::check(&problem, &proof), Ok(()));
+        assert_eq!(found["proof"]["kind"], "unique");
+    }
+
+    #[test]
+    fn what_this_page_does_not_treat_is_said() {
+        let large: Vec<Vec<f64>> =
+            (0..61).map(|i| (0..61).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+        let large = json!({ "A": { "dense": large }, "b": vec![-1.0; 61] });
+        let found = ask(json!({ "ask": "solve", "problem": large }));
+        assert!(found["error"].as_str().unwrap().contains("61 rows"), "{found}");
+        let found = ask(json!({ "ask": "judge", "problem": fig7(), "x": [1, 2] }));
+        assert_eq!(found["error"], "x: 2 numbers for 3 rows");
+    }
 }

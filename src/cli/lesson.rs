@@ -94,7 +94,7 @@ impl Lesson {
         file::write(&path, &text)?;
         let is_meant = |page: &&Page| text.contains(&format!("href=\"live/{}.html", page.name));
         for page in PAGES.iter().filter(is_meant) {
-            file::write(&folder.join(format!("live/{}.html", page.name)), page.text)?;
+            file::write(&folder.join(format!("live/{}.html", page.name)), &page.text())?;
         }
         Ok(path)
     }

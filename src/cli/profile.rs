@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use lcplab::csv;
 use lcplab::error::Result;
 use lcplab::file;
 use lcplab::plot::profile::{Curve, Group as Line, Profiles};
-use lcplab::plot::{Axis, Figure, csv};
+use lcplab::plot::{Axis, Figure};
 use lcplab::report::study::families::Row;
 use lcplab::report::study::profiles::{Cost, Profile, profiles};
 

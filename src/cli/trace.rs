@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use lcplab::csv;
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::Lcp;
-use lcplab::plot::{Axis, Figure, Lines, Panel, Series, csv};
+use lcplab::plot::{Axis, Figure, Lines, Panel, Series};
 use lcplab::solver::{Group, Options, Order, Solution, theory};
 use lcplab::trace::Record;
 

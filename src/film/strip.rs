@@ -5,11 +5,12 @@ use super::ink::{Ink, tenth};
 use super::layout::{LABEL, Layout, Lens};
 use super::solid::Solid;
 use super::{Camera, Force, Frame, Origin, View, arrow, depth, extent, joint};
+use crate::csv;
+use crate::number::readable;
+use crate::plot::Figure;
 use crate::plot::canvas::{Anchor, Canvas, hex};
-use crate::plot::number::readable;
 use crate::plot::round_step;
 use crate::plot::style::{self, EDGE, FAINT_INK, GRID, INK, TEXT, WIDTH};
-use crate::plot::{Figure, csv};
 use crate::scene::Scene;
 
 /// Above the frames in px: the title and the scales.

@@ -3,7 +3,8 @@
 use super::source::{Part, Shown, Source};
 use super::{Program, Record, quoted};
 use crate::error::Result;
-use crate::report::page::{Block, Page, Section};
+use crate::live::PAGES;
+use crate::report::page::{Block, Live, Page, Section};
 
 impl Program {
     /// The page with prose, cells and what they put out; nothing on it is fetched.
@@ -22,8 +23,11 @@ impl Program {
             match part {
                 Part::Prose(text) => {
                     // Notebooks stand beside the folder of live pages, pages have it in their own.
-                    let text = quoted(text, record)?.replace("](../live/", "](live/");
-                    add_prose(&mut page, &text);
+                    let text = quoted(text, record)?;
+                    add_prose(&mut page, &text.replace("](../live/", "](live/"));
+                    for live in lives(&text) {
+                        add(&mut page, Block::Live(live));
+                    }
                 }
                 Part::Cell { code, shown } => {
                     let (language, text) = ("rust".into(), code.clone());
@@ -40,6 +44,18 @@ impl Program {
         }
         Ok(page)
     }
+}
+
+/// The live pages to which prose links: `[a stack](../live/stack.html#solver=pgs)`.
+fn lives(text: &str) -> Vec<Live> {
+    let links = text.split("](../live/").skip(1).map(|after| after.split(')').next().unwrap_or(""));
+    let live = |link: &str| {
+        let (file, state) = link.split_once('#').unwrap_or((link, ""));
+        let page = PAGES.iter().find(|page| file.strip_suffix(".html") == Some(page.name))?;
+        let title = format!("Open it here: {}", page.about);
+        Some(Live { name: page.name.into(), title, html: page.text(), state: state.into() })
+    };
+    links.filter_map(live).collect()
 }
 
 /// Prose begins a section at each of its headings of the second level.

@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::file;
 use crate::json;
 use crate::memory::Memory;
-use crate::plot::number::readable;
+use crate::number::readable;
 
 /// Parts of a results file that say where and with what it was made, not what came out.
 const CIRCUMSTANCES: [&str; 3] = ["machine", "version", "libraries"];

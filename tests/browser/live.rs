@@ -78,6 +78,75 @@ fn friction_says_what_the_native_program_says_after_every_click() {
 }
 
 #[test]
+fn painleve_says_what_the_native_program_says_after_every_click() {
+    let acts = "const acts = [() => turn('#mu'), () => turn('#theta'), () => turn('#omega'), () => choose('#dt'),
+        () => press(find('#here'), ['ArrowRight', 'ArrowUp', 'ArrowDown'][below(3)]), () => turn('#step')];";
+    compare(&page("painleve").seen(390, &format!("{READY}{HASH}{acts}{SEQUENCES}")), 300);
+}
+
+#[test]
+fn a_problem_that_is_brought_is_answered_as_the_native_program_does_it() {
+    // A step of the sequence changes an entry of b, an x, the example or the method, or asks for a proof.
+    let acts = "const edit = (change) => { const read = JSON.parse(find('#text').value); change(read); take(JSON.stringify(read), {}); };
+        const acts = [() => choose('#example'), () => choose('#solver'), () => find('#prove').click(), () => find('#next').click(),
+        () => find('#more').click(), () => edit((read) => { read.b[below(read.b.length)] = below(9) - 4; }),
+        () => edit((read) => { read.A.dense[0][below(read.b.length)] = below(7) - 2; }),
+        () => { find('#x').value = JSON.stringify(JSON.parse(find('#x').value).map((x) => x + below(3) / 2)); find('#x').dispatchEvent(new Event('change')); }];";
+    compare(&page("problem").seen(1280, &format!("{READY}{HASH}{acts}{SEQUENCES}")), 150);
+}
+
+#[test]
+fn a_problem_is_solved_derived_judged_and_proved_on_its_page() {
+    let script = "const first = [find('#says').textContent, find('#x').value];
+        find('#prove').click(); const unique = find('#proof').textContent;
+        find('#x').value = '[4, 3, 2]'; find('#x').dispatchEvent(new Event('change')); const refuted = find('#judge').textContent;
+        set('#example', 'no solution'); find('#prove').click();
+        return [...first, unique, refuted, find('#says').textContent, find('#proof').textContent, all('#lines pre').length];";
+    let found = page("problem").seen(1280, &format!("{READY}{script}"));
+    let told = |k: usize| found[k].as_str().unwrap();
+    assert_eq!(told(1), "[4,3,1]");
+    assert!(told(0).contains("exact solution") && told(2).starts_with("unique:"), "{found}");
+    assert!(told(3).contains("not a solution"), "{found}");
+    assert!(told(5).starts_with("no-solution:"), "{found}");
+    assert!(found[6].as_u64().unwrap() > 2, "{found}");
+}
+
+#[test]
+fn what_is_no_problem_is_said_and_what_was_typed_stays() {
+    let script = "find('#text').value = '{\"A\": 1'; find('#text').dispatchEvent(new Event('input')); await wait(400);
+        const broken = find('#says').textContent;
+        find('#text').value = '{\"A\": {\"dense\": [[1]]}, \"b\": [1, 2]}'; find('#text').dispatchEvent(new Event('input')); await wait(600);
+        return [broken, find('#says').textContent, find('#text').value, location.hash.includes('dense')];";
+    let found = page("problem").seen(390, &format!("{READY}{script}"));
+    let told = |k: usize| found[k].as_str().unwrap();
+    assert!(told(0).starts_with("No JSON"), "{found}");
+    assert!(told(1).contains("b"), "{found}");
+    assert_eq!(told(2), r#"{"A": {"dense": [[1]]}, "b": [1, 2]}"#);
+    assert_eq!(found[3], json!(true));
+}
+
+#[test]
+fn a_rod_has_the_answers_that_its_region_of_the_map_says() {
+    // tan θ = 2 at 63.43°: one below 4/3, none above; ω² sin θ > 1 makes it two.
+    let script = "const words = [];
+        for (const [mu, omega] of [[1.3, 0], [1.4, 0], [1.4, 1.5], [1.3, 1.5]]) { set('#mu', mu); set('#omega', omega); words.push(find('#says').textContent.split(' ')[0]); }
+        return words;";
+    let found = page("painleve").seen(768, &format!("{READY}{script}"));
+    assert_eq!(found, json!(["One", "No", "Two", "One"]));
+}
+
+#[test]
+fn a_rod_that_no_force_holds_is_stopped_in_its_first_step() {
+    let script = "set('#step', 1); const caught = find('#slip').textContent; set('#mu', 0.5); set('#step', 1); return [caught, find('#slip').textContent];";
+    let found = page("painleve").seen(1280, &format!("{READY}{script}"));
+    let slip = |k: usize| -> f64 {
+        let text = found[k].as_str().unwrap().replace('−', "-").replace("·10⁻⁴", "e-4");
+        text.split(' ').nth(1).unwrap().parse().unwrap()
+    };
+    assert!(slip(0).abs() < 1e-2 && slip(1) > 0.5, "{found}");
+}
+
+#[test]
 fn a_push_is_answered_by_the_corner_of_the_square_and_the_diamond_and_by_a_point_of_the_disc() {
     // 3 N s at 30 degrees against μ x_n = 1: (1, 1), (1, 0), (cos 30°, sin 30°).
     let script = "set('#size', 2.95); set('#size', 3);
@@ -163,7 +232,7 @@ fn a_drawing_of_a_problem_takes_less_than_a_frame() {
 
 #[test]
 fn no_control_is_cut_off_on_a_phone() {
-    for name in ["two_rows", "stack", "friction"] {
+    for name in ["two_rows", "stack", "friction", "problem", "painleve"] {
         let script = "return [document.documentElement.scrollWidth <= innerWidth, all('button, select, input').filter((node) => shown(node)
             && node.getBoundingClientRect().right > innerWidth).map((node) => node.id)];";
         let found = page(name).seen(390, &format!("{READY}{script}"));

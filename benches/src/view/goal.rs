@@ -1,6 +1,6 @@
 //! What was asked of a time, what was measured, and whether it is enough.
 
-use lcplab::plot::number::readable;
+use lcplab::number::readable;
 use lcplab::report::page::{Cell, Column, Mark, Table};
 
 /// A number that is asked for.

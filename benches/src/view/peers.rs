@@ -149,7 +149,7 @@ fn engines(scene: &Scene) -> Table {
              each decides for itself. Then the engines step in turns. A step is all that an engine does: collisions, \
              solving, moving.",
             scene.bodies,
-            lcplab::plot::number::readable(1e3 * scene.dt, 3),
+            lcplab::number::readable(1e3 * scene.dt, 3),
             scene.after,
             1e3 * scene.bounds.penetration,
             1e3 * scene.bounds.drift,

@@ -4,12 +4,13 @@
 //! line by line, [`diagnosis`] says why there is none, [`families`] and [`profiles`] compare the
 //! solvers on problems, `comparison` on scenes, and [`hunt`] asks whether they are honest. What needs scenes is behind
 //! the feature `mechanics`.
-//! [`methods`] are the solvers of the registry with clarabel as the reference beside them.
+//! [`methods`] are the solvers of the registry, with the feature `clarabel` the reference beside them.
 
 pub mod answer;
 pub mod aside;
 pub mod attempt;
 pub mod card;
+#[cfg(feature = "clarabel")]
 pub mod clarabel;
 #[cfg(feature = "mechanics")]
 pub mod comparison;

@@ -1,5 +1,6 @@
 //! All methods that can be named and compared: the registered solvers and the reference.
 
+#[cfg(feature = "clarabel")]
 use super::clarabel;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::Model;
@@ -10,10 +11,15 @@ use lcplab_solver::{ALL, Entry, Method, SPECIMENS, added, methods};
 pub const USUAL: [&str; 8] =
     ["pgs", "newton", "apgd", "interior-point", "dantzig", "lemke", "cone-pgs", "clarabel"];
 
+/// clarabel for boxes and for cones.
+#[cfg(feature = "clarabel")]
+const REFERENCE: [Method; 2] = [Method::Boxed(clarabel::BOX_QP), Method::Cone(clarabel::CONE_QP)];
+#[cfg(not(feature = "clarabel"))]
+const REFERENCE: [Method; 0] = [];
+
 /// The registered methods, then clarabel for boxes and for cones; what was added is asked for by name.
 pub fn all() -> Vec<Method> {
-    let reference = [Method::Boxed(clarabel::BOX_QP), Method::Cone(clarabel::CONE_QP)];
-    methods().into_iter().chain(reference).collect()
+    methods().into_iter().chain(REFERENCE).collect()
 }
 
 /// All methods that have a name.
@@ -27,8 +33,8 @@ fn nameable() -> impl Iterator<Item = Method> {
 /// If there is none.
 pub fn entry(name: &str) -> Result<Entry> {
     let added = added();
-    let reference = [&clarabel::BOX_QP];
-    let entries = || ALL.iter().chain(reference).chain(SPECIMENS).chain(added.iter().copied());
+    let reference: Vec<Entry> = REFERENCE.into_iter().filter_map(boxed).collect();
+    let entries = || ALL.iter().chain(&reference).chain(SPECIMENS).chain(added.iter().copied());
     let found = entries().find(|entry| entry.name == name).copied();
     found.ok_or_else(|| unknown("solver", name, entries().map(|entry| entry.name)))
 }
@@ -64,6 +70,13 @@ pub fn named(name: &str) -> Result<Vec<Method>> {
         return Err(unknown("solver", name, known().map(|method| method.name())));
     }
     Ok(found)
+}
+
+fn boxed(method: Method) -> Option<Entry> {
+    match method {
+        Method::Boxed(entry) => Some(entry),
+        Method::Cone(_) => None,
+    }
 }
 
 fn unknown(kind: &'static str, name: &str, known: impl Iterator<Item = &'static str>) -> Error {

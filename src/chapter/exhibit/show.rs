@@ -6,7 +6,7 @@ use crate::certificate::Verdict;
 use crate::document::notation::{plain, vector};
 use crate::document::{Block, Document, Section};
 use crate::error::Result;
-use crate::plot::number::readable;
+use crate::number::readable;
 
 /// A number below this is rounding, where the truth is 0.
 const ROUNDING: f64 = 1e-12;

@@ -143,9 +143,9 @@ pub(super) fn svg(film: &Film, measure: Measure) -> String {
 }
 
 fn words(film: &Film, measure: Measure) -> String {
-    let end = crate::plot::number::readable(end(film), 3);
+    let end = crate::number::readable(end(film), 3);
     let of = |take: &Take| {
-        let worst = crate::plot::number::readable(take.worst(measure), 2);
+        let worst = crate::number::readable(take.worst(measure), 2);
         format!("{} up to {worst} {}", take.name, measure.unit())
     };
     let takes: Vec<_> = film.takes.iter().map(of).collect();

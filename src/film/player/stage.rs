@@ -10,7 +10,7 @@ use crate::film::frame::Origin;
 use crate::film::ground::{self, Patch};
 use crate::film::ink::Ink;
 use crate::film::layout::{Layout, Lens};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::round_step;
 use crate::plot::style::{WIDTH, width};
 

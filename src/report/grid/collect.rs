@@ -8,9 +8,9 @@ use super::folder::{Folder, Record, pretty};
 use super::measure::MEASURES;
 use super::page;
 use super::plan::Task;
+use crate::csv;
 use crate::error::Result;
 use crate::file;
-use crate::plot::csv;
 use crate::report::write;
 
 /// The results of a grid, by task.

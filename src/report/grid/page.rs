@@ -6,7 +6,7 @@ use super::file::{Grid, REPEAT, SUBJECT};
 use super::folder::Record;
 use super::measure::{MEASURES, Measure};
 use super::plan::{Plan, Task, plain};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Figure, Lines, Panel, Scale, Series};
 use crate::report::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
 use crate::report::view::{Document, FILES};

@@ -4,8 +4,8 @@ use serde::Serialize;
 use toml::{Table, Value};
 
 use super::file::{Grid, REPEAT, SUBJECT};
+use crate::csv;
 use crate::error::{Error, Result};
-use crate::plot::csv;
 use crate::scene;
 
 /// A grid has at most so many tasks.

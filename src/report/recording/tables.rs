@@ -5,9 +5,9 @@ use nalgebra::Vector3;
 use super::NOT_ACCOUNTED;
 use crate::assembly::{Row, Source};
 use crate::body::State;
+use crate::csv::{number, record};
 use crate::formulation::Stage;
 use crate::memory::Memory;
-use crate::plot::csv::{number, record};
 use crate::scene::Scene;
 use crate::simulation::{Laws, Ledger, Motion, Solve, Step};
 

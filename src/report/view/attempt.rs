@@ -1,7 +1,7 @@
 //! How attempts of solvers are shown in the tables of several studies.
 
 use super::Document;
-use crate::plot::number::{count, readable};
+use crate::number::{count, readable};
 use crate::report::page::{Cell, Mark};
 use crate::report::study::attempt::{Attempt, Outcome};
 use crate::solver::Group;

@@ -3,7 +3,7 @@
 use super::{Document, Outcome, View};
 use crate::certificate::cross_check::max_difference;
 use crate::error::Result;
-use crate::plot::number::significant;
+use crate::number::significant;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::proofs::{Answered, Judged};
 use crate::report::study::cross_check::{CrossCheck, Plan, Wrench, answered};

@@ -1,7 +1,7 @@
 //! The force through a column, a pair of balls and a chain, contact by contact and joint by joint.
 
 use super::{Document, Outcome, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::force_path::{Finding, Line, Path, Plan};

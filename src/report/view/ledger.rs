@@ -1,7 +1,7 @@
 //! The books of energy: every gain and loss with its cause.
 
 use super::{Document, Outcome, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::ledger::{Finding, Plan};

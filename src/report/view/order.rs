@@ -1,7 +1,7 @@
 //! Errors over the length of the step, with reference slopes and fitted orders.
 
 use super::{Document, Outcome, View};
-use crate::plot::number::significant;
+use crate::number::significant;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::order::{

@@ -1,7 +1,7 @@
 //! Painlevé's rod: the friction at which forces run out, and the impulses beyond it.
 
 use super::{Document, Outcome, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::painleve::{Finding, Forces, Plan};

@@ -3,7 +3,7 @@
 use super::{Document, Outcome, View};
 use crate::error::Result;
 use crate::lcp::library;
-use crate::plot::number::count;
+use crate::number::count;
 use crate::report::answer::first_answer;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::proofs::{Answered, Judged};

@@ -2,7 +2,7 @@
 
 use super::attempt::{anchor, outcome, tolerance};
 use super::{Document, Outcome as Verdict, View};
-use crate::plot::number::{count, readable};
+use crate::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
 use crate::report::study::attempt::Outcome;

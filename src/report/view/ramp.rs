@@ -1,7 +1,7 @@
 //! Who sticks on the ramp, and how fast the others slide.
 
 use super::{Document, Outcome, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::ramp::{Finding, Plan, Slid};

@@ -1,7 +1,7 @@
 //! Rates in closed form beside eigenvalues and counted sweeps.
 
 use super::{Document, Outcome, View};
-use crate::plot::number::{count, readable};
+use crate::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::rates::{BLOW, Method, Plan, Rate, System, TARGET};

@@ -6,7 +6,7 @@ use super::attempt::{
 use super::{Document, Outcome, View};
 use crate::error::Result;
 use crate::lcp::file::Problem;
-use crate::plot::number::{count, readable};
+use crate::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Column, Mark, Table};
 use crate::report::proofs::{Answered, Judged};

@@ -2,7 +2,7 @@
 
 use super::attempt::{iterations_in_words, section_id};
 use super::{Document, Outcome, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column as Head, Mark, Table};
 use crate::report::study::posed::BLOW;

@@ -2,7 +2,7 @@
 
 use super::attempt::section_id;
 use super::{Document, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Heat, Shaded};
 use crate::report::study::residual_map::{Map, Method, Plan};
 

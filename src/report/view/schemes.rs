@@ -86,7 +86,7 @@ fn figure(finding: &Finding) -> Lines {
         panels.push(panel("penetration", "mm", &depth));
     }
     let cut = case.energy_limit.map_or(String::new(), |limit| {
-        let limit = crate::plot::number::readable(limit, 3);
+        let limit = crate::number::readable(limit, 3);
         format!(" A curve breaks off where the run ended, or its energy changed by over {limit} J.")
     });
     Lines {

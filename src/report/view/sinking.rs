@@ -1,7 +1,7 @@
 //! How deep a stack with a heavy top sinks, by solver and mass ratio.
 
 use super::{Document, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::sinking::{Finding, Plan, Run};

@@ -1,7 +1,7 @@
 //! The models of friction on a block that is pushed from all sides, and on a rod.
 
 use super::{Document, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::friction::{Answer, Model};

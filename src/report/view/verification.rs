@@ -1,7 +1,7 @@
 //! Closed forms beside measured numbers.
 
 use super::{Document, Outcome, View};
-use crate::plot::number::significant;
+use crate::number::significant;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row};
 

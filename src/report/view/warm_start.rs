@@ -2,7 +2,7 @@
 
 use super::attempt::{anchor, section_id};
 use super::{Document, View};
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::warm_start::{Pair, Plan, Run};

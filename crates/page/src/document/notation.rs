@@ -1,7 +1,7 @@
 //! How numbers, indices and vectors are written.
 
 use super::SHOWN;
-use crate::plot::number::readable;
+use crate::number::readable;
 
 /// Significant digits.
 const DIGITS: usize = 6;

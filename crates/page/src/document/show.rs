@@ -3,8 +3,8 @@
 use lcplab_problem::error::Result;
 
 use super::{Block, Document, Section, Table};
+use crate::figure::Figure;
 use crate::page::Picture;
-use crate::plot::Figure;
 
 /// Something that can stand in a document.
 pub trait Show {

@@ -11,8 +11,9 @@ mod origin;
 mod player;
 mod render;
 
-use crate::plot;
-use crate::plot::number::significant;
+use crate::figure::Figure;
+use crate::number::significant;
+use crate::{csv, number};
 pub use origin::Origin;
 pub use player::{Chart, Pane, Player, Reel, SPEEDS, speed};
 
@@ -84,6 +85,8 @@ pub enum Block {
     },
     /// A remark set apart from the text.
     Note(String),
+    /// A page with a program of its own, which opens in place.
+    Live(Live),
     /// Proofs about one problem that the reader can have checked by the page itself.
     Proofs {
         /// The problem file, as text.
@@ -91,6 +94,19 @@ pub enum Block {
         /// What is proved of it.
         proofs: Vec<Proof>,
     },
+}
+
+/// A live page in another page.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Live {
+    /// Its name: letters, digits, `-` and `_`.
+    pub name: String,
+    /// What the reader opens.
+    pub title: String,
+    /// The page as HTML; one of the same name is kept once. Its own Content-Security-Policy names the hash of its script.
+    pub html: String,
+    /// What follows `#` in its address.
+    pub state: String,
 }
 
 /// A proof on a page.
@@ -123,7 +139,7 @@ pub struct Picture {
 
 impl Picture {
     /// The figure of a plot whose picture and numbers lie in `directory` beside the page.
-    pub fn of(plot: &dyn plot::Figure, directory: &str) -> Self {
+    pub fn of(plot: &dyn Figure, directory: &str) -> Self {
         let file = |kind: &str| format!("{directory}/{}.{kind}", plot.id());
         Picture {
             svg: plot.svg(),
@@ -223,7 +239,7 @@ impl Cell {
 
     /// A count.
     pub fn count(value: usize) -> Self {
-        let text = plot::number::count(value);
+        let text = number::count(value);
         Cell { text, value: Some(value as f64), ..Cell::default() }
     }
 
@@ -242,10 +258,10 @@ impl Table {
             "" => column.title.clone(),
             unit => format!("{} ({unit})", column.title),
         };
-        plot::csv::record(&mut out, self.columns.iter().map(heading));
+        csv::record(&mut out, self.columns.iter().map(heading));
         for row in &self.rows {
-            let field = |cell: &Cell| cell.value.map_or(cell.text.clone(), plot::csv::number);
-            plot::csv::record(&mut out, row.iter().map(field));
+            let field = |cell: &Cell| cell.value.map_or(cell.text.clone(), csv::number);
+            csv::record(&mut out, row.iter().map(field));
         }
         out
     }

@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 
 use super::markup::{Renderer, html};
 use super::player::{self, Player};
-use super::{Align, Block, Cell, Column, Mark, Page, Picture, Proof, Section, Table};
+use super::{Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table};
 use lcplab_problem::disk;
 use lcplab_problem::error::{Defects, Error, Result};
 
@@ -31,8 +31,12 @@ struct Document<'a> {
     style: [&'static str; 3],
     dark: &'static str,
     script: String,
-    /// The script's hash: no other one runs.
+    /// The script's hash: no other one runs, but those of live pages.
     sha256: String,
+    /// Each live page once: its name and its text as JSON.
+    lives: Vec<(String, String)>,
+    /// The hashes of their scripts.
+    hashes: Vec<&'a str>,
 }
 
 #[derive(Template)]
@@ -69,6 +73,17 @@ fn data(json: &str) -> String {
     json.trim_end().replace('<', "\\u003c")
 }
 
+/// A text as JSON that ends no script element.
+fn quoted(text: &str) -> String {
+    data(&serde_json::Value::from(text).to_string())
+}
+
+/// The hash of the script that a page allows itself, with its quotation marks.
+fn script_hash(page: &str) -> Option<&str> {
+    let (_, after) = page.split_once("script-src ")?;
+    after.split([' ', ';']).find(|word| word.starts_with("'sha256-"))
+}
+
 #[derive(Template)]
 #[template(path = "table.html")]
 struct TableView<'a> {
@@ -92,7 +107,9 @@ impl Page {
         let sections = sections.map(|(k, section)| (section, writer.section(k, section))).collect();
         let only = |used, part: &'static str| if used { part } else { "" };
         let (plots, plays, proofs) = (writer.plots, writer.plays, writer.proofs);
-        let defects = self.ids_checked(writer.defects);
+        let hashes = writer.lives.iter().filter_map(|live| script_hash(&live.html)).collect();
+        let lives: Vec<_> = writer.lives.iter().map(|live| (live.name.clone(), quoted(&live.html))).collect();
+        let defects = self.ids_checked(std::mem::take(&mut writer.defects));
         defects.into_result(format!("page {:?}", self.title))?;
         let script = [
             include_str!("page.js"),
@@ -100,6 +117,7 @@ impl Page {
             only(plays, include_str!("player.js")),
             only(proofs, CHECKER),
             only(proofs, include_str!("proofs.js")),
+            only(!lives.is_empty(), include_str!("live.js")),
         ];
         let script = format!("\n{}", script.concat());
         finished(&Document {
@@ -115,6 +133,8 @@ impl Page {
             dark: include_str!("dark.css"),
             sha256: base64(&Sha256::digest(&script)),
             script,
+            lives,
+            hashes,
         })
     }
 
@@ -144,6 +164,8 @@ struct Writer {
     plays: bool,
     proofs: bool,
     tables: usize,
+    /// The live pages, each once.
+    lives: Vec<Live>,
 }
 
 impl Writer {
@@ -177,6 +199,7 @@ impl Writer {
                 self.proofs = true;
                 self.checked(place, |_| written(&ProofsView { problem: data(problem), proofs }))
             }
+            Block::Live(live) => self.live(place, live),
             Block::Figure(figure) => self.figure(place, figure),
             Block::Player(player) => self.player(place, player),
             Block::Table(table) => self.table(place, table),
@@ -189,6 +212,21 @@ impl Writer {
         let caption = self.checked(place, |markup| markup.inline(&figure.caption));
         let number = self.figures;
         self.checked(place, |_| written(&FigureView { number, figure, caption }))
+    }
+
+    fn live(&mut self, place: &str, live: &Live) -> String {
+        if !disk::is_name(&live.name) {
+            self.defects.add(place, format!("{:?} cannot be the name of a live page", live.name));
+        }
+        if self.lives.iter().all(|other| other.name != live.name) {
+            self.lives.push(live.clone());
+        }
+        format!(
+            "<details class=\"live\" data-page=\"{}\" data-state=\"{}\"><summary>{}</summary></details>\n",
+            html(&live.name),
+            html(&live.state),
+            html(&live.title)
+        )
     }
 
     fn player(&mut self, place: &str, player: &Player) -> String {

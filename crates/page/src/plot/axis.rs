@@ -1,6 +1,6 @@
 //! An axis: its words, where a value lies on it, and which values get a label.
 
-use super::number::{readable, superscript};
+use crate::number::{readable, superscript};
 
 /// What an axis shows.
 #[derive(Debug, Clone, PartialEq, Eq)]

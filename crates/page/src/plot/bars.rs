@@ -4,10 +4,11 @@ use plotters::prelude::*;
 
 use super::axis::{Axis, Scale};
 use super::canvas::{Anchor, Canvas, Frame, escape, fine, stroke};
-use super::number::readable;
 use super::points;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT};
-use super::{Figure, csv};
+use crate::csv;
+use crate::figure::Figure;
+use crate::number::readable;
 
 /// Height of a bar and distance to the next one in px.
 const THICKNESS: f64 = 18.0;

@@ -9,9 +9,10 @@ use plotters::prelude::*;
 
 use super::axis::{Axis, Scale};
 use super::canvas::{Anchor, Canvas, Frame, fine, hex, stroke};
-use super::number::{count, readable};
 use super::style::{self, FAINT_INK, INK, TEXT};
-use super::{Figure, csv};
+use crate::csv;
+use crate::figure::Figure;
+use crate::number::{count, readable};
 
 /// Cividis from its dark end to its pale one.
 const SHADES: [(u8, u8, u8); 6] =

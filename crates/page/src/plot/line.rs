@@ -9,10 +9,11 @@ use super::canvas::{Anchor, Canvas, Frame, dashes, escape, stroke};
 use super::cut::cut;
 use super::legend::{Drawn, Legend};
 use super::marker::{draw_zeros, marker_places};
-use super::number::{count, readable};
 use super::points::{self, Placed};
 use super::style::{self, FAINT_INK, GRID, INK, TEXT, width};
-use super::{Figure, csv};
+use crate::csv;
+use crate::figure::Figure;
+use crate::number::{count, readable};
 
 /// Where the plots end, in px.
 pub(super) const RIGHT: f64 = style::WIDTH - 12.0;

@@ -7,13 +7,11 @@
 mod axis;
 mod bars;
 pub mod canvas;
-pub mod csv;
 mod cut;
 mod heat;
 mod legend;
 mod line;
 mod marker;
-pub mod number;
 pub mod plane;
 mod points;
 pub mod profile;
@@ -30,21 +28,4 @@ pub use raster::Raster;
 pub use spies::{Small, Spies};
 pub use spy::Spy;
 
-/// A picture with a name, words and numbers.
-pub trait Figure {
-    /// A short name without spaces: the file's stem and the anchor on a page.
-    fn id(&self) -> &str;
-
-    /// One line, drawn above the picture.
-    fn title(&self) -> &str;
-
-    /// What the reader should see in the picture, in a sentence or two; it stands beside the picture,
-    /// not in it, and may carry the markup of a page.
-    fn caption(&self) -> &str;
-
-    /// The picture, a complete SVG document without fonts, scripts or references to other files.
-    fn svg(&self) -> String;
-
-    /// Every number behind the picture (RFC 4180), names and units in the first line.
-    fn csv(&self) -> String;
-}
+pub use crate::figure::Figure;

@@ -6,9 +6,10 @@ use plotters::prelude::*;
 use super::axis::{Axis, Scale};
 use super::canvas::{Anchor, Canvas, Frame, fine, stroke};
 use super::cut::cut;
-use super::number::{count, readable};
 use super::style::{self, FAINT_INK, GRID, INK, TEXT};
-use super::{Figure, csv};
+use crate::csv;
+use crate::figure::Figure;
+use crate::number::{count, readable};
 
 /// Size of a panel and what lies around it in px.
 const HEIGHT: f64 = 220.0;

@@ -11,7 +11,7 @@
 
 use super::axis::{Axis, Scale};
 use super::canvas::{Frame, escape};
-use super::csv;
+use crate::csv;
 
 /// A curve of more points than this lists one for each so many px along it.
 const ALL: usize = 400;

@@ -7,9 +7,10 @@ use super::axis::{Axis, Scale};
 use super::canvas::{Anchor, Canvas, Frame, dashes, fine, stroke};
 use super::cut::cut;
 use super::marker::{draw_markers, marker_places};
-use super::number::readable;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT};
-use super::{Figure, csv};
+use crate::csv;
+use crate::figure::Figure;
+use crate::number::readable;
 
 const TOP: f64 = 46.0;
 const HEIGHT: f64 = 130.0;

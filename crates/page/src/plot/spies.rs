@@ -5,7 +5,8 @@ use plotters::prelude::*;
 use super::canvas::{Anchor, Canvas, fine, stroke};
 use super::raster::Raster;
 use super::style::{self, FAINT_INK, INK, TEXT};
-use super::{Figure, csv};
+use crate::csv;
+use crate::figure::Figure;
 
 /// Between panels, and for the two lines of words above each, in px.
 const GAP: f64 = 16.0;

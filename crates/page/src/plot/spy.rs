@@ -6,10 +6,11 @@ use plotters::prelude::*;
 
 use super::axis::Scale;
 use super::canvas::{Anchor, Canvas, fine, stroke};
-use super::number::{count, readable};
 use super::raster::Raster;
 use super::style::{self, FAINT_INK, INK, TEXT};
-use super::{Figure, csv};
+use crate::csv;
+use crate::figure::Figure;
+use crate::number::{count, readable};
 use lcplab_problem::error::{Defects, Result};
 
 /// Cells along the longer side; beyond that, several entries share a cell.

@@ -10,7 +10,8 @@ mod well_formed;
 
 pub use well_formed::assert_well_formed;
 
-use lcplab_page::plot::{Axis, Bar, Bars, Figure, csv, number};
+use lcplab_page::plot::{Axis, Bar, Bars, Figure};
+use lcplab_page::{csv, number};
 
 #[test]
 fn bars_without_a_place_are_written() {

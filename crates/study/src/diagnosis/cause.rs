@@ -3,7 +3,7 @@
 use std::fmt;
 
 use lcplab_page::document::notation::plain;
-use lcplab_page::plot::number::readable;
+use lcplab_page::number::readable;
 
 /// Significant digits of a factor near 1 and of a number of sweeps.
 const DIGITS: usize = 6;

@@ -6,7 +6,7 @@ use super::{Cause, Diagnosis, Proof};
 use lcplab_judge::regularity::Regularity;
 use lcplab_page::document::notation::{indexed, plain};
 use lcplab_page::document::{Document, SHOWN, Section};
-use lcplab_page::plot::number::readable;
+use lcplab_page::number::readable;
 
 /// Significant digits of the factors in a sum.
 const DIGITS: usize = 3;

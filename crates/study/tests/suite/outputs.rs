@@ -5,7 +5,7 @@
 //! first iterates are pinned too, and they are the textbook's.
 
 use lcplab_judge::{Demand, Verdict, judge};
-use lcplab_page::plot::number::significant;
+use lcplab_page::number::significant;
 use lcplab_problem::Lcp;
 use lcplab_problem::library::{self, Family};
 use lcplab_solver::textbook::{self, Matrix, Vector};

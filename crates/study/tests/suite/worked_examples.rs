@@ -1,6 +1,6 @@
 //! The chapter's two worked examples, checked by hand and then pinned.
 
-use lcplab_page::plot::number::significant;
+use lcplab_page::number::significant;
 use lcplab_problem::Lcp;
 use lcplab_solver::{ALL, Options, Settings, Start, by_name};
 

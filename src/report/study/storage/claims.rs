@@ -6,7 +6,7 @@ use super::memory::Memory;
 use super::search::Search;
 use super::structure::Structure;
 use crate::error::Result;
-use crate::plot::number::{count, readable};
+use crate::number::{count, readable};
 use crate::storage::{CompressedRows, Dense, Entry, LinkedList, MapOfMaps, Storage};
 
 /// A claim and what became of it.

@@ -1,7 +1,7 @@
 //! Fill of the factor by ordering.
 
 use super::super::Document;
-use crate::plot::number::{count, readable};
+use crate::number::{count, readable};
 use crate::plot::{Small, Spies};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::storage::factor::{Factor, Ordered};

@@ -1,7 +1,7 @@
 //! What storages hold by fill, and what a search in them looks at.
 
 use super::super::Document;
-use crate::plot::number::readable;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
 use crate::report::study::storage::Finding;

@@ -6,7 +6,7 @@ mod structures;
 mod times;
 
 use super::{Document, Outcome, View};
-use crate::plot::number::{count, readable};
+use crate::number::{count, readable};
 use crate::plot::{Small, Spies};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::storage::claims::{Claim, Verdict};

@@ -1,7 +1,7 @@
 //! The matrices of scenes: what they take, and how often a step asks for memory.
 
 use super::super::Document;
-use crate::plot::number::{count, readable};
+use crate::number::{count, readable};
 use crate::report::page::markup::literal;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::storage::steps::{Count, Steps};

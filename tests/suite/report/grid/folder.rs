@@ -175,8 +175,7 @@ fn the_page_has_a_curve_for_each_value_beside_the_axis_across() {
     assert!(names.iter().all(|name| page.contains(&format!("data/{name}.csv"))), "both are drawn");
     let curves = fs::read_to_string(path.path().join("data/drift.csv")).unwrap();
     for (task, record) in &collection.done {
-        let drift =
-            lcplab::plot::csv::number(record.finding.as_ref().unwrap().get("drift").unwrap());
+        let drift = lcplab::csv::number(record.finding.as_ref().unwrap().get("drift").unwrap());
         let row = |line: &&str| {
             let parts = [task.shown("step.scheme"), task.shown("step.dt"), drift.clone()];
             parts.iter().all(|part| line.contains(part))

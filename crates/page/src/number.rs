@@ -16,7 +16,7 @@ pub fn superscript(exponent: i32) -> String {
 /// is short and as mantissa times power of ten otherwise.
 ///
 /// ```
-/// use lcplab_page::plot::number::readable;
+/// use lcplab_page::number::readable;
 ///
 /// assert_eq!(readable(0.25, 3), "0.25");
 /// assert_eq!(readable(-1.5e-9, 2), "−1.5×10⁻⁹");

@@ -1,0 +1,132 @@
+const USUAL = { mu: 1.5, theta: 63, omega: 0, dt: 0.01, step: 0 };
+const SLIDERS = ["mu", "theta", "omega", "step"], MOST_MU = 3, SLIP = 0.6;
+const FRAMES = 400;
+const toMap = (mu, theta) => [40 + mu / MOST_MU * 370, 390 - theta / 90 * 370];
+const fromMap = (px, py) => [(px - 40) / 370 * MOST_MU, (390 - py) / 370 * 90];
+const radians = (degrees) => degrees * Math.PI / 180;
+const critical = (theta) => (4 + Math.tan(radians(theta)) ** 2) / (3 * Math.tan(radians(theta)));
+
+let state = stateOf(USUAL), ask, rod, frames, timer;
+
+function solve() {
+  const { mu, theta, omega } = state;
+  rod = ask({ ask: "rod", mu, theta, omega });
+  frames = ask({ ask: "run", mu, theta, omega, slip: SLIP, dt: Number(state.dt), steps: FRAMES }).frames;
+}
+
+function drawMap() {
+  const [left, bottom] = toMap(0, 0), [right, top] = toMap(MOST_MU, 90);
+  const lift = Math.abs(state.omega) > 1 ? Math.asin(1 / state.omega ** 2) * 180 / Math.PI : 90;
+  // The angles between which the critical friction is on the map: 3 μ tan θ = 4 + tan²θ.
+  const root = Math.sqrt(9 * MOST_MU ** 2 - 16), [flat, steep] = [-1, 1].map((sign) => Math.atan((3 * MOST_MU + sign * root) / 2) * 180 / Math.PI);
+  const curve = (from, to) => Array.from({ length: 121 }, (_, k) => from + (to - from) * k / 120).map((theta) => [critical(theta), theta]);
+  const area = (low, high, name) => {
+    const from = Math.max(low, flat), to = Math.min(high, steep);
+    if (from >= to) return "";
+    const edge = curve(from, to).map(([mu, theta]) => toMap(mu, theta)), end = [toMap(MOST_MU, to), toMap(MOST_MU, from)];
+    return svg("polygon", { points: [...edge, ...end].map((p) => p.map((v) => v.toFixed(1)).join(",")).join(" "), class: name });
+  };
+  let picture = svg("rect", { x: left, y: top, width: right - left, height: bottom - top, class: "one" });
+  picture += area(0, lift, "none") + area(lift, 90, "two");
+  picture += svg("polyline", { points: curve(flat, steep).map((p) => toMap(...p).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
+  if (lift < 90) { const y = toMap(0, lift)[1]; picture += svg("line", { x1: left, x2: right, y1: y, y2: y, class: "law" }); }
+  const word = (mu, theta, text) => { const [x, y] = toMap(mu, theta); return svg("text", { x, y, "text-anchor": "middle" }, text); };
+  picture += word(0.6, 45, "one");
+  if (lift > 55) picture += word(2.45, Math.min(63, (lift + 40) / 2), "none");
+  if (lift < 75) picture += word(2.45, (lift + 80) / 2, "two");
+  for (const mu of [0, 1, 2, 3]) picture += svg("text", { x: toMap(mu, 0)[0] - 4, y: bottom + 18, class: "faint" }, mu);
+  for (const theta of [30, 60, 90]) picture += svg("text", { x: 10, y: toMap(0, theta)[1] + 5, class: "faint" }, `${theta}°`);
+  picture += svg("text", { x: right - 12, y: bottom - 8 }, "μ") + svg("text", { x: left + 6, y: top + 14 }, "θ");
+  const [cx, cy] = toMap(state.mu, state.theta);
+  picture += svg("circle", { cx, cy, r: 9, class: "handle", id: "here" });
+  const focus = document.activeElement?.id;
+  find("#map").innerHTML = picture;
+  const within = (value, low, high) => Math.max(low, Math.min(high, value));
+  const to = (mu, theta) => change({ mu: Math.round(20 * within(mu, 0, MOST_MU)) / 20, theta: Math.round(within(theta, 5, 85)), step: 0 });
+  draggable(find("#here"), find("#map"), (px, py) => to(...fromMap(px, py)), (dx, dy) => to(state.mu + 0.05 * dx, state.theta - dy));
+  if (focus === "here") find("#here").focus();
+}
+
+function drawRod() {
+  const { at: [x, z, angle], x: push } = frames[state.step], scale = 90, ground = 250, middle = 210 - scale * frames[0].at[0] + 60;
+  const to = (px, pz) => [middle + scale * px, ground - scale * pz];
+  const along = [Math.cos(angle), Math.sin(angle)], low = to(x - along[0], z - along[1]), high = to(x + along[0], z + along[1]);
+  let picture = svg("line", { x1: 0, x2: 420, y1: ground, y2: ground, class: "axis" });
+  picture += svg("line", { x1: low[0], y1: low[1], x2: high[0], y2: high[1], class: "body" });
+  const [cx, cy] = to(x, z);
+  picture += svg("circle", { cx, cy, r: 4, class: "dot" });
+  // A step of the weight, 1 dt, is drawn 45 long; what is longer than the picture is marked by its number.
+  const arrow = ([px, py], dx, dy, name) => {
+    const size = Math.hypot(dx, dy);
+    if (size < 2) return "";
+    const cut = Math.min(1, 120 / size), ex = px + dx * cut, ey = py + dy * cut, u = [dx / size, dy / size];
+    return svg("line", { x1: px, y1: py, x2: ex, y2: ey, class: name }) + svg("path", { d: `M${ex} ${ey}l${-9 * u[0] - 4 * u[1]} ${-9 * u[1] + 4 * u[0]}M${ex} ${ey}l${-9 * u[0] + 4 * u[1]} ${-9 * u[1] - 4 * u[0]}`, class: name });
+  };
+  const unit = 45 / Number(state.dt);
+  [[low, push[0], push[1]], [high, push[2], push[3]]].forEach(([end, normal, friction]) => {
+    picture += arrow(end, 0, -unit * normal, "push normal") + arrow(end, unit * friction, 0, "push friction");
+  });
+  if (state.step === 0) picture += arrow([low[0], low[1] + 14], -40, 0, "push slip") + svg("text", { x: low[0] - 60, y: low[1] + 34, class: "faint" }, "slides");
+  find("#rod").innerHTML = picture;
+  const most = Math.max(0.1, ...frames.map(({ slip }) => Math.abs(slip))), at = (k) => [20 + k / FRAMES * 390, 60 - frames[k].slip / most * 50];
+  let chart = svg("line", { x1: 20, x2: 410, y1: 60, y2: 60, class: "axis" });
+  chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
+  const [px, py] = at(state.step);
+  chart += svg("circle", { cx: px, cy: py, r: 5, class: "here" }) + svg("text", { x: 24, y: 16, class: "faint" }, `slip ${short(-frames[state.step].slip, 3)}`);
+  find("#slip").innerHTML = chart;
+}
+
+function drawWords() {
+  const { a, b, forces, steps } = rod, digits = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 4), lines = [];
+  const known = forces.map(digits).join(" and ");
+  lines.push(`Forces: w = a x + b with a = 1 + 3cos²θ − 3μ sin θ cos θ = ${digits(a)} and b = ω² sin θ − 1 = ${digits(b)}.`);
+  lines.push(forces.length === 0 ? "        w < 0 for every x ≥ 0: no force holds the end." : `        x = ${known}${forces.length > 1 ? ": the end may leave, or stay." : "."}`);
+  lines.push(`Impulses, with friction that may also stop the sliding; the end slides with 1:`);
+  for (const { dt, x, w } of steps) {
+    const word = x[0] < 1e-12 ? "leaves" : Math.abs(w[1]) < 1e-9 ? "sticks at once" : "slides on";
+    lines.push(`        dt = ${String(dt).padEnd(6)} x = (${x.map(digits).join(", ")})   x/dt = ${digits(x[0] / dt)}   ${word}`);
+  }
+  find("#words").textContent = lines.join("\n");
+  const says = { 0: "No force: friction turns the end into the floor faster than any push lifts it.", 1: "One force.", 2: "Two forces: the end may leave, or stay." }[forces.length];
+  find("#says").textContent = `${says} The critical friction at this angle is ${digits(rod.critical)}.`;
+  find("#says").className = `says ${["bad", "good", "caution"][forces.length]}`;
+}
+
+function change(changes) { state = { ...state, ...changes }; draw(); }
+function draw() {
+  solve();
+  state.step = Math.min(state.step, frames.length - 1);
+  drawMap();
+  drawFrame();
+  drawWords();
+}
+// While the rod moves nothing else changes.
+function drawFrame() {
+  drawRod();
+  for (const id of SLIDERS) {
+    const slider = find(`#${id}`);
+    slider.value = state[id];
+    slider.nextElementSibling.textContent = id === "step" ? short(state.step * Number(state.dt)) : short(state[id]) + (id === "theta" ? "°" : "");
+  }
+  find("#dt").value = state.dt;
+  find("#run").textContent = timer ? "Stop" : "Run";
+  keep(state, USUAL);
+}
+function stop() { clearInterval(timer); timer = undefined; }
+
+opened.then((answering) => {
+  ask = answering;
+  for (const id of ["mu", "theta", "omega"]) find(`#${id}`).addEventListener("input", (event) => { stop(); change({ [id]: Number(event.target.value), step: 0 }); });
+  find("#step").addEventListener("input", (event) => { stop(); state.step = Number(event.target.value); drawFrame(); });
+  find("#dt").addEventListener("change", (event) => { stop(); change({ dt: Number(event.target.value), step: 0 }); });
+  find("#first").addEventListener("click", () => { stop(); state.step = 0; drawFrame(); });
+  find("#run").addEventListener("click", () => {
+    if (timer) { stop(); return drawFrame(); }
+    if (state.step >= frames.length - 1) state.step = 0;
+    timer = setInterval(() => { state.step < frames.length - 1 ? (state.step += 1) : stop(); drawFrame(); }, 25);
+    drawFrame();
+  });
+  addEventListener("hashchange", () => { state = stateOf(USUAL); draw(); });
+  draw();
+  document.documentElement.dataset.ready = "yes";
+});

@@ -1,0 +1,153 @@
+const EXAMPLES = {
+  "three balls (the chapter's Figure 7)": { name: "Figure 7", A: { dense: [[1, -1, 0], [-1, 2, -1], [0, -1, 2]] }, b: [-1, -1, 1] },
+  "a chain of ten": { name: "a chain of ten", A: { dense: Array.from({ length: 10 }, (_, i) => Array.from({ length: 10 }, (_, j) => (i === j ? 2 : Math.abs(i - j) === 1 ? -1 : 0))) }, b: Array(10).fill(-1) },
+  "a box on four corners, pushed": { name: "friction", A: { dense: [[2, 0, 1], [0, 1, 0], [1, 0, 2]] }, b: [-2, -1.5, -0.5], lo: [0, null, 0], hi: ["inf", null, "inf"], friction_index: [null, 0, null], mu: [0, 0.5, 0] },
+  "two solutions": { name: "two solutions", A: { dense: [[2, -3], [-3, 2]] }, b: [1, 1.5] },
+  "no solution": { name: "no solution", A: { dense: [[1, -1], [-1, 1]] }, b: [-1, 0] },
+};
+const USUAL = { example: Object.keys(EXAMPLES)[0], solver: "", step: 0, lines: 0, problem: "" };
+
+let state = stateOf(USUAL), ask, problem, solved, timer;
+const compact = (value) => JSON.stringify(value, null, 1).replace(/\n\s*/g, " ").replace(/\[ /g, "[").replace(/ \]/g, "]");
+
+const ten = (power) => `10${[...String(power)].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"["0123456789-".indexOf(c)]).join("")}`;
+
+function parse(text) {
+  try { return JSON.parse(text); } catch (cause) { return { error: cause.message }; }
+}
+
+function solve() {
+  const text = find("#text").value, read = parse(text);
+  solved = read === null || typeof read !== "object" || read.error ? { error: `No JSON: ${read?.error ?? "an object is wanted"}` } : ask({ ask: "solve", problem: read, ...(state.solver ? { solver: state.solver } : {}) });
+  problem = read;
+  if (solved.error) return;
+  state.step = Math.min(state.step, solved.steps.length - 1);
+  find("#x").value = JSON.stringify(solved.answer.x);
+  find("#judge").textContent = solved.judge;
+  const menu = find("#solver");
+  if (menu.options.length === 0) menu.innerHTML = svg("option", { value: "" }, "what suits it") + solved.solvers.map(([name, method]) => svg("option", { value: name, title: method.replace(/["<>&]/g, " ") }, name)).join("");
+  menu.value = state.solver;
+}
+
+// Residuals over the steps, on a logarithmic axis; 0 lies on the lowest line.
+function drawChart() {
+  const values = solved.error ? [] : solved.steps.map(({ residual }) => number(residual)), good = values.filter((v) => v > 0 && Number.isFinite(v));
+  const high = Math.ceil(Math.log10(Math.max(1e-3, ...good))), low = Math.min(high - 2, Math.max(-16, Math.floor(Math.log10(Math.min(1, ...good)))));
+  const place = (v, k) => [44 + (values.length > 1 ? k / (values.length - 1) : 0) * 366, 12 + (high - Math.max(low, Math.min(high, v > 0 ? Math.log10(v) : low))) / (high - low) * 200];
+  let picture = "";
+  for (let power = high; power >= low; power -= Math.ceil((high - low) / 5)) {
+    const y = place(10 ** power, 0)[1];
+    picture += svg("line", { x1: 44, x2: 410, y1: y, y2: y, class: "contour" }) + svg("text", { x: 38, y: y + 4, class: "faint", "text-anchor": "end" }, ten(power));
+  }
+  picture += svg("polyline", { points: values.map((v, k) => place(v, k).map((u) => u.toFixed(1)).join(",")).join(" "), class: "path" });
+  values.forEach((v, k) => { if (v === 0) { const [x, y] = place(0, k); picture += svg("circle", { cx: x, cy: y, r: 5, class: "solution" }) + svg("text", { x: x - 10, y: y - 8, class: "faint", "text-anchor": "end" }, "0"); } });
+  if (values.length) { const [cx, cy] = place(values[state.step], state.step); picture += svg("circle", { cx, cy, r: 5, class: "here" }); }
+  picture += svg("text", { x: 410, y: 234, class: "faint", "text-anchor": "end" }, values.length ? `${values.length - 1} steps` : "");
+  find("#chart").innerHTML = picture;
+}
+
+function drawRows() {
+  if (solved.error) { find("#rows").innerHTML = ""; return; }
+  const { x, w, event } = solved.steps[state.step];
+  const label = (i) => problem.rows?.[i]?.label?.replace(/[<>&"]/g, " ") ?? i;
+  const rows = x.map((v, i) => svg("tr", {}, svg("th", {}, label(i)) + svg("td", {}, short(v, 6)) + svg("td", {}, short(w[i], 6))));
+  find("#rows").innerHTML = svg("caption", {}, event) + svg("tr", {}, "<th>row</th><th>x</th><th>w</th>") + rows.join("");
+}
+
+function drawSays() {
+  const { error, answer, warnings } = solved;
+  find("#says").textContent = error ?? [`${answer.solver}: ${answer.message}`, `The judge: ${solved.judge.split("\n")[0].replace("verdict", "").trim()}.`, ...warnings].join(". ").replace("..", ".");
+  find("#says").className = `says ${error || answer.verdict === "not_a_solution" ? "bad" : answer.verdict === "proved" ? "good" : "caution"}`;
+}
+
+function drawDerivation() {
+  const sections = solved.derivation ?? [], all = sections.flatMap(({ title, blocks }) => blocks.map((text, k) => ({ title: k === 0 ? title : "", text })));
+  find("#derivation").hidden = all.length === 0;
+  const first = sections[0]?.blocks.length ?? 1; // what is to be solved
+  state.lines = Math.max(first, Math.min(state.lines, all.length));
+  const lines = find("#lines");
+  lines.replaceChildren(...all.slice(0, state.lines).flatMap(({ title, text }) => {
+    const own = document.createElement("pre"), head = document.createElement("h2");
+    [own.textContent, head.textContent] = [text, title];
+    return title ? [head, own] : [own];
+  }));
+  find("#less").disabled = state.lines === first;
+  find("#more").disabled = find("#whole").disabled = state.lines >= all.length;
+}
+
+function drawControls() {
+  const last = solved.error ? 0 : solved.steps.length - 1, slider = find("#step");
+  [slider.max, slider.value] = [last, state.step];
+  slider.nextElementSibling.textContent = state.step;
+  find("#back").disabled = state.step === 0;
+  find("#next").disabled = state.step >= last;
+  find("#prove").disabled = Boolean(solved.error);
+}
+
+function draw() {
+  drawChart();
+  drawRows();
+  drawSays();
+  drawDerivation();
+  drawControls();
+  keep(state, USUAL);
+}
+// Another problem, or another method.
+function renew() {
+  find("#proof").hidden = find("#save").hidden = true;
+  solve();
+  draw();
+}
+function take(text, changes) {
+  find("#text").value = text;
+  // What fits into an address goes there.
+  const own = state.example in EXAMPLES && text === compact(EXAMPLES[state.example]);
+  state = { ...state, step: 0, lines: 0, ...changes, problem: own || text.length > 4000 ? "" : text };
+  renew();
+}
+function judge() {
+  const x = parse(find("#x").value);
+  const told = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: a list of numbers is wanted (${x?.error ?? "it is none"})` };
+  find("#judge").textContent = told.error ?? told.text;
+  find("#proof").hidden = find("#save").hidden = true;
+}
+function prove() {
+  const x = parse(find("#x").value), { error, proof, missing } = Array.isArray(x) ? ask({ ask: "prove", problem, x: x.map(Number) }) : { error: "x: a list of numbers is wanted" };
+  const why = (missing ?? []).map(([kind, reason]) => `not ${kind}: ${reason}`);
+  find("#proof").textContent = error ?? [proof ? `${proof.kind}: ${proof.sentence}` : "Nothing could be proved.", ...why].join("\n");
+  find("#proof").hidden = false;
+  find("#save").hidden = !proof;
+  if (proof) find("#save").href = `data:application/json,${encodeURIComponent(JSON.stringify(proof.file))}`;
+}
+function begin() {
+  find("#example").value = state.example;
+  find("#text").value = state.problem || compact(EXAMPLES[state.example] ?? EXAMPLES[USUAL.example]);
+  renew();
+}
+async function load(file) {
+  take(await file.text(), {});
+}
+
+opened.then((answering) => {
+  ask = answering;
+  find("#example").innerHTML = Object.keys(EXAMPLES).map((name) => svg("option", {}, name)).join("");
+  find("#example").addEventListener("change", (event) => { state.example = event.target.value; take(compact(EXAMPLES[state.example]), {}); });
+  find("#solver").addEventListener("change", (event) => { state = { ...state, solver: event.target.value, step: 0, lines: 0 }; renew(); });
+  find("#text").addEventListener("input", (event) => { clearTimeout(timer); timer = setTimeout(() => take(event.target.value, {}), 300); });
+  find("#file").addEventListener("change", (event) => event.target.files[0] && load(event.target.files[0]));
+  document.body.addEventListener("dragover", (event) => event.preventDefault());
+  document.body.addEventListener("drop", (event) => { event.preventDefault(); const file = event.dataTransfer.files[0]; if (file) load(file); });
+  find("#x").addEventListener("change", judge);
+  find("#prove").addEventListener("click", prove);
+  const step = (to) => { state.step = to; draw(); };
+  find("#back").addEventListener("click", () => step(state.step - 1));
+  find("#next").addEventListener("click", () => step(state.step + 1));
+  find("#step").addEventListener("input", (event) => step(Number(event.target.value)));
+  const show = (lines) => { state.lines = lines; draw(); };
+  find("#less").addEventListener("click", () => show(state.lines - 1));
+  find("#more").addEventListener("click", () => show(state.lines + 1));
+  find("#whole").addEventListener("click", () => show(Infinity));
+  addEventListener("hashchange", () => { state = stateOf(USUAL); begin(); });
+  begin();
+  document.documentElement.dataset.ready = "yes";
+});

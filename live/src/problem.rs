@@ -1,0 +1,132 @@
+//! A problem that somebody brings: solved by any method and derived, judged, proved.
+
+use lcplab_judge::{Demand, judge};
+use lcplab_page::document::Block;
+use lcplab_problem::Lcp;
+use lcplab_problem::file::Problem;
+use lcplab_problem::friction::Model;
+use lcplab_proof::prove;
+use lcplab_solver::{ALL, Options, Start, by_name, default_for};
+use lcplab_study::answer::{Answer as Judged, certificate_text};
+use lcplab_study::explain::{Method, problem as derivation};
+use serde::Deserialize;
+use serde_json::{Map, Value, json};
+
+use super::Answer;
+use super::trace::Steps;
+
+/// More rows are for the program itself.
+const MOST_ROWS: usize = 60;
+/// More steps nobody looks at.
+const MOST_STEPS: usize = 2_000;
+
+/// A problem by a method.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Solve {
+    /// A problem file.
+    problem: Map<String, Value>,
+    /// Any of the registry; what suits the problem without it.
+    solver: Option<String>,
+}
+
+/// An x for a problem, and what the judge says of it.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Judge {
+    problem: Map<String, Value>,
+    x: Vec<f64>,
+}
+
+/// The same, and the strongest proof that there is.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Prove {
+    problem: Map<String, Value>,
+    x: Vec<f64>,
+}
+
+impl Solve {
+    /// The answer as `solve --json` prints it, the steps, the derivation where the method is one of those that are
+    /// derived, and the list of methods.
+    pub fn answer(self) -> Answer {
+        let problem = read(self.problem)?;
+        let lcp = &problem.lcp;
+        let name = self.solver.as_deref().unwrap_or_else(|| default_for(lcp));
+        let solver = by_name(name, &Options::default()).map_err(|error| error.to_string())?;
+        let mut steps = Steps::of(lcp, MOST_STEPS);
+        let solution = solver.solve(lcp, &Start::default(), &mut steps);
+        let derived = Method::NAMES.contains(&name).then(|| derived(&problem, name)).transpose()?;
+        let answer = Judged::judged(lcp, solver.name(), solution, &Demand::default());
+        Ok(json!({
+            "name": problem.name,
+            "warnings": problem.warnings,
+            "answer": answer.to_json(),
+            "judge": certificate_text(&answer.certificate, &problem),
+            "steps": steps.steps,
+            "derivation": derived,
+            "solvers": ALL.iter().map(|entry| [entry.name, entry.method]).collect::<Vec<_>>(),
+        }))
+    }
+}
+
+impl Judge {
+    /// The verdict with its numbers.
+    pub fn answer(self) -> Answer {
+        let problem = read(self.problem)?;
+        fits(&problem.lcp, &self.x)?;
+        let certificate = judge(&problem.lcp, &self.x, &Demand::default());
+        Ok(json!({
+            "verdict": certificate.verdict.word(),
+            "text": certificate_text(&certificate, &problem),
+        }))
+    }
+}
+
+impl Prove {
+    /// What is proved, as a sentence and as a proof file, and why nothing stronger is.
+    pub fn answer(self) -> Answer {
+        let problem = read(self.problem)?;
+        fits(&problem.lcp, &self.x)?;
+        let found = prove(&problem, &self.x);
+        let missing: Vec<[String; 2]> =
+            found.missing.into_iter().map(|(kind, why)| [kind.name().to_string(), why]).collect();
+        let proof = found.proof.map(|proof| {
+            json!({ "kind": proof.claim.kind().name(), "sentence": proof.claim.sentence(), "file": proof.to_json() })
+        });
+        Ok(json!({ "proof": proof, "missing": missing }))
+    }
+}
+
+/// A problem that this page can treat.
+fn read(problem: Map<String, Value>) -> Result<Problem, String> {
+    let text = Value::Object(problem).to_string();
+    let problem = Problem::parse(&text, "problem").map_err(|error| error.to_string())?;
+    match problem.model {
+        Some(Model::CoupledBox) | None => {}
+        Some(model) => {
+            return Err(format!("model {model}: this page solves boxes; lcplab solve does more"));
+        }
+    }
+    match problem.lcp.len() {
+        n if n > MOST_ROWS => Err(format!("{n} rows, at most {MOST_ROWS} are treated here")),
+        _ => Ok(problem),
+    }
+}
+
+fn fits(lcp: &Lcp, x: &[f64]) -> Result<(), String> {
+    let n = lcp.len();
+    (x.len() == n).then_some(()).ok_or_else(|| format!("x: {} numbers for {n} rows", x.len()))
+}
+
+/// Sections with a heading and pieces of text each.
+fn derived(problem: &Problem, solver: &str) -> Answer {
+    let document = Method::named(solver)
+        .and_then(|method| derivation(problem, &method))
+        .map_err(|error| error.to_string())?;
+    let section = |section: &lcplab_page::document::Section| {
+        let blocks: Vec<String> = section.blocks.iter().map(Block::text).collect();
+        json!({ "title": section.title, "blocks": blocks })
+    };
+    Ok(document.sections.iter().map(section).collect())
+}
