@@ -56,6 +56,9 @@ impl Solve {
         let solver = by_name(name, &Options::default()).map_err(|error| error.to_string())?;
         let mut steps = Steps::of(lcp, MOST_STEPS);
         let solution = solver.solve(lcp, &Start::default(), &mut steps);
+        if steps.steps.is_empty() {
+            steps.keep(&solution.x, "no step was taken".into());
+        }
         let derived = Method::NAMES.contains(&name).then(|| derived(&problem, name)).transpose()?;
         let answer = Judged::judged(lcp, solver.name(), solution, &Demand::default());
         Ok(json!({

@@ -148,21 +148,25 @@ impl<'a> Steps<'a> {
     pub fn of(lcp: &'a Lcp, most: usize) -> Self {
         Steps { lcp, most, rows: Vec::new(), steps: Vec::new() }
     }
+
+    /// Keeps what led to x.
+    pub fn keep(&mut self, x: &[f64], event: String) {
+        let rows = std::mem::take(&mut self.rows);
+        if self.steps.len() < self.most {
+            self.steps.push(json!({
+                "x": numbers(x),
+                "w": numbers(&self.lcp.w(x)),
+                "residual": number(merit::scaled_residual(self.lcp, x)),
+                "event": event,
+                "rows": rows,
+            }));
+        }
+    }
 }
 
 impl Observer for Steps<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        let (x, rows) = (iterate.x, std::mem::take(&mut self.rows));
-        if self.steps.len() >= self.most {
-            return ControlFlow::Continue(());
-        }
-        self.steps.push(json!({
-            "x": numbers(x),
-            "w": numbers(&self.lcp.w(x)),
-            "residual": number(merit::scaled_residual(self.lcp, x)),
-            "event": words(iterate.event),
-            "rows": rows,
-        }));
+        self.keep(iterate.x, words(iterate.event));
         ControlFlow::Continue(())
     }
 

@@ -92,7 +92,7 @@ fn a_problem_that_is_brought_is_answered_as_the_native_program_does_it() {
         () => find('#more').click(), () => edit((read) => { read.b[below(read.b.length)] = below(9) - 4; }),
         () => edit((read) => { read.A.dense[0][below(read.b.length)] = below(7) - 2; }),
         () => { find('#x').value = JSON.stringify(JSON.parse(find('#x').value).map((x) => x + below(3) / 2)); find('#x').dispatchEvent(new Event('change')); }];";
-    compare(&page("problem").seen(1280, &format!("{READY}{HASH}{acts}{SEQUENCES}")), 150);
+    compare(&page("problem").seen(1280, &format!("{READY}{HASH}{acts}{SEQUENCES}")), 120);
 }
 
 #[test]

@@ -108,7 +108,8 @@ impl Page {
         let only = |used, part: &'static str| if used { part } else { "" };
         let (plots, plays, proofs) = (writer.plots, writer.plays, writer.proofs);
         let hashes = writer.lives.iter().filter_map(|live| script_hash(&live.html)).collect();
-        let lives: Vec<_> = writer.lives.iter().map(|live| (live.name.clone(), quoted(&live.html))).collect();
+        let lives: Vec<_> =
+            writer.lives.iter().map(|live| (live.name.clone(), quoted(&live.html))).collect();
         let defects = self.ids_checked(std::mem::take(&mut writer.defects));
         defects.into_result(format!("page {:?}", self.title))?;
         let script = [
