@@ -23,7 +23,13 @@ fn main() -> io::Result<()> {
         .collect::<io::Result<Vec<_>>>()?;
     sources.retain(|path| path.extension().is_some_and(|kind| kind == "md"));
     sources.sort();
-    write_programs(&sources, &out.join("lessons.rs"))?;
+    // Lessons have a number; the others are pages around them.
+    let is_lesson = |path: &PathBuf| {
+        path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(char::is_numeric))
+    };
+    let (lessons, around): (Vec<_>, Vec<_>) = sources.into_iter().partition(is_lesson);
+    write_programs(&lessons, &out.join("lessons.rs"))?;
+    write_programs(&around, &out.join("around.rs"))?;
     println!("cargo:rerun-if-changed={HANDOUT}");
     write_programs(&[root.join(HANDOUT)], &out.join("handout.rs"))?;
     println!("cargo:rerun-if-changed=live");
@@ -65,9 +71,27 @@ fn write_programs(sources: &[PathBuf], to: &Path) -> io::Result<()> {
     for (k, path) in sources.iter().enumerate() {
         let source = source::Source::read(&fs::read_to_string(path)?);
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let text = fs::read_to_string(path)?;
+        let folder = path.parent().expect("a file in a folder");
+        let drawings: String = text
+            .split("](drawings/")
+            .skip(1)
+            .filter_map(|rest| rest.split(')').next())
+            .map(|name| {
+                format!("({name:?}, include_str!({:?})), ", folder.join("drawings").join(name))
+            })
+            .collect();
+        let digits = name.split('_').next().unwrap_or_default();
+        let problems = folder.join("problems").join(format!("{digits}.toml"));
+        let problems = if problems.exists() {
+            format!("include_str!({problems:?})")
+        } else {
+            "\"\"".to_string()
+        };
         let _ = writeln!(
             list,
-            "    lcplab::lesson::Program {{ name: {name:?}, text: include_str!({path:?}), cells: program_{k} }},"
+            "    lcplab::lesson::Program {{ name: {name:?}, text: include_str!({path:?}), cells: program_{k}, \
+             drawings: &[{drawings}], problems: {problems} }},"
         );
         let _ = writeln!(functions, "\nfn program_{k}() -> lcplab::lesson::Ran {{");
         for (c, code) in source.cells().enumerate() {

@@ -63,6 +63,12 @@ mod lessons {
     include!(concat!(env!("OUT_DIR"), "/lessons.rs"));
 }
 
+/// The pages around the lessons: the first page, the teacher's guide, the Rust that one needs.
+#[allow(unused_macros, unused_variables)]
+mod around {
+    include!(concat!(env!("OUT_DIR"), "/around.rs"));
+}
+
 /// The handout's cells, compiled.
 #[allow(non_snake_case, clippy::type_complexity, clippy::useless_vec)]
 mod handout {

@@ -7,9 +7,11 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lesson::Program;
 use lcplab::lesson::exercise::{Exercise, exercises};
+use lcplab::lesson::problem::{self, Problem, Reply};
 use lcplab::live::{PAGES, Page};
 
 use super::{Outcome, bar, print};
+use crate::around::ALL as AROUND;
 use crate::lessons::ALL;
 
 /// The exercises with the answers that were compiled in.
@@ -24,7 +26,8 @@ const EXERCISES: &[Exercise] = {
 Example:
   lcplab lesson                # the list of lessons
   lcplab lesson 3 --open
-  lcplab lesson --all          # writes reports/lessons/01_….html and so on
+  lcplab lesson --all          # writes reports/lessons/index.html, 01_….html and so on
+  lcplab lesson guide --open   # for teachers
 
 A page needs no network. --ipynb writes Jupyter notebooks with outputs into notebooks/ instead. A lesson
 is written in notebooks/NN_title.md; edit it, and run the command again. Exit code 2 if a cell fails.")]
@@ -51,20 +54,26 @@ pub struct Lesson {
 Example:
   lcplab exercise              # the list, with what is solved
   cargo run --release -- exercise 1.1
+  lcplab exercise 4.p1 0.9     # is 0.9 the answer to problem 4.p1?
 
-An exercise is a file with a hole, notebooks/exercises/eLESSON_NUMBER_….rs. Fill it, and run the command
-through cargo, which compiles your answer in. It is held against an independent one. Exit code 1 if it
-misses.")]
+A code exercise is a file with a hole or a bug, notebooks/exercises/eLESSON_NUMBER_….rs. Mend it, and run the
+command through cargo, which compiles your answer in. It is held against an independent one. A problem (p on
+paper, r to predict and run, x on a live page) asks for a number; the lessons state them. Exit code 1 if the
+answer misses.")]
 pub struct Answer {
-    /// Lesson and number, as 1.1
+    /// Lesson and number, as 1.1 or 4.p1
     exercise: Option<String>,
+    /// Your answer to a problem
+    #[arg(allow_negative_numbers = true, requires = "exercise")]
+    number: Option<f64>,
 }
 
 impl Lesson {
     pub fn run(&self) -> Result<Outcome> {
         let lessons: Vec<&Program> = match &self.lesson {
             Some(name) => vec![named(name)?],
-            None if self.all => ALL.iter().collect(),
+            None if self.all && self.ipynb => ALL.iter().collect(),
+            None if self.all => ALL.iter().chain(AROUND).collect(),
             None => return list(),
         };
         let progress = bar(lessons.len() as u64, "");
@@ -90,7 +99,8 @@ impl Lesson {
         let record = lesson.run()?;
         let text =
             if self.ipynb { lesson.notebook(&record)? } else { lesson.page(&record)?.render()? };
-        let path = folder.join(lesson.name).with_extension(kind);
+        let name = if lesson.name == "README" { "index" } else { lesson.name };
+        let path = folder.join(name).with_extension(kind);
         file::write(&path, &text)?;
         let is_meant = |page: &&Page| text.contains(&format!("href=\"live/{}.html", page.name));
         for page in PAGES.iter().filter(is_meant) {
@@ -103,6 +113,13 @@ impl Lesson {
 impl Answer {
     pub fn run(&self) -> Result<Outcome> {
         let Some(id) = &self.exercise else { return list_exercises() };
+        if let Some(problem) = problems()?.into_iter().find(|problem| problem.id == *id) {
+            return answered(&problem, self.number);
+        }
+        if self.number.is_some() {
+            let known = problems()?.into_iter().map(|problem| problem.id).collect();
+            return Err(Error::Unknown { kind: "problem", name: id.clone(), known });
+        }
         let exercise = EXERCISES.iter().find(|exercise| exercise.id == id).ok_or_else(|| {
             let known = EXERCISES.iter().map(|exercise| exercise.id.to_string()).collect();
             Error::Unknown { kind: "exercise", name: id.clone(), known }
@@ -120,14 +137,41 @@ impl Answer {
     }
 }
 
+/// The problems of all lessons.
+fn problems() -> Result<Vec<Problem>> {
+    let sets: Result<Vec<_>> =
+        ALL.iter().filter(|lesson| !lesson.problems.is_empty()).map(problem::set).collect();
+    Ok(sets?.concat())
+}
+
+/// States a problem, or says what a number is worth.
+fn answered(problem: &Problem, number: Option<f64>) -> Result<Outcome> {
+    let Problem { id, title, .. } = problem;
+    let Some(number) = number else {
+        print(&format!("{id} {title}\n\n{}\n", problem.text.trim()))?;
+        return Ok(Outcome::Good);
+    };
+    match problem.reply(number) {
+        Reply::Right => {
+            print(&format!("{id} solved: {title}\n\n{}\n", problem.because.trim()))?;
+            Ok(Outcome::Good)
+        }
+        Reply::Wrong(hint) => {
+            print(&format!("{id} not yet: {hint}\n"))?;
+            Ok(Outcome::Refuted)
+        }
+    }
+}
+
 fn named(name: &str) -> Result<&'static Program> {
     let is_meant = |lesson: &&Program| {
         lesson.name == name || name.parse().is_ok_and(|number: usize| lesson.number() == number)
     };
-    ALL.iter().find(is_meant).ok_or_else(|| Error::Unknown {
+    let all = || ALL.iter().chain(AROUND);
+    all().find(is_meant).ok_or_else(|| Error::Unknown {
         kind: "lesson",
         name: name.to_string(),
-        known: ALL.iter().map(|lesson| lesson.name.to_string()).collect(),
+        known: all().map(|lesson| lesson.name.to_string()).collect(),
     })
 }
 
@@ -140,8 +184,10 @@ fn list() -> Result<Outcome> {
 fn list_exercises() -> Result<Outcome> {
     let line = |exercise: &Exercise| {
         let state = if exercise.verdict().is_ok() { "solved" } else { "open  " };
-        format!("{:>4}  {state}  {:<60}  {}\n", exercise.id, exercise.title, exercise.file)
+        format!("{:>5}  {state}  {:<60}  {}\n", exercise.id, exercise.title, exercise.file)
     };
-    print(&EXERCISES.iter().map(line).collect::<String>())?;
+    let of_problem = |problem: &Problem| format!("{:>5}  number  {}\n", problem.id, problem.title);
+    let text: String = EXERCISES.iter().map(line).collect();
+    print(&(text + &problems()?.iter().map(of_problem).collect::<String>()))?;
     Ok(Outcome::Good)
 }

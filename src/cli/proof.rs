@@ -116,7 +116,12 @@ fn page_of(problem: &Problem, proof: &Proof, missing: &[(Kind, String)], text: &
     Page {
         title: format!("A proof about {name}"),
         lead: format!("A complementarity problem of {rows} rows, and what is proved of it."),
-        sections: vec![Section { id: "proof".into(), title: "The proof".into(), blocks }],
+        sections: vec![Section {
+            id: "proof".into(),
+            title: "The proof".into(),
+            blocks,
+            ..Section::default()
+        }],
         ..Page::default()
     }
 }

@@ -6,16 +6,18 @@
 //! or an erratum's exhibit, and [`put`] gives the prose a value that it quotes as `{{name}}`. The same
 //! calls work in a Jupyter kernel for Rust.
 //!
-//! [`exercise`] checks the answers of students.
+//! [`exercise`] checks programs of students, [`problem`] numbers that they have found.
 
 pub mod exercise;
 mod notebook;
 mod page;
 mod plot;
+pub mod problem;
 mod record;
 mod show;
 pub mod source;
 mod table;
+mod twin;
 
 pub use crate::document::Show;
 pub use plot::Plot;
@@ -39,6 +41,10 @@ pub struct Program {
     pub text: &'static str,
     /// Runs the cells from the first to the last.
     pub cells: fn() -> Ran,
+    /// The drawings that it shows: the file's name and the SVG.
+    pub drawings: &'static [(&'static str, &'static str)],
+    /// Its problem set, as a TOML file; empty without one.
+    pub problems: &'static str,
 }
 
 impl Program {
@@ -70,13 +76,16 @@ impl Program {
     }
 }
 
-/// The prose with what it quotes: values by name, and errata by number as a note in the margin.
-fn quoted(prose: &str, record: &Record) -> Result<String> {
+/// The prose with what it quotes: values by name, errata by number as a note in the margin, the problem set.
+fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
     let mut pieces = prose.split("{{");
     let mut out = pieces.next().unwrap_or_default().to_string();
     for piece in pieces {
         let (name, rest) = piece.split_once("}}").unwrap_or((piece, ""));
-        let value = record.values.get(name).cloned().or_else(|| note(name));
+        let value = match name {
+            "problems" => Some(problem::markdown(&problem::set(program)?)),
+            name => record.values.get(name).cloned().or_else(|| note(name)),
+        };
         out += &value.ok_or_else(|| {
             Error::invalid("notebook", format!("{{{{{name}}}}}"), "no cell has put this value")
         })?;

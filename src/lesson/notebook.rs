@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::show::lined;
 use super::source::{Part, Shown, Source};
-use super::{Program, Record, quoted};
+use super::{Program, Record, quoted, twin};
 use crate::error::Result;
 
 /// Without the first line a cell that panics would leave the run green.
@@ -22,7 +22,11 @@ impl Program {
         let mut outputs = record.cells.iter();
         for part in &source.parts {
             cells.push(match part {
-                Part::Prose(text) => prose(&quoted(text, record)?),
+                Part::Prose(text) => prose(&quoted(self, text, record)?),
+                Part::Twin(python) => prose(&format!(
+                    "<details>\n<summary>The same in Python</summary>\n\n```python\n{}\n```\n\n</details>",
+                    twin::shown(python).trim()
+                )),
                 Part::Cell { code: lines, shown } => {
                     let put_out = outputs.next().into_iter().flatten();
                     let mut cell =

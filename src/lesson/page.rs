@@ -1,16 +1,20 @@
 //! A notebook that ran as a page.
 
+use super::record::Output;
 use super::source::{Part, Shown, Source};
-use super::{Program, Record, quoted};
-use crate::error::Result;
+use super::{Program, Record, quoted, twin};
+use crate::error::{Error, Result};
 use crate::live::PAGES;
 use crate::report::page::{Block, Live, Page, Section};
+
+/// The section that only readers of the chapter want.
+const ASIDE: &str = "For readers of the chapter";
 
 impl Program {
     /// The page with prose, cells and what they put out; nothing on it is fetched.
     ///
     /// # Errors
-    /// If the prose quotes a value that no cell has put.
+    /// If the prose quotes a value that no cell has put, or shows a drawing that is not there.
     pub fn page(&self, record: &Record) -> Result<Page> {
         let source = Source::read(self.text);
         let mut page = Page {
@@ -19,31 +23,87 @@ impl Program {
             ..Page::default()
         };
         let mut outputs = record.cells.iter();
-        for part in &source.parts {
+        for (k, part) in source.parts.iter().enumerate() {
             match part {
-                Part::Prose(text) => {
-                    // Notebooks stand beside the folder of live pages, pages have it in their own.
-                    let text = quoted(text, record)?;
-                    add_prose(&mut page, &text.replace("](../live/", "](live/"));
-                    for live in lives(&text) {
-                        add(&mut page, Block::Live(live));
-                    }
-                }
+                Part::Prose(text) => self.add_prose(&mut page, &quoted(self, text, record)?)?,
+                Part::Twin(_) => {} // stands with its cell
                 Part::Cell { code, shown } => {
-                    let (language, text) = ("rust".into(), code.clone());
-                    match shown {
-                        Shown::Open => add(&mut page, Block::Code { language, text }),
-                        Shown::Folded => add(&mut page, Block::FoldedCode { language, text }),
-                        Shown::Hidden => {}
-                    }
-                    for output in outputs.next().into_iter().flatten() {
-                        add(&mut page, output.on_page());
-                    }
+                    let own = outputs.next().map(Vec::as_slice).unwrap_or_default();
+                    let twin = match source.parts.get(k + 1) {
+                        Some(Part::Twin(python)) => Some(twin::shown(python)),
+                        _ => None,
+                    };
+                    add_cell(&mut page, code, *shown, own, twin);
                 }
             }
         }
+        for section in &mut page.sections {
+            section.is_folded = section.title == ASIDE;
+        }
         Ok(page)
     }
+
+    /// Prose begins a section at each of its headings of the second level. Drawings and live pages follow the
+    /// paragraphs that show them.
+    fn add_prose(&self, page: &mut Page, text: &str) -> Result<()> {
+        let mut pieces =
+            format!("\n{text}").split("\n## ").map(String::from).collect::<Vec<_>>().into_iter();
+        let before = pieces.next().unwrap_or_default();
+        match before.trim() {
+            "" => (),
+            lead if page.sections.is_empty() && page.lead.is_empty() => page.lead = on_page(lead),
+            words => self.add_words(page, words)?,
+        }
+        for piece in pieces {
+            let (title, body) = piece.split_once('\n').unwrap_or((&piece, ""));
+            let id = format!("part-{}", page.sections.len() + 1);
+            page.sections.push(Section { id, title: title.trim().into(), ..Section::default() });
+            self.add_words(page, body.trim())?;
+        }
+        Ok(())
+    }
+
+    fn add_words(&self, page: &mut Page, words: &str) -> Result<()> {
+        let mut paragraphs = String::new();
+        for line in words.lines() {
+            let Some((alt, name)) = drawing(line) else {
+                paragraphs += line;
+                paragraphs.push('\n');
+                continue;
+            };
+            add_paragraphs(page, &std::mem::take(&mut paragraphs));
+            let found = self.drawings.iter().find(|own| own.0 == name);
+            let (_, svg) = found.ok_or_else(|| {
+                Error::invalid(self.name, name, "notebooks/drawings has no such file")
+            })?;
+            add(page, Block::Drawing { svg: (*svg).into(), alt: alt.into() });
+        }
+        add_paragraphs(page, &paragraphs);
+        Ok(())
+    }
+}
+
+/// The words and the file of a line that is a drawing: `![words](drawings/name.svg)`.
+fn drawing(line: &str) -> Option<(&str, &str)> {
+    line.strip_prefix("![")?.strip_suffix(')')?.split_once("](drawings/")
+}
+
+fn add_paragraphs(page: &mut Page, text: &str) {
+    if text.trim().is_empty() {
+        return;
+    }
+    add(page, Block::Text(on_page(text.trim())));
+    for live in lives(text) {
+        add(page, Block::Live(live));
+    }
+}
+
+/// Notebooks stand beside the folder of live pages and link to each other; pages have it in their own, and end
+/// otherwise.
+fn on_page(text: &str) -> String {
+    text.replace("](../live/", "](live/")
+        .replace("](README.md)", "](index.html)")
+        .replace(".md)", ".html)")
 }
 
 /// The live pages to which prose links: `[a stack](../live/stack.html#solver=pgs)`.
@@ -58,31 +118,31 @@ fn lives(text: &str) -> Vec<Live> {
     links.filter_map(live).collect()
 }
 
-/// Prose begins a section at each of its headings of the second level.
-fn add_prose(page: &mut Page, text: &str) {
-    let mut pieces =
-        format!("\n{text}").split("\n## ").map(String::from).collect::<Vec<_>>().into_iter();
-    let before = pieces.next().unwrap_or_default();
-    match before.trim() {
-        "" => (),
-        lead if page.sections.is_empty() && page.lead.is_empty() => page.lead = lead.into(),
-        words => add(page, Block::Text(words.into())),
-    }
-    for piece in pieces {
-        let (title, body) = piece.split_once('\n').unwrap_or((&piece, ""));
-        let id = format!("part-{}", page.sections.len() + 1);
-        page.sections.push(Section { id, title: title.trim().into(), blocks: Vec::new() });
-        if !body.trim().is_empty() {
-            add(page, Block::Text(body.trim().into()));
+/// A cell with what it put out. Where it has a twin, what it printed stands with its code.
+fn add_cell(page: &mut Page, code: &str, shown: Shown, outputs: &[Output], twin: Option<String>) {
+    let (language, text) = ("rust".to_string(), code.to_string());
+    let mut printed = vec![(language.clone(), text.clone())];
+    let mut rest = Vec::new();
+    for output in outputs {
+        match output {
+            Output::Lines(lines) if twin.is_some() => printed.push(("text".into(), lines.clone())),
+            output => rest.push(output.on_page()),
         }
     }
+    match (shown, twin) {
+        (_, Some(python)) => add(page, Block::Twin { rust: printed, python }),
+        (Shown::Open, None) => add(page, Block::Code { language, text }),
+        (Shown::Folded, None) => add(page, Block::FoldedCode { language, text }),
+        (Shown::Hidden, None) => {}
+    }
+    rest.into_iter().for_each(|block| add(page, block));
 }
 
 /// Adds to the last section; what comes before the first one starts one of its own.
 fn add(page: &mut Page, block: Block) {
     if page.sections.is_empty() {
-        let title = "Beginning".into();
-        page.sections.push(Section { id: "part-1".into(), title, blocks: Vec::new() });
+        let (id, title) = ("part-1".into(), "Beginning".into());
+        page.sections.push(Section { id, title, ..Section::default() });
     }
     let last = page.sections.len() - 1;
     page.sections[last].blocks.push(block);

@@ -7,6 +7,7 @@
 //! ```rust                      a cell: shown, compiled and run
 //! ```rust tags=["hide"]        a cell whose code is not shown
 //! ```rust tags=["fold"]        a cell whose code is folded: set-up, tables, plots
+//! ```python                    right after a cell: the same in Python
 //! ```text                      anything else in fences belongs to the prose
 //! ```
 //!
@@ -26,6 +27,8 @@ pub struct Source {
 pub enum Part {
     /// Markdown.
     Prose(String),
+    /// Python that says the same as the cell before it.
+    Twin(String),
     /// Rust.
     Cell {
         /// The lines, as they are.
@@ -70,6 +73,12 @@ impl Source {
                 parts.push(Part::Cell { code: code.join("\n"), shown: Shown::of(line) });
                 continue;
             }
+            if !is_fenced && line == "```python" && follows_cell(&parts, &prose) {
+                prose.clear();
+                let code: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
+                parts.push(Part::Twin(code.join("\n")));
+                continue;
+            }
             is_fenced ^= line.starts_with("```");
             prose += line;
             prose.push('\n');
@@ -82,9 +91,13 @@ impl Source {
     pub fn cells(&self) -> impl Iterator<Item = &str> {
         self.parts.iter().filter_map(|part| match part {
             Part::Cell { code, .. } => Some(code.as_str()),
-            Part::Prose(_) => None,
+            Part::Prose(_) | Part::Twin(_) => None,
         })
     }
+}
+
+fn follows_cell(parts: &[Part], prose: &str) -> bool {
+    prose.trim().is_empty() && matches!(parts.last(), Some(Part::Cell { .. }))
 }
 
 fn without_head(text: &str) -> &str {

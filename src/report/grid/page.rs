@@ -33,6 +33,7 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
         id: id.into(),
         title: title.into(),
         blocks,
+        ..Section::default()
     };
     let mut sections = Vec::new();
     if !blocks.is_empty() {

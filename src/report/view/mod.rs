@@ -222,7 +222,12 @@ impl Document {
 
     /// Starts a section.
     fn open(&mut self, id: &str, title: &str) {
-        let section = Section { id: id.into(), title: title.into(), blocks: Vec::new() };
+        let section = Section {
+            id: id.into(),
+            title: title.into(),
+            blocks: Vec::new(),
+            ..Section::default()
+        };
         self.page.sections.push(section);
     }
 

@@ -53,7 +53,7 @@ fn page(film: Film) -> String {
     let player =
         Player { reel: film.reel(), caption: "A *film*.".into(), files: Vec::new(), origin: None };
     let blocks = vec![Block::Player(Box::new(player))];
-    let section = Section { id: "one".into(), title: "One".into(), blocks };
+    let section = Section { id: "one".into(), title: "One".into(), blocks, ..Section::default() };
     Page { sections: vec![section], ..Page::default() }.render().unwrap()
 }
 

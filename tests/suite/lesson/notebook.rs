@@ -12,6 +12,7 @@ fn notebooks(kind: &str) -> Vec<PathBuf> {
     let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let mut files: Vec<_> =
         files.filter(|path| path.extension().is_some_and(|end| end == kind)).collect();
+    files.retain(|path| path.file_stem().unwrap().to_string_lossy().starts_with(char::is_numeric));
     files.sort();
     files
 }
@@ -72,24 +73,31 @@ fn a_lesson_has_the_fixed_parts_and_readable_cells() {
             .iter()
             .filter_map(|part| match part {
                 Part::Prose(text) => Some(text.as_str()),
-                Part::Cell { .. } => None,
+                Part::Cell { .. } | Part::Twin(_) => None,
             })
             .collect();
         let prose = prose.join("\n");
-        for part in
-            ["## Question", "## Derivation", "## What the chapter gets wrong here", "## Try it"]
-        {
+        for part in [
+            "## Question",
+            "## Derivation",
+            "## What one easily believes",
+            "## Try it",
+            "{{problems}}",
+        ] {
             assert!(prose.contains(part), "{name} lacks {part}");
         }
         let cells: Vec<&str> = source.cells().collect();
-        assert!((4..=15).contains(&cells.len()), "{name} has {} cells", cells.len());
+        assert!((4..=20).contains(&cells.len()), "{name} has {} cells", cells.len());
         for line in cells.iter().flat_map(|cell| cell.lines()) {
             assert!(line.chars().count() <= 90, "{name}: a long line: {line}");
         }
-        for number in 1..=3 {
-            let exercise = format!("exercise {}.{number}", name[..2].trim_start_matches('0'));
-            assert!(prose.contains(&exercise), "{name} lacks {exercise}");
-        }
+        let parts = prose.matches("**Predict.**").count();
+        assert!(parts >= 3, "{name} asks for {parts} predictions");
+        let twins = source.parts.iter().filter(|part| matches!(part, Part::Twin(_))).count();
+        assert!(twins > 0, "{name} says nothing in Python");
+        let last = prose.rsplit("\n## ").next().unwrap();
+        assert!(last.starts_with("For readers of the chapter"), "{name} ends otherwise");
+        assert!(prose.matches("{{E").count() <= last.matches("{{E").count() + 1, "{name}: errata");
     }
 }
 

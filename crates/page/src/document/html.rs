@@ -11,6 +11,7 @@ pub(super) fn written(document: &Document) -> Result<String> {
         id: format!("part-{}", k + 1),
         title: section.title.clone(),
         blocks: section.blocks.iter().map(super::Block::on_page).collect(),
+        ..Section::default()
     };
     let page = Page {
         title: document.title.clone(),

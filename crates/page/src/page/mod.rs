@@ -23,7 +23,8 @@ pub use player::{Chart, Pane, Player, Reel, SPEEDS, speed};
 /// use lcplab_page::page::{Block, Page, Section};
 ///
 /// let text = Block::Text("The *natural residual* is $|x - \\Pi(x - w)|$.".into());
-/// let section = Section { id: "judge".into(), title: "The judge".into(), blocks: vec![text] };
+/// let (id, title) = ("judge".into(), "The judge".into());
+/// let section = Section { id, title, blocks: vec![text], ..Section::default() };
 /// let page = Page { title: "Report".into(), sections: vec![section], ..Page::default() };
 /// assert!(page.render()?.contains("<em>natural residual</em> is <math>"));
 /// # Ok::<(), lcplab_problem::error::Error>(())
@@ -49,6 +50,8 @@ pub struct Section {
     pub title: String,
     /// The contents.
     pub blocks: Vec<Block>,
+    /// Whether it is folded away.
+    pub is_folded: bool,
 }
 
 /// A piece of a section.
@@ -82,6 +85,20 @@ pub enum Block {
         language: String,
         /// The lines.
         text: String,
+    },
+    /// Programs that say the same in two languages, of which one is shown at a time.
+    Twin {
+        /// Language and text of each piece in the first language, a program and what it prints.
+        rust: Vec<(String, String)>,
+        /// The same in Python.
+        python: String,
+    },
+    /// A drawing that is part of the text.
+    Drawing {
+        /// The SVG document, with a style of its own.
+        svg: String,
+        /// What it shows, for those who cannot see it.
+        alt: String,
     },
     /// A remark set apart from the text.
     Note(String),

@@ -68,3 +68,13 @@ for (const table of document.querySelectorAll("figure.table table")) {
     });
   });
 }
+
+// One choice of the language holds for the whole page.
+for (const button of document.querySelectorAll(".switch button")) {
+  button.addEventListener("click", () => {
+    const before = button.getBoundingClientRect().top;
+    root.dataset.language = button.dataset.language;
+    for (const other of document.querySelectorAll(".switch button")) other.setAttribute("aria-pressed", other.dataset.language === root.dataset.language);
+    scrollBy({ top: button.getBoundingClientRect().top - before, behavior: "instant" });
+  });
+}

@@ -63,6 +63,11 @@ impl ProofsView<'_> {
     }
 }
 
+/// Opens a pair of programs, with the buttons that choose one.
+const SWITCH: &str = "<div class=\"twin\"><div class=\"switch\" role=\"group\" aria-label=\"Language\">\
+    <button type=\"button\" data-language=\"rust\" aria-pressed=\"true\">Rust</button>\
+    <button type=\"button\" data-language=\"python\" aria-pressed=\"false\">Python</button></div>\n";
+
 fn code(language: &str, text: &str) -> String {
     let (language, text) = (html(language), html(text.trim_end()));
     format!("<pre tabindex=\"0\"><code class=\"language-{language}\">{text}</code></pre>\n")
@@ -191,6 +196,19 @@ impl Writer {
                 format!("<div class=\"equation\">{mathml}{label}</div>\n")
             }
             Block::Code { language, text } => code(language, text),
+            Block::Twin { rust, python } => {
+                let rust: String =
+                    rust.iter().map(|(language, text)| code(language, text)).collect();
+                let python = code("python", python);
+                format!(
+                    "{SWITCH}<div class=\"rust\">\n{rust}</div><div class=\"python\">\n{python}</div></div>\n"
+                )
+            }
+            Block::Drawing { svg, alt } => format!(
+                "<p class=\"drawing\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></p>\n",
+                html(alt),
+                base64(svg.as_bytes())
+            ),
             Block::FoldedCode { language, text } => format!(
                 "<details class=\"folded\"><summary>code: {} lines</summary>\n{}</details>\n",
                 text.trim_end().lines().count(),

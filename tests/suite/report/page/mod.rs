@@ -9,7 +9,7 @@ use lcplab::report::page::markup::literal;
 use lcplab::report::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
 
 fn page(blocks: Vec<Block>) -> Page {
-    let section = Section { id: "one".into(), title: "One".into(), blocks };
+    let section = Section { id: "one".into(), title: "One".into(), blocks, ..Section::default() };
     Page { title: "Page".into(), sections: vec![section], ..Page::default() }
 }
 

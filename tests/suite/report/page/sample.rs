@@ -22,6 +22,7 @@ pub fn page() -> Page {
             Block::Note("A note with `code`.".into()),
             Block::Code { language: "rust".into(), text: "let x = 1 < 2;".into() },
         ],
+        ..Section::default()
     };
     let mut pictures = Section {
         id: "figures".into(),
@@ -30,6 +31,7 @@ pub fn page() -> Page {
             .iter()
             .map(|figure| Block::Figure(Picture::of(figure.as_ref(), "data")))
             .collect(),
+        ..Section::default()
     };
     for figure in [&pattern() as &dyn Figure, &strip()] {
         pictures.blocks.push(Block::Figure(Picture { svg: figure.svg(), ..Picture::default() }));
@@ -44,6 +46,7 @@ pub fn page() -> Page {
         id: "tables".into(),
         title: "Tables".into(),
         blocks: vec![Block::Table(squares()), Block::Table(tall())],
+        ..Section::default()
     };
     Page {
         title: "Every kind of block".into(),

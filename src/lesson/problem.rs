@@ -1,0 +1,137 @@
+//! Problem sets: questions whose answer is a number.
+//!
+//! Each lesson has a file `notebooks/problems/NN.toml`. A problem states the question in Markdown, the answer and
+//! how near one must come, and the answers that typical mistakes lead to, each with a hint.
+
+use serde::Deserialize;
+
+use super::Program;
+use crate::error::{Error, Result};
+use crate::number::readable;
+
+/// A question.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Problem {
+    /// Lesson and number: `4.p1`.
+    pub id: String,
+    /// How it is to be solved.
+    pub kind: Kind,
+    /// What it is about, in a few words.
+    pub title: String,
+    /// How long it takes.
+    pub minutes: u32,
+    /// 1 easy, 2 middle, 3 hard.
+    pub level: u8,
+    /// The question, in Markdown.
+    pub text: String,
+    /// The unit of the answer; empty without one.
+    pub unit: String,
+    /// The number.
+    pub answer: f64,
+    /// How far off, as a part of the answer, still counts; of an answer 0 the distance itself.
+    pub within: f64,
+    /// What typical mistakes lead to.
+    #[serde(default)]
+    pub traps: Vec<Trap>,
+    /// The way to the answer, in Markdown.
+    pub because: String,
+}
+
+/// How a problem is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// With pencil and paper.
+    Pencil,
+    /// Guessed first, then run.
+    Predict,
+    /// On a live page.
+    Live,
+}
+
+/// A wrong answer, and what to think of.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Trap {
+    /// The number.
+    pub answer: f64,
+    /// What helps without giving the answer away.
+    pub hint: String,
+}
+
+/// What is said to a number.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Reply {
+    /// It is right.
+    Right,
+    /// It is not, and this helps.
+    Wrong(String),
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Set {
+    problem: Vec<Problem>,
+}
+
+/// The problems of a lesson.
+///
+/// # Errors
+/// If its file cannot be read.
+pub fn set(lesson: &Program) -> Result<Vec<Problem>> {
+    let set: Set = toml::from_str(lesson.problems)
+        .map_err(|cause| Error::invalid(lesson.name, "problem set", cause.to_string()))?;
+    Ok(set.problem)
+}
+
+impl Problem {
+    /// What to say to a number.
+    pub fn reply(&self, number: f64) -> Reply {
+        if self.is_near(number, self.answer) {
+            return Reply::Right;
+        }
+        if let Some(trap) = self.traps.iter().find(|trap| self.is_near(number, trap.answer)) {
+            return Reply::Wrong(trap.hint.clone());
+        }
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
+        let reason = match number {
+            number if !number.is_finite() => "a finite number is asked for".to_string(),
+            number if self.answer != 0.0 && self.is_near(-number, self.answer) => {
+                "the size is right, the sign is not".to_string()
+            }
+            number if number > self.answer => format!("{}{unit} is too much", readable(number, 4)),
+            number => format!("{}{unit} is too little", readable(number, 4)),
+        };
+        Reply::Wrong(reason)
+    }
+
+    fn is_near(&self, number: f64, target: f64) -> bool {
+        let size = if target == 0.0 { 1.0 } else { target.abs() };
+        (number - target).abs() <= self.within * size
+    }
+}
+
+impl Kind {
+    fn words(self) -> &'static str {
+        match self {
+            Kind::Pencil => "pencil and paper",
+            Kind::Predict => "predict, then run",
+            Kind::Live => "on a live page",
+        }
+    }
+}
+
+/// All of a set, as a lesson shows it.
+pub(super) fn markdown(problems: &[Problem]) -> String {
+    let one = |problem: &Problem| {
+        let Problem { id, kind, title, minutes, level, text, .. } = problem;
+        let level = ["easy", "middle", "hard"][usize::from(*level).clamp(1, 3) - 1];
+        let (kind, text) = (kind.words(), text.trim());
+        format!(
+            "**{id} {title}** ({kind}, {minutes} minutes, {level}). {text}\n\n\
+             `cargo run --release -- exercise {id} NUMBER`\n"
+        )
+    };
+    problems.iter().map(one).collect::<Vec<_>>().join("\n")
+}
