@@ -8,7 +8,7 @@ use lcplab::file;
 use lcplab::lesson::Program;
 use lcplab::lesson::exercise::{Exercise, exercises};
 use lcplab::lesson::problem::{self, Problem, Reply};
-use lcplab::live::{PAGES, Page};
+use lcplab::live::write_linked;
 
 use super::{Outcome, bar, print};
 use crate::around::ALL as AROUND;
@@ -102,10 +102,7 @@ impl Lesson {
         let name = if lesson.name == "README" { "index" } else { lesson.name };
         let path = folder.join(name).with_extension(kind);
         file::write(&path, &text)?;
-        let is_meant = |page: &&Page| text.contains(&format!("href=\"live/{}.html", page.name));
-        for page in PAGES.iter().filter(is_meant) {
-            file::write(&folder.join(format!("live/{}.html", page.name)), &page.text())?;
-        }
+        write_linked(&text, folder)?;
         Ok(path)
     }
 }

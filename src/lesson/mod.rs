@@ -9,6 +9,7 @@
 //! [`exercise`] checks programs of students, [`problem`] numbers that they have found.
 
 pub mod exercise;
+mod kernel;
 mod notebook;
 mod page;
 mod plot;

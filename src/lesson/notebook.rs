@@ -2,14 +2,16 @@
 
 use serde_json::{Value, json};
 
+use super::kernel;
 use super::show::lined;
 use super::source::{Part, Shown, Source};
 use super::{Program, Record, quoted, twin};
 use crate::error::Result;
 
-/// Without the first line a cell that panics would leave the run green.
-const FIRST_CELL: &str = ":preserve_vars_on_panic 0\n:dep lcplab = { path = \"..\" }\n\
-                          :dep nalgebra = \"0.35\"";
+/// Without `preserve_vars_on_panic` a cell that panics would leave the run green. The kernel spells the types of variables
+/// out, so the trait of `Box<dyn Solver>` has to be known.
+const FIRST_CELL: &str = "#![allow(non_snake_case)]\n:preserve_vars_on_panic 0\n:dep lcplab = { path = \"..\" }\n\
+                          :dep nalgebra = \"0.35\"\nuse lcplab::solver::Solver;";
 
 impl Program {
     /// The notebook with its outputs, as the text of an `.ipynb` file.
@@ -19,6 +21,8 @@ impl Program {
     pub fn notebook(&self, record: &Record) -> Result<String> {
         let source = Source::read(self.text);
         let mut cells = vec![prose(&format!("# {}", self.title())), code(FIRST_CELL, Vec::new())];
+        let codes: Vec<&str> = source.cells().collect();
+        let mut codes = kernel::cells(&codes).into_iter();
         let mut outputs = record.cells.iter();
         for part in &source.parts {
             cells.push(match part {
@@ -27,10 +31,11 @@ impl Program {
                     "<details>\n<summary>The same in Python</summary>\n\n```python\n{}\n```\n\n</details>",
                     twin::shown(python).trim()
                 )),
-                Part::Cell { code: lines, shown } => {
+                Part::Cell { shown, .. } => {
+                    let lines = codes.next().unwrap_or_default();
                     let put_out = outputs.next().into_iter().flatten();
                     let mut cell =
-                        code(lines, put_out.map(|output| output.in_notebook()).collect());
+                        code(&lines, put_out.map(|output| output.in_notebook()).collect());
                     if *shown != Shown::Open {
                         cell["metadata"] = json!({ "jupyter": { "source_hidden": true } });
                     }

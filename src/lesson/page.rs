@@ -4,8 +4,8 @@ use super::record::Output;
 use super::source::{Part, Shown, Source};
 use super::{Program, Record, quoted, twin};
 use crate::error::{Error, Result};
-use crate::live::PAGES;
-use crate::report::page::{Block, Live, Page, Section};
+use crate::live::linked;
+use crate::report::page::{Block, Page, Section};
 
 /// The section that only readers of the chapter want.
 const ASIDE: &str = "For readers of the chapter";
@@ -92,8 +92,9 @@ fn add_paragraphs(page: &mut Page, text: &str) {
     if text.trim().is_empty() {
         return;
     }
-    add(page, Block::Text(on_page(text.trim())));
-    for live in lives(text) {
+    let text = on_page(text.trim());
+    add(page, Block::Text(text.clone()));
+    for live in linked(&text) {
         add(page, Block::Live(live));
     }
 }
@@ -104,18 +105,6 @@ fn on_page(text: &str) -> String {
     text.replace("](../live/", "](live/")
         .replace("](README.md)", "](index.html)")
         .replace(".md)", ".html)")
-}
-
-/// The live pages to which prose links: `[a stack](../live/stack.html#solver=pgs)`.
-fn lives(text: &str) -> Vec<Live> {
-    let links = text.split("](../live/").skip(1).map(|after| after.split(')').next().unwrap_or(""));
-    let live = |link: &str| {
-        let (file, state) = link.split_once('#').unwrap_or((link, ""));
-        let page = PAGES.iter().find(|page| file.strip_suffix(".html") == Some(page.name))?;
-        let title = format!("Open it here: {}", page.about);
-        Some(Live { name: page.name.into(), title, html: page.text(), state: state.into() })
-    };
-    links.filter_map(live).collect()
 }
 
 /// A cell with what it put out. Where it has a twin, what it printed stands with its code.

@@ -91,7 +91,9 @@ impl Problem {
         if self.is_near(number, self.answer) {
             return Reply::Right;
         }
-        if let Some(trap) = self.traps.iter().find(|trap| self.is_near(number, trap.answer)) {
+        let off = |trap: &&Trap| (number - trap.answer).abs();
+        let near = self.traps.iter().filter(|trap| self.is_near(number, trap.answer));
+        if let Some(trap) = near.min_by(|a, b| off(a).total_cmp(&off(b))) {
             return Reply::Wrong(trap.hint.clone());
         }
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };

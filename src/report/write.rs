@@ -7,6 +7,7 @@ use super::results::Results;
 use super::view::{self, Document, FILES};
 use crate::error::{Defects, Error, Result};
 use crate::file;
+use crate::live::write_linked;
 
 /// The name of the results beside a page.
 pub const RESULTS: &str = "results.json";
@@ -47,6 +48,7 @@ pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
     for (id, table) in &document.tables {
         file::write(&data.join(format!("{id}.csv")), table.csv())?;
     }
+    write_linked(&html, folder)?;
     let page = folder.join("index.html");
     file::write(&page, &html)?;
     Ok(page)

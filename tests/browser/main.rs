@@ -6,6 +6,7 @@
 
 mod driver;
 mod layout;
+mod lesson;
 mod live;
 mod player;
 mod plot;

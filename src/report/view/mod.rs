@@ -50,6 +50,7 @@ use super::proofs::Judged;
 use super::results::{Part, Results, Task};
 use super::study::Study;
 use crate::error::Result;
+use crate::live::linked;
 use crate::plot::Figure;
 
 /// A page with the figures and tables on it, each under the name of its files.
@@ -238,9 +239,12 @@ impl Document {
         }
     }
 
-    /// Adds words, in page markup.
+    /// Adds words, in page markup; a live page that they link to opens in place.
     pub fn text(&mut self, text: impl Into<String>) {
-        self.add(Block::Text(text.into()));
+        let text = text.into();
+        let lives = linked(&text);
+        self.add(Block::Text(text));
+        lives.into_iter().for_each(|live| self.add(Block::Live(live)));
     }
 
     fn equation(&mut self, latex: &str, label: &str) {

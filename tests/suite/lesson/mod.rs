@@ -3,4 +3,5 @@
 mod exercise;
 mod handout;
 mod notebook;
+mod problem;
 mod sentences;

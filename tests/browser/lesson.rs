@@ -1,0 +1,56 @@
+//! What a lesson's page does beside being read: live pages open in place, programs change their language, the part
+//! for readers of the chapter is folded.
+
+use serde_json::json;
+
+use super::driver::Page;
+use super::written;
+
+fn lesson(number: &str, file: &str) -> Page {
+    written(&["lesson", number], file)
+}
+
+#[test]
+fn a_live_page_opens_where_it_is_read_with_the_state_of_the_link() {
+    let script = "const place = find('details.live'); place.open = true;
+        while (!find('iframe', place)) await wait(10);
+        const frame = find('iframe', place);
+        while (frame.contentDocument?.documentElement.dataset.ready !== 'yes') await wait(20);
+        const inside = frame.contentDocument;
+        const before = find('#says', inside).textContent;
+        const slider = find('#mu', inside); slider.value = 1; slider.dispatchEvent(new inside.defaultView.Event('input'));
+        await wait(400);
+        return [find('#theta', inside).value, before.startsWith('No force'), find('#says', inside).textContent.startsWith('One force'), frame.offsetHeight > 600];";
+    let found = lesson("9", "09_impacts.html").seen(1280, script);
+    assert_eq!(found, json!(["63", true, true, true]));
+}
+
+#[test]
+fn one_switch_turns_all_programs_of_a_page_to_python() {
+    let script = "const shows = (name) => all(`.twin > .${name}`).map((node) => shown(node));
+        const before = [shows('rust'), shows('python')];
+        find('[data-language=python]').click();
+        return [before, [shows('rust'), shows('python')], all('.switch [aria-pressed=true]').map((node) => node.textContent)];";
+    let found = lesson("5", "05_pivoting.html").seen(1280, script);
+    let (yes, no) = (json!([true, true, true]), json!([false, false, false]));
+    assert_eq!(found[0], json!([yes, no]));
+    assert_eq!(found[1], json!([no, yes]));
+    assert_eq!(found[2], json!(["Python", "Python", "Python"]));
+}
+
+#[test]
+fn answers_and_what_only_readers_of_the_chapter_want_are_folded() {
+    let script = "const part = find('details.part');
+        return [part.open, part.closest('section').querySelector('h2').textContent.includes('For readers of the chapter'),
+            all('details').filter((node) => find('summary', node).textContent === 'The answer').every((node) => !node.open)];";
+    let found = lesson("4", "04_sweeping.html").seen(768, script);
+    assert_eq!(found, json!([false, true, true]));
+}
+
+#[test]
+fn drawings_are_seen_and_told() {
+    let script = "const drawings = all('.drawing img'); await wait(200);
+        return drawings.map((image) => [image.naturalWidth > 300, image.getBoundingClientRect().width <= innerWidth, image.alt.length > 60]);";
+    let found = lesson("8", "08_friction.html").seen(390, script);
+    assert_eq!(found, json!([[true, true, true], [true, true, true]]));
+}

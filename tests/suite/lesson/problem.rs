@@ -1,0 +1,87 @@
+//! Problem sets: what is right is taken, what is a typical mistake gets its own hint, and each set is complete.
+
+use std::process::Command;
+
+use lcplab::lesson::problem::{Kind, Problem, Reply};
+
+#[derive(serde::Deserialize)]
+struct Set {
+    problem: Vec<Problem>,
+}
+
+fn sets() -> Vec<(usize, Vec<Problem>)> {
+    let read = |number: usize| {
+        let path = format!("{}/notebooks/problems/{number:02}.toml", env!("CARGO_MANIFEST_DIR"));
+        let set: Set = toml::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+        (number, set.problem)
+    };
+    (1..=12).map(read).collect()
+}
+
+#[test]
+fn each_lesson_has_two_problems_on_paper_one_to_predict_and_one_on_a_live_page() {
+    for (lesson, problems) in sets() {
+        let ids: Vec<String> = problems.iter().map(|problem| problem.id.clone()).collect();
+        assert_eq!(ids, ["p1", "p2", "r1", "x1"].map(|id| format!("{lesson}.{id}")));
+        let kinds: Vec<Kind> = problems.iter().map(|problem| problem.kind).collect();
+        assert_eq!(kinds, [Kind::Pencil, Kind::Pencil, Kind::Predict, Kind::Live]);
+        assert!(problems[2].text.contains("cargo run --release -- "), "{lesson}");
+        assert!(problems[3].text.contains("](../live/"), "{lesson}");
+        for problem in &problems {
+            assert!((1..=3).contains(&problem.level) && (3..=20).contains(&problem.minutes));
+            assert!(!problem.traps.is_empty() && problem.within < 0.1, "{}", problem.id);
+        }
+    }
+}
+
+#[test]
+fn the_answer_is_right_and_a_typical_mistake_gets_its_own_hint() {
+    for problem in sets().into_iter().flat_map(|(_, problems)| problems) {
+        let id = &problem.id;
+        assert_eq!(problem.reply(problem.answer), Reply::Right, "{id}");
+        for trap in &problem.traps {
+            assert_eq!(problem.reply(trap.answer), Reply::Wrong(trap.hint.clone()), "{id}");
+        }
+    }
+}
+
+#[test]
+fn a_wrong_number_is_said_to_be_too_much_too_little_or_of_the_wrong_sign() {
+    let problem = Problem {
+        id: "0.p1".into(),
+        kind: Kind::Pencil,
+        title: String::new(),
+        minutes: 5,
+        level: 1,
+        text: String::new(),
+        unit: "N s".into(),
+        answer: 2.0,
+        within: 0.01,
+        traps: Vec::new(),
+        because: String::new(),
+    };
+    let says = |number: f64| match problem.reply(number) {
+        Reply::Wrong(reason) => reason,
+        Reply::Right => "right".into(),
+    };
+    assert_eq!(says(2.019), "right");
+    assert_eq!(says(2.021), "2.021 N s is too much");
+    assert_eq!(says(1.9), "1.9 N s is too little");
+    assert_eq!(says(-2.0), "the size is right, the sign is not");
+    assert_eq!(says(f64::NAN), "a finite number is asked for");
+}
+
+#[test]
+fn the_command_states_a_problem_and_answers_with_its_exit_code() {
+    let run = |arguments: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_lcplab")).args(arguments).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        (output.status.code().unwrap(), text, String::from_utf8(output.stderr).unwrap())
+    };
+    assert!(run(&["exercise", "9.p1"]).1.contains("stay at rest"));
+    assert_eq!(run(&["exercise", "9.p1", "3"]).0, 0);
+    assert_eq!(run(&["exercise", "9.p1", "-3"]).0, 1);
+    assert_eq!(run(&["exercise", "9.p1", "three"]).0, 2);
+    let (code, _, complaint) = run(&["exercise", "9.p7", "3"]);
+    assert!(code == 2 && complaint.contains("9.p1"), "{complaint}");
+}
