@@ -81,7 +81,7 @@ function drawWords() {
   const known = forces.map(digits).join(" and ");
   lines.push(`Forces: w = a x + b with a = 1 + 3cos²θ − 3μ sin θ cos θ = ${digits(a)} and b = ω² sin θ − 1 = ${digits(b)}.`);
   lines.push(forces.length === 0 ? "        w < 0 for every x ≥ 0: no force holds the end." : `        x = ${known}${forces.length > 1 ? ": the end may leave, or stay." : "."}`);
-  lines.push(`Impulses, with friction that may also stop the sliding; the end slides with 1:`);
+  lines.push(`Impulses, with friction that may also stop the sliding; the end slides with 1. Of several answers the solver gives one:`);
   for (const { dt, x, w } of steps) {
     const word = x[0] < 1e-12 ? "leaves" : Math.abs(w[1]) < 1e-9 ? "sticks at once" : "slides on";
     lines.push(`        dt = ${String(dt).padEnd(6)} x = (${x.map(digits).join(", ")})   x/dt = ${digits(x[0] / dt)}   ${word}`);

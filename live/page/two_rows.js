@@ -142,9 +142,24 @@ function drawWords() {
   find("#words").textContent = lines.join("\n");
 }
 
+// Whether a solution can be moved along a null vector of A and stays one: then there are infinitely many.
+function freeDirection(x) {
+  const { a00, a01, a10, a11, b0, b1, bounds } = state, high = { contacts: Infinity, box: 2, free: Infinity }[bounds], low = bounds === "free" ? -Infinity : 0;
+  if (Math.abs(a00 * a11 - a01 * a10) > 1e-12) return undefined;
+  const solves = (y) => [[a00, a01, b0], [a10, a11, b1]].every(([p, q, b], i) => {
+    const w = p * y[0] + q * y[1] + b;
+    return y[i] >= low && y[i] <= high && (Math.abs(w) < 1e-9 || (w > 0 && y[i] === low) || (w < 0 && y[i] === high));
+  });
+  const nulls = [[a01, -a00], [a11, -a10]].filter((z) => Math.hypot(...z) > 0).flatMap((z) => [z, z.map((v) => -v)]);
+  return nulls.find((z) => Math.abs(a00 * z[0] + a01 * z[1]) + Math.abs(a10 * z[0] + a11 * z[1]) < 1e-12 && solves([x[0] + 1e-3 * z[0], x[1] + 1e-3 * z[1]]));
+}
+
 function drawSays() {
   const count = trace.all === null ? null : trace.all.length, says = [];
-  says.push(count === 0 ? "No solution." : count === 1 ? `One solution: (${trace.all[0].fractions.join(", ")}).` : count === null ? "" : `Solutions, or corners of a set of them: ${trace.all.map(({ fractions }) => `(${fractions.join(", ")})`).join(", ")}.`);
+  const told = ({ x, fractions }) => `(${fractions.map((text, i) => (text.length > 9 ? short(x[i], 6) : text)).join(", ")})`;
+  const ways = (trace.all ?? []).map(({ x }) => freeDirection(x)).find(Boolean);
+  if (ways) says.push(`Infinitely many solutions: ${told(trace.all[0])} and on along (${ways.map((v) => short(v)).join(", ")}).`);
+  else says.push(count === 0 ? "No solution." : count === 1 ? `One solution: ${told(trace.all[0])}.` : count === null ? "" : `Solutions: ${trace.all.map(told).join(", ")}.`);
   if (trace.status !== undefined) {
     const sweeps = SWEEPS.includes(state.solver);
     if (sweeps && typeof trace.rate === "number") says.push(`A sweep leaves ${short(trace.rate, 3)} of the error.`);
@@ -153,7 +168,7 @@ function drawSays() {
     else says.push("Not there after 30 sweeps.");
   }
   find("#says").textContent = says.join(" ");
-  find("#says").className = `says ${count === 0 ? "bad" : count === 1 ? "good" : "caution"}`;
+  find("#says").className = `says ${count === 0 ? "bad" : count === 1 && !ways ? "good" : "caution"}`;
 }
 
 function drawControls() {

@@ -54,7 +54,7 @@ impl Solve {
         let lcp = &problem.lcp;
         let name = self.solver.as_deref().unwrap_or_else(|| default_for(lcp));
         let solver = by_name(name, &Options::default()).map_err(|error| error.to_string())?;
-        let mut steps = Steps::of(lcp, MOST_STEPS);
+        let mut steps = Steps::of(lcp, name, MOST_STEPS);
         let solution = solver.solve(lcp, &Start::default(), &mut steps);
         if steps.steps.is_empty() {
             steps.keep(&solution.x, "no step was taken".into());

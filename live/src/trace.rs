@@ -61,7 +61,7 @@ impl Question {
         let tolerance = if self.sweeps.is_some() { 0.0 } else { Settings::default().tolerance };
         let settings = Settings { tolerance, max_iterations: limit, ..Settings::default() };
         let solver = solver(&self.solver, self.omega, self.backward, settings)?;
-        let mut steps = Steps::of(&lcp, MOST_STEPS + 1);
+        let mut steps = Steps::of(&lcp, &self.solver, MOST_STEPS + 1);
         let start = self.start.as_deref().map_or(Start::default(), Start::at);
         let solution = solver.solve(&lcp, &start, &mut steps);
         let certificate = judge(&lcp, &solution.x, &Demand::default());
@@ -136,6 +136,7 @@ pub fn solver(
 /// Writes down what a solver does.
 pub struct Steps<'a> {
     lcp: &'a Lcp,
+    solver: &'a str,
     /// After so many the solver goes on, but nothing is kept.
     most: usize,
     /// The rows of the sweep that is under way.
@@ -145,8 +146,8 @@ pub struct Steps<'a> {
 }
 
 impl<'a> Steps<'a> {
-    pub fn of(lcp: &'a Lcp, most: usize) -> Self {
-        Steps { lcp, most, rows: Vec::new(), steps: Vec::new() }
+    pub fn of(lcp: &'a Lcp, solver: &'a str, most: usize) -> Self {
+        Steps { lcp, solver, most, rows: Vec::new(), steps: Vec::new() }
     }
 
     /// Keeps what led to x.
@@ -166,7 +167,7 @@ impl<'a> Steps<'a> {
 
 impl Observer for Steps<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        self.keep(iterate.x, words(iterate.event));
+        self.keep(iterate.x, words(iterate.event, self.solver));
         ControlFlow::Continue(())
     }
 
@@ -184,11 +185,16 @@ impl Observer for Steps<'_> {
     }
 }
 
-fn words(event: Event) -> String {
+fn words(event: Event, solver: &str) -> String {
     match event {
         Event::Start => "start".into(),
         Event::Sweep => "a sweep".into(),
         Event::Step => "a step".into(),
+        Event::Pivot { driven, blocking } if solver == "lemke" => {
+            format!(
+                "on the path: the variable of row {driven} enters, that of row {blocking} leaves"
+            )
+        }
         Event::Pivot { driven, blocking } if driven == blocking => {
             format!("row {driven} is driven to w = 0 or its bound, and gets there")
         }

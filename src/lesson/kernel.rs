@@ -193,10 +193,17 @@ fn names_anew(text: &str, name: &str) -> bool {
     forms.iter().any(|form| text.contains(form.as_str()))
 }
 
-/// Whether a text has this word.
+/// Whether a text has this word as a variable or a function: not as a field, a method or a part of a path.
 fn has(text: &str, word: &str) -> bool {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     text.match_indices(word).any(|(at, _)| {
-        !text[..at].ends_with(is_part) && !text[at + word.len()..].starts_with(is_part)
+        let (before, after) = (&text[..at], &text[at + word.len()..]);
+        let is_range = before.ends_with("..");
+        !before.ends_with(is_part)
+            && (is_range || !before.ends_with('.'))
+            && !before.ends_with("::")
+            && !before.ends_with('"')
+            && !after.starts_with(is_part)
+            && !after.starts_with("::")
     })
 }

@@ -9,9 +9,9 @@ use super::{Program, Record, quoted, twin};
 use crate::error::Result;
 
 /// Without `preserve_vars_on_panic` a cell that panics would leave the run green. The kernel spells the types of variables
-/// out, so the trait of `Box<dyn Solver>` has to be known.
-const FIRST_CELL: &str = "#![allow(non_snake_case)]\n:preserve_vars_on_panic 0\n:dep lcplab = { path = \"..\" }\n\
-                          :dep nalgebra = \"0.35\"\nuse lcplab::solver::Solver;";
+/// out, so the traits of `Box<dyn Solver>` and `&dyn Family` have to be known.
+const FIRST_CELL: &str = ":preserve_vars_on_panic 0\n:dep lcplab = { path = \"..\" }\n\
+                          :dep nalgebra = \"0.35\"\nuse lcplab::lcp::library::Family;\nuse lcplab::solver::Solver;";
 
 impl Program {
     /// The notebook with its outputs, as the text of an `.ipynb` file.

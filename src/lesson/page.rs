@@ -71,32 +71,32 @@ impl Program {
                 paragraphs.push('\n');
                 continue;
             };
-            add_paragraphs(page, &std::mem::take(&mut paragraphs));
+            self.add_paragraphs(page, &std::mem::take(&mut paragraphs));
             let found = self.drawings.iter().find(|own| own.0 == name);
             let (_, svg) = found.ok_or_else(|| {
                 Error::invalid(self.name, name, "notebooks/drawings has no such file")
             })?;
             add(page, Block::Drawing { svg: (*svg).into(), alt: alt.into() });
         }
-        add_paragraphs(page, &paragraphs);
+        self.add_paragraphs(page, &paragraphs);
         Ok(())
+    }
+
+    /// Words, and in a lesson the live pages to which they link; elsewhere the links suffice.
+    fn add_paragraphs(&self, page: &mut Page, text: &str) {
+        if text.trim().is_empty() {
+            return;
+        }
+        let text = on_page(text.trim());
+        let lives = if self.number() > 0 { linked(&text) } else { Vec::new() };
+        add(page, Block::Text(text));
+        lives.into_iter().for_each(|live| add(page, Block::Live(live)));
     }
 }
 
 /// The words and the file of a line that is a drawing: `![words](drawings/name.svg)`.
 fn drawing(line: &str) -> Option<(&str, &str)> {
     line.strip_prefix("![")?.strip_suffix(')')?.split_once("](drawings/")
-}
-
-fn add_paragraphs(page: &mut Page, text: &str) {
-    if text.trim().is_empty() {
-        return;
-    }
-    let text = on_page(text.trim());
-    add(page, Block::Text(text.clone()));
-    for live in linked(&text) {
-        add(page, Block::Live(live));
-    }
 }
 
 /// Notebooks stand beside the folder of live pages and link to each other; pages have it in their own, and end

@@ -44,7 +44,7 @@ mod warm;
 
 pub use class::{Class, MatrixClass};
 pub use cone::{CONES, ConeEntry, ConeSolver, cone_by_name};
-pub use gradient::{Admm, Apgd, Mprgp, Nncg, Spectral};
+pub use gradient::{Admm, AndersonPgs, Apgd, Mprgp, Nncg, Spectral};
 pub use lcplab_problem::exact::all_solutions;
 pub use method::{Method, methods, solve_polyhedral};
 pub use newton::{Equations, InteriorPoint, Newton};

@@ -2,15 +2,17 @@
 //!
 //! For symmetric semidefinite A the problem is a minimisation over a box, and every method for that serves:
 //! gradients with memory ([`apgd`], [`spectral`]), conjugate gradients that know of bounds ([`mprgp`],
-//! [`nncg`]), operator splitting ([`admm`]). They need far fewer products than there are sweeps.
+//! [`nncg`]), sweeps that are mixed ([`anderson`]), operator splitting ([`admm`]). They need far fewer products than there are sweeps.
 
 pub mod admm;
+pub mod anderson;
 pub mod apgd;
 pub mod mprgp;
 pub mod nncg;
 pub mod spectral;
 
 pub use admm::Admm;
+pub use anderson::AndersonPgs;
 pub use apgd::Apgd;
 pub use mprgp::Mprgp;
 pub use nncg::Nncg;
@@ -34,6 +36,16 @@ pub const ENTRIES: &[Entry] = &[
         source: "Silcowitz, Niebe & Erleben 2010",
         uses: &[],
         build: &|options| Box::new(Nncg { settings: options.settings.clone() }),
+    },
+    Entry {
+        name: "anderson-pgs",
+        method: "PGS with Anderson acceleration over five sweeps, iterative",
+        class: CLASS,
+        group: Group::FirstOrder,
+        cost: Cost::each("3 s + 35 n", |i| 3.0 * i.stored + 35.0 * i.n),
+        source: "Anderson 1965; Walker & Ni 2011",
+        uses: &[],
+        build: &|options| Box::new(AndersonPgs { settings: options.settings.clone() }),
     },
     Entry {
         name: "mprgp",

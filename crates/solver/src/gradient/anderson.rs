@@ -1,0 +1,148 @@
+//! Projected Gauss-Seidel with Anderson's acceleration.
+//!
+//! A sweep of [`Pgs`](crate::Pgs) is a map x → P(x), whose fixed points are the solutions. Anderson (1965) mixes the
+//! ends of the last sweeps so that their steps cancel as well as they can:
+//!
+//! ```text
+//! f = P(x) − x,   γ = argmin |f − ΔF γ|_D,   y = Π( P(x) − ΔP γ )        the last five differences ΔF, ΔP
+//! x ← y if q(y) < q(P(x)), else P(x)                                     q = ½ xᵀAx + bᵀx
+//! ```
+//!
+//! While no row changes sides a sweep is a linear map, and this is a Krylov method on I − G (Walker & Ni 2011): the few slow
+//! parts of the error of a stack are found out in as many sweeps. The comparison makes it safe. q falls with every step
+//! as it does in the sweep alone, so it converges wherever Gauss-Seidel does. With coupled rows q says nothing; there the
+//! distance |P(y) − y|_D that another sweep would go decides, and no convergence is promised, as for Gauss-Seidel itself.
+//!
+//! An iteration is a sweep, and two products with A for the comparison. A row with a_ii ≤ 0 ends it with `ZeroDiagonal`;
+//! iterates that overflow with `Diverged`.
+
+use std::collections::VecDeque;
+use std::ops::ControlFlow;
+
+use crate::iterate::iterate;
+use crate::metric::Metric;
+use crate::{Event, Observer, Settings, Solution, Solver, Start};
+use lcplab_problem::{Lcp, dot};
+
+/// So many differences are remembered.
+const MEMORY: usize = 5;
+/// A difference that lies in the span of newer ones, up to this part of its square, is left out with all older ones.
+const RELATIVE_ZERO: f64 = 1e-12;
+
+/// Anderson-accelerated projected Gauss-Seidel.
+#[derive(Debug, Clone, Default)]
+pub struct AndersonPgs {
+    /// The common settings; an iteration is a sweep and the mixing after it.
+    pub settings: Settings,
+}
+
+impl Solver for AndersonPgs {
+    fn name(&self) -> &'static str {
+        "anderson-pgs"
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        let x = start.point(lcp);
+        let metric = match Metric::of_symmetric(lcp) {
+            Ok(metric) => metric,
+            Err(status) => return Solution::new(lcp, x, status, 0),
+        };
+        let mut memory = Memory::default();
+        iterate(lcp, x, 0, &self.settings, observer, |x| {
+            let end = swept(lcp, &metric, x);
+            let step = difference(&end, x);
+            let mixed = memory.mixed(&metric, &end, &step).map(|mut mixed| {
+                lcp.project_all(&mut mixed);
+                mixed
+            });
+            memory.remember(end.clone(), step);
+            let better =
+                mixed.filter(|mixed| height(lcp, &metric, mixed) < height(lcp, &metric, &end));
+            x.copy_from_slice(better.as_deref().unwrap_or(&end));
+            ControlFlow::Continue(Event::Sweep)
+        })
+    }
+}
+
+/// P(x).
+fn swept(lcp: &Lcp, metric: &Metric, x: &[f64]) -> Vec<f64> {
+    let mut x = x.to_vec();
+    for i in 0..x.len() {
+        x[i] = lcp.project(i, x[i] - lcp.row_w(i, &x) / metric.diagonal[i], &x);
+    }
+    x
+}
+
+/// What has to fall.
+fn height(lcp: &Lcp, metric: &Metric, x: &[f64]) -> f64 {
+    if lcp.has_coupled_rows() {
+        let step = difference(&swept(lcp, metric, x), x);
+        return metric.inner(&step, &step);
+    }
+    0.5 * (dot(&lcp.w(x), x) + dot(lcp.b(), x)) // w = A x + b
+}
+
+/// The last sweeps: where they ended, and how far they went.
+#[derive(Debug, Default)]
+struct Memory {
+    last: Option<(Vec<f64>, Vec<f64>)>,
+    /// (ΔP, ΔF), the newest first.
+    differences: VecDeque<(Vec<f64>, Vec<f64>)>,
+}
+
+impl Memory {
+    fn remember(&mut self, end: Vec<f64>, step: Vec<f64>) {
+        self.last = Some((end, step));
+    }
+
+    /// P(x) − ΔP γ; `None` after the first sweep.
+    fn mixed(&mut self, metric: &Metric, end: &[f64], step: &[f64]) -> Option<Vec<f64>> {
+        let (last_end, last_step) = self.last.as_ref()?;
+        self.differences.push_front((difference(end, last_end), difference(step, last_step)));
+        self.differences.truncate(MEMORY);
+        let steps: Vec<&[f64]> = self.differences.iter().map(|(_, step)| step.as_slice()).collect();
+        let weights = least_squares(metric, &steps, step);
+        let mut mixed = end.to_vec();
+        for (weight, (moved, _)) in weights.iter().zip(&self.differences) {
+            mixed.iter_mut().zip(moved).for_each(|(mixed, moved)| *mixed -= weight * moved);
+        }
+        Some(mixed)
+    }
+}
+
+/// γ with |f − Σ γ_k f_k|_D least, by orthogonalising the f_k one after another (Gram and Schmidt). It ends before the
+/// first that depends on those before it.
+fn least_squares(metric: &Metric, columns: &[&[f64]], f: &[f64]) -> Vec<f64> {
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    let mut triangle: Vec<Vec<f64>> = Vec::new(); // column k: its parts along the basis, then its own length
+    for column in columns {
+        let (mut rest, mut parts) = (column.to_vec(), Vec::new());
+        for direction in &basis {
+            let part = metric.inner(direction, &rest);
+            rest.iter_mut().zip(direction).for_each(|(rest, own)| *rest -= part * own);
+            parts.push(part);
+        }
+        let square = metric.inner(&rest, &rest);
+        if !(square > RELATIVE_ZERO * metric.inner(column, column)) {
+            break;
+        }
+        let length = square.sqrt();
+        rest.iter_mut().for_each(|rest| *rest /= length);
+        parts.push(length);
+        basis.push(rest);
+        triangle.push(parts);
+    }
+    let mut weights: Vec<f64> = basis.iter().map(|direction| metric.inner(direction, f)).collect();
+    for k in (0..weights.len()).rev() {
+        weights[k] /= triangle[k][k];
+        let weight = weights[k];
+        for (i, part) in triangle[k][..k].iter().enumerate() {
+            weights[i] -= weight * part;
+        }
+    }
+    weights
+}
+
+fn difference(u: &[f64], v: &[f64]) -> Vec<f64> {
+    u.iter().zip(v).map(|(u, v)| u - v).collect()
+}
