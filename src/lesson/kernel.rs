@@ -13,9 +13,8 @@ pub(super) fn cells(codes: &[&str]) -> Vec<String> {
         .zip(&repeated)
         .map(|(code, own)| format!("{}\n{code}", own.join("\n")))
         .collect();
-    let is_used_later = |k: usize, name: &str| {
-        texts[k + 1..].iter().any(|text| has(text, name) && !names_anew(text, name))
-    };
+    let is_used_later =
+        |k: usize, name: &str| texts[k + 1..].iter().any(|text| is_free(text, name));
     let written = |(k, own): (usize, &Vec<Statement>)| {
         written(own, &repeated[k], |name| is_used_later(k, name))
     };
@@ -176,34 +175,39 @@ fn names(pattern: &str) -> Vec<(String, bool)> {
     names
 }
 
-/// Whether a text gives this name to something of its own, so that it means that.
-fn names_anew(text: &str, name: &str) -> bool {
-    let forms = [
-        format!("let {name} "),
-        format!("let mut {name} "),
-        format!("let {name}:"),
-        format!("|{name}|"),
-        format!("|{name},"),
-        format!("|{name}:"),
-        format!("|&{name}|"),
-        format!(", {name}: "),
-        format!("for {name} in"),
-        format!("mut {name},"),
-    ];
-    forms.iter().any(|form| text.contains(form.as_str()))
+/// Whether a text uses a variable of this name that it has not made itself: where the name comes first, it is not bound.
+fn is_free(text: &str, name: &str) -> bool {
+    let Some(at) = places(text, name).find(|&at| !text[at + name.len()..].starts_with(": ")) else {
+        return false;
+    };
+    let before = &text[..at];
+    // In the pattern of `let … =`, between the bars of a closure, or behind `for`.
+    let in_let = before.rfind("let ").is_some_and(|start| !before[start..].contains('='));
+    let is_pattern = |c: char| c.is_alphanumeric() || "_,&() :<>[]".contains(c);
+    let in_bars = before.rfind('|').is_some_and(|bar| {
+        before[bar + 1..].chars().all(is_pattern) && !before[..bar].ends_with('|')
+    });
+    let in_for = before.ends_with("for ") || before.ends_with("for (");
+    let is_bound = in_let || in_for || (in_bars && text[at..].contains('|'));
+    // A parameter with a type comes before the uses of its name in the closure.
+    let is_parameter = text[..at].contains(&format!("{name}: "));
+    !is_bound && !is_parameter
 }
 
-/// Whether a text has this word as a variable or a function: not as a field, a method or a part of a path.
-fn has(text: &str, word: &str) -> bool {
+/// Where a text has this word as a variable or a function: not as a field, a method or a part of a path.
+fn places<'a>(text: &'a str, word: &'a str) -> impl Iterator<Item = usize> + 'a {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
-    text.match_indices(word).any(|(at, _)| {
+    text.match_indices(word).map(|(at, _)| at).filter(move |&at| {
         let (before, after) = (&text[..at], &text[at + word.len()..]);
-        let is_range = before.ends_with("..");
         !before.ends_with(is_part)
-            && (is_range || !before.ends_with('.'))
+            && (before.ends_with("..") || !before.ends_with(['.', '"']))
             && !before.ends_with("::")
-            && !before.ends_with('"')
             && !after.starts_with(is_part)
             && !after.starts_with("::")
+            && (after.starts_with("!=") || !after.starts_with('!'))
     })
+}
+
+fn has(text: &str, word: &str) -> bool {
+    places(text, word).next().is_some()
 }

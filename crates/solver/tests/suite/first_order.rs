@@ -2,7 +2,7 @@
 
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::{
-    Admm, Apgd, Dantzig, Mprgp, Nncg, Pgs, Settings, Solver, Spectral, Start, Status,
+    Admm, AndersonPgs, Apgd, Dantzig, Mprgp, Nncg, Pgs, Settings, Solver, Spectral, Start, Status,
 };
 use proptest::prelude::*;
 
@@ -41,9 +41,28 @@ fn a_stack_costs_n_squared_sweeps_but_about_n_conjugate_gradient_steps() {
 fn memory_pays() {
     let lcp = stack(30);
     let sweeps = iterations(&Pgs { settings: settings(), ..Pgs::default() }, &lcp);
-    let accelerated: [&dyn Solver; 3] = [&Mprgp::default(), &Apgd::default(), &Nncg::default()];
+    let accelerated: [&dyn Solver; 4] =
+        [&Mprgp::default(), &Apgd::default(), &Nncg::default(), &AndersonPgs::default()];
     for solver in accelerated {
         assert!(5 * iterations(solver, &lcp) < sweeps, "{}", solver.name());
+    }
+}
+
+#[test]
+fn mixed_sweeps_end_on_equations_of_a_few_rows() {
+    // While no row changes sides a sweep is x → G x + c, and mixing k differences minimises the residual over a Krylov
+    // space of k dimensions: with n ≤ 5 rows the sweep after the n-th ends it, and one more is needed to see that.
+    for n in [2, 3, 4, 5] {
+        assert!(iterations(&AndersonPgs::default(), &chain(n)) <= n + 2, "{n}");
+    }
+}
+
+#[test]
+fn mixed_sweeps_never_go_uphill() {
+    for lcp in [stack(20), chain(20)] {
+        let objective = objectives(&AndersonPgs::default(), &lcp);
+        let noise = 1e-12 * objective.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        assert!(objective.windows(2).all(|pair| pair[1] <= pair[0] + noise));
     }
 }
 
