@@ -13,8 +13,13 @@ pub(super) fn cells(codes: &[&str]) -> Vec<String> {
         .zip(&repeated)
         .map(|(code, own)| format!("{}\n{code}", own.join("\n")))
         .collect();
-    let is_used_later =
-        |k: usize, name: &str| texts[k + 1..].iter().any(|text| is_free(text, name));
+    let bare: Vec<String> = texts.iter().map(|text| bare(text)).collect();
+    // Until a cell makes a variable of the same name.
+    let is_used_later = |k: usize, name: &str| {
+        let binds = |later: usize| cells[later].iter().any(|statement| statement.binds(name));
+        let ends = (k + 1..cells.len()).find(|&later| is_free(&bare[later], name) || binds(later));
+        ends.is_some_and(|later| is_free(&bare[later], name))
+    };
     let written = |(k, own): (usize, &Vec<Statement>)| {
         written(own, &repeated[k], |name| is_used_later(k, name))
     };
@@ -190,8 +195,37 @@ fn is_free(text: &str, name: &str) -> bool {
     let in_for = before.ends_with("for ") || before.ends_with("for (");
     let is_bound = in_let || in_for || (in_bars && text[at..].contains('|'));
     // A parameter with a type comes before the uses of its name in the closure.
-    let is_parameter = text[..at].contains(&format!("{name}: "));
+    let is_parameter = places(before, name).any(|at| before[at + name.len()..].starts_with(": "));
     !is_bound && !is_parameter
+}
+
+/// The text without comments, and of strings only the names that they print, as in `"{x:.3}"`.
+fn bare(text: &str) -> String {
+    let mut out = String::new();
+    for line in text.lines() {
+        let (mut in_string, mut in_name) = (false, false);
+        let mut last = ' ';
+        for (at, c) in line.char_indices() {
+            let is_word = c.is_alphanumeric() || c == '_';
+            match c {
+                '/' if !in_string && line[at..].starts_with("//") => break,
+                '"' if last != '\\' && last != '\'' => {
+                    in_string = !in_string;
+                    out.push(' ');
+                }
+                '{' if in_string => {
+                    in_name = true;
+                    out.push(' ');
+                }
+                _ if in_string && in_name && is_word => out.push(c),
+                _ if in_string => in_name = false,
+                _ => out.push(c),
+            }
+            last = c;
+        }
+        out.push('\n');
+    }
+    out
 }
 
 /// Where a text has this word as a variable or a function: not as a field, a method or a part of a path.
