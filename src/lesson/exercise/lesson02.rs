@@ -1,6 +1,6 @@
 //! Checks of lesson 2, Jacobians.
 
-use nalgebra::{DMatrix, Rotation3, Vector3};
+use nalgebra::{Rotation3, Vector3};
 
 use super::Verdict;
 
@@ -65,37 +65,69 @@ pub fn nail(answer: fn([f64; 3]) -> [[f64; 6]; 3]) -> Verdict {
     }
     Ok(())
 }
-
-/// The freedoms that rows leave: held against mechanisms that are known by thought.
+/// The row of a rod between two bodies: held against bodies that really are moved and turned a little.
 ///
 /// # Errors
-/// Names the mechanism that is miscounted.
-pub fn freedoms(answer: fn(&DMatrix<f64>) -> usize) -> Verdict {
-    let nail = |r: [f64; 3]| {
-        let cross = Vector3::from(r).cross_matrix();
-        DMatrix::from_fn(3, 6, |i, k| if k < 3 { f64::from(i == k) } else { -cross[(i, k - 3)] })
-    };
-    let stacked = |blocks: &[DMatrix<f64>]| {
-        let rows: Vec<_> = blocks.iter().flat_map(|block| block.row_iter()).collect();
-        DMatrix::from_rows(&rows.iter().map(|row| row.clone_owned()).collect::<Vec<_>>())
-    };
-    let (a, b, c) = ([0.5, 0.2, 0.0], [-0.4, 0.1, 0.3], [0.1, -0.3, 0.2]);
-    let lock = DMatrix::from_row_slice(1, 6, &[0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
-    for (name, j, left) in [
-        ("one body, its z locked", lock.clone(), 5),
-        (
-            "one body, its z locked three times over",
-            stacked(&[lock.clone(), lock.clone(), lock]),
-            5,
-        ),
-        ("a body on one nail", nail(a), 3),
-        ("a body on two nails, which still turns about a line", stacked(&[nail(a), nail(b)]), 1),
-        ("a body on three nails", stacked(&[nail(a), nail(b), nail(c)]), 0),
-        ("two bodies, one of them on a nail", nail(a).insert_columns(6, 6, 0.0), 9),
+/// Says for which motion the ends part otherwise.
+pub fn two_ends(answer: fn([Triple; 2], [Triple; 2]) -> [f64; 12]) -> Verdict {
+    for (p, r) in [
+        ([[0.0; 3], [3.0, 0.0, 4.0]], [[0.0; 3]; 2]),
+        ([[0.0; 3], [2.0, 0.0, 0.0]], [[0.5, 0.3, 0.0], [-0.5, 1.1, 0.0]]),
+        ([[0.2, -0.1, 0.4], [1.1, 1.9, -0.3]], [[0.5, 0.1, -0.2], [-0.3, 0.4, 0.6]]),
     ] {
-        let got = answer(&j);
-        if got != left {
-            return Err(format!("{name}: {got} freedoms are not what is left"));
+        let row = answer(p, r);
+        for (k, entry) in row.iter().enumerate() {
+            let (body, axis) = (k / 6, Vector3::ith(k % 3, 1.0));
+            let turns = k % 6 >= 3;
+            let end = |b: usize, h: f64| {
+                let h = if b == body { h } else { 0.0 };
+                let (p, r) = (Vector3::from(p[b]), Vector3::from(r[b]));
+                match turns {
+                    true => p + Rotation3::new(axis * h) * r,
+                    false => p + axis * h + r,
+                }
+            };
+            let distance = |h: f64| (end(1, h) - end(0, h)).norm();
+            let slope = (distance(1e-5) - distance(-1e-5)) / 2e-5;
+            if !((entry - slope).abs() < 1e-6) {
+                let name = if turns { "ω" } else { "v" };
+                let axis = ["x", "y", "z"][k % 3];
+                return Err(format!(
+                    "centres {p:?}, arms {r:?}: if body {body} has {name}_{axis} = 1 and nothing else moves, \
+                     the ends part at {slope:.6} m/s, but J[{k}] = {entry}"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Bug 2.b, the row of a contact: held against the speed at which the two touching points part.
+///
+/// # Errors
+/// Says for which motion the gap opens otherwise.
+pub fn contact(answer: fn([Triple; 2], Triple, Triple) -> [f64; 12]) -> Verdict {
+    for (centres, point, normal) in [
+        ([[0.0, 0.0, 0.0], [0.0, 0.0, 2.0]], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]),
+        ([[0.0, 0.0, -1.0], [0.5, 0.0, 1.0]], [0.0, 0.0, 0.0], [0.0, 0.0, 3.0]),
+        ([[0.4, -0.2, 0.1], [1.3, 0.9, 1.5]], [1.0, 0.2, 0.7], [1.0, 2.0, 2.0]),
+    ] {
+        let row = answer(centres, point, normal);
+        let n = Vector3::from(normal).normalize();
+        for (k, entry) in row.iter().enumerate() {
+            let (body, turns) = (k / 6, k % 6 >= 3);
+            let axis = Vector3::ith(k % 3, 1.0);
+            let arm = Vector3::from(point) - Vector3::from(centres[body]);
+            let moves = if turns { axis.cross(&arm) } else { axis };
+            let opens = if body == 0 { -n.dot(&moves) } else { n.dot(&moves) };
+            if !((entry - opens).abs() < 1e-12) {
+                let (name, axis) = (if turns { "ω" } else { "v" }, ["x", "y", "z"][k % 3]);
+                return Err(format!(
+                    "centres {centres:?}, touching at {point:?}, normal {normal:?}: if body {body} has \
+                     {name}_{axis} = 1 and nothing else moves, the gap opens at {opens:.4} m/s, but J u = \
+                     {entry:.4} m/s"
+                ));
+            }
         }
     }
     Ok(())

@@ -1,10 +1,6 @@
 //! Checks of lesson 4, sweeping.
 
-use std::f64::consts::PI;
-
 use super::Verdict;
-use crate::lcp::Matrix;
-use crate::solver::theory::{sor_iteration_matrix, spectral_radius};
 
 /// One sweep of PGS: held against the definition of the sweep, row by row. When row i is done, the rows
 /// before it have their new x and those behind it their old one, and row i alone must satisfy its LCP.
@@ -69,29 +65,114 @@ pub fn impulse(answer: fn(f64, f64, f64) -> (f64, f64)) -> Verdict {
     }
     Ok(())
 }
-
-/// ω*: no other ω may do better, by the eigenvalues of the iteration matrix.
+/// The extrapolation: held against sweeps whose end is known, made up ones and those of a column.
 ///
 /// # Errors
-/// Names an ω that is better.
-pub fn omega(answer: fn(f64) -> f64) -> Verdict {
-    for n in [3, 6, 12] {
-        let diagonal = (0..n).map(|i| (i, i, 2.0));
-        let beside = (1..n).flat_map(|i| [(i, i - 1, -1.0), (i - 1, i, -1.0)]);
-        let a = Matrix::sparse(n, &diagonal.chain(beside).collect::<Vec<_>>());
-        let jacobi = (PI / (n + 1) as f64).cos();
-        let radius = |omega: f64| spectral_radius(&sor_iteration_matrix(&a, omega));
-        let own = answer(jacobi);
-        if !(own > 0.0 && own < 2.0) {
-            return Err(format!("Jacobi {jacobi}: ω = {own}, but SOR needs 0 < ω < 2"));
-        }
-        let factor = radius(own);
-        let other = (1..200).map(|k| 0.01 * f64::from(k)).find(|&o| radius(o) < factor - 1e-5);
-        if let Some(other) = other {
-            let verb = if other > own { "larger" } else { "smaller" };
+/// Says how far off the end it is.
+pub fn extrapolate(answer: fn([&[f64]; 3]) -> Vec<f64>) -> Verdict {
+    let cases: [(&[f64], &[f64], f64); 5] = [
+        (&[4.0, 3.0, 1.0], &[-1.0, -1.5, -0.5], 0.75),
+        (&[0.5, 0.0], &[0.25, 0.125], 0.25),
+        (&[2.0, 1.0], &[1.0, -0.5], -0.5),
+        (&[3.0, 7.0, 2.0], &[-2.0, 0.0, 1.0], 0.9),
+        (&[1.0, 5.0], &[0.0, 0.0], 0.5),
+    ];
+    for (end, error, rho) in cases {
+        let sweep = |k: i32| -> Vec<f64> {
+            end.iter().zip(error).map(|(end, error)| end + error * f64::powi(rho, k)).collect()
+        };
+        let sweeps = [0, 1, 2].map(sweep);
+        let got = answer(sweeps.each_ref().map(Vec::as_slice));
+        let off = distance(&got, end);
+        if !(off < 1e-9) {
             return Err(format!(
-                "Jacobi {jacobi}: a sweep with ω = {own} leaves {factor} of the error; a {verb} ω leaves less"
+                "the sweeps {sweeps:?} end at {end:?}, each error shrinks by {rho}; the answer {got:?} is off by {off}"
             ));
+        }
+    }
+    // Column of n bodies: the exact answer is n, n - 1, …, 1.
+    for (n, first) in [(3, 3), (5, 8), (10, 40)] {
+        let end: Vec<f64> = (1..=n).rev().map(f64::from).collect();
+        let sweeps = [0, 1, 2].map(|k| swept_column(n as usize, first + k));
+        let got = answer(sweeps.each_ref().map(Vec::as_slice));
+        let (off, before) = (distance(&got, &end), distance(&sweeps[2], &end));
+        if !(off < 0.1 * before) {
+            return Err(format!(
+                "a column of {n} bodies, sweeps {first} to {}: the last is off by {before:.5}, the answer by \
+                 {off:.5}; it should be ten times nearer at least",
+                first + 2
+            ));
+        }
+    }
+    // Row 0 alone decides ρ = 0.9, and row 1 would end below 0.
+    let got = answer([&[3.0, 0.02], &[2.1, 0.01], &[1.29, 0.005]]);
+    match got.iter().position(|x| !(*x >= 0.0)) {
+        Some(i) => Err(format!("x[{i}] = {} of the answer {got:?}: a contact pulls", got[i])),
+        None => Ok(()),
+    }
+}
+
+/// The largest difference; ∞ if the lengths differ or a number is none.
+fn distance(x: &[f64], y: &[f64]) -> f64 {
+    if x.len() != y.len() || x.iter().any(|x| x.is_nan()) {
+        return f64::INFINITY;
+    }
+    x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}
+
+/// A column of equal bodies (m g dt = 1 N s) after so many sweeps from 0, ground first.
+fn swept_column(n: usize, sweeps: usize) -> Vec<f64> {
+    let mut x = vec![0.0; n + 1];
+    for _sweep in 0..sweeps {
+        for i in 0..n {
+            x[i] = match i {
+                0 => x[1] + 1.0,
+                _ => 0.5 * (x[i - 1] + x[i + 1]),
+            };
+        }
+    }
+    x.truncate(n);
+    x
+}
+
+/// Bug 4.b, projected Gauss-Seidel on contacts: after many sweeps, held against complementarity.
+///
+/// # Errors
+/// Says which contact is not satisfied, or that x has grown without end.
+pub fn projected(answer: fn(&[Vec<f64>], &[f64], usize) -> Vec<f64>) -> Verdict {
+    let joints = vec![vec![2.0, -1.0, 0.0], vec![-1.0, 2.0, -1.0], vec![0.0, -1.0, 2.0]];
+    let balls = vec![vec![2.0, -1.0], vec![-1.0, 2.0]];
+    let plank = vec![vec![2.0, 1.0], vec![1.0, 2.0]];
+    let box_ = vec![vec![3.0, 1.0, 2.0], vec![1.0, 4.0, 3.0], vec![2.0, 3.0, 3.0]];
+    for (name, a, b) in [
+        ("a column, all contacts push", &joints, vec![-1.0, -1.0, -1.0]),
+        ("three balls, the first is hit", &balls, vec![-1.0, 2.0]),
+        ("three balls, the middle one moves", &balls, vec![1.0, -1.0]),
+        ("a plank on two supports", &plank, vec![-4.0, -5.0]),
+        ("a plank, one end leaves", &plank, vec![1.0, -2.0]),
+        ("a plank, one end is lifted", &plank, vec![-1.0, -6.0]),
+        ("one body, three contacts", &box_, vec![0.0, 0.0, -1.0]),
+    ] {
+        let x = answer(a, &b, 200);
+        if x.len() != b.len() {
+            return Err(format!("x has {} entries, the answer {}", b.len(), x.len()));
+        }
+        let at = format!("{name}: A = {a:?}, b = {b:?}, after 200 sweeps x = {x:.4?}");
+        let largest = x.iter().fold(0.0, |size, x| f64::max(size, x.abs()));
+        if !(largest < 100.0) {
+            return Err(format!("{at}; no impulse of the answer is larger than 5 N s"));
+        }
+        for i in 0..x.len() {
+            let w = b[i] + (0..x.len()).map(|j| a[i][j] * x[j]).sum::<f64>();
+            if !(x[i] >= 0.0) {
+                return Err(format!("{at}; contact {i} pulls"));
+            }
+            if !(w >= -1e-9) {
+                return Err(format!("{at}; contact {i} goes on closing at {:.4} m/s", -w));
+            }
+            if x[i] > 1e-9 && w > 1e-9 {
+                return Err(format!("{at}; contact {i} opens at {w:.4} m/s, yet it pushes"));
+            }
         }
     }
     Ok(())

@@ -61,17 +61,20 @@ pub fn murty(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
     Ok(())
 }
 
-/// The ratio test: with the step that it allows, no variable may be negative.
+/// The ratio test: with the step that it allows, no variable may be negative; of several that become 0 together the
+/// first is asked for.
 ///
 /// # Errors
-/// Says which variable is.
+/// Says which variable is, or that the row is not the first of several.
 pub fn ratio(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
-    let cases: [(&[f64], &[f64]); 5] = [
+    let cases: [(&[f64], &[f64]); 7] = [
         (&[4.0, 3.0], &[-1.0, -3.0]),
         (&[1.0, 9.0, 2.0], &[-0.5, -4.0, -0.25]),
         (&[1.0, 6.0], &[2.0, -1.0]),
         (&[5.0, 1.0, 8.0], &[-1.0, 0.0, -4.0]),
         (&[1.0, 2.0], &[0.0, 3.0]),
+        (&[9.0, 2.0, 4.0, 1.0], &[-1.0, -1.0, -2.0, -0.5]),
+        (&[3.0, 0.5, 6.0], &[-1.0, 1.0, -2.0]),
     ];
     for (constant, rate) in cases {
         let at = format!("constants {constant:?}, rates {rate:?}");
@@ -91,6 +94,68 @@ pub fn ratio(answer: fn(&[f64], &[f64]) -> Option<usize>) -> Verdict {
         let below = (0..rate.len()).find(|&r| constant[r] + rate[r] * t < -1e-12);
         if let Some(r) = below {
             return Err(format!("{at}: when variable {row} gets to 0, variable {r} is negative"));
+        }
+        let first = (0..row).find(|&r| rate[r] < 0.0 && -constant[r] / rate[r] == t);
+        if let Some(first) = first {
+            return Err(format!(
+                "{at}: variables {first} and {row} become 0 at the same time, and row {row} is not the first of them"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Bug 5.b, the step of Dantzig's method: all rows but the last are satisfied, and must be so after the step.
+///
+/// # Errors
+/// Says which row breaks what, after a step of which length.
+pub fn dantzig_step(answer: fn(&[f64], &[f64], &[f64], &[f64]) -> (f64, usize)) -> Verdict {
+    type Case = (&'static [f64], &'static [f64], &'static [f64], &'static [f64]);
+    let cases: [Case; 6] = [
+        // One row alone; Figure 7, row 1 and row 2.
+        (&[0.0], &[-1.0], &[1.0], &[1.0]),
+        (&[0.25, 0.0], &[0.0, -2.75], &[-0.5, 1.0], &[0.0, 1.5]),
+        (&[1.0, 0.0], &[0.0, -2.0], &[1.0, 1.0], &[0.0, 1.0]),
+        (&[3.0, 2.0, 0.0], &[0.0, 0.0, -1.0], &[1.0, 1.0, 1.0], &[0.0, 0.0, 1.0]),
+        (&[0.5, 0.0, 0.0], &[0.0, 3.0, -4.0], &[0.5, 0.0, 1.0], &[0.0, -2.0, 1.5]),
+        (
+            &[2.0, 0.0, 0.5, 0.0],
+            &[0.0, 1.0, 0.0, -6.0],
+            &[-1.0, 0.0, 0.25, 1.0],
+            &[0.0, 0.5, 0.0, 2.0],
+        ),
+    ];
+    for (x, w, dx, dw) in cases {
+        let (step, stops) = answer(x, w, dx, dw);
+        let last = x.len() - 1;
+        let at = format!(
+            "x = {x:?}, w = {w:?}, and for each N s of row {last} x changes by {dx:?}, w by {dw:?}: the answer is \
+             a step of {step} N s, stopped by row {stops}"
+        );
+        if stops > last {
+            return Err(format!("{at}; there is no such row"));
+        }
+        if !(step > 0.0) {
+            return Err(format!("{at}; row {last} closes and has to push more, not less"));
+        }
+        for r in 0..=last {
+            let (x, w) = (x[r] + step * dx[r], w[r] + step * dw[r]);
+            if !(x >= -1e-12) {
+                return Err(format!("{at}; then row {r} pulls with {:.4} N s", -x));
+            }
+            if r < last && !(w >= -1e-12) {
+                return Err(format!("{at}; then row {r} closes at {:.4} m/s", -w));
+            }
+            if r == last && w > 1e-12 {
+                return Err(format!("{at}; row {r} opens already at {w:.4} m/s, yet it pushes"));
+            }
+        }
+        let left = match stops {
+            r if r < last && x[r] > 0.0 => x[r] + step * dx[r],
+            r => w[r] + step * dw[r],
+        };
+        if !(left.abs() < 1e-12) {
+            return Err(format!("{at}; but row {stops} does not stop it there, {left:.4} is left"));
         }
     }
     Ok(())

@@ -81,3 +81,42 @@ pub fn spring(answer: fn(f64, f64, f64) -> [f64; 2]) -> Verdict {
     }
     Ok(())
 }
+
+/// Bug 7.b, a bob on a rod with feedback: held against the decay of an error by 1 − β a step, and against the error
+/// that stays while it swings, v² dt² / (2 l β).
+///
+/// # Errors
+/// Says how long the rod is instead.
+pub fn feedback(answer: fn([f64; 2], f64, f64, f64, f64, usize) -> [f64; 2]) -> Verdict {
+    for (l, beta, dt, steps) in
+        [(1.0, 0.5, 1.0, 3), (1.0, 0.2, 0.1, 10), (2.0, 0.2, 1.0 / 60.0, 10), (0.5, 1.0, 0.01, 1)]
+    {
+        let c = 0.1;
+        let start = [0.6 * (l + c), -0.8 * (l + c)];
+        let [x, z] = answer(start, l, 0.0, beta, dt, steps);
+        let (now, law) = (x.hypot(z) - l, c * f64::powi(1.0 - beta, steps as i32));
+        if !((now - law).abs() < 1e-9) {
+            return Err(format!(
+                "without gravity, l = {l} m, β = {beta}, dt = {dt:.4} s: the rod starts {c} m too long, and after \
+                 {steps} steps it is {now:.5} m too long; β of what is left should go in each step, which \
+                 leaves {law:.5} m"
+            ));
+        }
+    }
+    for (l, beta, dt) in [(1.0, 0.2, 1.0 / 60.0), (1.0, 0.2, 0.005), (3.0, 0.5, 0.01)] {
+        // It starts level, so at the bottom v² = 2 g l.
+        let law = 9.81 * dt * dt / beta;
+        let mut worst: f64 = 0.0;
+        for steps in (0..=(10.0 / dt) as usize).step_by(7) {
+            let [x, z] = answer([l, 0.0], l, 9.81, beta, dt, steps);
+            worst = worst.max((x.hypot(z) - l).abs());
+        }
+        if !(worst < 1.5 * law) {
+            return Err(format!(
+                "a pendulum that starts level, l = {l} m, β = {beta}, dt = {dt:.4} s: within ten seconds the rod \
+                 is {worst:.4} m too long; feedback leaves v² dt²/(2 l β), at most {law:.4} m"
+            ));
+        }
+    }
+    Ok(())
+}

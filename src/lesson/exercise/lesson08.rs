@@ -3,31 +3,48 @@
 use super::Verdict;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::{Options, Start, by_name};
-
-/// One row of the coupled box: held against the definition of a solution of that row.
+/// Three figures: of each, no point may lie farther out in the direction from the answer to the wanted point. A
+/// square, a disc and a diamond have a formula for how far out they go.
 ///
 /// # Errors
-/// Says which sentence of the law the new x_t breaks.
-pub fn friction_row(answer: fn(f64, f64, f64, f64, f64) -> f64) -> Verdict {
-    for (x_t, w_t, a_tt, mu, x_n) in [
-        (0.1, 0.2, 2.0, 0.5, 1.0),
-        (0.4, -3.0, 2.0, 0.5, 1.0),
-        (-0.9, 4.0, 4.0, 0.25, 4.0),
-        (0.0, 1.0, 0.5, 0.8, 2.0),
-        (0.3, 1.0, 1.0, 0.5, 0.0),
+/// Says which figure the answer leaves, or in which another point is nearer.
+pub fn nearest(answer: fn([f64; 2], f64) -> [[f64; 2]; 3]) -> Verdict {
+    for (wanted, limit) in [
+        ([0.3, -0.2], 1.0),
+        ([3.0 * f64::to_radians(30.0).cos(), 1.5], 1.0),
+        ([0.9, -0.6], 1.0),
+        ([-0.2, 4.0], 0.5),
+        ([-1.5, -1.25], 2.0),
+        ([0.75, 0.75], 1.0),
+        ([0.0, -7.0], 3.0),
+        ([0.0, 0.0], 0.0),
+        ([-2.0, 1.0], 0.0),
     ] {
-        let got = answer(x_t, w_t, a_tt, mu, x_n);
-        let at = format!(
-            "x_t = {x_t}, w_t = {w_t}, a_tt = {a_tt}, μ = {mu}, x_n = {x_n}: the new x_t is {got}"
-        );
-        if !(got.abs() <= mu * x_n + 1e-12) {
-            return Err(format!("{at}; that is more than friction can be with this pressure"));
-        }
-        let slip = w_t + a_tt * (got - x_t);
-        if slip > 1e-12 && got > -mu * x_n + 1e-12 || slip < -1e-12 && got < mu * x_n - 1e-12 {
-            return Err(format!(
-                "{at}; the contact still slips with {slip}, and friction could do more against it"
-            ));
+        let answers = answer(wanted, limit);
+        for (name, [x, y]) in ["square", "disc", "diamond"].into_iter().zip(answers) {
+            let reach = |x: f64, y: f64| match name {
+                "square" => x.abs().max(y.abs()),
+                "disc" => x.hypot(y),
+                _ => x.abs() + y.abs(),
+            };
+            let farthest = |x: f64, y: f64| match name {
+                "square" => limit * (x.abs() + y.abs()),
+                "disc" => limit * x.hypot(y),
+                _ => limit * x.abs().max(y.abs()),
+            };
+            let at = format!(
+                "wanted {wanted:.4?}, limit {limit}: for the {name} the answer is [{x}, {y}]"
+            );
+            if !(reach(x, y) <= limit + 1e-12) {
+                return Err(format!("{at}, which lies outside of it"));
+            }
+            let (to_x, to_y) = (wanted[0] - x, wanted[1] - y);
+            if !(farthest(to_x, to_y) <= to_x * x + to_y * y + 1e-12) {
+                return Err(format!(
+                    "{at}, {:.4} away, and another point is nearer",
+                    to_x.hypot(to_y)
+                ));
+            }
         }
     }
     Ok(())
@@ -109,4 +126,51 @@ fn slope_step(theta: f64, mu: f64, v: f64, dt: f64) -> Option<f64> {
     let lcp = Lcp::new(a, b, vec![0.0, -mu * load], vec![f64::INFINITY, mu * load]).ok()?;
     let solver = by_name("dantzig", &Options::default()).ok()?;
     Some(solver.solve(&lcp, &Start::default(), &mut ()).w[1])
+}
+
+/// Bug 8.b, a block that is pushed and pressed: each step is held against Coulomb's law.
+///
+/// # Errors
+/// Says in which step the law is broken, and how.
+pub fn pressed(answer: fn(f64, f64, f64, &[[f64; 2]]) -> Vec<f64>) -> Verdict {
+    let steady = [[0.0, 0.0], [0.0, 0.0], [4.0, 0.0], [4.0, 0.0]];
+    let slides = [[0.0, 0.0], [30.0, 0.0], [30.0, 0.0], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0]];
+    let held = [
+        [0.0, 0.0],
+        [25.0, 60.0],
+        [25.0, 60.0],
+        [25.0, 0.0],
+        [25.0, 0.0],
+        [0.0, 80.0],
+        [0.0, 80.0],
+    ];
+    let first = [[3.0, 0.0], [-3.0, 0.0]];
+    let cases: [(f64, f64, &[[f64; 2]]); 4] =
+        [(1.0, 0.5, &steady), (2.0, 0.5, &slides), (2.0, 0.4, &held), (1.0, 0.5, &first)];
+    for (m, mu, forces) in cases {
+        let dt = 0.01;
+        let got = answer(m, mu, dt, forces);
+        if got.len() != forces.len() {
+            return Err(format!("{} steps have as many speeds, not {}", forces.len(), got.len()));
+        }
+        let mut before = 0.0;
+        for (k, (&v, [push, press])) in got.iter().zip(forces).enumerate() {
+            let friction = m * (v - before) - dt * push;
+            let limit = mu * dt * (m * 9.81 + press);
+            let at = format!(
+                "m = {m} kg, μ = {mu}, [push, press] = {forces:?} N: in step {k} the speed goes from {before:.4} to \
+                 {v:.4} m/s, so friction has given {friction:.4} N s"
+            );
+            if !(friction.abs() <= limit + 1e-12) {
+                return Err(format!("{at}, with this load it can give {limit:.4} at most"));
+            }
+            if v.abs() > 1e-12 && !(friction * v.signum() <= -limit + 1e-12) {
+                return Err(format!(
+                    "{at}; the block slides, and {limit:.4} N s would act against it"
+                ));
+            }
+            before = v;
+        }
+    }
+    Ok(())
 }

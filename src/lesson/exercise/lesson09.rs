@@ -90,3 +90,52 @@ pub fn critical_friction(answer: fn(f64, f64) -> f64) -> Verdict {
     }
     Ok(())
 }
+
+/// Bug 9.b, a ball that falls on the ground: each step is held against free flight and restitution.
+///
+/// # Errors
+/// Says in which step the ball leaves with another speed than it should.
+pub fn bounce(answer: fn(f64, f64, f64, usize) -> Vec<[f64; 2]>) -> Verdict {
+    for (height, e, dt, steps) in [
+        (0.0, 0.5, 0.01, 3),
+        (1.0, 1.0, 0.01, 150),
+        (1.0, 0.5, 0.01, 300),
+        (0.3, 0.8, 0.02, 100),
+        (2.0, 0.0, 0.03, 40),
+    ] {
+        let got = answer(height, e, dt, steps);
+        if got.len() != steps {
+            return Err(format!("{steps} steps have as many states, not {}", got.len()));
+        }
+        let (mut z, mut v) = (height, 0.0);
+        for (k, [now, after]) in got.into_iter().enumerate() {
+            let free = v - 9.81 * dt;
+            let at = format!(
+                "from {height} m, e = {e}, dt = {dt} s: in step {k} the ball comes from z = {z:.4} m with {v:.4} m/s \
+                 and has {after:.4} m/s after it, at z = {now:.4} m"
+            );
+            if !((now - z - dt * after).abs() < 1e-9) {
+                return Err(format!("{at}; that is not where this speed leads"));
+            }
+            if !(now >= -1e-9) {
+                return Err(format!("{at}; it is in the ground"));
+            }
+            if after < free - 1e-9 {
+                return Err(format!("{at}; the ground has pulled at it"));
+            }
+            if after > free + 1e-9 {
+                if z + dt * free > 1e-9 {
+                    return Err(format!("{at}; the ground is out of reach, yet it has pushed"));
+                }
+                let wanted = e * f64::max(0.0, -v);
+                if !((after - wanted).abs() < 1e-9) {
+                    return Err(format!(
+                        "{at}; it has hit the ground, and should leave it with {wanted:.4} m/s"
+                    ));
+                }
+            }
+            (z, v) = (now, after);
+        }
+    }
+    Ok(())
+}

@@ -1,68 +1,106 @@
 //! Checks of lesson 10, sparsity and storage.
 
 use super::Verdict;
-
-/// The place of an entry in a dense matrix kept row by row: held against counting.
+/// A sweep without A: held against the definition of the sweep, row by row, with the A that the program does not need.
 ///
 /// # Errors
-/// Names the entry that lies elsewhere.
-pub fn place(answer: fn(usize, usize, usize, usize) -> usize) -> Verdict {
-    for (rows, columns) in [(2, 3), (4, 4), (5, 1), (1, 7)] {
-        let mut counted = 0;
-        for row in 0..rows {
-            for column in 0..columns {
-                let got = answer(row, column, rows, columns);
-                if got >= rows * columns {
-                    return Err(format!(
-                        "entry ({row}, {column}) of {rows} × {columns}: place {got} is past the end"
-                    ));
-                }
-                if got != counted {
-                    return Err(format!(
-                        "entry ({row}, {column}) of {rows} × {columns}: {counted} numbers stand before it, \
-                         place {got} does not fit that"
-                    ));
-                }
-                counted += 1;
+/// Says which row is not satisfied at its turn.
+pub fn bodies(answer: fn(&[[Option<usize>; 2]], &[f64], &[f64], Vec<f64>) -> Vec<f64>) -> Verdict {
+    type Case = (&'static [[Option<usize>; 2]], &'static [f64], &'static [f64], &'static [f64]);
+    let column: &[[Option<usize>; 2]] = &[[None, Some(0)], [Some(0), Some(1)], [Some(1), Some(2)]];
+    let mixed: &[[Option<usize>; 2]] = &[
+        [Some(2), Some(0)],
+        [Some(1), None],
+        [Some(0), Some(1)],
+        [Some(2), Some(0)],
+        [None, Some(2)],
+    ];
+    let cases: [Case; 6] = [
+        (&[[None, Some(0)]], &[0.5], &[-2.0], &[0.0]),
+        (&[[Some(0), Some(1)]], &[1.0, 0.25], &[-2.0], &[0.0]),
+        (column, &[1.0, 1.0, 1.0], &[-1.0, -1.0, 1.0], &[0.0, 0.0, 0.0]),
+        (column, &[1.0, 0.5, 0.01], &[-1.0, -1.0, 1.0], &[4.0, 3.0, 1.0]),
+        (mixed, &[1.0, 2.0, 4.0], &[-1.0, 0.5, -3.0, 2.0, -1.0], &[0.0; 5]),
+        (mixed, &[1.0, 2.0, 0.5], &[-1.0, 0.5, 3.0, -2.0, -1.0], &[1.0, 0.5, 2.0, 0.25, 3.0]),
+    ];
+    for (rows, inverse_mass, b, old) in cases {
+        let n = rows.len();
+        let new = answer(rows, inverse_mass, b, old.to_vec());
+        if new.len() != n {
+            return Err(format!("x has {n} entries, the answer {}", new.len()));
+        }
+        let entry = |i: usize, k: usize| match rows[i] {
+            [first, _] if first == Some(k) => -1.0,
+            [_, second] if second == Some(k) => 1.0,
+            _ => 0.0,
+        };
+        let a = |i: usize, j: usize| -> f64 {
+            (0..inverse_mass.len()).map(|k| entry(i, k) * inverse_mass[k] * entry(j, k)).sum()
+        };
+        for i in 0..n {
+            let x: Vec<f64> = (0..n).map(|j| if j <= i { new[j] } else { old[j] }).collect();
+            let w = b[i] + (0..n).map(|j| a(i, j) * x[j]).sum::<f64>();
+            let at = format!(
+                "bodies {rows:?}, inverse masses {inverse_mass:?}, b = {b:?}, from x = {old:?}: when row {i} is done \
+                 x = {x:?}, and its w is {w:.6} m/s"
+            );
+            if !(x[i] >= 0.0) {
+                return Err(format!("{at}; the contact pulls"));
+            }
+            if !(w >= -1e-9) {
+                return Err(format!("{at}; the contact still closes"));
+            }
+            if x[i] > 1e-9 && w > 1e-9 {
+                return Err(format!("{at}; the contact opens, yet it pushes"));
             }
         }
     }
     Ok(())
 }
-
-/// The product of compressed rows: held against the dense product of small whole numbers.
+/// Colours: rows of one colour must share no body, and each row must have the first colour that was still free.
 ///
 /// # Errors
-/// Says which row is off.
-pub fn compressed_rows(answer: fn(&[usize], &[usize], &[f64], &[f64]) -> Vec<f64>) -> Verdict {
-    // [2 0 −1; 0 0 0; 0 3 4], with an empty row, and its transpose's neighbour [0 5; 6 0].
-    type Case =
-        (&'static [usize], &'static [usize], &'static [f64], &'static [f64], &'static [f64]);
-    let cases: [Case; 2] = [
-        (
-            &[0, 2, 2, 4],
-            &[0, 2, 1, 2],
-            &[2.0, -1.0, 3.0, 4.0],
-            &[1.0, 10.0, 100.0],
-            &[-98.0, 0.0, 430.0],
-        ),
-        (&[0, 1, 2], &[1, 0], &[5.0, 6.0], &[1.0, 2.0], &[10.0, 6.0]),
+/// Says which rows are in each other's way, or which row could have had an earlier colour.
+pub fn colours(answer: fn(&[[Option<usize>; 2]]) -> Vec<usize>) -> Verdict {
+    let cases: [&[[Option<usize>; 2]]; 6] = [
+        &[[None, Some(0)], [None, Some(1)], [None, Some(2)]],
+        &[
+            [None, Some(0)],
+            [Some(0), Some(1)],
+            [Some(1), Some(2)],
+            [Some(2), Some(3)],
+            [Some(3), Some(4)],
+        ],
+        &[[Some(0), Some(1)], [Some(1), Some(2)], [Some(2), Some(0)], [Some(3), None]],
+        &[[Some(0), Some(1)], [Some(0), Some(1)], [Some(0), Some(1)], [Some(2), Some(1)]],
+        &[
+            [Some(0), Some(1)],
+            [Some(2), Some(3)],
+            [Some(1), Some(2)],
+            [Some(4), Some(0)],
+            [Some(3), Some(4)],
+        ],
+        &[],
     ];
-    for (starts, columns, values, x, product) in cases {
-        let got = answer(starts, columns, values, x);
-        if got.len() != product.len() {
-            return Err(format!(
-                "starts = {starts:?} is a matrix of {} rows, the answer has {} entries",
-                product.len(),
-                got.len()
-            ));
+    for rows in cases {
+        let got = answer(rows);
+        if got.len() != rows.len() {
+            return Err(format!("{} rows have as many colours, not {}", rows.len(), got.len()));
         }
-        if let Some(i) = (0..got.len()).find(|&i| got[i] != product[i]) {
-            return Err(format!(
-                "starts = {starts:?}, columns = {columns:?}, values = {values:?}, x = {x:?}: row {i} of \
-                 the answer is {}",
-                got[i]
-            ));
+        let shares = |i: usize, j: usize| {
+            rows[i].iter().flatten().any(|body| rows[j].contains(&Some(*body)))
+        };
+        for i in 0..rows.len() {
+            let at = format!("bodies {rows:?}, colours {got:?}");
+            if let Some(j) = (0..i).find(|&j| shares(i, j) && got[i] == got[j]) {
+                return Err(format!("{at}: rows {j} and {i} share a body and a colour"));
+            }
+            let taken = |colour: usize| (0..i).any(|j| shares(i, j) && got[j] == colour);
+            if let Some(colour) = (0..got[i]).find(|&colour| !taken(colour)) {
+                return Err(format!(
+                    "{at}: at its turn no row of colour {colour} was in the way of row {i}"
+                ));
+            }
         }
     }
     Ok(())
@@ -94,6 +132,44 @@ pub fn pattern(answer: fn(&[[Option<usize>; 2]]) -> usize) -> Verdict {
         if got != count {
             let way = if got > count { "more than there are" } else { "too few" };
             return Err(format!("bodies {rows:?}: {got} entries are {way}"));
+        }
+    }
+    Ok(())
+}
+
+/// Bug 10.b, A put together body by body: held against bodies that are given unit impulses, row by row.
+///
+/// # Errors
+/// Says which entry is not the response to an impulse.
+pub fn assembled(answer: fn(&[[usize; 2]], &[f64]) -> Vec<(usize, usize, f64)>) -> Verdict {
+    let cases: [(&str, &[[usize; 2]], &[f64]); 5] = [
+        ("a ball on the ground, body 0", &[[0, 1]], &[0.0, 0.5]),
+        ("two balls on the ground, body 0", &[[0, 1], [0, 2]], &[0.0, 0.5, 2.0]),
+        ("a ball on a ball on the ground", &[[0, 1], [1, 2]], &[0.0, 1.0, 0.25]),
+        ("a chain", &[[0, 1], [1, 2], [2, 3]], &[1.0, 0.5, 2.0, 0.25]),
+        ("two bodies with two contacts", &[[1, 0], [1, 0]], &[1.0, 0.5]),
+    ];
+    for (name, rows, inverse_mass) in cases {
+        let got = answer(rows, inverse_mass);
+        let n = rows.len();
+        if let Some(entry) = got.iter().find(|entry| entry.0 >= n || entry.1 >= n) {
+            return Err(format!("{name}: there are {n} rows, but an entry {entry:?}"));
+        }
+        for j in 0..n {
+            let mut velocity = vec![0.0; inverse_mass.len()];
+            velocity[rows[j][0]] -= inverse_mass[rows[j][0]];
+            velocity[rows[j][1]] += inverse_mass[rows[j][1]];
+            for i in 0..n {
+                let opens = velocity[rows[i][1]] - velocity[rows[i][0]];
+                let at = |entry: &&(usize, usize, f64)| (entry.0, entry.1) == (i, j);
+                let entry: f64 = got.iter().filter(at).map(|entry| entry.2).sum();
+                if !((entry - opens).abs() < 1e-12) {
+                    return Err(format!(
+                        "{name}, rows {rows:?}, inverse masses {inverse_mass:?}: an impulse of 1 N s in row {j} opens \
+                         gap {i} at {opens} m/s, and the entry ({i}, {j}) is {entry}"
+                    ));
+                }
+            }
         }
     }
     Ok(())

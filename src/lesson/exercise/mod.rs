@@ -1,6 +1,6 @@
 //! Exercises: a student's answer against an independent one.
 //!
-//! An exercise is a small file with a hole (`notebooks/exercises`), and a check here that calls the
+//! An exercise is a small file with a hole or a bug (`notebooks/exercises`), and a check here that calls the
 //! student's function and says on which input it misses, what law it breaks or which number was
 //! expected to have which property, but not how to mend it. A check knows nothing of the solution that is
 //! kept apart (`notebooks/solutions`); it compares with a closed form, exact arithmetic or a law.
@@ -20,6 +20,7 @@ pub mod lesson08;
 pub mod lesson09;
 pub mod lesson10;
 pub mod lesson11;
+pub mod lesson12;
 
 pub use list::exercises;
 
@@ -31,11 +32,11 @@ pub type Verdict = std::result::Result<(), String>;
 /// A student's answer, ready to be checked.
 #[derive(Debug, Clone, Copy)]
 pub struct Exercise {
-    /// Lesson and number: `3.2`.
+    /// Lesson and number, or b for a bug: `3.2`, `3.b`.
     pub id: &'static str,
     /// What is asked, in a line.
     pub title: &'static str,
-    /// The file with the hole.
+    /// The file with the hole or the bug.
     pub file: &'static str,
     /// Runs the check on the answer that was compiled in.
     pub check: fn() -> Verdict,

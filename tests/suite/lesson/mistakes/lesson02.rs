@@ -34,9 +34,57 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
             "2.2",
             lesson02::nail(|_| std::array::from_fn(|i| std::array::from_fn(|k| f64::from(i == k)))),
         ),
-        // Rows are counted.
-        ("2.3", lesson02::freedoms(|j| j.ncols().saturating_sub(j.nrows()))),
-        // What is removed, not what is left.
-        ("2.3", lesson02::freedoms(|j| j.rank(1e-9))),
+        // The direction from centre to centre, not from end to end.
+        ("2.3", lesson02::two_ends(|p, r| rod(p, r, [[0.0; 3]; 2], 1.0))),
+        // Not a unit vector.
+        (
+            "2.3",
+            lesson02::two_ends(|p, r| {
+                let d: [f64; 3] = std::array::from_fn(|k| p[1][k] + r[1][k] - p[0][k] - r[0][k]);
+                rod(p, r, r, 1.0).map(|entry| entry * dot(d, d).sqrt())
+            }),
+        ),
+        // n × r for r × n.
+        ("2.3", lesson02::two_ends(|p, r| rod(p, r, r, -1.0))),
+        // The turning is forgotten.
+        ("2.3", lesson02::two_ends(|p, r| rod(p, r, r, 0.0))),
+        // Mended at body 0 as well.
+        ("2.b", lesson02::contact(|c, p, n| touch(c, p, n, [-1.0, 1.0], [-1.0, 1.0]).map(|j| -j))),
+        // Both turns with the other sign.
+        ("2.b", lesson02::contact(|c, p, n| touch(c, p, n, [-1.0, 1.0], [1.0, -1.0]))),
+        // Both with the same sign.
+        ("2.b", lesson02::contact(|c, p, n| touch(c, p, n, [-1.0, 1.0], [1.0, 1.0]))),
     ]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// A rod whose direction is taken with the arms `towards`, and its turns times a factor.
+fn rod(p: [[f64; 3]; 2], r: [[f64; 3]; 2], towards: [[f64; 3]; 2], turn: f64) -> [f64; 12] {
+    let d: [f64; 3] = std::array::from_fn(|k| p[1][k] + towards[1][k] - p[0][k] - towards[0][k]);
+    let n = d.map(|d_k| d_k / dot(d, d).sqrt());
+    let turns = [cross(r[0], n), cross(r[1], n)];
+    std::array::from_fn(|k| match k {
+        0..3 => -n[k],
+        3..6 => -turn * turns[0][k - 3],
+        6..9 => n[k - 6],
+        _ => turn * turns[1][k - 9],
+    })
+}
+
+/// A contact's row: ± n and ± r × n for each body.
+fn touch(
+    centres: [[f64; 3]; 2],
+    point: [f64; 3],
+    normal: [f64; 3],
+    push: [f64; 2],
+    turn: [f64; 2],
+) -> [f64; 12] {
+    let n = normal.map(|entry| entry / dot(normal, normal).sqrt());
+    std::array::from_fn(|k| {
+        let arm = std::array::from_fn(|i| point[i] - centres[k / 6][i]);
+        if k % 6 < 3 { push[k / 6] * n[k % 3] } else { turn[k / 6] * cross(arm, n)[k % 3] }
+    })
 }

@@ -48,5 +48,39 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 (0..rate.len()).min_by(|&r, &s| ratio(r).total_cmp(&ratio(s)))
             }),
         ),
+        // Of several the last.
+        (
+            "5.3",
+            lesson05::ratio(|constant, rate| {
+                let ratio = |r: usize| constant[r] / -rate[r];
+                let falling = (0..rate.len()).rev().filter(|&r| rate[r] < 0.0);
+                falling.min_by(|&r, &s| ratio(r).total_cmp(&ratio(s)))
+            }),
+        ),
+        // Sizes of ratios are compared.
+        ("5.b", lesson05::dantzig_step(|x, w, dx, dw| first(x, w, dx, dw, |v, dv| (v / dv).abs()))),
+        // Those that rise are looked at, those that fall are not.
+        (
+            "5.b",
+            lesson05::dantzig_step(|x, w, dx, dw| {
+                first(x, w, dx, dw, |v, dv| if dv > 0.0 { v / dv } else { f64::INFINITY })
+            }),
+        ),
+        // No other row stops it.
+        ("5.b", lesson05::dantzig_step(|x, w, dx, dw| first(x, w, dx, dw, |_, _| f64::INFINITY))),
     ]
+}
+
+/// The program of 5.b with any ratio of a value and its change.
+fn first(x: &[f64], w: &[f64], dx: &[f64], dw: &[f64], ratio: fn(f64, f64) -> f64) -> (f64, usize) {
+    let last = x.len() - 1;
+    let mut best = (-w[last] / dw[last], last);
+    for r in 0..last {
+        let pair = if x[r] > 0.0 { (x[r], dx[r]) } else { (w[r], dw[r]) };
+        let step = ratio(pair.0, pair.1);
+        if step < best.0 {
+            best = (step, r);
+        }
+    }
+    best
 }

@@ -2,15 +2,38 @@ use lcplab::lesson::exercise::{Verdict, lesson08};
 
 pub fn mistakes() -> Vec<(&'static str, Verdict)> {
     vec![
-        // The change is clamped in place of the sum.
+        // The diamond by shrinking, as the disc.
         (
             "8.1",
-            lesson08::friction_row(|x_t, w_t, a_tt, mu, x_n| {
-                x_t + (-w_t / a_tt).clamp(-mu * x_n, mu * x_n)
+            lesson08::nearest(|[x, y], limit| {
+                let shrunk = |size: f64| {
+                    let part = if size > limit { limit / size } else { 1.0 };
+                    [part * x, part * y]
+                };
+                let square = [x.clamp(-limit, limit), y.clamp(-limit, limit)];
+                [square, shrunk(x.hypot(y)), shrunk(x.abs() + y.abs())]
             }),
         ),
-        // μ alone, whatever the pressure.
-        ("8.1", lesson08::friction_row(|x_t, w_t, a_tt, mu, _| (x_t - w_t / a_tt).clamp(-mu, mu))),
+        // The foot on the edge's line, also where it lies beyond the corner.
+        (
+            "8.1",
+            lesson08::nearest(|[x, y], limit| {
+                let square = [x.clamp(-limit, limit), y.clamp(-limit, limit)];
+                let size = x.hypot(y);
+                let disc = if size > limit { [limit * x / size, limit * y / size] } else { [x, y] };
+                let over = f64::max(0.0, x.abs() + y.abs() - limit) / 2.0;
+                let less = |x: f64| x.signum() * (x.abs() - over);
+                [square, disc, [less(x), less(y)]]
+            }),
+        ),
+        // The disc takes the square's corner.
+        (
+            "8.1",
+            lesson08::nearest(|[x, y], limit| {
+                let square = [x.clamp(-limit, limit), y.clamp(-limit, limit)];
+                [square; 3]
+            }),
+        ),
         // x_n is kept and x_t cut to length: a point of the cone, but not the nearest one.
         (
             "8.2",
@@ -44,5 +67,39 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 (v0 - 9.81 * (theta.sin() + mu * theta.cos()) * t).max(0.0)
             }),
         ),
+        // The limit is kept from the heaviest load so far.
+        (
+            "8.b",
+            lesson08::pressed(|m, mu, dt, forces| {
+                let mut most = 0.0;
+                slide(m, dt, forces, move |press| {
+                    most = f64::max(most, mu * dt * (m * 9.81 + press));
+                    most
+                })
+            }),
+        ),
+        // The weight alone presses.
+        (
+            "8.b",
+            lesson08::pressed(|m, mu, dt, forces| slide(m, dt, forces, |_| mu * dt * m * 9.81)),
+        ),
+        // A force for an impulse.
+        (
+            "8.b",
+            lesson08::pressed(|m, mu, dt, forces| {
+                slide(m, dt, forces, |press| mu * (m * 9.81 + press))
+            }),
+        ),
     ]
+}
+
+/// The block of 8.b with any limit of friction.
+fn slide(m: f64, dt: f64, forces: &[[f64; 2]], mut limit: impl FnMut(f64) -> f64) -> Vec<f64> {
+    let mut v = 0.0;
+    let mut step = |[push, press]: &[f64; 2]| {
+        let (slip, limit) = (v + dt * push / m, limit(*press));
+        v = slip + (-m * slip).clamp(-limit, limit) / m;
+        v
+    };
+    forces.iter().map(&mut step).collect()
 }

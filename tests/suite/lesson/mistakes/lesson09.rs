@@ -29,5 +29,33 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
                 (1.0 + k * cos * cos) / (k * sin * cos)
             }),
         ),
+        // The larger of the two, which is always the gap's.
+        (
+            "9.b",
+            lesson09::bounce(|h, e, dt, n| fall(h, dt, n, |gap, v| f64::max(gap, e * v.min(0.0)))),
+        ),
+        // Taken off in place of added.
+        ("9.b", lesson09::bounce(|h, e, dt, n| fall(h, dt, n, |gap, v| gap - e * v.min(0.0)))),
+        // No restitution at all.
+        ("9.b", lesson09::bounce(|h, _, dt, n| fall(h, dt, n, |gap, _| gap))),
+        // It bounces with its own speed upwards.
+        ("9.b", lesson09::bounce(|h, e, dt, n| fall(h, dt, n, |_, v| -e * v.min(0.0)))),
     ]
+}
+
+/// The ball of 9.b, with any bias of a contact that is hit from the gap's bias and the velocity.
+fn fall(height: f64, dt: f64, steps: usize, hit: impl Fn(f64, f64) -> f64) -> Vec<[f64; 2]> {
+    let (mut z, mut v) = (height, 0.0);
+    let mut states = Vec::new();
+    for _step in 0..steps {
+        let free = v - 9.81 * dt;
+        let mut bias = z / dt;
+        if free + bias < 0.0 {
+            bias = hit(bias, v);
+        }
+        v = f64::max(free, -bias);
+        z += dt * v;
+        states.push([z, v]);
+    }
+    states
 }

@@ -2,29 +2,35 @@ use lcplab::lesson::exercise::{Verdict, lesson10};
 
 pub fn mistakes() -> Vec<(&'static str, Verdict)> {
     vec![
-        // Column by column, as Code 11 reads its data (E53).
-        ("10.1", lesson10::place(|row, column, rows, _| row + column * rows)),
-        ("10.1", lesson10::place(|row, column, rows, _| row * rows + column)),
+        // Velocities start at 0, though x does not.
         (
-            "10.2",
-            lesson10::compressed_rows(|starts, columns, values, x| {
-                // The place of the entry instead of its column.
-                let row = |i: usize| {
-                    (starts[i]..starts[i + 1])
-                        .map(|k| values[k] * x[k % columns.len().min(x.len())])
-                };
-                (0..starts.len() - 1).map(|i| row(i).sum()).collect()
-            }),
+            "10.1",
+            lesson10::bodies(|rows, inverse, b, x| swept(rows, inverse, b, x, false, [1.0, 1.0])),
         ),
+        // The first body does not feel the reaction.
+        (
+            "10.1",
+            lesson10::bodies(|rows, inverse, b, x| swept(rows, inverse, b, x, true, [0.0, 1.0])),
+        ),
+        // Both bodies are pushed the same way.
+        (
+            "10.1",
+            lesson10::bodies(|rows, inverse, b, x| swept(rows, inverse, b, x, true, [-1.0, 1.0])),
+        ),
+        // The ground counts as a body that rows share.
         (
             "10.2",
-            lesson10::compressed_rows(|starts, columns, values, x| {
-                // starts is taken for the number of rows.
-                let of = |i: usize| {
-                    let end = starts.get(i + 1).copied().unwrap_or(values.len());
-                    (starts[i]..end).map(|k| values[k] * x[columns[k]]).sum()
-                };
-                (0..starts.len()).map(of).collect()
+            lesson10::colours(|rows| coloured(rows, |a, b| a.iter().any(|body| b.contains(body)))),
+        ),
+        // A colour of its own for each row.
+        ("10.2", lesson10::colours(|rows| (0..rows.len()).collect())),
+        // Only the row before is looked at.
+        ("10.2", lesson10::colours(|rows| (0..rows.len()).map(|i| i % 2).collect())),
+        // The same place in the pair only: first with first, second with second.
+        (
+            "10.2",
+            lesson10::colours(|rows| {
+                coloured(rows, |a, b| (0..2).any(|k| a[k].is_some() && a[k] == b[k]))
             }),
         ),
         // The ground joins all that stand on it.
@@ -39,5 +45,91 @@ pub fn mistakes() -> Vec<(&'static str, Verdict)> {
         ),
         // Every row meets its neighbours in the list, as in a chain.
         ("10.3", lesson10::pattern(|rows| 3 * rows.len() - 2)),
+        // The first body's part is kept, the second one's is dropped.
+        (
+            "10.b",
+            lesson10::assembled(|rows, inverse| {
+                summed(rows, inverse, |sum, part| if sum == 0.0 { part } else { sum })
+            }),
+        ),
+        // The larger one is kept.
+        (
+            "10.b",
+            lesson10::assembled(|rows, inverse| {
+                summed(rows, inverse, |sum, part| if part.abs() > sum.abs() { part } else { sum })
+            }),
+        ),
+        // Taken off in place of added.
+        (
+            "10.b",
+            lesson10::assembled(|rows, inverse| summed(rows, inverse, |sum, part| sum - part)),
+        ),
     ]
+}
+
+/// A sweep without A; `push` says how much of an impulse the first and the second body feel.
+fn swept(
+    rows: &[[Option<usize>; 2]],
+    inverse_mass: &[f64],
+    b: &[f64],
+    mut x: Vec<f64>,
+    warm: bool,
+    push: [f64; 2],
+) -> Vec<f64> {
+    let mut u = vec![0.0; inverse_mass.len()];
+    let give = |u: &mut Vec<f64>, i: usize, step: f64| {
+        for (body, sign) in [(rows[i][0], -push[0]), (rows[i][1], push[1])] {
+            if let Some(k) = body {
+                u[k] += sign * inverse_mass[k] * step;
+            }
+        }
+    };
+    for i in (0..rows.len()).filter(|_| warm) {
+        give(&mut u, i, x[i]);
+    }
+    for i in 0..rows.len() {
+        let velocity = |body: Option<usize>| body.map_or(0.0, |k| u[k]);
+        let inverse = |body: Option<usize>| body.map_or(0.0, |k| inverse_mass[k]);
+        let w = velocity(rows[i][1]) - velocity(rows[i][0]) + b[i];
+        let step = f64::max(-x[i], -w / (inverse(rows[i][0]) + inverse(rows[i][1])));
+        x[i] += step;
+        give(&mut u, i, step);
+    }
+    x
+}
+
+/// The two bodies of a row.
+type Pair = [Option<usize>; 2];
+
+/// First colours, with any idea of which rows are in each other's way.
+fn coloured(rows: &[Pair], shares: fn(&Pair, &Pair) -> bool) -> Vec<usize> {
+    let mut colours: Vec<usize> = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let taken = |colour| (0..i).any(|j| shares(row, &rows[j]) && colours[j] == colour);
+        let free = (0..).find(|&colour| !taken(colour));
+        colours.extend(free);
+    }
+    colours
+}
+
+/// The matrix of 10.b, with any way to put two parts together.
+fn summed(
+    rows: &[[usize; 2]],
+    inverse_mass: &[f64],
+    put: fn(f64, f64) -> f64,
+) -> Vec<(usize, usize, f64)> {
+    let mut entries = Vec::new();
+    for (i, first) in rows.iter().enumerate() {
+        for (l, second) in rows.iter().enumerate() {
+            let mut sum = 0.0;
+            for k in 0..inverse_mass.len() {
+                let j = |row: &[usize; 2]| f64::from(row[1] == k) - f64::from(row[0] == k);
+                if j(first) * j(second) != 0.0 {
+                    sum = put(sum, j(first) * inverse_mass[k] * j(second));
+                }
+            }
+            entries.push((i, l, sum));
+        }
+    }
+    entries
 }

@@ -11,6 +11,7 @@ mod lesson08;
 mod lesson09;
 mod lesson10;
 mod lesson11;
+mod lesson12;
 
 use lcplab::lesson::exercise::Verdict;
 
@@ -28,6 +29,7 @@ pub fn all() -> Vec<(&'static str, Verdict)> {
         lesson09::mistakes(),
         lesson10::mistakes(),
         lesson11::mistakes(),
+        lesson12::mistakes(),
     ]
     .concat()
 }

@@ -1,8 +1,0 @@
-//! Exercise 10.2: the product of compressed rows with a vector.
-//!
-//! The entries of row i are values[k] in column columns[k], for all k with starts[i] ≤ k < starts[i + 1].
-
-/// y = A x.
-pub fn answer(starts: &[usize], columns: &[usize], values: &[f64], x: &[f64]) -> Vec<f64> {
-    todo!()
-}
