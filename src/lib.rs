@@ -64,7 +64,7 @@ mod lessons {
 }
 
 /// The pages around the lessons: the first page, the teacher's guide, the Rust that one needs.
-#[allow(unused_macros, unused_variables)]
+#[allow(unused_macros, unused_variables, clippy::useless_vec)]
 mod around {
     include!(concat!(env!("OUT_DIR"), "/around.rs"));
 }

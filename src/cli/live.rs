@@ -43,7 +43,7 @@ impl Live {
             known: PAGES.iter().map(|page| page.name.to_string()).collect(),
         })?;
         let path = self.out.join(format!("{name}.html"));
-        file::write(&path, &page.text())?;
+        file::write(&path, page.text())?;
         if self.open {
             open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
         }
