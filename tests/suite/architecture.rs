@@ -22,7 +22,10 @@ const CRATES: [(&str, &[&str]); 10] = [
 /// The modules of the crates that have rows of them; `src` is the program's.
 const ROWS: [(&str, &[&[&str]]); 5] = [
     ("src", &[&["storage", "film", "live"], &["report", "problem_set"], &["chapter"], &["lesson"]]),
-    ("crates/page/src", &[&["plot"], &["page"], &["text"], &["document"]]),
+    (
+        "crates/page/src",
+        &[&["number"], &["csv", "figure"], &["plot"], &["page"], &["text"], &["document"]],
+    ),
     ("crates/mechanics/src", &[&["scene"], &["assembly"], &["formulation"], &["simulation"]]),
     ("crates/bodies/src", &[&["body"], &["constraint"]]),
     (

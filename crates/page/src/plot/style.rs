@@ -99,6 +99,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("block_pgs", SKY, 1, 1),
     ("code6", BLACK, 5, 4),
     ("nncg", SKY, 3, 2),
+    ("anderson_pgs", VERMILION, 3, 0),
     ("mprgp", VERMILION, 0, 2),
     ("apgd", OCHRE, 0, 3),
     ("spectral", PURPLE, 0, 4),
