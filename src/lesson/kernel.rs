@@ -188,12 +188,10 @@ fn is_free(text: &str, name: &str) -> bool {
     let before = &text[..at];
     // In the pattern of `let … =`, between the bars of a closure, or behind `for`.
     let in_let = before.rfind("let ").is_some_and(|start| !before[start..].contains('='));
-    let is_pattern = |c: char| c.is_alphanumeric() || "_,&() :<>[]".contains(c);
-    let in_bars = before.rfind('|').is_some_and(|bar| {
-        before[bar + 1..].chars().all(is_pattern) && !before[..bar].ends_with('|')
-    });
+    let line = before.rsplit('\n').next().unwrap_or_default();
+    let in_bars = line.matches('|').count() % 2 == 1;
     let in_for = before.ends_with("for ") || before.ends_with("for (");
-    let is_bound = in_let || in_for || (in_bars && text[at..].contains('|'));
+    let is_bound = in_let || in_for || in_bars;
     // A parameter with a type comes before the uses of its name in the closure.
     let is_parameter = places(before, name).any(|at| before[at + name.len()..].starts_with(": "));
     !is_bound && !is_parameter

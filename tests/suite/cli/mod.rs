@@ -10,6 +10,7 @@ mod exit_code;
 mod friction;
 mod hostile;
 mod limits;
+mod mistake;
 mod plugin;
 mod problem_set;
 mod report;

@@ -2,6 +2,7 @@
 
 mod exercise;
 mod handout;
+mod kernel;
 mod notebook;
 mod problem;
 mod sentences;

@@ -4,7 +4,7 @@
 //! [`problem`] look for the reason before anything is solved: rank, condition and dependent rows
 //! ([`regularity`]), rows that contradict each other ([`refutation`](lcplab_judge::refutation())),
 //! bodies that are not where they should be, constraints without direction. K&M "Debugging" and
-//! "Bad Constraints".
+//! "Bad Constraints". Of an answer that is wrong, [`mistakes`] says which known mistake gives exactly that.
 //!
 //! ```
 //! use lcplab_study::diagnosis::{Cause, Proof, scene};
@@ -19,12 +19,14 @@
 mod cause;
 mod contradiction;
 mod freedom;
+mod mistake;
 mod show;
 #[cfg(feature = "mechanics")]
 mod situation;
 
 pub use cause::{Cause, Proof};
 pub use freedom::Freedoms;
+pub use mistake::{Mistake, mistakes, single_precision};
 #[cfg(feature = "mechanics")]
 pub use situation::scene;
 

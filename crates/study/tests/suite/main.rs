@@ -5,6 +5,7 @@ mod diagnosis;
 mod explain;
 mod extremes;
 mod hunt;
+mod mistakes;
 mod outputs;
 mod proofs;
 mod range;

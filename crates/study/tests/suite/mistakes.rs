@@ -1,0 +1,157 @@
+//! Which known mistake gives exactly this x? Each mistake is made here by a program of its own.
+
+use lcplab_problem::library;
+use lcplab_problem::{Lcp, Matrix};
+use lcplab_solver::{Dantzig, Solver, Start};
+use lcplab_study::diagnosis::{mistakes, single_precision};
+
+/// A column of eight, with unequal masses and pushes.
+fn column() -> Lcp {
+    let n = 8;
+    let entry = |k: usize| {
+        let (i, j) = (k / n, k % n);
+        match i.abs_diff(j) {
+            0 => 2.0 + 0.1 * i as f64,
+            1 => -1.0,
+            _ => 0.0,
+        }
+    };
+    let entries: Vec<f64> = (0..n * n).map(entry).collect();
+    let b = (0..n).map(|i| if i == 5 { 9.0 } else { -1.0 - 0.3 * i as f64 }).collect();
+    Lcp::new(Matrix::dense(n, &entries), b, vec![0.0; n], vec![f64::INFINITY; n]).unwrap()
+}
+
+fn exact(lcp: &Lcp) -> Vec<f64> {
+    Dantzig::default().solve(lcp, &Start::default(), &mut ()).x
+}
+
+fn w(lcp: &Lcp, x: &[f64], i: usize) -> f64 {
+    let terms = (0..x.len()).map(|j| lcp.matrix().entry(i, j) * x[j]);
+    terms.fold(lcp.b()[i], |sum, term| sum + term)
+}
+
+/// Sweeps over these rows, as one writes them down.
+fn swept(lcp: &Lcp, rows: &[usize], sweeps: usize) -> Vec<f64> {
+    let mut x = vec![0.0; lcp.len()];
+    for _ in 0..sweeps {
+        for &i in rows {
+            x[i] = (x[i] - w(lcp, &x, i) / lcp.matrix().diagonal(i)).max(0.0);
+        }
+    }
+    x
+}
+
+fn first(lcp: &Lcp, x: &[f64]) -> String {
+    let found = mistakes(lcp, x);
+    assert!(found.first().is_some_and(|own| own.distance < 1e-12), "{x:?}: {found:?}");
+    found[0].what.clone()
+}
+
+#[test]
+fn sweeps_that_were_stopped_are_counted_in_every_order() {
+    let lcp = column();
+    let (forth, back): (Vec<usize>, Vec<usize>) = ((0..8).collect(), (0..8).rev().collect());
+    for sweeps in [1, 3, 10] {
+        let plural = if sweeps == 1 { "" } else { "s" };
+        let ends = format!("stopped after {sweeps} sweep{plural}");
+        assert_eq!(
+            first(&lcp, &swept(&lcp, &forth, sweeps)),
+            format!("projected Gauss-Seidel, {ends}")
+        );
+        let found = first(&lcp, &swept(&lcp, &back, sweeps));
+        assert_eq!(found, format!("projected Gauss-Seidel from the last row to the first, {ends}"));
+    }
+}
+
+#[test]
+fn the_clamp_after_the_sweep_and_all_rows_at_once_are_told_apart() {
+    let lcp = column();
+    let (mut late, mut jacobi) = (vec![0.0; 8], vec![0.0; 8]);
+    for _ in 0..4 {
+        for i in 0..8 {
+            late[i] -= w(&lcp, &late, i) / lcp.matrix().diagonal(i);
+        }
+        late.iter_mut().for_each(|x: &mut f64| *x = x.max(0.0));
+        let moved =
+            (0..8).map(|i| (jacobi[i] - w(&lcp, &jacobi, i) / lcp.matrix().diagonal(i)).max(0.0));
+        jacobi = moved.collect();
+    }
+    assert_eq!(
+        first(&lcp, &late),
+        "Gauss-Seidel with the clamp after the sweep, stopped after 4 sweeps"
+    );
+    assert_eq!(first(&lcp, &jacobi), "Jacobi in place of Gauss-Seidel, stopped after 4 sweeps");
+}
+
+#[test]
+fn mistakes_in_the_problem_are_named() {
+    let lcp = column();
+    let with = |b: Vec<f64>| lcp.with_b(b).unwrap();
+    let other_sign = with(lcp.b().iter().map(|b| -b).collect());
+    assert_eq!(first(&lcp, &exact(&other_sign)), "b with the other sign, solved");
+    let without_dt = with(lcp.b().iter().map(|b| 60.0 * b).collect());
+    assert_eq!(
+        first(&lcp, &exact(&without_dt)),
+        "b times 60.000000 (a time step, a unit?), solved"
+    );
+    let mut lo = lcp.lo().to_vec();
+    lo[5] = f64::NEG_INFINITY;
+    let free = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lo, lcp.hi().to_vec()).unwrap();
+    assert_eq!(first(&lcp, &exact(&free)), "row 5 without its bounds, solved");
+    let mut soft = lcp.matrix().to_dense();
+    for i in 0..8 {
+        soft[(i, i)] += 1e-3;
+    }
+    let entries: Vec<f64> = soft.transpose().as_slice().to_vec();
+    let soft = Lcp::new(
+        Matrix::dense(8, &entries),
+        lcp.b().to_vec(),
+        vec![0.0; 8],
+        vec![f64::INFINITY; 8],
+    )
+    .unwrap();
+    let found = mistakes(&lcp, &exact(&soft));
+    assert_eq!(found[0].what, "compliance (CFM) 1.000e-3 on the diagonal of A");
+}
+
+#[test]
+fn friction_that_was_forgotten_or_has_no_limit_is_named() {
+    let family = library::by_name("pushed-mass").unwrap();
+    let lcp = family.generate(&[("degrees", 30.0), ("push", 3.0)]).unwrap().lcp; // press 2, μ = ½
+    // A is the identity: one sweep from the last row to the first gives the same.
+    let found = mistakes(&lcp, &[2.0, 0.0, 0.0]);
+    assert!(
+        found.iter().any(|own| own.what == "friction left out, solved" && own.distance == 0.0),
+        "{found:?}"
+    );
+    let wanted = [3.0 * 30f64.to_radians().cos(), 1.5];
+    let found = mistakes(&lcp, &[2.0, wanted[0], wanted[1]]);
+    assert_eq!(found[0].what, "friction without a limit, solved");
+}
+
+#[test]
+fn single_precision_is_seen_and_is_the_yardstick() {
+    let lcp = column();
+    let mut x = [0.0_f32; 8];
+    for _ in 0..30 {
+        for i in 0..8 {
+            let row = (0..8).filter(|&j| lcp.matrix().entry(i, j) != 0.0 || i == j);
+            let w =
+                row.fold(lcp.b()[i] as f32, |sum, j| sum + lcp.matrix().entry(i, j) as f32 * x[j]);
+            x[i] = (x[i] - w / lcp.matrix().diagonal(i) as f32).max(0.0);
+        }
+    }
+    let x = x.map(f64::from);
+    assert!(first(&lcp, &x).starts_with("projected Gauss-Seidel in single precision"));
+    let rounded: Vec<f64> = exact(&lcp).iter().map(|&x| f64::from(x as f32)).collect();
+    let [own, least] = single_precision(&lcp, &rounded).unwrap();
+    assert_eq!(own, least);
+    assert!(own > 1e-9 && own < 1e-6, "{own}");
+}
+
+#[test]
+fn a_right_answer_is_no_mistake_and_an_unknown_one_stays_unknown() {
+    let lcp = column();
+    assert_eq!(mistakes(&lcp, &exact(&lcp)), []);
+    assert_eq!(mistakes(&lcp, &[0.3, 1.7, 0.2, 5.0, 0.1, 0.9, 0.4, 2.2]), []);
+}
