@@ -61,7 +61,7 @@ pub fn read_markup(text: &str) {
         Block::Equation { latex: text.into(), label: None },
     ];
     for block in blocks {
-        let section = Section { id: "one".into(), title: text.into(), blocks: vec![block] };
+        let section = Section { id: "one".into(), title: text.into(), blocks: vec![block], ..Section::default() };
         let page = Page { title: text.into(), sections: vec![section], ..Page::default() };
         assert_own(&page);
     }
