@@ -18,16 +18,12 @@ fn main() -> io::Result<()> {
     let out = PathBuf::from(env::var("OUT_DIR").expect("set by cargo"));
     println!("cargo:rerun-if-changed=notebooks");
     println!("cargo:rerun-if-changed=src/lesson/source.rs");
-    let mut sources: Vec<PathBuf> = fs::read_dir(root.join("notebooks"))?
-        .map(|entry| Ok(entry?.path()))
-        .collect::<io::Result<Vec<_>>>()?;
-    sources.retain(|path| path.extension().is_some_and(|kind| kind == "md"));
-    sources.sort();
     // Lessons have a number; the others are pages around them.
     let is_lesson = |path: &PathBuf| {
         path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(char::is_numeric))
     };
-    let (lessons, around): (Vec<_>, Vec<_>) = sources.into_iter().partition(is_lesson);
+    let (lessons, around): (Vec<_>, Vec<_>) =
+        files(&root.join("notebooks"), "md")?.into_iter().partition(is_lesson);
     write_programs(&lessons, &out.join("lessons.rs"))?;
     write_programs(&around, &out.join("around.rs"))?;
     println!("cargo:rerun-if-changed={HANDOUT}");
@@ -36,15 +32,20 @@ fn main() -> io::Result<()> {
     write_live(&root.join("live"), &out)
 }
 
+/// The files of a folder that end so, in the order of their names.
+fn files(folder: &Path, kind: &str) -> io::Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    let mut files: Vec<PathBuf> = entries.collect::<io::Result<_>>()?;
+    files.retain(|path| path.extension().is_some_and(|own| own == kind));
+    files.sort();
+    Ok(files)
+}
+
 /// `(name, before, module, after)` of each live page; pages with the same module share its text.
 fn write_live(folder: &Path, out: &Path) -> io::Result<()> {
     const OPENS: &str = "id=\"module\">";
-    let mut pages: Vec<PathBuf> =
-        fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
-    pages.retain(|path| path.extension().is_some_and(|kind| kind == "html"));
-    pages.sort();
     let (mut modules, mut list) = (Vec::new(), String::new());
-    for path in pages {
+    for path in files(folder, "html")? {
         let text = fs::read_to_string(&path)?;
         let start = text.find(OPENS).expect("a live page has a module") + OPENS.len();
         let end = start + text[start..].find('<').expect("a module ends");
@@ -69,9 +70,9 @@ fn write_live(folder: &Path, out: &Path) -> io::Result<()> {
 fn write_programs(sources: &[PathBuf], to: &Path) -> io::Result<()> {
     let (mut functions, mut list) = (String::new(), String::new());
     for (k, path) in sources.iter().enumerate() {
-        let source = source::Source::read(&fs::read_to_string(path)?);
-        let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let text = fs::read_to_string(path)?;
+        let source = source::Source::read(&text);
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let folder = path.parent().expect("a file in a folder");
         let drawings: String = text
             .split("](drawings/")

@@ -7,7 +7,8 @@ use lcplab::certificate::{Demand, judge};
 use lcplab::diagnosis::{Mistake, mistakes, problem, scene, single_precision};
 use lcplab::error::{Error, Result};
 use lcplab::lcp::exchange;
-use lcplab::lcp::file::{Problem, read_answers};
+use lcplab::lcp::file::{Problem, number, read_answers};
+use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::number::readable;
 use serde_json::json;
@@ -85,6 +86,10 @@ impl Diagnose {
 
     /// What a wrong answer looks like.
     fn mistake(&self, problem: &Problem, answer: &Path) -> Result<Outcome> {
+        if let Some(model) = problem.model.filter(|model| *model != Model::CoupledBox) {
+            let reason = format!("is {model}; mistakes are known of boxes alone");
+            return Err(Error::invalid(&self.input, "model", reason));
+        }
         let lcp = &problem.lcp;
         let x = read_answers(answer, lcp.len(), Memory::default())?.x;
         let verdict = judge(lcp, &x, &Demand::default()).verdict;
@@ -96,7 +101,7 @@ impl Diagnose {
                 .map(|own| json!({ "what": own.what, "distance": own.distance }))
                 .collect();
             let single =
-                single.map(|[own, least]| json!({ "residual": own, "rounded_solution": least }));
+                single.map(|[own, least]| json!({ "residual": number(own), "rounded_solution": number(least) }));
             let object = json!({ "verdict": verdict.word(), "mistakes": mistakes, "single_precision": single });
             print(&format!("{object:#}\n"))?;
         } else {
@@ -128,7 +133,9 @@ fn words(verdict: &str, is_right: bool, found: &[Mistake], single: Option<[f64; 
         }
     }
     if let Some([own, least]) = single.filter(|_| !is_right) {
-        let word = if own <= 10.0 * least { "as good as" } else { "worse than" };
+        // A solution that single precision can hold says nothing of sums that it rounds.
+        let limit = 10.0 * least.max(f64::from(f32::EPSILON));
+        let word = if own <= limit { "as good as" } else { "worse than" };
         text += &format!(
             "Its scaled residual {} is {word} single precision can be: the solution rounded to it has {}.\n",
             readable(own, 2),

@@ -30,4 +30,8 @@ fn the_mistake_behind_an_answer_is_told_with_the_exit_code_of_the_judge() {
     let short = file("short.json", r#"{"x": [4, 3]}"#);
     assert_eq!(run(&["diagnose", &problem, &short]).status.code(), Some(2));
     assert_eq!(run(&["diagnose", "fig7", &right]).status.code(), Some(2));
+    let polygon = FIG7.replace("{\"A\"", "{\"model\": \"polygon-4\", \"A\"");
+    let told = run(&["diagnose", &file("polygon.json", &polygon), &right]);
+    assert_eq!(told.status.code(), Some(2));
+    assert!(String::from_utf8(told.stderr).unwrap().contains("polygon-4"));
 }

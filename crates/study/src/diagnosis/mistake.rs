@@ -57,8 +57,11 @@ pub fn mistakes(lcp: &Lcp, x: &[f64]) -> Vec<Mistake> {
     assert_eq!(x.len(), lcp.len(), "an entry a row");
     let largest = x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let is_right = merit::scaled_residual(lcp, x) <= Settings::default().tolerance;
-    if is_right || lcp.len() > LARGEST || !(largest > 0.0 && largest.is_finite()) {
+    if is_right || lcp.len() > LARGEST || !largest.is_finite() || x.iter().any(|x| x.is_nan()) {
         return Vec::new();
+    }
+    if largest == 0.0 {
+        return vec![Mistake { what: "the start, x = 0: nothing was done".into(), distance: 0.0 }];
     }
     let case = Case { lcp, x, largest };
     let most = SWEEPS.min(MULTIPLICATIONS / (1 + lcp.matrix().stored()));
@@ -114,8 +117,10 @@ impl Observer for Nearest<'_> {
 impl Case<'_> {
     fn distance(&self, y: &[f64]) -> f64 {
         let apart = |(x, y): (&f64, &f64)| (x - y).abs();
-        let most = self.x.iter().zip(y).map(apart).fold(0.0, f64::max);
-        if most.is_nan() { f64::INFINITY } else { most / self.largest }
+        // f64::max would pass over what is not a number.
+        let most = |most: f64, apart: f64| if apart <= most { most } else { apart };
+        let most = self.x.iter().zip(y).map(apart).fold(0.0, most);
+        if most.is_finite() { most / self.largest } else { f64::INFINITY }
     }
 
     /// The sweeps of a solver, stopped where they come nearest.
@@ -133,16 +138,16 @@ impl Case<'_> {
         let n = self.lcp.len();
         let single = |v: &[f64]| -> Vec<f32> { v.iter().map(|&v| v as f32).collect() };
         let (b, mut x) = (single(self.lcp.b()), vec![0.0_f32; n]);
+        let mut wide = vec![0.0; n]; // the same x
         let mut best = (0, f64::INFINITY);
         for sweep in 1..=most {
             for i in 0..n {
                 let row = self.lcp.matrix().row(i);
                 let w = row.iter().fold(b[i], |sum, (j, a)| sum + a as f32 * x[j]);
                 let value = f64::from(x[i] - w / self.lcp.matrix().diagonal(i) as f32);
-                let wide: Vec<f64> = x.iter().map(|&x| f64::from(x)).collect();
                 x[i] = self.lcp.project(i, value, &wide) as f32;
+                wide[i] = f64::from(x[i]);
             }
-            let wide: Vec<f64> = x.iter().map(|&x| f64::from(x)).collect();
             let distance = self.distance(&wide);
             if distance < best.1 {
                 best = (sweep, distance);
@@ -158,17 +163,16 @@ impl Case<'_> {
         Some(Mistake { what: format!("{what}, solved"), distance })
     }
 
-    /// A + ε I in place of A: then w = −ε x in every free row.
+    /// A + ε I in place of A: then w = −ε x in every free row, and x is the solution with that ε.
     fn compliance(&self) -> Option<Mistake> {
         let w = self.lcp.w(self.x);
         let free = self.free();
         let parts: Vec<f64> = free.iter().map(|&i| -w[i] / self.x[i]).collect();
         let softness = *parts.first()?;
-        let scale = self.lcp.matrix().diagonal(free[0]);
         let is_one = parts.iter().all(|part| (part - softness).abs() <= SAME * softness.abs());
-        let is_seen = softness > 1e-12 * scale && parts.len() > 1;
-        let what = format!("compliance (CFM) {softness:.3e} on the diagonal of A");
-        (is_one && is_seen).then_some(Mistake { what, distance: 0.0 })
+        let is_seen = softness > 1e-12 * self.lcp.matrix().diagonal(free[0]) && parts.len() > 1;
+        let soft = if is_one && is_seen { softened(self.lcp, softness)? } else { return None };
+        self.answer(&format!("compliance (CFM) {softness:.3e} on the diagonal of A"), &soft)
     }
 
     /// The solution times a factor: b was that much larger. Only where bounds are 0 and ∞ is that the same.
@@ -230,13 +234,7 @@ fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
 /// The problem as it becomes by one mistake in it.
 fn changed(lcp: &Lcp) -> Vec<(String, Lcp)> {
     let n = lcp.len();
-    let with = |matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>| {
-        let plain = Lcp::new(matrix, b, lo, hi).ok()?;
-        match lcp.coupling() {
-            Some(coupling) => plain.with_coupling(coupling.clone()).ok(),
-            None => Some(plain),
-        }
-    };
+    let with = |matrix, b, lo, hi| with(lcp, matrix, b, lo, hi);
     let (a, b, lo, hi) =
         (|| lcp.matrix().clone(), || lcp.b().to_vec(), || lcp.lo().to_vec(), || lcp.hi().to_vec());
     let mut all = Vec::new();
@@ -291,4 +289,21 @@ fn transposed(matrix: &Matrix) -> Matrix {
     let entries: Vec<(usize, usize, f64)> =
         (0..matrix.len()).flat_map(|i| matrix.row(i).iter().map(move |(j, a)| (j, i, a))).collect();
     Matrix::sparse(matrix.len(), &entries)
+}
+
+/// A + ε I.
+fn softened(lcp: &Lcp, softness: f64) -> Option<Lcp> {
+    let n = lcp.len();
+    let all = (0..n).flat_map(|i| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a)));
+    let entries: Vec<_> = all.chain((0..n).map(|i| (i, i, softness))).collect();
+    with(lcp, Matrix::sparse(n, &entries), lcp.b().to_vec(), lcp.lo().to_vec(), lcp.hi().to_vec())
+}
+
+/// A problem of other numbers with the coupled rows of this one.
+fn with(lcp: &Lcp, matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Option<Lcp> {
+    let plain = Lcp::new(matrix, b, lo, hi).ok()?;
+    match lcp.coupling() {
+        Some(coupling) => plain.with_coupling(coupling.clone()).ok(),
+        None => Some(plain),
+    }
 }

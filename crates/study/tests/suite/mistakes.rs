@@ -111,7 +111,7 @@ fn mistakes_in_the_problem_are_named() {
     )
     .unwrap();
     let found = mistakes(&lcp, &exact(&soft));
-    assert_eq!(found[0].what, "compliance (CFM) 1.000e-3 on the diagonal of A");
+    assert_eq!(found[0].what, "compliance (CFM) 1.000e-3 on the diagonal of A, solved");
 }
 
 #[test]
@@ -154,4 +154,30 @@ fn a_right_answer_is_no_mistake_and_an_unknown_one_stays_unknown() {
     let lcp = column();
     assert_eq!(mistakes(&lcp, &exact(&lcp)), []);
     assert_eq!(mistakes(&lcp, &[0.3, 1.7, 0.2, 5.0, 0.1, 0.9, 0.4, 2.2]), []);
+}
+
+#[test]
+fn hostile_numbers_agree_with_nothing() {
+    // A row without mass: sweeps divide by 0, and what is not a number agrees with no x.
+    let hole = Matrix::dense(2, &[0.0, 1.0, 1.0, 2.0]);
+    let lcp = Lcp::new(hole, vec![-1.0, 1.0], vec![0.0; 2], vec![f64::INFINITY; 2]).unwrap();
+    assert_eq!(mistakes(&lcp, &[3.0, 0.25]), []);
+    let lcp = column();
+    for wrong in [f64::NAN, f64::INFINITY, f64::MAX] {
+        let mut x = exact(&lcp);
+        x[3] = wrong;
+        assert_eq!(mistakes(&lcp, &x), [], "{wrong}");
+    }
+    assert_eq!(mistakes(&lcp, &[0.0; 8])[0].what, "the start, x = 0: nothing was done");
+}
+
+#[test]
+fn what_looks_like_compliance_in_the_free_rows_but_breaks_another_row_is_not_called_so() {
+    // w = −ε x in rows 0 and 1; row 2 closes all the same, and would have to push.
+    let a = Matrix::dense(3, &[2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0]);
+    let b = vec![-1.0, -2.0, -3.0];
+    let lcp = Lcp::new(a, b, vec![0.0; 3], vec![f64::INFINITY; 3]).unwrap();
+    let x = [1.0 / 2.5, 2.0 / 2.5, 0.0];
+    let found = mistakes(&lcp, &x);
+    assert!(found.iter().all(|own| !own.what.contains("CFM")), "{found:?}");
 }
