@@ -31,7 +31,7 @@ fn the_mistake_behind_an_answer_is_told_with_the_exit_code_of_the_judge() {
     assert_eq!(run(&["diagnose", &problem, &short]).status.code(), Some(2));
     assert_eq!(run(&["diagnose", "fig7", &right]).status.code(), Some(2));
     let polygon = r#"{"model": "polygon-4", "A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
-        "b": [-2, -2.6, -1.5], "friction_index": [null, 0, 0], "mu": [0, 0.5, 0.5]}"#;
+        "b": [-2, -2.6, -1.5], "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
     let told = run(&["diagnose", &file("polygon.json", polygon), &right]);
     assert_eq!(told.status.code(), Some(2));
     assert!(String::from_utf8(told.stderr).unwrap().contains("polygon-4"));
