@@ -4,23 +4,32 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use lcplab::certificate::{Demand, judge};
-use lcplab::diagnosis::{Mistake, mistakes, problem, scene, single_precision};
+use lcplab::diagnosis::shortfall::{Practice, examine_scene, examine_sequence};
+use lcplab::diagnosis::{self, Mistake, mistakes, problem, single_precision};
+use lcplab::document::Document;
 use lcplab::error::{Error, Result};
+use lcplab::file;
 use lcplab::lcp::exchange;
 use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::number::readable;
+use lcplab::report::methods;
+use lcplab::scene::Scene;
+use lcplab::solver::Options;
 use serde_json::json;
 
 use super::form::Writing;
+use super::plugin::Plugins;
 use super::scene::Changes;
 use super::{Outcome, print, read_problem};
 
-/// Explain why a scene or a problem has no solution or several, or which mistake made an answer
+/// Explain why a stack sinks, why a problem has no solution or several, or which mistake made an answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
+  lcplab diagnose mass_ratio3 --solver pgs --sweeps 10   # why does it sink, and what helps?
+  lcplab diagnose frames/ --solver pgs --sweeps 10       # the same of dumped problems, a file a step
   lcplab diagnose fig8                    # three rows that contradict each other, proved
   lcplab diagnose stack --step 10
   lcplab diagnose fig8 --json
@@ -28,14 +37,17 @@ Example:
   lcplab diagnose problem.json answer.json  # which known mistake gives exactly this x?
 
 It reports rank, condition number and degrees of freedom, and lists zero rows, dependent rows, rows that
-no forces satisfy, constraints without direction, drift, overlap, and sign errors in A. With an answer it does to
+no forces satisfy, constraints without direction, drift, overlap, and sign errors in A. A scene is stepped for a second
+by its solver and exactly: what is missing is measured, each suspected cause is taken away to see whether that helps, and
+remedies are run. --solver and --sweeps do the same for a problem, or for the files of a folder in the order of their
+names. With an answer it does to
 the problem what solvers do wrong (sweeps that were stopped, the clamp after the sweep, b with the other sign,
 single precision, compliance, …) and says what gives the same x. INPUT is a problem
-file if its ending is one of `convert --list`, or -; otherwise a scene. Exit code 0 if it can be solved,
-1 if not, 2 for bad input.")]
+file if its ending is one of `convert --list`, or -; a folder of such files; otherwise a scene. Exit code 0 if it can be
+solved, 1 if not, 2 for bad input.")]
 pub struct Diagnose {
     /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
-    /// JSON from standard input
+    /// JSON from standard input, or a folder of problem files
     input: String,
     /// An answer to a problem: a file with the key x. Which known mistake gives exactly this?
     #[arg(conflicts_with_all = ["step", "format", "out"])]
@@ -43,6 +55,14 @@ pub struct Diagnose {
     /// The step of a scene at whose beginning it is examined, from 1 [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
+    /// Solver that is to be examined [default: the scene's; of a problem none]
+    #[arg(long)]
+    solver: Option<String>,
+    /// Most sweeps or pivots in a solve [default: the scene's]
+    #[arg(long, visible_alias = "sweeps")]
+    max_iterations: Option<usize>,
+    #[command(flatten)]
+    plugins: Plugins,
     #[command(flatten)]
     changes: Changes,
     /// Print what was found as JSON
@@ -65,6 +85,12 @@ impl Diagnose {
             }
             return self.mistake(&read_problem(Path::new(&self.input), Memory::default())?, answer);
         }
+        let plugins = self.plugins.start()?;
+        let solver = Plugins::sole(self.solver.as_deref(), &plugins)?;
+        if !is_problem && Path::new(&self.input).is_dir() {
+            return self.sequence(solver);
+        }
+        let mut examination = None;
         let found = match (is_problem, self.step) {
             (true, Some(_)) => {
                 let reason = "is for scenes, this is a problem";
@@ -74,14 +100,84 @@ impl Diagnose {
                 let reason = "is for scenes, this is a problem";
                 return Err(Error::invalid(&self.input, "--set", reason));
             }
-            (true, None) => problem(&read_problem(Path::new(&self.input), Memory::default())?)?,
-            (false, step) => scene(&self.changes.load(&self.input)?, step.unwrap_or(1) as usize)?,
+            (true, None) => {
+                let read = read_problem(Path::new(&self.input), Memory::default())?;
+                if solver.is_some() || self.max_iterations.is_some() {
+                    let practice = self.practice(solver)?;
+                    examination = Some(examine_sequence(std::slice::from_ref(&read), &practice));
+                }
+                problem(&read)?
+            }
+            (false, step) => {
+                let scene = self.scene(solver)?;
+                let found = diagnosis::scene(&scene, step.unwrap_or(1) as usize)?;
+                if found.is_sound() && methods::entry(&scene.solver.name).is_ok() {
+                    examination = Some(examine_scene(&scene, step.map(|step| step as usize))?);
+                }
+                found
+            }
         };
         if !self.json {
-            return self.writing.write(&found.document());
+            let mut document = found.document();
+            if let Some(examination) = &examination {
+                examination.open(&mut document);
+            }
+            return self.writing.write(&document);
         }
-        print(&format!("{:#}\n", found.to_json()))?;
+        let mut object = found.to_json();
+        if let Some(examination) = &examination {
+            object["examination"] = examination.to_json();
+        }
+        print(&format!("{object:#}\n"))?;
         Ok(if found.is_sound() { Outcome::Good } else { Outcome::Refuted })
+    }
+
+    /// The scene as it is to be solved.
+    fn scene(&self, solver: Option<&str>) -> Result<Scene> {
+        let mut scene = self.changes.load(&self.input)?;
+        if let Some(name) = solver {
+            scene.solver.name = methods::entry(name)?.name.into();
+        }
+        scene.solver.max_iterations = self.max_iterations.unwrap_or(scene.solver.max_iterations);
+        Ok(scene)
+    }
+
+    /// How a problem is to be solved.
+    fn practice(&self, solver: Option<&str>) -> Result<Practice> {
+        let entry = methods::entry(solver.unwrap_or("pgs"))?;
+        let mut options = Options::default();
+        if let Some(most) = self.max_iterations {
+            options.settings.max_iterations = most;
+        }
+        Ok(Practice { entry, options })
+    }
+
+    /// The problems of a folder, in the order of their names.
+    fn sequence(&self, solver: Option<&str>) -> Result<Outcome> {
+        let paths = file::list(Path::new(&self.input))?;
+        let paths = paths.iter().filter(|path| exchange::is_problem(path));
+        let problems = paths.map(|path| {
+            let mut problem = read_problem(path, Memory::default())?;
+            problem.name =
+                path.file_name().map_or(String::new(), |name| name.to_string_lossy().into());
+            Ok(problem)
+        });
+        let problems = problems.collect::<Result<Vec<Problem>>>()?;
+        if problems.is_empty() {
+            return Err(Error::invalid(&self.input, "the folder", "has no problem files"));
+        }
+        let found = examine_sequence(&problems, &self.practice(solver)?);
+        if self.json {
+            print(&format!("{:#}\n", found.to_json()))?;
+            return Ok(Outcome::Good);
+        }
+        let mut document = Document {
+            title: format!("Diagnosis of {}", self.input),
+            is_accepted: true,
+            ..Document::default()
+        };
+        found.open(&mut document);
+        self.writing.write(&document)
     }
 
     /// What a wrong answer looks like.

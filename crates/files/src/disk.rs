@@ -43,6 +43,19 @@ pub fn prepare(folder: &Path) -> Result<()> {
     tried.map(drop).map_err(|cause| Error::file(folder, &plain(cause)))
 }
 
+/// The files of a folder in the order of their names.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn list(folder: &Path) -> Result<Vec<PathBuf>> {
+    let read = || -> io::Result<Vec<PathBuf>> {
+        fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect()
+    };
+    let mut paths = read().map_err(|cause| Error::file(folder, &plain(cause)))?;
+    paths.sort();
+    Ok(paths)
+}
+
 /// Has a file made by someone else, under a temporary name that is then changed.
 ///
 /// # Errors

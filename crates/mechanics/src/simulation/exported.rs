@@ -4,6 +4,7 @@ use lcplab_problem::file::{Problem, number};
 use serde_json::json;
 
 use super::Solve;
+use crate::formulation::Stage;
 use crate::scene::Scene;
 
 impl Solve {
@@ -16,9 +17,17 @@ impl Solve {
         }
         let rows = assembled.assembly.rows.iter().map(|row| {
             let unit = assembled.stage.unit(row.kind.is_angular());
-            json!({ "label": row.label(scene), "kind": row.kind.name(), "unit": unit })
+            let bodies = row.bodies.map(|body| body.map_or("world", |k| &*scene.bodies[k].name));
+            json!({ "label": row.label(scene), "kind": row.kind.name(), "unit": unit, "bodies": bodies })
         });
         problem.extra.insert("rows".into(), rows.collect());
+        let bodies = assembled.assembly.blocks.iter().map(|block| {
+            json!({ "name": scene.bodies[block.body].name, "first": block.offset, "count": block.dof })
+        });
+        problem.extra.insert("bodies".into(), bodies.collect());
+        let time = if assembled.stage == Stage::Acceleration { 1.0 } else { assembled.dt };
+        let gravity = (scene.gravity * time).iter().map(|&part| number(part)).collect();
+        problem.extra.insert("gravity".into(), gravity);
         problem.extra.insert("dt".into(), number(scene.step.dt));
         let source = format!("lcplab scene {}, {} level", scene.name, assembled.stage.name());
         problem.extra.insert("source".into(), source.into());

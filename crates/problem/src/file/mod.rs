@@ -16,7 +16,9 @@
 //! | `frozen_at` | n numbers, of which the box of model 1, `"frozen-box"`, takes the normal impulses x\[k\] |
 //! | `scale` | the size of x that counts as something: a row whose terms are below s_i times this is at rest, and measured by that; see [`Lcp::with_scale`] |
 //! | `motion` | the bodies and rows that A and b were made from, `{"mass": triplets of M's upper triangle (k × k), "jacobian": triplets of J (n × k), "bias": n numbers, "compliance": n numbers γ, "target": k numbers u*}`; see [`Gauss`] |
-//! | `name`, `source`, `dt`, `rows`, `expected` | optional, kept as they are |
+//! | `rows` | optional, an object a row: its `label`, `kind`, `unit` and the names of its two `bodies` |
+//! | `bodies`, `gravity` | optional, beside `motion`: for each body that moves its `name`, its `first` column of M and their `count`; what gravity adds to each velocity in `target` |
+//! | `name`, `source`, `dt`, `expected` | optional, kept as they are |
 //!
 //! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact have the
 //! same μ and are bounded by the same row n. The exported steps of scenes are such files. A unit mass
@@ -70,7 +72,7 @@ pub struct Problem {
     pub frozen_at: Option<Vec<f64>>,
     /// The bodies and rows that A and b were made from, if the file says so; it is bounded as the problem is.
     pub motion: Option<Gauss>,
-    /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `expected`.
+    /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `bodies`, `gravity`, `expected`.
     pub extra: Map<String, Value>,
     /// What was ignored while reading.
     pub warnings: Vec<String>,
@@ -84,7 +86,7 @@ pub struct Problem {
 /// ```
 pub const SCHEMA: &str = include_str!("schema.json");
 
-const KEPT: [&str; 4] = ["source", "dt", "rows", "expected"];
+const KEPT: [&str; 6] = ["source", "dt", "rows", "bodies", "gravity", "expected"];
 const READ: [&str; 11] =
     ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale", "motion"];
 

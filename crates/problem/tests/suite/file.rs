@@ -46,7 +46,8 @@ fn the_schema_names_all_keys_that_are_read_and_no_other() {
         "lo": [0, "-inf", "-inf"], "hi": ["inf", "inf", "inf"], "friction_index": [-1, 0, 0],
         "mu": [0, 0.5, 0.5], "model": "frozen-box", "frozen_at": [1, 0, 0], "scale": 1e-9,
         "motion": { "mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]], "bias": [0, 0, 0], "compliance": [0, 0, 0], "target": [-3] },
-        "source": "here", "dt": 0.01, "rows": [], "expected": { "solutions": [], "complete": false },
+        "source": "here", "dt": 0.01, "rows": [], "bodies": [], "gravity": [0, 0, -9.81],
+        "expected": { "solutions": [], "complete": false },
     });
     let problem = Problem::parse(&all.to_string(), "p.json").unwrap();
     assert_eq!(problem.warnings, [""; 0]);

@@ -20,6 +20,7 @@ mod cause;
 mod contradiction;
 mod freedom;
 mod mistake;
+pub mod shortfall;
 mod show;
 #[cfg(feature = "mechanics")]
 mod situation;

@@ -11,4 +11,5 @@ mod proofs;
 mod range;
 mod reference;
 mod search;
+mod shortfall;
 mod worked_examples;

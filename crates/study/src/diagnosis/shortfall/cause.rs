@@ -1,0 +1,206 @@
+//! Causes of what is missing, each known by what happens without it.
+
+use std::fmt;
+
+use lcplab_page::number::readable;
+
+use super::show::percent;
+
+/// Significant digits in words.
+const DIGITS: usize = 2;
+
+/// What taking a cause away does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Without {
+    /// The sweeps to a good answer with the cause over those without.
+    pub factor: f64,
+    /// What is missing with it, after as many sweeps as before.
+    pub with: f64,
+    /// And without.
+    pub without: f64,
+}
+
+impl Without {
+    /// The part of what is missing that the cause explains.
+    pub fn share(&self) -> f64 {
+        self.with - self.without
+    }
+}
+
+/// Why sweeps come too slowly to the solution.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Slow {
+    /// Bodies of unlike mass; without them all masses are equal.
+    MassRatio {
+        /// The heaviest body of the slowest pattern and its mass (kg).
+        heavy: (String, f64),
+        /// The lightest.
+        light: (String, f64),
+        /// What equal masses do.
+        without: Without,
+    },
+    /// A tall column or a long chain. Without it no pair of bodies feels the others, masses being equal in both.
+    Tall {
+        /// The bodies through which an impulse goes, one after the other, if they are known.
+        bodies: Option<usize>,
+        /// What keeping the pairs apart does.
+        without: Without,
+    },
+    /// The order of the rows; without it they are taken from the last to the first.
+    Order {
+        /// What the other order does.
+        without: Without,
+    },
+    /// The start; without it sweeps start from x = 0.
+    Stale {
+        /// What that start does.
+        without: Without,
+    },
+    /// None of these: sweeps are slow on this problem.
+    Other,
+}
+
+impl Slow {
+    /// A few words for the head of a line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Slow::MassRatio { .. } => "mass ratio",
+            Slow::Tall { .. } => "tall column or long chain",
+            Slow::Order { .. } => "order of rows",
+            Slow::Stale { .. } => "stale start",
+            Slow::Other => "slow sweeps",
+        }
+    }
+}
+
+impl fmt::Display for Slow {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let saves = |own: &Without| {
+            format!(
+                "{} would be missing in place of {}, and a thousandth after {} times fewer sweeps",
+                percent(own.without),
+                percent(own.with),
+                readable(own.factor, DIGITS)
+            )
+        };
+        match self {
+            Slow::MassRatio { heavy, light, without } => write!(
+                f,
+                "{} ({} kg) and {} ({} kg) move together in the slowest pattern. With equal masses {}.",
+                heavy.0,
+                readable(heavy.1, DIGITS),
+                light.0,
+                readable(light.1, DIGITS),
+                saves(without)
+            ),
+            Slow::Tall { bodies: Some(bodies), without } => write!(
+                f,
+                "impulses go from body to body through {bodies} of them. If no contact or joint felt the others, masses \
+                 being equal, {}.",
+                saves(without)
+            ),
+            Slow::Tall { bodies: None, without } => write!(
+                f,
+                "rows feel each other over a long way; whether unlike masses have a part in it is not known, for the file \
+                 names no bodies. If no contact felt the others, {}.",
+                saves(without)
+            ),
+            Slow::Order { without } => write!(
+                f,
+                "the rows are taken against the way that impulses go. From the last row to the first {}.",
+                saves(without)
+            ),
+            Slow::Stale { without } => write!(
+                f,
+                "the sweeps start from forces that are worse than none. From 0, {} would be missing in place of {}.",
+                percent(without.without),
+                percent(without.with)
+            ),
+            Slow::Other => write!(
+                f,
+                "neither unlike masses, nor a long way, nor the order of the rows explains it; look for rows that all \
+                 but repeat each other."
+            ),
+        }
+    }
+}
+
+/// What moves bodies as they should not move, though every problem be solved; each is known by a run without it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Moving {
+    /// Every step starts from x = 0.
+    Cold {
+        /// What is missing over the second half of the run.
+        with: f64,
+        /// The same when steps start from the last answer.
+        without: f64,
+    },
+    /// Feedback of errors puts energy in.
+    Feedback {
+        /// The energy that is gained (J).
+        with: f64,
+        /// The same without feedback.
+        without: f64,
+    },
+    /// The scheme's constraints yield.
+    Soft {
+        /// The scheme.
+        scheme: &'static str,
+        /// The body that sinks most.
+        body: String,
+        /// How far below rigid constraints (m).
+        depth: f64,
+    },
+    /// The box of friction holds or turns what Coulomb's cone lets slide.
+    BoxFriction {
+        /// How far the motions of both end apart (m).
+        distance: f64,
+        /// How far bodies go (m).
+        way: f64,
+    },
+}
+
+impl Moving {
+    /// A few words for the head of a line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Moving::Cold { .. } => "cold start",
+            Moving::Feedback { .. } => "Baumgarte's energy",
+            Moving::Soft { .. } => "too soft",
+            Moving::BoxFriction { .. } => "box friction",
+        }
+    }
+}
+
+impl fmt::Display for Moving {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = |value: &f64| readable(*value, DIGITS);
+        match self {
+            Moving::Cold { with, without } => write!(
+                f,
+                "every step starts from x = 0, and {} is missing. Started from the last answer, {} is.",
+                percent(*with),
+                percent(*without)
+            ),
+            Moving::Feedback { with, without } => write!(
+                f,
+                "feedback of position errors puts in {} J. Without it {} J are gained; correct positions apart from \
+                 velocities (split-impulse, gauss-seidel).",
+                number(with),
+                number(without)
+            ),
+            Moving::Soft { scheme, body, depth } => write!(
+                f,
+                "the constraints of {scheme} yield: {body} ends {} m below where rigid ones leave it.",
+                number(depth)
+            ),
+            Moving::BoxFriction { distance, way } => write!(
+                f,
+                "friction is limited along two tangents, each by itself; with Coulomb's cone a body ends {} m elsewhere, \
+                 of a way of {} m.",
+                number(distance),
+                number(way)
+            ),
+        }
+    }
+}

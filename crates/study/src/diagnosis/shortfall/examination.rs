@@ -1,0 +1,190 @@
+//! A scene or a sequence of problems, examined: what is seen, why, and what helps.
+
+use lcplab_page::document::{Document, Section};
+use lcplab_page::number::readable;
+use serde_json::{Value, json};
+
+use super::cause::Moving;
+use super::examine::{HEALTHY, Shortfall};
+use super::show::percent;
+
+/// Significant digits of what was measured.
+const DIGITS: usize = 2;
+
+/// A depth (m) that is worth a word.
+const WORTH: f64 = 1e-6;
+
+/// So many steps are shown.
+const STEPS: usize = 5;
+
+/// A good part of what is missing at most.
+const GOOD_PART: f64 = 0.25;
+
+/// What is not looked for.
+const NOT_EXAMINED: &str =
+    "flicker of contacts, closed loops, restitution against rest, tunnelling, spin";
+
+/// One step or one file of a sequence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Note {
+    /// The step, or the file.
+    pub name: String,
+    /// What is missing in its answer, as a part of what the constraints have to do; NaN where no solution is known.
+    pub missing: f64,
+    /// The upward impulse (N s) or force (N) that is missing over all bodies.
+    pub uncarried: f64,
+    /// The scaled residual of its answer.
+    pub residual: f64,
+    /// The largest velocity (m/s, rad/s) that feedback of errors asks for.
+    pub bias: f64,
+    /// The deepest overlap at its end (m), if it is known.
+    pub penetration: Option<f64>,
+    /// Kinetic and potential energy at its end (J), if it is known.
+    pub energy: Option<f64>,
+}
+
+/// The step to look into: the first in which a good part of what is missing at most is missing, for what comes after follows
+/// from it. The first of all if nothing is.
+pub fn telling_step(notes: &[Note]) -> usize {
+    let most = notes.iter().map(|note| note.missing).fold(HEALTHY, f64::max);
+    notes.iter().position(|note| note.missing >= GOOD_PART * most).unwrap_or(0)
+}
+
+/// What was found of a scene or a sequence.
+#[derive(Debug, Clone, Default)]
+pub struct Examination {
+    /// Step by step.
+    pub notes: Vec<Note>,
+    /// How long the motion was (s), if it was one.
+    pub time: Option<f64>,
+    /// The body that ends farthest below where exact answers leave it, and by how much (m).
+    pub sunk: Option<(String, f64)>,
+    /// What moves bodies though every problem be solved, the strongest first.
+    pub moving: Vec<Moving>,
+    /// The step that was examined, and how; none where no solution is known.
+    pub shortfall: Option<Shortfall>,
+    /// What was looked at and is not the cause.
+    pub innocent: Vec<String>,
+}
+
+impl Examination {
+    /// The names of the causes, the first first.
+    pub fn causes(&self) -> Vec<&'static str> {
+        let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
+        let moving = self.moving.iter().map(Moving::name);
+        // A cold start has every step miss what a warm one does not: it comes before what makes sweeps slow.
+        let is_cold = |name: &&str| *name == "cold start";
+        let first: Vec<&str> = moving.clone().filter(is_cold).collect();
+        first.into_iter().chain(slow).chain(moving.filter(|name| !is_cold(name))).collect()
+    }
+
+    /// The first sentences.
+    pub fn headline(&self) -> String {
+        let mut words = match &self.shortfall {
+            Some(found) => found.headline(),
+            None => "No solution is known to compare with.".into(),
+        };
+        let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > WORTH);
+        if let (Some((body, depth)), Some(time)) = (deep, self.time) {
+            words += &format!(
+                " In {} s {body} sinks {} m below where exact answers leave it.",
+                readable(time, DIGITS),
+                readable(*depth, DIGITS)
+            );
+        }
+        words
+    }
+
+    /// Puts it before what else a document says.
+    pub fn open(&self, document: &mut Document) {
+        document.lead = format!("{} {}", self.headline(), document.lead);
+        let found = self.shortfall.as_ref();
+        let mut sections: Vec<Section> = self.why().into_iter().collect();
+        sections.extend(found.and_then(Shortfall::remedies_section));
+        sections.extend(found.filter(|found| found.is_short()).and_then(Shortfall::loads_section));
+        sections.extend(self.steps());
+        let mut rest = std::mem::take(&mut document.sections);
+        rest.iter_mut()
+            .filter(|own| own.title == "Causes")
+            .for_each(|own| own.title = "Remarks".into());
+        sections.into_iter().for_each(|section| document.add("", section));
+        document.sections.extend(rest);
+    }
+
+    fn why(&self) -> Option<Section> {
+        let mut section = Section::new("why");
+        let mut lines: Vec<String> = Vec::new();
+        let slow = self.shortfall.iter().flat_map(|found| &found.causes);
+        let mut named: Vec<(&str, String)> =
+            slow.map(|cause| (cause.name(), cause.to_string())).collect();
+        named.extend(self.moving.iter().map(|cause| (cause.name(), cause.to_string())));
+        for (k, name) in self.causes().into_iter().enumerate() {
+            let word = if k == 0 { "Cause" } else { "Also" };
+            if let Some((_, text)) = named.iter().find(|(own, _)| *own == name) {
+                lines.push(format!("{word}: {name}: {text}"));
+            }
+        }
+        if let Some(found) = &self.shortfall {
+            lines.extend(found.pace());
+        }
+        if !self.innocent.is_empty() {
+            lines.push(format!("Not the cause: {}.", self.innocent.join("; ")));
+        }
+        if !lines.is_empty() {
+            lines.push(format!("Not examined: {NOT_EXAMINED}."));
+        }
+        lines.into_iter().for_each(|line| section.say(line));
+        (!section.blocks.is_empty()).then_some(section)
+    }
+
+    fn steps(&self) -> Option<Section> {
+        let mut notes: Vec<&Note> = self.notes.iter().filter(|note| note.missing > 0.0).collect();
+        notes.sort_by(|a, b| b.missing.total_cmp(&a.missing));
+        let optional =
+            |value: Option<f64>| value.map_or(String::new(), |value| readable(value, DIGITS));
+        let row = |note: &&Note| {
+            vec![
+                note.name.clone(),
+                percent(note.missing),
+                readable(note.residual, DIGITS),
+                readable(note.bias, DIGITS),
+                optional(note.penetration.map(|depth| 1e3 * depth)),
+                optional(note.energy),
+            ]
+        };
+        let is_short = |found: &Shortfall| found.is_short();
+        if self.notes.len() < 2 || !self.shortfall.as_ref().is_some_and(is_short) {
+            return None;
+        }
+        let mut section = Section::new("steps");
+        section.table(
+            "the steps in which most is missing, the worst first",
+            &["step", "missing", "scaled residual", "bias (m/s)", "overlap (mm)", "energy (J)"],
+            notes.iter().take(STEPS).map(row).collect(),
+        );
+        Some(section)
+    }
+
+    /// The same for machines.
+    pub fn to_json(&self) -> Value {
+        let number = lcplab_problem::file::number;
+        let note = |note: &Note| {
+            json!({ "name": note.name, "missing": number(note.missing), "uncarried": number(note.uncarried),
+                "residual": number(note.residual), "bias": number(note.bias),
+                "penetration": note.penetration, "energy": note.energy })
+        };
+        let sunk = self
+            .sunk
+            .as_ref()
+            .map(|(body, depth)| json!({ "body": body, "depth": number(*depth) }));
+        json!({
+            "headline": self.headline(),
+            "causes": self.causes(),
+            "innocent": self.innocent,
+            "seconds": self.time,
+            "sunk": sunk,
+            "solve": self.shortfall.as_ref().map(Shortfall::to_json),
+            "steps": self.notes.iter().map(note).collect::<Vec<_>>(),
+        })
+    }
+}

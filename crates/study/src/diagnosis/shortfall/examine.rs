@@ -1,0 +1,340 @@
+//! The examination of one solve.
+
+use lcplab_problem::{Lcp, merit};
+use lcplab_solver::{Entry, Group, Options, Order, Solver, Start, Status, by_name};
+
+use super::cause::{Slow, Without};
+use super::frame::{Body, Frame};
+use super::linear::{Linear, Slowest, Way};
+use super::remedy::{Remedy, remedies, sweeps_to};
+use super::yard::Yard;
+
+/// Less than this part missing is nothing to speak of.
+pub const HEALTHY: f64 = 0.01;
+
+/// What is missing in a good answer, to count sweeps by.
+pub const GOOD: f64 = 1e-3;
+
+/// Without a cause it takes so many times fewer sweeps, or it is none.
+const TELLING: f64 = 2.0;
+
+/// And it explains this part of what is missing.
+const WORTH: f64 = 0.1;
+
+/// Sweeps are counted up to here, and up to so many multiplications.
+const MOST_SWEEPS: usize = 20_000;
+const MULTIPLICATIONS: usize = 10_000_000;
+
+/// How a problem is solved by those who ask.
+#[derive(Clone)]
+pub struct Practice {
+    /// The solver.
+    pub entry: Entry,
+    /// Its settings.
+    pub options: Options,
+}
+
+impl Practice {
+    /// Whether it goes row by row.
+    pub fn is_sweep(&self) -> bool {
+        self.entry.group == Group::Sweeps
+    }
+
+    /// What an iteration of it is called.
+    pub fn unit(&self) -> &'static str {
+        match self.entry.group {
+            Group::Sweeps => "sweep",
+            Group::Pivoting => "pivot",
+            Group::FirstOrder | Group::Newton | Group::Plugin => "step",
+        }
+    }
+
+    /// The solver.
+    pub fn solver(&self) -> Box<dyn Solver> {
+        (self.entry.build)(&self.options)
+    }
+
+    /// Another solver with these settings, but for the number of steps of one that is there or nowhere.
+    pub fn other(&self, name: &str) -> Option<Box<dyn Solver>> {
+        let mut options = self.options.clone();
+        let entry = lcplab_solver::entry(name).ok()?;
+        if entry.group != Group::Sweeps && entry.group != Group::FirstOrder {
+            options.settings.max_iterations = Options::default().settings.max_iterations;
+        }
+        by_name(name, &options).ok()
+    }
+}
+
+/// What an impulse should be, and what it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// Who carries or is carried.
+    pub name: String,
+    /// Upward in the solution (N s).
+    pub due: f64,
+    /// Upward in the answer (N s).
+    pub given: f64,
+}
+
+impl Load {
+    /// The part that is missing.
+    pub fn missing(&self) -> f64 {
+        1.0 - self.given / self.due
+    }
+}
+
+/// What an answer leaves undone, why, and what helps.
+#[derive(Debug, Clone)]
+pub struct Shortfall {
+    /// Which problem.
+    pub subject: String,
+    /// Who solved it.
+    pub solver: String,
+    /// Its sweeps, pivots or steps.
+    pub iterations: usize,
+    /// What one of them is called.
+    pub unit: &'static str,
+    /// What it said of its answer.
+    pub status: Status,
+    /// The answer.
+    pub x: Vec<f64>,
+    /// The scaled residual of the answer.
+    pub residual: f64,
+    /// What is missing, as a part of what the constraints have to do.
+    pub missing: f64,
+    /// The same by theory, of sweeps.
+    pub predicted: Option<f64>,
+    /// The whole weight that is carried, and that of each body and each pair; empty if that is not known.
+    pub whole: Option<Load>,
+    /// Body by body.
+    pub bodies: Vec<Load>,
+    /// Pair by pair, the worst first.
+    pub pairs: Vec<Load>,
+    /// The slowest pattern of Gauss-Seidel.
+    pub slowest: Option<Slowest>,
+    /// The body that moves most in it, if bodies are known.
+    pub mover: Option<String>,
+    /// The sweeps of Gauss-Seidel to a good answer, and whether they were done or follow from the last that were.
+    pub sweeps: Option<(f64, bool)>,
+    /// Why, the strongest first; empty if nothing is missing.
+    pub causes: Vec<Slow>,
+    /// What helps, the best first.
+    pub remedies: Vec<Remedy>,
+}
+
+/// Solves the problem of a frame as is the practice, from a start if there is one, and examines the answer. `None` if no
+/// solution is known to compare with, or A is not symmetric.
+pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Option<Shortfall> {
+    let own = start.map_or_else(Start::default, Start::at);
+    let solution = practice.solver().solve(&frame.lcp, &own, &mut ());
+    let (status, iterations) = (solution.status, solution.iterations);
+    let mut found = examine_answer(frame, practice, start, solution.x)?;
+    (found.status, found.iterations) = (status, iterations);
+    Some(found)
+}
+
+/// Examines an answer that is there.
+pub fn examine_answer(
+    frame: &Frame,
+    practice: &Practice,
+    from: Option<&[f64]>,
+    x: Vec<f64>,
+) -> Option<Shortfall> {
+    let lcp = &frame.lcp;
+    let yard = Yard::new(lcp, frame.weight(|_| 1.0))?;
+    let linear = Linear::new(lcp, &yard);
+    let zero = super::yard::start(lcp);
+    let sweeps = practice.options.settings.max_iterations;
+    let is_plain = practice.entry.name == "pgs" && practice.options.order == Order::Natural;
+    let missing = yard.missing(&x);
+    let predicted = (is_plain && sweeps <= MOST_SWEEPS)
+        .then(|| linear.missing(from.unwrap_or(&zero), Way::PLAIN, sweeps))
+        .flatten();
+    let mut found = Shortfall {
+        subject: frame.name.clone(),
+        solver: practice.entry.name.into(),
+        iterations: sweeps,
+        unit: practice.unit(),
+        status: Status::Solved,
+        residual: merit::scaled_residual(lcp, &x),
+        missing,
+        predicted,
+        whole: None,
+        bodies: Vec::new(),
+        pairs: Vec::new(),
+        slowest: None,
+        mover: None,
+        sweeps: None,
+        causes: Vec::new(),
+        remedies: Vec::new(),
+        x,
+    };
+    found.loads(frame, &yard.exact);
+    if yard.is_needed() && missing > HEALTHY {
+        let case = Case { frame, practice, yard: &yard, linear: &linear };
+        case.explain(&mut found, from);
+        found.remedies = remedies(frame, practice, &yard, &linear);
+    }
+    Some(found)
+}
+
+impl Shortfall {
+    /// Who carries how much of the weight.
+    fn loads(&mut self, frame: &Frame, exact: &[f64]) {
+        if frame.bodies.is_empty() || frame.fall.is_none() {
+            return;
+        }
+        let all = |x: &[f64]| frame.impulse(x, |_| true);
+        let (due, given) = (all(exact), all(&self.x));
+        let of = |body: &Body| Load {
+            name: body.name.clone(),
+            due: frame.upward(&due, body),
+            given: frame.upward(&given, body),
+        };
+        self.bodies = frame.bodies.iter().map(of).collect();
+        let sum = |part: fn(&Load) -> f64| self.bodies.iter().map(part).sum::<f64>();
+        let (due, given) = (sum(|load| load.due), sum(|load| load.given));
+        let scale: f64 = self.bodies.iter().map(|load| load.due.abs()).sum();
+        // Where nothing is carried, there is no weight of which a part is missing.
+        self.whole =
+            (due > HEALTHY * scale).then(|| Load { name: "all bodies".into(), due, given });
+        for pair in &frame.pairs {
+            let of = |x: &[f64]| {
+                let own = frame.impulse(x, |i| pair.rows.contains(&i));
+                let each = frame.bodies.iter().map(|body| frame.upward(&own, body));
+                each.fold(0.0, f64::max)
+            };
+            let load = Load { name: pair.name.clone(), due: of(exact), given: of(&self.x) };
+            self.pairs.extend((load.due > HEALTHY * due).then_some(load));
+        }
+        self.pairs.sort_by(|a, b| (b.due - b.given).total_cmp(&(a.due - a.given)));
+    }
+}
+
+struct Case<'a> {
+    frame: &'a Frame,
+    practice: &'a Practice,
+    yard: &'a Yard<'a>,
+    linear: &'a Linear<'a>,
+}
+
+impl Case<'_> {
+    fn most(&self) -> usize {
+        MOST_SWEEPS.min(MULTIPLICATIONS / (1 + self.frame.lcp.matrix().stored()))
+    }
+
+    /// A changed problem, where gravity does `weight`: the sweeps that it needs, and what is missing when it is solved as
+    /// this one was.
+    fn changed(&self, lcp: &Lcp, weight: f64) -> Option<[f64; 2]> {
+        let yard = Yard::new(lcp, weight)?;
+        if !yard.is_needed() {
+            return Some([1.0, 0.0]);
+        }
+        let needed = sweeps_to(lcp, &yard, Order::Natural, GOOD, self.most()).0;
+        let solution = self.practice.solver().solve(lcp, &Start::default(), &mut ());
+        Some([needed.max(1.0), yard.missing(&solution.x)])
+    }
+
+    fn explain(&self, found: &mut Shortfall, from: Option<&[f64]>) {
+        let lcp = &self.frame.lcp;
+        let zero = super::yard::start(lcp);
+        found.slowest = self.linear.slowest(&zero, GOOD, self.most());
+        let Some(slowest) = &found.slowest else { return };
+        let (needed, is_done) = sweeps_to(lcp, self.yard, Order::Natural, GOOD, self.most());
+        found.sweeps = Some((needed, is_done));
+        let moved = self.frame.response(&slowest.forces);
+        let speed = |k: &usize| {
+            let own = &moved[self.frame.bodies[*k].columns.clone()];
+            own[..3].iter().map(|u| u * u).sum::<f64>().sqrt()
+        };
+        let movers = || 0..self.frame.bodies.len();
+        let mover = movers().max_by(|a, b| speed(a).total_cmp(&speed(b)));
+        found.mover = mover.map(|k| self.frame.bodies[k].name.clone());
+        let mut causes: Vec<(Without, Slow)> = Vec::new();
+        causes.extend(self.masses_and_height([needed, found.missing], mover, &speed));
+        if self.practice.is_sweep() {
+            causes.extend(self.order(needed));
+        }
+        causes.extend(from.and_then(|_| self.stale(found.missing)));
+        let is_telling =
+            |own: &Without| own.factor >= TELLING && own.share() >= WORTH * found.missing;
+        causes.retain(|(without, _)| is_telling(without));
+        causes.sort_by(|a, b| b.0.share().total_cmp(&a.0.share()));
+        found.causes = causes.into_iter().map(|(_, cause)| cause).collect();
+        if found.causes.is_empty() {
+            found.causes.push(Slow::Other);
+        }
+    }
+
+    /// What equal masses do, if masses are known, and then keeping pairs of bodies apart.
+    fn masses_and_height(
+        &self,
+        own: [f64; 2],
+        mover: Option<usize>,
+        speed: &dyn Fn(&usize) -> f64,
+    ) -> Vec<(Without, Slow)> {
+        let bodies = &self.frame.bodies;
+        let mean = bodies.iter().map(|body| body.mass.ln()).sum::<f64>() / bodies.len() as f64;
+        let equal: Vec<f64> = bodies.iter().map(|body| body.mass / mean.exp()).collect();
+        let lcp = self.frame.with_mobility(&equal);
+        let weight = match &lcp {
+            Some(_) => self.frame.weight(|k| 1.0 / equal[k]),
+            None => self.frame.weight(|_| 1.0),
+        };
+        let mut causes = Vec::new();
+        let mut alike = own;
+        if let (Some(lcp), Some(mover)) = (&lcp, mover) {
+            alike = self.changed(lcp, weight).unwrap_or(own);
+            causes.push(self.masses(own, alike, mover, speed));
+        }
+        let apart = self.frame.by_pairs(lcp.as_ref().unwrap_or(&self.frame.lcp));
+        if let Some(left) = apart.and_then(|apart| self.changed(&apart, weight)) {
+            let without = Without { factor: alike[0] / left[0], with: alike[1], without: left[1] };
+            let bodies = mover.filter(|_| lcp.is_some()).map(|mover| self.frame.reach(mover));
+            causes.push((without, Slow::Tall { bodies, without }));
+        }
+        causes
+    }
+
+    fn masses(
+        &self,
+        [needed, missing]: [f64; 2],
+        alike: [f64; 2],
+        mover: usize,
+        speed: &dyn Fn(&usize) -> f64,
+    ) -> (Without, Slow) {
+        let largest = speed(&mover);
+        let bodies = &self.frame.bodies;
+        let moving =
+            || (0..bodies.len()).filter(|k| speed(k) > HEALTHY * largest).map(|k| &bodies[k]);
+        let by_mass = |a: &&Body, b: &&Body| a.mass.total_cmp(&b.mass);
+        let named = |body: Option<&Body>| {
+            body.map_or_else(Default::default, |body| (body.name.clone(), body.mass))
+        };
+        let without = Without { factor: needed / alike[0], with: missing, without: alike[1] };
+        let heavy = named(moving().max_by(by_mass));
+        let light = named(moving().min_by(by_mass));
+        (without, Slow::MassRatio { heavy, light, without })
+    }
+
+    fn order(&self, needed: f64) -> Option<(Without, Slow)> {
+        let lcp = &self.frame.lcp;
+        let (back, _) = sweeps_to(lcp, self.yard, Order::Reverse, GOOD, self.most());
+        let mut reversed = self.practice.clone();
+        reversed.options.order = Order::Reverse;
+        let run = |practice: &Practice| {
+            let solution = practice.solver().solve(lcp, &Start::default(), &mut ());
+            self.yard.missing(&solution.x)
+        };
+        let (with, without) = (run(self.practice), run(&reversed));
+        let without = Without { factor: needed / back.max(1.0), with, without };
+        Some((without, Slow::Order { without }))
+    }
+
+    fn stale(&self, missing: f64) -> Option<(Without, Slow)> {
+        let solution = self.practice.solver().solve(&self.frame.lcp, &Start::default(), &mut ());
+        let left = self.yard.missing(&solution.x);
+        let without = Without { factor: missing / left, with: missing, without: left };
+        Some((without, Slow::Stale { without }))
+    }
+}

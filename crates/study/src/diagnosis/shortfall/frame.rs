@@ -1,0 +1,288 @@
+//! One problem of a run, with what is known of the bodies behind it.
+
+use std::ops::Range;
+
+use lcplab_problem::file::Problem;
+use lcplab_problem::{Gauss, Lcp, Matrix};
+use nalgebra::DMatrix;
+use serde_json::Value;
+
+/// A part this small of the largest entry of A is rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// A body that moves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// Its columns; the first three are those of its velocity.
+    pub columns: Range<usize>,
+    /// Its mass (kg).
+    pub mass: f64,
+}
+
+/// Rows that act between the same two bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pair {
+    /// The two bodies, `box1–box2`; of a problem without bodies the label of the row.
+    pub name: String,
+    /// The rows.
+    pub rows: Vec<usize>,
+}
+
+/// A problem with what is known of its bodies. Everything but the numbers may be missing.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// What it is called.
+    pub name: String,
+    /// The problem in numbers.
+    pub lcp: Lcp,
+    /// The rows by the bodies between which they act.
+    pub pairs: Vec<Pair>,
+    /// M, J, γ and the motion without constraints, if they are known.
+    pub motion: Option<Gauss>,
+    /// The bodies that move, if they are known.
+    pub bodies: Vec<Body>,
+    /// What gravity adds to each velocity of the motion without constraints (m/s; m/s² where x are forces), if there is any.
+    pub fall: Option<[f64; 3]>,
+}
+
+impl Frame {
+    /// The frame of a problem file.
+    pub fn of(problem: &Problem) -> Self {
+        let lcp = problem.lcp.clone();
+        let motion = problem.motion.clone();
+        let bodies = motion.as_ref().map_or_else(Vec::new, |motion| bodies(problem, motion));
+        let fall = problem.extra.get("gravity").and_then(vector);
+        let pairs = pairs(problem);
+        Frame { name: problem.name.clone(), lcp, pairs, motion, bodies, fall }
+    }
+
+    /// The problem with other masses: M⁻¹ of body k times `mobility[k]`. A body with 0 is held: it does not move
+    /// whatever acts on it. `None` if the bodies are not known, or do not give the A of this problem.
+    pub fn with_mobility(&self, mobility: &[f64]) -> Option<Lcp> {
+        let motion = self.motion.as_ref().filter(|_| !self.bodies.is_empty())?;
+        let own = self.assembled(motion, &vec![1.0; self.bodies.len()])?;
+        if !is_same(own.matrix(), self.lcp.matrix()) {
+            return None;
+        }
+        self.assembled(motion, mobility)
+    }
+
+    /// A = J M⁻¹ Jᵀ + γ and b = J u* + bias, with these parts of M⁻¹.
+    fn assembled(&self, motion: &Gauss, mobility: &[f64]) -> Option<Lcp> {
+        let n = self.lcp.len();
+        let mut entries: Vec<(usize, usize, f64)> =
+            (0..n).map(|i| (i, i, motion.compliance[i])).collect();
+        let mut target = motion.target.clone();
+        for (body, &part) in self.bodies.iter().zip(mobility) {
+            if part == 0.0 {
+                target[body.columns.clone()].fill(0.0);
+                continue;
+            }
+            let inverse = mass(motion, body).try_inverse()? * part;
+            let touching: Vec<(usize, DMatrix<f64>)> =
+                (0..n).filter_map(|i| Some((i, row_of(&motion.jacobian[i], body)?))).collect();
+            for (i, j_i) in &touching {
+                let response = j_i * &inverse;
+                entries.extend(
+                    touching.iter().map(|(k, j_k)| (*i, *k, response.row(0).dot(&j_k.row(0)))),
+                );
+            }
+        }
+        let mut is_moving = vec![false; n];
+        entries
+            .iter()
+            .filter(|(i, j, a)| i == j && *a > 0.0)
+            .for_each(|(i, ..)| is_moving[*i] = true);
+        // Rows between bodies that are held have nothing to do: w = x.
+        entries.extend((0..n).filter(|&i| !is_moving[i]).map(|i| (i, i, 1.0)));
+        let approach = |i: usize| {
+            motion.jacobian[i].iter().map(|&(column, j)| j * target[column]).sum::<f64>()
+                + motion.bias[i]
+        };
+        let b = (0..n).map(|i| if is_moving[i] { approach(i) } else { 0.0 }).collect();
+        self.with_rows(Matrix::sparse(n, &entries), b)
+    }
+
+    /// A problem with these rows in which no pair of bodies feels the others: A without what stands between pairs.
+    pub fn by_pairs(&self, lcp: &Lcp) -> Option<Lcp> {
+        let mut pair_of = vec![0; lcp.len()];
+        for (k, pair) in self.pairs.iter().enumerate() {
+            pair.rows.iter().for_each(|&i| pair_of[i] = k);
+        }
+        let row = |i: usize| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a));
+        let entries: Vec<_> =
+            (0..lcp.len()).flat_map(row).filter(|&(i, j, _)| pair_of[i] == pair_of[j]).collect();
+        self.with_rows(Matrix::sparse(lcp.len(), &entries), lcp.b().to_vec())
+    }
+
+    /// A problem with the bounds of this one.
+    fn with_rows(&self, matrix: Matrix, b: Vec<f64>) -> Option<Lcp> {
+        let lcp = Lcp::new(matrix, b, self.lcp.lo().to_vec(), self.lcp.hi().to_vec());
+        let lcp = lcp.and_then(|lcp| lcp.with_scale(self.lcp.scale())).ok()?;
+        match self.lcp.coupling() {
+            Some(coupling) => lcp.with_coupling(coupling.clone()).ok(),
+            None => Some(lcp),
+        }
+    }
+
+    /// For each body those that share a row with it.
+    pub fn neighbours(&self) -> Vec<Vec<usize>> {
+        let mut neighbours = vec![Vec::new(); self.bodies.len()];
+        for row in self.motion.iter().flat_map(|motion| &motion.jacobian) {
+            let touches =
+                |k: &usize| row.iter().any(|(column, _)| self.bodies[*k].columns.contains(column));
+            let pair: Vec<usize> = (0..self.bodies.len()).filter(touches).collect();
+            if let [one, other] = pair[..] {
+                neighbours[one].push(other);
+                neighbours[other].push(one);
+            }
+        }
+        for own in &mut neighbours {
+            own.sort_unstable();
+            own.dedup();
+        }
+        neighbours
+    }
+
+    /// How many bodies an impulse on this one goes through, from body to body, until it is everywhere.
+    pub fn reach(&self, body: usize) -> usize {
+        let neighbours = self.neighbours();
+        let (mut is_reached, mut front, mut bodies) =
+            (vec![false; neighbours.len()], vec![body], 0);
+        is_reached[body] = true;
+        while !front.is_empty() {
+            bodies += 1;
+            let mut next = Vec::new();
+            for other in front.into_iter().flat_map(|k| &neighbours[k]) {
+                if !std::mem::replace(&mut is_reached[*other], true) {
+                    next.push(*other);
+                }
+            }
+            front = next;
+        }
+        bodies
+    }
+
+    /// M⁻¹ Jᵀ x: by how much x changes the velocities. Empty if the bodies are not known.
+    pub fn response(&self, x: &[f64]) -> Vec<f64> {
+        let Some(motion) = &self.motion else { return Vec::new() };
+        let impulse = self.impulse(x, |_| true);
+        let mut change = vec![0.0; impulse.len()];
+        for body in &self.bodies {
+            let own = nalgebra::DVector::from_column_slice(&impulse[body.columns.clone()]);
+            let moved = mass(motion, body).lu().solve(&own).unwrap_or(own);
+            change[body.columns.clone()].copy_from_slice(moved.as_slice());
+        }
+        change
+    }
+
+    /// Jᵀ x of the rows that are asked for: the impulse on each column.
+    pub fn impulse(&self, x: &[f64], counts: impl Fn(usize) -> bool) -> Vec<f64> {
+        let Some(motion) = &self.motion else { return Vec::new() };
+        let mut impulse = vec![0.0; motion.target.len()];
+        for i in (0..x.len()).filter(|&i| counts(i)) {
+            for &(column, j) in &motion.jacobian[i] {
+                impulse[column] += j * x[i];
+            }
+        }
+        impulse
+    }
+
+    /// The upward part of an impulse on a body (N s).
+    pub fn upward(&self, impulse: &[f64], body: &Body) -> f64 {
+        let Some(fall) = self.fall else { return 0.0 };
+        let own = &impulse[body.columns.start..body.columns.start + 3];
+        -own.iter().zip(fall).map(|(p, fall)| p * fall).sum::<f64>() / length(fall)
+    }
+
+    /// The size of what gravity does in all bodies, |M⁻¹F|_M, masses being `mass` times as large; 0 if that is not known.
+    pub fn weight(&self, mass: impl Fn(usize) -> f64) -> f64 {
+        let masses = self.bodies.iter().enumerate().map(|(k, body)| mass(k) * body.mass);
+        self.fall.map_or(0.0, length) * masses.sum::<f64>().sqrt()
+    }
+}
+
+/// The bodies that a file names, with at least three columns each.
+fn bodies(problem: &Problem, motion: &Gauss) -> Vec<Body> {
+    let list = problem.extra.get("bodies").and_then(Value::as_array);
+    let body = |value: &Value| {
+        let number = |key| Some(value.get(key)?.as_u64()? as usize);
+        let (first, count) = (number("first")?, number("count")?);
+        let columns = first..first.checked_add(count)?;
+        let name = value.get("name")?.as_str()?.to_string();
+        let mass = motion.mass.iter().find(|(i, j, _)| (*i, *j) == (first, first))?.2;
+        let fits = count >= 3 && columns.end <= motion.target.len();
+        fits.then_some(Body { name, columns, mass })
+    };
+    let all: Option<Vec<Body>> = list.into_iter().flatten().map(body).collect();
+    let all = all.unwrap_or_default();
+    let covered: usize = all.iter().map(|body| body.columns.len()).sum();
+    if covered == motion.target.len() { all } else { Vec::new() }
+}
+
+/// The rows by the two bodies that a file names for each, else each row alone, friction with its normal.
+fn pairs(problem: &Problem) -> Vec<Pair> {
+    let rows = problem.extra.get("rows").and_then(Value::as_array);
+    let of = |i: usize, key: &str| rows.and_then(|rows| rows.get(i)?.get(key).cloned());
+    let label = |i: usize| match of(i, "label").as_ref().and_then(Value::as_str) {
+        Some(label) => label.to_string(),
+        None => format!("row {i}"),
+    };
+    let mut pairs: Vec<Pair> = Vec::new();
+    for i in 0..problem.lcp.len() {
+        let between = of(i, "bodies").and_then(|pair| {
+            Some(format!("{}–{}", pair.get(0)?.as_str()?, pair.get(1)?.as_str()?))
+        });
+        let normal = problem.lcp.coupling().and_then(|coupling| coupling.index(i));
+        let name = between.unwrap_or_else(|| label(normal.unwrap_or(i)));
+        match pairs.iter_mut().find(|pair| pair.name == name) {
+            Some(pair) => pair.rows.push(i),
+            None => pairs.push(Pair { name, rows: vec![i] }),
+        }
+    }
+    pairs
+}
+
+/// A vector of three numbers that is not 0.
+fn vector(value: &Value) -> Option<[f64; 3]> {
+    let numbers: Vec<f64> = value.as_array()?.iter().filter_map(Value::as_f64).collect();
+    let vector = <[f64; 3]>::try_from(numbers).ok()?;
+    (length(vector) > 0.0 && length(vector).is_finite()).then_some(vector)
+}
+
+fn length([x, y, z]: [f64; 3]) -> f64 {
+    x.hypot(y).hypot(z)
+}
+
+/// M of a body.
+fn mass(motion: &Gauss, body: &Body) -> DMatrix<f64> {
+    let mut block = DMatrix::zeros(body.columns.len(), body.columns.len());
+    let inside = |k: &usize| body.columns.contains(k);
+    for &(i, j, m) in motion.mass.iter().filter(|(i, j, _)| inside(i) && inside(j)) {
+        let (i, j) = (i - body.columns.start, j - body.columns.start);
+        (block[(i, j)], block[(j, i)]) = (m, m);
+    }
+    block
+}
+
+/// A row of J as a body sees it, if it does.
+fn row_of(row: &[(usize, f64)], body: &Body) -> Option<DMatrix<f64>> {
+    let mut own = DMatrix::zeros(1, body.columns.len());
+    for &(column, j) in row.iter().filter(|(column, _)| body.columns.contains(column)) {
+        own[(0, column - body.columns.start)] = j;
+    }
+    own.iter().any(|&j| j != 0.0).then_some(own)
+}
+
+/// Whether two matrices are one but for rounding.
+fn is_same(one: &Matrix, other: &Matrix) -> bool {
+    let largest = (0..one.len()).map(|i| one.diagonal(i).abs()).fold(0.0, f64::max);
+    (0..one.len()).all(|i| {
+        let mut row = vec![0.0; one.len()];
+        one.row(i).iter().for_each(|(j, a)| row[j] += a);
+        other.row(i).iter().for_each(|(j, a)| row[j] -= a);
+        row.iter().all(|difference| difference.abs() <= ROUNDING * largest)
+    })
+}

@@ -1,0 +1,90 @@
+//! Remedies, each one run: what is missing with it, and what it costs.
+
+use lcplab_problem::Lcp;
+use lcplab_solver::{Order, Pgs, Settings, Solver, Start};
+
+use super::examine::Practice;
+use super::frame::Frame;
+use super::linear::{Linear, Way};
+use super::yard::{Yard, start};
+
+/// Other methods that are tried, by name.
+const METHODS: [&str; 4] = ["anderson-pgs", "block-pgs", "block-pivoting", "dantzig"];
+
+/// Factors of relaxation that are tried.
+const OMEGAS: [f64; 3] = [1.3, 1.6, 1.9];
+
+/// A change and what came of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Remedy {
+    /// What was changed.
+    pub what: String,
+    /// What is missing with it.
+    pub missing: f64,
+    /// What theory says should be missing, where it says something.
+    pub predicted: Option<f64>,
+    /// Sweeps, pivots, or steps of the method that it took.
+    pub iterations: usize,
+}
+
+/// The remedies of one solve.
+pub fn remedies(
+    frame: &Frame,
+    practice: &Practice,
+    yard: &Yard<'_>,
+    linear: &Linear<'_>,
+) -> Vec<Remedy> {
+    let (lcp, sweeps) = (&frame.lcp, practice.options.settings.max_iterations);
+    let settings = || Settings { max_iterations: sweeps, ..practice.options.settings.clone() };
+    let mut all = Vec::new();
+    let mut add = |what: String, solver: &dyn Solver, predicted: Option<f64>| {
+        let solution = solver.solve(lcp, &Start::default(), &mut ());
+        let missing = yard.missing(&solution.x);
+        all.push(Remedy { what, missing, predicted, iterations: solution.iterations });
+    };
+    let zero = start(lcp);
+    let theory =
+        |omega, is_reversed, sweeps| linear.missing(&zero, Way { omega, is_reversed }, sweeps);
+    if practice.is_sweep() {
+        for omega in OMEGAS {
+            let solver = Pgs { omega, order: Order::Natural, settings: settings() };
+            add(format!("ω = {omega}"), &solver, theory(omega, false, sweeps));
+        }
+        let solver = Pgs { omega: 1.0, order: Order::Reverse, settings: settings() };
+        add("rows from the last to the first".into(), &solver, theory(1.0, true, sweeps));
+        let more = 4 * sweeps;
+        let solver =
+            Pgs { settings: Settings { max_iterations: more, ..settings() }, ..Pgs::default() };
+        add(format!("{more} sweeps"), &solver, theory(1.0, false, more));
+    }
+    for name in METHODS.into_iter().filter(|name| *name != practice.entry.name) {
+        if let Some(solver) = practice.other(name) {
+            add(name.into(), &*solver, None);
+        }
+    }
+    all.sort_by(|a, b| a.missing.total_cmp(&b.missing));
+    all
+}
+
+/// The sweeps of Gauss-Seidel after which so little is missing, and whether they were done: `most` of them and no more, the rest
+/// follows from the last two.
+pub fn sweeps_to(
+    lcp: &Lcp,
+    yard: &Yard<'_>,
+    order: Order,
+    target: f64,
+    most: usize,
+) -> (f64, bool) {
+    let settings = Settings { tolerance: 0.0, max_iterations: most, ..Settings::default() };
+    let solver = Pgs { omega: 1.0, order, settings };
+    let course = yard.course(&solver, &start(lcp), target);
+    let (sweeps, last) = (course.len() - 1, course[course.len() - 1]);
+    if last <= target {
+        return (sweeps as f64, true);
+    }
+    // Over many sweeps, so that rounding does not count.
+    let back = sweeps / 2;
+    let rate = (last / course[sweeps - back]).ln() / back.max(1) as f64;
+    let rest = if rate < 0.0 { (target / last).ln() / rate } else { f64::INFINITY };
+    (sweeps as f64 + rest, false)
+}

@@ -1,0 +1,72 @@
+//! The problems of a run, one file a step, each solved from the answer to the one before.
+
+use std::collections::BTreeMap;
+
+use lcplab_problem::file::Problem;
+use lcplab_problem::merit;
+use lcplab_solver::Start;
+use serde_json::Value;
+
+use super::examination::{Examination, Note, telling_step};
+use super::examine::{Practice, examine};
+use super::frame::Frame;
+use super::yard::{Yard, start};
+
+/// Examines problems in the order of their steps: rows of the same name start from the last answer. The first in which
+/// much is missing is examined.
+pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examination {
+    let solver = practice.solver();
+    let (mut last, mut starts) = (BTreeMap::new(), Vec::new());
+    let mut found = Examination::default();
+    for problem in problems {
+        let names = names(problem);
+        let mut from = start(&problem.lcp);
+        for (x, name) in from.iter_mut().zip(&names) {
+            *x = last.get(name).copied().unwrap_or(*x);
+        }
+        let x = solver.solve(&problem.lcp, &Start::at(&from), &mut ()).x;
+        found.notes.push(note(problem, &x));
+        last = names.into_iter().zip(x).collect();
+        starts.push(from);
+    }
+    let worst = telling_step(&found.notes);
+    if let Some(problem) = problems.get(worst) {
+        let from = (problems.len() > 1).then(|| starts[worst].as_slice());
+        found.shortfall = examine(&Frame::of(problem), practice, from);
+    }
+    found
+}
+
+fn note(problem: &Problem, x: &[f64]) -> Note {
+    let frame = Frame::of(problem);
+    let yard = Yard::new(&problem.lcp, frame.weight(|_| 1.0));
+    let missing = yard.as_ref().map_or(f64::NAN, |yard| yard.missing(x));
+    let error = |yard: &Yard<'_>| yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
+    let impulse = frame.impulse(&yard.as_ref().map_or_else(Vec::new, error), |_| true);
+    let upward = |body| if impulse.is_empty() { 0.0 } else { frame.upward(&impulse, body) };
+    let bias = frame.motion.iter().flat_map(|motion| &motion.bias);
+    Note {
+        name: problem.name.clone(),
+        missing,
+        uncarried: frame.bodies.iter().map(upward).sum(),
+        residual: merit::scaled_residual(&problem.lcp, x),
+        bias: bias.fold(0.0, |most, bias| most.max(-bias)),
+        penetration: None,
+        energy: None,
+    }
+}
+
+/// The names of the rows: the label, or the number where there is none, and how many rows with the same one came before:
+/// the corners of a box share one.
+fn names(problem: &Problem) -> Vec<(String, usize)> {
+    let rows = problem.extra.get("rows").and_then(Value::as_array);
+    let label = |i: usize| Some(rows?.get(i)?.get("label")?.as_str()?.to_string());
+    let mut seen = BTreeMap::new();
+    let mut name = |i: usize| {
+        let label = label(i).unwrap_or_else(|| i.to_string());
+        let count = seen.entry(label.clone()).or_insert(0);
+        *count += 1;
+        (label, *count)
+    };
+    (0..problem.lcp.len()).map(&mut name).collect()
+}

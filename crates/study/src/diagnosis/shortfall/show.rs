@@ -1,0 +1,146 @@
+//! What is missing, why and what helps, in sentences and tables.
+
+use lcplab_page::document::Section;
+use lcplab_page::number::readable;
+
+use lcplab_problem::file::number;
+use serde_json::{Value, json};
+
+use super::cause::Slow;
+use super::examine::{HEALTHY, Load, Shortfall};
+use super::remedy::Remedy;
+
+/// Significant digits of what was measured.
+const DIGITS: usize = 2;
+
+/// A factor beyond this one is a cure.
+const LARGE: f64 = 1000.0;
+
+/// So many pairs are shown.
+const PAIRS: usize = 6;
+
+/// A part in percent.
+pub fn percent(part: f64) -> String {
+    match 100.0 * part {
+        small if small.abs() < 0.01 => "0 %".into(),
+        value if value.abs() >= 10.0 => format!("{value:.0} %"),
+        value => format!("{} %", readable(value, DIGITS)),
+    }
+}
+
+impl Shortfall {
+    /// What is missing, as a part: of the weight where that is known, else of all that the constraints do.
+    pub fn part(&self) -> f64 {
+        self.whole.as_ref().map_or(self.missing, Load::missing)
+    }
+
+    /// Whether something is missing that is worth a word.
+    pub fn is_short(&self) -> bool {
+        self.missing > HEALTHY || self.missing.is_nan()
+    }
+
+    /// The first sentence.
+    pub fn headline(&self) -> String {
+        let who = format!("{} of {}", self.counted(), self.solver);
+        if !self.is_short() {
+            return format!("{who} leave nothing undone: {} is missing.", percent(self.missing));
+        }
+        let what = match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
+            Some(whole) => format!("{} of the weight uncarried", percent(whole.missing())),
+            None => format!("{} of what the constraints have to do undone", percent(self.missing)),
+        };
+        match self.pairs.first() {
+            Some(pair) => format!("{who} leave {what}, most between {}.", pair.name),
+            None => format!("{who} leave {what}."),
+        }
+    }
+
+    fn counted(&self) -> String {
+        let plural = if self.iterations == 1 { "" } else { "s" };
+        format!("{} {}{plural}", self.iterations, self.unit)
+    }
+
+    /// How fast sweeps are, in a sentence, if they are too slow.
+    pub fn pace(&self) -> Option<String> {
+        let (slowest, (needed, is_done)) = (self.slowest.as_ref()?, self.sweeps?);
+        let sweeps = readable(needed.round(), DIGITS);
+        let measured = match is_done {
+            true => format!("it took {sweeps}"),
+            false => format!("it would take {sweeps} by the last of those that were done"),
+        };
+        let mover = self.mover.as_ref();
+        Some(format!(
+            "While no row changes, a sweep of Gauss-Seidel leaves {} of the slowest pattern{}, and after {} sweeps a \
+             thousandth is missing; {measured}.",
+            readable(slowest.rate, 4),
+            mover.map_or(String::new(), |body| format!(", in which {body} moves most")),
+            readable(slowest.sweeps.round(), DIGITS),
+        ))
+    }
+
+    /// Who carries how much.
+    pub fn loads_section(&self) -> Option<Section> {
+        let mut section = Section::new("loads");
+        let row = |load: &Load| {
+            let part = if load.due == 0.0 { "".into() } else { percent(load.given / load.due) };
+            vec![load.name.clone(), readable(load.due, 4), readable(load.given, 4), part]
+        };
+        let rows = self.pairs.iter().take(PAIRS).map(row).collect();
+        section.table(
+            "upward impulse between two bodies (N s), the worst first",
+            &["between", "due", "given", "part"],
+            rows,
+        );
+        (!self.pairs.is_empty()).then_some(section)
+    }
+
+    /// What helps.
+    pub fn remedies_section(&self) -> Option<Section> {
+        let mut section = Section::new("remedies");
+        let row = |remedy: &Remedy| {
+            vec![
+                remedy.what.clone(),
+                percent(remedy.missing),
+                remedy.predicted.map_or(String::new(), percent),
+                match self.missing / remedy.missing {
+                    large if large > LARGE => format!("> {LARGE}"),
+                    factor => readable(factor, DIGITS),
+                },
+                remedy.iterations.to_string(),
+            ]
+        };
+        let rows = self.remedies.iter().map(row).collect();
+        section.table(
+            "remedies, each one run",
+            &["what", "missing", "by theory", "factor", "iterations"],
+            rows,
+        );
+        (!self.remedies.is_empty()).then_some(section)
+    }
+
+    /// The same for machines.
+    pub fn to_json(&self) -> Value {
+        let load = |load: &Load| json!({ "name": load.name, "due": number(load.due), "given": number(load.given) });
+        let loads = |loads: &[Load]| loads.iter().map(load).collect::<Vec<_>>();
+        let remedy = |remedy: &Remedy| {
+            json!({ "what": remedy.what, "missing": number(remedy.missing),
+                "predicted": remedy.predicted.map(number), "iterations": remedy.iterations })
+        };
+        let cause = |cause: &Slow| json!({ "name": cause.name(), "message": cause.to_string() });
+        json!({
+            "subject": self.subject,
+            "solver": self.solver,
+            "iterations": self.iterations,
+            "residual": number(self.residual),
+            "missing": number(self.missing),
+            "predicted": self.predicted.map(number),
+            "weight": self.whole.as_ref().map(load),
+            "bodies": loads(&self.bodies),
+            "pairs": loads(&self.pairs),
+            "rate": self.slowest.as_ref().map(|slowest| number(slowest.rate)),
+            "sweeps": self.sweeps.map(|(sweeps, _)| number(sweeps)),
+            "causes": self.causes.iter().map(cause).collect::<Vec<_>>(),
+            "remedies": self.remedies.iter().map(remedy).collect::<Vec<_>>(),
+        })
+    }
+}
