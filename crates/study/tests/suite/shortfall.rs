@@ -6,8 +6,8 @@ use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{Options, Settings};
 use lcplab_study::diagnosis::shortfall::{
-    Examination, Frame, GOOD, Linear, Practice, Shortfall, Way, Yard, examine, examine_scene,
-    examine_sequence,
+    Examination, Frame, GOOD, Linear, Moving, Practice, Shortfall, Way, Yard, examine,
+    examine_scene, examine_sequence,
 };
 use lcplab_study::methods::entry;
 use lcplab_testing::INF;
@@ -180,7 +180,58 @@ fn the_planted_cause_is_named_first() {
         let found = examined(name, "pgs", sweeps, changes);
         assert_eq!(found.causes().first(), Some(&cause), "{name} {changes:?}");
     }
-    assert_eq!(examined("sliding", "dantzig", 10_000, &[]).causes(), ["box friction"]);
+}
+
+#[test]
+fn what_moves_bodies_though_every_problem_is_solved_is_named_first() {
+    let exactly = |name: &str, changes: &[(&str, &str)]| examined(name, "dantzig", 10_000, changes);
+    for changes in [&[][..], &[("angle", "20")], &[("angle", "45")], &[("mu", "0.2")]] {
+        assert_eq!(exactly("sliding", changes).causes(), ["box friction"], "{changes:?}");
+    }
+    for changes in [
+        [("step.scheme", "penalty"), ("step.penalty.stiffness", "2000")],
+        [("step.scheme", "xpbd"), ("step.xpbd.compliance", "0.001")],
+        [("step.scheme", "soft"), ("step.soft.contact_hertz", "3")],
+    ] {
+        assert_eq!(exactly("stack", &changes).causes(), ["too soft"], "{changes:?}");
+    }
+    for (height, beta) in [(1.2, 0.4), (1.35, 0.9), (1.3, 0.2)] {
+        let scene = Scene::from_toml("overlap.toml", &overlap(height, beta)).unwrap();
+        let found = examine_scene(&scene, None).unwrap();
+        assert_eq!(found.causes(), ["Baumgarte's energy"], "{height} {beta}");
+    }
+}
+
+/// Two boxes, the upper one sunk into the lower one.
+fn overlap(height: f64, beta: f64) -> String {
+    let body = |name: &str, height: f64| {
+        format!(
+            "[[bodies]]\nname = {name:?}\nshape = {{ box = [1, 1, 1] }}\nmass = 1\nposition = [0, 0, {height}]\n"
+        )
+    };
+    let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
+    let head = format!("title = \"overlap\"\n[step]\ndt = 0.01\ncount = 100\nbaumgarte = {beta}\n");
+    head + ground + &body("low", 0.5) + &body("high", height)
+}
+
+#[test]
+fn contacts_that_yield_creep_by_their_compliance_times_their_load() {
+    for gamma in [0.02, 0.1, 0.5] {
+        // A unit mass on one contact, g dt = 0.1: x (1 + γ) = 0.1, so that 0.1 γ/(1 + γ) of approach is left.
+        let text = format!(
+            r#"{{"A": {{"dense": [[{}]]}}, "b": [-0.1], "gravity": [0, 0, -0.1],
+            "bodies": [{{"name": "box", "first": 0, "count": 3}}],
+            "motion": {{"mass": [[0, 0, 1], [1, 1, 1], [2, 2, 1]], "jacobian": [[0, 2, 1]], "bias": [0],
+            "compliance": [{gamma}], "target": [0, 0, -0.1]}}}}"#,
+            1.0 + gamma
+        );
+        let problem = Problem::parse(&text, "soft.json").unwrap();
+        let found = examine_sequence(&[problem], &practice("pgs", 10));
+        let [Moving::Creep { speed, missing }] = found.moving[..] else { panic!("{gamma}") };
+        let part = gamma / (1.0 + gamma);
+        assert!((missing - part).abs() < 1e-9 && (speed - 0.1 * part).abs() < 1e-10, "{gamma}");
+        assert_eq!(found.causes(), ["too soft"]);
+    }
 }
 
 #[test]

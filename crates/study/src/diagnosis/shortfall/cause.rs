@@ -151,6 +151,13 @@ pub enum Moving {
         /// How far below rigid constraints (m).
         depth: f64,
     },
+    /// Contacts yield (compliance, CFM), so that bodies creep under a load.
+    Creep {
+        /// The fastest approach that is left, γ x of a row (m/s).
+        speed: f64,
+        /// What is missing in the solution beside that of rigid contacts.
+        missing: f64,
+    },
     /// The box of friction holds or turns what Coulomb's cone lets slide.
     BoxFriction {
         /// How far the motions of both end apart (m).
@@ -166,7 +173,7 @@ impl Moving {
         match self {
             Moving::Cold { .. } => "cold start",
             Moving::Feedback { .. } => "Baumgarte's energy",
-            Moving::Soft { .. } => "too soft",
+            Moving::Soft { .. } | Moving::Creep { .. } => "too soft",
             Moving::BoxFriction { .. } => "box friction",
         }
     }
@@ -193,6 +200,13 @@ impl fmt::Display for Moving {
                 f,
                 "the constraints of {scheme} yield: {body} ends {} m below where rigid ones leave it.",
                 number(depth)
+            ),
+            Moving::Creep { speed, missing } => write!(
+                f,
+                "contacts yield: γ x leaves an approach of {} m/s, and {} is missing beside rigid contacts, however well it \
+                 is solved. With γ = 0 nothing is.",
+                number(speed),
+                percent(*missing)
             ),
             Moving::BoxFriction { distance, way } => write!(
                 f,

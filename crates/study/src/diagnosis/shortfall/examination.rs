@@ -82,6 +82,9 @@ impl Examination {
     pub fn headline(&self) -> String {
         let mut words = match &self.shortfall {
             Some(found) => found.headline(),
+            None if self.notes.iter().all(|note| note.missing == 0.0) => {
+                "No problem was solved of whose answer a part could be missing.".into()
+            }
             None => "No solution is known to compare with.".into(),
         };
         let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > WORTH);

@@ -3,7 +3,7 @@
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::{Entry, Group, Options, Order, Solver, Start, Status, by_name};
 
-use super::cause::{Slow, Without};
+use super::cause::{Moving, Slow, Without};
 use super::frame::{Body, Frame};
 use super::linear::{Linear, Slowest, Way};
 use super::remedy::{Remedy, remedies, sweeps_to};
@@ -176,6 +176,17 @@ pub fn examine_answer(
         found.remedies = remedies(frame, practice, &yard, &linear);
     }
     Some(found)
+}
+
+/// What contacts that yield leave undone in the solution itself, if it is worth a word.
+pub fn creep(frame: &Frame) -> Option<Moving> {
+    let rigid = frame.rigid()?;
+    let weight = frame.weight(|_| 1.0);
+    let (soft, hard) = (Yard::new(&frame.lcp, weight)?, Yard::new(&rigid, weight)?);
+    let missing = hard.missing(&soft.exact);
+    let approach = rigid.w(&soft.exact);
+    let speed = approach.iter().fold(0.0, |most: f64, w| most.max(-w));
+    (missing > HEALTHY).then_some(Moving::Creep { speed, missing })
 }
 
 impl Shortfall {

@@ -117,6 +117,22 @@ impl Frame {
         self.with_rows(Matrix::sparse(lcp.len(), &entries), lcp.b().to_vec())
     }
 
+    /// The problem with contacts that do not yield: A without γ in one-sided rows. `None` if none yields.
+    pub fn rigid(&self) -> Option<Lcp> {
+        let motion = self.motion.as_ref()?;
+        let yields = |i: usize| {
+            let is_one_sided = self.lcp.lo()[i].is_finite() && self.lcp.hi()[i].is_infinite();
+            if is_one_sided { motion.compliance[i] } else { 0.0 }
+        };
+        if (0..self.lcp.len()).all(|i| yields(i) == 0.0) {
+            return None;
+        }
+        let row = |i: usize| self.lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a));
+        let rigid = |(i, j, a): (usize, usize, f64)| (i, j, if i == j { a - yields(i) } else { a });
+        let entries: Vec<_> = (0..self.lcp.len()).flat_map(row).map(rigid).collect();
+        self.with_rows(Matrix::sparse(self.lcp.len(), &entries), self.lcp.b().to_vec())
+    }
+
     /// A problem with the bounds of this one.
     fn with_rows(&self, matrix: Matrix, b: Vec<f64>) -> Option<Lcp> {
         let lcp = Lcp::new(matrix, b, self.lcp.lo().to_vec(), self.lcp.hi().to_vec());

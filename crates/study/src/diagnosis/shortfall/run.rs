@@ -94,6 +94,9 @@ fn exact(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.solver.name = EXACT.into();
     scene.solver.max_iterations = lcplab_solver::Settings::default().max_iterations;
+    if !scene.step.scheme.solves_lcps() {
+        scene.step.scheme = Scheme::Velocity;
+    }
     scene
 }
 

@@ -8,7 +8,7 @@ use lcplab_solver::Start;
 use serde_json::Value;
 
 use super::examination::{Examination, Note, telling_step};
-use super::examine::{Practice, examine};
+use super::examine::{Practice, creep, examine};
 use super::frame::Frame;
 use super::yard::{Yard, start};
 
@@ -32,7 +32,9 @@ pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examinatio
     let worst = telling_step(&found.notes);
     if let Some(problem) = problems.get(worst) {
         let from = (problems.len() > 1).then(|| starts[worst].as_slice());
-        found.shortfall = examine(&Frame::of(problem), practice, from);
+        let frame = Frame::of(problem);
+        found.shortfall = examine(&frame, practice, from);
+        found.moving = creep(&frame).into_iter().collect();
     }
     found
 }
