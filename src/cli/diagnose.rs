@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use lcplab::certificate::{Demand, judge};
-use lcplab::diagnosis::shortfall::{Practice, examine_scene, examine_sequence};
-use lcplab::diagnosis::{self, Mistake, mistakes, problem, single_precision};
+use lcplab::diagnosis::shortfall::{
+    Examination, Practice, examine_scene, examine_sequence, main_solve, practice,
+};
+use lcplab::diagnosis::{self, Diagnosis, Mistake, mistakes, problem, single_precision};
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::file;
@@ -15,7 +17,9 @@ use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::number::readable;
 use lcplab::report::methods;
+use lcplab::report::view::diagnosis_page;
 use lcplab::scene::Scene;
+use lcplab::simulation::Simulation;
 use lcplab::solver::Options;
 use serde_json::json;
 
@@ -32,6 +36,7 @@ Example:
   lcplab diagnose frames/ --solver pgs --sweeps 10       # the same of dumped problems, a file a step
   lcplab diagnose fig8                    # three rows that contradict each other, proved
   lcplab diagnose stack --step 10
+  lcplab diagnose mass_ratio3 --solver pgs --sweeps 10 --out why.html   # with film, patterns and problem files
   lcplab diagnose fig8 --json
   lcplab generate fathi | lcplab diagnose - --format markdown
   lcplab diagnose problem.json answer.json  # which known mistake gives exactly this x?
@@ -90,46 +95,67 @@ impl Diagnose {
         if !is_problem && Path::new(&self.input).is_dir() {
             return self.sequence(solver);
         }
-        let mut examination = None;
-        let found = match (is_problem, self.step) {
-            (true, Some(_)) => {
-                let reason = "is for scenes, this is a problem";
-                return Err(Error::invalid(&self.input, "--step", reason));
-            }
-            (true, None) if !self.changes.is_empty() => {
-                let reason = "is for scenes, this is a problem";
-                return Err(Error::invalid(&self.input, "--set", reason));
-            }
-            (true, None) => {
-                let read = read_problem(Path::new(&self.input), Memory::default())?;
-                if solver.is_some() || self.max_iterations.is_some() {
-                    let practice = self.practice(solver)?;
-                    examination = Some(examine_sequence(std::slice::from_ref(&read), &practice));
-                }
-                problem(&read)?
-            }
-            (false, step) => {
-                let scene = self.scene(solver)?;
-                let found = diagnosis::scene(&scene, step.unwrap_or(1) as usize)?;
-                if found.is_sound() && methods::entry(&scene.solver.name).is_ok() {
-                    examination = Some(examine_scene(&scene, step.map(|step| step as usize))?);
-                }
-                found
-            }
+        let (found, examined) = match is_problem {
+            true => self.problem(solver)?,
+            false => self.of_scene(solver)?,
         };
-        if !self.json {
-            let mut document = found.document();
-            if let Some(examination) = &examination {
-                examination.open(&mut document);
+        if self.json {
+            let mut object = found.to_json();
+            if let Some(examined) = &examined {
+                object["examination"] = examined.found.to_json();
             }
+            print(&format!("{object:#}\n"))?;
+            return Ok(if found.is_sound() { Outcome::Good } else { Outcome::Refuted });
+        }
+        self.write(found.document(), examined.as_ref())
+    }
+
+    /// A problem, and how it was solved if that is asked for.
+    fn problem(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<Examined>)> {
+        let refuse =
+            |option| Error::invalid(&self.input, option, "is for scenes, this is a problem");
+        if self.step.is_some() {
+            return Err(refuse("--step"));
+        }
+        if !self.changes.is_empty() {
+            return Err(refuse("--set"));
+        }
+        let read = read_problem(Path::new(&self.input), Memory::default())?;
+        let diagnosis = problem(&read)?;
+        if solver.is_none() && self.max_iterations.is_none() {
+            return Ok((diagnosis, None));
+        }
+        let practice = self.practice(solver)?;
+        let found = examine_sequence(&[read], &practice);
+        Ok((diagnosis, Some(Examined { found, practice, scene: None })))
+    }
+
+    /// A scene, and how it is solved unless that cannot be.
+    fn of_scene(&self, solver: Option<&str>) -> Result<(Diagnosis, Option<Examined>)> {
+        let scene = self.scene(solver)?;
+        let step = self.step.map(|step| step as usize);
+        let diagnosis = diagnosis::scene(&scene, step.unwrap_or(1))?;
+        if !diagnosis.is_sound() || methods::entry(&scene.solver.name).is_err() {
+            return Ok((diagnosis, None));
+        }
+        let (found, practice) = (examine_scene(&scene, step)?, practice(&scene)?);
+        Ok((diagnosis, Some(Examined { found, practice, scene: Some(scene) })))
+    }
+
+    /// Writes what was found for people: words, or a page with pictures and the problems of the worst steps beside it.
+    fn write(&self, mut document: Document, examined: Option<&Examined>) -> Result<Outcome> {
+        let Some(Examined { found, practice, scene }) = examined else {
             return self.writing.write(&document);
-        }
-        let mut object = found.to_json();
-        if let Some(examination) = &examination {
-            object["examination"] = examination.to_json();
-        }
-        print(&format!("{object:#}\n"))?;
-        Ok(if found.is_sound() { Outcome::Good } else { Outcome::Refuted })
+        };
+        found.open(&mut document);
+        let Some(path) = self.writing.page() else { return self.writing.write(&document) };
+        let problems = match scene {
+            Some(scene) => worst_problems(scene, found, path)?,
+            None => Vec::new(),
+        };
+        let page = diagnosis_page(&document, found, practice, scene.as_ref(), &problems)?;
+        file::write(path, &page.render()?)?;
+        Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
     }
 
     /// The scene as it is to be solved.
@@ -166,18 +192,15 @@ impl Diagnose {
         if problems.is_empty() {
             return Err(Error::invalid(&self.input, "the folder", "has no problem files"));
         }
-        let found = examine_sequence(&problems, &self.practice(solver)?);
+        let practice = self.practice(solver)?;
+        let found = examine_sequence(&problems, &practice);
         if self.json {
             print(&format!("{:#}\n", found.to_json()))?;
             return Ok(Outcome::Good);
         }
-        let mut document = Document {
-            title: format!("Diagnosis of {}", self.input),
-            is_accepted: true,
-            ..Document::default()
-        };
-        found.open(&mut document);
-        self.writing.write(&document)
+        let title = format!("Diagnosis of {}", self.input);
+        let document = Document { title, is_accepted: true, ..Document::default() };
+        self.write(document, Some(&Examined { found, practice, scene: None }))
     }
 
     /// What a wrong answer looks like.
@@ -205,6 +228,42 @@ impl Diagnose {
         }
         Ok(if verdict.is_solution() { Outcome::Good } else { Outcome::Refuted })
     }
+}
+
+/// What an examination found, and of what.
+struct Examined {
+    found: Examination,
+    practice: Practice,
+    scene: Option<Scene>,
+}
+
+/// Writes the problems of the worst steps beside a page: the name of each file, and why it is there.
+fn worst_problems(
+    scene: &Scene,
+    found: &Examination,
+    page: &Path,
+) -> Result<Vec<(String, String)>> {
+    let mut wanted = vec![(found.place, "examined above".to_string())];
+    for (why, place) in found.worst() {
+        match wanted.iter_mut().find(|(own, _)| *own == place) {
+            Some((_, words)) => *words += &format!(", worst by {why}"),
+            None => wanted.push((place, format!("worst by {why}"))),
+        }
+    }
+    let stem = page.file_stem().unwrap_or_default().to_string_lossy();
+    let mut simulation = Simulation::of(scene)?;
+    let mut written = Vec::new();
+    while let Some(step) = simulation.step().ok().filter(|step| step.number <= found.notes.len()) {
+        let Some((_, why)) = wanted.iter().find(|(place, _)| place + 1 == step.number) else {
+            continue;
+        };
+        let Some(solve) = main_solve(&step) else { continue };
+        let name = format!("{stem}-step-{}.json", step.number);
+        let text = format!("{}\n", solve.exported(scene, step.number).to_json());
+        file::write(&page.with_file_name(&name), &text)?;
+        written.push((name, format!("step {}: {why}", step.number)));
+    }
+    Ok(written)
 }
 
 /// What was found, for people.

@@ -1,7 +1,7 @@
 //! How a document is written: the options `--format` and `--out`.
 
 use std::io::IsTerminal;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use lcplab::document::{Document, Format};
@@ -13,9 +13,9 @@ use super::{Outcome, print, print_coloured};
 /// The form of a document, and where it goes.
 #[derive(Debug, Args)]
 pub struct Writing {
-    /// How it is written
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    format: Form,
+    /// How it is written [default: by the ending of --out, .md or .html, else text]
+    #[arg(long, value_enum)]
+    format: Option<Form>,
     /// The file to write [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
@@ -46,12 +46,18 @@ impl Writing {
     }
 
     fn format(&self) -> Format {
-        match self.format {
-            Form::Text if self.out.is_none() && wants_colour() => Format::ColouredText,
-            Form::Text => Format::Text,
-            Form::Markdown => Format::Markdown,
-            Form::Html => Format::Html,
+        let ending = self.out.as_ref().and_then(|path| path.extension()?.to_str());
+        match (self.format, ending) {
+            (Some(Form::Html), _) | (None, Some("html")) => Format::Html,
+            (Some(Form::Markdown), _) | (None, Some("md")) => Format::Markdown,
+            _ if self.out.is_none() && wants_colour() => Format::ColouredText,
+            _ => Format::Text,
         }
+    }
+
+    /// The file of a page, if it is one that is written to a file.
+    pub fn page(&self) -> Option<&Path> {
+        self.out.as_deref().filter(|_| self.format() == Format::Html)
     }
 }
 

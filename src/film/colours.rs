@@ -17,6 +17,19 @@ const BODIES: [Rgb; 6] = [
     (228, 146, 104),
 ];
 
+/// A body in which nothing is amiss, and one in which all is, where colour says how much.
+const COOL: Rgb = (222, 225, 230);
+const HOT: Rgb = (204, 30, 20);
+
+/// The colour of a body that is so red, from 0 to 1.
+pub(super) fn heated(heat: f64) -> Rgb {
+    let part = heat.clamp(0.0, 1.0);
+    let mixed = |cool: u8, hot: u8| {
+        (f64::from(cool) + part * (f64::from(hot) - f64::from(cool))).round() as u8
+    };
+    (mixed(COOL.0, HOT.0), mixed(COOL.1, HOT.1), mixed(COOL.2, HOT.2))
+}
+
 /// The colour of the body with this index.
 pub(super) fn body_color(index: usize) -> Rgb {
     BODIES[index % BODIES.len()]

@@ -11,7 +11,7 @@ use crate::scene::Scene;
 use crate::simulation::{Simulation, Solve, Step};
 
 /// One instant of a motion.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Frame {
     /// The time (s).
     pub time: f64,
@@ -19,6 +19,8 @@ pub struct Frame {
     pub states: Vec<State>,
     /// The forces of contacts and constraints; may be empty.
     pub forces: Vec<Force>,
+    /// How red each body is drawn, from 0, grey, to 1; empty where bodies have their own colours.
+    pub heat: Vec<f64>,
 }
 
 /// A force of a contact or constraint on a moving body: on body 1 of the two where that moves.
@@ -46,19 +48,26 @@ pub enum Origin {
 impl Frame {
     /// The scene at its start.
     pub fn start(scene: &Scene) -> Self {
-        Frame { time: 0.0, states: scene.states.clone(), forces: Vec::new() }
+        Frame { states: scene.states.clone(), ..Frame::default() }
     }
 
     /// A simulation as it stands, without forces: where it could not go on, say.
     pub fn now(simulation: &Simulation) -> Self {
-        Frame { time: simulation.time(), states: simulation.states().to_vec(), forces: Vec::new() }
+        let (time, states) = (simulation.time(), simulation.states().to_vec());
+        Frame { time, states, ..Frame::default() }
     }
 
     /// The end of a step, with the forces that led there: of the step's last solve, an impulse
     /// being taken as the force that gives it over the step.
     pub fn after(scene: &Scene, step: &Step) -> Self {
         let time = step.motion.time;
-        Frame { time, states: step.states.clone(), forces: forces(scene, step) }
+        let (states, forces) = (step.states.clone(), forces(scene, step));
+        Frame { time, states, forces, heat: Vec::new() }
+    }
+
+    /// The same with its bodies so red.
+    pub fn heated(self, heat: Vec<f64>) -> Self {
+        Frame { heat, ..self }
     }
 
     /// Whether all of it has a place.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 
 use super::clip::{Place, cut};
-use super::colours::{FIXED, GROUND, POINT, body_color};
+use super::colours::{FIXED, GROUND, POINT, body_color, heated};
 use super::coverage::Coverage;
 use super::ground::Patch;
 use super::joint::Mark;
@@ -85,8 +85,8 @@ impl<'a> Ink<'a> {
         self.line(&style, [start, end]);
     }
 
-    /// Solids in the order of painting; what nothing is seen of is left out.
-    pub fn solids(&mut self, bodies: &[Body], solids: &[&Solid]) {
+    /// Solids in the order of painting; what nothing is seen of is left out. Bodies are as red as `heat` says, if it does.
+    pub fn solids(&mut self, bodies: &[Body], heat: &[f64], solids: &[&Solid]) {
         let mut coverage = Coverage::new(self.lens.width, self.lens.height);
         let mut seen: Vec<Vec<Vec<Place>>> = Vec::new();
         for solid in solids.iter().rev() {
@@ -98,7 +98,7 @@ impl<'a> Ink<'a> {
             seen.push(visible);
         }
         for (solid, visible) in solids.iter().zip(seen.into_iter().rev()) {
-            let base = look(bodies, solid);
+            let base = look(bodies, heat, solid);
             if solid.faces.is_empty() {
                 if let Some(ends) = visible.into_iter().next().filter(|ends| !ends.is_empty()) {
                     self.round(solid, base, &ends);
@@ -329,10 +329,13 @@ pub(super) fn tenth(px: f64) -> i64 {
 }
 
 /// The colour of a solid.
-fn look(bodies: &[Body], solid: &Solid) -> Rgb {
+fn look(bodies: &[Body], heat: &[f64], solid: &Solid) -> Rgb {
     match solid.part {
         Part::Rod(_) => rgb(FAINT_INK),
-        Part::Body(k) => paint(bodies, k),
+        Part::Body(k) => match heat.get(k) {
+            Some(heat) if bodies[k].mass != Mass::Fixed => heated(*heat),
+            _ => paint(bodies, k),
+        },
     }
 }
 

@@ -58,6 +58,8 @@ pub struct Strip {
     pub view: View,
     /// Whether forces are drawn.
     pub arrows: Arrows,
+    /// What stands over each frame; its time where nothing is said.
+    pub labels: Vec<String>,
 }
 
 impl Strip {
@@ -71,6 +73,7 @@ impl Strip {
             scene: scene.clone(),
             frames,
             arrows: Arrows::Hidden,
+            labels: Vec::new(),
         }
     }
 
@@ -82,6 +85,11 @@ impl Strip {
     /// The same with what the reader should see, in a sentence.
     pub fn with_caption(self, words: &str) -> Self {
         Strip { caption: words.into(), ..self }
+    }
+
+    /// The same with these words over the frames.
+    pub fn labelled<const N: usize>(self, labels: [&str; N]) -> Self {
+        Strip { labels: labels.map(String::from).into(), ..self }
     }
 
     /// The same with the forces drawn.
@@ -115,7 +123,7 @@ impl Strip {
         solids.extend(joint::rods(&self.scene, frame, joint::ROD / lens.scale));
         let order = depth::order(&lens.camera, &solids);
         let painted: Vec<_> = order.into_iter().map(|k| &solids[k]).collect();
-        ink.solids(&self.scene.bodies, &painted);
+        ink.solids(&self.scene.bodies, &frame.heat, &painted);
         ink.marks(&joint::marks(&self.scene, frame));
         if let Some(newton) = newton {
             ink.raw(&arrow::markup(&frame.forces, lens, newton));
@@ -188,8 +196,9 @@ impl Figure for Strip {
         self.scales(&mut canvas, &frames, &lens, newton);
         for (k, frame) in frames.iter().enumerate() {
             let (x, y) = layout.corner(k, TOP);
-            let time = format!("{} s", readable(frame.time, 3));
-            canvas.text((x + 2.0, y - LABEL + 14.0), Anchor::Start, TEXT, FAINT_INK, &time);
+            let time = || format!("{} s", readable(frame.time, 3));
+            let label = self.labels.get(k).cloned().unwrap_or_else(time);
+            canvas.text((x + 2.0, y - LABEL + 14.0), Anchor::Start, TEXT, FAINT_INK, &label);
             canvas.raw(&format!(
                 "<g class=\"instant\" transform=\"translate({x:.1} {y:.1}) scale(0.1)\" \
                  stroke=\"{}\" stroke-width=\"6\" stroke-linejoin=\"round\">\n\

@@ -10,7 +10,7 @@ use crate::aside::GRACE;
 use crate::tasks::Tasks;
 use lcplab_judge::Demand;
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_mechanics::simulation::{Motion, Simulation, Solve, Step};
+use lcplab_mechanics::simulation::{Motion, Simulation, Solve, Step, carried};
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::Model;
 use lcplab_solver::{CONES, Class, Cost, Dantzig, Entry, Group, MatrixClass, Method, Status, Stop};
@@ -30,6 +30,9 @@ pub struct Comparison {
     pub dt: f64,
     /// The largest scaled residual that passes.
     pub tolerance: f64,
+    /// The size of its thinnest body (m), by which errors are measured; 1 where none has one.
+    #[serde(default = "one")]
+    pub thinnest: f64,
     /// One run a level and solver, levels first.
     pub runs: Vec<Run>,
 }
@@ -60,8 +63,15 @@ pub struct Run {
     pub rows: usize,
     /// Why the run ended early, or the last status that was not solved.
     pub trouble: Option<String>,
+    /// The part of the weight that contacts, joints and springs carry over the run, if there is a weight.
+    #[serde(default)]
+    pub carried: Option<f64>,
     /// The motion at the start and after each step.
     pub motion: Vec<Sample>,
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 /// Energy and errors at one instant.
@@ -76,6 +86,9 @@ pub struct Sample {
     /// Deepest overlap (m).
     pub penetration: f64,
 }
+
+/// A run holds a scene if its errors stay below this part of the thinnest body.
+pub const HELD: f64 = 0.01;
 
 /// About so many samples of a motion are kept.
 const KEPT: usize = 200;
@@ -194,6 +207,7 @@ fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Compariso
         steps,
         dt: scene.step.dt,
         tolerance: scene.solver.tolerance,
+        thinnest: scene.thinnest().unwrap_or(1.0),
         runs,
     };
     (comparison, timings)
@@ -230,6 +244,7 @@ fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timin
         worst_residual: 0.0,
         rows: 0,
         trouble: None,
+        carried: None,
         motion: Vec::new(),
     };
     let simulation = Simulation::by(scene, solver);
@@ -242,7 +257,8 @@ fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timin
 /// Takes the steps; returns the seconds spent on them.
 fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut Run) -> f64 {
     let tolerance = simulation.scene().solver.tolerance;
-    run.motion.push(Sample::from(&simulation.motion()));
+    let first = simulation.motion();
+    run.motion.push(Sample::from(&first));
     let mut seconds = 0.0;
     for _ in 0..steps {
         let start = Instant::now();
@@ -256,6 +272,7 @@ fn step_through(mut simulation: Simulation, steps: usize, stop: &Stop, run: &mut
             }
         }
     }
+    run.carried = carried(simulation.scene(), &first, &simulation.motion());
     seconds
 }
 
@@ -281,6 +298,13 @@ impl Run {
                 self.trouble = Some(format!("step {}: {}", step.number, solution.status));
             }
         }
+    }
+
+    /// Whether it held the scene for so many steps: every answer was accepted, and neither drift nor overlap went beyond
+    /// [`HELD`] of the size of the thinnest body (m).
+    pub fn holds(&self, steps: usize, thinnest: f64) -> bool {
+        let error = self.worst(|sample| sample.drift.max(sample.penetration));
+        self.steps == steps && self.accepted == self.solves && error <= HELD * thinnest
     }
 
     /// The largest departure of the energy from its value at the start (J).

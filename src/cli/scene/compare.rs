@@ -99,8 +99,12 @@ impl Compare {
             write::document(&view::comparison_document(&comparison, film), folder)
         });
         if self.json {
-            print(&format!("{}\n", json!({ "comparison": comparison, "timings": timings })))?;
+            print(&format!(
+                "{}\n",
+                json!({ "answer": view::comparison_answer(&comparison), "comparison": comparison, "timings": timings })
+            ))?;
         } else {
+            print(&format!("{}\n", view::comparison_answer(&comparison)))?;
             print(&text::table(&view::comparison_table(&comparison)))?;
         }
         if let Some(page) = written {

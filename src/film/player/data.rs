@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 
-use super::super::colours::POINT;
+use super::super::colours::{POINT, heated};
 use super::chart::{self, PLOT};
 use super::stage::Stage;
 use super::{Film, Take};
@@ -21,6 +21,8 @@ use crate::scene::Scene;
 const EXACT: f64 = 0.05;
 /// Parts of a quaternion are rounded to 1 over this.
 pub(super) const TURN: f64 = 1e4;
+/// Steps from a body that is grey to one that is red.
+const HEATS: u8 = 20;
 /// Numbers larger than this are cut: they are far out of the picture.
 const FAR: f64 = 1e12;
 
@@ -47,6 +49,7 @@ pub(super) fn json(film: &Film) -> Value {
         "light": [LIGHT.x, LIGHT.y, LIGHT.z],
         "face": [FACE.0, FACE.1],
         "lit": LIT.map(|(light, aside, size)| [light, aside, size]),
+        "heat": (0..=HEATS).map(|k| heated(f64::from(k) / f64::from(HEATS))).collect::<Vec<_>>(),
         "plain": PLAIN,
         "mark": MARK,
         "rod": joint::ROD,
@@ -110,6 +113,7 @@ fn take(film: &Film, take: &Take, stage: &Stage, unit: f64) -> Value {
     json!({
         "name": take.name,
         "poses": (0..film.scene.bodies.len()).map(|k| poses(film, take, k, unit)).collect::<Vec<_>>(),
+        "heat": heat(film, take),
         "order": orders(&film.scene, take, &stage.lens),
         "forces": forces.collect::<Vec<_>>(),
         "measures": film.measures().into_iter().map(values).collect::<Vec<_>>(),
@@ -147,6 +151,17 @@ fn changes(numbers: impl Iterator<Item = i64>) -> Vec<i64> {
         changes.pop();
     }
     changes
+}
+
+/// How red each body is, in steps; nothing where bodies have their own colours.
+fn heat(film: &Film, take: &Take) -> Vec<Vec<i64>> {
+    if take.shots.iter().all(|shot| shot.frame.heat.is_empty()) {
+        return Vec::new();
+    }
+    let steps = |heat: f64| whole(heat.clamp(0.0, 1.0) * f64::from(HEATS));
+    let of = |shot: &super::Shot, k: usize| shot.frame.heat.get(k).copied().map_or(0, steps);
+    let body = |k: usize| changes(take.shots.iter().map(|shot| of(shot, k)));
+    (0..film.scene.bodies.len()).map(body).collect()
 }
 
 /// The order of painting at each instant: bodies by index, then constraints; 0 where it is that of

@@ -16,8 +16,9 @@ use crate::error::Result;
 use crate::file;
 use crate::lcp::file::number;
 use crate::memory::Memory;
+use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
-use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Solve, Step};
+use crate::simulation::{Cause, Failure, Laws, Ledger, Motion, Simulation, Solve, Step, carried};
 use crate::solver::Status;
 
 /// Bodies whose end is printed.
@@ -50,6 +51,8 @@ pub struct Record {
     worst_residual: f64,
     worst_drift: f64,
     worst_penetration: f64,
+    /// The step in which the least part of the weight was carried, and that part.
+    least_carried: Option<(usize, f64)>,
     laws: Laws,
     books: Option<Books>,
     conflict: Vec<String>,
@@ -81,6 +84,7 @@ impl Record {
             worst_residual: 0.0,
             worst_drift: 0.0,
             worst_penetration: 0.0,
+            least_carried: None,
             laws: Laws::default(),
             books: Some(Books::default()),
             conflict: Vec::new(),
@@ -131,6 +135,11 @@ impl Record {
         if let (None, Some(pair)) = (&self.passed, step.passed.first()) {
             self.passed =
                 Some((step.number, pair.map(|body| self.scene.bodies[body].name.clone())));
+        }
+        if let Some(part) = carried(&self.scene, &self.last, &step.motion)
+            && self.least_carried.is_none_or(|(_, least)| part < least)
+        {
+            self.least_carried = Some((step.number, part));
         }
         self.steps = step.number;
         self.states.clone_from(&step.states);
@@ -196,6 +205,7 @@ impl Record {
             "energy_end": number(self.last.energy()),
             "drift": number(self.worst_drift),
             "penetration": number(self.worst_penetration),
+            "carried": self.carried().map(|[mean, least]| json!({ "mean": number(mean), "least": number(least) })),
             "work": self.accounted(|books| books.by_account()),
             "remainder": self.accounted(|books| number(books.remainder)),
             "laws": {
@@ -224,6 +234,22 @@ impl Record {
         self.scene.step.scheme.solves_lcps().then_some(asked)
     }
 
+    /// The part of the weight that contacts, joints and springs carry, on average and at least.
+    fn carried(&self) -> Option<[f64; 2]> {
+        Some([carried(&self.scene, &self.first, &self.last)?, self.least_carried?.1])
+    }
+
+    /// The same in words.
+    fn carried_in_words(&self) -> String {
+        let (Some([mean, least]), Some((step, _))) = (self.carried(), self.least_carried) else {
+            return "–".into();
+        };
+        let [mean, least] = [mean, least].map(|part| readable((1e4 * part).round() / 100.0, 4));
+        format!(
+            "contacts, joints and springs carry {mean} % of it, at least {least} % (step {step})"
+        )
+    }
+
     /// What the books say, or that there are none.
     fn accounted(&self, says: impl Fn(&Books) -> Value) -> Value {
         self.books.as_ref().map_or(Value::from(NOT_ACCOUNTED), says)
@@ -244,6 +270,7 @@ impl Record {
              energy       {start:.6} J at the start, {end:.6} J at the end\n\
              drift        {:.2e} m at worst{}\n\
              penetration  {:.2e} m at worst\n\
+             weight       {}\n\
              laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {}\n\
              ledger       {}",
             self.solver().map_or_else(String::new, |solver| format!(", solver {solver}")),
@@ -260,6 +287,7 @@ impl Record {
             self.worst_drift,
             self.drift_in_words(),
             self.worst_penetration,
+            self.carried_in_words(),
             self.laws.attraction,
             100.0 * self.laws.cone_excess,
             match self.books {

@@ -163,6 +163,7 @@ impl Still {
                 time: self.time,
                 states: self.poses.iter().map(state).collect(),
                 forces: self.forces.iter().map(force).collect(),
+                heat: Vec::new(),
             },
             motion: Motion {
                 step: self.step,

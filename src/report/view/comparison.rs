@@ -3,9 +3,10 @@
 use super::attempt::stem;
 use super::{Document, Outcome, View};
 use crate::film::Film;
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
-use crate::report::study::comparison::{Comparison, Plan, Run, Sample, Timing};
+use crate::report::study::comparison::{Comparison, HELD, Plan, Run, Sample, Timing};
 
 impl View for Plan {
     const TITLE: &'static str = "Solvers and levels on the same scenes";
@@ -69,6 +70,7 @@ pub fn table(comparison: &Comparison) -> Table {
         Column::numbers("energy change", "J"),
         Column::numbers("drift", "m"),
         Column::numbers("penetration", "m"),
+        Column::numbers("carried", "% of the weight"),
     ];
     let trouble = comparison.runs.iter().any(|run| run.trouble.is_some());
     if trouble {
@@ -85,12 +87,47 @@ pub fn table(comparison: &Comparison) -> Table {
         title: format!("{scene}: {steps} steps of {dt} s"),
         how_to_read: "*claims* are problems that the solver calls solved, *accepted* those where \
                       the judge agrees; the *worst residual* is the judge's, over all problems, \
-                      claimed or not; – where none was solved."
+                      claimed or not; – where none was solved. *carried* is the part of the weight that \
+                      contacts, joints and springs carry over the run: all of it at rest, none in free fall."
             .into(),
         columns,
         rows,
         ..Table::default()
     }
+}
+
+/// Which formulation holds the scene, and by how many solvers.
+pub fn answer(comparison: &Comparison) -> String {
+    let Comparison { runs, steps, thinnest, .. } = comparison;
+    let of_scheme = runs.chunk_by(|a, b| a.scheme == b.scheme);
+    let holds = |run: &&Run| run.holds(*steps, *thinnest);
+    let counted = |runs: &[Run]| {
+        let (held, all) = (runs.iter().filter(holds).count(), runs.len());
+        let by = match (held, all) {
+            (1, 1) => "holds it".to_string(),
+            (0, 1) => "does not hold it".to_string(),
+            (held, all) => format!("holds it by {held} of {all} solvers"),
+        };
+        let worst = |measure: fn(&Sample) -> f64| {
+            runs.iter().filter(holds).map(|run| run.worst(measure)).fold(0.0, f64::max)
+        };
+        let error = worst(|sample| sample.drift.max(sample.penetration));
+        let carried = runs.iter().filter(holds).filter_map(|run| run.carried).reduce(f64::min);
+        let carried = carried.map_or(String::new(), |part| {
+            format!(", {} % of the weight carried", readable(100.0 * part, 3))
+        });
+        let errors = match held {
+            0 => String::new(),
+            _ => format!(" (errors up to {} m{carried})", readable(error, 2)),
+        };
+        format!("{} {by}{errors}", runs[0].scheme)
+    };
+    let said: Vec<String> = of_scheme.map(counted).collect();
+    format!(
+        "Which formulation holds this scene for {steps} steps, every answer accepted, errors below {} m? {}.",
+        readable(HELD * thinnest, 2),
+        said.join("; ")
+    )
 }
 
 fn cells(run: &Run, steps: usize) -> Vec<Cell> {
@@ -110,6 +147,7 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
         Cell::number(run.energy_change(), 2),
         Cell::number(run.worst(|sample| sample.drift), 2),
         Cell::number(run.worst(|sample| sample.penetration), 2),
+        run.carried.map_or(Cell::text("–"), |part| Cell::number((1e4 * part).round() / 100.0, 4)),
     ]
 }
 
@@ -143,7 +181,11 @@ fn timings(times: &[Timing]) -> Table {
 pub fn document(comparison: &Comparison, film: Film) -> Document {
     let page = Page {
         title: comparison.title.clone(),
-        lead: markup::literal(comparison.teaches.trim()),
+        lead: format!(
+            "{} {}",
+            markup::literal(&answer(comparison)),
+            markup::literal(comparison.teaches.trim())
+        ),
         ..Page::default()
     };
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };

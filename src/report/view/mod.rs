@@ -5,6 +5,7 @@ mod comparison;
 mod convergence;
 mod creep;
 mod cross_check;
+mod diagnosis;
 mod drift;
 mod families;
 mod film;
@@ -35,8 +36,11 @@ mod verification;
 mod warm_start;
 mod worst_cases;
 
-pub use comparison::{alike, document as comparison_document, table as comparison_table};
+pub use comparison::{
+    alike, answer as comparison_answer, document as comparison_document, table as comparison_table,
+};
 
+pub use diagnosis::diagnosis_page;
 pub use families::by_solver as solvers_table;
 pub use families::table as families_table;
 pub use film::simulation_page;

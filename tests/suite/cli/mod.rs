@@ -5,6 +5,7 @@ mod agreement;
 mod bad_input;
 mod compare_solvers;
 mod convert;
+mod diagnose;
 mod document;
 mod exit_code;
 mod friction;

@@ -26,7 +26,7 @@ mod sweep;
 pub use acts::{Act, Push};
 pub use laws::Laws;
 pub use ledger::Ledger;
-pub use motion::Motion;
+pub use motion::{Motion, carried};
 pub use record::{Cause, Failure, Recording, Solve, Step};
 pub use stated::{options, problem_of, solver};
 pub use stepper::Stepper;

@@ -56,6 +56,24 @@ impl Motion {
     }
 }
 
+/// The part of the weight that contacts, joints and springs carry between two instants, W being the weight of all that
+/// moves and F the upward part of the forces that bodies are given:
+///
+/// ```text
+/// (ΔP + (W − F) Δt) / W Δt
+/// ```
+///
+/// 1 at rest, 0 in free fall. `None` without weight or without time.
+pub fn carried(scene: &Scene, before: &Motion, after: &Motion) -> Option<f64> {
+    let up = -scene.gravity.try_normalize(0.0)?;
+    let moving = || scene.bodies.iter().filter(|body| body.mass.mass() > 0.0);
+    let weight = scene.gravity.norm() * moving().map(|body| body.mass.mass()).sum::<f64>();
+    let given = moving().map(|body| body.force.dot(&up)).sum::<f64>();
+    let time = after.time - before.time;
+    let gained = up.dot(&(after.linear_momentum - before.linear_momentum));
+    (weight * time > 0.0).then(|| (gained + (weight - given) * time) / (weight * time))
+}
+
 /// max |c| over rigid equality rows of one kind; a constraint without direction has no say.
 fn drift(scene: &Scene, states: &[State], angular: bool) -> f64 {
     let rows = scene.constraints.iter().flat_map(|constraint| {

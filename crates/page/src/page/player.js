@@ -129,6 +129,11 @@ function stage(film, take, pane) {
     return Array.from({ length: count }, (_, k) => (sum += list[k] || 0));
   };
   const poses = take.poses.map((channels) => channels.map(grown));
+  const heats = take.heat.map(grown);
+  // The parts of a body, as red as it is if colour says how much.
+  const parts = (k, now) => heats.length > 0
+    ? film.bodies[k].map((part) => part.fixed ? part : { ...part, color: film.heat[heats[k][now]], plain: false })
+    : film.bodies[k];
   const orders = take.order.map((order, k) => { while (take.order[k] === 0) k--; return take.order[k]; });
   const pose = (body, now) => {
     if (body === null) return { p: [0, 0, 0], q: [1, 0, 0, 0] };
@@ -140,7 +145,7 @@ function stage(film, take, pane) {
   const raised = (digits) => digits.replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
   const number = (x) => {
     const small = x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5);
-    const [digits, power] = small ? x.toExponential(1).split("e") : [x === 0 ? "0" : x.toPrecision(3)];
+    const [digits, power] = small ? x.toExponential(1).split("e") : [x === 0 ? "0" : `${Number(x.toPrecision(3))}`];
     return digits.replace("-", "−") + (power ? `×10${raised(power.replace("+", ""))}` : "");
   };
   return (asked) => {
@@ -152,7 +157,7 @@ function stage(film, take, pane) {
     };
     const ends = film.joints.map((joint) => joint && joint.ends.map((end, side) => world(joint.bodies[side], end)));
     bodies.innerHTML = orders[now].map((k) => k < film.bodies.length
-      ? solids(film, film.bodies[k], places[k])
+      ? solids(film, parts(k, now), places[k])
       : rod(film, ends[k - film.bodies.length])).join("") + marks(film, ends);
     forces.innerHTML = arrows(take.forces[now]);
     const shown = film.measures.map((measure, m) =>

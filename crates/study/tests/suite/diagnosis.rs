@@ -1,5 +1,6 @@
 //! Each cause of trouble that the chapter lists has an input that shows it and a message that names it.
 
+use lcplab_judge::Demand;
 use lcplab_judge::regularity::regularity;
 use lcplab_mechanics::scene::{Scene, Scheme, catalogue};
 use lcplab_problem::file::Problem;
@@ -344,4 +345,22 @@ fn numbers_too_large_for_singular_values_are_no_error() {
     let text = r#"{"A": {"dense": [[1, 1e200], [0, 1]]}, "b": [1, 1]}"#;
     let found = problem(&Problem::parse(text, "large.json").unwrap()).unwrap();
     assert!(found.is_sound() && !found.is_unique, "{found:?}");
+}
+
+#[test]
+fn of_shipped_scenes_those_are_called_impossible_that_have_no_solution() {
+    for shipped in catalogue::SHIPPED.iter().filter(|shipped| shipped.name != "tower") {
+        let scene = Scene::load(shipped.name).unwrap();
+        let found = lcplab_study::diagnosis::scene(&scene, 1).unwrap();
+        let mut scene = scene;
+        if scene.solver.name == "pgs" {
+            // Some stop after a few sweeps, to be looked at.
+            (scene.solver.name, scene.solver.max_iterations) = ("dantzig".into(), 10_000);
+        }
+        let step = lcplab_mechanics::simulation::Step::of(&scene, 1);
+        let is_solved = step.is_ok_and(|step| {
+            step.solves.iter().all(|solve| solve.judged(&Demand::default()).verdict.is_solution())
+        });
+        assert_eq!(found.is_sound(), is_solved, "{}: {:?}", shipped.name, found.causes);
+    }
 }

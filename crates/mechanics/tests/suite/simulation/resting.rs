@@ -3,7 +3,7 @@
 use lcplab_mechanics::constraint::Kind;
 use lcplab_mechanics::scene::Scheme;
 
-use lcplab_mechanics::simulation::Simulation;
+use lcplab_mechanics::simulation::{Simulation, carried};
 use lcplab_solver as solver;
 
 use super::{assert_near, scene, simulation, x};
@@ -98,4 +98,22 @@ fn the_stack_keeps_its_twenty_corners_whatever_the_rounding() {
         let ids: Vec<_> = stack.step().unwrap().contacts.iter().map(|found| found.id).collect();
         assert_eq!(ids, first);
     }
+}
+
+#[test]
+fn what_rests_is_carried_what_falls_is_not_and_what_stops_was_carried_twice() {
+    let part = |name: &str, steps: usize| {
+        let scene = scene(name, Scheme::Velocity);
+        let mut moving = simulation(scene.clone());
+        let start = moving.motion();
+        (0..steps).for_each(|_| drop(moving.step().unwrap()));
+        carried(&scene, &start, &moving.motion())
+    };
+    assert_near(part("stack", 20).unwrap(), 1.0, 1e-12);
+    assert_near(part("free_fall", 20).unwrap(), 0.0, 1e-12);
+    // Figure 6: m g dt = 1 and m v = 1, so that the first step takes 2 N s, each other one 1.
+    assert_near(part("fig6", 1).unwrap(), 2.0, 1e-12);
+    assert_near(part("fig6", 4).unwrap(), 5.0 / 4.0, 1e-12);
+    assert_eq!(part("stack", 0), None); // no time has passed
+    assert_eq!(part("dzhanibekov", 5), None); // nothing has a weight
 }

@@ -71,6 +71,17 @@ impl Slow {
             Slow::Other => "slow sweeps",
         }
     }
+
+    /// The place among the causes by how easily they are taken away: a start, an order, masses, a height.
+    pub fn ease(&self) -> usize {
+        match self {
+            Slow::Stale { .. } => 0,
+            Slow::Order { .. } => 1,
+            Slow::MassRatio { .. } => 2,
+            Slow::Tall { .. } => 3,
+            Slow::Other => 4,
+        }
+    }
 }
 
 impl fmt::Display for Slow {
@@ -107,8 +118,10 @@ impl fmt::Display for Slow {
             ),
             Slow::Order { without } => write!(
                 f,
-                "the rows are taken against the way that impulses go. From the last row to the first {}.",
-                saves(without)
+                "the rows are taken against the way that impulses go. From the last row to the first {} would be missing in \
+                 place of {}.",
+                percent(without.without),
+                percent(without.with)
             ),
             Slow::Stale { without } => write!(
                 f,

@@ -6,6 +6,8 @@ use serde_json::{Value, json};
 
 use super::cause::Moving;
 use super::examine::{HEALTHY, Shortfall};
+use super::frame::Frame;
+use super::remedy::Relief;
 use super::show::percent;
 
 /// Significant digits of what was measured.
@@ -29,8 +31,9 @@ const NOT_EXAMINED: &str =
 pub struct Note {
     /// The step, or the file.
     pub name: String,
-    /// What is missing in its answer, as a part of what the constraints have to do; NaN where no solution is known.
-    pub missing: f64,
+    /// What is missing in its answer, as a part of what the constraints have to do; `None` where it was not compared with
+    /// a solution.
+    pub missing: Option<f64>,
     /// The upward impulse (N s) or force (N) that is missing over all bodies.
     pub uncarried: f64,
     /// The scaled residual of its answer.
@@ -46,8 +49,9 @@ pub struct Note {
 /// The step to look into: the first in which a good part of what is missing at most is missing, for what comes after follows
 /// from it. The first of all if nothing is.
 pub fn telling_step(notes: &[Note]) -> usize {
-    let most = notes.iter().map(|note| note.missing).fold(HEALTHY, f64::max);
-    notes.iter().position(|note| note.missing >= GOOD_PART * most).unwrap_or(0)
+    let most = notes.iter().filter_map(|note| note.missing).fold(HEALTHY, f64::max);
+    let is_telling = |note: &Note| note.missing.is_some_and(|missing| missing >= GOOD_PART * most);
+    notes.iter().position(is_telling).unwrap_or(0)
 }
 
 /// What was found of a scene or a sequence.
@@ -63,8 +67,14 @@ pub struct Examination {
     pub moving: Vec<Moving>,
     /// The step that was examined, and how; none where no solution is known.
     pub shortfall: Option<Shortfall>,
+    /// The frame that was examined.
+    pub frame: Option<Frame>,
+    /// The place among the notes of the frame that was examined.
+    pub place: usize,
     /// What was looked at and is not the cause.
     pub innocent: Vec<String>,
+    /// Remedies over the whole run, the best first.
+    pub reliefs: Vec<Relief>,
 }
 
 impl Examination {
@@ -82,7 +92,11 @@ impl Examination {
     pub fn headline(&self) -> String {
         let mut words = match &self.shortfall {
             Some(found) => found.headline(),
-            None if self.notes.iter().all(|note| note.missing == 0.0) => {
+            None if self
+                .notes
+                .iter()
+                .all(|note| note.missing.is_none_or(|missing| missing == 0.0)) =>
+            {
                 "No problem was solved of whose answer a part could be missing.".into()
             }
             None => "No solution is known to compare with.".into(),
@@ -104,6 +118,7 @@ impl Examination {
         let found = self.shortfall.as_ref();
         let mut sections: Vec<Section> = self.why().into_iter().collect();
         sections.extend(found.and_then(Shortfall::remedies_section));
+        sections.extend(self.reliefs_section());
         sections.extend(found.filter(|found| found.is_short()).and_then(Shortfall::loads_section));
         sections.extend(self.steps());
         let mut rest = std::mem::take(&mut document.sections);
@@ -140,39 +155,97 @@ impl Examination {
         (!section.blocks.is_empty()).then_some(section)
     }
 
+    /// The steps, the worst first by what is missing, and then the worst by each of the other measures.
     fn steps(&self) -> Option<Section> {
-        let mut notes: Vec<&Note> = self.notes.iter().filter(|note| note.missing > 0.0).collect();
-        notes.sort_by(|a, b| b.missing.total_cmp(&a.missing));
+        if self.notes.len() < 2 || !self.shortfall.as_ref().is_some_and(Shortfall::is_short) {
+            return None;
+        }
+        let mut notes: Vec<&Note> =
+            self.notes.iter().filter(|note| note.missing.is_some_and(|part| part > 0.0)).collect();
+        notes.sort_by(|a, b| b.missing.unwrap_or(0.0).total_cmp(&a.missing.unwrap_or(0.0)));
+        notes.truncate(STEPS);
+        let mut why = vec!["missing".to_string(); notes.len()];
+        for (measure, k) in self.worst() {
+            let worst = &self.notes[k];
+            match notes.iter().position(|note| note.name == worst.name) {
+                Some(at) => why[at] += &format!(", {measure}"),
+                None => {
+                    notes.push(worst);
+                    why.push(measure.into());
+                }
+            }
+        }
         let optional =
             |value: Option<f64>| value.map_or(String::new(), |value| readable(value, DIGITS));
-        let row = |note: &&Note| {
+        let row = |(note, why): (&&Note, &String)| {
             vec![
                 note.name.clone(),
-                percent(note.missing),
+                why.clone(),
+                note.missing.map_or(String::new(), percent),
                 readable(note.residual, DIGITS),
                 readable(note.bias, DIGITS),
                 optional(note.penetration.map(|depth| 1e3 * depth)),
                 optional(note.energy),
             ]
         };
-        let is_short = |found: &Shortfall| found.is_short();
-        if self.notes.len() < 2 || !self.shortfall.as_ref().is_some_and(is_short) {
-            return None;
-        }
         let mut section = Section::new("steps");
         section.table(
-            "the steps in which most is missing, the worst first",
-            &["step", "missing", "scaled residual", "bias (m/s)", "overlap (mm)", "energy (J)"],
-            notes.iter().take(STEPS).map(row).collect(),
+            "the worst steps",
+            &[
+                "step",
+                "worst by",
+                "missing",
+                "scaled residual",
+                "bias (m/s)",
+                "overlap (mm)",
+                "energy (J)",
+            ],
+            notes.iter().zip(&why).map(row).collect(),
         );
         Some(section)
+    }
+
+    /// The worst step by each measure but what is missing: its name, and which it is. A measure that is 0 has none.
+    pub fn worst(&self) -> Vec<(&'static str, usize)> {
+        let worst = |name: &'static str, measure: &dyn Fn(usize) -> Option<f64>| {
+            let values = (0..self.notes.len()).filter_map(|k| Some((k, measure(k)?)));
+            let (k, value) = values.max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))?;
+            (value > 0.0).then_some((name, k))
+        };
+        let energy = |k: usize| self.notes.get(k)?.energy;
+        let measures = [
+            worst("residual", &|k| Some(self.notes[k].residual)),
+            worst("bias", &|k| Some(self.notes[k].bias)),
+            worst("overlap", &|k| self.notes[k].penetration),
+            worst("energy gained", &|k| Some(energy(k)? - energy(k.checked_sub(1)?)?)),
+        ];
+        measures.into_iter().flatten().collect()
+    }
+
+    /// What helps over the whole run.
+    fn reliefs_section(&self) -> Option<Section> {
+        let mut section = Section::new("over the whole run");
+        let row = |relief: &Relief| {
+            vec![
+                relief.what.clone(),
+                percent(relief.missing),
+                relief.sinks.map_or(String::new(), |depth| readable(1e3 * depth, DIGITS)),
+                readable(relief.iterations, DIGITS),
+            ]
+        };
+        section.table(
+            "remedies over the whole run, each one run",
+            &["what", "missing", "sinks (mm)", "iterations a step"],
+            self.reliefs.iter().map(row).collect(),
+        );
+        (!self.reliefs.is_empty()).then_some(section)
     }
 
     /// The same for machines.
     pub fn to_json(&self) -> Value {
         let number = lcplab_problem::file::number;
         let note = |note: &Note| {
-            json!({ "name": note.name, "missing": number(note.missing), "uncarried": number(note.uncarried),
+            json!({ "name": note.name, "missing": note.missing.map(number), "uncarried": number(note.uncarried),
                 "residual": number(note.residual), "bias": number(note.bias),
                 "penetration": note.penetration, "energy": note.energy })
         };
@@ -180,6 +253,10 @@ impl Examination {
             .sunk
             .as_ref()
             .map(|(body, depth)| json!({ "body": body, "depth": number(*depth) }));
+        let relief = |relief: &Relief| {
+            json!({ "what": relief.what, "missing": number(relief.missing), "sinks": relief.sinks,
+                "iterations": number(relief.iterations) })
+        };
         json!({
             "headline": self.headline(),
             "causes": self.causes(),
@@ -187,6 +264,7 @@ impl Examination {
             "seconds": self.time,
             "sunk": sunk,
             "solve": self.shortfall.as_ref().map(Shortfall::to_json),
+            "remedies": self.reliefs.iter().map(relief).collect::<Vec<_>>(),
             "steps": self.notes.iter().map(note).collect::<Vec<_>>(),
         })
     }

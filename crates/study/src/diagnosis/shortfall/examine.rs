@@ -21,6 +21,9 @@ const TELLING: f64 = 2.0;
 /// And it explains this part of what is missing.
 const WORTH: f64 = 0.1;
 
+/// A cause that explains this part explains most of it.
+const MOST: f64 = 0.5;
+
 /// Sweeps are counted up to here, and up to so many multiplications.
 const MOST_SWEEPS: usize = 20_000;
 const MULTIPLICATIONS: usize = 10_000_000;
@@ -65,18 +68,27 @@ impl Practice {
     }
 }
 
-/// What an impulse should be, and what it is.
+/// What an impulse (N s) or force (N) should be, and what it is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
     /// Who carries or is carried.
     pub name: String,
-    /// Upward in the solution (N s).
+    /// Upward in the solution.
     pub due: f64,
-    /// Upward in the answer (N s).
+    /// Upward in the answer.
     pub given: f64,
+    /// The fastest approach that the answer leaves in a row, max −w (m/s, or m/s²).
+    pub approach: f64,
+    /// The fastest parting that feedback of errors asks of a row, max −bias.
+    pub bias: f64,
 }
 
 impl Load {
+    /// Nothing yet.
+    fn named(name: &str) -> Self {
+        Load { name: name.into(), due: 0.0, given: 0.0, approach: 0.0, bias: 0.0 }
+    }
+
     /// The part that is missing.
     pub fn missing(&self) -> f64 {
         1.0 - self.given / self.due
@@ -110,6 +122,8 @@ pub struct Shortfall {
     pub bodies: Vec<Load>,
     /// Pair by pair, the worst first.
     pub pairs: Vec<Load>,
+    /// Whether x are forces, else impulses.
+    pub is_of_forces: bool,
     /// The slowest pattern of Gauss-Seidel.
     pub slowest: Option<Slowest>,
     /// The body that moves most in it, if bodies are known.
@@ -162,6 +176,7 @@ pub fn examine_answer(
         whole: None,
         bodies: Vec::new(),
         pairs: Vec::new(),
+        is_of_forces: frame.is_of_forces,
         slowest: None,
         mover: None,
         sweeps: None,
@@ -198,9 +213,9 @@ impl Shortfall {
         let all = |x: &[f64]| frame.impulse(x, |_| true);
         let (due, given) = (all(exact), all(&self.x));
         let of = |body: &Body| Load {
-            name: body.name.clone(),
             due: frame.upward(&due, body),
             given: frame.upward(&given, body),
+            ..Load::named(&body.name)
         };
         self.bodies = frame.bodies.iter().map(of).collect();
         let sum = |part: fn(&Load) -> f64| self.bodies.iter().map(part).sum::<f64>();
@@ -208,14 +223,27 @@ impl Shortfall {
         let scale: f64 = self.bodies.iter().map(|load| load.due.abs()).sum();
         // Where nothing is carried, there is no weight of which a part is missing.
         self.whole =
-            (due > HEALTHY * scale).then(|| Load { name: "all bodies".into(), due, given });
+            (due > HEALTHY * scale).then(|| Load { due, given, ..Load::named("all bodies") });
+        let w = frame.lcp.w(&self.x);
+        let none = vec![0.0; w.len()];
+        let bias = frame.motion.as_ref().map_or(&none, |motion| &motion.bias);
         for pair in &frame.pairs {
             let of = |x: &[f64]| {
                 let own = frame.impulse(x, |i| pair.rows.contains(&i));
                 let each = frame.bodies.iter().map(|body| frame.upward(&own, body));
                 each.fold(0.0, f64::max)
             };
-            let load = Load { name: pair.name.clone(), due: of(exact), given: of(&self.x) };
+            let most = |values: &[f64]| {
+                let own = pair.rows.iter().filter(|&&i| frame.lcp.lo()[i].is_finite());
+                own.fold(0.0, |most: f64, &i| most.max(-values[i]))
+            };
+            let load = Load {
+                due: of(exact),
+                given: of(&self.x),
+                approach: most(&w),
+                bias: most(bias),
+                ..Load::named(&pair.name)
+            };
             self.pairs.extend((load.due > HEALTHY * due).then_some(load));
         }
         self.pairs.sort_by(|a, b| (b.due - b.given).total_cmp(&(a.due - a.given)));
@@ -253,24 +281,30 @@ impl Case<'_> {
         let Some(slowest) = &found.slowest else { return };
         let (needed, is_done) = sweeps_to(lcp, self.yard, Order::Natural, GOOD, self.most());
         found.sweeps = Some((needed, is_done));
-        let moved = self.frame.response(&slowest.forces);
-        let speed = |k: &usize| {
-            let own = &moved[self.frame.bodies[*k].columns.clone()];
-            own[..3].iter().map(|u| u * u).sum::<f64>().sqrt()
-        };
+        let speeds = self.frame.speeds(&slowest.forces);
+        let speed = |k: &usize| speeds[*k];
         let movers = || 0..self.frame.bodies.len();
         let mover = movers().max_by(|a, b| speed(a).total_cmp(&speed(b)));
         found.mover = mover.map(|k| self.frame.bodies[k].name.clone());
         let mut causes: Vec<(Without, Slow)> = Vec::new();
         causes.extend(self.masses_and_height([needed, found.missing], mover, &speed));
         if self.practice.is_sweep() {
-            causes.extend(self.order(needed));
+            causes.extend(self.order());
         }
         causes.extend(from.and_then(|_| self.stale(found.missing)));
         let is_telling =
             |own: &Without| own.factor >= TELLING && own.share() >= WORTH * found.missing;
         causes.retain(|(without, _)| is_telling(without));
-        causes.sort_by(|a, b| b.0.share().total_cmp(&a.0.share()));
+        // Of those that explain most of it, each alone, the one that is taken away most easily comes first.
+        let explains = |own: &Without| own.share() >= MOST * found.missing;
+        let place = |(without, cause): &(Without, Slow)| match explains(without) {
+            true => (cause.ease(), 0.0),
+            false => (usize::MAX, -without.share()),
+        };
+        causes.sort_by(|a, b| {
+            let (a, b) = (place(a), place(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
         found.causes = causes.into_iter().map(|(_, cause)| cause).collect();
         if found.causes.is_empty() {
             found.causes.push(Slow::Other);
@@ -300,7 +334,9 @@ impl Case<'_> {
         }
         let apart = self.frame.by_pairs(lcp.as_ref().unwrap_or(&self.frame.lcp));
         if let Some(left) = apart.and_then(|apart| self.changed(&apart, weight)) {
-            let without = Without { factor: alike[0] / left[0], with: alike[1], without: left[1] };
+            // What is not missing now cannot be missing because of it.
+            let with = alike[1].min(own[1]);
+            let without = Without { factor: alike[0] / left[0], with, without: left[1] };
             let bodies = mover.filter(|_| lcp.is_some()).map(|mover| self.frame.reach(mover));
             causes.push((without, Slow::Tall { bodies, without }));
         }
@@ -328,9 +364,10 @@ impl Case<'_> {
         (without, Slow::MassRatio { heavy, light, without })
     }
 
-    fn order(&self, needed: f64) -> Option<(Without, Slow)> {
+    /// The other order. In the long run it is no faster (both ways a chain has the same eigenvalues): it counts in the first
+    /// sweeps, as many as bodies that an impulse goes through.
+    fn order(&self) -> Option<(Without, Slow)> {
         let lcp = &self.frame.lcp;
-        let (back, _) = sweeps_to(lcp, self.yard, Order::Reverse, GOOD, self.most());
         let mut reversed = self.practice.clone();
         reversed.options.order = Order::Reverse;
         let run = |practice: &Practice| {
@@ -338,7 +375,7 @@ impl Case<'_> {
             self.yard.missing(&solution.x)
         };
         let (with, without) = (run(self.practice), run(&reversed));
-        let without = Without { factor: needed / back.max(1.0), with, without };
+        let without = Without { factor: with / without, with, without };
         Some((without, Slow::Order { without }))
     }
 

@@ -43,6 +43,8 @@ pub struct Frame {
     pub motion: Option<Gauss>,
     /// The bodies that move, if they are known.
     pub bodies: Vec<Body>,
+    /// Whether x are forces and w accelerations; else x are impulses and w velocities.
+    pub is_of_forces: bool,
     /// What gravity adds to each velocity of the motion without constraints (m/s; m/s² where x are forces), if there is any.
     pub fall: Option<[f64; 3]>,
 }
@@ -55,7 +57,9 @@ impl Frame {
         let bodies = motion.as_ref().map_or_else(Vec::new, |motion| bodies(problem, motion));
         let fall = problem.extra.get("gravity").and_then(vector);
         let pairs = pairs(problem);
-        Frame { name: problem.name.clone(), lcp, pairs, motion, bodies, fall }
+        let unit = problem.extra.get("rows").and_then(|rows| rows.get(0)?.get("unit")?.as_str());
+        let is_of_forces = matches!(unit, Some("N" | "N m"));
+        Frame { name: problem.name.clone(), lcp, pairs, motion, bodies, is_of_forces, fall }
     }
 
     /// The problem with other masses: M⁻¹ of body k times `mobility[k]`. A body with 0 is held: it does not move
@@ -204,6 +208,26 @@ impl Frame {
             }
         }
         impulse
+    }
+
+    /// How fast each body moves (m/s, or m/s²) by forces x.
+    pub fn speeds(&self, x: &[f64]) -> Vec<f64> {
+        let moved = self.response(x);
+        let speed = |body: &Body| {
+            let own = &moved[body.columns.start..body.columns.start + 3];
+            own.iter().map(|u| u * u).sum::<f64>().sqrt()
+        };
+        self.bodies.iter().map(speed).collect()
+    }
+
+    /// How fast each body moves by what is missing in x, as a part of what gravity adds to its velocity; of the fastest
+    /// where there is none.
+    pub fn left(&self, x: &[f64], exact: &[f64]) -> Vec<f64> {
+        let error: Vec<f64> = exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
+        let speeds = self.speeds(&error);
+        let fastest = || speeds.iter().copied().fold(0.0, f64::max);
+        let whole = self.fall.map_or_else(fastest, length);
+        speeds.into_iter().map(|speed| if whole > 0.0 { speed / whole } else { 0.0 }).collect()
     }
 
     /// The upward part of an impulse on a body (N s).

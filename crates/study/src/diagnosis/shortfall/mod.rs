@@ -6,24 +6,30 @@
 //! strongest first; nothing is concluded from the number of bodies or the ratio of masses alone.
 
 mod cause;
+mod course;
 mod examination;
 mod examine;
 mod frame;
 mod linear;
+#[cfg(feature = "mechanics")]
+mod relief;
 mod remedy;
 #[cfg(feature = "mechanics")]
 mod run;
 mod sequence;
 mod show;
+#[cfg(feature = "mechanics")]
+mod suspect;
 mod yard;
 
 pub use cause::{Moving, Slow, Without};
+pub use course::{Course, courses};
 pub use examination::{Examination, Note};
 pub use examine::{GOOD, HEALTHY, Load, Practice, Shortfall, examine, examine_answer};
 pub use frame::{Body, Frame, Pair};
 pub use linear::{Linear, Slowest, Way};
-pub use remedy::Remedy;
+pub use remedy::{Relief, Remedy};
 #[cfg(feature = "mechanics")]
-pub use run::examine_scene;
+pub use run::{exact, examine_scene, main_solve, practice};
 pub use sequence::examine_sequence;
 pub use yard::Yard;

@@ -1,7 +1,8 @@
 //! Remedies, each one run: what is missing with it, and what it costs.
 
 use lcplab_problem::Lcp;
-use lcplab_solver::{Order, Pgs, Settings, Solver, Start};
+use lcplab_solver::trace::Work;
+use lcplab_solver::{Entry, Order, Pgs, Settings, Solver, Start};
 
 use super::examine::Practice;
 use super::frame::Frame;
@@ -9,10 +10,14 @@ use super::linear::{Linear, Way};
 use super::yard::{Yard, start};
 
 /// Other methods that are tried, by name.
-const METHODS: [&str; 4] = ["anderson-pgs", "block-pgs", "block-pivoting", "dantzig"];
+pub(super) const METHODS: [&str; 4] = ["anderson-pgs", "block-pgs", "block-pivoting", "dantzig"];
 
 /// Factors of relaxation that are tried.
 const OMEGAS: [f64; 3] = [1.3, 1.6, 1.9];
+
+/// So many times as many sweeps are tried. A problem that comes again in every step, and is started from its last answer,
+/// gets them in so many steps.
+const STEPS: [usize; 2] = [4, 40];
 
 /// A change and what came of it.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +30,21 @@ pub struct Remedy {
     pub predicted: Option<f64>,
     /// Sweeps, pivots, or steps of the method that it took.
     pub iterations: usize,
+    /// What they cost, in multiplications; NaN where nobody counts them.
+    pub work: f64,
+}
+
+/// A change of a run and what came of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Relief {
+    /// What was changed.
+    pub what: String,
+    /// What is missing in the second half of the run, on average.
+    pub missing: f64,
+    /// How far the body that sinks most ends below where exact answers leave it (m).
+    pub sinks: Option<f64>,
+    /// Sweeps, pivots or steps for each step of the scene, on average.
+    pub iterations: f64,
 }
 
 /// The remedies of one solve.
@@ -37,29 +57,35 @@ pub fn remedies(
     let (lcp, sweeps) = (&frame.lcp, practice.options.settings.max_iterations);
     let settings = || Settings { max_iterations: sweeps, ..practice.options.settings.clone() };
     let mut all = Vec::new();
-    let mut add = |what: String, solver: &dyn Solver, predicted: Option<f64>| {
-        let solution = solver.solve(lcp, &Start::default(), &mut ());
-        let missing = yard.missing(&solution.x);
-        all.push(Remedy { what, missing, predicted, iterations: solution.iterations });
+    let mut add = |what: String, entry: &Entry, solver: &dyn Solver, predicted: Option<f64>| {
+        let mut work = Work::of(entry, lcp);
+        let solution = solver.solve(lcp, &Start::default(), &mut work);
+        let (missing, work) = (yard.missing(&solution.x), work.multiplications);
+        all.push(Remedy { what, missing, predicted, iterations: solution.iterations, work });
     };
+    let own = &practice.entry;
     let zero = start(lcp);
     let theory =
         |omega, is_reversed, sweeps| linear.missing(&zero, Way { omega, is_reversed }, sweeps);
     if practice.is_sweep() {
         for omega in OMEGAS {
             let solver = Pgs { omega, order: Order::Natural, settings: settings() };
-            add(format!("ω = {omega}"), &solver, theory(omega, false, sweeps));
+            add(format!("ω = {omega}"), own, &solver, theory(omega, false, sweeps));
         }
         let solver = Pgs { omega: 1.0, order: Order::Reverse, settings: settings() };
-        add("rows from the last to the first".into(), &solver, theory(1.0, true, sweeps));
-        let more = 4 * sweeps;
-        let solver =
-            Pgs { settings: Settings { max_iterations: more, ..settings() }, ..Pgs::default() };
-        add(format!("{more} sweeps"), &solver, theory(1.0, false, more));
+        add("rows from the last to the first".into(), own, &solver, theory(1.0, true, sweeps));
+        for steps in STEPS {
+            let more = steps * sweeps;
+            let solver =
+                Pgs { settings: Settings { max_iterations: more, ..settings() }, ..Pgs::default() };
+            let what =
+                format!("{more} sweeps, or {steps} such steps that start from the last answer");
+            add(what, own, &solver, theory(1.0, false, more));
+        }
     }
     for name in METHODS.into_iter().filter(|name| *name != practice.entry.name) {
-        if let Some(solver) = practice.other(name) {
-            add(name.into(), &*solver, None);
+        if let (Some(solver), Ok(entry)) = (practice.other(name), lcplab_solver::entry(name)) {
+            add(name.into(), entry, &*solver, None);
         }
     }
     all.sort_by(|a, b| a.missing.total_cmp(&b.missing));

@@ -2,16 +2,16 @@
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
-use lcplab_mechanics::scene::{Persistence, Scene, Scheme};
+use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{self, Simulation, Solve, Step};
 use lcplab_problem::error::Result;
-use lcplab_problem::friction::Model;
 use lcplab_problem::{Lcp, merit};
 
-use super::cause::Moving;
 use super::examination::{Examination, Note, telling_step};
 use super::examine::{HEALTHY, Practice, examine};
 use super::frame::Frame;
+use super::relief::reliefs;
+use super::suspect::causes;
 use super::yard::Yard;
 
 /// A run takes this long (s), or as long as the scene says if that is shorter.
@@ -20,26 +20,37 @@ const TIME: f64 = 1.0;
 /// A run takes no more steps.
 const MOST_STEPS: usize = 1000;
 
-/// Lengths are worth a word from this part of the thinnest body on, energies from the work of all weights over it.
-const WORTH: f64 = 0.01;
-
-/// A cause explains at least this part of what is seen.
-const TELLING: f64 = 0.5;
-
 /// Steps with more rows are not compared with exact answers.
 const LARGEST: usize = 300;
 
 /// With more rows not every step is compared.
 const EVERY_STEP: usize = 80;
 
+/// Errors of positions are worth a word from this part of the thinnest body on, energies from the work of all weights over it.
+pub(super) const WORTH: f64 = 0.01;
+
+/// Of a run of which only the end counts so many steps are compared.
+const COMPARED: usize = 20;
+
 /// The solver that a run is compared with.
 const EXACT: &str = "dantzig";
 
 /// Where a run ends.
-struct End {
-    states: Vec<State>,
-    gained: f64,
-    missing: f64,
+pub(super) struct End {
+    /// The last states.
+    pub states: Vec<State>,
+    /// The most energy above that of the start (J).
+    pub gained: f64,
+    /// What is missing in its second half, on average over the steps that were compared.
+    pub missing: f64,
+    /// Sweeps, pivots or steps in a solve, on average.
+    pub iterations: f64,
+    /// The largest drift or overlap (m).
+    pub error: f64,
+    /// How many steps were taken.
+    pub steps: usize,
+    /// Whether each was small enough to be compared with exact answers.
+    pub is_compared: bool,
 }
 
 /// Examines a scene: its motion for a second, and the solve of a step, or of the first in which much is missing.
@@ -49,18 +60,25 @@ struct End {
 pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> {
     let practice = practice(scene)?;
     let count = steps(scene);
-    let went = go(scene, count)?;
+    let went = go(scene, count, 1)?;
     let taken = went.notes.len();
     let mut found = Examination { notes: went.notes, ..Examination::default() };
     if taken == 0 {
         return Ok(found);
     }
     found.time = Some(taken as f64 * scene.step.dt);
-    if went.is_compared {
-        let exactly = end_of(&exact(scene), taken)?;
-        found.sunk = sunk(scene, &went.end.states, &exactly.states);
+    let exactly = end_of(&exact(scene), taken)?;
+    if went.end.is_compared && exactly.is_compared && exactly.steps == taken {
+        // Exact answers are no measure of another scheme, nor where they let rows drift apart themselves.
+        let is_alike = is_of_impulses(scene.step.scheme);
+        if is_alike && exactly.error <= WORTH * scene.thinnest().unwrap_or(1.0) {
+            found.sunk = sunk(scene, &went.end.states, &exactly.states);
+        }
         let (moving, innocent) = causes(scene, taken, &went.end, &exactly)?;
         (found.moving, found.innocent) = (moving, innocent);
+        if went.end.missing > HEALTHY {
+            found.reliefs = reliefs(scene, taken, &went.end, &exactly.states)?;
+        }
     }
     let number = step.unwrap_or_else(|| telling_step(&found.notes) + 1);
     let solve = went.solves.get(number - 1).and_then(Option::as_ref);
@@ -68,6 +86,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
         let frame = Frame::of(&solve.exported(scene, number));
         found.shortfall = examine(&frame, &practice, Some(&solve.start));
         found.innocent.extend(redundancy(&solve.problem.lcp));
+        (found.place, found.frame) = (number - 1, Some(frame));
     }
     Ok(found)
 }
@@ -90,7 +109,7 @@ fn steps(scene: &Scene) -> usize {
 }
 
 /// The scene with exact answers.
-fn exact(scene: &Scene) -> Scene {
+pub fn exact(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.solver.name = EXACT.into();
     scene.solver.max_iterations = lcplab_solver::Settings::default().max_iterations;
@@ -100,49 +119,70 @@ fn exact(scene: &Scene) -> Scene {
     scene
 }
 
+/// Whether steps solve for impulses or forces of rigid constraints, in an LCP or sweep by sweep.
+pub(super) fn is_of_impulses(scheme: Scheme) -> bool {
+    scheme.solves_lcps() || scheme == Scheme::SequentialImpulses
+}
+
 /// How a run went.
 struct Went {
     notes: Vec<Note>,
     solves: Vec<Option<Solve>>,
     end: End,
-    /// Whether every step is small enough to be compared with exact answers.
-    is_compared: bool,
 }
 
-fn go(scene: &Scene, count: usize) -> Result<Went> {
+/// Takes so many steps; every `every`-th is compared with its exact answer.
+fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
     let mut simulation = Simulation::of(scene)?;
     let start = simulation.motion().energy();
-    let (mut notes, mut solves, mut gained) = (Vec::new(), Vec::new(), 0.0_f64);
+    let (mut notes, mut solves, mut gained, mut error) = (Vec::new(), Vec::new(), 0.0_f64, 0.0_f64);
     let mut is_compared = true;
     while notes.len() < count && is_compared {
         let Ok(step) = simulation.step() else { break };
         gained = gained.max(step.motion.energy() - start);
+        error = error.max(step.motion.drift).max(step.motion.penetration);
         let solve = main_solve(&step);
         is_compared = solve.is_none_or(|solve| solve.problem.lcp.len() <= LARGEST);
-        notes.push(note(scene, &step, solve));
+        notes.push(note(scene, &step, solve, every));
         solves.push(solve.cloned());
     }
-    let half = &notes[notes.len() / 2..];
-    let missing = half.iter().map(|note| note.missing).sum::<f64>() / half.len().max(1) as f64;
-    let end = End { states: simulation.states().to_vec(), gained, missing };
-    Ok(Went { notes, solves, end, is_compared })
+    let half = notes[notes.len() / 2..].iter().filter_map(|note| note.missing);
+    let missing = mean(half).unwrap_or(0.0);
+    let done = solves.iter().flatten().map(|solve: &Solve| solve.solution.iterations as f64);
+    let iterations = mean(done).unwrap_or(0.0);
+    let end = End {
+        states: simulation.states().to_vec(),
+        gained,
+        missing,
+        iterations,
+        error,
+        steps: notes.len(),
+        is_compared,
+    };
+    Ok(Went { notes, solves, end })
 }
 
-fn end_of(scene: &Scene, count: usize) -> Result<End> {
-    Ok(go(scene, count)?.end)
+fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let (sum, count) = values.fold((0.0, 0), |(sum, count), value| (sum + value, count + 1));
+    (count > 0).then(|| sum / f64::from(count))
 }
 
-/// The solve that carries: not those of blows and corrections.
-fn main_solve(step: &Step) -> Option<&Solve> {
+/// Where a run of so many steps ends.
+pub(super) fn end_of(scene: &Scene, count: usize) -> Result<End> {
+    Ok(go(scene, count, (count / COMPARED).max(1))?.end)
+}
+
+/// The solve of a step that carries: not those of blows and corrections.
+pub fn main_solve(step: &Step) -> Option<&Solve> {
     let carries =
         |solve: &&Solve| matches!(solve.problem.stage, Stage::Velocity | Stage::Acceleration);
     step.solves.iter().find(carries)
 }
 
-fn note(scene: &Scene, step: &Step, solve: Option<&Solve>) -> Note {
+fn note(scene: &Scene, step: &Step, solve: Option<&Solve>, every: usize) -> Note {
     let mut note = Note {
         name: format!("step {}", step.number),
-        missing: 0.0,
+        missing: None,
         uncarried: 0.0,
         residual: 0.0,
         bias: 0.0,
@@ -154,13 +194,13 @@ fn note(scene: &Scene, step: &Step, solve: Option<&Solve>) -> Note {
     note.residual = merit::scaled_residual(lcp, x);
     note.bias = solve.problem.bias.iter().fold(0.0, |most: f64, bias| most.max(-bias));
     // Large problems are looked at now and then.
-    let every = (lcp.len() / EVERY_STEP).max(1).pow(2);
+    let every = every * (lcp.len() / EVERY_STEP).max(1).pow(2);
     if lcp.len() > LARGEST || step.number % every != 1 % every || solve.posing.is_some() {
         return note;
     }
     let frame = Frame::of(&solve.exported(scene, step.number));
     if let Some(yard) = Yard::new(lcp, frame.weight(|_| 1.0)) {
-        note.missing = yard.missing(x);
+        note.missing = Some(yard.missing(x));
         let error: Vec<f64> = yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
         let impulse = frame.impulse(&error, |_| true);
         note.uncarried = frame.bodies.iter().map(|body| frame.upward(&impulse, body)).sum();
@@ -169,75 +209,11 @@ fn note(scene: &Scene, step: &Step, solve: Option<&Solve>) -> Note {
 }
 
 /// The body that is lowest beside another run, and by how much.
-fn sunk(scene: &Scene, own: &[State], exact: &[State]) -> Option<(String, f64)> {
+pub(super) fn sunk(scene: &Scene, own: &[State], exact: &[State]) -> Option<(String, f64)> {
     let down = scene.gravity.try_normalize(0.0)?;
     let depth = |k: usize| down.dot(&(own[k].pose.p - exact[k].pose.p));
     let lowest = (0..own.len()).max_by(|a, b| depth(*a).total_cmp(&depth(*b)))?;
     Some((scene.bodies[lowest].name.clone(), depth(lowest)))
-}
-
-/// How far two runs end apart (m).
-fn apart(one: &[State], other: &[State]) -> f64 {
-    let distance = |(a, b): (&State, &State)| (a.pose.p - b.pose.p).norm();
-    one.iter().zip(other).map(distance).fold(0.0, f64::max)
-}
-
-/// What is left of a motion when what is suspected is taken away; each is a run of its own.
-fn causes(
-    scene: &Scene,
-    count: usize,
-    own: &End,
-    exactly: &End,
-) -> Result<(Vec<Moving>, Vec<String>)> {
-    let mut innocent = Vec::new();
-    let size = scene.thinnest().unwrap_or(1.0);
-    let weight: f64 =
-        scene.bodies.iter().map(|body| body.mass.mass()).sum::<f64>() * scene.gravity.norm();
-    let mut found = Vec::new();
-    if scene.contact.persistence == Persistence::None && own.missing > HEALTHY {
-        let mut warm = scene.clone();
-        warm.contact.persistence = Persistence::Features;
-        let without = end_of(&warm, count)?.missing;
-        if without < TELLING * own.missing {
-            found.push((own.missing / without, Moving::Cold { with: own.missing, without }));
-        } else {
-            innocent.push("the cold start".into());
-        }
-    }
-    if scene.step.baumgarte > 0.0 && exactly.gained <= WORTH * weight * size {
-        innocent.push("Baumgarte's feedback (no energy is gained)".into());
-    } else if scene.step.baumgarte > 0.0 {
-        let mut plain = exact(scene);
-        plain.step.baumgarte = 0.0;
-        let (with, without) = (exactly.gained, end_of(&plain, count)?.gained.max(0.0));
-        if without < TELLING * with {
-            found.push((with / (WORTH * weight * size), Moving::Feedback { with, without }));
-        }
-    }
-    if !scene.step.scheme.solves_lcps() && scene.step.scheme != Scheme::SequentialImpulses {
-        let rigid = end_of(&exact(scene).at_level(Scheme::Velocity), count)?;
-        let deep =
-            sunk(scene, &own.states, &rigid.states).filter(|(_, depth)| *depth > WORTH * size);
-        if let Some((body, depth)) = deep {
-            let scheme = scene.step.scheme.name();
-            found.push((depth / (WORTH * size), Moving::Soft { scheme, body, depth }));
-        }
-    }
-    let rubs = scene.bodies.iter().any(|body| body.friction > 0.0);
-    if rubs && scene.contact.model == Model::CoupledBox && scene.step.scheme == Scheme::Velocity {
-        let mut round = exact(scene);
-        round.contact.model = Model::CoulombCone;
-        let distance = apart(&exactly.states, &end_of(&round, count)?.states);
-        let start = &scene.states;
-        let way = apart(&exactly.states, start).max(WORTH * size);
-        if distance > (WORTH * size).max(0.02 * way) {
-            found.push((distance / (WORTH * size), Moving::BoxFriction { distance, way }));
-        } else {
-            innocent.push("the box of friction (Coulomb's cone moves alike)".into());
-        }
-    }
-    found.sort_by(|a, b| b.0.total_cmp(&a.0));
-    Ok((found.into_iter().map(|(_, cause)| cause).collect(), innocent))
 }
 
 /// How the scene's problems are solved.

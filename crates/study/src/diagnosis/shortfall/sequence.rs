@@ -34,7 +34,9 @@ pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examinatio
         let from = (problems.len() > 1).then(|| starts[worst].as_slice());
         let frame = Frame::of(problem);
         found.shortfall = examine(&frame, practice, from);
+        found.place = worst;
         found.moving = creep(&frame).into_iter().collect();
+        found.frame = Some(frame);
     }
     found
 }
@@ -42,7 +44,7 @@ pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examinatio
 fn note(problem: &Problem, x: &[f64]) -> Note {
     let frame = Frame::of(problem);
     let yard = Yard::new(&problem.lcp, frame.weight(|_| 1.0));
-    let missing = yard.as_ref().map_or(f64::NAN, |yard| yard.missing(x));
+    let missing = yard.as_ref().map(|yard| yard.missing(x));
     let error = |yard: &Yard<'_>| yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
     let impulse = frame.impulse(&yard.as_ref().map_or_else(Vec::new, error), |_| true);
     let upward = |body| if impulse.is_empty() { 0.0 } else { frame.upward(&impulse, body) };

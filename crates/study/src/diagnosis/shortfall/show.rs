@@ -83,14 +83,18 @@ impl Shortfall {
         let mut section = Section::new("loads");
         let row = |load: &Load| {
             let part = if load.due == 0.0 { "".into() } else { percent(load.given / load.due) };
-            vec![load.name.clone(), readable(load.due, 4), readable(load.given, 4), part]
+            let speeds = [load.approach, load.bias].map(|speed| readable(speed, DIGITS));
+            let loads = [load.due, load.given].map(|load| readable(load, 4));
+            [load.name.clone()].into_iter().chain(loads).chain([part]).chain(speeds).collect()
         };
         let rows = self.pairs.iter().take(PAIRS).map(row).collect();
-        section.table(
-            "upward impulse between two bodies (N s), the worst first",
-            &["between", "due", "given", "part"],
-            rows,
-        );
+        let (title, w) = match self.is_of_forces {
+            true => ("upward force between two bodies (N), the worst first", "m/s²"),
+            false => ("upward impulse between two bodies (N s), the worst first", "m/s"),
+        };
+        let speeds = ["approach left", "asked by feedback"].map(|what| format!("{what} ({w})"));
+        let [approach, bias] = &speeds;
+        section.table(title, &["between", "due", "given", "part", approach, bias], rows);
         (!self.pairs.is_empty()).then_some(section)
     }
 
@@ -107,12 +111,13 @@ impl Shortfall {
                     factor => readable(factor, DIGITS),
                 },
                 remedy.iterations.to_string(),
+                if remedy.work.is_nan() { String::new() } else { readable(remedy.work, DIGITS) },
             ]
         };
         let rows = self.remedies.iter().map(row).collect();
         section.table(
             "remedies, each one run",
-            &["what", "missing", "by theory", "factor", "iterations"],
+            &["what", "missing", "by theory", "factor", "iterations", "multiplications"],
             rows,
         );
         (!self.remedies.is_empty()).then_some(section)
@@ -120,11 +125,15 @@ impl Shortfall {
 
     /// The same for machines.
     pub fn to_json(&self) -> Value {
-        let load = |load: &Load| json!({ "name": load.name, "due": number(load.due), "given": number(load.given) });
+        let load = |load: &Load| {
+            json!({ "name": load.name, "due": number(load.due), "given": number(load.given),
+                "approach": number(load.approach), "bias": number(load.bias) })
+        };
         let loads = |loads: &[Load]| loads.iter().map(load).collect::<Vec<_>>();
         let remedy = |remedy: &Remedy| {
             json!({ "what": remedy.what, "missing": number(remedy.missing),
-                "predicted": remedy.predicted.map(number), "iterations": remedy.iterations })
+                "predicted": remedy.predicted.map(number), "iterations": remedy.iterations,
+                "multiplications": number(remedy.work) })
         };
         let cause = |cause: &Slow| json!({ "name": cause.name(), "message": cause.to_string() });
         json!({

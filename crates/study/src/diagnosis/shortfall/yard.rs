@@ -11,10 +11,14 @@
 use std::ops::ControlFlow;
 
 use lcplab_problem::{Lcp, merit};
-use lcplab_solver::{Iterate, Newton, Observer, Options, Settings, Solver, Start, Status, by_name};
+use lcplab_solver::{Iterate, Observer, Options, Settings, Solver, Start, Status, by_name};
 
 /// A solution that is to serve as a yardstick has this scaled residual.
 const TOLERANCE: f64 = 1e-8;
+
+/// Who looks for it, and with how many iterations.
+const EFFORTS: [(&str, usize); 4] =
+    [("block-pivoting", 300), ("dantzig", 2_000), ("newton", 50), ("anderson-pgs", 1_000)];
 
 /// The part of the diagonal's step below which a row that should be free is.
 const FREE: f64 = 1e-7;
@@ -90,17 +94,11 @@ pub fn start(lcp: &Lcp) -> Vec<f64> {
     x
 }
 
-/// A solution, by pivoting, or by Newton's method where friction leads that astray.
+/// A solution, by whoever finds one with moderate effort: with friction some problems resist all of them.
 fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
-    let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
-    let options = Options { settings: settings.clone(), ..Options::default() };
-    let named = |name| by_name(name, &options).ok();
-    let newton: Box<dyn Solver> = Box::new(Newton {
-        settings: Settings { max_iterations: 200, ..settings },
-        ..Newton::default()
-    });
-    let solvers = [named("dantzig"), Some(newton), named("block-pivoting"), named("anderson-pgs")];
-    solvers.into_iter().flatten().find_map(|solver| {
+    EFFORTS.into_iter().find_map(|(name, max_iterations)| {
+        let settings = Settings { tolerance: TOLERANCE, max_iterations, ..Settings::default() };
+        let solver = by_name(name, &Options { settings, ..Options::default() }).ok()?;
         let solution = solver.solve(lcp, &Start::default(), &mut ());
         let is_one = solution.status == Status::Solved
             && merit::scaled_residual(lcp, &solution.x) <= TOLERANCE;

@@ -1,0 +1,51 @@
+//! What is missing sweep by sweep, measured and by theory.
+
+use lcplab_solver::{Order, Pgs};
+
+use super::examine::{GOOD, Practice};
+use super::frame::Frame;
+use super::linear::{Linear, Way};
+use super::yard::{Yard, start};
+
+/// A course goes on for so many times as many sweeps as are done in practice, and at least for some.
+const LONGER: usize = 4;
+const LEAST: usize = 40;
+const MOST: usize = 400;
+
+/// Other methods whose course is shown.
+const METHODS: [&str; 2] = ["block-pgs", "anderson-pgs"];
+
+/// What is missing at the start and after each sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Course {
+    /// Who sweeps.
+    pub name: String,
+    /// Measured.
+    pub missing: Vec<f64>,
+    /// What theory says, as far as it says something; empty for methods of which it says nothing.
+    pub theory: Vec<Option<f64>>,
+}
+
+/// Gauss-Seidel with and without relaxation, and what else goes row by row, from Π(0) on. Empty if no solution is known.
+pub fn courses(frame: &Frame, practice: &Practice) -> Vec<Course> {
+    let lcp = &frame.lcp;
+    let Some(yard) = Yard::new(lcp, frame.weight(|_| 1.0)) else { return Vec::new() };
+    let sweeps = (LONGER * practice.options.settings.max_iterations).clamp(LEAST, MOST);
+    let mut settings = practice.options.settings.clone();
+    (settings.max_iterations, settings.tolerance) = (sweeps, 0.0);
+    let linear = Linear::new(lcp, &yard);
+    let zero = start(lcp);
+    let relaxed = [(1.0, "pgs"), (1.6, "ω = 1.6")].map(|(omega, name)| {
+        let solver = Pgs { omega, order: Order::Natural, settings: settings.clone() };
+        let way = Way { omega, is_reversed: false };
+        let theory = (0..=sweeps).map(|k| linear.missing(&zero, way, k)).collect();
+        Course { name: name.into(), missing: yard.course(&solver, &zero, 0.0), theory }
+    });
+    let other = |name: &str| {
+        let mut own = practice.clone();
+        own.options.settings = settings.clone();
+        let missing = yard.course(&*own.other(name)?, &zero, GOOD * GOOD);
+        Some(Course { name: name.into(), missing, theory: Vec::new() })
+    };
+    relaxed.into_iter().chain(METHODS.into_iter().filter_map(other)).collect()
+}

@@ -1,0 +1,199 @@
+//! A diagnosis as a page: the film of what moves, the slowest pattern, and the sweeps.
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use super::Document;
+use crate::diagnosis::shortfall::{
+    Course, Examination, Frame as Problem, Practice, Yard, courses, exact, main_solve,
+};
+use crate::document;
+use crate::error::Result;
+use crate::film::{Film, Frame, Shot, Strip, Take, instants};
+use crate::plot::{Axis, Figure, Lines, Panel, Series};
+use crate::report::page::{Block, Page, Picture, markup};
+use crate::scene::Scene;
+use crate::simulation::{Simulation, Step};
+
+/// The body that moves most in a pattern is drawn so far from its place, as a part of the thinnest body.
+const SWING: f64 = 0.5;
+
+/// What the film shows.
+const FILM: &str = "Left as it is solved, right exactly. A body is the redder the more of its weight nothing carries: red, \
+                    it falls freely.";
+
+/// The page of a scene's diagnosis.
+///
+/// # Errors
+/// If the scene cannot be stepped.
+pub fn diagnosis_page(
+    words: &document::Document,
+    found: &Examination,
+    practice: &Practice,
+    scene: Option<&Scene>,
+    problems: &[(String, String)],
+) -> Result<Page> {
+    let page = Page {
+        title: words.title.clone(),
+        lead: markup::literal(&words.lead),
+        facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
+        ..Page::default()
+    };
+    let mut page = Document { page, figures: Vec::new(), tables: Vec::new() };
+    if let Some(scene) = scene.filter(|_| !found.notes.is_empty()) {
+        page.film(&film(scene, found.notes.len())?, FILM);
+    }
+    for (k, section) in words.sections.iter().enumerate() {
+        page.open(&format!("part-{}", k + 1), &section.title);
+        section.blocks.iter().for_each(|block| page.add(block.on_page()));
+        if k == 0
+            && let Some(frame) = &found.frame
+        {
+            pictures(&mut page, frame, found, practice, scene)?;
+        }
+    }
+    if !problems.is_empty() {
+        page.open("problems", "Problem files");
+        let link = |(name, why): &(String, String)| format!("- [{name}]({name}): {why}\n");
+        page.text(problems.iter().map(link).collect::<String>());
+    }
+    Ok(page.page)
+}
+
+/// The pattern and the courses of the frame that was examined, if something is missing in it.
+fn pictures(
+    page: &mut Document,
+    frame: &Problem,
+    found: &Examination,
+    practice: &Practice,
+    scene: Option<&Scene>,
+) -> Result<()> {
+    let Some(shortfall) = found.shortfall.as_ref().filter(|own| own.is_short()) else {
+        return Ok(());
+    };
+    if let (Some(slowest), Some(scene)) = (&shortfall.slowest, scene) {
+        let strip = pattern(scene, frame, &slowest.forces, found.place)?;
+        page.add(Block::Figure(drawn(&strip)));
+    }
+    let courses = courses(frame, practice);
+    if !courses.is_empty() {
+        page.add(Block::Figure(drawn(&convergence(&courses))));
+    }
+    Ok(())
+}
+
+fn drawn(figure: &dyn Figure) -> Picture {
+    Picture { svg: figure.svg(), caption: figure.caption().into(), ..Picture::default() }
+}
+
+/// The scene as it is solved beside the exact one, with red bodies where something is missing.
+fn film(scene: &Scene, steps: usize) -> Result<Film> {
+    let takes = [
+        take(&scene.solver.name, scene, steps, &|step| uncarried(scene, step))?,
+        take("exact", &exact(scene), steps, &|_| vec![0.0; scene.bodies.len()])?,
+    ];
+    Ok(Film::new("film", scene, takes.into()))
+}
+
+fn take(name: &str, scene: &Scene, steps: usize, heat: &dyn Fn(&Step) -> Vec<f64>) -> Result<Take> {
+    let mut simulation = Simulation::of(scene)?;
+    let shots = instants(steps, Film::shots(2));
+    let mut take = Take::start(name, &simulation);
+    take.shots[0].frame.heat = vec![0.0; scene.bodies.len()];
+    for _ in 0..steps {
+        let step = match simulation.step() {
+            Ok(step) => step,
+            Err(failure) => {
+                take.end(Some(&failure));
+                break;
+            }
+        };
+        if shots.binary_search(&step.number).is_ok() {
+            let frame = Frame::after(scene, &step).heated(heat(&step));
+            take.shots.push(Shot { frame, motion: step.motion });
+        }
+    }
+    Ok(take)
+}
+
+/// The part of each body's weight that nothing carries in a step; 0 where that is not known.
+fn uncarried(scene: &Scene, step: &Step) -> Vec<f64> {
+    let mut heat = vec![0.0; scene.bodies.len()];
+    let Some(solve) = main_solve(step).filter(|solve| solve.posing.is_none()) else { return heat };
+    let frame = Problem::of(&solve.exported(scene, step.number));
+    let Some(yard) = Yard::new(&frame.lcp, 0.0) else { return heat };
+    let left = frame.left(&solve.solution.x, &yard.exact);
+    for (body, left) in frame.bodies.iter().zip(left) {
+        if let Some(k) = scene.bodies.iter().position(|own| own.name == body.name) {
+            heat[k] = left;
+        }
+    }
+    heat
+}
+
+/// The bodies at rest, and moved by forces of the slowest pattern, much enlarged.
+fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Result<Strip> {
+    let mut simulation = Simulation::of(scene)?;
+    for _ in 0..place {
+        if simulation.step().is_err() {
+            break;
+        }
+    }
+    let moved = frame.response(forces);
+    let speeds = frame.speeds(forces);
+    let fastest = speeds.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    let swing = SWING * scene.thinnest().unwrap_or(1.0) / fastest;
+    let rest = Frame::now(&simulation).heated(vec![0.0; scene.bodies.len()]);
+    let swung = |sign: f64| {
+        let mut own = rest.clone();
+        for (body, speed) in frame.bodies.iter().zip(&speeds) {
+            let Some(k) = scene.bodies.iter().position(|one| one.name == body.name) else {
+                continue;
+            };
+            let part = |first: usize| match &moved[body.columns.clone()] {
+                u if u.len() >= first + 3 => Vector3::new(u[first], u[first + 1], u[first + 2]),
+                _ => Vector3::zeros(),
+            };
+            let pose = &mut own.states[k].pose;
+            pose.p += part(0) * sign * swing;
+            pose.q = UnitQuaternion::from_scaled_axis(part(3) * sign * swing) * pose.q;
+            own.heat[k] = speed / fastest;
+        }
+        own
+    };
+    let frames = vec![rest.clone(), swung(1.0), swung(-1.0)];
+    let mut strip = Strip::new(scene, frames).named("pattern").labelled([
+        "where they are",
+        "the slowest pattern",
+        "the other way",
+    ]);
+    strip.title = "The slowest pattern of Gauss-Seidel".into();
+    Ok(strip.with_caption(
+        "What sweeps leave longest: bodies move together as in the second picture, much enlarged, and sweeps take away a \
+         small part of it each. The redder a body, the more it moves.",
+    ))
+}
+
+/// What is missing sweep by sweep.
+fn convergence(courses: &[Course]) -> Lines {
+    let points = |missing: &mut dyn Iterator<Item = Option<f64>>| {
+        let placed = |(k, missing): (usize, Option<f64>)| Some((k as f64, 100.0 * missing?));
+        missing.enumerate().filter_map(placed).collect::<Vec<_>>()
+    };
+    let mut series = Vec::new();
+    for course in courses {
+        let measured = points(&mut course.missing.iter().map(|missing| Some(*missing)));
+        series.push(Series::measured(&course.name, measured));
+        let theory = points(&mut course.theory.iter().copied());
+        if !theory.is_empty() {
+            series.push(Series::theory(format!("theory, {}", course.name), theory));
+        }
+    }
+    Lines {
+        id: "convergence".into(),
+        title: "What is missing after each sweep".into(),
+        caption: "From nothing known. Theory counts on rows that do not change, and is silent where many would."
+            .into(),
+        x: Axis::linear("sweeps", ""),
+        panels: vec![Panel { y: Axis::log("missing", "%"), series }],
+    }
+}

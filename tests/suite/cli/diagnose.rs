@@ -1,0 +1,61 @@
+//! `diagnose SCENE --out page.html` from outside.
+
+use super::{out, run};
+
+#[test]
+fn a_page_shows_film_pattern_and_sweeps_and_the_problems_lie_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("why.html");
+    let [scene, sweeps] = ["mass_ratio3", "10"];
+    let path = page.to_str().unwrap();
+    let told = run(&["diagnose", scene, "--solver", "pgs", "--sweeps", sweeps, "--out", path]);
+    assert_eq!((told.status.code(), out(&told)), (Some(0), String::new()));
+    let page = std::fs::read_to_string(&page).unwrap();
+    for part in [
+        "Cause: mass ratio",
+        "The slowest pattern of Gauss-Seidel",
+        "What is missing after each sweep",
+        "emedies over the whole run",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    // Of the boxes three are heavy enough to fall freely at first; the exact take has no red body.
+    let film = page.split("<script type=\"application/json\">").nth(1).unwrap();
+    let film: serde_json::Value =
+        serde_json::from_str(film.split("</script>").next().unwrap()).unwrap();
+    let heat = |take: usize, body: usize| film["takes"][take]["heat"][body].clone();
+    assert_eq!(
+        (0..5).map(|body| heat(1, body)).collect::<Vec<_>>(),
+        vec![serde_json::json!([0]); 5]
+    );
+    let last = film["heat"].as_array().unwrap().len() as u64 - 1;
+    let first: Vec<_> = (0..5).filter_map(|body| heat(0, body)[1].as_u64()).collect();
+    assert!(first.iter().filter(|steps| **steps == last).count() >= 3, "{first:?} of {last}");
+    // The examined step's problem is that of `export`.
+    let written = std::fs::read_to_string(folder.path().join("why-step-1.json")).unwrap();
+    assert!(page.contains("href=\"why-step-1.json\""));
+    let set = ["--set", "solver.name=pgs", "--set", "solver.max_iterations=10"];
+    let exported = run(&[&["export", scene][..], &set[..]].concat());
+    assert_eq!(written, out(&exported));
+}
+
+#[test]
+fn which_formulation_holds_is_counted_from_the_runs() {
+    let told = run(&["compare", "mass_ratio3", "--steps", "3", "--json"]);
+    let told: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
+    let (answer, comparison) = (told["answer"].as_str().unwrap(), &told["comparison"]);
+    let thinnest = comparison["thinnest"].as_f64().unwrap();
+    for scheme in ["velocity", "acceleration"] {
+        let runs = comparison["runs"].as_array().unwrap().iter();
+        let runs: Vec<_> = runs.filter(|run| run["scheme"] == scheme).collect();
+        let holds = |run: &&&serde_json::Value| {
+            let motion = run["motion"].as_array().unwrap().iter();
+            let worst = motion.flat_map(|at| [&at["drift"], &at["penetration"]]);
+            let worst = worst.filter_map(serde_json::Value::as_f64).fold(0.0, f64::max);
+            run["steps"] == 3 && run["accepted"] == run["solves"] && worst <= 0.01 * thinnest
+        };
+        let held = runs.iter().filter(holds).count();
+        let words = format!("{scheme} holds it by {held} of {} solvers", runs.len());
+        assert!(answer.contains(&words), "{words}: {answer}");
+    }
+}
