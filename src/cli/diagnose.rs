@@ -7,7 +7,7 @@ use lcplab::certificate::{Demand, judge};
 use lcplab::diagnosis::shortfall::{
     Examination, Practice, examine_scene, examine_sequence, main_solve, practice,
 };
-use lcplab::diagnosis::{self, Diagnosis, Mistake, mistakes, problem, single_precision};
+use lcplab::diagnosis::{self, Diagnosis, Mistake, mistakes_after, problem, single_precision};
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::file;
@@ -40,6 +40,7 @@ Example:
   lcplab diagnose fig8 --json
   lcplab generate fathi | lcplab diagnose - --format markdown
   lcplab diagnose problem.json answer.json  # which known mistake gives exactly this x?
+  lcplab diagnose problem.json answer.json --last before.json   # or one that has to do with the last frame
 
 It reports rank, condition number and degrees of freedom, and lists zero rows, dependent rows, rows that
 no forces satisfy, constraints without direction, drift, overlap, and sign errors in A. A scene is stepped for a second
@@ -57,6 +58,9 @@ pub struct Diagnose {
     /// An answer to a problem: a file with the key x. Which known mistake gives exactly this?
     #[arg(conflicts_with_all = ["step", "format", "out"])]
     answer: Option<PathBuf>,
+    /// The answer of the frame before, from which a solve should start: a file with the key x
+    #[arg(long, value_name = "ANSWER", requires = "answer")]
+    last: Option<PathBuf>,
     /// The step of a scene at whose beginning it is examined, from 1 [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
@@ -212,7 +216,9 @@ impl Diagnose {
         let lcp = &problem.lcp;
         let x = read_answers(answer, lcp.len(), Memory::default())?.x;
         let verdict = judge(lcp, &x, &Demand::default()).verdict;
-        let found = mistakes(lcp, &x);
+        let last = self.last.as_ref().map(|last| read_answers(last, lcp.len(), Memory::default()));
+        let last = last.transpose()?.map(|last| last.x);
+        let found = mistakes_after(lcp, &x, last.as_deref());
         let single = single_precision(lcp, &x);
         if self.json {
             let mistakes: Vec<_> = found

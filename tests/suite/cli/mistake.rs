@@ -27,6 +27,14 @@ fn the_mistake_behind_an_answer_is_told_with_the_exit_code_of_the_judge() {
     assert_eq!(told.status.code(), Some(0));
     assert_eq!((&json["verdict"], &json["mistakes"]), (&"proved".into(), &serde_json::json!([])));
 
+    // A sweep from the last answer (4, 3, 2): x₀ = 1 + 3, x₁ = (1 + 4 + 2)/2, x₂ = (3.5 − 1)/2.
+    let last = file("last.json", r#"{"x": [4, 3, 2]}"#);
+    let swept = file("swept.json", r#"{"x": [4, 3.5, 1.25]}"#);
+    let told =
+        String::from_utf8(run(&["diagnose", &problem, &swept, "--last", &last]).stdout).unwrap();
+    assert!(told.contains("Gauss-Seidel from the last answer, stopped after 1 sweep"), "{told}");
+    assert_eq!(run(&["diagnose", &problem, "--last", &last]).status.code(), Some(2));
+
     let short = file("short.json", r#"{"x": [4, 3]}"#);
     assert_eq!(run(&["diagnose", &problem, &short]).status.code(), Some(2));
     assert_eq!(run(&["diagnose", "fig7", &right]).status.code(), Some(2));

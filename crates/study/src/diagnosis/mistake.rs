@@ -54,7 +54,17 @@ pub struct Mistake {
 /// # Panics
 /// If x has not an entry a row.
 pub fn mistakes(lcp: &Lcp, x: &[f64]) -> Vec<Mistake> {
+    mistakes_after(lcp, x, None)
+}
+
+/// The same where the answer of the frame before is known: from it sweeps start, or should have started, and friction may
+/// still be limited by its normal forces.
+///
+/// # Panics
+/// If x or the last answer has not an entry a row.
+pub fn mistakes_after(lcp: &Lcp, x: &[f64], last: Option<&[f64]>) -> Vec<Mistake> {
     assert_eq!(x.len(), lcp.len(), "an entry a row");
+    assert!(last.is_none_or(|last| last.len() == lcp.len()), "an entry a row");
     let largest = x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let is_right = merit::scaled_residual(lcp, x) <= Settings::default().tolerance;
     if is_right || lcp.len() > LARGEST || !largest.is_finite() || x.iter().any(|x| x.is_nan()) {
@@ -65,10 +75,14 @@ pub fn mistakes(lcp: &Lcp, x: &[f64]) -> Vec<Mistake> {
     }
     let case = Case { lcp, x, largest };
     let most = SWEEPS.min(MULTIPLICATIONS / (1 + lcp.matrix().stored()));
-    let mut found: Vec<Mistake> = kinds(most)
-        .into_iter()
-        .filter_map(|(name, solver)| case.stopped(name, &*solver, lcp))
-        .collect();
+    let mut found: Vec<Mistake> = Vec::new();
+    if let Some(last) = last {
+        found.extend(case.since(last, most));
+    }
+    let cold = if last.is_some() { " from 0 (a missing warm start)" } else { "" };
+    for (name, solver) in kinds(most) {
+        found.extend(case.stopped(&format!("{name}{cold}"), &*solver, lcp, &Start::default()));
+    }
     found.extend(case.single_precision(most));
     // A change that changes nothing is none.
     let nearest = found.iter().map(|mistake| mistake.distance).fold(f64::INFINITY, f64::min);
@@ -76,7 +90,7 @@ pub fn mistakes(lcp: &Lcp, x: &[f64]) -> Vec<Mistake> {
         found.extend(case.answer(&what, &changed));
         let name = format!("{what}, projected Gauss-Seidel");
         let pgs = &kinds(most.min(SWEEPS_OF_CHANGED))[0].1;
-        let stopped = case.stopped(&name, &**pgs, &changed);
+        let stopped = case.stopped(&name, &**pgs, &changed, &Start::default());
         found.extend(stopped.filter(|mistake| mistake.distance < nearest));
     }
     found.extend(case.compliance());
@@ -123,10 +137,38 @@ impl Case<'_> {
         if most.is_finite() { most / self.largest } else { f64::INFINITY }
     }
 
-    /// The sweeps of a solver, stopped where they come nearest.
-    fn stopped(&self, name: &str, solver: &dyn Solver, lcp: &Lcp) -> Option<Mistake> {
+    /// What comes of the last answer: itself, sweeps that start from it, and friction that its normal forces limit.
+    fn since(&self, last: &[f64], most: usize) -> Vec<Mistake> {
+        let (what, distance) = ("the last answer: nothing was done", self.distance(last));
+        let mut found = vec![Mistake { what: what.into(), distance }];
+        let start = Start::at(last);
+        if self.lcp.has_coupled_rows() {
+            let what = "friction limited by the last normal forces";
+            let frozen = self.lcp.frozen_at(last);
+            found.extend(self.answer(what, &frozen));
+            let pgs = &kinds(most.min(SWEEPS_OF_CHANGED))[0].1;
+            for (start, from) in [(&start, "from the last answer"), (&Start::default(), "from 0")] {
+                let name = format!("{what}, projected Gauss-Seidel {from}");
+                found.extend(self.stopped(&name, &**pgs, &frozen, start));
+            }
+        }
+        for (name, solver) in kinds(most) {
+            let name = format!("{name} from the last answer");
+            found.extend(self.stopped(&name, &*solver, self.lcp, &start));
+        }
+        found
+    }
+
+    /// The sweeps of a solver from a start, stopped where they come nearest.
+    fn stopped(
+        &self,
+        name: &str,
+        solver: &dyn Solver,
+        lcp: &Lcp,
+        start: &Start,
+    ) -> Option<Mistake> {
         let mut nearest = Nearest { case: self, best: (0, f64::INFINITY) };
-        solver.solve(lcp, &Start::default(), &mut nearest);
+        solver.solve(lcp, start, &mut nearest);
         let (sweeps, distance) = nearest.best;
         let plural = if sweeps == 1 { "" } else { "s" };
         let what = format!("{name}, stopped after {sweeps} sweep{plural}");

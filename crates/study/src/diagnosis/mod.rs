@@ -27,7 +27,7 @@ mod situation;
 
 pub use cause::{Cause, Proof};
 pub use freedom::Freedoms;
-pub use mistake::{Mistake, mistakes, single_precision};
+pub use mistake::{Mistake, mistakes, mistakes_after, single_precision};
 #[cfg(feature = "mechanics")]
 pub use situation::scene;
 

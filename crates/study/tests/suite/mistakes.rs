@@ -1,9 +1,9 @@
 //! Which known mistake gives exactly this x? Each mistake is made here by a program of its own.
 
 use lcplab_problem::library;
-use lcplab_problem::{Lcp, Matrix};
+use lcplab_problem::{Coupling, Lcp, Matrix};
 use lcplab_solver::{Dantzig, Solver, Start};
-use lcplab_study::diagnosis::{mistakes, single_precision};
+use lcplab_study::diagnosis::{mistakes, mistakes_after, single_precision};
 
 /// A column of eight, with unequal masses and pushes.
 fn column() -> Lcp {
@@ -180,4 +180,44 @@ fn what_looks_like_compliance_in_the_free_rows_but_breaks_another_row_is_not_cal
     let x = [1.0 / 2.5, 2.0 / 2.5, 0.0];
     let found = mistakes(&lcp, &x);
     assert!(found.iter().all(|own| !own.what.contains("CFM")), "{found:?}");
+}
+
+#[test]
+fn mistakes_that_have_to_do_with_the_last_frame_are_named() {
+    let lcp = column();
+    let last: Vec<f64> =
+        exact(&lcp).iter().enumerate().map(|(i, x)| x * (1.0 + 0.1 * i as f64)).collect();
+    let first = |x: &[f64], last: &[f64]| {
+        let found = mistakes_after(&lcp, x, Some(last));
+        assert!(found[0].distance < 1e-12, "{found:?}");
+        found[0].what.clone()
+    };
+    let rows: Vec<usize> = (0..8).collect();
+    assert_eq!(
+        first(&swept(&lcp, &rows, 3), &last),
+        "projected Gauss-Seidel from 0 (a missing warm start), stopped after 3 sweeps"
+    );
+    // The same sweeps from the last answer.
+    let mut x = last.clone();
+    for &i in rows.iter().chain(&rows) {
+        x[i] = (x[i] - w(&lcp, &x, i) / lcp.matrix().diagonal(i)).max(0.0);
+    }
+    assert_eq!(
+        first(&x, &last),
+        "projected Gauss-Seidel from the last answer, stopped after 2 sweeps"
+    );
+    assert_eq!(first(&last, &last), "the last answer: nothing was done");
+}
+
+#[test]
+fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
+    // A block of weight 2 that is pushed by 3 with μ = ½, where the last frame carried 4: friction 2 in place of 1.
+    let matrix = Matrix::dense(2, &[1.0, 0.0, 0.0, 1.0]);
+    let free = [f64::NEG_INFINITY, f64::INFINITY];
+    let lcp = Lcp::new(matrix, vec![-2.0, -3.0], vec![0.0, free[0]], vec![free[1]; 2]).unwrap();
+    let lcp =
+        lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap()).unwrap();
+    let found = mistakes_after(&lcp, &[2.0, 2.0], Some(&[4.0, 2.0]));
+    assert_eq!(found[0].what, "friction limited by the last normal forces, solved");
+    assert_eq!(found[0].distance, 0.0);
 }
