@@ -41,17 +41,18 @@ impl Shortfall {
 
     /// The first sentence.
     pub fn headline(&self) -> String {
-        let who = format!("{} of {}", self.counted(), self.solver);
+        let leave = if self.iterations == 1 { "leaves" } else { "leave" };
+        let who = format!("{} of {} {leave}", self.counted(), self.solver);
         if !self.is_short() {
-            return format!("{who} leave nothing undone: {} is missing.", percent(self.missing));
+            return format!("{who} nothing undone: {} is missing.", percent(self.missing));
         }
         let what = match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
             Some(whole) => format!("{} of the weight uncarried", percent(whole.missing())),
             None => format!("{} of what the constraints have to do undone", percent(self.missing)),
         };
         match self.pairs.first() {
-            Some(pair) => format!("{who} leave {what}, most between {}.", pair.name),
-            None => format!("{who} leave {what}."),
+            Some(pair) => format!("{who} {what}, most between {}.", pair.name),
+            None => format!("{who} {what}."),
         }
     }
 
@@ -81,8 +82,12 @@ impl Shortfall {
     /// Who carries how much.
     pub fn loads_section(&self) -> Option<Section> {
         let mut section = Section::new("loads");
+        let part = |load: &Load| match load.due {
+            0.0 => String::new(),
+            due => percent(load.given / due),
+        };
         let row = |load: &Load| {
-            let part = if load.due == 0.0 { "".into() } else { percent(load.given / load.due) };
+            let part = part(load);
             let speeds = [load.approach, load.bias].map(|speed| readable(speed, DIGITS));
             let loads = [load.due, load.given].map(|load| readable(load, 4));
             [load.name.clone()].into_iter().chain(loads).chain([part]).chain(speeds).collect()
@@ -95,6 +100,16 @@ impl Shortfall {
         let speeds = ["approach left", "asked by feedback"].map(|what| format!("{what} ({w})"));
         let [approach, bias] = &speeds;
         section.table(title, &["between", "due", "given", "part", approach, bias], rows);
+        let body = |load: &Load| {
+            let [due, given] = [load.due, load.given].map(|load| readable(load, 4));
+            vec![load.name.clone(), due, given, part(load)]
+        };
+        let title = match self.is_of_forces {
+            true => "upward force on each body in all (N)",
+            false => "upward impulse on each body in all (N s)",
+        };
+        let bodies = self.bodies.iter().map(body).collect();
+        section.table(title, &["body", "due", "given", "part"], bodies);
         (!self.pairs.is_empty()).then_some(section)
     }
 
