@@ -5,7 +5,7 @@ use super::source::{Part, Shown, Source};
 use super::{Program, Record, quoted, twin};
 use crate::error::{Error, Result};
 use crate::live::linked;
-use crate::report::page::{Block, Page, Section};
+use crate::report::page::{Block, Fold, Page, Section};
 
 /// The section that only readers of the chapter want.
 const ASIDE: &str = "For readers of the chapter";
@@ -38,7 +38,9 @@ impl Program {
             }
         }
         for section in &mut page.sections {
-            section.is_folded = section.title == ASIDE;
+            if section.title == ASIDE {
+                section.fold = Fold::After(0);
+            }
         }
         Ok(page)
     }

@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use toml::Spanned;
 
@@ -65,12 +65,34 @@ pub struct Section {
     pub title: String,
     /// Words before what the study shows, in page markup.
     pub text: String,
-    /// Whether what differs from machine to machine stands here.
-    pub times: bool,
-    /// Whether the outcomes of all studies stand here.
-    pub summary: bool,
+    /// What else stands here, and how.
+    pub shown: Shown,
     /// The study; none in a section of words alone.
     pub study: Option<Arc<dyn AnyStudy>>,
+}
+
+/// What stands in a section besides words and study, and what of it is folded away.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Shown {
+    /// Whether what differs from machine to machine stands here.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub times: bool,
+    /// Whether the outcomes of all studies stand here.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub summary: bool,
+    /// What is folded away, for whoever wants to look things up.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fold: Option<Fold>,
+}
+
+/// What of a section is folded away.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Fold {
+    /// Its tables.
+    Tables,
+    /// All that its study shows but the outcome.
+    All,
 }
 
 #[derive(Deserialize)]
@@ -116,8 +138,7 @@ impl Experiment {
                 None => None,
             };
             let (id, title, text) = (part.id.clone(), part.title.clone(), part.text.clone());
-            let (times, summary) = (part.times, part.summary);
-            Ok(Section { id, title, text, times, summary, study })
+            Ok(Section { id, title, text, shown: part.shown, study })
         };
         Ok(Experiment {
             name: results.name.clone(),
@@ -174,32 +195,30 @@ struct Head {
     title: Option<String>,
     #[serde(default)]
     text: String,
-    #[serde(default)]
-    times: bool,
-    #[serde(default)]
-    summary: bool,
+    #[serde(flatten)]
+    shown: Shown,
 }
 
 fn section(mut table: toml::Table) -> std::result::Result<Section, String> {
     let words = |error: toml::de::Error| error.message().to_string();
     let mut head = toml::Table::new();
-    for key in ["study", "title", "text", "times", "summary"] {
+    for key in ["study", "title", "text", "times", "summary", "fold"] {
         head.extend(table.remove(key).map(|value| (key.to_string(), value)));
     }
-    let Head { study, title, text, times, summary } = head.try_into().map_err(words)?;
+    let Head { study, title, text, shown } = head.try_into().map_err(words)?;
     let Some(name) = study else {
         if let Some(key) = table.keys().next() {
             return Err(format!("has {key:?} but no study that it could belong to"));
         }
         let title = title.ok_or("needs a title, or a study")?;
-        return Ok(Section { id: anchor(&title), title, text, times, summary, study: None });
+        return Ok(Section { id: anchor(&title), title, text, shown, study: None });
     };
     let kind = kind::by_name(&name).map_err(|error| error.to_string())?;
     table.iter_mut().try_for_each(|(_, value)| spread(value)).map_err(|error| error.to_string())?;
     let settings = serde_json::to_value(&table).map_err(|error| error.to_string())?;
     let study = (kind.read)(&settings).map_err(|error| format!("{name}: {error}"))?;
     let title = title.unwrap_or_else(|| kind.title.into());
-    Ok(Section { id: name, title, text, times, summary, study: Some(study.into()) })
+    Ok(Section { id: name, title, text, shown, study: Some(study.into()) })
 }
 
 /// In a list of tables, one whose `scene` or `problem` is a folder or a pattern becomes one for each of its files.

@@ -125,6 +125,12 @@ pub trait AnyStudy: Send + Sync {
     /// If a problem cannot be posed again.
     fn judged(&self, section: &str, task: usize) -> Result<Vec<Judged>>;
 
+    /// The answer for the top of the page, if it is one.
+    ///
+    /// # Errors
+    /// If the findings are not of this kind.
+    fn answer(&self, findings: &[Value]) -> Result<Option<String>>;
+
     /// Whether all came out as it should.
     ///
     /// # Errors
@@ -173,6 +179,10 @@ impl<S: View> AnyStudy for S {
 
     fn judged(&self, section: &str, task: usize) -> Result<Vec<Judged>> {
         View::judged(self, section, task)
+    }
+
+    fn answer(&self, findings: &[Value]) -> Result<Option<String>> {
+        Ok(View::answer(self, &read::<S, _>(findings)?))
     }
 
     fn outcome(&self, findings: &[Value]) -> Result<Outcome> {

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::experiment::{Experiment, Section};
+use super::experiment::{Experiment, Section, Shown};
 use super::study::Study;
 use super::study::settings::file_name;
 use crate::error::{Error, Result};
@@ -46,12 +46,9 @@ pub struct Part {
     /// Words before what the study shows.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
-    /// Whether what differs from machine to machine stands here.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub times: bool,
-    /// Whether the outcomes of all studies stand here.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub summary: bool,
+    /// What else stands here, and how.
+    #[serde(flatten)]
+    pub shown: Shown,
     /// The kind of study; none in a section of words alone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub study: Option<String>,
@@ -286,8 +283,7 @@ impl Part {
             id: section.id.clone(),
             title: section.title.clone(),
             text: section.text.clone(),
-            times: section.times,
-            summary: section.summary,
+            shown: section.shown,
             study: study.map(|study| study.name().to_string()),
             settings: study.map(|study| study.settings()).unwrap_or_default(),
             tasks: study

@@ -40,7 +40,7 @@ fn a_wide_table_scrolls_in_its_own_frame() {
 #[test]
 fn the_contents_fold_on_a_phone_and_stay_beside_the_text_on_a_desk() {
     let script = "
-        const list = find('.bar details'), bar = find('.bar');
+        const list = find('.rail details'), bar = find('.rail');
         scrollTo({ top: 3000, behavior: 'instant' });
         const box = bar.getBoundingClientRect(), views = [list.open, box.top >= 0 && box.bottom <= innerHeight];
         find('summary', list).click(); await wait(10); views.push(list.open);

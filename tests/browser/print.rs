@@ -5,7 +5,7 @@ use std::process::Command;
 
 use serde_json::json;
 
-use super::driver::chromium;
+use super::driver::{Page, chromium};
 use super::sample;
 
 /// The pages of a PDF document.
@@ -48,10 +48,33 @@ fn buttons_are_not_printed_and_heads_are_repeated() {
     page.0 = page.0.replace("@media print", "@media all").replace("@media screen", "@media print");
     let seen = page.seen(
         700, // of a sheet
-        "const gone = ['.theme', '.bar', '.skip', '.anchor', '.file', '.screen', '.tabs', '.origin summary'];
+        "const gone = ['.theme', '.rail', '.skip', '.anchor', '.file', '.screen', '.tabs', '.origin summary'];
         return [gone.filter((name) => all(name).some(shown)), getComputedStyle(find('thead')).display,
           getComputedStyle(find('figure.plot')).breakInside, all('.stills').every(shown),
-          find('.origin dl').getBoundingClientRect().height > 0];",
+          all('.origin dl').filter((dl) => dl.getBoundingClientRect().height > 0).length];",
     );
-    assert_eq!(seen, json!([[], "table-header-group", "avoid", true, true]));
+    // How a section's items were obtained stands there once, under the last.
+    assert_eq!(seen, json!([[], "table-header-group", "avoid", true, 1]));
+}
+
+#[test]
+fn the_standard_report_has_at_most_twenty_sheets_and_every_figure_on_them_has_its_marks() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
+    let output = command.args(["report", "--pdf", "--out"]).arg(folder.path()).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let count = pages(&fs::read(folder.path().join("report.pdf")).unwrap());
+    assert!((10..=20).contains(&count), "{count} sheets");
+    // The rules for print, applied to the screen: of every figure that is not folded away, something of each kind of mark
+    // has a size.
+    let page = fs::read_to_string(folder.path().join("index.html")).unwrap();
+    let page = page.replace("@media print", "@media all").replace("@media screen", "@media print");
+    let seen = Page(page).seen(
+        700,
+        "const bare = (figure) => [...figure.querySelectorAll('svg [class]')].filter((mark) =>
+            !mark.closest('.here, [hidden]') && getComputedStyle(mark).display === 'none');
+        const open = all('figure.plot').filter((figure) => !figure.closest('details'));
+        return [open.length > 10, open.flatMap(bare).map((mark) => mark.getAttribute('class'))];",
+    );
+    assert_eq!(seen, json!([true, []]));
 }

@@ -11,7 +11,7 @@ use crate::plot::style::WIDTH;
 /// The sides of the plot in px: left, right, top, bottom; and the height of the picture.
 pub(super) const PLOT: [f64; 4] = [64.0, WIDTH - 10.0, 8.0, 106.0];
 const HEIGHT: f64 = 130.0;
-/// A measure that stays below this is not shown (m or J).
+/// A measure that stays below this part of what it could be is rounding, and not shown.
 const NOTHING: f64 = 1e-9;
 
 /// What is measured of an instant.
@@ -63,21 +63,30 @@ pub(super) fn values(take: &Take, measure: Measure) -> Vec<f64> {
 
 pub(super) fn measures(film: &Film) -> Vec<Measure> {
     let matters = |measure: &Measure| {
-        let any = film.takes.iter().any(|take| take.worst(*measure).abs() > NOTHING);
-        *measure == Measure::Energy || any
+        let least = least(film, *measure);
+        film.takes.iter().any(|take| take.worst(*measure).abs() > least)
     };
     Measure::ALL.into_iter().filter(matters).collect()
 }
 
-/// The values at the bottom and the top of a plot. What is beyond the scene's own size, or beyond
-/// its weight lifted by that, has left the picture.
-pub(super) fn range(film: &Film, measure: Measure) -> (f64, f64) {
+/// Below this a measure is rounding.
+pub(super) fn least(film: &Film, measure: Measure) -> f64 {
+    NOTHING * most(film, measure)
+}
+
+/// What a measure could be: the scene's own size, or its weight lifted by that.
+fn most(film: &Film, measure: Measure) -> f64 {
     let size = extent::size(&extent::landmarks(&film.scene, &[]));
     let masses: f64 = film.scene.bodies.iter().map(|body| body.mass.mass()).sum();
-    let most = match measure {
+    match measure {
         Measure::Energy => (masses * film.scene.gravity.norm() * size).max(1.0),
         Measure::Drift | Measure::Penetration => size,
-    };
+    }
+}
+
+/// The values at the bottom and the top of a plot. What is beyond what it could be has left the picture.
+pub(super) fn range(film: &Film, measure: Measure) -> (f64, f64) {
+    let most = most(film, measure);
     let all = film.takes.iter().flat_map(|take| values(take, measure));
     let (lo, hi) =
         all.filter(|x| x.is_finite()).fold((0.0f64, 0.0f64), |(lo, hi), x| (lo.min(x), hi.max(x)));

@@ -57,6 +57,7 @@ pub(super) fn json(film: &Film) -> Value {
         "turn": 1.0 / TURN,
         "bodies": bodies(&film.scene, &stage.lens),
         "joints": joints(&film.scene),
+        "start": film.telling(),
         "times": film.times().iter().map(|time| short(*time)).collect::<Vec<_>>(),
         "steps": steps.collect::<Vec<_>>(),
         "plot": PLOT,
@@ -106,8 +107,9 @@ fn joints(scene: &Scene) -> Vec<Value> {
 
 fn take(film: &Film, take: &Take, stage: &Stage, unit: f64) -> Value {
     let values = |measure| {
-        let values = chart::values(take, measure);
-        values.into_iter().map(short).collect::<Vec<_>>()
+        let least = chart::least(film, measure);
+        let shown = |value: f64| if value.abs() > least { short(value) } else { 0.0 };
+        chart::values(take, measure).into_iter().map(shown).collect::<Vec<_>>()
     };
     let forces = take.shots.iter().map(|shot| forces(&shot.frame.forces, stage));
     json!({

@@ -150,6 +150,30 @@ impl Film {
         self.longest().iter().map(|shot| shot.motion.time).collect()
     }
 
+    /// The instant that is shown first: the one at which takes are farthest apart, or of a single take the one at which its
+    /// forces are largest; the first of them.
+    pub fn telling(&self) -> usize {
+        let shot = |take: &Take, k: usize| take.shots.get(k).map(|shot| shot.frame.clone());
+        let apart = |one: &Frame, other: &Frame| {
+            let pairs = one.states.iter().zip(&other.states);
+            pairs.map(|(a, b)| (a.pose.p - b.pose.p).norm()).fold(0.0, f64::max)
+        };
+        let told = |k: usize| match self.takes.as_slice() {
+            [only] => shot(only, k)
+                .map_or(0.0, |frame| frame.forces.iter().map(|own| own.force.norm()).sum()),
+            takes => {
+                let frames: Vec<Frame> = takes.iter().filter_map(|take| shot(take, k)).collect();
+                let pairs = frames.iter().flat_map(|a| frames.iter().map(move |b| (a, b)));
+                pairs.map(|(a, b)| apart(a, b)).fold(0.0, f64::max)
+            }
+        };
+        let instants =
+            (0..self.longest().len()).map(|k| (k, told(k))).filter(|(_, told)| told.is_finite());
+        let (first, most) =
+            instants.fold((0, 0.0), |best, own| if own.1 > best.1 { own } else { best });
+        if most > 0.0 { first } else { 0 }
+    }
+
     fn longest(&self) -> &[Shot] {
         let longest = self.takes.iter().max_by_key(|take| take.shots.len());
         longest.map_or(&[], |take| &take.shots)

@@ -3,7 +3,7 @@
 use super::attempt::stem;
 use super::{Document, Outcome, View};
 use crate::film::Film;
-use crate::number::readable;
+use crate::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{Comparison, HELD, Plan, Run, Sample, Timing};
@@ -33,6 +33,18 @@ impl View for Plan {
             ));
             document.table(&id, table(comparison));
         }
+    }
+
+    fn answer(&self, findings: &[Comparison]) -> Option<String> {
+        let sum = |count: fn(&Run) -> usize| -> usize {
+            findings.iter().flat_map(|comparison| &comparison.runs).map(count).sum()
+        };
+        Some(format!(
+            "Of {} problems solvers say that they have solved {}; a judge who never saw the solvers refutes {}.",
+            count(sum(|run| run.solves)),
+            count(sum(|run| run.claimed)),
+            count(sum(|run| run.refuted_claims))
+        ))
     }
 
     fn outcome(&self, findings: &[Comparison]) -> Outcome {

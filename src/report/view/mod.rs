@@ -48,8 +48,8 @@ pub use verification::table as verification_table;
 
 use serde_json::Value;
 
-use super::experiment::{Experiment, SHIPPED};
-use super::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
+use super::experiment::{Experiment, Fold, SHIPPED};
+use super::page::{self, Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
 use super::proofs::Judged;
 use super::results::{Part, Results, Task};
 use super::study::Study;
@@ -90,6 +90,11 @@ pub trait View: Study {
         Ok(Vec::new())
     }
 
+    /// The answer to the question that it was made for, in a sentence or two for the top of the page.
+    fn answer(&self, _findings: &[Self::Finding]) -> Option<String> {
+        None
+    }
+
     /// Whether all came out as it should.
     fn outcome(&self, _findings: &[Self::Finding]) -> Outcome {
         Outcome { good: true, says: String::new() }
@@ -118,31 +123,57 @@ pub fn document(results: &Results) -> Result<Document> {
     };
     let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
     let experiment = Experiment::of(results)?;
+    let mut answers: Vec<String> = Vec::new();
     for (section, part) in experiment.sections.iter().zip(&results.sections) {
+        let first = document.page.sections.len();
         document.open(&part.id, &part.title);
         if !part.text.is_empty() {
             document.text(&part.text);
         }
+        let findings: Vec<Value> = part.findings().collect();
+        if let (Some(study), Some(Fold::All)) = (&section.study, part.shown.fold) {
+            document.text(format!("{}.", study.outcome(&findings)?.says));
+        }
+        let open = document.page.sections[first].blocks.len();
         if let Some(study) = &section.study {
-            let first = document.page.sections.len() - 1;
-            study.show(&part.findings().collect::<Vec<_>>(), &mut document)?;
+            answers.extend(study.answer(&findings)?);
+            study.show(&findings, &mut document)?;
             failures(&mut document, part);
             let origin = origin(results, part);
             document.page.sections[first..].iter_mut().for_each(|shown| shown.obtained(&origin));
         }
-        if part.summary {
+        if part.shown.summary {
             summary::show(results, &mut document)?;
         }
-        if part.times {
+        if part.shown.times {
             times(&mut document, &experiment, results)?;
         }
+        for (k, shown) in document.page.sections[first..].iter_mut().enumerate() {
+            shown.fold = match part.shown.fold {
+                None => page::Fold::Nothing,
+                Some(Fold::Tables) => page::Fold::Tables,
+                Some(Fold::All) => page::Fold::After(if k == 0 { open } else { 0 }),
+            };
+        }
     }
-    if !results.sections.iter().any(|part| part.times) && !results.machine.times.is_empty() {
+    if !results.sections.iter().any(|part| part.shown.times) && !results.machine.times.is_empty() {
         document.open("times", "Times, on this machine");
         times(&mut document, &experiment, results)?;
     }
     document.page.sections.retain(|section| !section.blocks.is_empty());
+    answers.push(std::mem::take(&mut document.page.lead));
+    document.page.lead = paragraphs(&answers);
     Ok(document)
+}
+
+/// Sentences of which each question begins a paragraph.
+fn paragraphs(sentences: &[String]) -> String {
+    let mut text = String::new();
+    for sentence in sentences {
+        let gap = if sentence.starts_with("**") { "\n\n" } else { " " };
+        text += &format!("{gap}{sentence}");
+    }
+    text.trim().to_string()
 }
 
 /// How to obtain a section's findings again.

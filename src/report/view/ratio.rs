@@ -79,6 +79,21 @@ impl View for Plan {
         Ok(vec![Judged { problem: Problem::new(name, lcp), answers }])
     }
 
+    fn answer(&self, stacks: &[Stack]) -> Option<String> {
+        let stack = self.chosen(stacks)?;
+        let solved = by_cost(stack);
+        let (least, pgs) = (solved.first()?, solved.iter().find(|a| a.solver == "pgs")?);
+        Some(format!(
+            "**Which solver carries a stack whose top is {} times as heavy?** *{}*, with {}: *pgs* needs {}, and games stop \
+             it long before. {}",
+            readable(stack.ratio, 3),
+            least.solver,
+            iterations_in_words(&least.solver, least.iterations),
+            iterations_in_words("pgs", pgs.iterations),
+            self.loose(stack)
+        ))
+    }
+
     fn outcome(&self, stacks: &[Stack]) -> Outcome {
         let attempts = || stacks.iter().flat_map(|s| &s.tried).flat_map(|tried| &tried.attempts);
         let refuted = attempts().filter(|attempt| attempt.outcome == Came::Refuted).count();

@@ -15,6 +15,16 @@ impl View for Plan {
     const TITLE: &'static str = "Why a stack with a heavy top sinks";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
+        for finding in findings {
+            if let Some(footage) = &finding.footage {
+                let caption = format!(
+                    "The stack with a top {} times as heavy, by each solver at the same instants. Play it: a load that is \
+                     carried stays where it is.",
+                    readable(finding.ratio, 4)
+                );
+                document.footage(footage, &caption);
+            }
+        }
         document.text(format!(
             "{} cubes of 1 m stand on each other; the top one is $r$ times as heavy as the others. The \
              ground must carry all of them, but a sweep hands a load down only little by little, and \
@@ -28,16 +38,6 @@ impl View for Plan {
         ));
         document.figure(figure(self, findings));
         document.table("sinking", table(findings));
-        for finding in findings {
-            if let Some(footage) = &finding.footage {
-                let caption = format!(
-                    "The stack with a top {} times as heavy, by each solver at the same instants. Play it: a load that is \
-                     carried stays where it is.",
-                    readable(finding.ratio, 4)
-                );
-                document.footage(footage, &caption);
-            }
-        }
     }
 }
 

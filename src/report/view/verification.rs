@@ -25,6 +25,11 @@ impl View for Plan {
         document.text(tolerances(rows));
     }
 
+    fn answer(&self, findings: &[Vec<Row>]) -> Option<String> {
+        let says = self.outcome(findings).says;
+        Some(format!("**Can the numbers be trusted?** {says}."))
+    }
+
     fn outcome(&self, findings: &[Vec<Row>]) -> Outcome {
         let rows = || findings.iter().flatten();
         let (passed, all) = (rows().filter(|row| row.passes()).count(), rows().count());

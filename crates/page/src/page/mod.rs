@@ -50,8 +50,31 @@ pub struct Section {
     pub title: String,
     /// The contents.
     pub blocks: Vec<Block>,
-    /// Whether it is folded away.
-    pub is_folded: bool,
+    /// What of it is folded away.
+    pub fold: Fold,
+}
+
+/// What of a section is folded away: on a screen until it is asked for, on paper for good.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Fold {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// Tables and proofs, which come last.
+    Tables,
+    /// Everything after so many blocks.
+    After(usize),
+}
+
+impl Fold {
+    /// Whether this block of a section is folded away.
+    fn takes(self, place: usize, block: &Block) -> bool {
+        match self {
+            Fold::Nothing => false,
+            Fold::Tables => matches!(block, Block::Table(_) | Block::Proofs { .. }),
+            Fold::After(first) => place >= first,
+        }
+    }
 }
 
 /// A piece of a section.

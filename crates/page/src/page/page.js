@@ -14,7 +14,7 @@ root.classList.add("live");
 }
 
 { // Beside the text if there is room, else folded; the section being read is marked.
-  const list = document.querySelector(".bar details"), room = matchMedia("(min-width: 75rem)");
+  const list = document.querySelector(".rail details"), room = matchMedia("(min-width: 75rem)");
   const fold = () => { list.open = room.matches; };
   const links = new Map([...list.querySelectorAll("a")].map((a) => [a.getAttribute("href").slice(1), a]));
   room.addEventListener("change", fold);
@@ -32,6 +32,20 @@ root.classList.add("live");
     for (const [id, a] of links) id === now ? a.setAttribute("aria-current", "true") : a.removeAttribute("aria-current");
   }, { rootMargin: "-15% 0px -60% 0px" });
   for (const section of document.querySelectorAll("main > section")) watch.observe(section);
+}
+
+{ // What can be scrolled to one side shows it there.
+  const frames = document.querySelectorAll(".scroll, .equation, p:has(> math[display='block']), pre");
+  const marked = (frame) => {
+    const rest = frame.scrollWidth - frame.clientWidth - frame.scrollLeft;
+    frame.classList.toggle("more-left", frame.scrollLeft > 1);
+    frame.classList.toggle("more-right", rest > 1);
+  };
+  const watch = new ResizeObserver((entries) => entries.forEach(({ target }) => marked(target)));
+  for (const frame of frames) {
+    watch.observe(frame);
+    frame.addEventListener("scroll", () => marked(frame), { passive: true });
+  }
 }
 
 for (const table of document.querySelectorAll("figure.table table")) {

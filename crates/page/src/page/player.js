@@ -8,8 +8,10 @@ function play(root) {
   const charts = [...root.querySelectorAll(".chart")].map((svg, m) => chart(film, m, svg));
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   let now = 0, running = 0;
+  let isFresh = true; // the telling instant that is shown first is no place to play from
 
   const show = (k) => {
+    isFresh &&= k === film.start;
     now = Math.max(0, Math.min(last, Math.round(k)));
     for (const draw of [...stages, ...charts]) draw(now);
     clock.textContent = `${film.times[now].toFixed(3)} s · step ${film.steps[now]}`;
@@ -24,7 +26,8 @@ function play(root) {
     button.setAttribute("aria-label", "Play");
   };
   const go = () => {
-    if (now === last) show(0);
+    if (now === last || isFresh) show(0);
+    isFresh = false;
     root.classList.add("playing");
     button.setAttribute("aria-label", "Pause");
     if (calm.matches) { // a picture a second instead of motion
@@ -90,7 +93,7 @@ function play(root) {
   find(".tabs").hidden = tabs.length < 1;
   find(".toggle").hidden = film.takes.every((take) => take.forces.every((list) => list.length === 0));
   pick(0);
-  show(0);
+  show(film.start);
   jump();
 }
 

@@ -17,6 +17,9 @@ const LONG: usize = 28;
 /// A table of more rows than this scrolls in a frame of its own beneath its heads.
 const TALL: usize = 40;
 
+/// A table of more rows than this may be broken on paper.
+const LONG_TABLE: usize = 20;
+
 /// A table of more columns than this is printed smaller.
 const WIDE: usize = 9;
 
@@ -45,6 +48,21 @@ struct FigureView<'a> {
     number: usize,
     figure: &'a Picture,
     caption: String,
+}
+
+/// What blocks hold, in words.
+fn contents<'a>(blocks: impl Iterator<Item = &'a Block> + Clone) -> String {
+    let counted = |is: fn(&&Block) -> bool, one: &str| match blocks.clone().filter(is).count() {
+        0 => None,
+        1 => Some(format!("a {one}")),
+        many => Some(format!("{many} {one}s")),
+    };
+    let parts = [
+        counted(|block| matches!(block, Block::Figure(_) | Block::Player(_)), "figure"),
+        counted(|block| matches!(block, Block::Table(_)), "table"),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    if parts.is_empty() { "this part".into() } else { parts.join(" and ") }
 }
 
 /// The same checker that Node.js runs.
@@ -178,7 +196,20 @@ impl Writer {
     fn section(&mut self, k: usize, section: &Section) -> Vec<String> {
         let blocks = section.blocks.iter().enumerate();
         let place = |i: usize| format!("section {} {:?}, block {}", k + 1, section.title, i + 1);
-        blocks.map(|(i, block)| self.block(&place(i), block)).collect()
+        let (folded, open): (Vec<_>, Vec<_>) =
+            blocks.partition(|(i, block)| section.fold.takes(*i, block));
+        let mut shown: Vec<String> =
+            open.into_iter().map(|(i, block)| self.block(&place(i), block)).collect();
+        if !folded.is_empty() {
+            let what = contents(folded.iter().map(|(_, block)| *block));
+            shown.push(format!(
+                "<details class=\"part\"><summary><span>Show {what}</span><span class=\"paper-only\">On the page stand \
+                 {what} more.</span></summary>\n"
+            ));
+            shown.extend(folded.into_iter().map(|(i, block)| self.block(&place(i), block)));
+            shown.push("</details>\n".into());
+        }
+        shown
     }
 
     fn block(&mut self, place: &str, block: &Block) -> String {
