@@ -211,7 +211,8 @@ impl fmt::Display for Moving {
             ),
             Moving::Soft { scheme, body, depth } => write!(
                 f,
-                "the constraints of {scheme} yield: {body} ends {} m below where rigid ones leave it.",
+                "the constraints of {scheme} yield: {body} ends {} m below where rigid ones leave it; stiffen them, or take \
+                 a scheme with rigid ones (velocity).",
                 number(depth)
             ),
             Moving::Creep { speed, missing } => write!(
@@ -224,7 +225,7 @@ impl fmt::Display for Moving {
             Moving::BoxFriction { distance, way } => write!(
                 f,
                 "friction is limited along two tangents, each by itself; with Coulomb's cone a body ends {} m elsewhere, \
-                 of a way of {} m.",
+                 of a way of {} m; contact.model = \"coulomb-cone\" is that cone.",
                 number(distance),
                 number(way)
             ),

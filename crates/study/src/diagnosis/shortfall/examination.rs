@@ -97,7 +97,7 @@ impl Examination {
                 .iter()
                 .all(|note| note.missing.is_none_or(|missing| missing == 0.0)) =>
             {
-                "No problem was solved of whose answer a part could be missing.".into()
+                "No LCP was solved, so that no answer falls short.".into()
             }
             None => "No solution is known to compare with.".into(),
         };
@@ -145,6 +145,7 @@ impl Examination {
         if let Some(found) = &self.shortfall {
             lines.extend(found.pace());
         }
+        lines.extend(self.shortfall.as_ref().and_then(Shortfall::advice));
         if !self.innocent.is_empty() {
             lines.push(format!("Not the cause: {}.", self.innocent.join("; ")));
         }

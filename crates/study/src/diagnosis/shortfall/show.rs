@@ -79,6 +79,19 @@ impl Shortfall {
         ))
     }
 
+    /// What to do: the remedy that leaves nothing undone at the least cost, else the one that leaves the least.
+    pub fn advice(&self) -> Option<String> {
+        let cures = self.remedies.iter().filter(|remedy| remedy.missing <= HEALTHY);
+        let cheapest = cures.min_by(|a, b| a.work.total_cmp(&b.work));
+        let best = cheapest.or_else(|| self.remedies.first())?;
+        Some(format!(
+            "What helps most: {}: {} is missing then, after {} multiplications.",
+            best.what,
+            percent(best.missing),
+            readable(best.work, DIGITS)
+        ))
+    }
+
     /// Who carries how much.
     pub fn loads_section(&self) -> Option<Section> {
         let mut section = Section::new("loads");
