@@ -7,7 +7,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lesson::Program;
 use lcplab::report::difference::Tolerance;
-use lcplab::report::experiment::{Experiment, SHIPPED};
+use lcplab::report::experiment::{self, Experiment, SHIPPED};
 use lcplab::report::kind::KINDS;
 use lcplab::report::proofs::Proofs;
 use lcplab::report::results::Results;
@@ -29,6 +29,7 @@ Example:
   lcplab report                # writes reports/standard/index.html
   lcplab report chapter        # the chapter, walked through with everything computed
   lcplab report storage --pdf  # the chapter's sparse matrices, measured; and report.pdf
+  lcplab report --print standard > mine.toml   # a start for a report of your own
   lcplab report mine.toml --out mine
   lcplab report --proofs       # with proof files, and buttons on the page that check them
   lcplab report --section convergence          # one section of the standard report
@@ -45,6 +46,12 @@ pub struct Report {
     /// List the shipped reports and the kinds of studies that a report file can ask for
     #[arg(long, conflicts_with_all = ["redraw", "compare"])]
     list: bool,
+    /// Print the file of a shipped report, as a start for one of your own
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["redraw", "compare"])]
+    print: Option<String>,
+    /// Print the JSON schema of report files
+    #[arg(long, conflicts_with_all = ["redraw", "compare"])]
+    schema: bool,
     /// Draw the page of a folder with results.json again
     #[arg(long, value_name = "FOLDER", conflicts_with = "compare")]
     redraw: Option<PathBuf>,
@@ -83,6 +90,14 @@ impl Report {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
         if self.list {
             return list();
+        }
+        if let Some(name) = &self.print {
+            print(experiment::shipped(name, "shipped report")?)?;
+            return Ok(Outcome::Good);
+        }
+        if self.schema {
+            print(&format!("{}\n", experiment::schema()))?;
+            return Ok(Outcome::Good);
         }
         if let [old, new] = &self.compare[..] {
             return self.changes(old, new);

@@ -2,13 +2,17 @@
 
 use std::sync::{PoisonError, RwLock};
 
+use schemars::{Schema, SchemaGenerator};
 use serde::Deserialize;
 use serde_json::Value;
+use toml::Spanned;
+use toml::de::DeValue;
 
 use super::proofs::Judged;
 use super::study::{self, Study};
 use super::view::{Document, Outcome, View};
-use crate::error::{Error, Result};
+use crate::error::{Defects, Error, Result};
+use crate::scene::source::Source;
 
 /// A kind of study.
 pub struct Kind {
@@ -18,6 +22,10 @@ pub struct Kind {
     pub title: &'static str,
     /// A study of this kind from its settings.
     pub read: fn(&Value) -> serde_json::Result<Box<dyn AnyStudy>>,
+    /// The same from a file, or nothing and every defect.
+    pub parse: Parse,
+    /// The schema of its settings.
+    pub schema: fn(&mut SchemaGenerator) -> Schema,
 }
 
 /// All kinds.
@@ -54,6 +62,9 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::published::Plan>(),
 ];
 
+/// Reads the settings of a study from a file.
+pub type Parse = fn(&Source<'_>, Spanned<DeValue<'_>>, &mut Defects) -> Option<Box<dyn AnyStudy>>;
+
 impl Kind {
     /// The kind of a study that can be shown.
     pub const fn of<S: View + 'static>() -> Kind {
@@ -61,6 +72,12 @@ impl Kind {
             name: S::NAME,
             title: S::TITLE,
             read: |settings| Ok(Box::new(S::deserialize(settings)?)),
+            parse: |source, settings, defects| {
+                source
+                    .read::<S>(settings, defects)
+                    .map(|study| Box::new(study) as Box<dyn AnyStudy>)
+            },
+            schema: S::json_schema,
         }
     }
 }

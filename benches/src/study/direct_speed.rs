@@ -4,6 +4,7 @@
 //! The answer is chosen first, so the share of active rows is the same at each size: half of them
 //! where bounds are one-sided, two thirds at one of the two bounds where they are two-sided.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::yardstick::{Finding, Terms, Times, measure};
@@ -12,7 +13,7 @@ use lcplab::lcp::{Lcp, library};
 use lcplab::report::study::Study;
 
 /// Which sizes and which solvers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Plan {
     /// Numbers of rows with x ≥ 0.
@@ -32,7 +33,7 @@ pub struct Plan {
 }
 
 /// What is asked of the times: clarabel's over a solver's, one-sided.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Goal {
     /// The solver.

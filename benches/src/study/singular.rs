@@ -2,6 +2,7 @@
 //! each corner, with and without friction (its bounds frozen), as they are and with a little of
 //! the mean diagonal added to A, beside clarabel's interior point.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::yardstick::{Finding, Terms, Times, measure};
@@ -10,7 +11,7 @@ use lcplab::lcp::{Lcp, Matrix, library};
 use lcplab::report::study::Study;
 
 /// Which stacks and which solvers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Plan {
     /// Stacks of so many cubes.

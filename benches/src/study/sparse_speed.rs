@@ -11,6 +11,7 @@
 //! All are given the matrices, and the time includes whatever a solver makes of them first: the order of
 //! elimination, where the factors will have entries.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::contest::{Answer, Tried, clocked};
@@ -35,7 +36,7 @@ pub const YARDSTICK: [&str; 2] = ["clarabel, rows", "clarabel, velocities"];
 const LONG: f64 = 10.0;
 
 /// Which problems, and what is asked of the times.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Plan {
     /// The problems.
@@ -51,7 +52,7 @@ pub struct Plan {
 }
 
 /// A step of a scene.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Problem {
     /// A shipped scene or a file.

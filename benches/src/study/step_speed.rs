@@ -6,6 +6,7 @@
 
 use std::time::Instant;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::timing::Time;
@@ -16,7 +17,7 @@ use lcplab::scene::Scene;
 use lcplab::simulation::stepper::{Kernel, Part, Stepper};
 
 /// How large, and how often.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Plan {
     /// Round towers of so many cubes, twenty rings each.
@@ -32,7 +33,7 @@ pub struct Plan {
 }
 
 /// What is asked of the times.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Asked {
     /// At most so many milliseconds for a step of the first tower on one thread.

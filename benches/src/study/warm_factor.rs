@@ -4,6 +4,7 @@
 //! Every x and w of the answer is moved by up to the given part, and b follows, so the set is the same by
 //! construction. Both answers are judged before any time counts.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::direct_speed::Bounds;
@@ -18,7 +19,7 @@ use lcplab::solver::{BlockPivoting, Settings, Solution, Solver, Start, Warm};
 const MOST_ROUNDS: f64 = 301.0;
 
 /// Which problems.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Plan {
     /// Numbers of rows.

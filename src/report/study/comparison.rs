@@ -1,5 +1,6 @@
 //! One scene, stepped by every solver, at both levels or by any scheme, each answer judged.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -10,7 +11,7 @@ use crate::solver::{ALL, Entry, entry};
 pub use lcplab_study::comparison::*;
 
 /// Scenes stepped by solvers at both levels.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The solvers, by name; all without it.

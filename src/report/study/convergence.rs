@@ -1,5 +1,6 @@
 //! How the residual falls, sweep by sweep, beside the rate that theory predicts.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -10,7 +11,7 @@ use crate::solver::{Dantzig, Order, Pgs, Settings, Solver, Start, theory};
 use crate::trace::{Convergence, Record};
 
 /// LCPs solved by sweeps.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The LCPs.
@@ -18,7 +19,7 @@ pub struct Plan {
 }
 
 /// An LCP, and relaxation factors.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Swept {
     /// A shipped scene, or a file: of a scene or, under the key `problem` too, of a problem.

@@ -12,6 +12,7 @@
 //! an LCP have v = 0.
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Study, history};
@@ -19,7 +20,7 @@ use crate::error::Result;
 use crate::scene::{Scene, Scheme};
 
 /// The box of the scene "incline", rough enough to stick.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// μ between box and slope, above the slope's tangent.

@@ -1,6 +1,7 @@
 //! Dantzig's answer beside two independent ones: the box QP and Gauss's principle.
 
 use crate::simulation;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::settings::AtStep;
@@ -16,7 +17,7 @@ use crate::scene::{Scene, Scheme};
 use crate::solver::{Start, by_name};
 
 /// LCPs solved in three ways.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The LCPs.

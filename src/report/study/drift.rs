@@ -3,6 +3,7 @@
 use crate::simulation;
 use std::ops::ControlFlow;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::comparison::{Sample, thinned};
@@ -14,7 +15,7 @@ use crate::simulation::Simulation;
 use crate::solver::by_name;
 
 /// Scenes run with shorter and shorter steps.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The scenes.

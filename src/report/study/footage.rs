@@ -2,6 +2,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
@@ -14,7 +15,7 @@ use crate::film::{Film, Force, Frame, Origin, Shot, Take};
 use crate::simulation::Motion;
 
 /// A film as a section of its own.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// Letters, digits, `-` and `_`; unique in the report.
@@ -24,6 +25,7 @@ pub struct Plan {
     pub scene: String,
     /// Fields of the scene that are changed in every take.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
+    #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,
     /// Simulated time (s).
     pub duration: f64,
@@ -37,13 +39,14 @@ pub struct Plan {
 }
 
 /// A way to step a scene: a name, and the fields that make it so.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Way {
     /// What it is called; what stands after a comma varies the name before it.
     pub name: String,
     /// The fields of the scene that are changed.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
+    #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,
 }
 

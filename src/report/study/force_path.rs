@@ -11,6 +11,7 @@
 
 use crate::simulation::Simulation;
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -23,7 +24,7 @@ use crate::scene::{Scene, Scheme};
 use crate::simulation::{Solve, Step};
 
 /// Columns and a chain.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// Balls in a column.
@@ -38,7 +39,7 @@ pub struct Plan {
 }
 
 /// A hanging chain.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Chain {
     /// A shipped scene or a file.

@@ -1,5 +1,6 @@
 //! What friction costs: the library's problems with friction under each model, by every method that takes it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -12,7 +13,7 @@ use crate::report::methods;
 use crate::solver::{Options, Stop};
 
 /// Problem families with friction.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// Families of the library, problem files, folders of them, or patterns.

@@ -7,6 +7,7 @@
 //! The remainder is measured, and rounding unless something is forgotten. Families that do not write
 //! down what acted have no accounts.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
@@ -18,7 +19,7 @@ use crate::film::instants;
 use crate::simulation::Ledger;
 
 /// Runs whose energy is accounted for.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The runs.
@@ -26,7 +27,7 @@ pub struct Plan {
 }
 
 /// A scene stepped in one way.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
     /// Letters, digits, `-` and `_`; unique in the report.
@@ -40,6 +41,7 @@ pub struct Run {
     pub scene: String,
     /// Fields of the scene that are changed.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
+    #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,
     /// Simulated time (s).
     pub duration: f64,

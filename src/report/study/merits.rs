@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -12,7 +13,7 @@ use crate::lcp::{Complementarity, Lcp, merit};
 use crate::solver::{ConePgs, ConeSolver, Iterate, Observer, Order, Pgs, Settings, Solver, Start};
 
 /// Which problem a run solves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum Shape {
     /// The LCP, friction in a box, by PGS.
     Box,
@@ -21,7 +22,7 @@ pub enum Shape {
 }
 
 /// LCPs on which the merit functions are compared.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The LCPs.

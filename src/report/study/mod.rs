@@ -44,13 +44,14 @@ pub mod worst_cases;
 
 pub use lcplab_study::{attempt, families};
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::error::Result;
 
 /// A kind of study; a value holds the settings that one section of a report file states.
-pub trait Study: Serialize + DeserializeOwned + Send + Sync {
+pub trait Study: JsonSchema + Serialize + DeserializeOwned + Send + Sync {
     /// The kind's name in report files.
     const NAME: &'static str;
     /// Whether its tasks run one after the other and beside nothing else, because they are timed.

@@ -12,6 +12,7 @@
 
 use crate::simulation::Simulation;
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -22,7 +23,7 @@ use crate::scene::{Scene, Scheme};
 use crate::simulation::Cause;
 
 /// The rod with several coefficients of friction.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The coefficients.
@@ -47,7 +48,7 @@ pub struct Finding {
 }
 
 /// What a step with forces answers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Forces {
     /// A normal force, in weights.

@@ -4,9 +4,10 @@
 use crate::simulation;
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::settings::AtStep;
+use super::settings::{AtStep, first};
 use crate::error::Result;
 use crate::lcp::{Lcp, library};
 use crate::scene::Scene;
@@ -15,11 +16,9 @@ use crate::scene::Scene;
 pub const BLOW: f64 = 9.81 / 60.0;
 
 /// Where an LCP comes from.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(
-    untagged,
-    expecting = "a problem is { scene, step }, { problem = file }, { family, values } or { boxes, ratio }"
-)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged, try_from = "Keys")]
+#[schemars(!try_from)]
 pub enum Source {
     /// A step of a scene, or a file.
     Scene(AtStep),
@@ -29,8 +28,57 @@ pub enum Source {
     Stack(Loaded),
 }
 
+/// The keys of all sources, so that a wrong one is named in its line.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    #[serde(alias = "problem")]
+    scene: Option<String>,
+    step: Option<usize>,
+    family: Option<String>,
+    values: Option<BTreeMap<String, f64>>,
+    boxes: Option<usize>,
+    ratio: Option<f64>,
+}
+
+impl TryFrom<Keys> for Source {
+    type Error = &'static str;
+
+    fn try_from(keys: Keys) -> std::result::Result<Self, Self::Error> {
+        match keys {
+            Keys {
+                scene: Some(scene),
+                step,
+                family: None,
+                values: None,
+                boxes: None,
+                ratio: None,
+            } => Ok(Source::Scene(AtStep { scene, step: step.unwrap_or_else(first) })),
+            Keys {
+                family: Some(family),
+                values,
+                scene: None,
+                step: None,
+                boxes: None,
+                ratio: None,
+            } => Ok(Source::Family(OfFamily { family, values: values.unwrap_or_default() })),
+            Keys {
+                boxes: Some(boxes),
+                ratio: Some(ratio),
+                scene: None,
+                step: None,
+                family: None,
+                values: None,
+            } => Ok(Source::Stack(Loaded { boxes, ratio })),
+            _ => Err(
+                "a problem is { scene, step }, { problem = file }, { family, values } or { boxes, ratio }",
+            ),
+        }
+    }
+}
+
 /// A problem of the library.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OfFamily {
     /// The family.
@@ -41,7 +89,7 @@ pub struct OfFamily {
 }
 
 /// Equal boxes on the ground with friction, and on top of them one that is heavier.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Loaded {
     /// How many boxes, the heavy one among them: at least 2.

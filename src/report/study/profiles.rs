@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -17,7 +18,7 @@ use lcplab_study::attempt::{attempt, entries, options};
 pub use lcplab_study::profiles::{Cost, Posed, Profile, Tried, costs, profiles};
 
 /// Which problems and which solvers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// Families of the library, problem files, folders of them, or patterns; the whole library without it.

@@ -1,6 +1,7 @@
 //! Small LCPs from the literature, whose solutions are known as fractions, by every solver.
 
 use dashu_ratio::RBig;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -12,7 +13,7 @@ use crate::report::methods;
 use crate::solver::{Method, Options, Stop};
 
 /// Published problems.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The problems by their names in the library; all published ones without it.

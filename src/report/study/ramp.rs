@@ -5,6 +5,7 @@
 //! ```
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
@@ -15,7 +16,7 @@ use crate::error::Result;
 use crate::scene::Scene;
 
 /// A ramp with boxes, stepped in several ways.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// A scene whose first body is a plane turned about y, the others boxes that rest on it.
@@ -23,6 +24,7 @@ pub struct Plan {
     pub scene: String,
     /// Fields of the scene that are changed in every run.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
+    #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,
     /// Simulated time (s).
     pub duration: f64,

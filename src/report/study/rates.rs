@@ -14,6 +14,7 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -35,7 +36,7 @@ const MAX_SWEEPS: usize = 1_000_000;
 const LOOKS: [usize; 3] = [1, 2, 5];
 
 /// Columns of bodies on the ground.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// Columns of so many equal bodies.
@@ -93,7 +94,7 @@ pub struct Rate {
 }
 
 /// A splitting method.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub enum Method {
     /// Jacobi's, without damping.
     Jacobi,

@@ -17,6 +17,7 @@
 //! is ρ^k / (2 (1 + r)), nearly.
 
 use crate::simulation;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -27,7 +28,7 @@ use crate::lcp::Lcp;
 use crate::solver::{Options, Order, theory};
 
 /// Which stacks and which solvers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The boxes of the stack, the load among them: at least 2.

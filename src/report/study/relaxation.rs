@@ -13,6 +13,7 @@
 
 use std::ops::ControlFlow;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -22,7 +23,7 @@ use crate::lcp::{Lcp, merit};
 use crate::solver::{Iterate, Observer, Order, Pgs, Settings, Solver, Start, theory};
 
 /// Columns and relaxation factors.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// Columns of so many bodies.

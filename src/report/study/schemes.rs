@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
@@ -16,7 +17,7 @@ use crate::film::Take;
 use crate::scene::Scheme;
 
 /// Scenes, each stepped by every scheme that knows its model of friction.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The scenes.
@@ -24,7 +25,7 @@ pub struct Plan {
 }
 
 /// A scene.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
     /// Letters, digits, `-` and `_`; unique in the report.
@@ -36,6 +37,7 @@ pub struct Case {
     pub scene: String,
     /// Fields of the scene that are changed for every scheme.
     #[serde(default, skip_serializing_if = "Table::is_empty")]
+    #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub change: Table,
     /// Simulated time (s).
     pub duration: f64,

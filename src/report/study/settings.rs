@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, de::Error};
 
 use crate::error::Result as Found;
@@ -22,7 +23,7 @@ pub fn file_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D
 }
 
 /// A scene and how many steps it takes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stepped {
     /// A shipped scene or a file.
@@ -32,7 +33,7 @@ pub struct Stepped {
 }
 
 /// An LCP: the last one of a scene's step, or a problem file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AtStep {
     /// A shipped scene, or a file: of a scene or, under the key `problem` too, of a problem.
@@ -92,7 +93,7 @@ impl AtStep {
 }
 
 /// A scene and how long it runs.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Timed {
     /// A shipped scene or a file.

@@ -5,6 +5,7 @@
 //! impulses out ([`rates`](super::rates)).
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::{Table, toml};
 
@@ -17,7 +18,7 @@ use crate::film::Take;
 use crate::scene::Scene;
 
 /// A stack of cubes whose top one is heavier, by several mass ratios and solvers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// How many cubes.
@@ -37,7 +38,7 @@ pub struct Plan {
 }
 
 /// A solver and how it is used.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Contender {
     /// Its name.

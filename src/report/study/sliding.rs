@@ -15,6 +15,7 @@
 use std::f64::consts::{FRAC_PI_4, SQRT_2, TAU};
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -26,7 +27,7 @@ use crate::lcp::{Lcp, Matrix};
 use crate::solver::Settings;
 
 /// A block on the floor.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The coefficient of friction, above 0.

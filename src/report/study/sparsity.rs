@@ -1,6 +1,7 @@
 //! Where J and A have entries: the chapter's Figure 13.
 
 use crate::simulation;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -9,7 +10,7 @@ use crate::error::Result;
 use crate::scene::Scene;
 
 /// Matrices to be drawn.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The LCPs.

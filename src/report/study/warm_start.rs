@@ -4,6 +4,7 @@
 use crate::simulation;
 use std::ops::ControlFlow;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -16,7 +17,7 @@ use crate::solver::{Entry, Options, Settings, Start, Status};
 use crate::trace::Work;
 
 /// Which simulations and which solvers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// Scenes and how many steps each takes.

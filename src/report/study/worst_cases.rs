@@ -7,6 +7,7 @@
 use std::fmt;
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -16,7 +17,7 @@ use crate::lcp::{Lcp, library};
 use crate::solver::{Options, Settings, Solver, Start, Status, by_name};
 
 /// Murty's and Fathi's matrices.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The numbers of rows.

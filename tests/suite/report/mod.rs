@@ -1,5 +1,6 @@
 mod difference;
 mod families;
+mod file;
 mod force_path;
 mod friction;
 mod grid;

@@ -151,24 +151,6 @@ fn measured_slopes_are_the_spectral_radii_on_the_chain() {
 }
 
 #[test]
-fn a_bad_report_file_is_refused_with_its_line() {
-    let message = |text: &str| experiment(text).err().expect("a defect").to_string();
-    let wrong = message(&SMALL.replace("lead =", "leed ="));
-    assert!(wrong.contains("line 3: unknown field `leed`"), "{wrong}");
-    let wrong = message(&SMALL.replace("bodies =", "bodys ="));
-    let line =
-        1 + SMALL[..SMALL.find("[[section]]\nstudy = \"rates\"").unwrap()].matches('\n').count();
-    let place = format!("section 5, from line {line}: rates: unknown field `bodys`");
-    assert!(wrong.contains(&place), "{wrong}");
-    let wrong = message(&SMALL.replace("\"rates\"", "\"rate\""));
-    assert!(wrong.contains("there is no study named \"rate\"; there are verification"), "{wrong}");
-    let head = "title = \"t\"\nlead = \"\"\n[[section]]\n";
-    let wrong = message(&format!("{head}title = \"words\"\nsize = 1"));
-    assert!(wrong.ends_with("has \"size\" but no study that it could belong to"), "{wrong}");
-    assert!(message(head).ends_with("needs a title, or a study"), "{}", message(head));
-}
-
-#[test]
 fn a_task_that_fails_is_a_row_with_its_reason_and_the_others_go_on() {
     let text = SMALL.replace("\"pendulum\", duration = 0.1", "\"moon\", duration = 0.1");
     let results = run_all(&experiment(&text).unwrap());

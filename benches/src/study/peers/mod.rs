@@ -7,6 +7,7 @@ mod recording;
 
 pub use recording::{Answer, Bounds, Engine, Library, Machine, Problem, Recording, Scene};
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use lcplab::error::{Error, Result};
@@ -16,7 +17,7 @@ use lcplab::report::study::Study;
 const RECORDED: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/peers.json"));
 
 /// Nothing can be chosen about a recording.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Plan {}
 

@@ -15,6 +15,7 @@ pub(super) use contacts::posed;
 pub use contacts::{EIGHT_PAIRS, ROW_BY_ROW};
 pub use dense::{COLUMNS, ROWS};
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::timing::{Contender, Time, interleaved, timed};
@@ -35,7 +36,7 @@ const ROUNDING: f64 = 1e-11;
 const LOOK: usize = 20;
 
 /// Which problems, how often, and what is asked of the sweeps.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Plan {
     /// Rows of dense problems.
@@ -53,7 +54,7 @@ pub struct Plan {
 }
 
 /// What is asked of the times.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Goal {
     /// A sweep by rows over a dense A, in reads of A: at most.

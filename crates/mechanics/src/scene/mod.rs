@@ -18,6 +18,7 @@ mod resting;
 mod saved;
 mod scheme;
 mod settings;
+pub mod source;
 
 pub use contacts::{ContactId, Detector, Feature, Found, contacts};
 pub use description::Description;

@@ -19,6 +19,7 @@ pub use curve::{Curve, ROUNDING, SLACK, Sample};
 pub use expected::Expected;
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -30,7 +31,7 @@ use crate::scene::{Integrator, Scene, Scheme};
 use crate::simulation::{Simulation, Step};
 
 /// Problems with closed forms by every family, with shorter and shorter steps.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The problems.
@@ -45,7 +46,7 @@ fn halvings() -> u32 {
 }
 
 /// A problem with a closed form.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Problem {
     /// A stone.

@@ -13,6 +13,7 @@ pub mod structure;
 pub mod time;
 
 use crate::simulation;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -28,7 +29,7 @@ use crate::storage::Entry;
 const SEED: u64 = 42;
 
 /// What is measured of storages.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// Rows and columns of the matrix that is filled at random places.
@@ -54,7 +55,7 @@ pub struct Plan {
 }
 
 /// The shipped scenes' patterns.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pictures {
     /// These scenes alone; all without it.

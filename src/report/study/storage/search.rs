@@ -1,5 +1,6 @@
 //! What a search looks at, counted: the list, and trees that were filled in three orders.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{SEED, shuffled};
@@ -22,7 +23,7 @@ pub struct Search {
 }
 
 /// A tree as a search meets it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Shape {
     /// Nodes on the longest way down.
     pub depth: usize,

@@ -25,6 +25,7 @@ mod rotation;
 mod schemes;
 
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
@@ -36,7 +37,7 @@ use crate::scene::Scheme;
 pub const ORDER_SLACK: f64 = 0.1;
 
 /// The known numbers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// How many step lengths.
@@ -66,7 +67,7 @@ impl Study for Plan {
 }
 
 /// How much is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Size {
     /// With dt, dt/2, dt/4 and dt/8.

@@ -55,7 +55,7 @@ fn a_text_for_a_number_is_reported_where_it_stands() {
     let text = BALL.replace("mass = 1", "mass = \"heavy\"");
     assert_eq!(
         message(&text),
-        "bad.toml: line 4: bodies[0].mass: invalid type: string \"heavy\", expected f64"
+        "bad.toml: line 4: bodies[0].mass: invalid type: string \"heavy\", expected a number"
     );
 }
 

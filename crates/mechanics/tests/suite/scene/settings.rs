@@ -193,5 +193,8 @@ fn every_shipped_scene_can_be_changed() {
     let three = changed("stack", &[("generate.count", "3")]).unwrap();
     assert_eq!(three.bodies.len(), 4);
     let error = changed("stack", &[("dt", "0.1"), ("mu", "rough")]).unwrap_err();
-    assert_eq!(error.to_string(), "stack.toml: mu: invalid type: string \"rough\", expected f64");
+    assert_eq!(
+        error.to_string(),
+        "stack.toml: mu: invalid type: string \"rough\", expected a number"
+    );
 }
