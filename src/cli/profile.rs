@@ -8,18 +8,14 @@ use lcplab::file;
 use lcplab::plot::profile::{Curve, Group as Line, Profiles};
 use lcplab::plot::{Axis, Figure};
 use lcplab::report::study::families::Row;
-use lcplab::report::study::profiles::{Cost, Profile, profiles};
+use lcplab::report::study::profiles::{Cost, Profile, of_all, profiles};
 
 /// Writes NAME.svg, NAME.csv and NAME.tex: Dolan & Moré's profile of the wall times, once of all rows, where what was
 /// not attempted is not solved, and once of those that the solver took on.
 pub fn write(name: &Path, rows: &[Row]) -> Result<()> {
     let solvers = distinct(rows.iter().map(|row| row.solver.as_str()));
     let costs = costs(rows, &solvers);
-    let strict = |row: &Vec<Cost>| {
-        row.iter().map(|cost| if *cost == Cost::NotTried { Cost::Failed } else { *cost }).collect()
-    };
-    let of_all = profiles(&costs.iter().map(strict).collect::<Vec<_>>());
-    let of_its_own = profiles(&costs);
+    let (of_all, of_its_own) = (profiles(&of_all(&costs)), profiles(&costs));
     let figure = figure(&solvers, &of_all, &of_its_own);
     let beside = |ending: &str| -> PathBuf { name.with_extension(ending) };
     file::write(&beside("svg"), figure.svg())?;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::lcp::exchange;
 use lcplab::lesson::Program;
 use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::{self, Experiment, SHIPPED};
@@ -31,6 +32,7 @@ Example:
   lcplab report storage --pdf  # the chapter's sparse matrices, measured; and report.pdf
   lcplab report --print standard > mine.toml   # a start for a report of your own
   lcplab report mine.toml --out mine
+  lcplab report frames/*.json --solver pgs --sweeps 10   # problems of your own: what is missing, who solves them
   lcplab report --proofs       # with proof files, and buttons on the page that check them
   lcplab report --section convergence          # one section of the standard report
   lcplab report --redraw reports/standard      # the page again, nothing is solved
@@ -40,9 +42,15 @@ The folder gets index.html, which needs no network, results.json, and the data o
 table. results.json grows while the report runs; a run that was stopped goes on from it. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
 differ, or a study fails, 2 for bad input.")]
 pub struct Report {
-    /// A report file, or the name of a shipped report
+    /// A report file, the name of a shipped report, or problem files, folders and patterns of them
     #[arg(default_value = "standard")]
-    report: String,
+    report: Vec<String>,
+    /// Of problem files: the solver whose answers are examined
+    #[arg(long, default_value = "pgs")]
+    solver: String,
+    /// Of problem files: most sweeps or pivots of that solver
+    #[arg(long, visible_alias = "sweeps", default_value_t = 10)]
+    max_iterations: usize,
     /// List the shipped reports and the kinds of studies that a report file can ask for
     #[arg(long, conflicts_with_all = ["redraw", "compare"])]
     list: bool,
@@ -115,11 +123,12 @@ impl Report {
         if let Some(folder) = &self.redraw {
             return redraw(folder, self.proofs);
         }
-        if self.report == HANDOUT.name {
-            return self.handout();
-        }
-        let mut experiment = Experiment::load(&self.report)?;
-        let _running = self.plugins.start(&self.report, &experiment.plugins)?;
+        let mut experiment = match &self.report[..] {
+            [name] if name == HANDOUT.name => return self.handout(),
+            [name] if !is_of_problems(name) => Experiment::load(name)?,
+            names => Experiment::of_problems(names, &self.solver, self.max_iterations)?,
+        };
+        let _running = self.plugins.start(&self.report[0], &experiment.plugins)?;
         let mut folder = folder_of(self.out.as_deref(), "reports", &experiment.name)?;
         if let Some(id) = &self.section {
             experiment = experiment.only(id)?;
@@ -145,7 +154,12 @@ impl Report {
 
     /// The command that makes this page again, wherever it is run from the same folder.
     fn command(&self) -> String {
-        let mut words = vec!["lcplab".to_string(), "report".into(), shell_word(&self.report)];
+        let mut words = vec!["lcplab".to_string(), "report".into()];
+        words.extend(self.report.iter().map(|name| shell_word(name)));
+        if is_of_problems(&self.report[0]) {
+            words.extend(["--solver".into(), shell_word(&self.solver)]);
+            words.extend(["--sweeps".into(), self.max_iterations.to_string()]);
+        }
         if let Some(id) = &self.section {
             words.extend(["--section".into(), shell_word(id)]);
         }
@@ -180,6 +194,12 @@ impl Report {
         print(&format!("{}\n", path.display()))?;
         Ok((Outcome::Good, path))
     }
+}
+
+/// Whether a name is that of a problem file, or of a folder or a pattern of them.
+fn is_of_problems(name: &str) -> bool {
+    let path = Path::new(name);
+    exchange::is_problem(path) || path.is_dir() || (name.contains('*') && !path.exists())
 }
 
 /// What can be run, and what a report file can ask for.

@@ -60,6 +60,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::painleve::Plan>(),
     Kind::of::<study::friction_solvers::Plan>(),
     Kind::of::<study::published::Plan>(),
+    Kind::of::<study::frames::Plan>(),
 ];
 
 /// Reads the settings of a study from a file.

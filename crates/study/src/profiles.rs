@@ -9,7 +9,8 @@
 //!
 //! so ρ_s(1) is the share of its problems on which s is the cheapest, and ρ_s(∞) the share that it
 //! solves. *Solved* means claimed and accepted by the judge. What a solver says is not for it is no
-//! attempt and does not count for or against it; so each curve states of how many problems it is.
+//! attempt; whether it counts against the solver is asked both ways ([`of_all`]), and each curve states of how many problems
+//! it is.
 
 use serde::{Deserialize, Serialize};
 
@@ -96,13 +97,17 @@ pub fn profiles(costs: &[Vec<Cost>]) -> Vec<Profile> {
     (0..solvers).map(profile).collect()
 }
 
-/// The costs of the problems that have a solution, at the tolerance of this number: multiplications, at
-/// least one a row. Where nobody counts them, it is as if the solver had not tried.
-pub fn costs(tried: &[Tried], tolerance: usize) -> Vec<Vec<Cost>> {
+/// The costs of the problems that have a solution, at the tolerance of this number, counted by `measure` from the rows
+/// and an attempt. Where that is NaN, as multiplications that nobody counts, it is as if the solver had not tried.
+pub fn costs(
+    tried: &[Tried],
+    tolerance: usize,
+    measure: fn(usize, &Attempt) -> f64,
+) -> Vec<Vec<Cost>> {
     let solvable = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
     let cost = |rows: usize, attempt: &Attempt| match &attempt.outcome {
-        _ if attempt.work.is_nan() => Cost::NotTried,
-        outcome if outcome.is_solved() => Cost::Solved(attempt.work.max(rows as f64)),
+        _ if measure(rows, attempt).is_nan() => Cost::NotTried,
+        outcome if outcome.is_solved() => Cost::Solved(measure(rows, attempt)),
         outcome if outcome.is_attempt() => Cost::Failed,
         _ => Cost::NotTried,
     };
@@ -110,4 +115,25 @@ pub fn costs(tried: &[Tried], tolerance: usize) -> Vec<Vec<Cost>> {
         problem.attempts[tolerance].iter().map(|attempt| cost(problem.rows, attempt)).collect()
     };
     solvable.map(costs).collect()
+}
+
+/// Multiplications, at least one a row.
+pub fn multiplications(rows: usize, attempt: &Attempt) -> f64 {
+    attempt.work.max(rows as f64) + 0.0 * attempt.work
+}
+
+/// Sweeps, steps or pivots, at least one.
+pub fn iterations(_rows: usize, attempt: &Attempt) -> f64 {
+    attempt.iterations.max(1) as f64
+}
+
+/// The same costs where a problem that a solver did not try counts as one that it did not solve: the share is of all
+/// problems then. A solver that tried none stays out.
+pub fn of_all(costs: &[Vec<Cost>]) -> Vec<Vec<Cost>> {
+    let has_tried = |solver: usize| costs.iter().any(|row| row[solver] != Cost::NotTried);
+    let strict = |(solver, cost): (usize, &Cost)| match cost {
+        Cost::NotTried if has_tried(solver) => Cost::Failed,
+        cost => *cost,
+    };
+    costs.iter().map(|row| row.iter().enumerate().map(strict).collect()).collect()
 }

@@ -11,6 +11,7 @@ pub mod drift;
 pub mod film;
 pub mod footage;
 pub mod force_path;
+pub mod frames;
 pub mod friction;
 pub mod friction_solvers;
 pub mod history;

@@ -15,7 +15,9 @@ use crate::lcp::file::{Expected, Problem};
 use crate::lcp::library;
 use crate::memory::Memory;
 use lcplab_study::attempt::{attempt, entries, options};
-pub use lcplab_study::profiles::{Cost, Posed, Profile, Tried, costs, profiles};
+pub use lcplab_study::profiles::{
+    Cost, Posed, Profile, Tried, costs, iterations, multiplications, of_all, profiles,
+};
 
 /// Which problems and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -58,12 +60,14 @@ fn limit() -> usize {
 pub struct Seconds {
     /// The family.
     pub family: String,
-    /// By tolerance; in each the sum over the problems, by solver.
-    pub seconds: Vec<BTreeMap<String, f64>>,
+    /// By tolerance; in each by solver the sum over the problems that have a solution, `None` if it did not solve all of
+    /// them. Solvers that say of one that it is not for them are not there.
+    pub seconds: Vec<BTreeMap<String, Option<f64>>>,
 }
 
 impl Study for Plan {
     const NAME: &'static str = "profiles";
+    const ALONE: bool = true;
     type Finding = Tried;
     type Times = Seconds;
 
@@ -82,23 +86,45 @@ impl Study for Plan {
                 (source.name(), vec![(source.lcp()?, false)])
             }
         };
-        let mut seconds = vec![BTreeMap::new(); self.tolerances.len()];
-        let mut posed = Vec::new();
+        let (mut posed, mut clocks) = (Vec::new(), Vec::new());
         for (lcp, impossible) in problems {
-            let mut attempts = Vec::new();
-            for (tolerance, seconds) in self.tolerances.iter().zip(&mut seconds) {
+            let (mut attempts, mut clock) = (Vec::new(), Vec::new());
+            for tolerance in &self.tolerances {
                 let options = options(*tolerance, self.max_iterations);
-                let tried = entries.iter().map(|entry| {
-                    let tried = attempt(entry, &lcp, &options);
-                    *seconds.entry(tried.attempt.solver.clone()).or_insert(0.0) += tried.seconds;
-                    tried.attempt
-                });
-                attempts.push(tried.collect());
+                let tried = entries.iter().map(|entry| attempt(entry, &lcp, &options));
+                let (tried, times): (Vec<_>, Vec<_>) =
+                    tried.map(|tried| (tried.attempt, tried.seconds)).unzip();
+                attempts.push(tried);
+                clock.push(times);
             }
             posed.push(Posed { rows: lcp.len(), impossible, attempts });
+            clocks.push(clock);
         }
+        let seconds = (0..self.tolerances.len()).map(|k| seconds(&posed, &clocks, k)).collect();
         Ok((Tried { family: family.clone(), problems: posed }, Seconds { family, seconds }))
     }
+}
+
+/// What a family took each solver, at the tolerance of this number; `clocks` holds the times (s) by problem, tolerance
+/// and solver.
+pub fn seconds(
+    posed: &[Posed],
+    clocks: &[Vec<Vec<f64>>],
+    tolerance: usize,
+) -> BTreeMap<String, Option<f64>> {
+    let mut sums: BTreeMap<String, Option<f64>> = BTreeMap::new();
+    let mut outside = Vec::new();
+    for (posed, clock) in posed.iter().zip(clocks).filter(|(posed, _)| !posed.impossible) {
+        for (attempt, seconds) in posed.attempts[tolerance].iter().zip(&clock[tolerance]) {
+            if !attempt.outcome.is_attempt() {
+                outside.push(attempt.solver.clone());
+            }
+            let sum = sums.entry(attempt.solver.clone()).or_insert(Some(0.0));
+            *sum = sum.filter(|_| attempt.outcome.is_solved()).map(|sum| sum + seconds);
+        }
+    }
+    sums.retain(|solver, _| !outside.contains(solver));
+    sums
 }
 
 impl Plan {

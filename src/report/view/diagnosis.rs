@@ -174,7 +174,7 @@ fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Resu
 }
 
 /// What is missing sweep by sweep.
-fn convergence(courses: &[Course]) -> Lines {
+pub(super) fn convergence(courses: &[Course]) -> Lines {
     let points = |missing: &mut dyn Iterator<Item = Option<f64>>| {
         let placed = |(k, missing): (usize, Option<f64>)| Some((k as f64, 100.0 * missing?));
         missing.enumerate().filter_map(placed).collect::<Vec<_>>()

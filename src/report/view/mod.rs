@@ -11,6 +11,7 @@ mod families;
 mod film;
 mod footage;
 mod force_path;
+mod frames;
 mod friction_solvers;
 mod ledger;
 mod merits;

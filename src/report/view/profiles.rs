@@ -1,12 +1,16 @@
 //! Problem families × solvers, and performance profiles.
 
+use std::collections::BTreeMap;
+
 use super::attempt::{listed, tolerance};
 use super::{Document, Outcome as Verdict, View};
 use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::attempt::{Attempt, Outcome};
-use crate::report::study::profiles::{Cost, Plan, Profile, Tried, costs, profiles};
+use crate::report::study::profiles::{
+    Cost, Plan, Profile, Seconds, Tried, costs, iterations, multiplications, of_all, profiles,
+};
 use crate::solver::{ALL, Entry, Group};
 
 /// A failure: solver, tolerance, reason; and the families where it happened.
@@ -16,23 +20,30 @@ impl View for Plan {
     const TITLE: &'static str = "All solvers on all families";
 
     fn show(&self, tried: &[Tried], document: &mut Document) {
-        let Some(first) = tried.iter().flat_map(|family| &family.problems).next() else { return };
-        let solvers: Vec<String> =
-            first.attempts[0].iter().map(|attempt| attempt.solver.clone()).collect();
+        let solvers = solvers(tried);
+        if solvers.is_empty() {
+            return;
+        }
         document.text(
             "Every solver has a try at every problem, at each precision, from $x = 0$. What it says is \
-             not for it is no attempt. *Solved* means: it claims a solution and the judge accepts it. The \
-             cost is counted in multiplications, at least one a row: they are the same on every machine. A performance \
+             not for it is no attempt. *Solved* means: it claims a solution and the judge accepts it. A performance \
              profile compares problem by problem: with the cost $t_{ps}$ of solver s on problem p, ∞ if \
              it did not solve it,",
         );
         document.equation(
-            "r_{ps} = \\frac{t_{ps}}{\\min_s t_{ps}}, \\qquad \\rho_s(\\tau) = \\frac{|\\{p \\in P_s : \
-             r_{ps} \\le \\tau\\}|}{|P_s|}, \\qquad P_s = \\text{the problems that s attempted}",
+            "r_{ps} = \\frac{t_{ps}}{\\min_s t_{ps}}, \\qquad \\rho_s(\\tau) = \\frac{|\\{p \\in P : \
+             r_{ps} \\le \\tau\\}|}{|P|}",
             "Dolan & Moré 2002",
         );
-        document.figure(self.figure(tried, &solvers));
+        document.text(
+            "The share is of all problems $P$ that have a solution; beside it, of those alone that the solver took on. The \
+             first asks for one solver that does everything, the second is fair to those that are made for a kind of \
+             problem. What costs depends on who asks: multiplications are the same on every machine, iterations are what is \
+             talked about but are dearer for one method than for another, and the clock is in the section of times.",
+        );
+        document.figure(self.by_work(tried, &solvers));
         document.text(self.words(tried, &solvers));
+        document.figure(self.by_iterations(tried, &solvers));
         document.table("profiles_cost", iteration_costs());
         document.table("profiles_solvers", self.by_solver(tried, &solvers));
         for (k, tolerance) in self.tolerances.iter().enumerate() {
@@ -42,6 +53,35 @@ impl View for Plan {
             );
         }
         document.table("profiles_failures", self.failures(tried));
+    }
+
+    fn show_times(&self, times: &[Seconds], document: &mut Document) {
+        if let Some(figure) = self.by_time(times) {
+            document.figure(figure);
+        }
+    }
+
+    fn answer(&self, tried: &[Tried]) -> Option<String> {
+        let last = self.tolerances.len().checked_sub(1)?;
+        let (solvers, costs) = (solvers(tried), costs(tried, last, multiplications));
+        let solved = |solver: usize| costs.iter().filter(|row| is_solved(&row[solver])).count();
+        let best = (0..solvers.len()).map(solved).max().filter(|best| *best > 0)?;
+        let named: Vec<String> = (0..solvers.len())
+            .filter(|solver| solved(*solver) == best)
+            .map(|solver| format!("*{}*", solvers[solver]))
+            .collect();
+        let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
+        let nobody = match unsolved {
+            0 => String::new(),
+            count => format!("; {count} nobody"),
+        };
+        let verb = if named.len() == 1 { "solves" } else { "solve" };
+        Some(format!(
+            "**Who solves most?** Of {} problems, to {}, {} {verb} {best}{nobody}.",
+            costs.len(),
+            tolerance(self.tolerances[last]),
+            listed(&named)
+        ))
     }
 
     fn outcome(&self, tried: &[Tried]) -> Verdict {
@@ -58,49 +98,61 @@ impl View for Plan {
 }
 
 impl Plan {
-    fn figure(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
-        let by_tolerance: Vec<Vec<Profile>> =
-            (0..self.tolerances.len()).map(|k| profiles(&costs(tried, k))).collect();
-        let is_counted =
-            |solver: usize| by_tolerance.iter().any(|profiles| profiles[solver].attempted > 0);
-        let curve = |solver: usize| Curve {
-            name: solvers[solver].clone(),
-            columns: by_tolerance
-                .iter()
-                .map(|profiles| (profiles[solver].steps.clone(), profiles[solver].attempted))
-                .collect(),
-        };
-        let group = |group: Option<Group>| Line {
-            name: group.map_or("Others", Group::name).into(),
-            curves: (0..solvers.len())
-                .filter(|solver| Group::of(&solvers[*solver]) == group)
-                .filter(|solver| is_counted(*solver))
-                .map(curve)
-                .collect(),
-        };
-        let groups = Group::ALL.into_iter().map(Some).chain([None]).map(group);
-        let precision = |value: &f64| format!("scaled residual {}", tolerance(*value));
-        Profiles {
-            id: "performance_profiles".into(),
-            title: "Performance profiles".into(),
-            caption: "A curve is the share of the problems its solver attempted (how many: in brackets, \
-                      one number a precision where they differ) that it solves within τ times the cheapest \
-                      solver's multiplications. Far left: how often it is the cheapest. Far right: how \
-                      often it succeeds at all. Steep and high is good. The other groups are pale behind. Sweeps and \
-                      Newton's method do not look whether A is symmetric: they attempt problems that they \
-                      are not made for, and lose them."
-                .into(),
-            x: Axis::log("τ: at most so many times the cheapest", ""),
-            y: Axis::linear("share solved", ""),
-            columns: self.tolerances.iter().map(precision).collect(),
-            groups: groups.filter(|group| !group.curves.is_empty()).collect(),
+    /// By multiplications: of all problems at each precision, and at the last of those that a solver took on.
+    fn by_work(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
+        let mut columns = Vec::new();
+        for (k, precision) in self.tolerances.iter().enumerate() {
+            let costs = costs(tried, k, multiplications);
+            let title = format!("{}, of all problems", tolerance(*precision));
+            columns.push((title, profiles(&of_all(&costs))));
+            if k + 1 == self.tolerances.len() {
+                let title = format!("{}, of those it took on", tolerance(*precision));
+                columns.push((title, profiles(&costs)));
+            }
         }
+        let caption = "A curve is the share of the problems (how many: in brackets, one number a column where they differ) that \
+                       a solver solves within τ times the cheapest solver's multiplications. Far left: how often it is the \
+                       cheapest. Far right: how often it succeeds at all. Steep and high is good. The other groups are pale \
+                       behind. Sweeps and Newton's method do not look whether A is symmetric: they attempt problems that \
+                       they are not made for, and lose them.";
+        drawn("performance_profiles", "multiplications", caption, solvers, columns)
+    }
+
+    /// By iterations, at the last precision.
+    fn by_iterations(&self, tried: &[Tried], solvers: &[String]) -> Profiles {
+        let costs = costs(tried, self.tolerances.len().saturating_sub(1), iterations);
+        let columns = both(&costs);
+        let caption = "The same by sweeps, steps or pivots. A pivot of Dantzig's method is cheap, a step of Newton's method \
+                       solves a linear system: compare within a group.";
+        drawn("performance_profiles_iterations", "iterations", caption, solvers, columns)
+    }
+
+    /// By wall time, at the last precision; a family is won by who solved all of its problems in the least time.
+    fn by_time(&self, times: &[Seconds]) -> Option<Profiles> {
+        let of_family = |own: &Seconds| own.seconds.last().cloned().unwrap_or_default();
+        let times: Vec<_> = times.iter().map(of_family).collect();
+        let mut solvers: Vec<String> = times.iter().flat_map(|own| own.keys().cloned()).collect();
+        solvers.sort();
+        solvers.dedup();
+        let cost = |own: &BTreeMap<String, Option<f64>>, name: &String| match own.get(name) {
+            Some(Some(seconds)) => Cost::Solved(seconds.max(f64::MIN_POSITIVE)),
+            Some(None) => Cost::Failed,
+            None => Cost::NotTried,
+        };
+        let row = |own| solvers.iter().map(|name| cost(own, name)).collect();
+        let costs: Vec<Vec<Cost>> = times.iter().map(row).collect();
+        if solvers.is_empty() {
+            return None;
+        }
+        let caption =
+            "The same by the clock. A family counts as solved if all of its problems are.";
+        Some(drawn("performance_profiles_time", "wall time", caption, &solvers, both(&costs)))
     }
 
     /// Who solved all that it attempted, and who was cheapest, at the last precision.
     fn words(&self, tried: &[Tried], solvers: &[String]) -> String {
         let Some(last) = self.tolerances.len().checked_sub(1) else { return String::new() };
-        let costs = costs(tried, last);
+        let costs = costs(tried, last, multiplications);
         let profiles = profiles(&costs);
         let share = |profile: &Profile| profile.steps.last().map_or(0.0, |(_, share)| *share);
         let named = || solvers.iter().zip(&profiles);
@@ -228,6 +280,57 @@ impl Plan {
             rows: gathered(tried).into_iter().map(row).collect(),
             ..Table::default()
         }
+    }
+}
+
+/// The solvers, in the order of the attempts.
+fn solvers(tried: &[Tried]) -> Vec<String> {
+    let first = tried.iter().flat_map(|family| &family.problems).next();
+    let attempts = first.and_then(|problem| problem.attempts.first());
+    attempts.into_iter().flatten().map(|attempt| attempt.solver.clone()).collect()
+}
+
+/// The profiles of all problems, and of those that a solver took on.
+fn both(costs: &[Vec<Cost>]) -> Vec<(String, Vec<Profile>)> {
+    vec![
+        ("of all problems".into(), profiles(&of_all(costs))),
+        ("of those it took on".into(), profiles(costs)),
+    ]
+}
+
+/// Profiles as a figure: a line of panels a group of solvers, a column a title.
+fn drawn(
+    id: &str,
+    cost: &str,
+    caption: &str,
+    solvers: &[String],
+    columns: Vec<(String, Vec<Profile>)>,
+) -> Profiles {
+    let is_counted = |solver: usize| columns.iter().any(|(_, own)| own[solver].attempted > 0);
+    let curve = |solver: usize| Curve {
+        name: solvers[solver].clone(),
+        columns: columns
+            .iter()
+            .map(|(_, own)| (own[solver].steps.clone(), own[solver].attempted))
+            .collect(),
+    };
+    let group = |group: Option<Group>| Line {
+        name: group.map_or("Others", Group::name).into(),
+        curves: (0..solvers.len())
+            .filter(|solver| Group::of(&solvers[*solver]) == group)
+            .filter(|solver| is_counted(*solver))
+            .map(curve)
+            .collect(),
+    };
+    let groups = Group::ALL.into_iter().map(Some).chain([None]).map(group);
+    Profiles {
+        id: id.into(),
+        title: format!("Performance profiles, {cost}"),
+        caption: caption.into(),
+        x: Axis::log("τ: at most so many times the least", ""),
+        y: Axis::linear("share solved", ""),
+        columns: columns.iter().map(|(title, _)| title.clone()).collect(),
+        groups: groups.filter(|group| !group.curves.is_empty()).collect(),
     }
 }
 

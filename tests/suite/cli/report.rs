@@ -153,3 +153,41 @@ fn every_row_that_shows_the_verdict_of_a_problem_links_to_a_proof_that_a_strange
     let checked = Command::new("python3").arg(checker).arg(page.join("proofs")).output().unwrap();
     assert!(out(&checked).ends_with("4 of 4 proofs prove their claims\n"), "{}", out(&checked));
 }
+
+#[test]
+fn problem_files_make_a_report_of_what_is_missing_and_who_solves_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let set = ["--set", "generate.count=3"];
+    for step in ["1", "2"] {
+        let file = at(&format!("step-{step}.json"));
+        let told = run(&[&["export", "stack", "--step", step, "--out", &file][..], &set].concat());
+        assert_eq!(told.status.code(), Some(0));
+    }
+    let out_folder = at("page");
+    let told = run(&["report", &at("*.json"), "--sweeps", "2", "--out", &out_folder]);
+    assert_eq!(told.status.code(), Some(0), "{told:?}");
+    let page = std::fs::read_to_string(at("page/index.html")).unwrap();
+    for part in ["2 sweeps of pgs leave", "Who solves most?", "step-1.json", "dantzig"] {
+        assert!(page.contains(part), "{part}");
+    }
+    // It names the command that makes it again, and is drawn again from its results to the same bytes.
+    assert!(page.contains("--solver pgs --sweeps 2"));
+    assert_eq!(run(&["report", "--redraw", &out_folder]).status.code(), Some(0));
+    assert!(page == std::fs::read_to_string(at("page/index.html")).unwrap());
+    let told = run(&["report", &at("step-1.json"), "mine.toml"]);
+    assert_eq!(told.status.code(), Some(2));
+    let error = String::from_utf8(told.stderr).unwrap();
+    assert!(error.contains("mine.toml: file: is no problem file by its ending"), "{error}");
+}
+
+#[test]
+fn a_shipped_report_prints_as_a_start_for_one_of_ones_own() {
+    let printed = run(&["report", "--print", "friction"]);
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/friction.toml");
+    assert_eq!(out(&printed), std::fs::read_to_string(file).unwrap());
+    assert_eq!(run(&["report", "--print", "fiction"]).status.code(), Some(2));
+    let schema: serde_json::Value =
+        serde_json::from_str(&out(&run(&["report", "--schema"]))).unwrap();
+    assert_eq!(schema["title"], "A report of lcplab");
+}

@@ -7,7 +7,7 @@ use lcplab::report::results::Results;
 use lcplab::report::study::Study;
 use lcplab::report::study::attempt::{Attempt, Outcome};
 use lcplab::report::study::posed::{BLOW, Source};
-use lcplab::report::study::profiles::{self, Cost, costs, profiles};
+use lcplab::report::study::profiles::{self, Cost, costs, multiplications, of_all, profiles};
 use lcplab::report::study::ratio::{self, Stack, System};
 use lcplab::report::study::{plane, race, relaxation, residual_map, scaling, warm_start};
 use lcplab::report::view;
@@ -133,6 +133,37 @@ fn a_profile_is_the_one_worked_out_by_hand() {
     assert_eq!(b.steps, [(1.0, 1.0 / 3.0)]);
     assert_eq!(c.steps, [(1.0, 0.5)]);
     assert!(profiles(&[]).is_empty());
+    // Of all problems: c has lost p1, which it did not try. Who never tries stays out.
+    let [.., c] = &profiles(&of_all(&costs))[..] else { panic!("three solvers") };
+    assert_eq!((c.attempted, &c.steps[..]), (3, &[(1.0, 1.0 / 3.0)][..]));
+    assert_eq!(profiles(&of_all(&[vec![Solved(1.0), NotTried]]))[1].attempted, 0);
+}
+
+/// p1 has a solution and p2 has none; a solves p1, b fails, c says that p1 is not for it.
+#[test]
+fn the_clock_of_a_family_counts_what_has_a_solution_and_was_solved() {
+    let attempt = |solver: &str, outcome| Attempt {
+        solver: solver.into(),
+        outcome,
+        iterations: 1,
+        work: 1.0,
+    };
+    let attempts = |own: [Outcome; 3]| {
+        vec!["a", "b", "c"].into_iter().zip(own).map(|(name, own)| attempt(name, own)).collect()
+    };
+    let (failed, outside) = (Outcome::Failed("f".into()), Outcome::Outside("o".into()));
+    let posed = [
+        (false, [Outcome::Accepted, failed.clone(), outside]),
+        (true, [failed.clone(), failed.clone(), failed]),
+    ]
+    .map(|(impossible, own)| profiles::Posed {
+        rows: 1,
+        impossible,
+        attempts: vec![attempts(own)],
+    });
+    let clocks = [vec![vec![0.25, 0.5, 0.125]], vec![vec![4.0, 4.0, 4.0]]];
+    let seconds = profiles::seconds(&posed, &clocks, 0);
+    assert_eq!(seconds, [("a".to_string(), Some(0.25)), ("b".to_string(), None)].into());
 }
 
 #[test]
@@ -141,7 +172,7 @@ fn problems_without_solution_are_in_the_tables_and_not_in_the_profiles() {
     let tried: Vec<_> = (0..2).map(|task| plan.run(task).unwrap().0).collect();
     assert!(tried[0].problems[0].impossible && !tried[1].problems[0].impossible);
     for (k, _) in plan.tolerances.iter().enumerate() {
-        assert_eq!(costs(&tried, k).len(), 1);
+        assert_eq!(costs(&tried, k, multiplications).len(), 1);
         let claimed = |attempt: &Attempt| attempt.outcome.is_claim();
         assert!(!tried[0].problems[0].attempts[k].iter().any(claimed));
     }

@@ -9,6 +9,8 @@ mod text;
 
 pub use show::Show;
 
+use serde::{Deserialize, Serialize};
+
 use crate::page::Picture;
 use lcplab_problem::error::Result;
 use notation::{latex, plain};
@@ -30,7 +32,7 @@ pub enum Format {
 }
 
 /// Words, formulas, tables and pictures, in sections.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Document {
     /// The heading.
     pub title: String,
@@ -43,7 +45,7 @@ pub struct Document {
 }
 
 /// A part with a heading.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Section {
     /// The heading.
     pub title: String,
@@ -52,7 +54,7 @@ pub struct Section {
 }
 
 /// A piece of a section. Words are plain text; no sign in them means anything but itself.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Block {
     /// A paragraph.
     Text(String),
@@ -65,7 +67,7 @@ pub enum Block {
 }
 
 /// A formula: its pieces from left to right, and its unit.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Formula {
     /// Symbols, numbers and matrices.
     pub pieces: Vec<Piece>,
@@ -74,7 +76,7 @@ pub struct Formula {
 }
 
 /// A piece of a formula.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Piece {
     /// Symbols, as they are read on a terminal and in LaTeX.
     Symbols {
@@ -88,7 +90,7 @@ pub enum Piece {
 }
 
 /// A matrix of numbers, of which the first [`SHOWN`] rows and columns are written.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Grid {
     /// The entries that are written, by rows.
     pub entries: Vec<Vec<f64>>,
@@ -99,7 +101,7 @@ pub struct Grid {
 }
 
 /// A table.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Table {
     /// One line that no other table of the document has.
     pub title: String,
@@ -132,11 +134,14 @@ impl Section {
         self.blocks.push(Block::Figure(picture));
     }
 
-    /// Adds a table, of which at most [`SHOWN`] lines are kept.
+    /// Adds a table, of which at most [`SHOWN`] lines are kept, and no column without an entry.
     pub fn table(&mut self, title: &str, columns: &[&str], mut rows: Vec<Vec<String>>) {
         let left_out = rows.len().saturating_sub(SHOWN);
         rows.truncate(SHOWN);
-        let columns = columns.iter().map(|title| title.to_string()).collect();
+        let is_kept = |c: usize| rows.is_empty() || rows.iter().any(|row| !row[c].is_empty());
+        let kept: Vec<usize> = (0..columns.len()).filter(|c| is_kept(*c)).collect();
+        let columns = kept.iter().map(|c| columns[*c].to_string()).collect();
+        let rows = rows.iter().map(|row| kept.iter().map(|c| row[*c].clone()).collect()).collect();
         self.blocks.push(Block::Table(Table { title: title.into(), columns, rows, left_out }));
     }
 }

@@ -11,6 +11,8 @@ mod origin;
 mod player;
 mod render;
 
+use serde::{Deserialize, Serialize};
+
 use crate::figure::Figure;
 use crate::number::significant;
 use crate::{csv, number};
@@ -165,7 +167,7 @@ pub struct Proof {
 }
 
 /// A numbered picture with its caption.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Picture {
     /// An SVG document, put on the page as it is.
     pub svg: String,

@@ -1,9 +1,11 @@
 //! How what a figure or table shows was obtained.
 
+use serde::{Deserialize, Serialize};
+
 use super::{Block, Section};
 
 /// The way from nothing to a figure or table; what is empty is not shown.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Origin {
     /// The scene or problem.
     pub scene: String,

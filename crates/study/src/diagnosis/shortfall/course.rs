@@ -1,6 +1,7 @@
 //! What is missing sweep by sweep, measured and by theory.
 
 use lcplab_solver::{Order, Pgs};
+use serde::{Deserialize, Serialize};
 
 use super::examine::{GOOD, Practice};
 use super::frame::Frame;
@@ -16,7 +17,7 @@ const MOST: usize = 400;
 const METHODS: [&str; 2] = ["block-pgs", "anderson-pgs"];
 
 /// What is missing at the start and after each sweep.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Course {
     /// Who sweeps.
     pub name: String,

@@ -1,0 +1,91 @@
+//! Problems of a run of one's own: what is missing in the answers of a solver, and why.
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Study;
+use crate::diagnosis::shortfall::{Course, Practice, courses, examine_sequence};
+use crate::document::Document;
+use crate::error::{Error, Result};
+use crate::lcp::exchange;
+use crate::lcp::file::Problem;
+use crate::solver::Options;
+use lcplab_study::methods;
+
+/// Which problems, and who solves them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// Problem files, folders of them, or patterns; each is solved from the answer to the one before.
+    pub files: Vec<String>,
+    /// The solver.
+    #[serde(default = "pgs")]
+    pub solver: String,
+    /// More sweeps or pivots are not made.
+    #[serde(default = "limit")]
+    pub max_iterations: usize,
+}
+
+fn pgs() -> String {
+    "pgs".into()
+}
+
+fn limit() -> usize {
+    10
+}
+
+/// What was found.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Finding {
+    /// The diagnosis in words and tables.
+    pub words: Document,
+    /// What is missing sweep by sweep in the problem that was examined.
+    pub courses: Vec<Course>,
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "frames";
+    type Finding = Finding;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        vec![self.files.join(", ")]
+    }
+
+    fn run(&self, _task: usize) -> Result<(Finding, ())> {
+        let problems = self.problems()?;
+        let mut options = Options::default();
+        options.settings.max_iterations = self.max_iterations;
+        let practice = Practice { entry: methods::entry(&self.solver)?, options };
+        let found = examine_sequence(&problems, &practice);
+        let mut words = Document::default();
+        found.open(&mut words);
+        let is_short = found.shortfall.as_ref().is_some_and(|own| own.is_short());
+        let frame = found.frame.as_ref().filter(|_| is_short);
+        let courses = frame.map_or_else(Vec::new, |frame| courses(frame, &practice));
+        Ok((Finding { words, courses }, ()))
+    }
+}
+
+impl Plan {
+    /// The problems, each with the name of its file.
+    fn problems(&self) -> Result<Vec<Problem>> {
+        let mut problems = Vec::new();
+        for name in &self.files {
+            let files = exchange::several(name, exchange::is_problem)?;
+            for file in files.unwrap_or_else(|| vec![name.clone()]) {
+                let path = Path::new(&file);
+                let mut problem = exchange::read(path, None)?;
+                problem.name =
+                    path.file_name().map_or(String::new(), |own| own.to_string_lossy().into());
+                problems.push(problem);
+            }
+        }
+        if problems.is_empty() {
+            return Err(Error::invalid("frames", "files", "there are none"));
+        }
+        Ok(problems)
+    }
+}

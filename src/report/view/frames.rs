@@ -1,0 +1,36 @@
+//! The diagnosis of problems of one's own.
+
+use super::diagnosis::convergence;
+use super::{Document, Outcome, View};
+use crate::report::page::markup::literal;
+use crate::report::study::frames::{Finding, Plan};
+
+impl View for Plan {
+    const TITLE: &'static str = "What is missing, and why";
+
+    fn show(&self, found: &[Finding], document: &mut Document) {
+        for Finding { words, courses } in found {
+            if !courses.is_empty() {
+                document.figure(convergence(courses));
+            }
+            for section in &words.sections {
+                document.text(format!("**{}.**", literal(&section.title)));
+                section.blocks.iter().for_each(|block| document.add(block.on_page()));
+            }
+        }
+    }
+
+    fn answer(&self, found: &[Finding]) -> Option<String> {
+        let Finding { words, .. } = found.first()?;
+        let who = format!(
+            "**What does {} leave after {} iterations?**",
+            self.solver, self.max_iterations
+        );
+        Some(format!("{who} {}", literal(words.lead.trim())))
+    }
+
+    fn outcome(&self, found: &[Finding]) -> Outcome {
+        let says = found.iter().map(|found| found.words.lead.trim());
+        Outcome { good: true, says: says.collect::<Vec<_>>().join(" ") }
+    }
+}
