@@ -40,6 +40,28 @@ impl Browser {
         Ok(pdf)
     }
 
+    /// Prints an SVG picture to a page of its size.
+    ///
+    /// # Errors
+    /// If the browser does not print it.
+    pub fn print_picture(&self, svg: &str, pdf: &Path) -> Result<()> {
+        let page = pdf.with_extension("page.html");
+        let size = |key: &str| {
+            let after = svg.split(&format!(" {key}=\"")).nth(1).unwrap_or_default();
+            after.split('"').next().unwrap_or_default().to_string()
+        };
+        let (width, height) = (size("width"), size("height"));
+        let style = format!(
+            "@page {{ size: {width}px {height}px; margin: 0 }} body {{ margin: 0 }} svg {{ display: block }}"
+        );
+        let html = format!("<!doctype html><meta charset=\"utf-8\"><style>{style}</style>{svg}");
+        file::write(&page, html)?;
+        let printed = file::made_by(pdf, |part| self.print_to(part, &page));
+        // The page was the browser's alone.
+        let _ = fs::remove_file(&page);
+        printed
+    }
+
     fn print_to(&self, part: &Path, page: &Path) -> Result<()> {
         let address = page.canonicalize().map_err(|cause| Error::file(page, &cause))?;
         let profile = env::temp_dir().join(format!("lcplab-print-{}", process::id()));

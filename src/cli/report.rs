@@ -35,6 +35,7 @@ Example:
   lcplab report frames/*.json --solver pgs --sweeps 10   # problems of your own: what is missing, who solves them
   lcplab report --proofs       # with proof files, and buttons on the page that check them
   lcplab report --section convergence          # one section of the standard report
+  lcplab report --section convergence --figure convergence_chain --out chain.pdf   # one figure alone
   lcplab report --redraw reports/standard      # the page again, nothing is solved
   lcplab report --compare before/results.json after/results.json
 
@@ -72,6 +73,10 @@ pub struct Report {
     /// Run one section alone, by its id: the study's name, or the anchor in the page's address
     #[arg(long, value_name = "ID")]
     section: Option<String>,
+    /// Write one figure alone, by its id, to the file of --out: .svg, .pdf, or its numbers as .csv. With --redraw nothing
+    /// is computed; with --section only that section is
+    #[arg(long, value_name = "ID", requires = "out", conflicts_with_all = ["compare", "pdf", "proofs"])]
+    figure: Option<String>,
     /// Start over even if an interrupted run has left results to go on from
     #[arg(long)]
     fresh: bool,
@@ -121,7 +126,7 @@ impl Report {
     /// Writes the page; returns how the report came out, and the page's path.
     fn page(&self, limits: &Limits) -> Result<(Outcome, PathBuf)> {
         if let Some(folder) = &self.redraw {
-            return redraw(folder, self.proofs);
+            return self.shown(&read_results(folder)?, folder);
         }
         let mut experiment = match &self.report[..] {
             [name] if name == HANDOUT.name => return self.handout(),
@@ -129,7 +134,8 @@ impl Report {
             names => Experiment::of_problems(names, &self.solver, self.max_iterations)?,
         };
         let _running = self.plugins.start(&self.report[0], &experiment.plugins)?;
-        let mut folder = folder_of(self.out.as_deref(), "reports", &experiment.name)?;
+        let out = self.out.as_deref().filter(|_| self.figure.is_none());
+        let mut folder = folder_of(out, "reports", &experiment.name)?;
         if let Some(id) = &self.section {
             experiment = experiment.only(id)?;
             folder.push(id);
@@ -138,17 +144,22 @@ impl Report {
             // Fails only if the pool exists already, which nothing before this has made.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
-        let earlier = if self.fresh { None } else { interrupted(&folder.join(write::RESULTS)) };
+        let is_alone = self.figure.is_some();
+        let begun = || interrupted(&folder.join(write::RESULTS));
+        let earlier = if self.fresh || is_alone { None } else { begun() };
         experiment.command = Some(self.command());
         let progress = bar(0, "");
-        let save = |results: &Results| write::results(results, &folder);
+        let save = |results: &Results| match is_alone {
+            true => Ok(()),
+            false => write::results(results, &folder),
+        };
         let stop = limits.stop();
         let results = run::run(&experiment, earlier.as_ref(), &progress, stop, &save)?;
         let stopped = stop.reason().filter(|_| !results.is_complete());
         limits.over();
         progress.finish_and_clear();
-        write::results(&results, &folder)?;
-        let (outcome, page) = shown(&results, &folder, self.proofs)?;
+        save(&results)?;
+        let (outcome, page) = self.shown(&results, &folder)?;
         Ok((stopped.map_or(outcome, Outcome::Stopped), page))
     }
 
@@ -171,6 +182,31 @@ impl Report {
         }
         words.extend(self.plugins.word());
         words.join(" ")
+    }
+
+    /// Writes the page, with proofs if they are asked for, and prints the summary; or a figure alone.
+    fn shown(&self, results: &Results, folder: &Path) -> Result<(Outcome, PathBuf)> {
+        let mut document = view::document(results)?;
+        if let (Some(id), Some(file)) = (&self.figure, &self.out) {
+            alone(&document, id, file)?;
+            print(&format!("{}\n", file.display()))?;
+            return Ok((Outcome::Good, file.clone()));
+        }
+        if self.proofs {
+            let progress = bar(0, "proofs");
+            let proofs = Proofs::of(&Experiment::of(results)?, &progress)?;
+            progress.finish_and_clear();
+            proofs.write(folder)?;
+            proofs.onto(&mut document);
+            let left_out = match proofs.left_out {
+                0 => String::new(),
+                count => format!(", {count} more would be too many files"),
+            };
+            say(&format!("{} proofs in {}/proofs{left_out}", proofs.count(), folder.display()));
+        }
+        let page = write::document(&document, folder)?;
+        print(&format!("{}\n{}\n", results.summary()?, page.display()))?;
+        Ok((if results.is_good()? { Outcome::Good } else { Outcome::Refuted }, page))
     }
 
     fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
@@ -216,33 +252,31 @@ fn list() -> Result<Outcome> {
     Ok(Outcome::Good)
 }
 
-/// The page of results that were found before.
-fn redraw(folder: &Path, proofs: bool) -> Result<(Outcome, PathBuf)> {
+/// The results of a folder.
+fn read_results(folder: &Path) -> Result<Results> {
     let path = folder.join(write::RESULTS);
-    let results: Results = serde_json::from_value(difference::read(&path)?).map_err(|cause| {
-        Error::invalid(path.display().to_string(), "results", cause.to_string())
-    })?;
-    shown(&results, folder, proofs)
+    serde_json::from_value(difference::read(&path)?)
+        .map_err(|cause| Error::invalid(path.display().to_string(), "results", cause.to_string()))
 }
 
-/// Writes the page, with proofs if they are asked for, and prints the summary.
-fn shown(results: &Results, folder: &Path, with_proofs: bool) -> Result<(Outcome, PathBuf)> {
-    let mut document = view::document(results)?;
-    if with_proofs {
-        let progress = bar(0, "proofs");
-        let proofs = Proofs::of(&Experiment::of(results)?, &progress)?;
-        progress.finish_and_clear();
-        proofs.write(folder)?;
-        proofs.onto(&mut document);
-        let left_out = match proofs.left_out {
-            0 => String::new(),
-            count => format!(", {count} more would be too many files"),
-        };
-        say(&format!("{} proofs in {}/proofs{left_out}", proofs.count(), folder.display()));
+/// Writes a figure alone.
+fn alone(document: &view::Document, id: &str, file: &Path) -> Result<()> {
+    let known = || document.figures.iter().map(|figure| figure.id().into()).collect();
+    let figure = document.figures.iter().find(|figure| figure.id() == id);
+    let figure = figure.ok_or_else(|| Error::Unknown {
+        kind: "figure in this report",
+        name: id.into(),
+        known: known(),
+    })?;
+    match file.extension().and_then(|ending| ending.to_str()) {
+        Some("svg") => file::write(file, figure.svg()),
+        Some("csv") => file::write(file, figure.csv()),
+        Some("pdf") => Browser::find()?.print_picture(&figure.svg(), file),
+        _ => {
+            let reason = "must end in .svg, .pdf or .csv";
+            Err(Error::invalid(file.display().to_string(), "--out", reason))
+        }
     }
-    let page = write::document(&document, folder)?;
-    print(&format!("{}\n{}\n", results.summary()?, page.display()))?;
-    Ok((if results.is_good()? { Outcome::Good } else { Outcome::Refuted }, page))
 }
 
 /// What a run that did not come to its end has left, as far as nobody has changed it since; nothing if

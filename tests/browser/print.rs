@@ -78,3 +78,29 @@ fn the_standard_report_has_at_most_twenty_sheets_and_every_figure_on_them_has_it
     );
     assert_eq!(seen, json!([true, []]));
 }
+
+#[test]
+fn a_figure_alone_is_one_sheet_of_its_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let (svg, pdf) = (folder.path().join("f.svg"), folder.path().join("f.pdf"));
+    for file in [&svg, &pdf] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
+        command.args(["report", "--section", "rates", "--figure", "rates_error", "--out"]);
+        let output = command.arg(file).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+    let pdf = fs::read(pdf).unwrap();
+    assert_eq!(pages(&pdf), 1);
+    let size = |key: &str| -> f64 {
+        let svg = fs::read_to_string(&svg).unwrap();
+        let value = svg.split(&format!(" {key}=\"")).nth(1).unwrap().split('"').next().unwrap();
+        value.parse().unwrap()
+    };
+    // A point is 1/72 inch, a pixel 1/96.
+    let text = String::from_utf8_lossy(&pdf);
+    let sheet = text.split("/MediaBox [").nth(1).unwrap().split(']').next().unwrap().to_string();
+    let sheet: Vec<f64> = sheet.split_whitespace().map(|word| word.parse().unwrap()).collect();
+    for (side, key) in sheet[2..].iter().zip(["width", "height"]) {
+        assert!((side - 0.75 * size(key)).abs() < 1.0, "{key}: {sheet:?}");
+    }
+}

@@ -191,3 +191,27 @@ fn a_shipped_report_prints_as_a_start_for_one_of_ones_own() {
         serde_json::from_str(&out(&run(&["report", "--schema"]))).unwrap();
     assert_eq!(schema["title"], "A report of lcplab");
 }
+
+#[test]
+fn a_figure_alone_is_that_of_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, page) = (folder.path().join("two.toml"), folder.path().join("page"));
+    std::fs::write(&file, TWO).unwrap();
+    let [file, page] = [&file, &page].map(|path| path.to_str().unwrap());
+    assert_eq!(run(&["report", file, "--out", page]).status.code(), Some(0));
+    for (ending, source) in [("svg", &["--redraw", page]), ("csv", &[file, "--fresh"])] {
+        let alone = folder.path().join(format!("alone.{ending}"));
+        let out = ["--figure", "rates_error", "--out", alone.to_str().unwrap()];
+        let told = run(&[&["report"][..], source, &out].concat());
+        assert_eq!(told.status.code(), Some(0), "{}", err(&told));
+        let beside = Path::new(page).join(format!("data/rates_error.{ending}"));
+        assert_eq!(std::fs::read(&alone).unwrap(), std::fs::read(beside).unwrap());
+    }
+    let refused = |figure: &str, out: &str| {
+        let told = run(&["report", "--redraw", page, "--figure", figure, "--out", out]);
+        assert_eq!(told.status.code(), Some(2));
+        err(&told)
+    };
+    assert!(refused("nothing", "a.svg").contains("named \"nothing\"; there are worst_cases"));
+    assert!(refused("rates_error", "a.png").contains("must end in .svg, .pdf or .csv"));
+}
