@@ -48,7 +48,8 @@ pub fn several(name: &str, wanted: fn(&Path) -> bool) -> Result<Option<Vec<Strin
         }
     }
     if files.is_empty() {
-        return Err(fault("there is none of the kind that is wanted".into()));
+        let place = if is_pattern { "matches this pattern" } else { "is in this folder" };
+        return Err(fault(format!("no file that can be read {place}")));
     }
     Ok(Some(files))
 }

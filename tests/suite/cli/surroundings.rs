@@ -128,7 +128,6 @@ fn a_folder_is_no_file_and_says_so() {
     // Of these a folder may have the name of what is shipped: it is neither.
     for (command, what) in [
         (&["simulate"][..], "scene file or shipped scene"),
-        (&["report"], "report file or shipped report"),
         (&["grid", "plan"], "grid file or shipped grid"),
     ] {
         let refused = run(&[command, &[path]].concat());
@@ -136,6 +135,9 @@ fn a_folder_is_no_file_and_says_so() {
         assert_eq!(refused.status.code(), Some(2));
         assert!(err(&refused).starts_with(&told), "{}", err(&refused));
     }
+    // A report takes a folder of problems.
+    let empty = format!("{path}: files: no file that can be read is in this folder");
+    assert_refused(&run(&["report", path]), &empty);
 }
 
 #[test]
