@@ -88,6 +88,11 @@ impl Camera {
         Vector3::new(self.right.dot(point), self.up.dot(point), self.eye.dot(point))
     }
 
+    /// The point of the world (m) that appears there: to the right, up, and towards the viewer.
+    pub fn world(&self, seen: &Vector3<f64>) -> Vector3<f64> {
+        self.right * seen.x + self.up * seen.y + self.eye * seen.z
+    }
+
     /// The unit vector towards the viewer.
     pub fn toward(&self) -> Vector3<f64> {
         self.eye

@@ -62,3 +62,32 @@ fn the_slider_moves_the_bodies() {
     );
     assert_eq!(found, json!([[7, "70"], true, true]));
 }
+
+/// The page of a simulated stack: seen from above its ground is a plane, from below only a grid.
+#[test]
+fn a_drag_turns_the_camera_and_two_clicks_turn_it_back() {
+    let page = super::written(&["simulate", "stack", "--steps", "10"], "index.html");
+    let script = format!(
+        "{FILM}{}",
+        "const svg = part('.stage'), soil = part('.soil'), first = [stage(), soil.innerHTML];
+        svg.setPointerCapture = () => {};
+        const at = (type, x, y) => svg.dispatchEvent(new PointerEvent(type, { clientX: x, clientY: y, buttons: 1, pointerId: 1 }));
+        at('pointerdown', 100, 100);
+        at('pointermove', 150, 100);
+        const turned = [stage() !== first[0], soil.innerHTML !== first[1], part('.untilt').hidden];
+        at('pointermove', 150, 100 + 1000); // from right above: of the ground all of its plane is seen
+        const above = soil.innerHTML.includes('#eef0f3');
+        at('pointermove', 150, 100 - 2000);
+        const below = soil.innerHTML.includes('#eef0f3');
+        svg.dispatchEvent(new MouseEvent('dblclick'));
+        const back = [stage() === first[0], soil.innerHTML === first[1], part('.untilt').hidden];
+        const screen = part('.screen');
+        const key = (key) => screen.dispatchEvent(new KeyboardEvent('keydown', { key, shiftKey: true, bubbles: true, cancelable: true }));
+        key('ArrowRight');
+        const right = stage() !== first[0];
+        key('ArrowLeft');
+        return [turned, above, below, back, right];"
+    );
+    let found = page.seen(1280, &script);
+    assert_eq!(found, json!([[true, true, false], true, false, [true, true, true], true]));
+}

@@ -1,6 +1,4 @@
-//! A film as numbers: what moves, where it is, in which order it is painted, and what acts on it.
-
-use std::collections::HashSet;
+//! A film as numbers: what moves, where it is, and what acts on it.
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};
@@ -10,11 +8,12 @@ use super::chart::{self, PLOT};
 use super::stage::Stage;
 use super::{Film, Take};
 use crate::body::{Body, Mass, Shape, State};
-use crate::film::frame::{Force, Frame, Origin};
+use crate::film::frame::{Force, Origin};
+use crate::film::ground::Patch;
 use crate::film::ink::{FACE, LIGHT, LIT, MARK, PLAIN, paint, tenth};
 use crate::film::layout::Lens;
-use crate::film::solid::{Part, Solid};
-use crate::film::{Camera, arrow, depth, joint};
+use crate::film::solid::Solid;
+use crate::film::{Camera, arrow, joint};
 use crate::scene::Scene;
 
 /// A position is rounded to a power of ten of metres below so many px.
@@ -46,6 +45,8 @@ pub(super) fn json(film: &Film) -> Value {
         "size": [stage.lens.width, stage.lens.height],
         "scale": stage.lens.scale,
         "middle": [x, y],
+        "pivot": micro(&stage.pivot),
+        "ground": stage.patches.iter().map(ground).collect::<Vec<_>>(),
         "light": [LIGHT.x, LIGHT.y, LIGHT.z],
         "face": [FACE.0, FACE.1],
         "lit": LIT.map(|(light, aside, size)| [light, aside, size]),
@@ -72,9 +73,8 @@ pub(super) fn json(film: &Film) -> Value {
 fn bodies(scene: &Scene, lens: &Lens) -> Vec<Value> {
     let dot = joint::dot(scene, lens) / lens.scale;
     let part = |k: usize, body: &Body, solid: Solid| {
-        let short = |c: &Vector3<f64>| [c.x, c.y, c.z].map(|x| (x * 1e6).round() / 1e6);
         json!({
-            "corners": solid.corners.iter().map(short).collect::<Vec<_>>(),
+            "corners": solid.corners.iter().map(micro).collect::<Vec<_>>(),
             "faces": solid.faces,
             "radius": solid.radius,
             "color": paint(&scene.bodies, k),
@@ -89,11 +89,21 @@ fn bodies(scene: &Scene, lens: &Lens) -> Vec<Value> {
     scene.bodies.iter().enumerate().map(of).map(Value::from).collect()
 }
 
+/// A rectangle of the ground, with the lines of its grid.
+fn ground(patch: &Patch) -> Value {
+    let lines = patch.lines.iter().map(|line| line.map(|end| micro(&end)));
+    json!({
+        "corners": patch.corners.map(|corner| micro(&corner)),
+        "lines": lines.collect::<Vec<_>>(),
+        "normal": micro(&patch.normal),
+    })
+}
+
 /// The two points of each constraint on its bodies, null being the world, and their marks: 1 is a
 /// dot, 2 a square.
 fn joints(scene: &Scene) -> Vec<Value> {
     let of = |constraint: &dyn crate::constraint::Constraint| {
-        let ends = constraint.anchors()?.map(|p| [p.x, p.y, p.z].map(|x| (x * 1e6).round() / 1e6));
+        let ends = constraint.anchors()?.map(|p| micro(&p));
         let bodies = constraint.bodies();
         let mark = bodies.map(|body| match body.map(|k| &scene.bodies[k].shape) {
             None => 2,
@@ -111,12 +121,11 @@ fn take(film: &Film, take: &Take, stage: &Stage, unit: f64) -> Value {
         let shown = |value: f64| if value.abs() > least { short(value) } else { 0.0 };
         chart::values(take, measure).into_iter().map(shown).collect::<Vec<_>>()
     };
-    let forces = take.shots.iter().map(|shot| forces(&shot.frame.forces, stage));
+    let forces = take.shots.iter().map(|shot| forces(&shot.frame.forces, stage, unit));
     json!({
         "name": take.name,
         "poses": (0..film.scene.bodies.len()).map(|k| poses(film, take, k, unit)).collect::<Vec<_>>(),
         "heat": heat(film, take),
-        "order": orders(&film.scene, take, &stage.lens),
         "forces": forces.collect::<Vec<_>>(),
         "measures": film.measures().into_iter().map(values).collect::<Vec<_>>(),
         "ending": take.ending,
@@ -166,61 +175,24 @@ fn heat(film: &Film, take: &Take) -> Vec<Vec<i64>> {
     (0..film.scene.bodies.len()).map(body).collect()
 }
 
-/// The order of painting at each instant: bodies by index, then constraints; 0 where it is that of
-/// the instant before.
-fn orders(scene: &Scene, take: &Take, lens: &Lens) -> Vec<Value> {
-    let mut before = Vec::new();
-    let of = |shot: &super::Shot| {
-        let order = order(scene, &shot.frame, lens);
-        if order == before {
-            return json!(0);
-        }
-        before.clone_from(&order);
-        json!(order)
-    };
-    take.shots.iter().map(of).collect()
-}
-
-fn order(scene: &Scene, frame: &Frame, lens: &Lens) -> Vec<usize> {
-    let dot = joint::dot(scene, lens) / lens.scale;
-    let bodies = scene.bodies.iter().zip(&frame.states).enumerate();
-    let mut solids: Vec<_> =
-        bodies.flat_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
-    let mut names: Vec<usize> = solids.iter().filter_map(body_of).collect();
-    for (k, constraint) in scene.constraints.iter().enumerate() {
-        if let Some(rod) = joint::rod(constraint.as_ref(), frame, joint::ROD / lens.scale) {
-            solids.push(rod);
-            names.push(scene.bodies.len() + k);
-        }
-    }
-    let mut order: Vec<usize> =
-        depth::order(&lens.camera, &solids).into_iter().map(|k| names[k]).collect();
-    let mut seen = HashSet::new();
-    order.retain(|name| seen.insert(*name)); // a compound stands where the farthest of its parts does
-    order
-}
-
-fn body_of(solid: &Solid) -> Option<usize> {
-    match solid.part {
-        Part::Body(k) => Some(k),
-        Part::Rod(_) => None,
-    }
-}
-
-/// Five numbers a force: origin, then tail and course in tenths of a px.
-fn forces(forces: &[Force], stage: &Stage) -> Vec<i64> {
+/// Seven numbers a force: origin, where it acts in units, and its arrow in tenths of a px along the world's axes.
+fn forces(forces: &[Force], stage: &Stage, unit: f64) -> Vec<i64> {
     let Some(newton) = stage.newton else { return Vec::new() };
-    let lens = &stage.lens;
     let drawn = forces.iter().filter_map(|force| {
-        let tail = lens.place(&force.point);
-        let seen = lens.camera.project(&force.force) * newton;
-        let (dx, dy) = (seen.x, -seen.y);
-        let seen = dx.hypot(dy) >= arrow::SHORTEST || force.origin == Origin::Normal;
-        let drawn = seen && lens.holds(tail) && dx.is_finite() && dy.is_finite();
+        let arrow = force.force * newton;
+        let seen = arrow.norm() >= arrow::SHORTEST || force.origin == Origin::Normal;
+        let drawn = seen && stage.lens.holds(stage.lens.place(&force.point));
+        let [x, y, z] = [0, 1, 2].map(|k| whole(force.point[k] / unit));
         let far = |px: f64| tenth(px.clamp(-1e4, 1e4));
-        drawn.then(|| [force.origin as i64, tenth(tail.0), tenth(tail.1), far(dx), far(dy)])
+        let [fx, fy, fz] = [0, 1, 2].map(|k| far(arrow[k]));
+        (drawn && arrow.norm().is_finite()).then_some([force.origin as i64, x, y, z, fx, fy, fz])
     });
     drawn.flatten().collect()
+}
+
+/// A point in micrometres, in m; a unit vector as exactly.
+fn micro(point: &Vector3<f64>) -> [f64; 3] {
+    [point.x, point.y, point.z].map(|x| (x * 1e6).round() / 1e6)
 }
 
 fn whole(x: f64) -> i64 {

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use nalgebra::Vector3;
+
 use super::Film;
 use crate::film::Camera;
 use crate::film::arrow;
@@ -32,7 +34,10 @@ pub(super) struct Stage {
     pub lens: Lens,
     /// px for a newton, if there are forces.
     pub newton: Option<f64>,
-    patches: Vec<Patch>,
+    /// The ground.
+    pub patches: Vec<Patch>,
+    /// What a camera that is turned turns about (m, world): the middle of the picture, as deep as the motion is.
+    pub pivot: Vector3<f64>,
     origins: Vec<Origin>,
     /// The force (N) whose arrow is as long as arrows should be.
     usual: f64,
@@ -41,11 +46,15 @@ pub(super) struct Stage {
 impl Stage {
     pub fn new(film: &Film, camera: Camera, landmarks: Vec<Landmark>) -> Self {
         let patches = ground::patches(&film.scene, &landmarks);
+        let depths = landmarks.iter().map(|mark| camera.project(&mark.point).z);
+        let depth = depths.sum::<f64>() / landmarks.len().max(1) as f64;
         let window = ground::window(&camera, landmarks, &patches);
         let columns = film.columns() as f64;
         let across = ((WIDTH - (columns - 1.0) * GAP) / columns).round();
         let highest = (0.75 * across).clamp(HEIGHT.0, HEIGHT.1);
         let lens = Layout::single(&window, across, highest).lens(camera, &window).with_foot(FOOT);
+        let (x, y) = lens.middle();
+        let pivot = camera.world(&Vector3::new(x, y, depth));
         let shots = || film.takes.iter().flat_map(|take| &take.shots);
         let largest = |shot: &super::Shot| arrow::largest(std::slice::from_ref(&shot.frame));
         let mut forces: Vec<f64> = shots().map(largest).filter(|force| *force > 0.0).collect();
@@ -56,7 +65,7 @@ impl Stage {
         };
         let origins = Origin::ALL.into_iter().filter(acts).collect();
         let newton = (usual > 0.0).then(|| arrow::scale(usual, &lens));
-        Stage { lens, newton, patches, origins, usual }
+        Stage { lens, newton, patches, pivot, origins, usual }
     }
 
     /// The ground and the scales, in px.
@@ -65,7 +74,11 @@ impl Stage {
         for patch in &self.patches {
             ink.ground(patch);
         }
-        format!("<g transform=\"scale(0.1)\">{}</g>\n{}", ink.finish(), self.scales())
+        format!(
+            "<g class=\"soil\" transform=\"scale(0.1)\">{}</g>\n{}",
+            ink.finish(),
+            self.scales()
+        )
     }
 
     /// A bar of a round length, and an arrow of a round force for each origin that occurs.

@@ -125,15 +125,22 @@ fn a_box_at_rest_is_held_by_arrows_as_long_as_its_weight() {
     let film = Film::new("film", &scene, vec![take]);
     let data: Value = serde_json::from_str(&film.data()).unwrap();
     let forces: Vec<i64> = serde_json::from_value(data["takes"][0]["forces"][2].clone()).unwrap();
-    let normal = |force: &&[i64]| force[0] == 0;
-    // On screen an upward force is seen under the elevation of the view, here 22 degrees.
-    let sum: i64 = forces.chunks(5).filter(normal).map(|force| -force[4]).sum();
-    let largest = &film.takes[0].shots[2].frame.forces;
-    let upward: f64 = largest.iter().map(|force| force.force.z).sum();
+    let acting = &film.takes[0].shots[2].frame.forces;
+    let upward: f64 = acting.iter().map(|force| force.force.z).sum();
     let weights = 15.0 * 9.81; // 5 + 4 + 3 + 2 + 1 boxes of 1 kg
     assert!((upward - weights).abs() < 1e-6 * weights, "{upward}");
-    let longest = forces.chunks(5).filter(normal).map(|force| -force[4]).max().unwrap();
-    assert!(sum > 0 && longest <= 520, "{longest} tenths of a px");
+    // Seven numbers a force: origin, point, and an arrow in tenths of a px along the world's axes.
+    let arrows: Vec<&[i64]> = forces.chunks(7).collect();
+    let raised: i64 = arrows.iter().map(|arrow| arrow[6]).sum();
+    let longest = acting.iter().map(|force| force.force.norm()).fold(0.0, f64::max);
+    let share = raised as f64 / arrows.iter().map(|arrow| arrow[6]).max().unwrap() as f64;
+    assert!((share - weights / longest).abs() < 0.01 * share, "{share} for {}", weights / longest);
+    let (unit, floor) = (data["unit"].as_f64().unwrap(), arrows[0]);
+    let at = acting[0].point;
+    assert!(
+        (1..4).all(|k| (floor[k] as f64 * unit - at[k - 1]).abs() <= unit),
+        "{floor:?} at {at}"
+    );
 }
 
 #[test]

@@ -1,6 +1,7 @@
 // Plays films: poses as they were simulated, drawn as the strips of frames are.
 function play(root) {
   const film = JSON.parse(root.querySelector("script").textContent);
+  film.bodies = film.bodies.map((parts) => parts.map(directed));
   const find = (name) => root.querySelector(name);
   const [range, clock, button] = [find(".scrub"), find(".clock"), find(".play")];
   const last = film.times.length - 1;
@@ -50,6 +51,8 @@ function play(root) {
   const toggle = () => (running ? halt() : go());
   const step = (by) => { halt(); show(now + by); };
 
+  const camera = turnable(film, [...root.querySelectorAll(".stage")], find(".untilt"), () => show(now));
+
   button.addEventListener("click", toggle);
   find(".back").addEventListener("click", () => step(-1));
   find(".on").addEventListener("click", () => step(1));
@@ -57,7 +60,9 @@ function play(root) {
   find(".arrows").addEventListener("change", (event) => root.classList.toggle("bare", !event.target.checked));
   find(".screen").addEventListener("keydown", (event) => {
     if (event.target.matches("input, select") || event.ctrlKey || event.metaKey || event.altKey) return;
-    const keys = { ArrowLeft: () => step(-1), ArrowRight: () => step(1), Home: () => step(-last), End: () => step(last) };
+    const keys = event.shiftKey
+      ? { ArrowLeft: () => camera(-0.1, 0), ArrowRight: () => camera(0.1, 0), ArrowUp: () => camera(0, 0.1), ArrowDown: () => camera(0, -0.1) }
+      : { ArrowLeft: () => step(-1), ArrowRight: () => step(1), Home: () => step(-last), End: () => step(last) };
     if (event.key === " " && !event.target.matches("button")) keys[" "] = toggle;
     if (!keys[event.key]) return;
     event.preventDefault();
@@ -97,6 +102,57 @@ function play(root) {
   jump();
 }
 
+// The camera of all takes: a drag turns it about the pivot, two clicks turn it back. Returns what turns it by angles in rad.
+function turnable(film, stages, back, redraw) {
+  const first = film.camera, middle = film.middle, soils = stages.map((svg) => svg.querySelector(".soil"));
+  const ground = soils.map((soil) => soil.innerHTML);
+  const start = [Math.atan2(first[1][0], first[0][0]), Math.asin(first[2][2])];
+  let [azimuth, elevation] = start;
+  const reset = () => {
+    [azimuth, elevation] = start;
+    Object.assign(film, { camera: first, middle });
+    soils.forEach((soil, k) => { soil.innerHTML = ground[k]; });
+    back.hidden = true;
+    redraw();
+  };
+  const turn = (right, up) => {
+    azimuth += right;
+    elevation = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, elevation + up));
+    const across = [Math.cos(azimuth), Math.sin(azimuth), 0];
+    const eye = [across[1] * Math.cos(elevation), -across[0] * Math.cos(elevation), Math.sin(elevation)];
+    const upward = cross(eye, across);
+    film.camera = [0, 1, 2].map((k) => [across[k], upward[k], eye[k]]);
+    film.middle = [0, 0];
+    film.middle = seen(film, film.pivot).slice(0, 2);
+    soils.forEach((soil) => { soil.innerHTML = soilOf(film); });
+    back.hidden = false;
+    redraw();
+  };
+  for (const svg of stages) {
+    let from = null;
+    svg.addEventListener("pointerdown", (event) => { svg.setPointerCapture(event.pointerId); from = [event.clientX, event.clientY]; });
+    svg.addEventListener("pointermove", (event) => {
+      if (!event.buttons || !from) return;
+      const [dx, dy] = [event.clientX - from[0], event.clientY - from[1]];
+      if (dx === 0 && dy === 0) return;
+      from = [event.clientX, event.clientY];
+      turn(-0.01 * dx, 0.01 * dy);
+    });
+    svg.addEventListener("dblclick", reset);
+  }
+  back.addEventListener("click", reset);
+  return turn;
+}
+
+// The ground as the camera sees it, in tenths of a px: only its grid from behind.
+function soilOf(film) {
+  const at = (p) => place(film, p).map((px) => Math.round(10 * px)).join(" ");
+  return film.ground.map(({ normal, corners, lines }) => {
+    const plane = seen(film, normal)[2] > 0.02 ? `<path stroke="none" fill="#eef0f3" d="M${corners.map(at).join("L")}z"/>` : "";
+    return `${plane}<path fill="none" stroke="#ced1d6" stroke-width="9" d="${lines.map((line) => `M${line.map(at).join("L")}`).join("")}"/>`;
+  }).join("");
+}
+
 // One measure's cursor and a dot on each curve.
 function chart(film, measure, svg) {
   const [left, right, top, bottom] = film.plot, [lo, hi] = film.measures[measure].range;
@@ -126,7 +182,7 @@ function chart(film, measure, svg) {
 // One take in its pane.
 function stage(film, take, pane) {
   const [bodies, forces, values] = [".bodies", ".acting", ".values"].map((name) => pane.querySelector(name));
-  const count = take.order.length;
+  const count = take.forces.length;
   const grown = (list) => {
     let sum = 0;
     return Array.from({ length: count }, (_, k) => (sum += list[k] || 0));
@@ -137,7 +193,6 @@ function stage(film, take, pane) {
   const parts = (k, now) => heats.length > 0
     ? film.bodies[k].map((part) => part.fixed ? part : { ...part, color: film.heat[heats[k][now]], plain: false })
     : film.bodies[k];
-  const orders = take.order.map((order, k) => { while (take.order[k] === 0) k--; return take.order[k]; });
   const pose = (body, now) => {
     if (body === null) return { p: [0, 0, 0], q: [1, 0, 0, 0] };
     const at = poses[body].map((channel) => channel[now]);
@@ -159,10 +214,19 @@ function stage(film, take, pane) {
       return plus(p, turned(q, point));
     };
     const ends = film.joints.map((joint) => joint && joint.ends.map((end, side) => world(joint.bodies[side], end)));
-    bodies.innerHTML = orders[now].map((k) => k < film.bodies.length
-      ? solids(film, parts(k, now), places[k])
-      : rod(film, ends[k - film.bodies.length])).join("") + marks(film, ends);
-    forces.innerHTML = arrows(take.forces[now]);
+    const moved = (k) => parts(k, now).map((part) => {
+      const turn = (v) => turned(places[k].q, v);
+      const corners = part.corners.map((corner) => plus(places[k].p, turn(corner)));
+      const draw = () => solid(film, part, places[k].q, corners);
+      return { ...part, body: k, corners, normals: part.normals.map(turn), edges: part.edges.map(turn), draw };
+    });
+    const rods = film.joints.flatMap((joint, k) => joint
+      ? [{ corners: ends[k], normals: [], edges: [unit(minus(ends[k][1], ends[k][0]))], radius: film.rod / film.scale,
+          rod: joint.bodies, draw: () => rod(film, ends[k]) }]
+      : []);
+    const solids = film.bodies.flatMap((_, k) => moved(k)).concat(rods);
+    bodies.innerHTML = painted(film, solids).map((own) => own.draw()).join("") + marks(film, ends);
+    forces.innerHTML = arrows(film, take.forces[now]);
     const shown = film.measures.map((measure, m) =>
       `<span>${measure.name} <b>${number(take.measures[m][now])}</b> ${measure.unit}</span>`);
     values.innerHTML = shown.join("");
@@ -176,6 +240,8 @@ function stage(film, take, pane) {
 }
 
 const plus = (a, b) => a.map((x, i) => x + b[i]);
+const minus = (a, b) => a.map((x, i) => x - b[i]);
+const unit = (a) => { const length = Math.hypot(...a) || 1; return a.map((x) => x / length); };
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 // q v q*, for a unit quaternion w + v.
@@ -189,22 +255,91 @@ const place = (film, p) => {
   const [x, y] = seen(film, p), far = (px) => Math.max(-1e5, Math.min(1e5, px));
   return [far(film.size[0] / 2 + (x - film.middle[0]) * film.scale), far(film.size[1] / 2 - (y - film.middle[1]) * film.scale)];
 };
+
+// The directions of a solid's faces and of its edges, each once: planes between two solids are sought among them.
+function directed(part) {
+  const once = (list) => list.filter((v, k) => list.slice(0, k).every((w) => Math.hypot(...cross(v, w)) > 1e-6));
+  const side = (face, k) => unit(minus(part.corners[face[(k + 1) % face.length]], part.corners[face[k]]));
+  const sides = part.faces.flatMap((face) => face.map((_, k) => side(face, k)));
+  const axis = part.faces.length === 0 && part.corners.length > 1 ? [unit(minus(part.corners[1], part.corners[0]))] : [];
+  const normals = once(part.faces.map((face) => unit(cross(side(face, 0), side(face, 1)))));
+  return { ...part, normals, edges: once([...sides, ...axis]) };
+}
+
+// Solids in the order of painting: between two of them that do not overlap is a plane, and the one on the viewer's side
+// of it hides the other. What hides each other in a circle goes by depth.
+function painted(film, solids) {
+  const mean = (corners) => corners.reduce(plus, [0, 0, 0]).map((x) => x / corners.length);
+  for (const own of solids) {
+    own.centre = mean(own.corners);
+    const spots = own.corners.map((corner) => seen(film, corner));
+    own.depth = seen(film, own.centre)[2];
+    own.box = [0, 1].map((i) => [Math.min(...spots.map((p) => p[i])) - own.radius, Math.max(...spots.map((p) => p[i])) + own.radius]);
+  }
+  const meets = (a, b) => [0, 1].every((i) => a.box[i][0] < b.box[i][1] && b.box[i][0] < a.box[i][1]);
+  const behind = solids.map(() => []);
+  for (let j = 0; j < solids.length; j++) {
+    for (let i = 0; i < j; i++) {
+      if (!meets(solids[i], solids[j])) continue;
+      const order = hides(film, solids[i], solids[j]);
+      if (order > 0) behind[i].push(j);
+      if (order < 0) behind[j].push(i);
+    }
+  }
+  const order = [], visited = new Set();
+  const visit = (k) => {
+    if (visited.has(k)) return;
+    visited.add(k);
+    behind[k].forEach(visit);
+    order.push(solids[k]);
+  };
+  [...solids.keys()].sort((a, b) => solids[a].depth - solids[b].depth).forEach(visit);
+  return order;
+}
+
+// 1 where a hides b, −1 where b hides a, 0 where they are side by side.
+function hides(film, a, b) {
+  const ends = (rod, ball) => rod.rod && ball.radius > 0 && rod.rod.includes(ball.body); // a rod is behind the balls it ends in
+  if (ends(a, b)) return -1;
+  if (ends(b, a)) return 1;
+  const span = (solid, n) => {
+    const at = solid.corners.map((corner) => dot(corner, n));
+    return [Math.min(...at) - solid.radius, Math.max(...at) + solid.radius];
+  };
+  const touch = 2 * film.unit;
+  let [widest, order] = [-Infinity, 0];
+  for (const n of planes(film, a, b)) {
+    const [aLo, aHi] = span(a, n), [bLo, bHi] = span(b, n), gap = Math.max(bLo - aHi, aLo - bHi);
+    const towards = seen(film, n)[2];
+    if (Math.abs(towards) < 1e-6) {
+      if (gap >= -touch) return 0;
+    } else if (gap > widest) {
+      [widest, order] = [gap, (bLo - aHi >= aLo - bHi) === (towards > 0) ? -1 : 1];
+      if (gap >= -touch) return order;
+    }
+  }
+  return order;
+}
+
+// The normals of planes that may lie between two solids, the likely ones first.
+function* planes(film, a, b) {
+  yield* a.normals;
+  yield* b.normals;
+  yield unit(minus(b.centre, a.centre));
+  yield film.camera.map((axis) => axis[2]);
+  for (const e of a.edges) {
+    for (const f of b.edges) {
+      const n = cross(e, f);
+      if (Math.hypot(...n) > 1e-6) yield unit(n);
+    }
+  }
+}
+
 const shade = (color, light) => `rgb(${color.map((c) => Math.round(Math.min(255, c * light))).join()})`;
 const fine = (x) => x.toFixed(1);
 const joined = (points) => points.map(([x, y]) => `${fine(x)} ${fine(y)}`).join("L");
 
-// The parts of a body, the farthest first.
-function solids(film, parts, { p, q }) {
-  const far = (part) => {
-    const sum = part.corners.reduce(plus, [0, 0, 0]).map((x) => x / part.corners.length);
-    return seen(film, plus(p, turned(q, sum)))[2];
-  };
-  const drawn = parts.length > 1 ? [...parts].sort((a, b) => far(a) - far(b)) : parts;
-  return drawn.map((part) => solid(film, part, { p, q })).join("");
-}
-
-function solid(film, body, { p, q }) {
-  const corners = body.corners.map((corner) => plus(p, turned(q, corner)));
+function solid(film, body, q, corners) {
   const radius = body.radius * film.scale;
   if (body.faces.length > 0) return faces(film, body, corners);
   const [start, end] = corners.map((corner) => place(film, corner));
@@ -214,7 +349,6 @@ function solid(film, body, { p, q }) {
 function faces(film, body, corners) {
   return body.faces.map((face) => {
     const [a, b, c] = face.map((k) => corners[k]);
-    const minus = (x, y) => x.map((e, i) => e - y[i]);
     const n = cross(minus(b, a), minus(c, b)), length = Math.hypot(...n);
     const normal = seen(film, n.map((x) => x / length));
     if (!(normal[2] > 1e-4)) return "";
@@ -262,10 +396,11 @@ function marks(film, ends) {
   }).join("")).join("");
 }
 
-function arrows(list) {
+function arrows(film, list) {
   const kinds = ["normal", "friction", "constraint"].map(() => ["", ""]);
-  for (let k = 0; k < list.length; k += 5) {
-    const [kind, ...tenths] = list.slice(k, k + 5), [x, y, dx, dy] = tenths.map((t) => t / 10);
+  for (let k = 0; k < list.length; k += 7) {
+    const [kind, ...rest] = list.slice(k, k + 7), [x, y] = place(film, rest.slice(0, 3).map((part) => part * film.unit));
+    const [dx, up] = seen(film, rest.slice(3).map((tenths) => tenths / 10)), dy = -up;
     const length = Math.hypot(dx, dy), own = kinds[kind];
     if (kind === 0) own[1] += `M${fine(x - 2)} ${fine(y)}a2 2 0 1 0 4 0a2 2 0 1 0 -4 0z`;
     if (length < 2) continue;
