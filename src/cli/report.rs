@@ -232,10 +232,12 @@ impl Report {
     }
 }
 
-/// Whether a name is that of a problem file, or of a folder or a pattern of them.
+/// Whether a name is that of a problem file, or of a folder or a pattern of them; the name of a shipped report is none.
 fn is_of_problems(name: &str) -> bool {
     let path = Path::new(name);
-    exchange::is_problem(path) || path.is_dir() || (name.contains('*') && !path.exists())
+    let is_shipped = SHIPPED.iter().any(|(shipped, _)| *shipped == name);
+    let is_pattern = name.contains('*') && !path.exists();
+    !is_shipped && (exchange::is_problem(path) || path.is_dir() || is_pattern)
 }
 
 /// What can be run, and what a report file can ask for.

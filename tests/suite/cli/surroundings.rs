@@ -138,6 +138,11 @@ fn a_folder_is_no_file_and_says_so() {
     // A report takes a folder of problems.
     let empty = format!("{path}: files: no file that can be read is in this folder");
     assert_refused(&run(&["report", path]), &empty);
+    // Its name, if it is that of a shipped report, means the report.
+    fs::create_dir(folder.path().join("storage")).unwrap();
+    let inside = format!("cd {path} && lcplab report storage --section no_such_section");
+    let told = err(&sh(&inside));
+    assert!(told.contains("no section named"), "{told}");
 }
 
 #[test]
