@@ -79,7 +79,7 @@ pub enum Manifold {
     Four,
 }
 
-/// What of the contacts of a step is known in the next.
+/// What of a step's impulses is known in the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Persistence {
@@ -87,7 +87,7 @@ pub enum Persistence {
     /// impulses.
     #[default]
     Features,
-    /// Nothing: the impulses of every contact start from 0 in every step.
+    /// Nothing: the impulses of contacts and joints start from 0 in every step.
     None,
 }
 
@@ -125,7 +125,7 @@ pub struct Contacts {
     pub resting_speed: Option<f64>,
     /// How many points of a pair of bodies become contacts.
     pub manifold: Manifold,
-    /// What of the contacts of a step is known in the next.
+    /// What of a step's impulses, those of joints too, is known in the next.
     pub persistence: Persistence,
     /// The model of friction by its name, of polygons with the number of corners: `polygon-8`. Schemes that
     /// solve no LCP know the coupled box only.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::answering::Solvers;
 use super::{Act, Cause, Solve};
-use crate::assembly::{Assembly, Entering, Row, RowId, Source};
+use crate::assembly::{Assembly, Entering, Row, RowId};
 use crate::body::State;
 use crate::formulation::{Problem, Stage};
 use crate::scene::{Found, Persistence, Scene};
@@ -47,11 +47,8 @@ impl Solving<'_> {
     /// The x that rows of these names had at this stage a step before, 0 for new ones.
     pub fn start(&self, stage: Stage, assembly: &Assembly) -> Vec<f64> {
         let forgets = self.scene.contact.persistence == Persistence::None;
-        let before = |id: RowId| match id.source {
-            Source::Contact(_) if forgets => 0.0,
-            _ => self.previous.get(&(stage, id)).copied().unwrap_or(0.0),
-        };
-        assembly.rows.iter().map(|row| before(row.id)).collect()
+        let known = |id: RowId| self.previous.get(&(stage, id)).filter(|_| !forgets).copied();
+        assembly.rows.iter().map(|row| known(row.id).unwrap_or(0.0)).collect()
     }
 
     /// Keeps an x as a start for the next step.

@@ -164,6 +164,56 @@ fn a_reversed_sweep_of_theory_is_that_of_the_reversed_column() {
     assert!((one - yard.missing(&x)).abs() < 1e-12);
 }
 
+#[test]
+fn a_start_that_is_worse_than_none_is_named_first() {
+    for (name, times) in [("stack", 8.0), ("catenary", 5.0), ("rope", 10.0)] {
+        let frame = Frame::of(&dumped(name, &[]));
+        let exact = Yard::new(&frame.lcp, 0.0).unwrap().exact;
+        let start: Vec<f64> = exact.iter().map(|x| times * x).collect();
+        let found = examine(&frame, &practice("pgs", 10), Some(&start)).unwrap();
+        assert_eq!(found.causes[0].name(), "stale start", "{name}");
+        let good = examine(&frame, &practice("pgs", 10), Some(&exact)).unwrap();
+        assert!(good.causes.is_empty() && good.missing < 1e-6, "{name}");
+    }
+}
+
+/// Beads on rods: with few sweeps feedback shakes the string, with exact answers it does not.
+#[test]
+fn feedback_that_only_few_sweeps_turn_into_energy_is_named_first() {
+    let bead = |k: u32| {
+        let (name, at) = (format!("bead{k}"), format!("[0, 0, {}]", -0.1 * f64::from(k)));
+        let above = format!("[0, 0, {}]", -0.1 * f64::from(k - 1));
+        let pair = if k > 1 { format!("\"bead{}\", ", k - 1) } else { String::new() };
+        format!(
+            "[[bodies]]\nname = \"{name}\"\nshape = {{ sphere = 0.03 }}\nmass = 0.2\nposition = {at}\n\
+             [[constraints]]\nkind = \"distance\"\nbodies = [{pair}\"{name}\"]\npoints = [{above}, {at}]\n"
+        )
+    };
+    let head = "title = \"beads\"\n[step]\ndt = 0.01\ncount = 100\nbaumgarte = 0.1\n".to_string();
+    let text = head + &(1..=30).map(bead).collect::<String>();
+    let mut scene = Scene::from_toml("beads.toml", &text).unwrap();
+    (scene.solver.name, scene.solver.max_iterations) = ("pgs".into(), 10);
+    let found = examine_scene(&scene, None).unwrap();
+    assert_eq!(found.causes()[..2], ["Baumgarte's energy", "tall column or long chain"]);
+    let off = |what: &str| found.reliefs.iter().find(|own| own.what == what).unwrap().off;
+    assert!(off("without feedback") < 0.2 * off("as it is"));
+    scene.step.baumgarte = 0.0;
+    assert_eq!(examine_scene(&scene, None).unwrap().causes(), ["tall column or long chain"]);
+}
+
+/// Two rods that swing for two seconds, with feedback of the sign as printed in the chapter.
+#[test]
+fn feedback_of_the_wrong_sign_is_named() {
+    let scene = |feedback: &str| {
+        let changes = [("step.feedback", feedback), ("step.baumgarte", "0.9")];
+        scene("double_pendulum", "pgs", 50, &changes)
+    };
+    let printed = examine_scene(&scene("printed"), None).unwrap();
+    assert_eq!(printed.causes().first(), Some(&"feedback that drives away"));
+    let corrected = examine_scene(&scene("corrected"), None).unwrap();
+    assert!(corrected.causes().is_empty(), "{:?}", corrected.causes());
+}
+
 /// The planted scenes: what was planted is named first.
 #[test]
 fn the_planted_cause_is_named_first() {
@@ -182,8 +232,10 @@ fn the_planted_cause_is_named_first() {
         ("stack", 10, cold, "cold start"),
         ("stack", 30, cold, "cold start"),
         ("stack", 20, &[("contact.persistence", "none"), ("generate.count", "3")], "cold start"),
-        ("warm_start", 10, none, "stale start"),
-        ("bridge", 10, none, "stale start"),
+        // In the worst step a start from 0 is better, over the run it is not; the bridge gains 378 J, without feedback none.
+        ("warm_start", 10, none, TALL),
+        ("bridge", 10, none, "Baumgarte's energy"),
+        ("bridge", 10, &[("step.baumgarte", "0")], TALL),
     ];
     for (name, sweeps, changes, cause) in planted {
         let found = examined(name, "pgs", sweeps, changes);
@@ -225,9 +277,10 @@ fn of_a_run_the_remedies_are_done_and_a_pivoting_method_leaves_nothing_undone() 
     let found = examined("mass_ratio3", "pgs", 10, &[]);
     let of = |what: &str| found.reliefs.iter().find(|relief| relief.what == what).unwrap();
     let (own, exact) = (of("as it is"), of("dantzig"));
-    assert!(own.missing > 0.5 && own.sinks.unwrap() > 0.2, "{own:?}");
-    assert!(exact.missing < 1e-6 && exact.sinks.unwrap() < 1e-6, "{exact:?}");
-    assert_eq!(found.reliefs[0].missing.max(1e-6), 1e-6);
+    assert!(own.missing > 0.5 && own.off > 0.2, "{own:?}");
+    assert!(exact.missing < 1e-6 && exact.off < 1e-6, "{exact:?}");
+    let off: Vec<f64> = found.reliefs.iter().map(|relief| relief.off).collect();
+    assert!(off.is_sorted() && off[0] < 1e-6, "the best first: {off:?}");
     // A cold start is helped by a warm one.
     let found = examined("stack", "pgs", 10, &[("contact.persistence", "none")]);
     let of = |what: &str| found.reliefs.iter().find(|relief| relief.what == what).unwrap().missing;

@@ -83,14 +83,11 @@ impl Answer {
         std::mem::swap(x, before);
         x.clear();
         x.resize(rows.system.rows().len(), 0.0);
-        if before.is_empty() {
+        if before.is_empty() || scene.contact.persistence == Persistence::None {
             return;
         }
         let joints = rows.contacts.first().map_or(x.len(), |contact| contact.first);
         x.iter_mut().zip(&*before).take(joints).for_each(|(new, old)| *new = *old);
-        if scene.contact.persistence == Persistence::None {
-            return;
-        }
         let mut old = old;
         for new in &rows.contacts {
             let passed = old.iter().take_while(|o| o.id.bodies < new.id.bodies).count();

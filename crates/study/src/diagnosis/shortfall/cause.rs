@@ -9,6 +9,9 @@ use super::show::percent;
 /// Significant digits in words.
 const DIGITS: usize = 2;
 
+/// A body that moves less (m) stays where it is.
+const NOWHERE: f64 = 1e-6;
+
 /// What taking a cause away does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Without {
@@ -88,7 +91,7 @@ impl fmt::Display for Slow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let saves = |own: &Without| {
             format!(
-                "{} would be missing in place of {}, and a thousandth after {} times fewer sweeps",
+                "{} would be missing in place of {}, and a good answer would take {} times fewer sweeps",
                 percent(own.without),
                 percent(own.with),
                 readable(own.factor, DIGITS)
@@ -106,14 +109,14 @@ impl fmt::Display for Slow {
             ),
             Slow::Tall { bodies: Some(bodies), without } => write!(
                 f,
-                "impulses go from body to body through {bodies} of them. If no contact or joint felt the others, masses \
-                 being equal, {}.",
+                "impulses go from body to body through {bodies} of them. If all masses were equal and no impulse went \
+                 through a body, {}.",
                 saves(without)
             ),
             Slow::Tall { bodies: None, without } => write!(
                 f,
                 "rows feel each other over a long way; whether unlike masses have a part in it is not known, for the file \
-                 names no bodies. If no contact felt the others, {}.",
+                 names no bodies. If no impulse went through a body, {}.",
                 saves(without)
             ),
             Slow::Order { without } => write!(
@@ -154,6 +157,15 @@ pub enum Moving {
         with: f64,
         /// The same without feedback.
         without: f64,
+        /// The same with feedback and exact answers.
+        exactly: f64,
+    },
+    /// Feedback drives rows away from where they should be.
+    Away {
+        /// The largest error of a position (m).
+        with: f64,
+        /// The same without feedback.
+        without: f64,
     },
     /// The scheme's constraints yield.
     Soft {
@@ -173,9 +185,11 @@ pub enum Moving {
     },
     /// The box of friction holds or turns what Coulomb's cone lets slide.
     BoxFriction {
-        /// How far the motions of both end apart (m).
+        /// The body for which the motions of both end farthest apart.
+        body: String,
+        /// How far (m).
         distance: f64,
-        /// How far bodies go (m).
+        /// How far it goes with the box (m).
         way: f64,
     },
 }
@@ -186,6 +200,7 @@ impl Moving {
         match self {
             Moving::Cold { .. } => "cold start",
             Moving::Feedback { .. } => "Baumgarte's energy",
+            Moving::Away { .. } => "feedback that drives away",
             Moving::Soft { .. } | Moving::Creep { .. } => "too soft",
             Moving::BoxFriction { .. } => "box friction",
         }
@@ -198,14 +213,22 @@ impl fmt::Display for Moving {
         match self {
             Moving::Cold { with, without } => write!(
                 f,
-                "every step starts from x = 0, and {} is missing. Started from the last answer, {} is.",
+                "every step starts from x = 0, and {} is missing. Started from the last answer (contact.persistence = \
+                 \"features\"), {} is.",
                 percent(*with),
                 percent(*without)
             ),
-            Moving::Feedback { with, without } => write!(
+            Moving::Feedback { with, without, exactly } => write!(
                 f,
-                "feedback of position errors puts in {} J. Without it {} J are gained; correct positions apart from \
-                 velocities (split-impulse, gauss-seidel).",
+                "feedback of position errors puts in {} J. Without it {} J are gained, and with it, but with exact answers, \
+                 {} J. Correct positions apart from velocities (split-impulse, gauss-seidel).",
+                number(with),
+                number(without),
+                number(exactly)
+            ),
+            Moving::Away { with, without } => write!(
+                f,
+                "with feedback an error of a position grows to {} m, without it to {} m: its sign or its size is wrong.",
                 number(with),
                 number(without)
             ),
@@ -222,12 +245,18 @@ impl fmt::Display for Moving {
                 number(speed),
                 percent(*missing)
             ),
-            Moving::BoxFriction { distance, way } => write!(
+            Moving::BoxFriction { body, distance, way } if *way < NOWHERE => write!(
                 f,
-                "friction is limited along two tangents, each by itself; with Coulomb's cone a body ends {} m elsewhere, \
-                 of a way of {} m; contact.model = \"coulomb-cone\" is that cone.",
-                number(distance),
-                number(way)
+                "friction is limited along two tangents, each by itself: {body} stays where it is. With Coulomb's cone \
+                 (contact.model = \"coulomb-cone\") it moves {} m.",
+                number(distance)
+            ),
+            Moving::BoxFriction { body, distance, way } => write!(
+                f,
+                "friction is limited along two tangents, each by itself: {body} moves {} m. With Coulomb's cone \
+                 (contact.model = \"coulomb-cone\") it ends {} m from there.",
+                number(way),
+                number(distance)
             ),
         }
     }

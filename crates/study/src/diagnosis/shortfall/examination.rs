@@ -4,9 +4,10 @@ use lcplab_page::document::{Document, Section};
 use lcplab_page::number::readable;
 use serde_json::{Value, json};
 
-use super::cause::Moving;
+use super::cause::{Moving, Slow};
 use super::examine::{HEALTHY, Shortfall};
 use super::frame::Frame;
+use super::relief::{AS_IT_IS, COLD};
 use super::remedy::Relief;
 use super::show::percent;
 
@@ -21,6 +22,9 @@ const STEPS: usize = 5;
 
 /// A good part of what is missing at most.
 const GOOD_PART: f64 = 0.25;
+
+/// What is said where nothing is wrong.
+const HEALTHY_WORDS: &str = "No cause for trouble was found.";
 
 /// What is not looked for.
 const NOT_EXAMINED: &str =
@@ -78,14 +82,27 @@ pub struct Examination {
 }
 
 impl Examination {
+    /// A start that is worse than none in the examined step is a cause only if the run is better without it.
+    pub(super) fn clear_the_start(&mut self) {
+        let of = |what: &str| self.reliefs.iter().find(|relief| relief.what == what);
+        let (Some(own), Some(cold)) = (of(AS_IT_IS), of(COLD)) else { return };
+        let helps = cold.missing < 0.5 * own.missing;
+        let Some(found) = self.shortfall.as_mut().filter(|_| !helps) else { return };
+        found.causes.retain(|cause| !matches!(cause, Slow::Stale { .. }));
+        if found.causes.is_empty() && self.moving.is_empty() {
+            found.causes.push(Slow::Other);
+        }
+    }
+
     /// The names of the causes, the first first.
     pub fn causes(&self) -> Vec<&'static str> {
         let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
         let moving = self.moving.iter().map(Moving::name);
-        // A cold start has every step miss what a warm one does not: it comes before what makes sweeps slow.
-        let is_cold = |name: &&str| *name == "cold start";
-        let first: Vec<&str> = moving.clone().filter(is_cold).collect();
-        first.into_iter().chain(slow).chain(moving.filter(|name| !is_cold(name))).collect()
+        // A cold start has every step miss what a warm one does not, and energy that is fed in spoils all later steps: they
+        // come before what makes sweeps slow.
+        let is_first = |name: &&str| ["cold start", "Baumgarte's energy"].contains(name);
+        let first: Vec<&str> = moving.clone().filter(is_first).collect();
+        first.into_iter().chain(slow).chain(moving.filter(|name| !is_first(name))).collect()
     }
 
     /// The first sentences.
@@ -97,7 +114,7 @@ impl Examination {
                 .iter()
                 .all(|note| note.missing.is_none_or(|missing| missing == 0.0)) =>
             {
-                "No LCP was solved, so that no answer falls short.".into()
+                "This scheme solves no LCP, so that the solver plays no part.".into()
             }
             None => "No solution is known to compare with.".into(),
         };
@@ -114,7 +131,9 @@ impl Examination {
 
     /// Puts it before what else a document says.
     pub fn open(&self, document: &mut Document) {
-        document.lead = format!("{} {}", self.headline(), document.lead);
+        let is_well = self.causes().is_empty() && document.is_accepted && self.shortfall.is_some();
+        let rest = if is_well { HEALTHY_WORDS } else { &document.lead };
+        document.lead = format!("{} {rest}", self.headline());
         let found = self.shortfall.as_ref();
         let mut sections: Vec<Section> = self.why().into_iter().collect();
         sections.extend(found.and_then(Shortfall::remedies_section));
@@ -230,13 +249,13 @@ impl Examination {
             vec![
                 relief.what.clone(),
                 percent(relief.missing),
-                relief.sinks.map_or(String::new(), |depth| readable(1e3 * depth, DIGITS)),
+                readable(1e3 * relief.off, DIGITS),
                 readable(relief.iterations, DIGITS),
             ]
         };
         section.table(
             "remedies over the whole run, each one run",
-            &["what", "missing", "sinks (mm)", "iterations a step"],
+            &["what", "missing", "farthest body off (mm)", "iterations a step"],
             self.reliefs.iter().map(row).collect(),
         );
         (!self.reliefs.is_empty()).then_some(section)
@@ -255,7 +274,7 @@ impl Examination {
             .as_ref()
             .map(|(body, depth)| json!({ "body": body, "depth": number(*depth) }));
         let relief = |relief: &Relief| {
-            json!({ "what": relief.what, "missing": number(relief.missing), "sinks": relief.sinks,
+            json!({ "what": relief.what, "missing": number(relief.missing), "off": number(relief.off),
                 "iterations": number(relief.iterations) })
         };
         json!({

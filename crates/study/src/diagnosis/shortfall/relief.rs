@@ -1,4 +1,4 @@
-//! Remedies over a whole run, each one done: what is missing in the end, and how far a body sinks.
+//! Remedies over a whole run, each one done: how far a body ends from its place, and what is missing.
 
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::scene::{Persistence, Scene};
@@ -6,13 +6,20 @@ use lcplab_problem::error::Result;
 use lcplab_solver::Group;
 
 use super::remedy::{METHODS, Relief};
-use super::run::{End, end_of, sunk};
+use super::run::{End, end_of};
+use super::suspect::apart;
 
 /// A step is divided into so many.
 const PARTS: usize = 8;
 
 /// So many times as many sweeps are tried.
 const MORE: usize = 4;
+
+/// The run without a change.
+pub(super) const AS_IT_IS: &str = "as it is";
+
+/// The remedy of a start that is worse than none.
+pub(super) const COLD: &str = "start from 0 in every step";
 
 /// The remedies of a run of so many steps, the best first; the run as it is is one of them.
 pub(super) fn reliefs(
@@ -24,15 +31,15 @@ pub(super) fn reliefs(
     let relief = |what: String, end: &End, parts: usize| Relief {
         what,
         missing: end.missing,
-        sinks: sunk(scene, &end.states, exact).map(|(_, depth)| depth.max(0.0)),
+        off: apart(&end.states, exact),
         iterations: end.iterations * parts as f64,
     };
-    let mut all = vec![relief("as it is".into(), own, 1)];
+    let mut all = vec![relief(AS_IT_IS.into(), own, 1)];
     for change in changes(scene) {
         let end = end_of(&change.scene, count * change.parts)?;
         all.push(relief(change.what, &end, change.parts));
     }
-    all.sort_by(|a, b| a.missing.total_cmp(&b.missing));
+    all.sort_by(|a, b| a.off.total_cmp(&b.off));
     Ok(all)
 }
 
@@ -53,18 +60,21 @@ fn changes(scene: &Scene) -> Vec<Change> {
         scene.step.dt /= parts as f64;
         all.push(Change { what, scene, parts });
     };
-    if scene.contact.persistence == Persistence::None {
-        add("start from the last answer".into(), 1, &|scene| {
-            scene.contact.persistence = Persistence::Features;
-        });
+    let (start, other) = match scene.contact.persistence {
+        Persistence::None => ("start from the last answer", Persistence::Features),
+        Persistence::Features => (COLD, Persistence::None),
+    };
+    add(start.into(), 1, &|scene| scene.contact.persistence = other);
+    if scene.step.baumgarte > 0.0 {
+        add("without feedback".into(), 1, &|scene| scene.step.baumgarte = 0.0);
     }
     if matches!(group, Ok(Group::Sweeps | Group::FirstOrder)) {
         add(format!("{} sweeps", MORE * sweeps), 1, &|scene| {
             scene.solver.max_iterations = MORE * sweeps;
         });
-        add(format!("{PARTS} steps for one, {sweeps} sweeps each"), PARTS, &|_| ());
+        add(format!("{PARTS} substeps, {sweeps} sweeps each"), PARTS, &|_| ());
         let few = sweeps.div_ceil(PARTS);
-        add(format!("{PARTS} steps for one, {few} sweeps each"), PARTS, &|scene| {
+        add(format!("{PARTS} substeps, {few} sweeps each"), PARTS, &|scene| {
             scene.solver.max_iterations = few;
         });
     }

@@ -41,8 +41,8 @@ pub struct Relief {
     pub what: String,
     /// What is missing in the second half of the run, on average.
     pub missing: f64,
-    /// How far the body that sinks most ends below where exact answers leave it (m).
-    pub sinks: Option<f64>,
+    /// How far the body that is farthest off ends from where exact answers leave it (m).
+    pub off: f64,
     /// Sweeps, pivots or steps for each step of the scene, on average.
     pub iterations: f64,
 }

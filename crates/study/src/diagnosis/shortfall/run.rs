@@ -85,6 +85,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     if let Some(solve) = solve.filter(|solve| solve.posing.is_none()) {
         let frame = Frame::of(&solve.exported(scene, number));
         found.shortfall = examine(&frame, &practice, Some(&solve.start));
+        found.clear_the_start();
         found.innocent.extend(redundancy(&solve.problem.lcp));
         (found.place, found.frame) = (number - 1, Some(frame));
     }

@@ -47,6 +47,11 @@ impl Shortfall {
             return format!("{who} nothing undone: {} is missing.", percent(self.missing));
         }
         let what = match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
+            _ if self.missing > 1.0 => {
+                let error = percent(self.missing);
+                let worse = "an error larger than doing nothing would";
+                format!("{worse}, {error} of what the constraints have to do")
+            }
             Some(whole) => format!("{} of the weight uncarried", percent(whole.missing())),
             None => format!("{} of what the constraints have to do undone", percent(self.missing)),
         };
@@ -66,13 +71,13 @@ impl Shortfall {
         let (slowest, (needed, is_done)) = (self.slowest.as_ref()?, self.sweeps?);
         let sweeps = readable(needed.round(), DIGITS);
         let measured = match is_done {
-            true => format!("it took {sweeps}"),
-            false => format!("it would take {sweeps} by the last of those that were done"),
+            true => format!("as measured, {sweeps}"),
+            false => format!("as those that were done go on, {sweeps}"),
         };
         let mover = self.mover.as_ref();
         Some(format!(
-            "While no row changes, a sweep of Gauss-Seidel leaves {} of the slowest pattern{}, and after {} sweeps a \
-             thousandth is missing; {measured}.",
+            "While no contact opens or closes, a sweep of Gauss-Seidel leaves {} of the slowest pattern{}. By theory a good \
+             answer, in which a thousandth is missing, takes {} sweeps; {measured}.",
             readable(slowest.rate, 4),
             mover.map_or(String::new(), |body| format!(", in which {body} moves most")),
             readable(slowest.sweeps.round(), DIGITS),

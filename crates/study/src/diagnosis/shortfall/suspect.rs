@@ -15,8 +15,11 @@ const YIELDS: f64 = 0.1;
 /// A cause explains at least this part of what is seen.
 const TELLING: f64 = 0.5;
 
+/// Without feedback an error is at least this much smaller where feedback is wrong.
+const LARGER: f64 = 0.9;
+
 /// How far two runs end apart (m).
-fn apart(one: &[State], other: &[State]) -> f64 {
+pub(super) fn apart(one: &[State], other: &[State]) -> f64 {
     let distance = |(a, b): (&State, &State)| (a.pose.p - b.pose.p).norm();
     one.iter().zip(other).map(distance).fold(0.0, f64::max)
 }
@@ -43,14 +46,25 @@ pub(super) fn causes(
             innocent.push("the cold start".into());
         }
     }
-    if scene.step.baumgarte > 0.0 && exactly.gained <= WORTH * weight * size {
-        innocent.push("Baumgarte's feedback (no energy is gained)".into());
-    } else if scene.step.baumgarte > 0.0 {
-        let mut plain = exact(scene);
+    if scene.step.baumgarte > 0.0 {
+        let mut plain = scene.clone();
         plain.step.baumgarte = 0.0;
-        let (with, without) = (exactly.gained, end_of(&plain, count)?.gained.max(0.0));
-        if without < TELLING * with {
-            found.push((with / (WORTH * weight * size), Moving::Feedback { with, without }));
+        let plain = end_of(&plain, count)?;
+        let gains = own.gained > WORTH * weight * size;
+        let (with, without) = (own.gained, plain.gained.max(0.0));
+        if gains && without < TELLING * with {
+            let exactly = exactly.gained.max(0.0);
+            let cause = Moving::Feedback { with, without, exactly };
+            found.push((with / (WORTH * weight * size), cause));
+        }
+        let errs = exactly.error > WORTH * size;
+        let (with, without) = (own.error, plain.error);
+        // Feedback is there to make errors smaller: it need not double one to be wrong.
+        if errs && own.error > WORTH * size && without < LARGER * with {
+            found.push((with / (WORTH * size), Moving::Away { with, without }));
+        }
+        if !gains && !errs {
+            innocent.push("Baumgarte's feedback (no energy is gained)".into());
         }
     }
     if !is_of_impulses(scene.step.scheme) {
@@ -67,11 +81,16 @@ pub(super) fn causes(
     if rubs && scene.contact.model == Model::CoupledBox && scene.step.scheme == Scheme::Velocity {
         let mut round = exact(scene);
         round.contact.model = Model::CoulombCone;
-        let distance = apart(&exactly.states, &end_of(&round, count)?.states);
-        let start = &scene.states;
-        let way = apart(&exactly.states, start).max(WORTH * size);
+        let round = end_of(&round, count)?.states;
+        let distance = apart(&exactly.states, &round);
+        let way = apart(&exactly.states, &scene.states);
         if distance > (WORTH * size).max(0.02 * way) {
-            found.push((distance / (WORTH * size), Moving::BoxFriction { distance, way }));
+            let own = |k: &usize| (exactly.states[*k].pose.p - round[*k].pose.p).norm();
+            let farthest = (0..round.len()).max_by(|a, b| own(a).total_cmp(&own(b)));
+            let body = farthest.map_or_else(String::new, |k| scene.bodies[k].name.clone());
+            let way = farthest
+                .map_or(0.0, |k| (exactly.states[k].pose.p - scene.states[k].pose.p).norm());
+            found.push((distance / (WORTH * size), Moving::BoxFriction { body, distance, way }));
         } else {
             innocent.push("the box of friction (Coulomb's cone moves alike)".into());
         }
