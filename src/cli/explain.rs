@@ -4,13 +4,17 @@ use lcplab::simulation;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use lcplab::document::Document;
+use lcplab::document::{Document, Section};
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
+use lcplab::film::{Frame, Strip};
 use lcplab::lcp::exchange;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
-use lcplab::scene::Scheme;
+use lcplab::plot::Figure;
+use lcplab::report::page::Picture;
+use lcplab::scene::{Scene, Scheme};
+use lcplab::simulation::Simulation;
 use lcplab::solver::{Options, default_for};
 
 use super::form::Writing;
@@ -26,7 +30,7 @@ Example:
   lcplab explain sphere_plane --model polygon-4
   lcplab export stack | lcplab explain - --solver dantzig --format markdown
 
-Written are states, masses, forces, each row's c, J and J'u, the way from Newton's law to A and b, and
+Written are, as a page after a picture, states, masses, forces, each row's c, J and J'u, the way from Newton's law to A and b, and
 every row, move or tableau of the solver, with units; at most 12 rows of each. A name that ends
 as those of problem files do (.json, .mtx, …: `convert --list`), or -, is a problem and starts at A and b. Exit code 1 if the judge refutes an answer or a step
 cannot be taken, 2 for bad input.")]
@@ -71,6 +75,37 @@ enum Level {
     Velocity,
     /// Forces at an instant
     Acceleration,
+}
+
+/// The most instants in the picture of a motion.
+const FRAMES: usize = 6;
+
+/// The bodies before the first of the steps and after each, with the forces that act; nothing where no step can be taken.
+fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Option<Section>> {
+    let mut scene = scene.clone();
+    scene.solver.name = solver.into();
+    let mut simulation = Simulation::of(&scene)?;
+    let mut frames = Vec::new();
+    let last = last.min(first + FRAMES - 2);
+    for number in 1..=last {
+        if number == first {
+            frames.push(Frame::now(&simulation));
+        }
+        match simulation.step() {
+            Ok(step) if number >= first => frames.push(Frame::after(&scene, &step)),
+            Ok(_) => {}
+            Err(_) => break,
+        }
+    }
+    if frames.len() < 2 {
+        return Ok(None);
+    }
+    let strip = Strip::new(&scene, frames).with_forces();
+    let caption = "The bodies before the step and after it, with the forces of contacts and joints; an impulse is drawn as the \
+                   force that gives it over the step.";
+    let mut section = Section::new("Bodies and forces");
+    section.figure(Picture { svg: strip.svg(), caption: caption.into(), ..Picture::default() });
+    Ok(Some(section))
 }
 
 impl Explain {
@@ -120,7 +155,11 @@ impl Explain {
         }
         let first = self.from.unwrap_or(1) as usize;
         let last = first.saturating_add(self.steps.unwrap_or(1) as usize - 1);
-        steps(&scene, &method, first..=last)
+        let mut document = steps(&scene, &method, first..=last)?;
+        if self.writing.has_pictures() {
+            document.sections.splice(0..0, motion(&scene, method.name(), first, last)?);
+        }
+        Ok(document)
     }
 
     fn method(&self, name: &str, mut options: Options) -> Result<Method> {

@@ -55,9 +55,14 @@ impl Writing {
         }
     }
 
+    /// Whether pictures are shown.
+    pub fn has_pictures(&self) -> bool {
+        self.format() == Format::Html
+    }
+
     /// The file of a page, if it is one that is written to a file.
     pub fn page(&self) -> Option<&Path> {
-        self.out.as_deref().filter(|_| self.format() == Format::Html)
+        self.out.as_deref().filter(|_| self.has_pictures())
     }
 }
 

@@ -5,6 +5,7 @@
 //! the text may hold. Titles, names and cells are plain text. A lead, text, note, caption, column title
 //! and "how to read" may carry [`markup`]. The same page gives the same bytes.
 
+mod code;
 pub mod markup;
 mod mathml;
 mod origin;

@@ -3,6 +3,7 @@
 use askama::Template;
 use sha2::{Digest, Sha256};
 
+use super::code::{code, listing};
 use super::markup::{Renderer, html};
 use super::player::{self, Player};
 use super::{Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table};
@@ -85,11 +86,6 @@ impl ProofsView<'_> {
 const SWITCH: &str = "<div class=\"twin\"><div class=\"switch\" role=\"group\" aria-label=\"Language\">\
     <button type=\"button\" data-language=\"rust\" aria-pressed=\"true\">Rust</button>\
     <button type=\"button\" data-language=\"python\" aria-pressed=\"false\">Python</button></div>\n";
-
-fn code(language: &str, text: &str) -> String {
-    let (language, text) = (html(language), html(text.trim_end()));
-    format!("<pre tabindex=\"0\"><code class=\"language-{language}\">{text}</code></pre>\n")
-}
 
 /// JSON that ends no script element.
 fn data(json: &str) -> String {
@@ -243,7 +239,7 @@ impl Writer {
             Block::FoldedCode { language, text } => format!(
                 "<details class=\"folded\"><summary>code: {} lines</summary>\n{}</details>\n",
                 text.trim_end().lines().count(),
-                code(language, text)
+                listing(language, text)
             ),
             Block::Proofs { problem, proofs } => {
                 self.proofs = true;
