@@ -35,8 +35,7 @@ pub(super) fn code(language: &str, text: &str) -> String {
     )
 }
 
-/// A listing with all that it has.
-pub(super) fn listing(language: &str, text: &str) -> String {
+fn listing(language: &str, text: &str) -> String {
     let name = html(language);
     format!(
         "<pre tabindex=\"0\"><code class=\"language-{name}\">{}</code></pre>\n",

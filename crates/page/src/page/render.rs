@@ -3,7 +3,7 @@
 use askama::Template;
 use sha2::{Digest, Sha256};
 
-use super::code::{code, listing};
+use super::code::code;
 use super::markup::{Renderer, html};
 use super::player::{self, Player};
 use super::{Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table};
@@ -239,7 +239,7 @@ impl Writer {
             Block::FoldedCode { language, text } => format!(
                 "<details class=\"folded\"><summary>code: {} lines</summary>\n{}</details>\n",
                 text.trim_end().lines().count(),
-                listing(language, text)
+                code(language, text)
             ),
             Block::Proofs { problem, proofs } => {
                 self.proofs = true;

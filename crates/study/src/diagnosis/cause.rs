@@ -214,7 +214,7 @@ impl fmt::Display for Cause {
 
 /// Names of rows, of which a few are enough.
 fn listed(rows: &[String]) -> String {
-    const FEW: usize = 12;
+    const FEW: usize = 4;
     let mut list = rows.iter().take(FEW).cloned().collect::<Vec<_>>().join(", ");
     if rows.len() > FEW {
         list += &format!(" and {} more", rows.len() - FEW);

@@ -45,6 +45,56 @@ fn literal_text_reads_as_itself() {
     assert_eq!(text(&literal(name)), "<p>- my *scene* `[1](x)` $5 \\ &lt;b&gt;</p>");
 }
 
+/// The text of the listings on a page, without what colours and folds them.
+fn listed(language: &str, code: &str) -> Vec<String> {
+    let block = Block::Code { language: language.into(), text: code.into() };
+    let html = main_part(&page(vec![block]));
+    let listings = html.split("<code class=").skip(1).map(|rest| {
+        let inside = rest.split_once('>').unwrap().1.split("</code>").next().unwrap();
+        let mut text = String::new();
+        for piece in inside.split('<') {
+            text += piece.split_once('>').map_or(piece, |(_, text)| text);
+        }
+        let signs =
+            [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&#39;", "'"), ("&amp;", "&")];
+        signs.iter().fold(text, |text, (name, sign)| text.replace(name, sign))
+    });
+    listings.collect()
+}
+
+#[test]
+fn colours_change_no_sign_of_code() {
+    let rust =
+        "let é = \"a \\\" // b\"; // <&'> 'a\nfn f<'a>(x: &'a str) -> f64 { 1.5e3_f64 }\n\"no end";
+    assert_eq!(listed("rust", rust), [rust]);
+    let python = "def f(x='a\\'b', y=\"#\"):  # ' <\n    return x if y else 0x1f";
+    assert_eq!(listed("python", python), [python]);
+    assert_eq!(listed("toml", "a = 'b' # c"), ["a = 'b' # c"]);
+    for (code, class, piece) in [
+        ("let x = 1;", "word", "let"),
+        ("letter = 25;", "number", "25"),
+        ("// let x", "comment", "// let x"),
+        ("f(\"if // x\")", "text", "&quot;if // x&quot;"),
+    ] {
+        let block = Block::Code { language: "rust".into(), text: code.into() };
+        let html = main_part(&page(vec![block]));
+        assert!(html.contains(&format!("<span class=\"{class}\">{piece}</span>")), "{html}");
+    }
+}
+
+#[test]
+fn imports_at_the_beginning_stand_apart() {
+    let rust = "use a::{\n    b,\n    c,\n};\nuse d;\n\nlet e = 1;\nuse f;";
+    assert_eq!(
+        listed("rust", rust),
+        ["use a::{\n    b,\n    c,\n};\nuse d;", "let e = 1;\nuse f;"]
+    );
+    let python = "from a import (\n    b,\n)\nimport c\n\nd = 1";
+    assert_eq!(listed("python", python), ["from a import (\n    b,\n)\nimport c", "d = 1"]);
+    let few = "use a;\nlet b = 1;";
+    assert_eq!(listed("rust", few), [few]);
+}
+
 #[test]
 fn text_is_escaped_everywhere() {
     let evil = "<script>alert(\"1\")</script>";

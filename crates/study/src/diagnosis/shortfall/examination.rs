@@ -141,6 +141,10 @@ impl Examination {
         sections.extend(found.filter(|found| found.is_short()).and_then(Shortfall::loads_section));
         sections.extend(self.steps());
         let mut rest = std::mem::take(&mut document.sections);
+        if document.is_accepted {
+            // They do no harm, and fill a page; a problem alone, and JSON, have them.
+            rest.retain(|own| own.title != "Dependent rows");
+        }
         rest.iter_mut()
             .filter(|own| own.title == "Causes")
             .for_each(|own| own.title = "Remarks".into());
