@@ -7,6 +7,7 @@ use lcplab_judge::{
     Certificate, Demand, Evidence, Refutation, Verdict, error_bound, judge, printed_up, ray,
     refutation, upper_bound,
 };
+use lcplab_page::number::readable;
 use lcplab_problem::Lcp;
 use lcplab_problem::file::{Problem, number};
 use lcplab_solver::{Options, Reason, Solution, Start, Status, by_name, default_for};
@@ -92,16 +93,28 @@ pub fn first_answer(lcp: &Lcp) -> Vec<f64> {
     x
 }
 
-/// A verdict with what its row is, if the problem says so.
-pub fn labelled(verdict: &Verdict, problem: &Problem) -> String {
-    let label = |row: usize| problem.extra.get("rows")?.get(row)?.get("label")?.as_str();
-    match verdict {
-        Verdict::NotASolution { row, .. } => match label(*row) {
-            Some(label) => format!("{verdict} ({label})"),
-            None => verdict.to_string(),
-        },
-        _ => verdict.to_string(),
+/// A verdict with what its row is and what its w means, if the problem says so: `normal ground box1 0: 0.017 m/s of
+/// approach, 0.17 mm a step`.
+pub fn labelled(verdict: &Verdict, w: &[f64], problem: &Problem) -> String {
+    let Verdict::NotASolution { row, .. } = *verdict else { return verdict.to_string() };
+    let known = |key: &str| problem.extra.get("rows")?.get(row)?.get(key)?.as_str();
+    let (Some(label), Some(&w)) = (known("label"), w.get(row)) else { return verdict.to_string() };
+    let unit = match known("unit") {
+        Some("N s") => "m/s",
+        Some("N") => "m/s²",
+        Some("N m s") => "rad/s",
+        Some("N m") => "rad/s²",
+        _ => return format!("{verdict} ({label})"),
+    };
+    let mut meaning = match known("kind") {
+        Some("normal") if w < 0.0 => format!("{} {unit} of approach", readable(-w, 2)),
+        _ => format!("w = {} {unit}", readable(w, 2)),
+    };
+    let step = problem.extra.get("dt").and_then(Value::as_f64);
+    if let ("m/s", Some(dt)) = (unit, step) {
+        meaning += &format!(", {} mm a step", readable(1e3 * w.abs() * dt, 2));
     }
+    format!("{verdict} ({label}: {meaning})")
 }
 
 /// What the judge finds where a solver has ended on a ray or says that there is no solution: its own vector proves
@@ -245,7 +258,8 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
         ("complementarity", certificate.complementarity_gap, "largest w times distance to bound"),
         ("duality gap", certificate.duality_gap, "objective minus lower bound"),
     ];
-    let mut text = format!("verdict    {}\n", labelled(&certificate.verdict, problem));
+    let mut text =
+        format!("verdict    {}\n", labelled(&certificate.verdict, &certificate.w, problem));
     for (name, value, meaning) in lines {
         text += &format!("  {name:<17}{value:>10.2e}  {meaning}\n");
     }

@@ -285,7 +285,7 @@ impl Row {
             let worst = self.worst_residual.map_or(0.0, |worst| worst);
             self.worst_residual = Some(worst.max(certificate.scaled_residual));
             if !holds {
-                self.trouble = Some(labelled(&certificate.verdict, problem));
+                self.trouble = Some(labelled(&certificate.verdict, &certificate.w, problem));
             }
         } else if self.refuted_claims == 0 {
             self.trouble = Some(solution.status.to_string());

@@ -180,3 +180,26 @@ fn a_trace_has_a_line_for_each_iterate_and_a_picture_the_rate_of_theory() {
     let refused = run(&["solve", problem, "--model", "coulomb-cone", "--plot", svg]);
     assert_eq!(refused.status.code(), Some(2));
 }
+
+/// w = A x + b at x = 0 is b, and 0.5 m/s for a hundredth of a second are 5 mm.
+#[test]
+fn a_verdict_says_what_its_row_is_and_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let answer = folder.path().join("answer.json");
+    std::fs::write(&answer, r#"{"x": [0]}"#).unwrap();
+    for (row, said) in [
+        (
+            r#""kind": "normal", "unit": "N s""#,
+            "(foot on ground: 0.5 m/s of approach, 5 mm a step)",
+        ),
+        (r#""kind": "normal", "unit": "N""#, "(foot on ground: 0.5 m/s² of approach)"),
+        (r#""kind": "joint", "unit": "N m s""#, "(foot on ground: w = −0.5 rad/s)"),
+        (r#""kind": "joint""#, "(foot on ground)"),
+    ] {
+        let problem = format!(
+            r#"{{"A": {{"dense": [[2]]}}, "b": [-0.5], "dt": 0.01, "rows": [{{"label": "foot on ground", {row}}}]}}"#
+        );
+        let judged = run_with(&problem, &["judge", "-", answer.to_str().unwrap()]);
+        assert!(out(&judged).contains(said), "{row}: {}{}", out(&judged), err(&judged));
+    }
+}
