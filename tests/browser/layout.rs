@@ -1,7 +1,12 @@
 //! Nothing is wider than the screen, and the contents list is within reach.
 
+use lcplab::report::{
+    self,
+    page::{Block, Section},
+};
 use serde_json::json;
 
+use super::driver::Page;
 use super::{WIDTHS, sample, written};
 
 /// What sticks out of the page although no frame around it scrolls.
@@ -11,7 +16,17 @@ return [width, document.documentElement.scrollWidth];";
 
 #[test]
 fn no_page_scrolls_sideways_on_desk_or_phone() {
+    let long = "m g t / (I + m L^2/4) + ".repeat(8) + "t";
+    let block = Block::Text(format!("- ${long}$\n- word\n\nand ${long}$ within"));
+    let section = Section {
+        id: "one".into(),
+        title: "One".into(),
+        blocks: vec![block],
+        ..Section::default()
+    };
+    let formulas = report::page::Page { sections: vec![section], ..report::page::Page::default() };
     let pages = [
+        Page(formulas.render().unwrap()),
         sample(),
         written(&["report", "chapter"], "index.html"),
         written(&["lesson", "4"], "04_sweeping.html"),
