@@ -88,8 +88,10 @@ impl Examination {
         let (Some(own), Some(cold)) = (of(AS_IT_IS), of(COLD)) else { return };
         let helps = cold.missing < 0.5 * own.missing;
         let Some(found) = self.shortfall.as_mut().filter(|_| !helps) else { return };
+        let before = found.causes.len();
         found.causes.retain(|cause| !matches!(cause, Slow::Stale { .. }));
-        if found.causes.is_empty() && self.moving.is_empty() {
+        let was_alone = before > 0 && found.causes.is_empty();
+        if was_alone && self.moving.is_empty() {
             found.causes.push(Slow::Other);
         }
     }
@@ -114,7 +116,7 @@ impl Examination {
                 .iter()
                 .all(|note| note.missing.is_none_or(|missing| missing == 0.0)) =>
             {
-                "This scheme solves no LCP, so that the solver plays no part.".into()
+                "No LCP was solved in these steps, so that the solver plays no part.".into()
             }
             None => "No solution is known to compare with.".into(),
         };
