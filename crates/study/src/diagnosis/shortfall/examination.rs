@@ -4,10 +4,9 @@ use lcplab_page::document::{Document, Section};
 use lcplab_page::number::readable;
 use serde_json::{Value, json};
 
-use super::cause::{Moving, Slow};
+use super::cause::Moving;
 use super::examine::{HEALTHY, Shortfall};
 use super::frame::Frame;
-use super::relief::{AS_IT_IS, COLD};
 use super::remedy::Relief;
 use super::show::percent;
 
@@ -82,20 +81,6 @@ pub struct Examination {
 }
 
 impl Examination {
-    /// A start that is worse than none in the examined step is a cause only if the run is better without it.
-    pub(super) fn clear_the_start(&mut self) {
-        let of = |what: &str| self.reliefs.iter().find(|relief| relief.what == what);
-        let (Some(own), Some(cold)) = (of(AS_IT_IS), of(COLD)) else { return };
-        let helps = cold.missing < 0.5 * own.missing;
-        let Some(found) = self.shortfall.as_mut().filter(|_| !helps) else { return };
-        let before = found.causes.len();
-        found.causes.retain(|cause| !matches!(cause, Slow::Stale { .. }));
-        let was_alone = before > 0 && found.causes.is_empty();
-        if was_alone && self.moving.is_empty() {
-            found.causes.push(Slow::Other);
-        }
-    }
-
     /// The names of the causes, the first first.
     pub fn causes(&self) -> Vec<&'static str> {
         let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());

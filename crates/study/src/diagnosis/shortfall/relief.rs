@@ -5,6 +5,8 @@ use lcplab_mechanics::scene::{Persistence, Scene};
 use lcplab_problem::error::Result;
 use lcplab_solver::Group;
 
+use super::cause::Slow;
+use super::examination::Examination;
 use super::remedy::{METHODS, Relief};
 use super::run::{End, end_of};
 use super::suspect::apart;
@@ -16,10 +18,10 @@ const PARTS: usize = 8;
 const MORE: usize = 4;
 
 /// The run without a change.
-pub(super) const AS_IT_IS: &str = "as it is";
+const AS_IT_IS: &str = "as it is";
 
 /// The remedy of a start that is worse than none.
-pub(super) const COLD: &str = "start from 0 in every step";
+const COLD: &str = "start from 0 in every step";
 
 /// The remedies of a run of so many steps, the best first; the run as it is is one of them.
 pub(super) fn reliefs(
@@ -90,4 +92,20 @@ fn changes(scene: &Scene) -> Vec<Change> {
         });
     }
     all
+}
+
+impl Examination {
+    /// A start that is worse than none in the examined step is a cause only if the run is better without it.
+    pub(super) fn clear_the_start(&mut self) {
+        let of = |what: &str| self.reliefs.iter().find(|relief| relief.what == what);
+        let (Some(own), Some(cold)) = (of(AS_IT_IS), of(COLD)) else { return };
+        let helps = cold.missing < 0.5 * own.missing;
+        let Some(found) = self.shortfall.as_mut().filter(|_| !helps) else { return };
+        let before = found.causes.len();
+        found.causes.retain(|cause| !matches!(cause, Slow::Stale { .. }));
+        let was_alone = before > 0 && found.causes.is_empty();
+        if was_alone && self.moving.is_empty() {
+            found.causes.push(Slow::Other);
+        }
+    }
 }
