@@ -16,7 +16,7 @@ return [width, document.documentElement.scrollWidth];";
 
 #[test]
 fn no_page_scrolls_sideways_on_desk_or_phone() {
-    let long = "m g t / (I + m L^2/4) + ".repeat(8) + "t";
+    let long = "m g t / (I + m L^2/4) + ".repeat(3) + "t";
     let block = Block::Text(format!("- ${long}$\n- word\n\nand ${long}$ within"));
     let section = Section {
         id: "one".into(),
