@@ -46,10 +46,13 @@ pub struct Description {
     /// Which solver to use.
     pub solver: Solver,
     /// Regular structures, added to the bodies and constraints.
+    #[schemars(schema_with = "one_or_several::<Generator>")]
     pub generate: Vec<Generator>,
     /// The bodies.
+    #[schemars(schema_with = "one_or_several::<Body>")]
     pub bodies: Vec<Body>,
     /// The constraints; contacts are found, not written.
+    #[schemars(schema_with = "one_or_several::<Constraint>")]
     pub constraints: Vec<Constraint>,
     /// Where bodies are when the simulation begins, if not where joints were made: what `simulate` saves.
     pub start: Vec<Start>,
@@ -274,6 +277,13 @@ pub struct Constraint {
     /// The numbers of teeth of a gear's wheels, in the order of the bodies.
     #[serde(default)]
     pub teeth: Option<[u32; 2]>,
+}
+
+/// The schema of a list that may also be its only item.
+fn one_or_several<T: JsonSchema>(schemas: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    let one = schemas.subschema_for::<T>();
+    let several = schemas.subschema_for::<Vec<T>>();
+    schemars::json_schema!({ "anyOf": [one, several] })
 }
 
 /// The schema of a constraint's kind: one of the names of the joints.
