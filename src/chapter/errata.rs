@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::exhibit::{ALL, Evidence, Exhibit};
+use super::exhibit::{self, Exhibit};
 use crate::document::{Block, Document, Section, Table};
 use crate::error::Result;
 
@@ -20,7 +20,7 @@ pub struct Tried {
 /// # Errors
 /// If an example cannot be set up.
 pub fn tried() -> Result<Vec<Tried>> {
-    ALL.iter().map(|exhibit| Tried::of(exhibit)).collect()
+    exhibit::all().iter().map(Tried::of).collect()
 }
 
 /// The list of those that were tried.
@@ -53,10 +53,7 @@ impl Tried {
     /// # Errors
     /// If it cannot be set up.
     pub fn of(exhibit: &'static Exhibit) -> Result<Self> {
-        let is_shown = match exhibit.evidence {
-            Evidence::Example(example) => Some(example()?.is_shown()),
-            Evidence::Words(_) => None,
-        };
+        let is_shown = exhibit.found()?.map(|finding| finding.is_shown());
         Ok(Tried { exhibit, is_shown })
     }
 

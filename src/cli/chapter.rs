@@ -70,7 +70,7 @@ impl Chapter {
             return self.writing.write(&inventory::list(kind, verdict));
         }
         let entries = inventory::chosen(kind, verdict).flat_map(|(group, entries)| {
-            entries.into_iter().map(move |entry| entry.to_json(group.kind))
+            entries.into_iter().map(move |entry| entry.to_json(&group.kind))
         });
         self.object(&entries.collect(), Outcome::Good)
     }
@@ -78,7 +78,7 @@ impl Chapter {
     fn entry(&self, name: &str) -> Result<Outcome> {
         let (group, entry) = inventory::named(name)?;
         if self.json {
-            return self.object(&entry.to_json(group.kind), Outcome::Good);
+            return self.object(&entry.to_json(&group.kind), Outcome::Good);
         }
         self.writing.write(&entry.document())
     }

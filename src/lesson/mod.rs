@@ -98,11 +98,11 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
 /// An erratum as a quotation.
 fn note(id: &str) -> Option<String> {
     let exhibit = exhibit::named(id).ok()?;
-    let [printed, holds] = [exhibit.printed, exhibit.holds].map(literal);
+    let [printed, holds] = [&exhibit.printed, &exhibit.holds].map(|text| literal(text));
     Some(format!(
         "> **{}**, {}, {}. *Printed:* {printed} *Holds:* {holds}",
         exhibit.id,
-        literal(exhibit.place),
+        literal(&exhibit.place),
         exhibit.severity.word(),
     ))
 }

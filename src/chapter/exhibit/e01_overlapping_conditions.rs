@@ -1,26 +1,9 @@
 //! E01: the three conditions of the boxed problem overlap, K&M (1).
 
 use super::common::enumerated;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::{Lcp, Matrix};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E01",
-    title: "conditions that exclude each other",
-    place: "K&M (1)",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "With y = A x + b: y ≥ 0 → x = lower, y ≤ 0 → x = upper, y = 0 → lower < x < upper; the limits \
-              are said to be on y.",
-    holds: "The limits are on x: lower ≤ x ≤ upper, and y > 0 → x = lower, y < 0 → x = upper. So y = 0 \
-            wherever x lies between its limits.",
-    why: "Where y = 0 the printed lines all apply at once and ask x to be at both ends and in between: no \
-          number is. Making the first two signs strict does not suffice, because the third line still \
-          refuses an x that sits at a limit with y = 0, a contact that touches without pressing. The sign \
-          of b is this library's own: K&M (1) and w = A x + b agree, later equations do not (E02).",
-    evidence: Evidence::Example(example),
-};
 
 const LOWER: f64 = 0.0;
 const UPPER: f64 = 10.0;
@@ -52,7 +35,7 @@ fn corrected(x: f64, y: f64) -> bool {
 }
 
 /// One row inside its limits, one that is degenerate, one at its upper limit.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let rows: [(&str, Reading, f64, bool); 4] = [
         ("y = 2x − 4", printed, -4.0, false),
         ("y = 2x", printed, 0.0, false),

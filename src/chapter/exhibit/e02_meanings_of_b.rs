@@ -1,26 +1,11 @@
 //! E02: one letter b for three things, K&M (1), (2), (4), (13) to (15).
 
 use super::common::{answer, contacts, enumerated, last};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E02",
-    title: "one letter for three things",
-    place: "K&M (1), (2), (4), (13) to (15)",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "y = A x + b in (1); b = A x + q in (13); A x = b in (2), (4), (14) and (15).",
-    holds: "One letter a thing: w = A x + b throughout. Then the b of (14) is −b, the b of (13) is w, and \
-            its q is b.",
-    why: "The constant changes sides between (1) and (14), and with the side its sign; in (13) the same \
-          letter is the unknown slack. A reader who sets up b by (1) and hands it to the solver of A x = b \
-          solves another problem, and nothing looks wrong: the answer is a solution, of that one.",
-    evidence: Evidence::Example(example),
-};
-
 /// The b of (1) given to a solver of A x = b, as it stands and with its sign turned.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (a, b) = ([2.0, -1.0, -1.0, 2.0], [-1.0, 2.0]);
     let negated = b.map(|b| -b);
     // The chapter's solver of A x = b finds the x with w = A x − b.

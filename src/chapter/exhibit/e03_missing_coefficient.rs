@@ -1,24 +1,8 @@
 //! E03: the Gauss-Seidel sums without coefficients, K&M (2).
 
 use super::common::{enumerated, equations, last};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E03",
-    title: "sums without coefficients",
-    place: "K&M (2)",
-    severity: Severity::Misprint,
-    may_be_scan: true,
-    printed: "xᵢ⁽ᵏ⁺ⁱ⁾ = (bᵢ − Σ xⱼ⁽ᵏ⁺¹⁾ over j < i − Σ xⱼ⁽ᵏ⁾ over j > i) / aᵢᵢ, with i the column and j \
-              the row",
-    holds: "xᵢ⁽ᵏ⁺¹⁾ = (bᵢ − Σ aᵢⱼ xⱼ⁽ᵏ⁺¹⁾ over j < i − Σ aᵢⱼ xⱼ⁽ᵏ⁾ over j > i) / aᵢᵢ, with i the row and j \
-            the column",
-    why: "Row i of A x = b is Σ aᵢⱼ xⱼ = bᵢ; solved for xᵢ, every other unknown keeps its coefficient. \
-          With row and column exchanged the sweep solves Aᵀ x = b: the same where A is symmetric, as it is \
-          for contacts, so nothing shows the mistake there. Code 6 has the coefficients.",
-    evidence: Evidence::Example(example),
-};
 
 /// Sixty sweeps of (2) with these coefficients; b in the sign of A x = b.
 fn swept<const N: usize>(
@@ -47,7 +31,7 @@ fn measure<const N: usize>(
 }
 
 /// Coefficients left out; indices exchanged in an unsymmetric and in a symmetric matrix.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let chain = [[4.0, 1.0, 0.0], [1.0, 3.0, 1.0], [0.0, 1.0, 2.0]];
     let skewed = [[4.0, 2.0], [-1.0, 3.0]];
     Ok(Finding::new(

@@ -1,32 +1,16 @@
 //! E04: a stop test that never fires at an active bound, K&M (4).
 
 use super::common::{contacts, curves, spaced, sweeps};
-use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use super::{Finding, Measure, Outcome};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E04",
-    title: "a stop test that never stops",
-    place: "K&M (4)",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "Stop when |b − A x| / |b| is small.",
-    holds: "Stop when the natural residual |x − Π(x − w)| is small, Π clamping to the bounds and each row \
-            scaled by its own terms.",
-    why: "With bounds b − A x is −w, the slack. At a row that rests at its bound the slack belongs there: \
-          it is the speed at which a contact opens. The printed test asks it to vanish, so it can only fire \
-          where no bound is active; the solver then runs to its iteration limit with the answer in hand. \
-          And for b = 0, which x = 0 solves, it is 0/0.",
-    evidence: Evidence::Example(example),
-};
 
 const SWEEPS: usize = 10_000;
 const SMALL: f64 = 1e-3;
 
 /// A problem that the first sweep solves, and b = 0.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let lcp = contacts(&[2.0, -1.0, -1.0, 2.0], &[-1.0, 3.0])?;
     let iterates = sweeps("pgs", &lcp, &[0.0; 2], SWEEPS)?;
     let sweeps_to =

@@ -1,24 +1,10 @@
 //! E05: two inequalities without complementarity, K&M (15).
 
 use super::common::{contacts, curves, enumerated, last};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E05",
-    title: "half a line of answers",
-    place: "K&M (15)",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "The inequality problem is A x ≥ b and x ≥ 0.",
-    holds: "Add complementarity: x · (A x − b) = 0, each contact either presses or opens.",
-    why: "The two inequalities only say that no contact pulls and none closes. Any force that is large \
-          enough passes, one that shoots the body into the air included; the third condition picks the one \
-          force that nature uses. It stands in (13), and is lost in (15).",
-    evidence: Evidence::Example(example),
-};
 
 /// (15) as printed: w ≥ 0 and x ≥ 0, w = A x + b in this library's sign.
 fn printed(lcp: &Lcp, x: &[f64]) -> bool {
@@ -34,7 +20,7 @@ fn count(lcp: &Lcp, tried: &[Vec<f64>], accepts: fn(&Lcp, &[f64]) -> bool) -> f6
 }
 
 /// One row and two; among the x that are tried is the solution.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let one = contacts(&[2.0], &[-4.0])?;
     let two = contacts(&[2.0, -1.0, -1.0, 2.0], &[-1.0, 3.0])?;
     let line: Vec<Vec<f64>> = [2.0, 3.0, 100.0].map(|x| vec![x]).into();

@@ -1,27 +1,12 @@
 //! E06: bounds applied after the sweep, K&M Code 6.
 
 use super::common::{contacts, enumerated, last};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::solver::{Options, Start, by_name};
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E06",
-    title: "bounds applied after the sweep",
-    place: "K&M Code 6",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "Sweep over all rows without bounds, then clamp the whole vector.",
-    holds: "Clamp each unknown as it is updated, so that the rows after it see the clamped value.",
-    why: "Later rows of the sweep use unknowns that are not yet clamped. The fixed point is then a solution \
-          only when no clamped row comes before a row it is coupled to; else the limit is wrong, and it may \
-          not exist even where A is positive definite. Without an active bound the listing is plain \
-          Gauss-Seidel, and right.",
-    evidence: Evidence::Example(example),
-};
-
 /// A wrong limit in two rows, another between three balls, divergence in three.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let problems: [(&str, &[f64], &[f64]); 3] = [
         ("A = [1 ½; ½ 1], b = (1, −1)", &[1.0, 0.5, 0.5, 1.0], &[1.0, -1.0]),
         ("A = [2 −1; −1 2], b = (1, −1)", &[2.0, -1.0, -1.0, 2.0], &[1.0, -1.0]),

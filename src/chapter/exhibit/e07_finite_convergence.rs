@@ -3,35 +3,17 @@
 use dashu_ratio::RBig;
 
 use super::common::{bounded, curves, spaced, sweeps, tridiagonal};
-use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use super::{Finding, Measure, Outcome};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
 use crate::solver::theory::sweeps_to;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E07",
-    title: "convergence is not finite",
-    place: "K&M, section on the solver",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Iterative methods converge on a solution finitely; it takes from two or three iterations to \
-              hundreds.",
-    holds: "They converge asymptotically: in the long run each sweep multiplies the error by a factor ρ \
-            below 1, and for long chains and tall stacks that is thousands of sweeps. The rows of A that \
-            are free in the answer decide ρ; which rows these are depends on b.",
-    why: "A sweep passes news on from row to row, and back by one row only. For n rods in a chain \
-          ρ = cos²(π/(n+1)) ≈ 1 − (π/n)²: twice the length takes four times the sweeps. On a computer the \
-          error does end at 0, because rounding ends it; exact fractions show that it never would. \
-          Only where a bound is hit can a sweep land on the answer (E04, E06).",
-    evidence: Evidence::Example(example),
-};
 
 const RODS: usize = 50;
 /// When the slowest part of the error is all that is left of it.
 const SETTLED: usize = 1000;
 
 /// Two rows in fractions, a chain of fifty in sweeps.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let errors = chain_errors()?;
     let end = errors.iter().skip(SETTLED).position(|e| *e <= 1e-6 * errors[SETTLED]);
     let counted = end.map_or(Outcome::Impossible("not reached".into()), |k| (k as f64).into());

@@ -1,33 +1,16 @@
 //! E08: pivoting called recursive, and wrong for many constraints.
 
 use super::common::{answer, last, sweeps};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::{Lcp, library};
 use crate::solver::{Options, Start, by_name};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E08",
-    title: "what pivoting is, and how exact",
-    place: "K&M, section on the solver",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Pivoting methods recurse over smaller instances of the problem; in the authors' experience \
-              they give erroneous results for many constraints, by rounding.",
-    holds: "They are a loop: guess which rows are at a bound, find a row that contradicts, exchange it. For \
-            the matrices of contacts the loop ends, after up to 2ⁿ − 1 exchanges in the worst case and about \
-            n in practice, with an answer that is exact but for rounding.",
-    why: "The exchanges do not shrink the problem, they walk through its active sets. The verdict on accuracy \
-          is an experience, which we cannot repeat in double precision: rounding grows with the exchanges, \
-          but from 10⁻¹⁶, while a tall column leaves sweeps far from done.",
-    evidence: Evidence::Example(example),
-};
 
 const ROWS: usize = 10;
 const BODIES: usize = 60;
 
 /// The worst case of the least-index rule, and a column of sixty bodies.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let exchanges = by_name("murty", &Options::default())?
         .solve(&problem("murty", ROWS)?, &Start::default(), &mut ())
         .iterations;

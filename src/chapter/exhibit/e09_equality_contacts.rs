@@ -1,27 +1,11 @@
 //! E09: contacts called equalities, and Jacobi's method taken to converge like Gauss-Seidel.
 
 use super::common::{answer, contacts, equations, last, sweeps};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E09",
-    title: "contacts are inequalities",
-    place: "K&M, section on the solver",
-    severity: Severity::Misprint,
-    may_be_scan: false,
-    printed: "The Gauss-Seidel and Jacobi methods can be modified to handle equality constraints, such as \
-              contacts.",
-    holds: "Inequality constraints. And the two methods are not alike: Gauss-Seidel converges for every \
-            positive definite A, Jacobi only if 2D − A is positive definite too, D the diagonal of A.",
-    why: "Equations need no modification; the clamp of (3) is there because contacts push and never pull. \
-          Jacobi moves all unknowns at once, each as if the others stood still. Where many rows share a \
-          body they all correct the same error and together overshoot.",
-    evidence: Evidence::Example(example),
-};
-
 /// A contact that opens, and a matrix on which Jacobi's method overshoots.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let speed = 1.0;
     let v_next = |x: Vec<f64>| speed + x[0];
     let glued = v_next(answer("pgs", &equations(&[1.0], &[speed])?)?);

@@ -4,32 +4,16 @@ use nalgebra::{DMatrix, SMatrix, Vector3};
 
 use super::common::{contacts, curves, enumerated, equations, rank, spaced, sweeps};
 use super::setting::{DT, G};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E10",
-    title: "A is not definite",
-    place: "K&M (14)",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "A is symmetric and positive definite; A x = b has one solution, none, or infinitely many.",
-    holds: "A = J M⁻¹ Jᵀ is positive semidefinite, and definite only if the rows of J are independent. A \
-            definite A always gives one solution; the other two outcomes need a singular one.",
-    why: "Four corners hold a box that three would hold already. The forces can then be shifted around, \
-          z = (1, −1, −1, 1) times anything, and the box does not feel it: A z = 0. The motion is unique, \
-          the forces are not. If b asks for what no force can do, x runs off along z for ever, while the \
-          motion settles at the nearest compromise.",
-    evidence: Evidence::Example(example),
-};
 
 const SWEEPS: usize = 4000;
 /// A shift of forces that the box does not feel.
 const NULL: [f64; 4] = [1.0, -1.0, -1.0, 1.0];
 
 /// A cube on its corners, whose weight is to be held, and one corner alone to be lifted.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let j = jacobian();
     let a = delassus(&j);
     let weight = contacts(a.as_slice(), &[-G * DT; 4])?;

@@ -3,29 +3,13 @@
 use nalgebra::{DMatrix, Matrix2};
 
 use super::common::tridiagonal;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E11",
-    title: "no matrix is inverted",
-    place: "K&M, block matrix methods and caption of Code 6",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Most of the cost is calculating an inverse matrix; A X = B is solved by X = B/A; Code 6 shows \
-              how to invert a matrix.",
-    holds: "Code 6 solves A x = b and inverts nothing. For matrices X = A⁻¹ B: the side of the inverse \
-            matters, and no solver here ever forms it.",
-    why: "An inverse answers every b at once; a step asks for one. And where A has a few entries a row, its \
-          inverse has n of them, because a push on one link of a chain is felt by all. B/A means two \
-          different things, since B A⁻¹ is not A⁻¹ B.",
-    evidence: Evidence::Example(example),
-};
 
 const RODS: usize = 50;
 
 /// A chain's matrix and its inverse; a division from both sides.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let a = tridiagonal(RODS, 2.0);
     let inverse = a.to_dense().try_inverse().unwrap_or_else(|| DMatrix::zeros(0, 0));
     let felt = inverse.iter().filter(|entry| entry.abs() > 1e-9).count();

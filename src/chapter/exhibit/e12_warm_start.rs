@@ -2,25 +2,10 @@
 
 use super::common::{bounded, curves, last, sweeps, tridiagonal};
 use super::setting::{DT, G};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::plot::{Axis, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E12",
-    title: "a warm start that starts cold",
-    place: "K&M Codes 6 and 7, note on fewer iterations",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Leave out the line of Code 6 that clears x, and the solver starts from the last frame's answer.",
-    holds: "x must outlive the call, and each of its entries must be found again for the contact it belongs \
-            to; then the line can go.",
-    why: "Code 7 makes a new x, filled with zeros, in every call. So there is nothing to start from, with \
-          the line or without it. Contacts come and go and change their order too: the impulses have to be \
-          stored under the names of their contacts.",
-    evidence: Evidence::Example(example),
-};
 
 const BODIES: usize = 10;
 const FRAMES: usize = 100;
@@ -29,7 +14,7 @@ const SWEEPS: usize = 10;
 const STEP: f64 = G * DT;
 
 /// The floor's part of the weight of ten bodies at rest, frame by frame.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let mut b = [0.0; BODIES];
     b[0] = -STEP; // only the lowest contact closes when all fall alike
     let lcp = bounded(tridiagonal(BODIES, 1.0), &b, 0.0)?;

@@ -2,22 +2,8 @@
 
 use super::common::{answer, contacts};
 use super::setting::{DT, G};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E13",
-    title: "the velocity equation forgets the time step",
-    place: "K&M, the unnumbered equation for the velocity level",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "J M⁻¹ Jᵀ λ + J u + J M⁻¹ F ≥ 0",
-    holds: "dt J M⁻¹ Jᵀ λ + J u + dt J M⁻¹ F ≥ 0, which is J u⁺ ≥ 0",
-    why: "The first and the last term are accelerations, the middle one is a velocity: they cannot be added. \
-          The integrator beside the equation, u⁺ = u + dt M⁻¹ (F + Jᵀ λ), put into J u⁺ ≥ 0, gives both \
-          factors. Without them a blow is stopped as if the step took one second.",
-    evidence: Evidence::Example(example),
-};
 
 const V: f64 = -1.0;
 const F: f64 = -G;
@@ -28,7 +14,7 @@ fn force(a: f64, b: f64) -> Result<f64> {
 }
 
 /// A ball that hits the floor, with three steps.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let mut finding = Finding::new(
         "A ball of 1 kg hits the floor at 1 m/s, g = 9.81 m/s². One row: printed A = 1, b = v − g; corrected \
          A = dt, b = v − g dt, in the sign of w = A x + b (here the chapter has the same). Either λ is put \

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::common::{answer, contacts, curves, enumerated};
 use super::setting::G;
-use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use super::{Finding, Measure, Outcome};
 use crate::error::{Error, Result};
 use crate::formulation::Stage;
 use crate::lcp::library;
@@ -14,25 +14,10 @@ use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E14",
-    title: "neither level contains the other",
-    place: "K&M, section on acceleration or velocity level",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "The velocity level is basically a subset of the acceleration level.",
-    holds: "Neither contains the other. A single step at velocity level lacks J̇u, the part of the force \
-            that bends the path; but it has impacts, and an answer where friction leaves no force possible.",
-    why: "The velocity level asks only that the velocity at the end of the step fits the constraint where \
-          the step began. What is missing then, the next step makes good, so over a run the force is right. \
-          The acceleration level knows forces only: a blow is none, and for Painlevé's rod there is none.",
-    evidence: Evidence::Example(example),
-};
-
 const START: Swing<1> = Swing { angles: [0.7], rates: [1.3] };
 
 /// A pendulum's pull, a blow, and a rod that no force can hold.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let pull = -(G * START.angles[0].cos() + START.rates[0].powi(2));
     let step = |scheme| Ok::<f64, Error>(forces(scheme, 0.01, 1)?[0]);
     let force =

@@ -3,27 +3,13 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::common::product;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E15",
-    title: "the Jacobian lies on its side",
-    place: "K&M, section on the Jacobian",
-    severity: Severity::Misprint,
-    may_be_scan: false,
-    printed: "For m bodies and n constraints the Jacobian is a 6m × n matrix.",
-    holds: "n × 6m: a row a constraint, a column a velocity component. So Code 7 allocates it.",
-    why: "ċ = J u takes 6m velocities and gives n rates; a matrix does that from the left only if it has 6m \
-          columns. The transpose, 6m × n, has a work of its own: it turns n forces λ into the 6m forces and \
-          torques Jᵀ λ.",
-    evidence: Evidence::Example(example),
-};
 
 const BODIES: usize = 3;
 
 /// Three bodies in a line and the gaps between them.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let gap = |i: usize, k: usize| f64::from(k == 6 * (i + 1)) - f64::from(k == 6 * i);
     let j = DMatrix::from_fn(BODIES - 1, 6 * BODIES, gap);
     let (places, speeds) = ([0.0, 2.0, 5.0], [1.0, 3.0, 6.0]);

@@ -4,24 +4,11 @@ use nalgebra::{DMatrix, Vector3};
 use num_dual::{Dual64, DualNum};
 
 use super::common::product;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E16",
-    title: "blocks that fit nothing",
-    place: "K&M (7), (8)",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "J = [J_v, J_ω], and v = J_v u, ω = J_ω u with u = [v; ω].",
-    holds: "ċ = J u = J_v v + J_ω ω: the blocks take v and ω and give rates of c, not v and ω themselves.",
-    why: "J_v has three columns, u has six entries: the product does not exist. What would pick v out of u \
-          is the 3 × 6 matrix [I 0], which knows of no constraint.",
-    evidence: Evidence::Example(example),
-};
-
 /// The height of a point on a body that rises and turns.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (r, n) = (Vector3::new(0.0, 0.5, 0.2), Vector3::z());
     let (v, omega) = (Vector3::new(0.0, 0.0, 0.3), Vector3::new(2.0, 0.0, 0.0));
     let row = |v: Vector3<f64>| DMatrix::from_row_slice(1, 3, v.as_slice());

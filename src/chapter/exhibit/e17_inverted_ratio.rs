@@ -4,27 +4,13 @@ use nalgebra::Vector3;
 use num_dual::{Dual64, DualNum};
 
 use super::common::jacobian;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::body::State;
 use crate::constraint::Distance;
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E17",
-    title: "the ratio stands upside down",
-    place: "K&M (9)",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "J = change of input / change of output = ∂In/∂Out",
-    holds: "J_ij = ∂c_i/∂s_j: change of output over change of input",
-    why: "The input is the motion of the bodies, the output that of c: ċ = J u multiplies an input. Entry by \
-          entry the printed ratio is the reciprocal, and infinite wherever a motion does not change c, \
-          which is most of J.",
-    evidence: Evidence::Example(example),
-};
-
 /// The distance of a point from the origin.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (place, velocity) = ([3.0, 4.0], [1.0, 2.0]);
     let c = |x: f64, y: f64| x.hypot(y);
     let h = 1e-6;

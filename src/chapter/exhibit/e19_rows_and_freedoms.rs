@@ -3,29 +3,13 @@
 use nalgebra::{DMatrix, Vector3};
 
 use super::common::{jacobian, rank};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::body::State;
 use crate::constraint::Coincidence;
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E19",
-    title: "rows are not freedoms",
-    place: "K&M, section on the Jacobian",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "J describes how objects are allowed to move; later, which motions are not allowed. The number \
-              of its rows is the number of degrees of freedom removed.",
-    holds: "The rows span the forbidden motions, the null space of J holds the allowed ones. Removed is \
-            rank J, the number of rows only where they are independent.",
-    why: "A second nail says once more that the body must not stretch along the line between the nails, \
-          which a rigid body does not do anyway. The row is there, and it removes nothing; A = J M⁻¹ Jᵀ \
-          becomes singular by it (E10).",
-    evidence: Evidence::Example(example),
-};
-
 /// One nail in a body, then two.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let places = [Vector3::new(0.5, 0.2, 0.0), Vector3::new(-0.4, 0.1, 0.3)];
     let [one, other] =
         places.map(|place| Coincidence { bodies: [None, Some(0)], anchors: [place; 2] });

@@ -3,29 +3,13 @@
 use nalgebra::Vector3;
 
 use super::common::{jacobian, rank};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::body::State;
 use crate::constraint::{Coincidence, Hinge, Perpendicular};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E20",
-    title: "a count with the wrong n",
-    place: "K&M, section on the equations of motion",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "In maximal coordinates each body has 6m state variables and 6m − n constraint equations are \
-              required, n being the number of constraints.",
-    holds: "The formula holds with n the degrees of freedom that remain. The m bodies together, not each, \
-            have 6m velocities; the state that Code 7 keeps has 7m numbers for the poses beside them.",
-    why: "6m − (what remains) = (what was removed): the equations remove it. A few lines on, for reduced \
-          coordinates, the chapter uses n in just that sense. An orientation takes four numbers, a \
-          quaternion, though it has three degrees of freedom.",
-    evidence: Evidence::Example(example),
-};
-
 /// One body on a hinge.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let bodies = [None, Some(0)];
     let across = |direction| Perpendicular { bodies, directions: [direction, Vector3::z()] };
     let point = Coincidence { bodies, anchors: [Vector3::new(0.5, 0.0, 0.0); 2] };

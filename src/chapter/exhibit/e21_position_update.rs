@@ -1,22 +1,9 @@
 //! E21: the position update forgets the position, K&M (16).
 
 use super::setting::G;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E21",
-    title: "the position update forgets the position",
-    place: "K&M (16)",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "xₙ₊₁ = vₙ₊₁ + a dt",
-    holds: "xₙ₊₁ = xₙ + vₙ₊₁ dt, as in (19)",
-    why: "The right side of the printed line is a velocity: it has the unit m/s and no trace of where the \
-          body was. The listings integrate correctly, so only a reader who follows the equation is led astray.",
-    evidence: Evidence::Example(example),
-};
 
 /// Height (m) and velocity (m/s) at the start, and the step (s).
 const X: f64 = 100.0;
@@ -41,7 +28,7 @@ fn flight(update: impl Fn(f64, f64) -> f64) -> Vec<(f64, f64)> {
 }
 
 /// One step of a falling body.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (x, v, a, dt) = (X, V, -G, DT);
     let v_next = v + a * dt;
     let printed = v_next + a * dt;

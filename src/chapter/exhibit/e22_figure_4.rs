@@ -4,26 +4,11 @@ use nalgebra::DMatrix;
 
 use super::common::{answer, equations, product};
 use super::setting::{DT, G};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E22",
-    title: "the derivation loses a sign",
-    place: "K&M Figure 4",
-    severity: Severity::Wrong,
-    may_be_scan: true,
-    printed: "F = J λ; result: J M⁻¹ Jᵀ λ dt = J (v + M⁻¹ F dt) ≥ 0",
-    holds: "F = Jᵀ λ; J M⁻¹ Jᵀ λ dt = −J (v + M⁻¹ F dt) for an equality; for a contact \
-            J (v + M⁻¹ F dt) + J M⁻¹ Jᵀ λ dt ≥ 0, λ ≥ 0, and one of the two is 0.",
-    why: "J has a row a constraint, so it takes velocities, and its transpose takes λ. What is moved to the \
-          other side of an equation changes its sign: with the printed one the constraint doubles what it \
-          is to cancel. The plus would fit F = −Jᵀ λ, as Code 7 has it; but the figure does not.",
-    evidence: Evidence::Example(example),
-};
-
 /// Two bodies that are pressed apart, and a ball on the floor.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (j, lambda) =
         (DMatrix::from_row_slice(1, 2, &[-1.0, 1.0]), DMatrix::from_element(1, 1, 3.0));
     let forces =

@@ -2,24 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E23",
-    title: "a mass that is an inverse mass",
-    place: "K&M, text after Figure 4",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "J M⁻¹ Jᵀ, called K, is the effective mass.",
-    holds: "It is the inverse of the effective mass, (J M⁻¹ Jᵀ)⁻¹.",
-    why: "K turns an impulse into a change of velocity: its unit is 1/kg. A heavy body has a small K. The \
-          effective mass is how much impulse a unit of velocity takes.",
-    evidence: Evidence::Example(example),
-};
-
 /// One body, and two in a line.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let k = |j: &[f64], masses: &[f64]| {
         let j = DMatrix::from_row_slice(1, j.len(), j);
         let inverse = DVector::from_iterator(masses.len(), masses.iter().map(|m| 1.0 / m));

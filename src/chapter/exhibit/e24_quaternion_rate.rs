@@ -2,29 +2,15 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::body::State;
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E24",
-    title: "a rate made of the rate before",
-    place: "K&M (18)",
-    severity: Severity::Wrong,
-    may_be_scan: true,
-    printed: "q'ₙ₊₁ = ½ ωₙ q'ₙ",
-    holds: "q' = ½ (0, ω) ⊗ q, the orientation itself on the right; and qₙ₊₁ = qₙ + dt q'.",
-    why: "The rate depends on where the body points, not on the rate of the step before. Followed literally \
-          a body whose quaternion is at rest never starts to turn, whatever ω. There is one dot too many; the matrix Q \
-          below the equation and the second line of (20) are right.",
-    evidence: Evidence::Example(example),
-};
 
 const STEPS: usize = 1000;
 const DT: f64 = 1e-3;
 
 /// A body that turns at a constant rate for a second.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let omega = Vector3::new(0.3, -1.1, 0.7);
     let (mut q, mut rate) = (Quaternion::identity(), Quaternion::from_imag(Vector3::zeros()));
     let mut state = State { omega, ..State::WORLD };

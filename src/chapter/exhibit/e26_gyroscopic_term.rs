@@ -3,31 +3,17 @@
 use nalgebra::Vector3;
 
 use super::common::curves;
-use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use super::{Finding, Measure, Outcome};
 use crate::body::{Gyroscopic, Mass, State, stack};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E26",
-    title: "the gyroscopic term is missing",
-    place: "K&M (20), (21), Code 7",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "The torque alone changes the angular velocity: uₙ₊₁ = uₙ + dt M⁻¹ F, F = (force, torque).",
-    holds: "−ω × (I ω) belongs to the torque, I in world axes.",
-    why: "Conserved is the angular momentum I ω, and in world axes I turns with the body: ω must change even \
-          where no torque acts. Without the term a tumbling brick turns about one axis for ever, and its \
-          angular momentum wanders, at any time step. For balls and cubes I has no axes and nothing is lost.",
-    evidence: Evidence::Example(example),
-};
 
 const MOMENTS: [f64; 3] = [2.0, 3.0, 4.0];
 const RATES: [f64; 3] = [0.5, 5.0, 0.5];
 const DT: f64 = 1e-3;
 
 /// A free body that turns about its middle axis, a little disturbed.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let printed = Tumble::new(Gyroscopic::Omitted, 3000);
     let corrected = Tumble::new(Gyroscopic::Explicit, 3000);
     let euler = euler(3000);

@@ -3,26 +3,11 @@
 use nalgebra::DMatrix;
 
 use super::common::product;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E27",
-    title: "three shapes for one velocity",
-    place: "K&M Figure 5, Codes 7 and 8",
-    severity: Severity::Misleading,
-    may_be_scan: true,
-    printed: "Figure 5 puts the velocities of a body on the diagonal of a matrix, with ω_x twice; Code 8 \
-              keeps a row of six a body; Code 7, a column of 6m.",
-    holds: "A column of 6m entries, u = [v; ω] of the first body, then of the second, and so on.",
-    why: "Only a column makes J u the n rates of the n constraints. Times the diagonal matrix a row of J \
-          gives its six products unsummed; times the other two there is no product at all. M, which is \
-          a matrix, has the diagonal form with good reason.",
-    evidence: Evidence::Example(example),
-};
-
 /// The distance of one body from the ground, with each of the shapes.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let j = DMatrix::from_row_slice(1, 6, &[0.0, 0.0, 1.0, 0.0, 0.5, 0.0]);
     let u = [0.0, 0.0, 2.0, 0.0, 3.0, 0.0];
     let column = DMatrix::from_column_slice(6, 1, &u);

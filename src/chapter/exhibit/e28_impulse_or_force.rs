@@ -1,30 +1,14 @@
 //! E28: an impulse where the equation has a force, K&M (23) and Code 2.
 
 use super::setting::{DT, G, one, single};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code01_unconstrained_step::Blocks;
 use crate::chapter::code::{code02_constrained_step as code02, code04_drift_correction as code04};
 use crate::document::notation::plain;
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E28",
-    title: "an impulse where the equation has a force",
-    place: "K&M (23), Code 2",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "The equation takes dt M⁻¹ Jᵀ x from the velocity, the listings take M⁻¹ Jᵀ x; both are said \
-              to be the same step.",
-    holds: "The x of A x = J u* (Code 4) is an impulse in N s and acts without dt. The x of dt A x = J u* \
-            is a force in N, and only that one goes with (23).",
-    why: "An impulse is a force that has acted for dt. Whoever solves with the listing and moves with the \
-          equation applies a sixtieth of what was solved for, and the body goes on falling. Both \
-          readings are right as long as they are not mixed.",
-    evidence: Evidence::Example(example),
-};
-
 /// A ball that hits the ground, with both readings of x.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (blocks, jacobian, none) =
         (Blocks::on_a_line(&[-1.0], &[1.0], &[-G]), one(1.0), single(0.0));
     let taken = code04::printed(&blocks, &jacobian, &none, DT, 1)?;

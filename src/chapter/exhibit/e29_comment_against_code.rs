@@ -3,27 +3,13 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::setting::{DT, G, one, single};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code01_unconstrained_step::Blocks;
 use crate::chapter::code::{
     code02_constrained_step as code02, code04_drift_correction as code04, code06_solver as code06,
 };
 use crate::document::notation::plain;
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E29",
-    title: "the comment solves for another unknown than the code",
-    place: "K&M Code 7",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Above the code: A λ = −J (u/dt + M⁻¹ F). In the code: A x = J (u + dt M⁻¹ F), and x is named λ.",
-    holds: "x = −dt λ: the comment's unknown is a force that pushes, the code's an impulse that is taken away.",
-    why: "Each is consistent by itself: with λ the step is u* + dt M⁻¹ Jᵀ λ, with x it is u* − M⁻¹ Jᵀ x. \
-          A reader who takes λ from the comment and the step from the code has the wrong sign, the wrong \
-          unit and, at 60 steps a second, 60 times too much.",
-    evidence: Evidence::Example(example),
-};
 
 /// Code 7's comment: the force λ of A λ = −J (u/dt + M⁻¹ F).
 fn by_comment(blocks: &Blocks, jacobian: &DMatrix<f64>) -> Result<DVector<f64>> {
@@ -32,7 +18,7 @@ fn by_comment(blocks: &Blocks, jacobian: &DMatrix<f64>) -> Result<DVector<f64>> 
 }
 
 /// A ball on the ground, and the three balls of Figure 7.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (ball, jacobian) = (Blocks::on_a_line(&[-1.0], &[1.0], &[-G]), one(1.0));
     let lambda = by_comment(&ball, &jacobian)?;
     let mixed = code02::printed(&ball, &jacobian, &lambda, DT).0[0];

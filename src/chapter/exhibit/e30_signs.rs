@@ -2,27 +2,10 @@
 
 use super::common::contacts;
 use super::setting::{one, single};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code06_solver as code06;
 use crate::document::notation::vector;
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E30",
-    title: "three systems of signs",
-    place: "K&M (10), (15), (23), (34), (44), Code 7",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "(10), (15) and the comment of Code 7 have J = ∂c/∂s and a force Jᵀ λ with λ ≥ 0. (23) and Codes 2, \
-              4, 7 take M⁻¹ Jᵀ x away. The joints (34) and contacts (44) have J = −∂c/∂s. Contacts are to \
-              have λ ≥ 0 everywhere.",
-    holds: "Of the 16 ways to combine the signs of J, of b, of the step and of the bound, four are right. With \
-            J = ∂c/∂s in Code 7 the bound of a contact is x ≤ 0; with the J of (44) it is x ≥ 0.",
-    why: "The sign of J does not matter for an equation, as x turns round with it. The bound does not turn \
-          with it. So a joint works in every system, and a contact put together from two of them lets \
-          bodies fall through each other and sucks them back when they part.",
-    evidence: Evidence::Example(example),
-};
 
 /// The signs of a contact between a unit mass and the ground.
 #[derive(Clone, Copy, PartialEq)]
@@ -99,7 +82,7 @@ impl Signs {
 const HOLDS: [f64; 2] = [0.0, 1.0];
 
 /// One contact in all sixteen ways.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let mut finding = Finding::new(
         "A body of 1 kg touches the ground, once approaching at 1 m/s, once parting at 1 m/s; no forces. \
          The ground stops the first and lets the second go: u⁺ = 0 and u⁺ = 1. All b are in the sign of \

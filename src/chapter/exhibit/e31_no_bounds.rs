@@ -4,28 +4,13 @@ use nalgebra::Vector3;
 
 use super::common::contacts;
 use super::setting::{DT, point, weigh, world};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code07_whole_step::{Limits, WholeStep};
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E31",
-    title: "bounds that no one sets",
-    place: "K&M Code 7, IsEquality",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "The step passes no bounds to the solver. A method is proposed that tells whether a constraint is an \
-              equation; it answers no by default, and nothing calls it.",
-    holds: "Each constraint states the bounds of each of its rows, and there is no default.",
-    why: "Without bounds a contact is an equation, and bodies that touch are glued. With the proposed default \
-          every joint that does not override the method becomes a contact: it pushes one way and lets go \
-          the other way.",
-    evidence: Evidence::Example(example),
-};
-
 /// A body that parts from the ground, and a nail that keeps the default.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let corrected = WholeStep::CORRECTED;
     let parting = |step: &WholeStep| -> Result<(f64, f64)> {
         let joints = vec![Joint::contact([None, Some(0)], 0.0)];

@@ -3,26 +3,13 @@
 use nalgebra::Vector3;
 
 use super::setting::{DT, G, over_time, point, world};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::Form;
 use crate::chapter::code::code03_update::update;
 use crate::chapter::code::code05_rigid_body::RigidBody;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E32",
-    title: "without constraints nothing moves",
-    place: "K&M Codes 3 and 7",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "The step returns at once if there are no bodies or no constraints; each frame leaves all motion to it.",
-    holds: "Integrate and clear the forces in every frame; only the solve may be skipped.",
-    why: "A free body hangs in the air. Its weight is added to the force in each frame and never cleared, so in \
-          the first frame in which any constraint appears anywhere the body gets all of it at once.",
-    evidence: Evidence::Example(example),
-};
 
 /// The frames without a constraint.
 const FRAMES: usize = 60;
@@ -56,7 +43,7 @@ fn fall(form: Form) -> Result<Fall> {
     Ok(fall)
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (printed, corrected) = (fall(Form::Printed)?, fall(Form::Corrected)?);
     let n = FRAMES as f64;
     let height = Measure::new(

@@ -1,29 +1,14 @@
 //! E33: the penalty is added once for each body, K&M Code 7.
 
 use super::setting::{DT, over_time, stretched_rod};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::Form;
 use crate::chapter::code::code07_whole_step::WholeStep;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E33",
-    title: "the penalty is added once for each body",
-    place: "K&M Code 7",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "Inside the loop over the bodies of a constraint: fill in the body's block of J, then add the \
-              constraint's penalty to e.",
-    holds: "Add the penalty once a constraint: it has no body as an argument and is the whole error already.",
-    why: "A nail corrects the part β of its error in a step and a joint between two bodies the part 2β, for no reason \
-          in mechanics. The error shrinks by 1 − 2β instead of 1 − β, so feedback overshoots from β = ½ on \
-          and explodes from β = 1 on, where one may go to 1 and to 2.",
-    evidence: Evidence::Example(example),
-};
-
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let pair = Joint::rod([Some(0), Some(1)], 1.0);
     let lone = Joint::rod([None, Some(1)], 1.0);
     let step = |penalty, feedback| WholeStep { penalty, feedback, ..WholeStep::CORRECTED };

@@ -1,28 +1,12 @@
 //! E34: feedback without 1/dt, K&M (25), Codes 4 and 7.
 
 use super::setting::{DT, over_time, stretched_rod};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::Form;
 use crate::chapter::code::code07_whole_step::WholeStep;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E34",
-    title: "feedback without 1/dt",
-    place: "K&M (25), Codes 4 and 7",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "ċ = J u + β c = 0 with 0 < β < 1, and β = 0.1 in the listings.",
-    holds: "J u = −(β/dt) c: then β has no unit and is the part of the error that goes in a step; up to 1 \
-            it does not overshoot, below 2 it is stable.",
-    why: "J u is a velocity and c a length, so what stands between them is a rate in 1/s. Taken as such, β = 0.1 \
-          needs ten seconds for an error to fall to about a third, and the range from 0 to 1 says nothing. At \
-          60 steps a second it is 60 times weaker than the range suggests, and its strength a step \
-          changes with dt. And ċ in (25) is not the rate of c, which is J u.",
-    evidence: Evidence::Example(example),
-};
 
 /// How many steps it takes until not more than half is left.
 fn half(errors: &[f64]) -> f64 {
@@ -30,7 +14,7 @@ fn half(errors: &[f64]) -> f64 {
     reached.map_or(f64::INFINITY, |steps| steps as f64)
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let rod = Joint::rod([Some(0), Some(1)], 1.0);
     let errors = |beta, dt: f64, steps| {
         stretched_rod(&WholeStep { beta, ..WholeStep::CORRECTED }, &rod, dt, steps)

@@ -1,28 +1,14 @@
 //! E35: feedback that lets the error grow, K&M (25) with (34) and (44).
 
 use super::setting::{DT, over_time, stretched_rod};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::Form;
 use crate::chapter::code::code07_whole_step::{Limits, WholeStep};
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E35",
-    title: "feedback that lets the error grow",
-    place: "K&M (25) with (34) and (44)",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "Add β c to J u, whatever J is; and the J of (34) and (44) is −∂c/∂s.",
-    holds: "The error that is fed back has the sign of J: c with J = ∂c/∂s as in (39), −c with J = −∂c/∂s.",
-    why: "The step makes J u = −β e. With J = ∂c/∂s and e = c that is ċ = −β c, and the error dies away. \
-          With J = −∂c/∂s it is ċ = +β c, and the error grows. The other sign of J is harmless until \
-          feedback is added.",
-    evidence: Evidence::Example(example),
-};
-
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let rod = Joint::rod([Some(0), Some(1)], 1.0);
     let negative = Joint { jacobian: -1.0, ..rod.clone() };
     let both = Joint { penalty: -1.0, ..negative.clone() };

@@ -1,7 +1,7 @@
 //! E37: a bounce that no term makes, K&M section on the algorithm.
 
 use super::setting::{DT, G, point, weigh, world};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code07_whole_step::WholeStep;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
@@ -9,21 +9,6 @@ use crate::plot::{Axis, Lines, Panel, Series};
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E37",
-    title: "a bounce that no term makes",
-    place: "K&M, the section on the algorithm",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "When a ball falls on the floor, the force of the impact makes it bounce upwards.",
-    holds: "The step stops the ball. A bounce wants a term of its own: w = J u⁺ + e J u ≥ 0 with the \
-            coefficient of restitution e.",
-    why: "The row asks for J u⁺ ≥ 0, and the smallest impulse that does it leaves J u⁺ = 0: an impact without any \
-          bounce, whatever the ball is made of. With e the ball leaves at e times its speed and rises to \
-          e² of its height. Friction is named in the same way, without its bound μ x_n.",
-    evidence: Evidence::Example(example),
-};
 
 /// The coefficient of restitution.
 const E: f64 = 0.5;
@@ -77,7 +62,7 @@ fn rebound(path: &[(f64, f64)]) -> f64 {
     path[turn..].iter().map(|(height, _)| *height).fold(0.0, f64::max)
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let dt = 1.0 / RATE as f64;
     let (hit, thrown) = (printed((0.0, -3.0), DT, 1)?, corrected((0.0, -3.0), DT, 1)?);
     let (dead, alive) = (printed((1.0, 0.0), dt, RATE)?, corrected((1.0, 0.0), dt, RATE)?);

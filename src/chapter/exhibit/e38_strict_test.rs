@@ -1,26 +1,12 @@
 //! E38: a contact that is added too late, K&M's test before a contact.
 
 use super::setting::{DT, G, over_time, point, weigh, world};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::Form;
 use crate::chapter::code::code07_whole_step::WholeStep;
 use crate::chapter::code::constraint_class::Joint;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E38",
-    title: "a contact that is added too late",
-    place: "K&M, the unnumbered rule for contacts",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "If c < 0, add the constraint ċ > 0.",
-    holds: "Add it from c ≤ 0 on, or a little before, or with the gap as c/dt in the row; and ask for ċ ≥ 0.",
-    why: "A body at rest exactly on the floor has c = 0 and gets no contact, so it sinks for one step. After \
-          that it is held, deeper than it was. The damage is one step's fall and does not grow; feedback \
-          pushes it back. And ċ > 0 has no smallest solution: what rests has ċ = 0.",
-    evidence: Evidence::Example(example),
-};
 
 /// Heights (m) of a ball that starts at rest on the floor.
 fn heights(test: Form, feedback: f64) -> Result<Vec<f64>> {
@@ -45,7 +31,7 @@ fn heights(test: Form, feedback: f64) -> Result<Vec<f64>> {
     Ok(heights)
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let runs = |feedback| -> Result<[Vec<f64>; 2]> {
         Ok([heights(Form::Printed, feedback)?, heights(Form::Corrected, feedback)?])
     };

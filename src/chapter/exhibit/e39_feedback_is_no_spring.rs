@@ -1,32 +1,13 @@
 //! E39: feedback is no spring, and pushes bodies off, K&M section on drifting.
 
 use super::setting::{DT, over_time};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::constraint::Spring;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::scene::{Scene, Scheme};
 use crate::simulation::Simulation;
 use crate::solver::{Options, by_name};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E39",
-    title: "feedback is no spring",
-    place: "K&M, the section on drifting",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "The term β c is in effect a spring, as it is proportional to the error; contacts that overlap are pushed \
-              apart by it.",
-    holds: "A spring k with damping d is two things in a row, over a step: the feedback β = dt k/(d + dt k) and the \
-            compliance γ = 1/(dt (d + dt k)) on the diagonal of A. Feedback alone has no stiffness, and the push \
-            it gives is motion that stays.",
-    why: "Feedback prescribes a velocity, and the impulse is whatever brings it about: one kilogram and a thousand \
-          come back equally fast. A spring has a force of its own, and the mass decides what it does. And the \
-          prescribed velocity is real: out of an overlap c it is β c/dt. Gravity stops a body that lies a \
-          little too deep before it is out; from deep enough it is thrown above the ground. Correcting \
-          positions apart from velocities leaves them at rest.",
-    evidence: Evidence::Example(example),
-};
 
 /// A step (s) of a mass (kg) on a spring, error c (m) and its rate (m/s), with the row
 /// w = (1/m + γ) x + b, b = v + β/dt c: the velocity after it.
@@ -74,7 +55,7 @@ fn pushed_out(scheme: Scheme, depth: f64) -> Result<(Vec<f64>, f64)> {
     Ok((heights, first))
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let damped = Spring { stiffness: 300.0, damping: 20.0 };
     let gamma = damped.compliance(DT);
     let speed = |words: &str, mass: f64| {

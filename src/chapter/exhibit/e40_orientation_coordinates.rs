@@ -3,29 +3,12 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::rate::{body, rates};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::body::State;
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E40",
-    title: "angles are not integrals of angular velocity",
-    place: "K&M (26), (27)",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Three coordinates of the orientation are held; differentiated, they give the angular \
-              velocity, so the Jacobian is the identity.",
-    holds: "That is true where the three coordinates are 0, and for turns about one axis. In general \
-            c = 2 vec(q q_ref*) has the rate e_w ω − e × ω with (e_w, e) = q q_ref*.",
-    why: "Turns about different axes do not commute, so no three angles have ω as their rate: each set \
-          mixes the components of ω, the more the farther from 0 it is. As an equation for velocities \
-          alone, J = identity does hold a body that must not turn, since ω = 0 is what both forms ask for; \
-          it is when c is fed back, or when c is not 0, that the difference shows.",
-    evidence: Evidence::Example(example),
-};
-
 /// A body that turns about x with 1 rad/s, at three orientations.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let omega = Vector3::x();
     let turned = |q| {
         let mut state = body(Vector3::zeros(), Vector3::zeros(), omega);

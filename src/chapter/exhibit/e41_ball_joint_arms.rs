@@ -3,26 +3,11 @@
 use nalgebra::Vector3;
 
 use super::rate::{body, rates};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E41",
-    title: "the arms of the ball joint are exchanged",
-    place: "K&M (33)",
-    severity: Severity::Wrong,
-    may_be_scan: true,
-    printed: "J₀ = [I, r₁*] and J₁ = −[I, r₀*], with r* the skew matrix of the cross product.",
-    holds: "Each body's block holds its own arm: J = [−I, [r₀]×, I, −[r₁]×] with [r]× y = r × y.",
-    why: "The velocity of a body's anchor is v + ω × r with its own r, and ω × r = −[r]× ω. So the block of \
-          body 0 can contain nothing of body 1. The next line, (34), has the arms in place; it shows that \
-          its star is minus the usual skew matrix, and it has the opposite sign of (32) throughout, which \
-          is harmless for an equation.",
-    evidence: Evidence::Example(example),
-};
-
 /// Two bodies that spin about z at different rates, joined at points off their centres.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (r0, r1) = (Vector3::x(), Vector3::new(0.0, 2.0, 0.0));
     let still = Vector3::zeros();
     let states = [body(still, still, Vector3::z()), body(still, still, 2.0 * Vector3::z())];

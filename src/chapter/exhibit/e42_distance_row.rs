@@ -4,25 +4,11 @@ use nalgebra::{DMatrix, Vector3};
 
 use super::common::product;
 use super::rate::{body, rates};
-use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use super::{Finding, Measure, Outcome};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E42",
-    title: "a row of three entries for six velocities",
-    place: "K&M (40)",
-    severity: Severity::Misprint,
-    may_be_scan: false,
-    printed: "[n_x n_y n_z] q' = 0, where (38) says that q' is [v₀; v₁].",
-    holds: "[−nᵀ nᵀ] [v₀; v₁] = 0 as in (39), or nᵀ (v₁ − v₀) = 0.",
-    why: "The distance of two points changes by the difference of their velocities along the line between \
-          them. Three entries can be multiplied with that difference, but not with the six velocities \
-          that q' was just said to be.",
-    evidence: Evidence::Example(example),
-};
-
 /// Two points 5 m apart.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let still = Vector3::zeros();
     let left = body(still, Vector3::x(), still);
     let right = body(Vector3::new(3.0, 4.0, 0.0), 2.0 * Vector3::y(), still);

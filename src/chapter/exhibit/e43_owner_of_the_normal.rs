@@ -4,28 +4,12 @@ use nalgebra::Vector3;
 use num_dual::Dual2_64;
 
 use super::rate::{body, rates};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::body::{Pose, State};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E43",
-    title: "which body turns the normal",
-    place: "K&M (43)",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "The rate of a contact's gap has a last term d·(ω × n) with an ω that is not named; the \
-              Jacobian of (44) is without it.",
-    holds: "ω is that of the body which carries n. The row is [−n, −r₀×n, n, (r₁−d)×n] for body 1, \
-            [−n, −(r₀+d)×n, n, r₁×n] for body 0, and (44) with its sign turned for a normal of the world.",
-    why: "c = d·n changes because d does and because n does, and n turns with the body whose face it \
-          belongs to. With another body's ω, or without the term, J u is not the rate of c. The term is 0 \
-          where d is parallel to n, as between the closest points of two smooth bodies: there nothing is lost.",
-    evidence: Evidence::Example(example),
-};
-
 /// Three owners of the same normal, and a gap along it.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let n = Vector3::y();
     let [r0, r1] = [Vector3::x(), -Vector3::y()];
     let states = |x: f64| {

@@ -4,27 +4,12 @@ use nalgebra::Vector3;
 
 use super::common::{answer, contacts};
 use super::rate::{body, rates};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::body::State;
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E44",
-    title: "the contact's Jacobian has the opposite sign of its gap rate",
-    place: "K&M (44)",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "J₀ = [n, r₀×n] and J₁ = −[n, r₁×n], extracted from the rate (43).",
-    holds: "J₀ = −[n, r₀×n] and J₁ = [n, r₁×n]: then J u is the rate of c = d·n, as (42) and (43) have it.",
-    why: "An equation J u = 0 does not care for its sign. A contact does: J u ≥ 0 with the printed J asks the \
-          bodies to approach each other. The chapter's Code 7 turns another sign, and with (44) in it the \
-          two cancel; (44) in the velocity-level equation that goes with λ ≥ 0 lets everything fall through \
-          the floor. E30 has the table of all combinations, E35 what becomes of the feedback.",
-    evidence: Evidence::Example(example),
-};
-
 /// A unit mass that lands on the floor.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let n = Vector3::y();
     let still = Vector3::zeros();
     let ball = body(still, -Vector3::y(), still);

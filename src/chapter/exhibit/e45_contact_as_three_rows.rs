@@ -3,30 +3,14 @@
 use nalgebra::{DMatrix, RowDVector, Vector3};
 
 use super::rate::{body, rates};
-use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use super::{Finding, Measure, Outcome};
 use crate::body::State;
 use crate::error::Result;
 use crate::lcp::{Lcp, Matrix};
 use crate::solver::{Pgs, Solver, Start, Status};
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E45",
-    title: "a contact written as three rows",
-    place: "K&M (45)",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "The contact's Jacobian is a 3 × 6 matrix for each body, with the components of n on a diagonal \
-              and a skew matrix of a = r × n beside it, and J u = 0.",
-    holds: "It is one row for each body, ±[nᵀ, (r × n)ᵀ], and J u ≥ 0.",
-    why: "A contact forbids one motion, along n. The row [nᵀ, aᵀ] was written out as if n and a were a vector \
-          times a matrix, as in the ball joint. The three rows forbid other motions than the contact does, \
-          and where a component of n is 0 so may be a whole row: then A has a zero on its diagonal, at which \
-          Code 6 stops.",
-    evidence: Evidence::Example(example),
-};
-
 /// A ball's centre above its touching point, and a corner of a box.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (n, ball, corner) =
         (Vector3::y(), Vector3::new(0.0, -0.5, 0.0), Vector3::new(0.5, -0.5, 0.5));
     let row = true_row(&corner);

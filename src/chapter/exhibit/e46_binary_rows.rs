@@ -3,26 +3,11 @@
 use nalgebra::Vector3;
 
 use super::rate::{body, rates};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E46",
-    title: "a binary constraint is not a unary one mirrored",
-    place: "K&M note on unary and binary constraints",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "The Jacobians of the two bodies are usually the same, with the sign reversed.",
-    holds: "The linear blocks are: −I and I, −n and n. The angular ones carry each body's own arm: \
-            [r₀]× and −[r₁]×.",
-    why: "A common point moves with both bodies at the same velocity, so v₀ and v₁ enter alike. What the \
-          spin of a body adds to it depends on how far the point is from that body's centre. Point masses \
-          have no spin, and there the note holds as it stands.",
-    evidence: Evidence::Example(example),
-};
-
 /// A ball joint with arms of different length, and with the same arm.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let still = Vector3::zeros();
     let [w0, w1] = [Vector3::z(), 2.0 * Vector3::z()];
     let right = Vector3::x();

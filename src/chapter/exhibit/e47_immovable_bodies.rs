@@ -4,28 +4,10 @@ use nalgebra::DMatrix;
 
 use super::common::{answer, contacts, curves, delassus, sweeps};
 use super::setting::{DT, G};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E47",
-    title: "immovable bodies, and which heavy body hurts",
-    place: "K&M note on immovable objects",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "An object made immovable by a mass of 0 or of 10⁷ can crash the simulator or cost many \
-              iterations.",
-    holds: "What is stored is the inverse mass, and 0 there is exact and safe: the body does not move at all. \
-            A large mass costs sweeps only where something light has to carry it: two bodies on a floor \
-            shrink the error by m_top / (m_bottom + m_top) in each sweep.",
-    why: "A mass of 0 cannot be inverted, but the listing's class keeps the inverse, and an inverse mass of 0 \
-          is a column of zeros in M⁻¹. It fails only for a row between two such bodies, whose diagonal \
-          in A is 0. For a heavy body below, the upper one is a fly on it: the first sweep is nearly \
-          exact. For a heavy one above, each sweep hands the light one only a little of the load.",
-    evidence: Evidence::Example(example),
-};
 
 /// Bodies of these masses on a floor under gravity, bottom first, after one step of 1/60 s.
 fn stack(bottom: f64, top: f64) -> Result<Lcp> {
@@ -54,7 +36,7 @@ fn sweeps_needed(bottom: f64, top: f64) -> Result<f64> {
     Ok(x.iter().position(is_near).map_or(f64::NAN, |sweep| sweep as f64))
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let factor = |quantity: &str, bottom: f64, top: f64| -> Result<Measure> {
         let heavy = 1000.0 / 1001.0; // what a heavy body would cost wherever it is
         let measure = Measure::new(quantity, "", heavy, top / (bottom + top));

@@ -3,24 +3,8 @@
 use nalgebra::DMatrix;
 
 use super::common::{answer, delassus, equations};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E48",
-    title: "both forces of a contact upward",
-    place: "K&M text on Figure 6",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "An object with velocity −1 on a surface at rest, [−1, 0], gets the resulting forces [1, 1].",
-    holds: "A contact's row is J = [1, −1]: the forces on the two are opposite, 2 and −2. The object's own \
-            total is 1 as printed, the surface's is not.",
-    why: "The figure itself is not in our copy. [1, 1] comes out of J = [1, 1] and gravity on both; of \
-          several thousand small statements that we tried no other with a regular A gives it. Its two forces point the same way, against Newton's third law. Because \
-          the surface has inverse mass 0 nothing shows in the motion; between two bodies that move, momentum \
-          would come from nowhere.",
-    evidence: Evidence::Example(example),
-};
 
 /// What a row does to two bodies on a line.
 struct Pushed {
@@ -42,7 +26,7 @@ fn pushed(j: [f64; 2], inverse_mass: [f64; 2], u: [f64; 2], force: [f64; 2]) -> 
     })
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (printed, corrected) = ([1.0, 1.0], [1.0, -1.0]);
     let on_surface = |j, weight| pushed(j, [1.0, 0.0], [-1.0, 0.0], [-1.0, weight]);
     let (up, apart) = (on_surface(printed, -1.0)?, on_surface(corrected, 0.0)?);

@@ -4,27 +4,12 @@ use nalgebra::DMatrix;
 
 use super::common::contacts;
 use super::setting::{DT, G};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code08_matrix_program::{corrected, printed};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E49",
-    title: "transposed before it is filled, and without dt",
-    place: "K&M Code 8",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "Jᵀ is taken, then the matrices are filled, then A = J M⁻¹ Jᵀ and b = J (V + M⁻¹ F), with a body \
-              a row and six columns in V and F.",
-    holds: "Fill, then transpose. b = J (u + dt M⁻¹ F), with all velocities in one column of 6m.",
-    why: "A transpose is a copy: made of the empty J it stays empty, and A with it. Velocities in m/s and \
-          accelerations in m/s² cannot be added. And six columns in V make six columns in b, of which Code 6 \
-          reads the first.",
-    evidence: Evidence::Example(example),
-};
-
 /// A ball that falls onto the floor, by both programs.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (v, g, dt) = (-1.0, -G, DT);
     let one = DMatrix::from_element(1, 1, 1.0);
     let along_y = |y: f64| DMatrix::from_row_slice(1, 6, &[0.0, y, 0.0, 0.0, 0.0, 0.0]);

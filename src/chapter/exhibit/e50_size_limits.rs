@@ -1,27 +1,12 @@
 //! E50: limits on matrix sizes that forbid the chapter's own tower, Codes 10 and 11.
 
-use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use super::{Finding, Measure, Outcome};
 use crate::chapter::code::code09_10_dense_matrix::{corrected, printed};
 use crate::chapter::code::code11_map_matrix::printed::MapMatrix;
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E50",
-    title: "size limits that forbid the chapter's own tower",
-    place: "K&M Codes 10 and 11",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "A matrix larger than 500 × 500 (Code 11: 1500) is a sign that something went wrong; the \
-              demonstration is a tower of 700 cubes.",
-    holds: "The limit must follow from the scene. m bodies need 6m columns of J and 7m rows of S: 700 cubes \
-            need 4200 and 4900. Code 10 stops beyond 71 bodies, Code 11 beyond 214.",
-    why: "A check on sizes is a good idea; a number that the next scene exceeds is not. The other way to \
-          read the note is right too: a dense S of 700 cubes is 82 MB, and most of it zeros.",
-    evidence: Evidence::Example(example),
-};
-
 /// Both listings are asked for ever more bodies until they refuse.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let cubes = 700;
     let rows_of_s = match printed::DenseMatrix::new(7 * cubes, 6 * cubes, None) {
         Ok(s) => f64::from(s.num_rows()).into(),

@@ -1,27 +1,13 @@
 //! E52: `empty()` asks, `clear()` does, Code 11.
 
 use super::common::equations;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code11_map_matrix::{corrected, printed};
 use crate::error::Result;
 use crate::solver::{Pgs, Settings, Solver, Start};
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E52",
-    title: "a matrix that is not set to zero",
-    place: "K&M Code 11",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "SetToZero and the constructor call empty() of the map.",
-    holds: "clear() takes the entries out; empty() only says whether there are any.",
-    why: "The call compiles, for its answer may be thrown away. Everything stays where it was, so Code 6, \
-          which sets x to zero first, starts from the last answer instead: a warm start that nobody \
-          asked for, and that hides itself as long as sweeps converge.",
-    evidence: Evidence::Example(example),
-};
-
 /// An entry is written, the matrix set to zero, and a sweep done from there.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let mut stale = printed::MapMatrix::new(2, 1, None)?;
     *stale.set(1, 0)? = 5.0;
     stale.set_to_zero();

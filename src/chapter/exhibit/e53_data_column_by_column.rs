@@ -1,26 +1,12 @@
 //! E53: two matrix classes read the same data in different orders, Codes 10 and 11.
 
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code09_10_dense_matrix::printed::DenseMatrix;
 use crate::chapter::code::code11_map_matrix::{corrected, printed};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E53",
-    title: "the sparse matrix reads its data column by column",
-    place: "K&M Code 11",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "Entry (i, k) of the data is data[i + k · numRows].",
-    holds: "It is data[k + i · numCols], the order of Code 10, whose place the class is to take.",
-    why: "The chapter's dense matrix lies in memory row after row. A class to be swapped in for it must read \
-          the same array the same way; this one takes it for columns. A square block comes out transposed, \
-          others scrambled, and blocks that are symmetric, as many are in this business, show nothing.",
-    evidence: Evidence::Example(example),
-};
-
 /// Row 0 of two arrays, through all three classes.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let measure = |quantity: &str, rows: usize, cols: usize, data: &[f32]| -> Result<Measure> {
         let sparse = printed::MapMatrix::new(rows, cols, Some(data))?;
         let corrected = corrected::MapMatrix::new(rows, cols, data)?;

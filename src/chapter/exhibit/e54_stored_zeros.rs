@@ -1,25 +1,11 @@
 //! E54: a sparse matrix that stores zeros, Code 11.
 
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code11_map_matrix::{corrected, printed};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E54",
-    title: "a sparse matrix that stores its zeros",
-    place: "K&M Code 11",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Only nonzero entries are kept; Set returns a reference to the entry, making it if need be.",
-    holds: "Set must take the value, so that it can leave out a zero and take out an entry that becomes 0.",
-    why: "A reference has to refer to something, so the entry is made before anyone knows what will be \
-          written, and it stays. Filling a matrix from an array, copying a block into it, even reading through \
-          Set leaves it full; and full it needs many times the memory of a dense array (E56, E57).",
-    evidence: Evidence::Example(example),
-};
-
 /// Identities, written in three ways.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let unit = |i: usize, k: usize| f32::from(u8::from(i == k));
     let data: Vec<f32> = (0..9).map(|at| unit(at / 3, at % 3)).collect();
     let small = Measure::new(

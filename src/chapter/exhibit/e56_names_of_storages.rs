@@ -2,24 +2,9 @@
 
 use faer::sparse::{SparseColMat, SparseRowMat, Triplet};
 
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::chapter::code::code11_map_matrix::corrected::MapMatrix;
 use crate::error::{Error, Result};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E56",
-    title: "a map of maps is not compressed rows",
-    place: "K&M section on the STL map matrix",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "The map of maps is based on compressed row storage, like the method of MATLAB.",
-    holds: "It is a dictionary: entries found by key, each in a node of its own. Compressed rows are three \
-            arrays: values, their columns, and where each row starts. MATLAB compresses columns.",
-    why: "Compressed storage is compact and quick to run through, and dear to change: a new entry moves all \
-          that follow. A dictionary is the opposite. To know which one has is to know what it is good for: \
-          assemble in a dictionary, multiply with compressed rows.",
-    evidence: Evidence::Example(example),
-};
 
 /// Bytes of a value, of a column index and of a row start.
 const WORD: usize = 4;
@@ -29,7 +14,7 @@ const NODE: usize = 32;
 const KEY: usize = 8;
 const MAP: usize = 48;
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let n = 100;
     let mut map = MapMatrix::zeros(n, n);
     for i in 0..n {

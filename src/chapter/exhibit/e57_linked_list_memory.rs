@@ -3,25 +3,9 @@
 use std::collections::LinkedList;
 
 use super::common::curves;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E57",
-    title: "the memory of a linked list",
-    place: "K&M section on linked lists",
-    severity: Severity::Wrong,
-    may_be_scan: false,
-    printed: "A dense matrix of 100 × 100 takes 40000 bytes, a full linked list 280000: a ratio of 28:1. Half \
-              full it takes 70000. Memory and time of access grow exponentially with the fill.",
-    holds: "280000 : 40000 is 7:1; 28 is the bytes an entry takes. Half full is 140000 bytes (70000 is a \
-            quarter). Both memory and mean time of access grow linearly, and beyond 1/7 of the entries \
-            the list is larger than the dense matrix.",
-    why: "An entry of the list needs its value of 4 bytes and 24 more for its place and its links, 7 times \
-          the dense 4, whatever the others do. To find one entry of n takes (n + 1)/2 steps on average.",
-    evidence: Evidence::Example(example),
-};
 
 /// Entries of the matrix, and the bytes of one.
 const ENTRIES: usize = 100 * 100;
@@ -29,7 +13,7 @@ const DENSE: usize = 4;
 /// 280000 bytes for all entries, the chapter's own figure.
 const LISTED: usize = 280_000 / ENTRIES;
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let dense = ENTRIES * DENSE;
     let bytes = |entries: usize| (0..entries).map(|_| LISTED).sum::<usize>();
     let last_smaller = (0..=ENTRIES).take_while(|&entries| entries * LISTED <= dense).last();

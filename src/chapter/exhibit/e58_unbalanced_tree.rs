@@ -3,24 +3,9 @@
 use oorandom::Rand64;
 
 use super::common::curves;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E58",
-    title: "a tree that is filled in order is a list",
-    place: "K&M section on the binary tree",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Entries kept in a binary tree are found in drastically less time than in a list.",
-    holds: "If the tree is balanced, as that of std::map or BTreeMap is. A plain search tree is as deep as \
-            its order of filling makes it: row by row, the order in which matrices are filled, it is a list.",
-    why: "Each new index is larger than all before it, so it always goes to the right end. In random order a \
-          tree of n entries needs about 2 ln n steps on average, not much more than the log₂ n of a \
-          balanced one.",
-    evidence: Evidence::Example(example),
-};
 
 /// A binary search tree without balance: the children of each node, left and right.
 struct Tree {
@@ -86,7 +71,7 @@ fn balanced(n: usize) -> f64 {
     ((n + 1) as f64).log2().ceil()
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let n = 3000;
     let in_order = Tree::filled(0..n);
     // 2 (1 + 1/n) H_n − 3, the mean over all orders; the mean of ten orders is within ±1 of it,

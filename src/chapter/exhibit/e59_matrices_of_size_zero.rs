@@ -2,27 +2,12 @@
 
 use super::common::{answer, contacts};
 use super::setting::{DT, G};
-use super::{Evidence, Exhibit, Finding, Measure, Outcome, Severity};
+use super::{Finding, Measure, Outcome};
 use crate::chapter::code::code09_10_dense_matrix::{corrected, printed};
 use crate::error::Result;
 
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E59",
-    title: "matrices of size zero",
-    place: "K&M Codes 7 and 10 and text on Code 10",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "An assertion stops arrays of size zero. The listing's own assertions accept 0 × 0, which other \
-              listings return, and stop 0 × k.",
-    holds: "Any size from 0 on is a matrix. J has as many rows as constraints are active: 0 × 6m if none is.",
-    why: "Code 7 adds up the dimensions of its constraints. If all of them are inactive, contacts that do not \
-          touch, the sum is 0, and building J stops the program at the very moment when there is nothing to \
-          solve. Sums over no rows need no special case: A is 0 × 0, x is empty, and the step is free flight.",
-    evidence: Evidence::Example(example),
-};
-
 /// Three bodies that touch nothing.
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let (m, dt) = (3, DT);
     let stopped = || Outcome::Impossible("Code 10 stops".into());
     let j = printed::DenseMatrix::new(0, 6 * m, None);

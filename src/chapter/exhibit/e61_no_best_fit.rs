@@ -3,27 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::common::{answer, curves, delassus, equations, largest, sweeps};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E61",
-    title: "constraints that contradict each other get no best fit",
-    place: "K&M text on bad constraints",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "When constraints contradict each other, the iterative solver aims for a best fit and carries on.",
-    holds: "λ grows by the same amount in every sweep, without end. The velocity does settle, where the \
-            order of the rows puts it: the last row is satisfied, the others are not. A best fit needs \
-            rows that yield a little, with a compliance (CFM) on A's diagonal.",
-    why: "A is singular and b is outside its range, so no x satisfies all rows, and each row undoes what the \
-          others did. A small number γ on the diagonal asks for J u + b + γ x = 0 instead: that has one \
-          answer, whatever the order, and for small γ it is the u that violates the rows least, by the sum of \
-          squares.",
-    evidence: Evidence::Example(example),
-};
 
 /// β/dt, 1/s, and by how much the rod is too short, m.
 const FEEDBACK: f64 = 0.2 * 60.0;
@@ -59,7 +42,7 @@ fn least_squares() -> Vec<f64> {
     normal.map_or_else(Vec::new, |u| u.as_slice().to_vec())
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let best = least_squares();
     let last = sweeps("pgs", &problem(ROD_LAST, 0.0)?, &[0.0; 3], 1000)?;
     let first = sweeps("pgs", &problem(ROD_FIRST, 0.0)?, &[0.0; 3], 1000)?;

@@ -2,23 +2,8 @@
 
 use super::common::{answer, contacts};
 use super::setting::{DT, G};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E63",
-    title: "λ is a force, not a strain",
-    place: "K&M note on λ",
-    severity: Severity::Misprint,
-    may_be_scan: false,
-    printed: "λ tells the stress or strain between constraints.",
-    holds: "λ is a force (N) in a row that keeps a length and a torque (N m) in one that keeps an angle; with \
-            impulses as unknowns, N s and N m s. Divided by an area it is a stress.",
-    why: "Strain is a change of length divided by the length: a number without unit, and 0 in a rigid body. \
-          Units decide: a strain stays what it is when lengths are given in millimetres, a force becomes \
-          1000 times the number.",
-    evidence: Evidence::Example(example),
-};
 
 /// λ of a ball of 1 kg at rest on the floor, with these units of length (m), time (s) and mass (kg).
 fn load(length: f64, time: f64, mass: f64) -> Result<f64> {
@@ -27,7 +12,7 @@ fn load(length: f64, time: f64, mass: f64) -> Result<f64> {
     Ok(x[0] / dt)
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let si = load(1.0, 1.0, 1.0)?;
     let measure = |quantity: &str, length: f64, time: f64, mass: f64| -> Result<Measure> {
         let newton = time * time / (mass * length); // kg m s⁻² in the new units

@@ -2,23 +2,9 @@
 
 use super::common::{answer, contacts, equations};
 use super::setting::DT;
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::Lcp;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E65",
-    title: "keeping the distance glues the sphere to the net",
-    place: "K&M text on Figure 11",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Between the sphere and the points of the net, constraints keep their distance at the sum of the radii.",
-    holds: "They keep it at the sum of the radii or more: c = |d| − (R₀ + R₁) ≥ 0 with λ ≥ 0.",
-    why: "An equation can pull. A sphere that bounces off would drag along every point it has ever touched, \
-          as if it were glued to the net, unless the program takes each constraint away in time; with the \
-          inequality, λ ≥ 0 does that by itself.",
-    evidence: Evidence::Example(example),
-};
 
 /// Velocities and gap after half a second.
 struct Motion {
@@ -41,7 +27,7 @@ fn moved(pose: impl Fn(f64) -> Result<Lcp>) -> Result<Motion> {
     Ok(Motion { relative_velocity: u[1] - u[0], gap, first_impulse: first.unwrap_or(0.0) })
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let equality = moved(|b| equations(&[2.0], &[b]))?;
     let inequality = moved(|b| contacts(&[2.0], &[b]))?;
     let speed = Measure::new(

@@ -3,25 +3,8 @@
 use nalgebra::DMatrix;
 
 use super::common::{contacts, delassus, largest, sweeps};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E66",
-    title: "impulse methods and global methods: one iteration, two names",
-    place: "K&M section on approaches",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Impulse methods repeatedly solve one constraint after another; global methods, which the \
-              chapter uses, build a linear system and compute exact forces.",
-    holds: "Sequential impulses that clamp what a contact has got in total are projected Gauss-Seidel on \
-            A x + b, sweep by sweep; the matrix is only never written down. The chapter's own solver is one.",
-    why: "Row i of A x + b is what contact i still has to change, and J_i u is the same number, once u has \
-          all impulses so far. Dividing by a_ii and clamping gives both methods the same x_i. Only clamping \
-          each single impulse makes another method, and a wrong one: it can never take back what it \
-          gave too much.",
-    evidence: Evidence::Example(example),
-};
 
 /// A plank of 1 kg lands flat on two supports at ±a, a² = I/2m: rows [1, ±1/√2] of (v, ω √(I/m)).
 const ARM: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -52,7 +35,7 @@ fn impulses(j: &[[f64; 2]; 2], clamped: Clamped, count: usize) -> Vec<([f64; 2],
     kept
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let count = 50;
     let j = [[1.0, ARM], [1.0, -ARM]];
     let matrix = DMatrix::from_row_slice(2, 2, &j.concat());

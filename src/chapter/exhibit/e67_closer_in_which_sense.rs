@@ -4,27 +4,10 @@ use dashu_int::IBig;
 use dashu_ratio::RBig;
 
 use super::common::{curves, equations, largest, sweeps};
-use super::{Evidence, Exhibit, Finding, Measure, Severity};
+use super::{Finding, Measure};
 use crate::error::Result;
 use crate::lcp::{Lcp, merit};
 use crate::plot::{Axis, Lines, Series};
-
-pub(super) const EXHIBIT: Exhibit = Exhibit {
-    id: "E67",
-    title: "closer with every update, but in which sense",
-    place: "K&M section on iterative methods",
-    severity: Severity::Misleading,
-    may_be_scan: false,
-    printed: "Iterative methods move closer to the solution with every update, so they may be interrupted at \
-              any time.",
-    holds: "What never rises in a sweep of Gauss-Seidel is the objective ½ xᵀA x + bᵀx (b in this library's \
-            sign; ½ xᵀA x − bᵀx for the chapter's A x = b), for equations the same as the distance in the norm of A. The distance |x − x*| and the residual can rise.",
-    why: "Each update makes the objective least along one coordinate, so it cannot rise. Its level sets are \
-          ellipsoids; where they are long and thin, a point on a lower one can be farther from the centre. \
-          Interrupting is still safe: a lower objective is a motion nearer to the right one in the norm of \
-          kinetic energy.",
-    evidence: Evidence::Example(example),
-};
 
 /// A by rows, b in this library's sign, x*: all integers.
 type Case = (&'static [i64], &'static [i64], &'static [i64]);
@@ -54,7 +37,7 @@ fn norm(values: impl IntoIterator<Item = RBig>) -> f64 {
     values.into_iter().fold(RBig::ZERO, |sum, value| sum + &value * &value).to_f64().value().sqrt()
 }
 
-fn example() -> Result<Finding> {
+pub(super) fn example() -> Result<Finding> {
     let near = problem(NEAR)?;
     let x = sweeps("pgs", &near, &[0.0; 2], 50)?;
     let distance = |x: &[f64]| x[0].hypot(x[1] - 1.0);

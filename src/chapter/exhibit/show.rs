@@ -1,7 +1,7 @@
 //! An exhibit as a document.
 
+use super::Exhibit;
 use super::finding::{Finding, Measure, Outcome};
-use super::{Evidence, Exhibit};
 use crate::certificate::Verdict;
 use crate::document::notation::{plain, vector};
 use crate::document::{Block, Document, Section};
@@ -23,14 +23,15 @@ impl Exhibit {
             lead: self.lead(),
             ..Document::default()
         };
-        for (title, words) in [("Printed", self.printed), ("Holds", self.holds), ("Why", self.why)]
+        for (title, words) in
+            [("Printed", &self.printed), ("Holds", &self.holds), ("Why", &self.why)]
         {
             let mut section = Section::new(title);
-            section.say(words);
+            section.say(words.as_str());
             document.add("", section);
         }
-        document.add("", self.evidence(&finding));
-        document.is_accepted = matches!(self.evidence, Evidence::Words(_)) || finding.is_shown();
+        document.add("", self.evidence(finding.as_ref()));
+        document.is_accepted = finding.is_none_or(|finding| finding.is_shown());
         Ok(document)
     }
 
@@ -40,12 +41,12 @@ impl Exhibit {
         format!("{}, {}{scan}.", self.place, self.severity.word())
     }
 
-    fn evidence(&self, finding: &Finding) -> Section {
+    fn evidence(&self, finding: Option<&Finding>) -> Section {
         let mut section = Section::new("Example");
-        if let Evidence::Words(reason) = self.evidence {
-            section.say(format!("In words alone: {reason}"));
+        let Some(finding) = finding else {
+            section.say(format!("In words alone: {}", self.in_words));
             return section;
-        }
+        };
         for paragraph in finding.example.split("\n\n") {
             section.say(paragraph);
         }

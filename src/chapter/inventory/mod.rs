@@ -10,47 +10,48 @@
 //! # Ok::<(), lcplab::error::Error>(())
 //! ```
 
-mod claims;
-mod demos;
-mod equations;
-mod figures;
-mod future;
-mod listings;
-mod notes;
 mod show;
-mod techniques;
-mod unnumbered;
 
-pub use show::{LESSONS, chosen, list};
+pub use show::{chosen, list};
 
+use std::sync::LazyLock;
+
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::code;
+use super::data::{self, one_line};
 use crate::error::{Error, Result};
 
-/// Something that the chapter says or shows.
-#[derive(Debug, Clone, Copy)]
+/// Something that the chapter says or shows, as `inventory.toml` has it.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Entry {
     /// Its number: `(16)`, `Code 6`, `Fig 7`; U for equations without number, N for notes, T for claims
     /// and techniques, D for demonstrations, W for further work, K for the key terms, numbered here.
-    pub id: &'static str,
-    /// What it says, in our own words; plain text.
-    pub says: &'static str,
+    pub id: String,
     /// Whether it holds.
     pub verdict: Verdict,
+    /// What it says, in our own words; plain text.
+    #[serde(deserialize_with = "one_line")]
+    pub says: String,
     /// The exhibits that show what does not.
-    pub errata: &'static [&'static str],
+    #[serde(default)]
+    pub errata: Vec<String>,
     /// Where the library has it: a module or item (`lcp::merit`), `scene fig7`, a command
     /// (`lcplab verify`), `test solver::pgs`, `bench pivoting` or `example own_solver`.
-    pub code: &'static [&'static str],
+    #[serde(default)]
+    pub code: Vec<String>,
     /// The lessons that teach it.
-    pub lesson: &'static [u8],
+    pub lesson: Vec<u8>,
     /// What else should be known; where there is no code, the reason.
-    pub remark: &'static str,
+    #[serde(default, deserialize_with = "one_line")]
+    pub remark: String,
 }
 
 /// Whether an entry holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// Derived again or tested, and right.
     Right,
@@ -71,32 +72,33 @@ pub enum Verdict {
 }
 
 /// A group of entries.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Group {
     /// The name to ask for it by.
-    pub kind: &'static str,
+    pub kind: String,
     /// The heading.
-    pub title: &'static str,
+    pub title: String,
     /// The entries in the chapter's order.
-    pub entries: &'static [Entry],
+    #[serde(rename = "entry")]
+    pub entries: Vec<Entry>,
 }
 
 /// The groups in the order of the lists.
-pub const GROUPS: &[Group] = &[
-    Group { kind: "equations", title: "Equations", entries: equations::ENTRIES },
-    Group { kind: "unnumbered", title: "Equations without a number", entries: unnumbered::ENTRIES },
-    Group { kind: "listings", title: "Listings", entries: listings::ENTRIES },
-    Group { kind: "figures", title: "Figures and table", entries: figures::ENTRIES },
-    Group { kind: "notes", title: "Notes", entries: notes::ENTRIES },
-    Group { kind: "claims", title: "Claims", entries: claims::ENTRIES },
-    Group { kind: "techniques", title: "Techniques", entries: techniques::ENTRIES },
-    Group { kind: "demos", title: "Demonstrations", entries: demos::ENTRIES },
-    Group { kind: "future", title: "Further work and key terms", entries: future::ENTRIES },
-];
+pub fn groups() -> &'static [Group] {
+    #[derive(Deserialize)]
+    struct Inventory {
+        group: Vec<Group>,
+    }
+    static GROUPS: LazyLock<Vec<Group>> = LazyLock::new(|| {
+        data::read::<Inventory>("inventory.toml", include_str!("../inventory.toml")).group
+    });
+    &GROUPS
+}
 
 /// All entries in order.
 pub fn all() -> impl Iterator<Item = &'static Entry> {
-    GROUPS.iter().flat_map(|group| group.entries)
+    groups().iter().flat_map(|group| &group.entries)
 }
 
 /// The entry of this number with its group, in either case of letters; the brackets of an equation may
@@ -107,8 +109,8 @@ pub fn all() -> impl Iterator<Item = &'static Entry> {
 pub fn named(id: &str) -> Result<(&'static Group, &'static Entry)> {
     let bare = |id: &str| id.trim_matches(['(', ')']).replace(' ', "").to_lowercase();
     let wanted = bare(id);
-    let found = GROUPS.iter().find_map(|group| {
-        group.entries.iter().find(|entry| bare(entry.id) == wanted).map(|entry| (group, entry))
+    let found = groups().iter().find_map(|group| {
+        group.entries.iter().find(|entry| bare(&entry.id) == wanted).map(|entry| (group, entry))
     });
     found.ok_or_else(|| Error::Unknown {
         kind: "entry of the chapter",
@@ -119,13 +121,13 @@ pub fn named(id: &str) -> Result<(&'static Group, &'static Entry)> {
 
 /// What can be asked for, by first and last.
 fn ranges() -> Vec<String> {
-    let range = |group: &Group| match group.entries {
+    let range = |group: &Group| match group.entries.as_slice() {
         [] => String::new(),
-        [only] => only.id.to_string(),
+        [only] => only.id.clone(),
         [first, .., last] => format!("{} to {}", first.id, last.id),
     };
     let others = ["E01 to E67", "errata", "glossary", "references"].map(str::to_string);
-    GROUPS.iter().map(range).chain(others).collect()
+    groups().iter().map(range).chain(others).collect()
 }
 
 /// The group of this name.
@@ -133,51 +135,27 @@ fn ranges() -> Vec<String> {
 /// # Errors
 /// If there is none.
 pub fn group(kind: &str) -> Result<&'static Group> {
-    GROUPS.iter().find(|group| group.kind.eq_ignore_ascii_case(kind)).ok_or_else(|| {
+    groups().iter().find(|group| group.kind.eq_ignore_ascii_case(kind)).ok_or_else(|| {
         Error::Unknown {
             kind: "kind of entry",
             name: kind.to_string(),
-            known: GROUPS.iter().map(|group| group.kind.to_string()).collect(),
+            known: groups().iter().map(|group| group.kind.clone()).collect(),
         }
     })
 }
 
 impl Entry {
-    const fn new(id: &'static str, verdict: Verdict, says: &'static str) -> Self {
-        Entry { id, says, verdict, errata: &[], code: &[], lesson: &[], remark: "" }
-    }
-
     /// The entry for machines; a listing has also what is printed and what is corrected.
     pub fn to_json(&self, kind: &str) -> Value {
         let mut entry = json!({
-            "id": self.id, "kind": kind, "says": self.says, "verdict": self.verdict.word(),
+            "id": self.id, "kind": kind, "says": self.says, "verdict": self.verdict,
             "errata": self.errata, "code": self.code, "lesson": self.lesson, "remark": self.remark,
         });
-        if let Some(listing) = code::listing(self.id) {
+        if let Some(listing) = code::listing(&self.id) {
             entry["printed"] = listing.printed.into();
             entry["corrected"] = listing.corrected.into();
         }
         entry
-    }
-
-    const fn errata(mut self, errata: &'static [&'static str]) -> Self {
-        self.errata = errata;
-        self
-    }
-
-    const fn code(mut self, code: &'static [&'static str]) -> Self {
-        self.code = code;
-        self
-    }
-
-    const fn lesson(mut self, lesson: &'static [u8]) -> Self {
-        self.lesson = lesson;
-        self
-    }
-
-    const fn remark(mut self, remark: &'static str) -> Self {
-        self.remark = remark;
-        self
     }
 }
 

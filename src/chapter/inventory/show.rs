@@ -1,32 +1,17 @@
 //! The inventory as documents: lists by groups, and one entry with all that is known of it.
 
-use super::{Entry, GROUPS, Group, Verdict};
+use super::{Entry, Group, Verdict, groups};
 use crate::chapter::code;
 use crate::chapter::exhibit::{self, Exhibit};
 use crate::document::{Block, Document, Section, Table};
-
-/// The lessons, from the first.
-pub const LESSONS: [&str; 11] = [
-    "complementarity by hand",
-    "Jacobians",
-    "from Newton to the LCP",
-    "Gauss-Seidel, PGS, SOR",
-    "pivoting",
-    "is it solved?",
-    "drift, Baumgarte, energy",
-    "friction",
-    "impacts and Painlevé",
-    "sparsity and storage",
-    "a stack of boxes",
-];
 
 /// The entries of a group, or of all, that have a verdict, or any.
 pub fn chosen(
     kind: Option<&Group>,
     verdict: Option<Verdict>,
 ) -> impl Iterator<Item = (&'static Group, Vec<&'static Entry>)> {
-    let kind = kind.map(|group| group.kind);
-    GROUPS.iter().filter(move |group| kind.is_none_or(|kind| kind == group.kind)).map(
+    let kind = kind.map(|group| &group.kind);
+    groups().iter().filter(move |group| kind.is_none_or(|kind| *kind == group.kind)).map(
         move |group| {
             let wanted = |entry: &&Entry| verdict.is_none_or(|verdict| verdict == entry.verdict);
             (group, group.entries.iter().filter(wanted).collect())
@@ -41,7 +26,7 @@ pub fn list(kind: Option<&Group>, verdict: Option<Verdict>) -> Document {
     let mut count = 0;
     for (group, entries) in chosen(kind, verdict).filter(|(_, entries)| !entries.is_empty()) {
         count += entries.len();
-        let mut section = Section::new(group.title);
+        let mut section = Section::new(&group.title);
         let columns = ["no.", "verdict", "errata", "says", "lesson", "code"];
         section.blocks.push(Block::Table(Table {
             title: format!("{}: what became of them", group.title),
@@ -59,21 +44,21 @@ pub fn list(kind: Option<&Group>, verdict: Option<Verdict>) -> Document {
 }
 
 fn line(entry: &Entry) -> Vec<String> {
-    let errata = match entry.errata {
+    let errata = match entry.errata.as_slice() {
         [] | [_] | [_, _] => entry.errata.join(" "),
         [first, .., last] => format!("{first} … {last}"),
     };
-    let code = match entry.code {
+    let code = match entry.code.as_slice() {
         [] => String::new(),
-        [only] => only.to_string(),
+        [only] => only.clone(),
         [first, rest @ ..] => format!("{first}, + {}", rest.len()),
     };
     let lessons: Vec<String> = entry.lesson.iter().map(u8::to_string).collect();
     vec![
-        entry.id.to_string(),
+        entry.id.clone(),
         entry.verdict.word().to_string(),
         errata,
-        entry.says.to_string(),
+        entry.says.clone(),
         lessons.join(", "),
         code,
     ]
@@ -84,14 +69,14 @@ impl Entry {
     pub fn document(&self) -> Document {
         let mut document = Document {
             title: format!("K&M {}", self.id),
-            lead: self.says.to_string(),
+            lead: self.says.clone(),
             is_accepted: true,
             ..Document::default()
         };
         let mut verdict = Section::new("verdict");
         verdict.say(format!("{}: {}", self.verdict.word(), self.verdict.meaning()));
         if !self.remark.is_empty() {
-            verdict.say(self.remark);
+            verdict.say(self.remark.as_str());
         }
         document.add("", verdict);
         let sections =
@@ -107,7 +92,7 @@ impl Entry {
     /// What is printed and what is corrected, of a listing.
     fn listing(&self) -> Section {
         let mut section = Section::new("both forms");
-        if let Some(listing) = code::listing(self.id) {
+        if let Some(listing) = code::listing(&self.id) {
             section.say(format!("Printed, {}: {}", listing.title, listing.printed));
             section.say(format!("Corrected: {}", listing.corrected));
         }
@@ -116,11 +101,11 @@ impl Entry {
 
     fn errata_section(&self) -> Section {
         let mut section = Section::new("errata");
-        let line = |id: &&str| match exhibit::named(id) {
+        let line = |id: &String| match exhibit::named(id) {
             Ok(Exhibit { title, severity, .. }) => {
-                vec![id.to_string(), severity.word().to_string(), title.to_string()]
+                vec![id.clone(), severity.word().to_string(), title.clone()]
             }
-            Err(_) => vec![id.to_string(), String::new(), String::new()],
+            Err(_) => vec![id.clone(), String::new(), String::new()],
         };
         if !self.errata.is_empty() {
             let rows = self.errata.iter().map(line).collect();
@@ -131,11 +116,11 @@ impl Entry {
 
     fn code_section(&self) -> Section {
         let mut section = Section::new("in the library");
-        let line = |place: &&str| {
+        let line = |place: &String| {
             let (kind, name) = match place.split_once(' ') {
-                Some(("lcplab", _)) => ("command", *place),
+                Some(("lcplab", _)) => ("command", place.as_str()),
                 Some((kind, name)) => (kind, name),
-                None => ("module or item", *place),
+                None => ("module or item", place.as_str()),
             };
             vec![kind.to_string(), name.to_string()]
         };
@@ -148,9 +133,8 @@ impl Entry {
 
     fn lesson_section(&self) -> Section {
         let mut section = Section::new("lessons");
-        for number in self.lesson {
-            let title = LESSONS.get(usize::from(*number) - 1).copied().unwrap_or_default();
-            section.say(format!("{number} {title}"));
+        for number in &self.lesson {
+            section.say(format!("lcplab lesson {number}"));
         }
         section
     }

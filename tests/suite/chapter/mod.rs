@@ -17,7 +17,7 @@ use lcplab::chapter::exhibit::{Measure, Outcome, named};
 
 /// The measure of this name in an exhibit.
 fn measure(id: &str, quantity: &str) -> Measure {
-    let finding = named(id).unwrap().found().unwrap();
+    let finding = named(id).unwrap().found().unwrap().unwrap();
     let found = finding.measures.into_iter().find(|measure| measure.quantity == quantity);
     found.unwrap_or_else(|| panic!("{id} measures no {quantity:?}"))
 }

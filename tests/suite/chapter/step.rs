@@ -9,7 +9,7 @@ const DT: f64 = 1.0 / 60.0;
 const G: f64 = 9.81;
 
 fn found(id: &str) -> Finding {
-    let finding = exhibit::named(id).unwrap().found().unwrap();
+    let finding = exhibit::named(id).unwrap().found().unwrap().unwrap();
     assert!(finding.is_shown(), "{id}");
     finding
 }
