@@ -51,8 +51,8 @@ const svg = (name, attributes, text = "") =>
   `<${name} ${Object.entries(attributes).map(([key, value]) => `${key}="${value}"`).join(" ")}>${text}</${name}>`;
 const short = (value, digits = 4) => {
   if (typeof value !== "number") return value === "inf" ? "∞" : value === "-inf" ? "−∞" : String(value);
-  const text = Math.abs(value) >= 1e4 || (value !== 0 && Math.abs(value) < 1e-3) ? value.toExponential(2) : String(Number(value.toPrecision(digits)));
-  return text.replace("-", "−").replace(/e([+−-]?)(\d+)/, (_, sign, power) => `·10${[...(sign === "-" || sign === "−" ? "−" : "") + power].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"["0123456789−".indexOf(c)]).join("")}`);
+  const text = Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-3) ? value.toExponential(2) : String(Number(value.toPrecision(digits)));
+  return text.replace("-", "−").replace(/e([+−-]?)(\d+)/, (_, sign, power) => `×10${[...(sign === "-" || sign === "−" ? "−" : "") + power].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"["0123456789−".indexOf(c)]).join("")}`);
 };
 const number = (value) => (value === "inf" ? Infinity : value === "-inf" ? -Infinity : value);
 

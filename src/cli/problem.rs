@@ -8,6 +8,7 @@ use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
+use lcplab::number::readable;
 use lcplab::report::answer::{Answer, certificate_text};
 use lcplab::report::friction::{Modelled, model};
 use lcplab::report::methods;
@@ -161,10 +162,17 @@ pub fn bound_text(bound: Option<f64>) -> String {
 }
 
 pub fn rows(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> String {
-    let mut text = format!("{:>5} {:>13} {:>13} {:>13} {:>13}\n", "row", "lo", "x", "hi", "w");
+    let of = |value| readable(value, 6);
+    let mut text = format!("{:>5} {:>14} {:>14} {:>14} {:>14}\n", "row", "lo", "x", "hi", "w");
     let line = |i: usize| {
         let (lo, hi) = lcp.bounds(i, x);
-        format!("{i:>5} {lo:>13.6e} {:>13.6e} {hi:>13.6e} {:>13.6e}\n", x[i], certificate.w[i])
+        format!(
+            "{i:>5} {:>14} {:>14} {:>14} {:>14}\n",
+            of(lo),
+            of(x[i]),
+            of(hi),
+            of(certificate.w[i])
+        )
     };
     text.extend((0..x.len().min(PRINTED_ROWS)).map(line));
     if x.len() > PRINTED_ROWS {

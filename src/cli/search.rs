@@ -9,6 +9,7 @@ use lcplab::file;
 use lcplab::hunt::{Catch, Finding, Measure, Search, Trial};
 use lcplab::lcp::Lcp;
 use lcplab::memory::Memory;
+use lcplab::number::readable;
 use lcplab::report::methods;
 use lcplab::report::study::problems;
 use lcplab::solver::{Entry, MatrixClass, Options};
@@ -179,7 +180,8 @@ impl Quarry {
             "{measure} found by evaluation {evaluation} of seed {seed}, with {rows_at_first} rows; made smaller \
              in {shrinking} more\n"
         );
-        text += &format!("measure {value:.3e}, before that {value_at_first:.3e}\n\n");
+        let [value, at_first] = [*value, *value_at_first].map(|measure| readable(measure, 4));
+        text += &format!("measure {value}, before that {at_first}\n\n");
         text += &format!("{}\n\n", finding.words);
         text += &finding.equations();
         match &self.out {

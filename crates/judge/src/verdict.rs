@@ -1,5 +1,7 @@
 //! The judge's word on an x, and how its bounds are printed.
 
+use lcplab_problem::number::{readable, superscript};
+
 /// The judge's word.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
@@ -79,7 +81,11 @@ impl std::fmt::Display for Verdict {
             }
             Verdict::WithinTolerance => write!(f, "within tolerance"),
             Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
-                write!(f, "not a solution: row {row} misses by {amount:.1e} of its terms")
+                write!(
+                    f,
+                    "not a solution: row {row} misses by {} of its terms",
+                    readable(*amount, 2)
+                )
             }
             Verdict::NotASolution { why: Refusal::Worthless, .. } => {
                 write!(
@@ -94,15 +100,15 @@ impl std::fmt::Display for Verdict {
     }
 }
 
-/// A bound with two digits, rounded up as a bound must be: 1.04e-9 is `1.1e-9`.
+/// A bound with two digits, rounded up as a bound must be: 1.04×10⁻⁹ is `1.1×10⁻⁹`.
 ///
 /// ```
 /// use lcplab_judge::upper_bound;
 ///
-/// assert_eq!(upper_bound(1.04e-9), "1.1e-9");
-/// assert_eq!(upper_bound(9.96e3), "1.0e4");
-/// assert_eq!(upper_bound(0.25), "2.5e-1"); // exact
-/// assert_eq!(upper_bound(f64::from_bits(1)), "5.0e-324"); // 4.94…e-324
+/// assert_eq!(upper_bound(1.04e-9), "1.1×10⁻⁹");
+/// assert_eq!(upper_bound(9.96e3), "1.0×10⁴");
+/// assert_eq!(upper_bound(0.25), "2.5×10⁻¹"); // exact
+/// assert_eq!(upper_bound(f64::from_bits(1)), "5.0×10⁻³²⁴"); // 4.94…×10⁻³²⁴
 /// ```
 pub fn upper_bound(bound: f64) -> String {
     if bound == 0.0 || !bound.is_finite() {
@@ -115,8 +121,8 @@ pub fn upper_bound(bound: f64) -> String {
     let tens: u32 = two.replace('.', "").parse().expect("two digits");
     let is_exact = rest.bytes().all(|digit| digit == b'0');
     match tens + u32::from(!is_exact) {
-        100 => format!("1.0e{}", exponent + 1),
-        tens => format!("{}.{}e{exponent}", tens / 10, tens % 10),
+        100 => format!("1.0×10{}", superscript(exponent + 1)),
+        tens => format!("{}.{}×10{}", tens / 10, tens % 10, superscript(exponent)),
     }
 }
 

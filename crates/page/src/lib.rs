@@ -5,8 +5,9 @@
 pub mod csv;
 pub mod document;
 pub mod figure;
-pub mod number;
 pub mod page;
 #[cfg(feature = "plots")]
 pub mod plot;
 pub mod text;
+
+pub use lcplab_problem::number;

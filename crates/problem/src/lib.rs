@@ -28,6 +28,7 @@ pub mod library;
 mod matrix;
 pub mod memory;
 pub mod merit;
+pub mod number;
 
 pub use complementarity::Complementarity;
 pub use coupled::Coupling;

@@ -261,12 +261,12 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
     let mut text =
         format!("verdict    {}\n", labelled(&certificate.verdict, &certificate.w, problem));
     for (name, value, meaning) in lines {
-        text += &format!("  {name:<17}{value:>10.2e}  {meaning}\n");
+        text += &format!("  {name:<17}{:>10}  {meaning}\n", readable(value, 3));
     }
     if certificate.scale > 0.0 {
         text += &format!(
-            "  scale            {:>10.2e}  rows with smaller terms than this x has count as at rest\n",
-            certificate.scale
+            "  scale            {:>10}  rows with smaller terms than this x has count as at rest\n",
+            readable(certificate.scale, 3)
         );
     }
     text += &certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use lcplab_judge::regularity::regularity;
 use lcplab_problem::exact::dyadic::{dyadic, rational};
+use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::MatrixClass;
 
@@ -80,7 +81,7 @@ impl Card {
             Some(class) => words += &format!("; A is {class}"),
         }
         if let (Some(rank), Some(condition)) = (self.rank, self.condition) {
-            words += &format!(", of rank {rank}, condition {condition:.1e}");
+            words += &format!(", of rank {rank}, condition {}", readable(condition, 2));
         }
         words
     }

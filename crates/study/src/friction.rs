@@ -11,6 +11,7 @@ use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Problem, number};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Model, Posed};
 use lcplab_problem::merit::RowTerms;
+use lcplab_problem::number::readable;
 use lcplab_solver::{Method, Observer, Options, Solution, Status};
 
 /// A contact slides if |w_t| is above this part of the terms it is the sum of.
@@ -168,23 +169,26 @@ impl Judged {
     pub fn text(&self) -> String {
         let FrictionCertificate { scaled_residual, verdict, .. } = &self.certificate;
         let mut text = format!(
-            "verdict    {verdict}\n  scaled residual   {scaled_residual:>9.2e}  under this model\n  \
-             coulomb residual  {:>9.2e}  under Coulomb's law: the error of the model\n",
-            self.coulomb_residual
+            "verdict    {verdict}\n  scaled residual   {:>10}  under this model\n  \
+             coulomb residual  {:>10}  under Coulomb's law: the error of the model\n",
+            readable(*scaled_residual, 3),
+            readable(self.coulomb_residual, 3)
         );
         text += &self.certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
         text += &format!(
-            "{:>7} {:>13} {:>13} {:>13} {:>13} {:>10} {:>14}\n",
+            "{:>7} {:>14} {:>14} {:>14} {:>14} {:>10} {:>14}\n",
             "contact", "x_n", "|x_t|", "w_n", "|w_t|", "|x_t|/μx_n", "misaligned (°)"
         );
         for (k, contact) in self.contacts.iter().enumerate().take(PRINTED) {
             let ([x_n, x1, x2], [w_n, w1, w2]) = (contact.impulse, contact.velocity);
             let optional =
-                |value: Option<f64>| value.map_or("-".to_string(), |value| format!("{value:.3}"));
+                |value: Option<f64>| value.map_or("–".to_string(), |value| readable(value, 3));
             text += &format!(
-                "{k:>7} {x_n:>13.6e} {:>13.6e} {w_n:>13.6e} {:>13.6e} {:>10} {:>14}\n",
-                x1.hypot(x2),
-                w1.hypot(w2),
+                "{k:>7} {:>14} {:>14} {:>14} {:>14} {:>10} {:>14}\n",
+                readable(x_n, 6),
+                readable(x1.hypot(x2), 6),
+                readable(w_n, 6),
+                readable(w1.hypot(w2), 6),
                 optional(contact.strength),
                 optional(contact.misalignment)
             );

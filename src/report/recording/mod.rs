@@ -259,7 +259,7 @@ impl Record {
     pub fn text(&self) -> String {
         let Scene { name, title, .. } = &self.scene;
         let scheme = self.scene.step.scheme.name();
-        let (start, end) = (self.first.energy(), self.last.energy());
+        let [start, end] = [&self.first, &self.last].map(|motion| readable(motion.energy(), 6));
         let mut text = format!(
             "{name}: {title}\n\
              scheme       {scheme}{}, dt {} s\n\
@@ -267,11 +267,11 @@ impl Record {
              steps        {} ({} s)\n\
              problems     {}, accepted by the judge {}\n\
              residual     {}\n\
-             energy       {start:.6} J at the start, {end:.6} J at the end\n\
-             drift        {:.2e} m at worst{}\n\
-             penetration  {:.2e} m at worst\n\
+             energy       {start} J at the start, {end} J at the end\n\
+             drift        {} m at worst{}\n\
+             penetration  {} m at worst\n\
              weight       {}\n\
-             laws         attraction {:.1e}, beyond the cone {:.1} %, friction gain {}\n\
+             laws         attraction {}, beyond the cone {} %, friction gain {}\n\
              ledger       {}",
             self.solver().map_or_else(String::new, |solver| format!(", solver {solver}")),
             self.scene.step.dt,
@@ -282,16 +282,16 @@ impl Record {
             self.accepted,
             match self.problems {
                 0 => "–".into(),
-                _ => format!("{:.1e} at worst", self.worst_residual),
+                _ => format!("{} at worst", readable(self.worst_residual, 2)),
             },
-            self.worst_drift,
+            readable(self.worst_drift, 3),
             self.drift_in_words(),
-            self.worst_penetration,
+            readable(self.worst_penetration, 3),
             self.carried_in_words(),
-            self.laws.attraction,
-            100.0 * self.laws.cone_excess,
+            readable(self.laws.attraction, 2),
+            readable(100.0 * self.laws.cone_excess, 2),
             match self.books {
-                Some(_) => format!("{:.1e} J", self.laws.friction_gain),
+                Some(_) => format!("{} J", readable(self.laws.friction_gain, 2)),
                 None => NOT_ACCOUNTED.into(),
             },
             self.books.as_ref().map_or(NOT_ACCOUNTED.into(), Books::text),
@@ -299,8 +299,8 @@ impl Record {
         text.push('\n');
         if self.scene.step.scheme == Scheme::Acceleration {
             let Resting { gap, speed, .. } = self.scene.resting();
-            text +=
-                &format!("resting      gaps up to {gap:.1e} m, parting at up to {speed:.1e} m/s\n");
+            let [gap, speed] = [gap, speed].map(|most| readable(most, 2));
+            text += &format!("resting      gaps up to {gap} m, parting at up to {speed} m/s\n");
         }
         text += &self.states_text();
         for note in self.notes() {
@@ -329,8 +329,8 @@ impl Record {
     fn notes(&self) -> Vec<String> {
         let mut notes = self.scene.notes();
         if self.first.penetration > DRIFT * self.scene.thinnest().unwrap_or(f64::INFINITY) {
-            let depth = self.first.penetration;
-            notes.push(format!("bodies overlap by {depth:.1e} m at the start"));
+            let depth = readable(self.first.penetration, 2);
+            notes.push(format!("bodies overlap by {depth} m at the start"));
         }
         let excess = 100.0 * self.laws.cone_excess;
         if excess > MUCH {
@@ -357,7 +357,8 @@ impl Record {
             Scheme::Acceleration => "step.alpha",
             _ => "a shorter step",
         };
-        format!(", {:.1} % of the scene's size; {setting} feeds it back", 100.0 * part)
+        let percent = readable(100.0 * part, 2);
+        format!(", {percent} % of the scene's size; {setting} feeds it back")
     }
 
     /// Where the bodies that move are now, and how fast.
@@ -369,7 +370,7 @@ impl Record {
         let vector = |v: &Vector3<f64>| {
             let short = |x: f64| match x.abs() {
                 size if size < 1e5 => format!("{:>11.5}", if size < 5e-6 { 0.0 } else { x }),
-                _ => format!("{x:>11.3e}"),
+                _ => format!("{:>11}", readable(x, 4)),
             };
             let parts = [v.x, v.y, v.z].map(short);
             parts.join(" ")
@@ -443,7 +444,11 @@ impl Refused {
 impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Refused { step, stage, row, residual, solver, status } = self;
-        write!(f, "first in step {step}, {stage} stage, row {row:?}: residual {residual:.1e}, ")?;
+        write!(
+            f,
+            "first in step {step}, {stage} stage, row {row:?}: residual {}, ",
+            readable(*residual, 2)
+        )?;
         match *solver {
             "none" => write!(f, "{status}"),
             solver => write!(f, "{solver}: {status}"),
@@ -481,13 +486,13 @@ impl Books {
 
     fn text(&self) -> String {
         let mut text = match self.missed {
-            0.0 => format!("closes to {:.1e} J a step:", self.remainder),
-            missed => format!("does not close: {missed:.1e} J are missing in a step:"),
+            0.0 => format!("closes to {} J a step:", readable(self.remainder, 2)),
+            missed => format!("does not close: {} J are missing in a step:", readable(missed, 2)),
         };
         let accounts = self.work.accounts();
         let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));
         for (name, work) in accounts.iter().filter(|(_, work)| work.abs() > 1e-12 * largest) {
-            text += &format!("\n             {name:<12} {work:>13.6e} J");
+            text += &format!("\n             {name:<12} {:>14} J", readable(*work, 6));
         }
         text
     }

@@ -10,6 +10,7 @@ use crate::scene::Found;
 use lcplab_judge::ray::Farkas;
 use lcplab_judge::{Demand, FrictionCertificate, judge, judge_friction};
 use lcplab_problem::error::Error;
+use lcplab_problem::number::readable;
 use lcplab_solver::{Reason, Solution};
 
 /// What happened in one step.
@@ -150,7 +151,11 @@ impl fmt::Display for Cause {
                 write!(f, "no forces satisfy the sliding contact {row:?}: no solution exists")
             }
             Cause::Unsettled { change } => {
-                write!(f, "the implicit midpoint does not settle, its rates change by {change:.1e}")
+                write!(
+                    f,
+                    "the implicit midpoint does not settle, its rates change by {}",
+                    readable(*change, 2)
+                )
             }
             Cause::Stopped(Some(reason)) => write!(f, "{reason}"),
             Cause::Stopped(None) => write!(f, "stopped by the observer"),

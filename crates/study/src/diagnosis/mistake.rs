@@ -19,6 +19,7 @@
 
 use std::ops::ControlFlow;
 
+use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Matrix, merit};
 use lcplab_solver::{
     Code6, Damping, Iterate, Jacobi, Observer, Options, Order, Pgs, Settings, Solver, Start,
@@ -214,7 +215,10 @@ impl Case<'_> {
         let is_one = parts.iter().all(|part| (part - softness).abs() <= SAME * softness.abs());
         let is_seen = softness > 1e-12 * self.lcp.matrix().diagonal(free[0]) && parts.len() > 1;
         let soft = if is_one && is_seen { softened(self.lcp, softness)? } else { return None };
-        self.answer(&format!("compliance (CFM) {softness:.3e} on the diagonal of A"), &soft)
+        self.answer(
+            &format!("compliance (CFM) {} on the diagonal of A", readable(softness, 4)),
+            &soft,
+        )
     }
 
     /// The solution times a factor: b was that much larger. Only where bounds are 0 and ∞ is that the same.
@@ -234,7 +238,7 @@ impl Case<'_> {
         let factor = along / square;
         let scaled: Vec<f64> = exact.iter().map(|y| factor * y).collect();
         let distance = self.distance(&scaled);
-        let what = format!("b times {factor:.6} (a time step, a unit?), solved");
+        let what = format!("b times {} (a time step, a unit?), solved", readable(factor, 6));
         ((factor - 1.0).abs() > NEAR && factor.is_finite()).then_some(Mistake { what, distance })
     }
 

@@ -42,8 +42,7 @@ pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
     let verdict = match verdict {
         Verdict::Proved { distance: 0.0 } => "proved, x is an exact solution".into(),
         Verdict::Proved { distance } => {
-            let distance = upper_bound(*distance).parse().unwrap_or(*distance);
-            format!("proved, an exact solution is within {} of each x", plain(distance))
+            format!("proved, an exact solution is within {} of each x", upper_bound(*distance))
         }
         other => other.to_string(),
     };

@@ -16,6 +16,7 @@ use super::Tally;
 use super::numbers::Random;
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
+use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{CONES, ConeEntry, Settings, Start, Status};
 
@@ -91,7 +92,8 @@ fn tally(entry: &ConeEntry, truth: &ConeTruth, number: usize, settings: &Setting
         _ if !accepts(&truth.x) => Some("the judge refuses the closed form".to_string()),
         _ if is_claim && !accepts(&solution.x) => Some("solved, and refused by the judge".into()),
         _ if is_claim && !(distance <= NEAR * size) => {
-            Some(format!("solved, {distance:.1e} from the closed form, which is {size:.1e} long"))
+            let [distance, size] = [distance, size].map(|length| readable(length, 2));
+            Some(format!("solved, {distance} from the closed form, which is {size} long"))
         }
         _ => None,
     };

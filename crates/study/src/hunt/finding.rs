@@ -6,6 +6,7 @@ use serde_json::json;
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::file::{Expected, Problem};
+use lcplab_problem::number::readable;
 use lcplab_solver::{Group, MatrixClass};
 
 use super::measure::{Measure, Trial};
@@ -110,7 +111,7 @@ fn short(value: f64) -> String {
 fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
     let entry = |x: &RBig| match x.to_string() {
         exact if exact.len() <= LONGEST => exact,
-        _ => format!("≈ {:.6e}", x.to_f64().value()),
+        _ => format!("≈ {}", readable(x.to_f64().value(), 7)),
     };
     let vector = |solution: &Vec<RBig>| {
         let entries: Vec<String> = solution.iter().map(entry).collect();

@@ -7,6 +7,7 @@ use lcplab_judge::regularity::least_eigenvalue;
 use lcplab_judge::{Demand, Evidence, Verdict, judge};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
+use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, merit};
 use lcplab_solver::{Choice, Entry, MatrixClass, Options, Solution, Start, Status};
 
@@ -157,7 +158,10 @@ impl Trial {
             Measure::Iterations => format!("{name} takes {} iterations", solution.iterations),
             Measure::Error => {
                 let error = self.error(lcp, &solution);
-                format!("{name} is accepted, and {error:.1e} of max |x| from an exact solution")
+                format!(
+                    "{name} is accepted, and {} of max |x| from an exact solution",
+                    readable(error, 2)
+                )
             }
             Measure::Ratio => {
                 let rival = self.rival_iterations(lcp, most).unwrap_or_default();

@@ -3,6 +3,7 @@
 use lcplab_judge::{Certificate, Demand, Refusal, Verdict, judge, refutation};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
+use lcplab_problem::number::readable;
 use lcplab_solver::{Solution, Status};
 
 /// What exact arithmetic knows of a problem.
@@ -61,7 +62,7 @@ impl std::fmt::Display for Lie {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Lie::Refuted { row, amount } => {
-                write!(f, "solved, but row {row} misses by {amount:.1e} of its terms")
+                write!(f, "solved, but row {row} misses by {} of its terms", readable(*amount, 2))
             }
             Lie::Worthless => write!(f, "solved, but x is no nearer to a solution than zero is"),
             Lie::NotFinite => write!(f, "solved, but x is not finite"),

@@ -16,23 +16,37 @@ pub fn superscript(exponent: i32) -> String {
 /// is short and as mantissa times power of ten otherwise.
 ///
 /// ```
-/// use lcplab_page::number::readable;
+/// use lcplab_problem::number::readable;
 ///
 /// assert_eq!(readable(0.25, 3), "0.25");
 /// assert_eq!(readable(-1.5e-9, 2), "−1.5×10⁻⁹");
 /// assert_eq!(readable(1e6, 3), "10⁶");
+/// assert_eq!(readable(12345.0, 3), "12\u{202f}300"); // a narrow space that does not break
 /// assert_eq!(readable(f64::INFINITY, 3), "∞");
 /// ```
 pub fn readable(value: f64, digits: usize) -> String {
-    written(value, digits, trimmed)
+    written(value, digits, |_, text| trimmed(text))
 }
 
 /// The same with all its significant digits, so that the numbers of a column compare: `3.0×10⁻⁸`.
+/// Of a number that has no more digits the zeros are left out.
+///
+/// ```
+/// use lcplab_problem::number::significant;
+///
+/// assert_eq!(significant(0.2999999, 3), "0.300");
+/// assert_eq!(significant(0.3, 3), "0.3");
+/// assert_eq!(significant(1.0, 3), "1");
+/// ```
 pub fn significant(value: f64, digits: usize) -> String {
-    written(value, digits, |decimal| decimal)
+    written(value, digits, |value, text| {
+        let short = trimmed(text);
+        if short.parse() == Ok(value) { short } else { text }
+    })
 }
 
-fn written(value: f64, digits: usize, trimmed: fn(&str) -> &str) -> String {
+/// `shorter` takes a value and its decimal form.
+fn written(value: f64, digits: usize, shorter: fn(f64, &str) -> &str) -> String {
     if value.is_nan() {
         return "not a number".into();
     }
@@ -46,9 +60,12 @@ fn written(value: f64, digits: usize, trimmed: fn(&str) -> &str) -> String {
         "0".into()
     } else if (-3..5).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
-        trimmed(&format!("{value:.decimals$}")).into()
+        let value: f64 = if decimals == 0 { rounded.parse().unwrap_or(value) } else { value };
+        grouped(shorter(value, &format!("{value:.decimals$}")))
     } else {
-        match trimmed(mantissa) {
+        let exact = format!("{value:e}");
+        let exact = exact.split('e').next().and_then(|mantissa| mantissa.parse().ok());
+        match shorter(exact.unwrap_or(f64::NAN), mantissa) {
             "1" => format!("10{}", superscript(exponent)),
             "-1" => format!("-10{}", superscript(exponent)),
             mantissa => format!("{mantissa}×10{}", superscript(exponent)),
@@ -59,10 +76,16 @@ fn written(value: f64, digits: usize, trimmed: fn(&str) -> &str) -> String {
 
 /// A count with thin spaces between groups of three digits.
 pub fn count(value: usize) -> String {
-    let digits = value.to_string();
+    grouped(&value.to_string())
+}
+
+/// A decimal number with a thin space between groups of three digits before the point.
+fn grouped(decimal: &str) -> String {
+    let whole = decimal.find('.').unwrap_or(decimal.len());
     let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+    for (i, digit) in decimal.char_indices() {
+        let is_between = i > 0 && i < whole && decimal.as_bytes()[i - 1].is_ascii_digit();
+        if is_between && (whole - i).is_multiple_of(3) {
             text.push('\u{202f}');
         }
         text.push(digit);
