@@ -1,6 +1,6 @@
 //! One instant of a motion, and the forces that act in it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Vector3;
 
@@ -23,7 +23,8 @@ pub struct Frame {
     pub heat: Vec<f64>,
 }
 
-/// A force of a contact or constraint on a moving body: on body 1 of the two where that moves.
+/// A force of a contact or constraint on a moving body: of a contact on the body that it pushes against gravity, the upper
+/// one, else on body 1 of the two where that moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Force {
     /// Where it acts (m, world).
@@ -103,15 +104,25 @@ fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
     let Some((solve, scale)) = last else { return Vec::new() };
     let assembly = &solve.problem.assembly;
     let mut sums: BTreeMap<(Source, Origin), (usize, Vector3<f64>)> = BTreeMap::new();
+    let mut between_moving: BTreeSet<Source> = BTreeSet::new();
     for (row, x) in assembly.rows.iter().zip(&solve.solution.x) {
         let Some(part) = row.parts().last() else { continue };
         let force = part.jacobian.fixed_rows::<3>(0) * (x * scale);
         let key = (row.id.source, origin(row));
         let body = assembly.blocks[part.block].body;
         sums.entry(key).or_insert((body, Vector3::zeros())).1 += force;
+        if row.parts().nth(1).is_some() {
+            between_moving.insert(row.id.source);
+        }
     }
-    let placed = sums.into_iter().filter_map(|((source, origin), (body, force))| {
+    let points_down = |source: Source| {
+        let normal =
+            sums.get(&(source, Origin::Normal)).map(|(_, force)| force.dot(&scene.gravity));
+        between_moving.contains(&source) && normal.is_some_and(|along| along > 0.0)
+    };
+    let placed = sums.iter().filter_map(|(&(source, origin), &(body, force))| {
         let point = place(scene, step, source, body)?;
+        let force = if points_down(source) { -force } else { force };
         (force.norm() > 0.0).then_some(Force { point, force, origin })
     });
     placed.collect()

@@ -299,3 +299,19 @@ fn where_colour_says_how_much_a_body_is_red_from_grey_and_the_ground_stays() {
     // Of three balls one is red: the fixed one stays as it is.
     assert_eq!(3 * hot.iter().filter(|colour| is_red(colour)).count(), hot.len(), "{hot:?}");
 }
+
+#[test]
+fn contacts_push_the_upper_body_up_whichever_of_the_two_is_named_first() {
+    let lower = body("lower", "box = [1, 1, 1]", [0.0, 0.0, 0.5]);
+    let upper = body("upper", "box = [1, 1, 1]", [0.0, 0.0, 1.5]);
+    let floor = "[[bodies]]\nname = \"floor\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
+    for order in [lower.clone() + &upper, upper + &lower] {
+        let scene = scene(&(floor.to_string() + &order));
+        let frames = run(&scene, 3);
+        let normals = || frames[3].forces.iter().filter(|force| force.origin == Origin::Normal);
+        assert!(normals().all(|force| force.force.z > 0.0), "{:?}", frames[3].forces);
+        // The ground carries both, the lower box the upper one: 1 kg each.
+        let sum: f64 = normals().map(|force| force.force.z).sum();
+        assert!((sum - 3.0 * GRAVITY).abs() < 1e-6, "{sum}");
+    }
+}
