@@ -39,6 +39,9 @@ pub struct Finding {
     pub critical: f64,
     /// m A.
     pub mobility: f64,
+    /// The impulse of the first step by geometry, in weights times dt: 1/(m A) while the end slides through the step, at
+    /// most what ends its slip.
+    pub expected: f64,
     /// What the first step answers at acceleration level.
     pub forces: Forces,
     /// The normal impulse of the first step at velocity level, in weights times dt.
@@ -59,8 +62,18 @@ pub enum Forces {
     Failed(String),
 }
 
+/// Half the width of the rod (m).
+const BLADE: f64 = 1e-6;
+
+/// The rod of the scene, as narrow as a blade: of a wide one either lower corner may carry all, and the answer would not
+/// be unique.
 fn rod(mu: f64, scheme: Scheme) -> Result<Scene> {
     let mut scene = Scene::load("painleve")?;
+    for body in &mut scene.bodies {
+        if let Shape::Box { half } = &mut body.shape {
+            half.y = BLADE;
+        }
+    }
     scene.step.scheme = scheme;
     scene.contact.friction = mu;
     scene.bodies.iter_mut().for_each(|body| body.friction = mu);
@@ -68,8 +81,14 @@ fn rod(mu: f64, scheme: Scheme) -> Result<Scene> {
     Ok(scene)
 }
 
-/// m A and μ*.
-fn by_geometry(scene: &Scene, mu: f64) -> Result<(f64, f64)> {
+/// m A, μ*, and the impulse of a step in weights times dt. With the end at r from the middle, x ahead and z up,
+///
+/// ```text
+/// slides:  m A f = m g,                 m A = 1 + (m/I) r_x (r_x + μ r_z)
+/// stops:   [ 1 + (m/I) r_x²    −(m/I) r_x r_z ] [f_n]         [ g dt ]
+///          [ −(m/I) r_x r_z    1 + (m/I) r_z² ] [f_t] dt = m  [ −v   ]
+/// ```
+fn by_geometry(scene: &Scene, mu: f64) -> Result<[f64; 3]> {
     let Mass::Rigid { mass, moments } = scene.bodies[1].mass else {
         return Err(Error::invalid("painleve", "bodies[1]", "is no rigid body"));
     };
@@ -83,13 +102,21 @@ fn by_geometry(scene: &Scene, mu: f64) -> Result<(f64, f64)> {
     let r = lowest.unwrap_or_default();
     let inertia = moments.y / mass;
     let ahead = r.x * scene.states[1].v.x.signum();
-    Ok((1.0 + ahead * (ahead + mu * r.z) / inertia, (inertia + ahead * ahead) / (-ahead * r.z)))
+    let mobility = 1.0 + ahead * (ahead + mu * r.z) / inertia;
+    let critical = (inertia + ahead * ahead) / (-ahead * r.z);
+    let [normal, coupling, tangent] =
+        [ahead * ahead, -ahead * r.z, r.z * r.z].map(|product| product / inertia);
+    let slip = scene.states[1].v.x.abs() / (scene.gravity.norm() * scene.step.dt);
+    let determinant = (1.0 + normal) * (1.0 + tangent) - coupling * coupling;
+    let stops = (1.0 + tangent + slip * coupling) / determinant;
+    let slides = if mobility > 0.0 { 1.0 / mobility } else { f64::INFINITY };
+    Ok([mobility, critical, f64::min(slides, stops)])
 }
 
 fn measure(mu: f64) -> Result<Finding> {
     let scene = rod(mu, Scheme::Acceleration)?;
     let weight = scene.gravity.norm() * scene.bodies[1].mass.mass();
-    let (mobility, critical) = by_geometry(&scene, mu)?;
+    let [mobility, critical, expected] = by_geometry(&scene, mu)?;
     let normal = |step: &crate::simulation::Step| {
         let solve = step.solves.last()?;
         let rows = solve.problem.assembly.rows.iter().zip(&solve.solution.x);
@@ -109,6 +136,7 @@ fn measure(mu: f64) -> Result<Finding> {
         mu,
         critical,
         mobility,
+        expected,
         forces,
         impulse: normal(&step).unwrap_or(0.0) / (weight * scene.step.dt),
         speed: step.states[1].v.x / before,
