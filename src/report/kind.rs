@@ -55,6 +55,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::order::Plan>(),
     Kind::of::<study::ledger::Plan>(),
     Kind::of::<study::footage::Plan>(),
+    Kind::of::<study::scenes::Plan>(),
     Kind::of::<study::ramp::Plan>(),
     Kind::of::<study::creep::Plan>(),
     Kind::of::<study::painleve::Plan>(),

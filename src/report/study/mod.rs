@@ -31,6 +31,7 @@ pub mod ratio;
 pub mod relaxation;
 pub mod residual_map;
 pub mod scaling;
+pub mod scenes;
 pub mod schemes;
 pub mod settings;
 pub mod sinking;

@@ -27,6 +27,7 @@ mod ratio;
 mod relaxation;
 mod residual_map;
 mod scaling;
+mod scenes;
 mod schemes;
 mod sinking;
 mod sliding;
@@ -162,8 +163,8 @@ pub fn document(results: &Results) -> Result<Document> {
         times(&mut document, &experiment, results)?;
     }
     document.page.sections.retain(|section| !section.blocks.is_empty());
-    answers.push(std::mem::take(&mut document.page.lead));
-    document.page.lead = paragraphs(&answers);
+    document.page.lead =
+        format!("{}\n\n{}", paragraphs(&answers), document.page.lead).trim().into();
     Ok(document)
 }
 

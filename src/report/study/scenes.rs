@@ -1,0 +1,54 @@
+//! Scenes as their files have them, each as a film with what it teaches.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use toml::Table;
+
+use super::footage::Footage;
+use super::variation::Variation;
+use super::{Study, history};
+use crate::error::Result;
+use crate::scene::Scene;
+
+/// Scenes to be shown.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// Shipped scenes or files.
+    pub scenes: Vec<String>,
+}
+
+/// A scene, stepped.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Finding {
+    /// Its title.
+    pub title: String,
+    /// What it teaches.
+    pub teaches: String,
+    /// How it moves.
+    pub footage: Footage,
+}
+
+/// Instants of a film, and those of a scene with more bodies than [`MANY`].
+const INSTANTS: [usize; 2] = [31, 11];
+const MANY: usize = 50;
+
+impl Study for Plan {
+    const NAME: &'static str = "scenes";
+    type Finding = Finding;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        self.scenes.clone()
+    }
+
+    fn run(&self, task: usize) -> Result<(Finding, ())> {
+        let name = &self.scenes[task];
+        let scene = Scene::load(name)?;
+        let instants = INSTANTS[usize::from(scene.bodies.len() > MANY)];
+        let duration = scene.step.dt * scene.step.count as f64;
+        let (_, take) = history::filmed(&scene, duration, ("as shipped", instants), |_| ())?;
+        let footage = Footage::of(&scene.name, Variation::of(name, &Table::new()), &[take]);
+        Ok((Finding { title: scene.title, teaches: scene.teaches, footage }, ()))
+    }
+}
