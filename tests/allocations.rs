@@ -71,7 +71,7 @@ fn a_warm_step_asks_for_no_memory_where_nodes_are_kept() {
         let (cold, warm) = (round(), round());
         assert!(cold.count_total > 0, "{}", kind.name);
         // A map gives its nodes back one by one and asks for them again: E56's cost.
-        let frees_nodes = ["map of maps", "balanced tree"].contains(&kind.name);
+        let frees_nodes = ["map of maps", "B-tree"].contains(&kind.name);
         assert_eq!(warm.count_total > 0, frees_nodes, "{}: {warm:?}", kind.name);
     }
 }
@@ -132,7 +132,7 @@ fn the_bytes_of_a_kernel_are_those_the_allocator_saw() {
 
 #[test]
 fn sorted_maps_that_were_set_out_of_order_hold_about_what_they_say() {
-    for kind in ALL.iter().filter(|kind| ["map of maps", "balanced tree"].contains(&kind.name)) {
+    for kind in ALL.iter().filter(|kind| ["map of maps", "B-tree"].contains(&kind.name)) {
         let mut storage = (kind.new)(100, 100);
         let info = measure(|| {
             for k in 0..6000_usize {

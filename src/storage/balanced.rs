@@ -34,7 +34,7 @@ impl BalancedTree {
 
 impl Storage for BalancedTree {
     fn name(&self) -> &'static str {
-        "balanced tree"
+        "B-tree"
     }
 
     fn rows(&self) -> usize {

@@ -44,7 +44,7 @@ pub const ALL: [Kind; 8] = [
         new: |rows, columns| Box::new(Tree::new(rows, columns)),
     },
     Kind {
-        name: "balanced tree",
+        name: "B-tree",
         about: "entries in one sorted map, a B-tree",
         source: "E58's remedy",
         new: |rows, columns| Box::new(BalancedTree::new(rows, columns)),

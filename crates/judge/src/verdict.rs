@@ -106,8 +106,8 @@ impl std::fmt::Display for Verdict {
 /// use lcplab_judge::upper_bound;
 ///
 /// assert_eq!(upper_bound(1.04e-9), "1.1×10⁻⁹");
-/// assert_eq!(upper_bound(9.96e3), "1.0×10⁴");
-/// assert_eq!(upper_bound(0.25), "2.5×10⁻¹"); // exact
+/// assert_eq!(upper_bound(9.96e3), "10\u{202f}000");
+/// assert_eq!(upper_bound(0.25), "0.25"); // exact
 /// assert_eq!(upper_bound(f64::from_bits(1)), "5.0×10⁻³²⁴"); // 4.94…×10⁻³²⁴
 /// ```
 pub fn upper_bound(bound: f64) -> String {
@@ -120,9 +120,13 @@ pub fn upper_bound(bound: f64) -> String {
     let exponent: i32 = exponent.parse().expect("a whole number");
     let tens: u32 = two.replace('.', "").parse().expect("two digits");
     let is_exact = rest.bytes().all(|digit| digit == b'0');
-    match tens + u32::from(!is_exact) {
-        100 => format!("1.0×10{}", superscript(exponent + 1)),
-        tens => format!("{}.{}×10{}", tens / 10, tens % 10, superscript(exponent)),
+    let (tens, exponent) = match tens + u32::from(!is_exact) {
+        100 => (10, exponent + 1),
+        tens => (tens, exponent),
+    };
+    match (-3..5).contains(&exponent) {
+        true => readable(f64::from(tens) * 10f64.powi(exponent - 1), 2),
+        false => format!("{}.{}×10{}", tens / 10, tens % 10, superscript(exponent)),
     }
 }
 

@@ -28,22 +28,30 @@ pub fn readable(value: f64, digits: usize) -> String {
     written(value, digits, |_, text| trimmed(text))
 }
 
-/// The same with all its significant digits, so that the numbers of a column compare: `3.0×10⁻⁸`.
-/// Of a number that has no more digits the zeros are left out.
-///
-/// ```
-/// use lcplab_problem::number::significant;
-///
-/// assert_eq!(significant(0.2999999, 3), "0.300");
-/// assert_eq!(significant(0.3, 3), "0.3");
-/// assert_eq!(significant(1.0, 3), "1");
-/// ```
+/// The same with all its significant digits, so that numbers compare: `3.0×10⁻⁸`.
 pub fn significant(value: f64, digits: usize) -> String {
+    written(value, digits, |_, text| text)
+}
+
+/// The same for the cells of a table: zeros at the end are left out where the number has no more digits.
+///
+/// ```
+/// use lcplab_problem::number::tabular;
+///
+/// assert_eq!(tabular(0.2999999, 3), "0.300");
+/// assert_eq!(tabular(0.3, 3), "0.3");
+/// assert_eq!(tabular(1.0, 3), "1");
+/// ```
+pub fn tabular(value: f64, digits: usize) -> String {
     written(value, digits, |value, text| {
         let short = trimmed(text);
-        if short.parse() == Ok(value) { short } else { text }
+        let is_all = short.parse().is_ok_and(|all: f64| (all - value).abs() <= SAME * value.abs());
+        if is_all { short } else { text }
     })
 }
+
+/// Numbers that differ by this part are the same but for rounding.
+const SAME: f64 = 1e-11;
 
 /// `shorter` takes a value and its decimal form.
 fn written(value: f64, digits: usize, shorter: fn(f64, &str) -> &str) -> String {

@@ -39,11 +39,22 @@ impl View for Plan {
         let sum = |count: fn(&Run) -> usize| -> usize {
             findings.iter().flat_map(|comparison| &comparison.runs).map(count).sum()
         };
+        let (solves, claimed) = (sum(|run| run.solves), sum(|run| run.claimed));
+        let refuted = sum(|run| run.refuted_claims);
+        let gave_up = match solves - claimed {
+            0 => String::new(),
+            given_up => format!(" and give up {}", count(given_up)),
+        };
         Some(format!(
-            "Of {} problems solvers say that they have solved {}; a judge who never saw the solvers refutes {}.",
-            count(sum(|run| run.solves)),
-            count(sum(|run| run.claimed)),
-            count(sum(|run| run.refuted_claims))
+            "In the steps of {} scenes solvers claim to have solved {} of {} problems{gave_up}; a judge who never saw \
+             the solvers refutes {} of the claims.",
+            findings.len(),
+            count(claimed),
+            count(solves),
+            match refuted {
+                0 => "none".to_string(),
+                refuted => count(refuted),
+            }
         ))
     }
 

@@ -1,7 +1,7 @@
 //! Residuals by sweep, beside the slopes that theory predicts.
 
 use super::attempt::stem;
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::convergence::{Curve, Finding, Plan};
@@ -29,6 +29,39 @@ impl View for Plan {
             document.figure(figure(study));
         }
         document.table("rates", table(findings));
+    }
+
+    /// Of equations the slope is claimed; with bounds only that no curve falls more slowly than ρ.
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let slopes = |equations: bool| {
+            let studies = findings.iter().filter(move |study| study.equations_only == equations);
+            studies
+                .flat_map(|study| &study.curves)
+                .filter_map(|curve| Some((curve.agrees()?, curve.is_slower()?)))
+        };
+        let (agree, all) =
+            (slopes(true).filter(|(agrees, _)| *agrees).count(), slopes(true).count());
+        let (settled, bounded) =
+            (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
+        let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
+        let says = format!(
+            "{agree} of {all} slopes of equations are the spectral radii; with bounds {settled} of {bounded} are, the \
+             others still fall faster"
+        );
+        Outcome { good: agree == all && slower == 0, says }
+    }
+}
+
+impl Curve {
+    /// Whether predicted and measured slope gain the same digits a sweep.
+    fn agrees(&self) -> Option<bool> {
+        let (predicted, measured) = (self.predicted_rate?, self.measured_rate?);
+        Some((measured.ln() / predicted.ln() - 1.0).abs() <= AGREES)
+    }
+
+    /// Whether the curve falls more slowly than predicted.
+    fn is_slower(&self) -> Option<bool> {
+        Some(self.measured_rate? > self.predicted_rate?)
     }
 }
 
@@ -86,8 +119,9 @@ fn table(studies: &[Finding]) -> Table {
         how_to_read:
             "The factor by which the error shrinks in a sweep: the spectral radius of the \
                       iteration matrix on the free rows, and the slope of the second half of the \
-                      curve. They agree if the digits gained a sweep are the same to 10 %; at ω* \
-                      the matrix is defective, and the curve bends before it is straight."
+                      curve. They agree if the digits gained a sweep are the same to 10 %. With bounds ρ is the \
+                      slope in the long run: a curve that still falls faster, because the slowest component \
+                      has a small share, has *not settled*."
                 .into(),
         columns: vec![
             Column::words("scene"),
@@ -104,14 +138,11 @@ fn table(studies: &[Finding]) -> Table {
 
 fn cells(study: &Finding, curve: &Curve) -> Vec<Cell> {
     let rate = |rate: Option<f64>| rate.map_or(Cell::text("–"), |rate| Cell::number(rate, 5));
-    let agreement = match (curve.predicted_rate, curve.measured_rate) {
-        (Some(predicted), Some(measured))
-            if (measured.ln() / predicted.ln() - 1.0).abs() <= AGREES =>
-        {
-            Cell::text("agrees").marked(Mark::Good)
-        }
-        (Some(_), Some(_)) => Cell::text("differs").marked(Mark::Note),
-        _ => Cell::text("–"),
+    let agreement = match (curve.agrees(), curve.is_slower()) {
+        (Some(true), _) => Cell::text("agrees").marked(Mark::Good),
+        (Some(false), Some(false)) if !study.equations_only => Cell::text("not settled"),
+        (Some(false), _) => Cell::text("differs").marked(Mark::Bad),
+        (None, _) => Cell::text("–"),
     };
     let optimal = study.optimal_omega.is_some_and(|best| (best - curve.omega).abs() < 1e-4);
     let omega = Cell::number(curve.omega, 5);

@@ -76,10 +76,21 @@ impl View for Plan {
             count => format!("; {count} nobody"),
         };
         let verb = if named.len() == 1 { "solves" } else { "solve" };
+        let of_contacts = solvers.iter().map(|solver| (solver, semidefinite(tried, solver, last)));
+        let of_contacts: Vec<(&String, (usize, usize))> = of_contacts.collect();
+        let most = of_contacts.iter().map(|(_, (solved, _))| *solved).max()?;
+        let all = of_contacts.iter().map(|(_, (_, all))| *all).max()?;
+        let best_of_contacts: Vec<String> = of_contacts
+            .iter()
+            .filter(|(_, (solved, _))| *solved == most)
+            .map(|(solver, _)| format!("*{solver}*"))
+            .collect();
         Some(format!(
-            "**Who solves most?** Of {} problems, to {}, {} {verb} {best}{nobody}.",
-            costs.len(),
+            "**Who solves most?** To {}, of {all} problems as contacts and joints make them (A symmetric and \
+             semidefinite) {most}: {}. Of all {} problems that have a solution {} {verb} {best}{nobody}.",
             tolerance(self.tolerances[last]),
+            listed(&best_of_contacts),
+            costs.len(),
             listed(&named)
         ))
     }
@@ -218,7 +229,10 @@ impl Plan {
                     Cell::count(count(|attempt| attempt.outcome == Outcome::Proved)),
                     Cell::count(refuted).marked(if refuted == 0 { Mark::Plain } else { Mark::Bad }),
                     Cell::count(attempted - claimed),
-                    Cell::text(semidefinite(tried, solver, k)),
+                    {
+                        let (solved, all) = semidefinite(tried, solver, k);
+                        Cell::text(format!("{solved} of {all}"))
+                    },
                     Cell::count(false_claims(tried, solver, k)).marked(
                         if false_claims(tried, solver, k) == 0 { Mark::Plain } else { Mark::Note },
                     ),
@@ -366,8 +380,8 @@ fn false_claims(tried: &[Tried], solver: &str, tolerance: usize) -> usize {
     attempts.filter(|a| a.solver == solver && a.outcome.is_solved()).count()
 }
 
-/// `19 of 19`: accepted, of the solvable problems that Dantzig's method attempts.
-fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> String {
+/// Accepted, and all, of the solvable problems that Dantzig's method attempts.
+fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> (usize, usize) {
     let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
     let of = |attempts: &[Attempt], name: &str| attempts.iter().find(|a| a.solver == name).cloned();
     let fit = problems.filter(|problem| {
@@ -378,7 +392,7 @@ fn semidefinite(tried: &[Tried], solver: &str, tolerance: usize) -> String {
         .filter_map(|problem| of(&problem.attempts[tolerance], solver))
         .map(|attempt| attempt.outcome.is_solved())
         .collect();
-    format!("{} of {}", solved.iter().filter(|solved| **solved).count(), solved.len())
+    (solved.iter().filter(|solved| **solved).count(), solved.len())
 }
 
 /// The attempts without an accepted claim, gathered by solver, precision and reason.

@@ -84,7 +84,7 @@ fn by_iteration(race: &Race) -> Lines {
         id: id(&race.problem, "iterations"),
         title: format!("{}: residual by iteration", race.problem),
         caption: format!(
-            "{} rows; ω of SOR is {}. Second-order methods fall off a cliff after a few steps. Sweeps \
+            "{} rows; ω of SOR is {}. Second-order methods fall off a cliff, most of them after a few steps. Sweeps \
              take the rough part of the error away at once and then crawl: what is left is smooth, and a \
              row sees its neighbours only.",
             count(race.rows),

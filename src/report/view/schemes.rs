@@ -1,6 +1,8 @@
 //! The schemes side by side, scene by scene.
 
+use super::attempt::listed;
 use super::{Document, View};
+use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table, markup};
 use crate::report::study::comparison::Sample;
@@ -10,6 +12,7 @@ impl View for Plan {
     const TITLE: &'static str = "One scene, every scheme";
 
     fn show(&self, findings: &[Finding], document: &mut Document) {
+        document.table("schemes_at_the_end", at_the_end(findings));
         for finding in findings {
             let case = &finding.case;
             let title = markup::literal(&finding.title);
@@ -22,6 +25,29 @@ impl View for Plan {
                 document.footage(footage, caption);
             }
         }
+    }
+
+    fn answer(&self, findings: &[Finding]) -> Option<String> {
+        let first = findings.first()?;
+        let names: Vec<&str> =
+            first.runs.iter().filter(|run| run.is_plain()).map(|run| &*run.name).collect();
+        let fails = |name: &str| {
+            let broken = findings.iter().filter(|finding| {
+                finding.runs.iter().any(|run| run.name == name && is_broken(&finding.case, run))
+            });
+            broken.map(|finding| format!("*{}*", finding.case.name)).collect::<Vec<_>>()
+        };
+        let (whole, broken): (Vec<&str>, Vec<&str>) =
+            names.iter().partition(|name| fails(name).is_empty());
+        let told = |name: &&str| format!("{name} ({})", listed(&fails(name)));
+        let broken: Vec<String> = broken.iter().map(told).collect();
+        let not =
+            if broken.is_empty() { String::new() } else { format!("; not {}", listed(&broken)) };
+        Some(format!(
+            "**Which way to step?** To the end of every scene come {}{not}. No scheme is nearest both in place and in \
+             energy: the first table has both for each.",
+            listed(&whole)
+        ))
     }
 
     fn show_times(&self, times: &[Times], document: &mut Document) {
@@ -46,6 +72,62 @@ impl View for Plan {
     }
 }
 
+/// A row a scheme, for each scene what energy and place are off by at its end.
+fn at_the_end(findings: &[Finding]) -> Table {
+    let names = findings.first().map_or(&[][..], |finding| &finding.runs);
+    let of = |name: &str, finding: &Finding| -> [Cell; 2] {
+        let none = || [Cell::text("–"), Cell::text("–")];
+        let Some(run) = finding.runs.iter().find(|run| run.name == name) else { return none() };
+        match is_broken(&finding.case, run) {
+            true => [Cell::text("broken off").marked(Mark::Bad), Cell::text("–")],
+            false => [run.energy_at_end(), run.error_at_end().map(|off| 1e3 * off)]
+                .map(|value| value.map_or(Cell::text("–"), tiny)),
+        }
+    };
+    let row = |run: &Run| {
+        let cells = findings.iter().flat_map(|finding| of(&run.name, finding));
+        [Cell::text(&run.name)].into_iter().chain(cells).collect()
+    };
+    let heads = findings.iter().flat_map(|finding| {
+        let name = &finding.case.name;
+        [
+            Column::numbers(format!("{name}: energy"), "J"),
+            Column::numbers(format!("{name}: off"), "mm"),
+        ]
+    });
+    Table {
+        title: "Where each scheme ends".into(),
+        how_to_read: "For each scene the change of energy from start to end, and the drift or overlap at the end. What \
+                      the energy should do stands at each scene below."
+            .into(),
+        columns: [Column::words("scheme")].into_iter().chain(heads).collect(),
+        rows: names.iter().filter(|run| run.is_plain()).map(row).collect(),
+        ..Table::default()
+    }
+}
+
+impl Run {
+    /// Whether it is a scheme as it is.
+    fn is_plain(&self) -> bool {
+        self.name == self.scheme
+    }
+
+    /// Drift or overlap at the end (m).
+    fn error_at_end(&self) -> Option<f64> {
+        self.history.samples.last().map(|sample| sample.drift.max(sample.penetration))
+    }
+
+    /// Energy at the end over that of the start (J).
+    fn energy_at_end(&self) -> Option<f64> {
+        self.history.energy_changes().last().map(|(_, change)| *change)
+    }
+}
+
+/// Whether it ended early, or its energy is out of bounds.
+fn is_broken(case: &Case, run: &Run) -> bool {
+    run.history.ending.is_some() || shown(case, run) < run.history.samples.len()
+}
+
 /// How many of the samples are shown: up to the first whose energy is out of bounds.
 fn shown(case: &Case, run: &Run) -> usize {
     let limit = case.energy_limit.unwrap_or(f64::INFINITY);
@@ -62,10 +144,7 @@ fn figure(finding: &Finding) -> Lines {
             (run, points)
         });
         let curves: Vec<_> = curves.collect();
-        let broken = |run: &Run| {
-            run.history.ending.is_some() || shown(case, run) < run.history.samples.len()
-        };
-        let ends = curves.iter().filter(|(run, _)| broken(run));
+        let ends = curves.iter().filter(|(run, _)| is_broken(case, run));
         let ends: Vec<_> = ends.filter_map(|(_, points)| points.last().copied()).collect();
         let mut series: Vec<Series> =
             curves.into_iter().map(|(run, p)| Series::measured(run.name.clone(), p)).collect();
@@ -86,7 +165,7 @@ fn figure(finding: &Finding) -> Lines {
         panels.push(panel("penetration", "mm", &depth));
     }
     let cut = case.energy_limit.map_or(String::new(), |limit| {
-        let limit = crate::number::readable(limit, 3);
+        let limit = readable(limit, 3);
         format!(" A curve breaks off where the run ended, or its energy changed by over {limit} J.")
     });
     Lines {
@@ -101,12 +180,14 @@ fn figure(finding: &Finding) -> Lines {
 fn table(finding: &Finding) -> Table {
     Table {
         title: format!("{}: the schemes", finding.title),
-        how_to_read: "Largest values over the run. *passes*: pivots of the solver, or sweeps over all rows, a step; \
-                      for a dense $A$ a pivot and a sweep cost about the same. *unsolved*: LCPs that the \
-                      solver gave up."
+        how_to_read: "Largest values over the run, and the error of position (drift or overlap) at its end. *passes*: \
+                      pivots of the solver, or sweeps over all rows, a step; what a step costs by the clock \
+                      stands in the section of times. *unsolved*: solves that ended above the tolerance, by a \
+                      solver or by a fixed number of sweeps."
             .into(),
         columns: vec![
             Column::words("scheme"),
+            Column::words("outcome"),
             Column::words("solver"),
             Column::numbers("steps", ""),
             Column::numbers("rows", ""),
@@ -116,7 +197,7 @@ fn table(finding: &Finding) -> Table {
             Column::numbers("energy loss", "J"),
             Column::numbers("drift", "mm"),
             Column::numbers("penetration", "mm"),
-            Column::words("outcome"),
+            Column::numbers("off at the end", "mm"),
         ],
         rows: finding.runs.iter().map(|run| cells(&finding.case, run)).collect(),
         ..Table::default()
@@ -134,6 +215,7 @@ fn cells(case: &Case, run: &Run) -> Vec<Cell> {
     };
     let mut cells = vec![
         Cell::text(&run.name),
+        outcome,
         Cell::text(run.solver.clone().unwrap_or("none".into())),
         Cell::count(history.steps),
         Cell::count(history.rows),
@@ -142,7 +224,7 @@ fn cells(case: &Case, run: &Run) -> Vec<Cell> {
     ];
     let measures = [history.gain, history.loss, 1e3 * history.drift, 1e3 * history.penetration];
     cells.extend(measures.map(tiny));
-    cells.push(outcome);
+    cells.push(run.error_at_end().map_or(Cell::text("–"), |off| tiny(1e3 * off)));
     cells
 }
 

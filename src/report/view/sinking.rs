@@ -30,14 +30,17 @@ impl View for Plan {
              ground must carry all of them, but a sweep hands a load down only little by little, and \
              less the lighter the cubes are that must pass it on. What is not yet handed on when the \
              sweeps end is not carried, and what is not carried falls. Overlap is pushed out again (β), and \
-             a light cube under a heavy one too hard: the stack is thrown. A start from the impulses of \
-             the step before (*warm*) lets the sweeps go on where they stopped; without it (*from 0*) \
-             every step makes the same mistake again. Errors of position are fed back \
-             ($\\beta = 0.2$) in all runs.",
-            self.boxes
+             a light cube under a heavy one too hard: the stack is thrown. {} Errors of position are fed back ($\\beta = 0.2$) in all runs.",
+            self.boxes,
+            match self.solvers.iter().all(|contender| contender.warm) {
+                true => "Each step starts from the impulses of the step before, so that sweeps go on where they stopped.",
+                false =>
+                    "Each step starts from the impulses of the step before, so that sweeps go on where they \
+                     stopped; in runs *from 0* every step makes the same mistake again.",
+            }
         ));
         document.figure(figure(self, findings));
-        document.table("sinking", table(findings));
+        document.table("sinking", table(self, findings));
     }
 }
 
@@ -52,21 +55,25 @@ fn figure(settings: &Plan, findings: &[Finding]) -> Lines {
     Lines {
         id: "sinking".into(),
         title: format!("Deepest overlap in a stack of {}", settings.boxes),
-        caption: "One panel a mass ratio, the heaviest load at the bottom; mind the scales. A stack that is carried \
-                  stays at 0.".into(),
+        caption: "A panel for each mass ratio, the heaviest load at the bottom; the scales differ. A stack that is \
+                  carried stays at 0.".into(),
         x: Axis::linear("time", "s"),
         panels: findings.iter().map(panel).collect(),
     }
 }
 
-fn table(findings: &[Finding]) -> Table {
+fn table(settings: &Plan, findings: &[Finding]) -> Table {
     let rows = findings.iter().flat_map(|f| f.runs.iter().map(move |run| cells(f.ratio, run)));
     Table {
         title: "Who carries the heavy top".into(),
         how_to_read: format!(
             "*carried*: the force of the ground, in parts of the weight of all cubes; it should be 1 in \
-             every step. *sweeps*: or pivots, mean over the steps. *top*: where the heavy cube is at the end. *sinks*: the deepest overlap is over \
-             {} mm; *is thrown up*: the top ends higher than it began by more than that.",
+             every step, and is more while the ground stops a fall. *sweeps*: or pivots, mean over the steps. *top*: \
+             where the heavy cube is after {} s. The *outcome* is the first that applies: *falls over*, the top has moved \
+             by more than {} m; *is thrown up*, it ends higher than it began by more than {} mm; *sinks*, the deepest \
+             overlap is over {2} mm.",
+            readable(settings.duration, 3),
+            readable(FALLEN, 2),
             readable(VISIBLE, 2)
         ),
         columns: vec![
@@ -76,7 +83,7 @@ fn table(findings: &[Finding]) -> Table {
             Column::numbers("carried, first step", ""),
             Column::numbers("carried, last step", ""),
             Column::numbers("deepest overlap", "mm"),
-            Column::numbers("top came down", "mm"),
+            Column::numbers("top rose", "mm"),
             Column::numbers("and aside", "mm"),
             Column::words("outcome"),
         ],
@@ -103,7 +110,7 @@ fn cells(ratio: f64, run: &Run) -> Vec<Cell> {
         Cell::number(run.carried[0], 3),
         Cell::number(run.carried[1], 3),
         depth(history.penetration),
-        depth(run.top[0]),
+        depth(-run.top[0]),
         depth(run.top[1]),
         outcome,
     ]

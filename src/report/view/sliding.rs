@@ -35,13 +35,13 @@ impl View for Plan {
                  this, and so does Open Dynamics Engine.\n\
                  - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one unknown \
                  more for each corner, solved by Lemke's method.\n\
-                 - **Cone**: the disc itself. *Associated*, as a convex problem, which pays for convexity by \
-                 lifting what slides; or *Coulomb*, with nothing given up.\n\n\
+                 - **Cone**: the disc itself. *Associated*, as a convex problem, whose price is that it \
+                 lifts what slides; or *Coulomb*, with nothing given up.\n\n\
                  A block of 1 kg lies on the floor and is pushed along it. It is pressed so that \
                  $\\mu x_n = 1$ N s. Its rows do not feel each other ($A$ is the identity), and so friction is \
-                 the point of the model's figure (square, polygon or disc) that is nearest to the push. \
-                 Everything below can be drawn with ruler and compasses; lines are that drawing, markers are \
-                 what the solvers found.",
+                 the point of the model's square, polygon or disc that is nearest to the push, drawn from the \
+                 centre. Everything below can be drawn with ruler and compasses; lines are that drawing, \
+                 markers are what the solvers found.",
             );
             document.figure(direction_figure(study));
             document.text(
@@ -51,31 +51,62 @@ impl View for Plan {
             );
             document.figure(grip_figure(study));
             document.text(
-                "The reach of the figure is how hard one may push before the block moves: too hard across \
+                "How far the square or polygon reaches in a direction is how hard one may push before the block moves: too hard across \
                  the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too softly across the edges of a \
                  polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, 8, 16.",
             );
             document.table("friction_block", block_table(study));
             document.text(
                 "On the block the two boxes do the same, as do the two cones but for the lifting. A rod on \
-                 two feet tells them apart: its middle is above the ground, so friction at the feet tips it, \
-                 and one foot is pressed harder than without friction, the other more lightly. The frozen \
-                 box knows nothing of that: it rubs too weakly at the one and too strongly at the other, \
-                 there perhaps by more than the $\\sqrt{2}$ of a square of the right size. With more corners \
-                 the polygons come near Coulomb's law; the boxes do not.",
+                 two feet tells them apart by their impulses: its middle is above the ground, so friction at the \
+                 feet tips it, and one foot is pressed harder than without friction, the other more lightly. The \
+                 frozen box knows nothing of that: its *strength* is too small at the one and too large at the \
+                 other, where it may exceed the $\\sqrt{2}$ of a square of the right size. The rod moves alike under \
+                 both boxes, whose friction adds up to the same. With more corners the polygons come near \
+                 Coulomb's law; the boxes do not.",
             );
             document.table("friction_rod", rod_table(study));
             document.text(
                 "What a model does to one problem, it does in every step. A block of the scene *sliding* starts \
                  at 30° to $t_1$ with 3 m/s. Coulomb's law stops it on the straight line, after \
-                 $v^2 / (2 \\mu g)$. Under a figure with corners, friction is the corner nearest to the slip; \
-                 the slip turns away from it to the middle of an edge, and goes on from there: towards $t_1$ \
-                 on the box, towards the diagonal on the polygon with four corners.",
+                 $v^2 / (2 \\mu g)$. Under a model with corners, friction is the corner that points most against the slip, and so \
+                 turns the slip towards the direction halfway between two corners: towards $t_1$ on the box, \
+                 towards the diagonal on the polygon with four corners.",
             );
             document.figure(path_figure(study));
             document.table("friction_paths", path_table(study));
         }
     }
+
+    fn answer(&self, findings: &[Finding]) -> Option<String> {
+        let study = findings.first()?;
+        let said: Vec<String> = SHOWN.iter().filter_map(|model| bias(study, *model)).collect();
+        Some(format!(
+            "**What does a model of friction get wrong?** How much of Coulomb's limit it holds, and where it points, when a \
+             block is pushed from all sides: {}.",
+            said.join("; ")
+        ))
+    }
+}
+
+/// How much a model holds, at least and at most, and how far aside its friction points.
+fn bias(study: &Finding, model: Model) -> Option<String> {
+    let grips = study.grips.iter().filter(|grip| grip.model == model).map(|grip| grip.measured);
+    let (least, most) =
+        grips.fold((f64::INFINITY, 0.0), |(lo, hi), grip| (f64::min(lo, grip), f64::max(hi, grip)));
+    let slides = study.slides.iter().filter(|slide| slide.answer.model == model);
+    let aside =
+        slides.filter_map(|slide| slide.answer.contacts.first()?.misalignment).fold(0.0, f64::max);
+    let percent = |part: f64| readable((100.0 * part).round(), 3);
+    let held = match (percent(least), percent(most)) {
+        (least, most) if least == most => least,
+        (least, most) => format!("{least} to {most}"),
+    };
+    let aside = match aside.round() {
+        0.0 => "straight".to_string(),
+        degrees => format!("up to {}° aside", readable(degrees, 2)),
+    };
+    least.is_finite().then(|| format!("*{}* {held} %, {aside}", short(model)))
 }
 
 fn path_figure(study: &Finding) -> Lines {

@@ -24,7 +24,9 @@ pub(super) fn show(results: &Results, document: &mut Document) -> Result<()> {
     });
     let table = Table {
         title: "The checks, section by section".into(),
-        how_to_read: "A row a section; what is behind the numbers stands there.".into(),
+        how_to_read:
+            "A row for each section that checks something; the section says what its numbers mean."
+                .into(),
         columns: vec![Column::words("section"), Column::words("result"), Column::words("outcome")],
         rows: rows.collect(),
         ..Table::default()

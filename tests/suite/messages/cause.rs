@@ -1,5 +1,6 @@
 //! Why a motion cannot go on.
 
+use lcplab::number::readable;
 use lcplab::scene::{Integrator, Scene, Scheme};
 use lcplab::simulation::{Cause, Simulation};
 use lcplab::solver::{Options, Stop, by_name};
@@ -46,7 +47,7 @@ fn every_end_of_a_motion_is_reached_and_told_with_its_row_or_body() {
         Cause::NoSolution { .. } => cause("painleve", Scheme::Acceleration, |_| ()),
             "no forces satisfy the sliding contact \"normal ground rod 0\": no solution exists";
         Cause::Unsettled { change } => cause("pendulum", Scheme::Acceleration, midpoint),
-            format!("the implicit midpoint does not settle, its rates change by {change:.1e}");
+            format!("the implicit midpoint does not settle, its rates change by {}", readable(*change, 2));
         Cause::Stopped(Some(_)) => stopped(), "interrupted";
         Cause::Stopped(None) => interrupted(), "stopped by the observer";
         Cause::Diverged { row: Some(_), .. } => // 1000/s is far beyond what steps of 0.01 s can follow

@@ -120,7 +120,7 @@ fn matrices_that_are_kept_ask_for_nothing_once_warm() {
     let steps = study().steps.unwrap();
     assert_eq!(steps.rows, [3, 3, 3]);
     for count in &steps.counts {
-        let frees_nodes = ["map of maps", "balanced tree"].contains(&count.storage.as_str());
+        let frees_nodes = ["map of maps", "B-tree"].contains(&count.storage.as_str());
         assert_eq!(count.warm == 0.0, !frees_nodes, "{}", count.storage);
         assert!(count.warm <= count.first && count.first < count.anew, "{}", count.storage);
     }

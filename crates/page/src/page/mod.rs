@@ -15,7 +15,6 @@ mod render;
 use serde::{Deserialize, Serialize};
 
 use crate::figure::Figure;
-use crate::number::significant;
 use crate::{csv, number};
 pub use origin::Origin;
 pub use player::{Chart, Pane, Player, Reel, SPEEDS, speed};
@@ -277,7 +276,7 @@ impl Cell {
 
     /// A number, shown with so many significant digits.
     pub fn number(value: f64, digits: usize) -> Self {
-        Cell { text: significant(value, digits), value: Some(value), ..Cell::default() }
+        Cell { text: number::tabular(value, digits), value: Some(value), ..Cell::default() }
     }
 
     /// A count.

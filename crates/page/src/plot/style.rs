@@ -90,6 +90,9 @@ const OCHRE: Rgb = (176, 134, 0);
 const BLACK: Rgb = (45, 45, 50);
 const VERMILION: Rgb = (205, 85, 0);
 
+/// The colours of names that are not known, in turn.
+const HUES: [Rgb; 6] = [BLUE, VERMILION, GREEN, PURPLE, OCHRE, SKY];
+
 /// Colour, index of the dash, index of the marker.
 const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("pgs", BLUE, 0, 0),
@@ -137,7 +140,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("map_of_maps", VERMILION, 0, 1),
     ("linked_list", OCHRE, 1, 2),
     ("tree", GREEN, 4, 3),
-    ("balanced_tree", GREEN, 0, 4),
+    ("b_tree", GREEN, 0, 4),
     ("hash_table", PURPLE, 3, 5),
     ("compressed_rows", BLUE, 0, 0),
     ("block_rows", SKY, 1, 1),
@@ -162,7 +165,7 @@ const SOR: [(f64, Rgb, usize, usize); 6] = [
 /// The look of a name, the same in every figure.
 pub fn style(name: &str) -> Style {
     let (base, variant) = name.split_once(',').unwrap_or((name, ""));
-    let key = base.trim().to_lowercase().replace([' ', '-'], "_");
+    let key = base.trim().to_lowercase().replace('\u{202f}', "").replace([' ', '-'], "_");
     let parameter = key
         .strip_prefix("sor")
         .filter(|rest| !rest.starts_with(char::is_alphabetic) || rest.starts_with('ω'));
@@ -172,18 +175,21 @@ pub fn style(name: &str) -> Style {
         (*color, *dash, *marker)
     } else {
         let hash = fnv(&key);
-        let hues = [BLUE, VERMILION, GREEN, PURPLE, OCHRE, SKY];
-        (hues[hash % 6], hash / 6 % 6, hash / 36 % 6)
+        (HUES[hash % 6], hash / 6 % 6, hash / 36 % 6)
     };
     if parameter.is_some() || variant.trim().is_empty() {
         return Style { color, dash: DASHES[dash], marker: MARKERS[marker] };
     }
-    // dt is the palest, dt/2 and dt/4 come closer to the full colour: finer is stronger.
-    let (white, turn) = match variant.rsplit('/').next().map(str::trim) {
-        Some("2") if variant.contains('/') => (0.25, 1),
-        Some("4") if variant.contains('/') => (0.0, 2),
-        Some("dt") => (0.5, 0),
-        _ => (0.0, fnv(variant) % 6),
+    // dt is the palest, dt/2 and dt/4 come closer to the full colour: finer is stronger. Other variants
+    // have a colour of their own.
+    let (white, turn, color) = match variant.rsplit('/').next().map(str::trim) {
+        Some("2") if variant.contains('/') => (0.25, 1, color),
+        Some("4") if variant.contains('/') => (0.0, 2, color),
+        Some("dt") => (0.5, 0, color),
+        _ => {
+            let turn = 1 + fnv(variant) % 5;
+            (0.0, turn, HUES[(place(&HUES, &color) + turn) % 6])
+        }
     };
     let tint = |c: u8| (f64::from(c) + white * (255.0 - f64::from(c))).round() as u8;
     Style {

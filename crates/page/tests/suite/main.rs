@@ -60,5 +60,10 @@ fn numbers_read_well() {
     assert_eq!(number::readable(-1e-7, 2), "−10⁻⁷");
     assert_eq!(number::significant(3e-8, 2), "3.0×10⁻⁸");
     assert_eq!(number::significant(0.25, 3), "0.250");
+    assert_eq!(
+        (number::tabular(0.25, 3), number::tabular(-3e-8, 2)),
+        ("0.25".into(), "−3×10⁻⁸".into())
+    );
+    assert_eq!(number::readable(-1234.5, 2), "−1\u{202f}200");
     assert_eq!(number::count(1234567), "1\u{202f}234\u{202f}567");
 }

@@ -90,10 +90,7 @@ fn mistakes_in_the_problem_are_named() {
     let other_sign = with(lcp.b().iter().map(|b| -b).collect());
     assert_eq!(first(&lcp, &exact(&other_sign)), "b with the other sign, solved");
     let without_dt = with(lcp.b().iter().map(|b| 60.0 * b).collect());
-    assert_eq!(
-        first(&lcp, &exact(&without_dt)),
-        "b times 60.000000 (a time step, a unit?), solved"
-    );
+    assert_eq!(first(&lcp, &exact(&without_dt)), "b times 60 (a time step, a unit?), solved");
     let mut lo = lcp.lo().to_vec();
     lo[5] = f64::NEG_INFINITY;
     let free = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lo, lcp.hi().to_vec()).unwrap();
@@ -111,7 +108,7 @@ fn mistakes_in_the_problem_are_named() {
     )
     .unwrap();
     let found = mistakes(&lcp, &exact(&soft));
-    assert_eq!(found[0].what, "compliance (CFM) 1.000e-3 on the diagonal of A, solved");
+    assert_eq!(found[0].what, "compliance (CFM) 0.001 on the diagonal of A, solved");
 }
 
 #[test]

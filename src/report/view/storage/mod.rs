@@ -39,6 +39,10 @@ impl View for Plan {
         times.iter().for_each(|times| times::section(document, times));
     }
 
+    fn answer(&self, findings: &[Finding]) -> Option<String> {
+        findings.iter().find_map(advice)
+    }
+
     fn outcome(&self, findings: &[Finding]) -> Outcome {
         let asked = || findings.iter().flat_map(|f| &f.structures).filter_map(|s| s.agree);
         let (agree, all) = (asked().filter(|agree| *agree).count(), asked().count());
@@ -51,6 +55,36 @@ impl View for Plan {
         );
         Outcome { good: agree == all, says }
     }
+}
+
+/// What to keep a matrix in, by the largest scene and by the fill at which storages stop paying.
+fn advice(study: &Finding) -> Option<String> {
+    let largest = study.structures.iter().max_by_key(|structure| structure.rows)?;
+    let of = |name: &str| {
+        let (_, [_, _, bytes]) = largest.bytes.iter().find(|(storage, _)| storage == name)?;
+        Some(mega(*bytes))
+    };
+    let pays = |name: &str| {
+        let memory = study.memory.iter().find(|memory| memory.storage == name)?;
+        Some(readable(memory.break_even?, 2))
+    };
+    Some(format!(
+        "**Which storage?** Compressed rows, or none: A of *{}* ({} rows) takes {} MB dense, {} in compressed rows, {} \
+         in block rows, and {} if it is never assembled and sweeps work on J and M⁻¹Jᵀ. At random places compressed \
+         rows take less than the dense matrix up to a fill of {} %, the chapter's map of maps up to {} %.",
+        largest.scene,
+        count(largest.rows),
+        of("dense")?,
+        of("compressed rows")?,
+        of("block rows")?,
+        mega(largest.factored),
+        pays("compressed rows")?,
+        pays("map of maps")?
+    ))
+}
+
+fn mega(bytes: usize) -> String {
+    readable(bytes as f64 / 1e6, 3)
 }
 
 fn claims(document: &mut Document, claims: &[Claim]) {

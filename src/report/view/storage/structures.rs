@@ -16,8 +16,9 @@ pub(super) fn structures(document: &mut Document, structures: &[Structure]) {
         "J has six columns a moving body and entries for one or two bodies a row, M⁻¹ a block of 6 × 6 \
          a body, A an entry for each two rows that share a body. The *factored* operator keeps J and M⁻¹Jᵀ \
          alone and never makes A: its memory is that of J, so it wins where many rows meet in a body. \
-         The block of block rows is 1 × 6, a row of J against the columns of a body: J fills such blocks, \
-         and one column number serves six values. A block of 6 × 6 would be full in M⁻¹ only.",
+         The block of block rows is 1 × 6, a row of J against the columns of a body: one column \
+         number serves six values, and zeros within a block are kept: A of contacts is full enough for it, J and \
+         M⁻¹ are smaller in compressed rows.",
     );
     document.table("storage_structures", sizes(structures, "A", |[_, _, a]| a, true));
     let factors = "J and M⁻¹ together";

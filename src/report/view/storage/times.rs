@@ -10,7 +10,7 @@ pub(in super::super) fn section(document: &mut Document, times: &Times) {
         "These differ from run to run and from machine to machine: compare shapes, not digits. To find an \
          entry is cheap in all storages but the list and the tree that was filled in order, which the \
          entries make dearer one by one. To multiply a row is cheap where its entries lie together; a \
-         hash table, the fastest to find an entry, has to ask for each column of a row.",
+         hash table finds an entry without a search, but has to ask for each column of a row.",
     );
     let fill = |time: &Time| 100.0 * time.entries as f64 / (time.rows * time.rows).max(1) as f64;
     document.figure(Lines {
