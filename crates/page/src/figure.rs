@@ -12,6 +12,11 @@ pub trait Figure {
     /// not in it, and may carry the markup of a page.
     fn caption(&self) -> &str;
 
+    /// The caption, or the title where there is none.
+    fn words(&self) -> &str {
+        if self.caption().is_empty() { self.title() } else { self.caption() }
+    }
+
     /// The picture, a complete SVG document without fonts, scripts or references to other files.
     fn svg(&self) -> String;
 

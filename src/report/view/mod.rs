@@ -284,6 +284,11 @@ impl Document {
         lives.into_iter().for_each(|live| self.add(Block::Live(live)));
     }
 
+    /// Adds words that are folded away under a title.
+    pub fn aside(&mut self, title: &str, text: impl Into<String>) {
+        self.add(Block::Aside { title: title.into(), text: text.into() });
+    }
+
     fn equation(&mut self, latex: &str, label: &str) {
         self.add(Block::Equation { latex: latex.into(), label: Some(label.into()) });
     }

@@ -21,7 +21,7 @@ impl View for Plan {
             rows.len() - failed,
             rows.len()
         ));
-        document.text(formulas(rows));
+        document.aside("The closed forms, typeset", formulas(rows));
         document.table("closed_forms", table(rows));
         document.text(tolerances(rows));
     }
@@ -70,7 +70,7 @@ fn formulas(rows: &[Row]) -> String {
             lines.push(line);
         }
     }
-    format!("The closed forms:\n\n{}", lines.join("\n"))
+    lines.join("\n")
 }
 
 /// Each tolerance once, with its reason.
@@ -94,7 +94,8 @@ pub fn table(rows: &[Row]) -> Table {
     let levels = rows.iter().map(|row| row.samples.len()).max().unwrap_or(0);
     let measured = (0..levels).map(|level| match level {
         0 => Column::numbers("at dt", ""),
-        level => Column::numbers(format!("at dt/{}", 1 << level), ""),
+        level if level + 1 == levels => Column::numbers(format!("at dt/{}", 1 << level), ""),
+        level => Column::numbers(format!("at dt/{}", 1 << level), "").on_screen(),
     });
     let head = vec![
         Column::words("case"),
@@ -108,7 +109,7 @@ pub fn table(rows: &[Row]) -> Table {
         Column::numbers("expected", ""),
         Column::words("unit"),
     ];
-    let tail = [Column::words("formula")];
+    let tail = [Column::words("formula").on_screen()];
     Table {
         title: "Closed forms and measured values".into(),
         how_to_read: "*error*: of the shortest step, relative unless 0 is expected. A row with a \

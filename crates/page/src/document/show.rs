@@ -18,7 +18,7 @@ pub trait Show {
 impl<F: Figure> Show for F {
     fn blocks(&self) -> Result<Vec<Block>> {
         let picture =
-            Picture { svg: self.svg(), caption: self.caption().into(), ..Picture::default() };
+            Picture { svg: self.svg(), caption: self.words().into(), ..Picture::default() };
         Ok(vec![Block::Figure(picture)])
     }
 }

@@ -84,6 +84,13 @@ impl Fold {
 pub enum Block {
     /// Paragraphs and lists.
     Text(String),
+    /// The same, folded away under a few words, on the screen alone.
+    Aside {
+        /// What opens it.
+        title: String,
+        /// The paragraphs and lists.
+        text: String,
+    },
     /// A displayed equation.
     Equation {
         /// LaTeX without delimiters.
@@ -185,7 +192,7 @@ impl Picture {
         let file = |kind: &str| format!("{directory}/{}.{kind}", plot.id());
         Picture {
             svg: plot.svg(),
-            caption: plot.caption().into(),
+            caption: plot.words().into(),
             files: vec![("data (CSV)".into(), file("csv")), ("picture (SVG)".into(), file("svg"))],
             origin: None,
         }
@@ -218,6 +225,8 @@ pub struct Column {
     pub unit: String,
     /// How its cells are set.
     pub align: Align,
+    /// Whether it is left out on paper, where a wide table would be too small to read.
+    pub screen_only: bool,
 }
 
 /// How the cells of a column are set.
@@ -259,12 +268,17 @@ pub enum Mark {
 impl Column {
     /// A column of words.
     pub fn words(title: impl Into<String>) -> Self {
-        Column { title: title.into(), unit: String::new(), align: Align::Left }
+        Column { title: title.into(), unit: String::new(), align: Align::Left, screen_only: false }
     }
 
     /// A column of numbers in a unit; an empty one for pure numbers.
     pub fn numbers(title: impl Into<String>, unit: impl Into<String>) -> Self {
-        Column { title: title.into(), unit: unit.into(), align: Align::Right }
+        Column { title: title.into(), unit: unit.into(), align: Align::Right, screen_only: false }
+    }
+
+    /// The same, left out on paper.
+    pub fn on_screen(self) -> Self {
+        Column { screen_only: true, ..self }
     }
 }
 

@@ -211,6 +211,13 @@ impl Writer {
     fn block(&mut self, place: &str, block: &Block) -> String {
         match block {
             Block::Text(text) => self.checked(place, |markup| markup.blocks(text)),
+            Block::Aside { title, text } => {
+                let text = self.checked(place, |markup| markup.blocks(text));
+                format!(
+                    "<details class=\"aside\"><summary>{}</summary>\n{text}</details>\n",
+                    html(title)
+                )
+            }
             Block::Note(text) => {
                 let text = self.checked(place, |markup| markup.blocks(text));
                 format!("<aside class=\"note\">\n{text}</aside>\n")
@@ -328,7 +335,8 @@ impl TableView<'_> {
             Mark::Note => "caution",
         };
         let length = if cell.text.chars().count() > LONG { "long" } else { "" };
-        let classes = [align, mark, length].into_iter().filter(|class| !class.is_empty());
+        let paper = if self.table.columns[*k].screen_only { "screen-only" } else { "" };
+        let classes = [align, mark, length, paper].into_iter().filter(|class| !class.is_empty());
         classes.collect::<Vec<_>>().join(" ")
     }
 }
