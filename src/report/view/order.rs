@@ -32,7 +32,13 @@ impl View for Plan {
     fn outcome(&self, findings: &[Finding]) -> Outcome {
         let claims: Vec<bool> = curves(findings).filter_map(|(_, curve)| curve.holds()).collect();
         let held = claims.iter().filter(|held| **held).count();
-        let says = format!("{held} of {} errors shrink as derived", claims.len());
+        let exact = curves(findings)
+            .filter(|(_, curve)| matches!(curve.expected, Expected::Exact { .. }))
+            .count();
+        let says = format!(
+            "{held} of {} errors behave as derived, {exact} of them rounding at every step",
+            claims.len()
+        );
         Outcome { good: held == claims.len(), says }
     }
 }

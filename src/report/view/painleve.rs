@@ -124,8 +124,9 @@ fn table(findings: &[&Finding]) -> Table {
     Table {
         title: "The rod's first step at both levels".into(),
         how_to_read: "*m A* comes from the rod's geometry alone; forces must exist where it is positive and \
-                      not where it is negative. *by geometry*: $1/(m A)$, but at most the impulse that ends the slip \
-                      within the step. *speed*: of the rod's middle after the step, in parts of that before. The rod \
+                      not where it is negative. *by geometry*: $1/(m A)$; where such a force would end the slip within the \
+                      step, what just ends it. Beyond $\\mu^*$ acceleration level, which begins with the slip, \
+                      finds no force for it, and velocity level the one that ends it. *speed*: of the rod's middle after the step, in parts of that before. The rod \
                       is as narrow as a blade here: of a wide one either lower corner may carry all, and neither \
                       force nor impulse is unique."
             .into(),

@@ -86,8 +86,8 @@ impl View for Plan {
             .map(|(solver, _)| format!("*{solver}*"))
             .collect();
         Some(format!(
-            "**Who solves most?** To {}, of {all} problems as contacts and joints make them (A symmetric and \
-             semidefinite) {most}: {}. Of all {} problems that have a solution {} {verb} {best}{nobody}.",
+            "**Who solves most?** To {}, of {all} problems whose A is symmetric and semidefinite, as that of contacts \
+             and joints is, {most}: {}. Of all {} problems that have a solution {} {verb} {best}{nobody}.",
             tolerance(self.tolerances[last]),
             listed(&best_of_contacts),
             costs.len(),
@@ -179,15 +179,18 @@ impl Plan {
         let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
         let mut text = format!("At {} ", tolerance(self.tolerances[last]));
         text += &match all.is_empty() {
-            true => "no solver solved everything it attempted. ".to_string(),
+            true => "no solver solved all problems with a solution that it attempted. ".to_string(),
             false => {
-                format!("{} solved everything they attempted (so many problems). ", listed(&all))
+                format!(
+                    "{} solved all problems with a solution that they attempted (so many). ",
+                    listed(&all)
+                )
             }
         };
         if let (Some((most, profile)), Some((cheapest, best))) = (most, cheapest) {
             let solved = (share(profile) * profile.attempted as f64).round();
             text += &format!(
-                "Most problems were solved by *{most}*: {solved} of the {} it attempted. The cheapest \
+                "Most problems were solved by *{most}*: {solved} of the {} with a solution that it attempted. The cheapest \
                  most often, on {:.0} % of its problems, was *{cheapest}*. ",
                 profile.attempted,
                 100.0 * at_one(best)
@@ -246,7 +249,7 @@ impl Plan {
                           judge's on these claims; *refuted* must be 0. *failed*: attempted, not claimed; \
                           the table of failures has the reasons. *semidefinite*: accepted, of the \
                           problems that Dantzig's method takes on, which are the symmetric semidefinite \
-                          ones: those of contacts. *no solution*: accepted answers to \
+                          ones, as those of contacts are. *no solution*: accepted answers to \
                           problems that have none, possible only where the precision cannot tell them \
                           from ones that do."
                 .into(),

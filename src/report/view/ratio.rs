@@ -38,7 +38,7 @@ impl View for Plan {
             "two bodies",
         );
         document.text(
-            "For two bodies and large r, ten times the ratio takes ten times the sweeps. For a stack of boxes ρ is the largest eigenvalue \
+            "So for large r and ten times the ratio a further digit takes ten times the sweeps. For a stack of boxes ρ is the largest eigenvalue \
              below 1 of the iteration matrix, and between two precisions lie",
         );
         document.equation(
@@ -203,7 +203,7 @@ impl Plan {
             caption: format!(
                 "Above two bodies, below {} boxes with friction, the top one r times as heavy. Sweeps grow \
                  with r: for two bodies along the dashed line, $k = \\ln(2(1 + r)\\varepsilon) / \\ln\\rho$, \
-                 for boxes at most as $\\ln\\varepsilon / \\ln\\rho$. Shown are the best of each kind; a point that is \
+                 for boxes at most as $\\ln\\varepsilon / \\ln\\rho$. Shown are some of each kind; a point that is \
                  missing is a failure (see the tables), and one may hide under another. The lines that stay low do not care for the ratio: what they pay for it is the \
                  price of their iterations, in the bars below.",
                 self.boxes

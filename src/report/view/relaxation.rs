@@ -114,8 +114,9 @@ impl Plan {
                  computed; *measured*: the slope of the residual's envelope over the last half of the \
                  sweeps. *by the rate*: $\\ln(\\varepsilon/b)/\\ln\\rho$ for {} m/s, beside the sweeps \
                  counted. A slope agrees if the digits gained a sweep are the same to 5 %, a count if it \
-                 is the same to 20 %: the rule knows the rate and not the start. At ω\\* itself two \
-                 eigenvalues meet, and neither can agree.",
+                 is the same to 20 %: the rule knows the rate and not the start. At ω\\* two \
+                 eigenvalues meet, and above it they are complex: there the residual goes up and down or falls like \
+                 $k\\rho^k$, and a slope over a few sweeps is off.",
                 readable(self.target, 1)
             ),
             columns: vec![

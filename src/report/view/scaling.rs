@@ -106,9 +106,9 @@ impl Plan {
         Lines {
             id: "scaling_iterations".into(),
             title: format!("Iterations to a scaled residual of {}", tolerance(self.tolerance)),
-            caption: "Sweeps of Gauss-Seidel lie on the steeper dashed line: four times as many for \
-                      twice the bodies. SOR with the best ω and the methods with memory follow the \
-                      other one. A flat line is no free lunch: its iterations are dearer the larger \
+            caption: "Sweeps of Gauss-Seidel lie on the steeper dashed line: nearly four times as many \
+                      for twice the bodies. SOR with the best ω follows the other one, as most methods with memory \
+                      do; the table has the exponents. A flat line is no free lunch: its iterations are dearer the larger \
                       the column, see the next figure. Curves that coincide hide each other; the table \
                       has them all."
                 .into(),

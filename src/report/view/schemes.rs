@@ -44,7 +44,7 @@ impl View for Plan {
         let not =
             if broken.is_empty() { String::new() } else { format!("; not {}", listed(&broken)) };
         Some(format!(
-            "**Which way to step?** To the end of every scene come {}{not}. No scheme is nearest both in place and in \
+            "**Which way to step?** To the end of every scene, with their energy in bounds, come {}{not}. No scheme is nearest both in place and in \
              energy: the first table has both for each.",
             listed(&whole)
         ))
@@ -79,7 +79,7 @@ fn at_the_end(findings: &[Finding]) -> Table {
         let none = || [Cell::text("–"), Cell::text("–")];
         let Some(run) = finding.runs.iter().find(|run| run.name == name) else { return none() };
         match is_broken(&finding.case, run) {
-            true => [Cell::text("broken off").marked(Mark::Bad), Cell::text("–")],
+            true => [Cell::text("out of bounds").marked(Mark::Bad), Cell::text("–")],
             false => [run.energy_at_end(), run.error_at_end().map(|off| 1e3 * off)]
                 .map(|value| value.map_or(Cell::text("–"), tiny)),
         }

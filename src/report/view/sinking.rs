@@ -36,7 +36,7 @@ impl View for Plan {
                 true => "Each step starts from the impulses of the step before, so that sweeps go on where they stopped.",
                 false =>
                     "Each step starts from the impulses of the step before, so that sweeps go on where they \
-                     stopped; in runs *from 0* every step makes the same mistake again.",
+                     stopped; runs *from 0* begin each step without them.",
             }
         ));
         document.figure(figure(self, findings));

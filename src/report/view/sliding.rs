@@ -83,7 +83,7 @@ impl View for Plan {
         let said: Vec<String> = SHOWN.iter().filter_map(|model| bias(study, *model)).collect();
         Some(format!(
             "**What does a model of friction get wrong?** How much of Coulomb's limit it holds, and where it points, when a \
-             block is pushed from all sides: {}.",
+             block is pushed in directions a few degrees apart: {}.",
             said.join("; ")
         ))
     }

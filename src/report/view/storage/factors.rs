@@ -53,8 +53,8 @@ pub(super) fn section(document: &mut Document, factors: &[Factor]) {
     document.figure(Spies {
         id: "storage_factor_pictures".into(),
         title: "The factor L under three orderings".into(),
-        caption: "Per cent are of the lower triangle. Darker cells are denser. The bands of reverse \
-                  Cuthill-McKee fill in completely; minimum degree leaves most of the triangle empty and \
+        caption: "Per cent are of the lower triangle. Darker cells are denser. Reverse Cuthill-McKee \
+                  gathers the entries near the diagonal; minimum degree leaves most of the triangle empty and \
                   gathers what it cannot avoid in the last rows."
             .into(),
         across: 3,

@@ -22,8 +22,8 @@ pub(super) fn section(document: &mut Document, study: &Finding) {
     );
     document.text(
         "For the chapter's list that is $4/28 = 1/7$, or 14.3 %; for the list and the tree here, \
-         $8/24 = 1/3$; for compressed rows $8/12 = 2/3$. Maps, hash tables and block rows pay less for an entry \
-         the fuller they are, so theirs is measured.",
+         $8/24 = 1/3$; for compressed rows $8/12 = 2/3$. Maps, hash tables and block rows have no fixed price \
+         for an entry, so theirs is measured.",
     );
     document.table("storage_memory", table(study));
     document.figure(figure(study));

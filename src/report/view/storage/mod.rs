@@ -69,7 +69,7 @@ fn advice(study: &Finding) -> Option<String> {
         Some(readable(memory.break_even?, 2))
     };
     Some(format!(
-        "**Which storage?** Compressed rows, or none: A of *{}* ({} rows) takes {} MB dense, {} in compressed rows, {} \
+        "**Which storage?** Compressed rows, and where many contacts meet block rows, or none: A of *{}* ({} rows) takes {} MB dense, {} in compressed rows, {} \
          in block rows, and {} if it is never assembled and sweeps work on J and M⁻¹Jᵀ. At random places compressed \
          rows take less than the dense matrix up to a fill of {} %, the chapter's map of maps up to {} %.",
         largest.scene,
