@@ -68,12 +68,11 @@ fn written(value: f64, digits: usize, shorter: fn(f64, &str) -> &str) -> String 
         "0".into()
     } else if (-3..5).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
-        let value: f64 = if decimals == 0 { rounded.parse().unwrap_or(value) } else { value };
+        let unit = 10f64.powi(exponent + 1 - digits.max(1) as i32);
+        let value = if decimals == 0 { (value / unit).round() * unit } else { value };
         grouped(shorter(value, &format!("{value:.decimals$}")))
     } else {
-        let exact = format!("{value:e}");
-        let exact = exact.split('e').next().and_then(|mantissa| mantissa.parse().ok());
-        match shorter(exact.unwrap_or(f64::NAN), mantissa) {
+        match shorter(value / 10f64.powi(exponent), mantissa) {
             "1" => format!("10{}", superscript(exponent)),
             "-1" => format!("-10{}", superscript(exponent)),
             mantissa => format!("{mantissa}×10{}", superscript(exponent)),
