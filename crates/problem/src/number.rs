@@ -22,6 +22,7 @@ pub fn superscript(exponent: i32) -> String {
 /// assert_eq!(readable(-1.5e-9, 2), "−1.5×10⁻⁹");
 /// assert_eq!(readable(1e6, 3), "10⁶");
 /// assert_eq!(readable(12345.0, 3), "12\u{202f}300"); // a narrow space that does not break
+/// assert_eq!(readable(725.0, 2), "720"); // ties to even, as everywhere
 /// assert_eq!(readable(f64::INFINITY, 3), "∞");
 /// ```
 pub fn readable(value: f64, digits: usize) -> String {
@@ -69,7 +70,7 @@ fn written(value: f64, digits: usize, shorter: fn(f64, &str) -> &str) -> String 
     } else if (-3..5).contains(&exponent) {
         let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
         let unit = 10f64.powi(exponent + 1 - digits.max(1) as i32);
-        let value = if decimals == 0 { (value / unit).round() * unit } else { value };
+        let value = if decimals == 0 { (value / unit).round_ties_even() * unit } else { value };
         grouped(shorter(value, &format!("{value:.decimals$}")))
     } else {
         match shorter(value / 10f64.powi(exponent), mantissa) {
