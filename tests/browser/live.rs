@@ -152,7 +152,7 @@ fn a_rod_that_no_force_holds_is_stopped_in_its_first_step() {
     let script = "set('#step', 1); const caught = find('#slip').textContent; set('#mu', 0.5); set('#step', 1); return [caught, find('#slip').textContent];";
     let found = page("painleve").seen(1280, &format!("{READY}{script}"));
     let slip = |k: usize| -> f64 {
-        let text = found[k].as_str().unwrap().replace('−', "-").replace("·10⁻⁴", "e-4");
+        let text = found[k].as_str().unwrap().replace('−', "-").replace("×10⁻⁴", "e-4");
         text.split(' ').nth(1).unwrap().parse().unwrap()
     };
     assert!(slip(0).abs() < 1e-2 && slip(1) > 0.5, "{found}");
