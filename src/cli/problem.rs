@@ -162,12 +162,12 @@ pub fn bound_text(bound: Option<f64>) -> String {
 }
 
 pub fn rows(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> String {
-    let of = |value| readable(value, 6);
-    let mut text = format!("{:>5} {:>14} {:>14} {:>14} {:>14}\n", "row", "lo", "x", "hi", "w");
+    let of = |value| readable(value, 7);
+    let mut text = format!("{:>5} {:>15} {:>15} {:>15} {:>15}\n", "row", "lo", "x", "hi", "w");
     let line = |i: usize| {
         let (lo, hi) = lcp.bounds(i, x);
         format!(
-            "{i:>5} {:>14} {:>14} {:>14} {:>14}\n",
+            "{i:>5} {:>15} {:>15} {:>15} {:>15}\n",
             of(lo),
             of(x[i]),
             of(hi),
