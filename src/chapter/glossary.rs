@@ -22,13 +22,8 @@ pub struct Term {
 
 /// The terms in the chapter's order, and the one of its title.
 pub fn terms() -> &'static [Term] {
-    #[derive(Deserialize)]
-    struct Glossary {
-        term: Vec<Term>,
-    }
-    static TERMS: LazyLock<Vec<Term>> = LazyLock::new(|| {
-        data::read::<Glossary>("glossary.toml", include_str!("glossary.toml")).term
-    });
+    static TERMS: LazyLock<Vec<Term>> =
+        LazyLock::new(|| data::list("glossary.toml", include_str!("glossary.toml")));
     &TERMS
 }
 

@@ -36,13 +36,8 @@ pub struct Reference {
 
 /// The literature by subject.
 pub fn subjects() -> &'static [Subject] {
-    #[derive(Deserialize)]
-    struct Literature {
-        subject: Vec<Subject>,
-    }
-    static SUBJECTS: LazyLock<Vec<Subject>> = LazyLock::new(|| {
-        data::read::<Literature>("references.toml", include_str!("references.toml")).subject
-    });
+    static SUBJECTS: LazyLock<Vec<Subject>> =
+        LazyLock::new(|| data::list("references.toml", include_str!("references.toml")));
     &SUBJECTS
 }
 

@@ -202,13 +202,8 @@ const EXAMPLES: &[(&str, Example)] = &[
 
 /// The errata in order.
 pub fn all() -> &'static [Exhibit] {
-    #[derive(Deserialize)]
-    struct Errata {
-        erratum: Vec<Exhibit>,
-    }
-    static ALL: LazyLock<Vec<Exhibit>> = LazyLock::new(|| {
-        data::read::<Errata>("errata.toml", include_str!("../errata.toml")).erratum
-    });
+    static ALL: LazyLock<Vec<Exhibit>> =
+        LazyLock::new(|| data::list("errata.toml", include_str!("../errata.toml")));
     &ALL
 }
 

@@ -86,13 +86,8 @@ pub struct Group {
 
 /// The groups in the order of the lists.
 pub fn groups() -> &'static [Group] {
-    #[derive(Deserialize)]
-    struct Inventory {
-        group: Vec<Group>,
-    }
-    static GROUPS: LazyLock<Vec<Group>> = LazyLock::new(|| {
-        data::read::<Inventory>("inventory.toml", include_str!("../inventory.toml")).group
-    });
+    static GROUPS: LazyLock<Vec<Group>> =
+        LazyLock::new(|| data::list("inventory.toml", include_str!("../inventory.toml")));
     &GROUPS
 }
 
