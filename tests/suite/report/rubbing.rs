@@ -56,6 +56,34 @@ fn forces_on_painleves_rod_end_where_its_geometry_says() {
     assert!(plan.outcome(&[found]).good);
 }
 
+/// The end slides through the step, or where it would turn back within it stops: tried in this order, in the plane.
+#[test]
+fn painleves_rod_is_pressed_as_a_rod_in_the_plane() {
+    let (half, turn) = ([0.5, 0.01], 63.434_948_822_922_01_f64.to_radians());
+    let (sin, cos) = turn.sin_cos();
+    let [x, z] = [half[0] * cos - half[1] * sin, -half[0] * sin - half[1] * cos]; // of the lower end
+    let inertia = (1.0 + 0.02 * 0.02) / 12.0;
+    let (gravity, dt, speed) = (9.81, 1e-3, 0.2);
+    let plan = painleve::Plan { frictions: vec![0.2, 0.6, 1.0, 1.2, 1.3, 1.5, 2.0] };
+    for finding in plan.run(0).unwrap().0 {
+        // What a unit of normal impulse with friction f does to the end's velocity, up and ahead.
+        let up = |f: f64| 1.0 + x * (x - f * z) / inertia;
+        let ahead = |f: f64| f - z * (x - f * z) / inertia;
+        let slides = gravity * dt / up(-finding.mu);
+        let goes_on = slides > 0.0 && speed + slides * ahead(-finding.mu) > 0.0;
+        let stops = {
+            let (c, d) = (1.0 + z * z / inertia, -x * z / inertia);
+            let (a, rest) = (1.0 + x * x / inertia, gravity * dt);
+            (rest * c + speed * d) / (a * c - d * d)
+        };
+        let expected = if goes_on { slides } else { stops } / (gravity * dt);
+        assert!((finding.impulse / expected - 1.0).abs() < 1e-5, "{finding:?}: {expected}");
+        if let Forces::Found(force) = finding.forces {
+            assert!((force / expected - 1.0).abs() < 1e-5, "{finding:?}: {expected}");
+        }
+    }
+}
+
 #[test]
 fn every_claim_on_friction_problems_is_accepted() {
     let plan: friction_solvers::Plan = toml::from_str(
