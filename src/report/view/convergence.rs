@@ -45,8 +45,9 @@ impl View for Plan {
             (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
         let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
         let says = format!(
-            "{agree} of {all} slopes of equations are the spectral radii; with bounds {settled} of {bounded} are, the \
-             others still fall faster"
+            "{agree} of {all} slopes of equations are the spectral radii; with bounds {settled} of {bounded} are, and {} \
+             still fall faster",
+            bounded - settled - slower
         );
         Outcome { good: agree == all && slower == 0, says }
     }

@@ -119,9 +119,10 @@ fn rate_cells(system: &System, rate: &Rate) -> Vec<Cell> {
     };
     let says = |agrees| match agrees {
         true => Cell::text("agrees").marked(Mark::Good),
-        false if matches!(rate.method, Method::BestSor { .. }) => Cell::text("late, as it must"),
         false => Cell::text("differs").marked(Mark::Bad),
     };
+    let is_late = rate.measured.is_some_and(|measured| measured > rate.closed_form);
+    let late = |slope: bool| !slope && is_late && matches!(rate.method, Method::BestSor { .. });
     let eigenvalue = same_digits(rate.eigenvalue, rate.closed_form, EIGENVALUE_AGREES);
     let slope = rate.measured.map(|m| same_digits(m, rate.closed_form, MEASURED_AGREES));
     vec![
@@ -132,7 +133,11 @@ fn rate_cells(system: &System, rate: &Rate) -> Vec<Cell> {
         Cell::number(rate.eigenvalue, 7),
         rate.measured.map_or(Cell::text("–"), |m| Cell::number(m, 7)),
         says(eigenvalue),
-        slope.map_or(Cell::text("–"), says),
+        match slope {
+            None => Cell::text("–"),
+            Some(slope) if late(slope) => Cell::text("late, as it must"),
+            Some(slope) => says(slope),
+        },
     ]
 }
 

@@ -44,8 +44,8 @@ impl View for Plan {
         let not =
             if broken.is_empty() { String::new() } else { format!("; not {}", listed(&broken)) };
         Some(format!(
-            "**Which way to step?** To the end of every scene, with their energy in bounds, come {}{not}. No scheme is nearest both in place and in \
-             energy: the first table has both for each.",
+            "**Which way to step?** To the end of every scene, with their energy in bounds, come \
+             {}{not}. The first table has by how much the energy and the places of each are off at the end.",
             listed(&whole)
         ))
     }
