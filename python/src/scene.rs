@@ -1,12 +1,13 @@
 //! A scene on its way through time.
 
+use std::rc::Rc;
+
 use lcplab::certificate::Demand;
-use lcplab::scene::{Scene as Described, Scheme};
+use lcplab::scene::{Description, Scene as Described, Scheme};
 use lcplab::simulation::{self, Simulation, Step};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::problem::Problem;
 use crate::{callable, refused};
@@ -15,7 +16,40 @@ use crate::{callable, refused};
 #[pyclass(unsendable, module = "lcplab._lcplab")]
 pub struct Scene {
     simulation: Simulation,
-    last: Option<Step>,
+    last: Option<Rc<Step>>,
+}
+
+/// A step that was taken. It is judged when somebody asks: a proof may take longer than the step.
+#[pyclass(unsendable, module = "lcplab._lcplab")]
+pub struct Taken(Rc<Step>);
+
+#[pymethods]
+impl Taken {
+    #[getter]
+    fn number(&self) -> usize {
+        self.0.number
+    }
+
+    #[getter]
+    fn solvers(&self) -> Vec<&'static str> {
+        self.0.solves.iter().map(|solve| solve.solver).collect()
+    }
+
+    #[getter]
+    fn statuses(&self) -> Vec<String> {
+        self.0.solves.iter().map(|solve| solve.solution.status.to_string()).collect()
+    }
+
+    #[getter]
+    fn x<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.0.solves.last().map(|last| PyArray1::from_slice(py, &last.solution.x))
+    }
+
+    /// The judge's word on each solve, and whether it accepts it.
+    fn judged(&self) -> Vec<(String, bool)> {
+        let judged = self.0.solves.iter().map(|solve| solve.judged(&Demand::default()).verdict);
+        judged.map(|verdict| (verdict.to_string(), verdict.is_solution())).collect()
+    }
 }
 
 #[pymethods]
@@ -47,12 +81,19 @@ impl Scene {
         Ok(Scene { simulation, last: None })
     }
 
-    /// Takes one step, by this solver if one is named; what was solved.
-    fn step<'py>(
-        &mut self,
-        py: Python<'py>,
-        solver: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    /// A scene of a description in JSON.
+    #[staticmethod]
+    fn of(text: &str) -> PyResult<Self> {
+        let fault = |error: serde_json::Error| {
+            refused(lcplab::error::Error::invalid("scene", "description", error.to_string()))
+        };
+        let description: Description = serde_json::from_str(text).map_err(fault)?;
+        let scene = Described::new("scene", &description).map_err(refused)?;
+        Ok(Scene { simulation: Simulation::of(&scene).map_err(refused)?, last: None })
+    }
+
+    /// Takes one step, by this solver if one is named.
+    fn step(&mut self, py: Python<'_>, solver: Option<Bound<'_, PyAny>>) -> PyResult<Taken> {
         if let Some(solver) = solver {
             let entry = callable::entry(&solver)?;
             let options = simulation::options(self.simulation.scene());
@@ -62,9 +103,9 @@ impl Scene {
         let step = py.detach(|| simulation.step());
         py.check_signals()?;
         let step = step.map_err(|failure| PyRuntimeError::new_err(failure.to_string()))?;
-        let told = told(py, &step)?;
-        self.last = Some(step);
-        Ok(told)
+        let step = Rc::new(step);
+        self.last = Some(Rc::clone(&step));
+        Ok(Taken(step))
     }
 
     /// The last problem of the last step.
@@ -94,6 +135,14 @@ impl Scene {
             [v.x, v.y, v.z, w.x, w.y, w.z]
         };
         PyArray1::from_iter(py, states.iter().flat_map(velocity)).reshape([states.len(), 6])
+    }
+
+    /// The mean force (N, world) of contacts and joints on each body in the last step.
+    fn forces<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        let forces = self.last.as_ref().and_then(|step| step.forces(self.simulation.scene()));
+        let Some(forces) = forces else { return Ok(None) };
+        let numbers = forces.iter().flat_map(|force| [force.x, force.y, force.z]);
+        PyArray1::from_iter(py, numbers).reshape([forces.len(), 3]).map(Some)
     }
 
     /// The names of the bodies.
@@ -137,22 +186,9 @@ impl Scene {
     }
 }
 
-/// How the problems of a step were solved.
-fn told<'py>(py: Python<'py>, step: &Step) -> PyResult<Bound<'py, PyDict>> {
-    let told = PyDict::new(py);
-    let judged: Vec<_> = step.solves.iter().map(|solve| solve.judged(&Demand::default())).collect();
-    told.set_item("number", step.number)?;
-    told.set_item("solvers", step.solves.iter().map(|solve| solve.solver).collect::<Vec<_>>())?;
-    let statuses = step.solves.iter().map(|solve| solve.solution.status.to_string());
-    told.set_item("statuses", statuses.collect::<Vec<_>>())?;
-    let verdicts = judged.iter().map(|certificate| certificate.verdict.to_string());
-    told.set_item("verdicts", verdicts.collect::<Vec<_>>())?;
-    told.set_item(
-        "is_accepted",
-        judged.iter().all(|certificate| certificate.verdict.is_solution()),
-    )?;
-    if let Some(last) = step.solves.last() {
-        told.set_item("x", PyArray1::from_slice(py, &last.solution.x))?;
-    }
-    Ok(told)
+/// A shipped scene or a file, with fields set, as JSON with everything written out.
+#[pyfunction]
+pub fn describe(name: &str, set: Vec<(String, String)>) -> PyResult<String> {
+    let whole = Description::load_with(name, &set).and_then(|scene| scene.written_out(name));
+    Ok(serde_json::json!(whole.map_err(refused)?).to_string())
 }

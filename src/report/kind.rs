@@ -62,6 +62,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::friction_solvers::Plan>(),
     Kind::of::<study::published::Plan>(),
     Kind::of::<study::frames::Plan>(),
+    Kind::of::<study::cards::Plan>(),
 ];
 
 /// Reads the settings of a study from a file.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
 from lcplab import _lcplab
@@ -15,16 +16,24 @@ from lcplab._solve import Solver
 class Step:
     """A step that a scene has taken; true if the judge accepts all that was solved in it."""
 
-    def __init__(self, told: dict[str, Any]) -> None:
-        self.number: int = told["number"]
-        self.solvers: list[str] = told["solvers"]
-        self.statuses: list[str] = told["statuses"]
-        self.verdicts: list[str] = told["verdicts"]
-        self.x: Array | None = told.get("x")
-        self._is_accepted: bool = told["is_accepted"]
+    def __init__(self, taken: _lcplab.Taken) -> None:
+        self._taken = taken
+        self.number: int = taken.number
+        self.solvers: list[str] = taken.solvers
+        self.statuses: list[str] = taken.statuses
+        self.x: Array | None = taken.x
+
+    @cached_property
+    def _judged(self) -> list[tuple[str, bool]]:
+        return self._taken.judged()
+
+    @property
+    def verdicts(self) -> list[str]:
+        """The judge's word on each problem of the step; it is asked at the first look, since proofs take time."""
+        return [verdict for verdict, _ in self._judged]
 
     def __bool__(self) -> bool:
-        return self._is_accepted
+        return all(accepted for _, accepted in self._judged)
 
     def __repr__(self) -> str:
         return f"<lcplab.Step {self.number}: {', '.join(self.verdicts) or 'nothing to solve'}>"
@@ -64,6 +73,39 @@ class Scene:
         """The last problem of the last step, with what its rows are."""
         inner = self._inner.problem()
         return None if inner is None else Problem._of(inner)
+
+    @classmethod
+    def of(cls, description: Mapping[str, Any]) -> Scene:
+        """Make a scene of a dictionary with the fields of a scene file.
+
+        >>> ball = {"name": "ball", "shape": {"sphere": 0.5}, "mass": 2.0}
+        >>> Scene.of({"bodies": [ball]}).bodies
+        ['ball']
+        """
+        return cls(_lcplab.Scene.of(json.dumps(dict(description))))
+
+    @staticmethod
+    def described(
+        name: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None
+    ) -> dict[str, Any]:
+        """A scene's file as a dictionary for another program: nothing is left to look up or to work out.
+
+        Structures are written out as bodies, a tilt is turned into gravity, and each body has its mass,
+        moments, quaternion, coefficients and velocities.
+
+        >>> [body["name"] for body in Scene.described("stack")["bodies"]][:3]
+        ['ground', 'box1', 'box2']
+        """
+        changes = [(key, json.dumps(value)) for key, value in (set or {}).items()]
+        described: dict[str, Any] = json.loads(_lcplab.describe(os.fspath(name), changes))
+        return described
+
+    def forces(self) -> Array | None:
+        """The mean force (N, world axes) of contacts and joints on each body in the last step.
+
+        ``None`` before a step, and where an integrator with stages does not write it down.
+        """
+        return self._inner.forces()
 
     @property
     def poses(self) -> Array:

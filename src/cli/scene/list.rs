@@ -3,7 +3,8 @@
 use clap::Args;
 use lcplab::constraint;
 use lcplab::error::{Error, Result};
-use lcplab::scene::catalogue;
+use lcplab::scene::{Description, catalogue};
+use serde_json::json;
 
 use crate::cli::{Outcome, print};
 
@@ -13,10 +14,15 @@ use crate::cli::{Outcome, print};
 Example:
   lcplab scenes
   lcplab scenes pendulum > mine.toml   # a start for a scene of your own
+  lcplab scenes stack --json           # every body written out, for another program
   lcplab scenes --joints               # the constraints that it may have")]
 pub struct Scenes {
     /// Print this scene's file
     name: Option<String>,
+    /// Print the scene, shipped or a file, as JSON with nothing left to work out: structures as bodies, a tilt
+    /// as gravity, and every mass, moment, quaternion and coefficient
+    #[arg(long, requires = "name")]
+    json: bool,
     /// Print the JSON schema of the scene format
     #[arg(long, conflicts_with = "name")]
     schema: bool,
@@ -33,6 +39,11 @@ impl Scenes {
         }
         if self.joints {
             constraint::ALL.iter().try_for_each(|joint| print(&format!("{joint}\n")))?;
+            return Ok(Outcome::Good);
+        }
+        if let (Some(name), true) = (&self.name, self.json) {
+            let scene = Description::load_with(name, &[])?.written_out(name)?;
+            print(&format!("{}\n", json!(scene)))?;
             return Ok(Outcome::Good);
         }
         if let Some(name) = &self.name {

@@ -3,6 +3,7 @@
 //!
 //! A [`Study`] is a list of tasks that do not depend on each other.
 
+pub mod cards;
 pub mod comparison;
 pub mod convergence;
 pub mod creep;

@@ -5,6 +5,7 @@
 //! an error of the compiler.
 
 pub mod attempt;
+mod cards;
 mod comparison;
 mod convergence;
 mod creep;
@@ -155,11 +156,13 @@ pub fn document(results: &Results) -> Result<Document> {
             times(&mut document, &experiment, results)?;
         }
         for (k, shown) in document.page.sections[first..].iter_mut().enumerate() {
-            shown.fold = match part.shown.fold {
-                None => page::Fold::Nothing,
-                Some(Fold::Tables) => page::Fold::Tables,
-                Some(Fold::All) => page::Fold::After(if k == 0 { open } else { 0 }),
-            };
+            match part.shown.fold {
+                None => {}
+                Some(Fold::Tables) => shown.fold = page::Fold::Tables,
+                Some(Fold::All) => {
+                    shown.fold = page::Fold::After(if k == 0 { open } else { 0 });
+                }
+            }
         }
     }
     if !results.sections.iter().any(|part| part.shown.times) && !results.machine.times.is_empty() {
@@ -271,6 +274,13 @@ impl Document {
             ..Section::default()
         };
         self.page.sections.push(section);
+    }
+
+    /// Folds the tables of the section opened last.
+    fn fold_tables(&mut self) {
+        if let Some(section) = self.page.sections.last_mut() {
+            section.fold = page::Fold::Tables;
+        }
     }
 
     /// Adds a block to the section opened last.

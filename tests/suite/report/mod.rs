@@ -1,3 +1,4 @@
+mod cards;
 mod difference;
 mod families;
 mod file;

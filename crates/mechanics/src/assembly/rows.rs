@@ -83,6 +83,13 @@ impl Row {
         self.parts.iter().flatten()
     }
 
+    /// What x = 1 puts on each of its two bodies (world), fixed ones included: what one gets the other gives.
+    pub fn pushes(&self) -> [Vector3<f64>; 2] {
+        let [first, second] = self.parts.map(|part| part.map(|part| linear(&part.jacobian)));
+        let other = |push: Option<Vector3<f64>>| push.map_or_else(Vector3::zeros, |push| -push);
+        [first.unwrap_or_else(|| other(second)), second.unwrap_or_else(|| other(first))]
+    }
+
     /// The direction (world) in which a positive x pushes body 1, of rows that push along one; `None` of
     /// those that only turn.
     pub fn direction(&self) -> Option<Vector3<f64>> {

@@ -98,6 +98,36 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     Ok(scene)
 }
 
+/// The description with nothing left to look up or to work out: structures as bodies, a tilt as gravity, and
+/// of each body its mass, moments, quaternion, coefficients and velocities.
+pub(super) fn written_out(name: &str, description: &Description) -> Result<Description> {
+    let scene = scene(name, description)?;
+    let mut whole = generate::expand(description, &mut Defects::default());
+    whole.generate.clear();
+    whole.tilt = None;
+    whole.gravity = scene.gravity.into();
+    for (k, written) in whole.bodies.iter_mut().enumerate() {
+        let (body, state) = (&scene.bodies[k], &scene.states[k]);
+        if let Mass::Point { mass } | Mass::Rigid { mass, .. } = body.mass {
+            (written.mass, written.density) = (Some(mass), None);
+        }
+        let follows = matches!(body.shape, Shape::Hull(_) | Shape::Compound(_));
+        if let (Mass::Rigid { moments, .. }, false) = (body.mass, follows) {
+            written.inertia = Some(moments.into());
+        }
+        let q = written.rotation.as_ref().and_then(turn).unwrap_or_default();
+        written.rotation = (written.shape != description::Shape::Point)
+            .then_some(Rotation::Quaternion([q.w, q.i, q.j, q.k]));
+        written.friction = Some(body.friction);
+        written.restitution = body.restitution.or(Some(scene.contact.restitution));
+        if description.start.iter().all(|start| start.body != written.name) {
+            (written.velocity, written.angular_velocity) = (state.v.into(), state.omega.into());
+        }
+    }
+    whole.constraints.iter_mut().for_each(|constraint| constraint.start_speed = None);
+    Ok(whole)
+}
+
 fn stem(name: &str) -> String {
     Path::new(name).file_stem().map_or_else(|| name.into(), |stem| stem.to_string_lossy().into())
 }

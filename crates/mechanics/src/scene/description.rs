@@ -67,6 +67,39 @@ impl Description {
     pub fn from_toml(path: &str, text: &str) -> Result<Self> {
         super::file::description(path, text)
     }
+
+    /// The description in a scene file, or of a shipped scene, with fields set as by
+    /// [`Scene::load_with`](super::Scene::load_with).
+    ///
+    /// # Errors
+    /// As that one.
+    pub fn load_with(path_or_name: &str, changes: &[(String, String)]) -> Result<Self> {
+        let (path, text) = super::text(path_or_name)?;
+        match changes {
+            [] => Description::from_toml(&path, &text),
+            _ => super::change::changed(&path, &text, changes),
+        }
+    }
+
+    /// The same scene for a program that knows no defaults of this one: structures written out as bodies, a
+    /// tilt as gravity, and of each body mass, moments (unless its shape implies them), quaternion,
+    /// coefficients and velocities. `name` stands in the messages.
+    ///
+    /// # Errors
+    /// As [`Scene::new`](super::Scene::new).
+    ///
+    /// ```
+    /// use lcplab_mechanics::scene::{Description, text};
+    ///
+    /// let (path, text) = text("stack")?;
+    /// let plain = Description::from_toml(&path, &text)?.written_out("stack")?;
+    /// assert_eq!(plain.bodies.len(), 6); // the ground, and five boxes that the file generates
+    /// assert_eq!(plain.bodies[1].inertia, Some([1.0 / 6.0; 3]));
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    pub fn written_out(&self, name: &str) -> Result<Description> {
+        super::build::written_out(name, self)
+    }
 }
 
 impl Default for Description {

@@ -132,8 +132,7 @@ impl Scene {
         if changes.is_empty() {
             return Scene::load(path_or_name);
         }
-        let (path, text) = text(path_or_name)?;
-        Scene::new(&path, &change::changed(&path, &text, changes)?)
+        Scene::new(path_or_name, &Description::load_with(path_or_name, changes)?)
     }
 
     /// Reads a scene file, or takes a shipped scene by its name.

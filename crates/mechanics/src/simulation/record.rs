@@ -2,11 +2,14 @@
 
 use std::fmt;
 
+use nalgebra::Vector3;
+
+use super::acts::Impulses;
 use super::{Act, Laws, Ledger, Motion};
 use crate::assembly::{Row, Undefined};
 use crate::body::State;
 use crate::formulation::{Posing, Problem};
-use crate::scene::Found;
+use crate::scene::{Found, Scene};
 use lcplab_judge::ray::Farkas;
 use lcplab_judge::{Demand, FrictionCertificate, judge, judge_friction};
 use lcplab_problem::error::Error;
@@ -38,6 +41,34 @@ pub struct Step {
     pub ledger: Option<Ledger>,
     /// How well it kept the laws of contact and momentum.
     pub laws: Laws,
+}
+
+impl Step {
+    /// The mean force (N, world) that contacts and joints put on each body during the step, as the scheme
+    /// has it; `None` where that is not written down: by integrators with stages.
+    pub fn forces(&self, scene: &Scene) -> Option<Vec<Vector3<f64>>> {
+        let world = scene.bodies.len();
+        let mut sums = vec![Vector3::zeros(); world + 1];
+        let mut add = |row: &Row, impulse: f64| {
+            let pushes = row.pushes().map(|push| push * (impulse / scene.step.dt));
+            for (body, push) in row.bodies.into_iter().zip(pushes) {
+                sums[body.unwrap_or(world)] += push;
+            }
+        };
+        match &self.acts {
+            None if self.pushed.is_empty() && !self.solves.is_empty() => return None,
+            None => self.pushed.iter().for_each(|(row, impulse)| add(row, *impulse)),
+            Some(acts) => {
+                for impulses in acts.iter().filter_map(|act| Impulses::of(scene, act, &self.solves))
+                {
+                    let rows = impulses.assembly.rows.iter().zip(&impulses.x);
+                    rows.for_each(|(row, impulse)| add(row, *impulse));
+                }
+            }
+        }
+        sums.truncate(world);
+        Some(sums)
+    }
 }
 
 /// An LCP and a solver's answer to it.

@@ -9,3 +9,4 @@ mod generate;
 mod hulls;
 mod settings;
 mod start;
+mod written_out;

@@ -5,6 +5,7 @@ use lcplab_mechanics::scene::Scheme;
 
 use lcplab_mechanics::simulation::{Simulation, carried};
 use lcplab_solver as solver;
+use nalgebra::Vector3;
 
 use super::{assert_near, scene, simulation, x};
 
@@ -116,4 +117,24 @@ fn what_rests_is_carried_what_falls_is_not_and_what_stops_was_carried_twice() {
     assert_near(part("fig6", 4).unwrap(), 5.0 / 4.0, 1e-12);
     assert_eq!(part("stack", 0), None); // no time has passed
     assert_eq!(part("dzhanibekov", 5), None); // nothing has a weight
+}
+
+#[test]
+fn bodies_at_rest_get_their_weights_from_their_neighbours_and_the_ground_gets_all_of_them() {
+    const WATCHED: usize = 100;
+    for scheme in Scheme::ALL {
+        let mut stack = simulation(scene("stack", scheme));
+        (0..200).for_each(|_| drop(stack.step().unwrap())); // compliant schemes settle
+        let mut mean = vec![Vector3::zeros(); 6];
+        for _ in 0..WATCHED {
+            let step = stack.step().unwrap();
+            let forces = step.forces(stack.scene()).expect("no integrator with stages");
+            mean.iter_mut().zip(forces).for_each(|(sum, force)| *sum += force / WATCHED as f64);
+        }
+        for (body, force) in mean.iter().enumerate() {
+            let expected = if body == 0 { -5.0 * 9.81 } else { 9.81 };
+            let off = force - Vector3::new(0.0, 0.0, expected);
+            assert!(off.norm() <= 0.02 * 9.81, "{scheme:?}, body {body}: {force}");
+        }
+    }
 }

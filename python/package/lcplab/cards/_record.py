@@ -1,0 +1,97 @@
+"""What was found, as the JSON that ``lcplab report engines`` draws."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from lcplab.cards._phenomenon import Phenomenon
+from lcplab.cards._run import Column, _named
+from lcplab.cards.phenomena import PHENOMENA
+from lcplab.engines import Array, by_name
+
+#: The version of the format.
+FORMAT = 1
+
+
+def record(columns: Sequence[tuple[str, Column]]) -> dict[str, Any]:
+    """The record of columns, each with the name of its phenomenon."""
+    engines = list(dict.fromkeys(column.engine for _, column in columns))
+    names = list(dict.fromkeys(name for name, _ in columns))
+    return {
+        "format": FORMAT,
+        "engines": [_engine(name) for name in engines],
+        "phenomena": [
+            _phenomenon(_named(PHENOMENA, name), [column for own, column in columns if own == name])
+            for name in names
+        ],
+    }
+
+
+def _engine(name: str) -> dict[str, Any]:
+    engine = by_name(name)
+    settings = [{"name": own.name, "words": own.words, "dt": own.dt} for own in engine.settings]
+    return {
+        "name": name,
+        "title": engine.title,
+        "package": engine.package,
+        "version": engine.version,
+        "settings": settings,
+    }
+
+
+def _phenomenon(of: Phenomenon, columns: Sequence[Column]) -> dict[str, Any]:
+    drawn = next((column for column in columns if column.curve is not None), Column("", ""))
+    return {
+        "name": of.name,
+        "question": of.question,
+        "matters": of.matters,
+        "law": of.law,
+        "allowed": of.allowed,
+        "reported": of.reported,
+        "duration": of.duration,
+        "scene": of.scene,
+        "set": [dict(variant) for variant in of.variants],
+        "x": {"name": of.x[0], "unit": of.x[1], "values": _numbers(drawn.curve.x) if drawn.curve else []},
+        "y": {"name": of.y[0], "unit": of.y[1], "law": [] if drawn.exact is None else _numbers(drawn.exact)},
+        "columns": [_column(column) for column in columns],
+    }
+
+
+def _column(column: Column) -> dict[str, Any]:
+    told: dict[str, Any] = {"engine": column.engine, "settings": column.settings}
+    for key in ("unsupported", "failed"):
+        if (why := getattr(column, key)) is not None:
+            return told | {key: why}
+    assert column.curve is not None and column.exact is not None and column.poses is not None
+    told["measured"] = [
+        {
+            "what": m.what,
+            "value": _number(m.value),
+            "law": _number(m.law),
+            "tolerance": _number(m.tolerance),
+            "unit": m.unit,
+            "holds": m.holds,
+        }
+        for m in column.measured
+    ]
+    told["y"] = _numbers(column.curve.y)
+    told["pictures"] = [
+        {"time": time, "poses": [_numbers(pose) for pose in poses]}
+        for time, poses in zip(column.times, column.poses, strict=True)
+    ]
+    return told
+
+
+def _number(value: float) -> float | str:
+    """Six digits, which plots and tables have use for; what is not finite as a word, as everywhere in lcplab."""
+    if math.isfinite(value):
+        return float(f"{value:.6g}") + 0.0
+    return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
+
+
+def _numbers(values: Array) -> list[float | str]:
+    return [_number(float(value)) for value in np.asarray(values)]

@@ -1,0 +1,137 @@
+"""Running a phenomenon on an engine."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from lcplab import Scene
+from lcplab.cards._phenomenon import Curve, Measurement, Phenomenon
+from lcplab.cards._phenomenon import Run as Recorded
+from lcplab.cards.phenomena import PHENOMENA
+from lcplab.engines import Array, Description, Engine, Settings, Unsupported, by_name
+
+#: A body that is farther away (m) than this has left: the run went wrong.
+LEFT = 1e6
+
+
+@dataclass(frozen=True)
+class Column:
+    """What an engine with its settings gave for a phenomenon."""
+
+    engine: str
+    settings: str
+    #: Why there is nothing to measure, if so: the engine has no such thing, or its run went wrong.
+    unsupported: str | None = None
+    failed: str | None = None
+    measured: list[Measurement] = field(default_factory=list)
+    curve: Curve | None = None
+    exact: Array | None = None
+    #: The times of the pictures (s), and the poses then, (pictures, bodies, 7).
+    times: list[float] = field(default_factory=list)
+    poses: Array | None = None
+
+    @property
+    def holds(self) -> bool:
+        """Whether the law is met in all that was measured."""
+        return bool(self.measured) and all(measurement.holds for measurement in self.measured)
+
+
+class Left(Exception):
+    """A run went wrong."""
+
+
+def described(phenomenon: Phenomenon, variant: Mapping[str, Any]) -> Description:
+    """The scene of a phenomenon with everything written out."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, f"{phenomenon.name}.toml")
+        with open(file, "w", encoding="utf-8") as out:
+            out.write(phenomenon.scene)
+        return Scene.described(file, set=variant)
+
+
+def simulate(engine: Engine, settings: Settings, scene: Description, duration: float) -> Recorded:
+    """Move a scene by an engine and keep every step."""
+    world = engine.build(scene, settings)
+    steps = round(duration / settings.dt)
+    poses, velocities = [world.poses().copy()], [world.velocities().copy()]
+    forces: list[Array] = []
+    for step in range(steps):
+        world.step()
+        poses.append(world.poses().copy())
+        velocities.append(world.velocities().copy())
+        if (told := world.forces()) is not None:
+            forces.append(told.copy())
+        if not np.abs(poses[-1]).max() < LEFT:
+            raise Left(f"a body was gone after {(step + 1) * settings.dt:.3g} s")
+    return Recorded(
+        scene=scene,
+        dt=settings.dt,
+        t=np.arange(steps + 1) * settings.dt,
+        poses=np.array(poses),
+        velocities=np.array(velocities),
+        forces=np.array([np.zeros_like(forces[0]), *forces]) if len(forces) == steps else None,
+    )
+
+
+def run(engine: str, settings: str, phenomenon: str) -> Column:
+    """Run a phenomenon on an engine by their names.
+
+    >>> run("lcplab", "velocity", "free_fall").holds
+    True
+    """
+    known, wanted = by_name(engine), _named(PHENOMENA, phenomenon)
+    chosen = _named(known.settings, settings)
+    try:
+        runs = [
+            simulate(known, chosen, described(wanted, variant), wanted.duration)
+            for variant in wanted.variants
+        ]
+        if wanted.needs_forces and runs[0].forces is None:
+            raise Unsupported("forces are not told")
+    except Unsupported as why:
+        return Column(engine, settings, unsupported=str(why))
+    except Exception as why:  # an engine may fail in any way of its own; the others go on
+        return Column(engine, settings, failed=f"{why}" or type(why).__name__)
+    curve = wanted.plot(runs)
+    if len(wanted.variants) == 1:
+        curve = _thinned(curve, wanted.duration)
+    pictures = [runs[-1].after(min(time, wanted.duration)) for time in wanted.instants]
+    return Column(
+        engine,
+        settings,
+        measured=wanted.measure(runs),
+        curve=curve,
+        exact=wanted.exact(curve, runs[0]),
+        times=list(wanted.instants),
+        poses=runs[-1].poses[pictures],
+    )
+
+
+#: A plot has so many points of a run, at the same times for all engines.
+POINTS = 161
+
+
+def _thinned(curve: Curve, duration: float) -> Curve:
+    times = np.linspace(0.0, duration, POINTS)
+    return Curve(times, np.interp(times, curve.x, curve.y))
+
+
+def _named(things: Any, name: str) -> Any:
+    for thing in things:
+        if thing.name == name:
+            return thing
+    raise ValueError(f"there is no {name!r}; known are {', '.join(thing.name for thing in things)}")
+
+
+def tasks(engines: list[str], phenomena: list[str]) -> Iterator[tuple[str, str, str]]:
+    """Every engine with each of its settings on every phenomenon."""
+    for phenomenon in phenomena:
+        for engine in engines:
+            for settings in by_name(engine).settings:
+                yield engine, settings.name, phenomenon

@@ -1,0 +1,120 @@
+"""What stands on each other: forces, mass ratios, towers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from lcplab.cards._phenomenon import PART, Curve, Measurement, Phenomenon, Run, over_time
+from lcplab.engines import Array
+
+#: For how long forces are averaged (s), at the end of the run.
+WATCHED = 0.5
+
+
+def _moving(run: Run) -> list[int]:
+    return [k for k, body in enumerate(run.scene["bodies"]) if not body["fixed"]]
+
+
+def _carried(run: Run) -> Array:
+    """The part of its weight that contacts put on each body, (steps + 1, bodies)."""
+    assert run.forces is not None
+    moving = _moving(run)
+    masses = np.array([run.scene["bodies"][k]["mass"] for k in moving])
+    return np.asarray(run.forces[:, moving, 2] / (masses * run.gravity))
+
+
+def _weight(runs: Sequence[Run]) -> list[Measurement]:
+    carried = _carried(runs[0])[runs[0].after(runs[0].t[-1] - WATCHED) :].mean(axis=0)
+    worst = float(carried[np.argmax(np.abs(carried - 1))])
+    return [Measurement("carried of a body's weight", 100 * worst, 100.0, 100 * PART, "%")]
+
+
+WEIGHT = Phenomenon(
+    name="weight",
+    question="Do the contact forces that an engine reports carry each body?",
+    matters="Tactile sensors, grasp planners and structural loads read these forces. A body at rest needs no more "
+    "than Newton's second law: what its neighbours put on it sums to its weight.",
+    law=r"\textstyle\sum_c f_c = -m\,\mathbf{g} \quad\text{for each body}",
+    allowed="a hundredth of the body's weight, on the average of the last half second.",
+    duration=2.0,
+    x=("time", "s"),
+    y=("carried of the worst body's weight", "%"),
+    measure=_weight,
+    plot=over_time(
+        lambda run: 100 * np.take_along_axis(
+            _carried(run), np.abs(_carried(run) - 1).argmax(axis=1)[:, None], axis=1
+        )[:, 0]
+    ),
+    exact=lambda curve, run: np.full_like(curve.x, 100.0),
+    instants=(0.0, 2.0),
+    needs_forces=True,
+)
+
+RATIOS = (1, 10, 100, 1000)
+
+
+def _sunk(run: Run) -> float:
+    height = run.place("heavy")[:, 2]
+    return float(height[0] - height[-1])
+
+
+def _mass_ratio(runs: Sequence[Run]) -> list[Measurement]:
+    edge = float(runs[0].body("heavy")["shape"]["box"][2])
+    return [
+        Measurement(f"sinks under {ratio} times its mass by", 1e3 * _sunk(run), 0.0, 1e3 * 2 * PART * edge, "mm")
+        for ratio, run in zip(RATIOS, runs, strict=True)
+    ]
+
+
+MASS_RATIO = Phenomenon(
+    name="mass_ratio",
+    question="How heavy may a cube be that stands on a light one?",
+    matters="Sweeps over the contacts pass a heavy load on slowly, soft contacts yield to it: the light body is "
+    "crushed. Robots that lift loads and vehicles on wheels are such stacks.",
+    law=r"z_\text{heavy}(t) = z_\text{heavy}(0), \quad\text{whatever the masses}",
+    allowed="a hundredth of an edge for each of the two contacts: 2 mm after three seconds.",
+    duration=3.0,
+    x=("mass of the upper cube beside the lower", "1"),
+    y=("sunk", "mm"),
+    measure=_mass_ratio,
+    plot=lambda runs: Curve(np.array(RATIOS, dtype=float), np.array([1e3 * _sunk(run) for run in runs])),
+    exact=lambda curve, run: np.zeros_like(curve.x),
+    variants=[{"bodies.heavy.mass": ratio} for ratio in RATIOS],
+    instants=(3.0,),
+)
+
+
+def _aside(run: Run) -> Array:
+    """How far the body that moved most sideways has gone (m), (steps + 1,)."""
+    place = run.poses[:, _moving(run), :2]
+    return np.asarray(np.linalg.norm(place - place[0], axis=2).max(axis=1))
+
+
+def _tower(runs: Sequence[Run]) -> list[Measurement]:
+    run = runs[0]
+    edge = float(run.scene["bodies"][_moving(run)[0]]["shape"]["box"][2])
+    top = run.poses[:, _moving(run)[-1], 2]
+    layers = len(_moving(run))
+    return [
+        Measurement("moves sideways by", 1e3 * float(_aside(run).max()), 0.0, 1e3 * PART * edge, "mm"),
+        Measurement("sinks by", 1e3 * float(top[0] - top[-1]), 0.0, 1e3 * PART * edge * layers, "mm"),
+    ]
+
+
+TOWER = Phenomenon(
+    name="tower",
+    question="Does a tower of ten cubes stand for twenty seconds?",
+    matters="Ten redundant contacts upon another: impulses left over from one step push the next. A tower that "
+    "wanders shows what is left, long before it falls.",
+    law=r"\mathbf{x}(t) = \mathbf{x}(0)",
+    allowed="sideways a hundredth of an edge, 1 mm; down a hundredth of an edge for each contact below, 10 mm.",
+    duration=20.0,
+    x=("time", "s"),
+    y=("moved sideways", "mm"),
+    measure=_tower,
+    plot=over_time(lambda run: 1e3 * _aside(run)),
+    exact=lambda curve, run: np.zeros_like(curve.x),
+    instants=(0.0, 10.0, 20.0),
+)

@@ -1,0 +1,213 @@
+"""Physics engines that can run a scene: one module an engine, each a translation and nothing else.
+
+An adapter turns a scene, as :meth:`lcplab.Scene.described` writes it out, into the engine's own terms. What
+the engine does with it is the engine's: an adapter repairs nothing, and what it cannot express it refuses
+with :class:`Unsupported` instead of leaving it out. Each engine comes with its defaults and with the settings
+that its documentation recommends where accuracy counts, both in words.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import importlib.util
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Description = Mapping[str, Any]
+
+
+class Unsupported(Exception):
+    """The engine, or its adapter, has no such thing; the message says what."""
+
+
+class World(Protocol):
+    """A scene inside an engine. Bodies stand in the order of the scene, fixed ones included."""
+
+    def step(self) -> None:
+        """Go on by the settings' ``dt``."""
+
+    def poses(self) -> Array:
+        """Position (m) and quaternion (w, x, y, z) of each body's axes, (bodies, 7)."""
+
+    def velocities(self) -> Array:
+        """Velocity of the centre of mass (m/s) and angular velocity (rad/s), world axes, (bodies, 6)."""
+
+    def forces(self) -> Array | None:
+        """What contacts put on each body in the last step (N, world axes), (bodies, 3), if it is told."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How an engine is run."""
+
+    #: What the column is called: ``defaults``, ``accurate``, the name of a scheme.
+    name: str
+    #: All that is set, for people.
+    words: str
+    #: The length of a step (s).
+    dt: float
+    #: The same for the adapter.
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Engine:
+    """An engine and how to bring a scene into it."""
+
+    #: The name in options and tables.
+    name: str
+    #: The package to install, as PyPI has it, and the module to import.
+    package: str
+    module: str
+    settings: tuple[Settings, ...]
+    build: Callable[[Description, Settings], World]
+
+    @property
+    def title(self) -> str:
+        """The name for people."""
+        return TITLES[self.name]
+
+    @property
+    def is_installed(self) -> bool:
+        """Whether its package can be imported."""
+        return importlib.util.find_spec(self.module) is not None
+
+    @property
+    def version(self) -> str:
+        """The version of its package."""
+        return importlib.metadata.version(self.package)
+
+
+#: The engines by the names of their modules, in the order of tables.
+TITLES = {
+    "mujoco": "MuJoCo",
+    "drake": "Drake",
+    "pybullet": "PyBullet",
+    "dart": "DART",
+    "rapier": "Rapier",
+    "pinocchio": "Pinocchio",
+    "lcplab": "lcplab",
+}
+
+NAMES = tuple(TITLES)
+
+
+def by_name(name: str) -> Engine:
+    """The engine of this name, installed or not."""
+    if name not in NAMES:
+        raise ValueError(f"there is no engine {name!r}; known are {', '.join(NAMES)}")
+    module = "own" if name == "lcplab" else name
+    engine: Engine = importlib.import_module(f"lcplab.engines.{module}").ENGINE
+    return engine
+
+
+def one_value(scene: Description, key: str) -> float:
+    """The coefficient that all bodies share: rules for pairs of unequal ones differ from engine to engine."""
+    values = {float(body[key]) for body in scene["bodies"]}
+    if len(values) != 1:
+        raise Unsupported(f"bodies of unequal {key}")
+    return values.pop()
+
+
+def shape(body: Mapping[str, Any]) -> tuple[str, Any]:
+    """The kind of a body's shape and its measure, as ``("box", [1, 1, 0.5])``; ``("point", None)``."""
+    written = body["shape"]
+    return (written, None) if isinstance(written, str) else next(iter(written.items()))
+
+
+def pose(body: Mapping[str, Any]) -> Array:
+    """Position and quaternion (w, x, y, z) of a body at the start, (7,)."""
+    turn = (body.get("rotation") or {"quaternion": [1, 0, 0, 0]})["quaternion"]
+    return np.array([*body["position"], *turn], dtype=float)
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A joint of a scene."""
+
+    #: ``hinge`` or ``ball``.
+    kind: str
+    #: The bodies by their numbers; no parent is the world.
+    parent: int | None
+    child: int
+    #: Its place and its axis at the start (m, world).
+    point: Array
+    axis: Array
+    #: Whether it closes a loop: its child hangs on another joint already.
+    closes: bool
+
+
+#: Fields of bodies and joints that no adapter translates.
+_REFUSED = {
+    "bodies": ("force", "force_at", "torque"),
+    "constraints": ("length", "angle", "limits", "speed", "effort", "stiffness", "damping"),
+}
+
+
+def joints(scene: Description) -> list[Joint]:
+    """The joints of a scene, those of a spanning tree outwards from the world first, then those that close loops.
+
+    Engines in joint coordinates take the first as they are and need an equation for each of the others.
+    What no adapter translates is refused here.
+    """
+    for key, fields in _REFUSED.items():
+        for written, field_ in ((written, field_) for written in scene[key] for field_ in fields):
+            if written[field_] not in (None, [0, 0, 0]):
+                raise Unsupported(f"the field {field_} of {key}")
+    if scene["start"]:
+        raise Unsupported("a start elsewhere")
+    numbers = {body["name"]: k for k, body in enumerate(scene["bodies"])}
+    fixed = {k for k, body in enumerate(scene["bodies"]) if body["fixed"]}
+    waiting = []
+    for written in scene["constraints"]:
+        if written["kind"] not in ("hinge", "ball"):
+            raise Unsupported(f"a joint of kind {written['kind']}")
+        bodies = [numbers[name] for name in written["bodies"]]
+        ends = [None if k in fixed else k for k in ([None] * (2 - len(bodies)) + bodies)]
+        point = np.array(written["point"] or scene["bodies"][bodies[-1]]["position"], dtype=float)
+        axis = np.array(written["axis"] or [0, 0, 1], dtype=float)
+        waiting.append((written["kind"], ends, point, axis / np.linalg.norm(axis)))
+    tree: list[Joint] = []
+    reached: set[int | None] = {None}
+    while ready := [w for w in waiting if (w[1][0] in reached) != (w[1][1] in reached)]:
+        kind, ends, point, axis = ready[0]
+        parent, child = ends if ends[0] in reached else ends[::-1]
+        assert child is not None
+        tree.append(Joint(kind, parent, child, point, axis, closes=False))
+        reached.add(child)
+        waiting.remove(ready[0])
+    for kind, ends, point, axis in waiting:
+        if ends[0] not in reached or ends[1] not in reached:
+            raise Unsupported("joints that no body of the world begins")
+        parent, child = ends if ends[1] is not None else ends[::-1]
+        assert child is not None
+        tree.append(Joint(kind, parent, child, point, axis, closes=True))
+    return tree
+
+
+def times(p: Array, q: Array) -> Array:
+    """The product of two quaternions (w, x, y, z)."""
+    vector = p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:])
+    return np.array([p[0] * q[0] - p[1:] @ q[1:], *vector])
+
+
+def conjugate(q: Array) -> Array:
+    """The turn back."""
+    return np.asarray(q * np.array([1.0, -1.0, -1.0, -1.0]))
+
+
+def turned(q: Array, v: Array) -> Array:
+    """The vector turned by a unit quaternion."""
+    return np.asarray(v + 2 * np.cross(q[1:], np.cross(q[1:], v) + q[0] * v))
+
+
+def relative(parent: Array, child: Array) -> Array:
+    """The pose of a child in the axes of its parent, both (7,) in the world's."""
+    back = conjugate(parent[3:])
+    return np.concatenate([turned(back, child[:3] - parent[:3]), times(back, child[3:])])

@@ -1,0 +1,178 @@
+"""MuJoCo: joint coordinates, soft contacts whose forces minimise a convex function.
+
+The larger friction of two geoms counts, so equal ones are translated as they are. MuJoCo has no coefficient
+of restitution: by default nothing bounces, and its documentation says to lower the damping of a contact
+(a negative ``solref``); the accurate settings take the damping that leaves the speed asked for.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
+from lcplab.engines import joints, one_value, pose, relative, shape, turned
+
+#: The time (s) that a bounce takes where the accurate settings make one.
+BOUNCE = 0.02
+
+
+class Model:
+    """A scene in MuJoCo."""
+
+    def __init__(self, scene: Description, settings: Settings) -> None:
+        import mujoco
+
+        self.mujoco = mujoco
+        spec = mujoco.MjSpec()
+        for key, value in {"timestep": settings.dt, "gravity": scene["gravity"], **settings.values}.items():
+            setattr(spec.option, key, value)
+        self.contact: dict[str, Any] = {"friction": [one_value(scene, "friction"), 0.005, 0.0001]}
+        accurate = settings.name == "accurate"
+        if accurate:
+            self.contact |= {"solref": [2 * settings.dt, 1.0]}
+        restitution = one_value(scene, "restitution")
+        if accurate and restitution > 0:
+            self.contact |= {"solref": bouncing(restitution), "solimp": [0.99, 0.99, 0.001, 0.5, 2.0]}
+        self._bodies(spec, scene)
+        self.model = spec.compile()
+        self.data = mujoco.MjData(self.model)
+        names = [body["name"] for body in scene["bodies"]]
+        self.ids = [mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name) for name in names]
+        for body in scene["bodies"]:
+            self._set_going(body)
+        mujoco.mj_forward(self.model, self.data)
+
+    def _bodies(self, spec: Any, scene: Description) -> None:
+        bodies = scene["bodies"]
+        hangs = {joint.child: joint for joint in joints(scene) if not joint.closes}
+        made: dict[int, Any] = {}
+        pending = list(range(len(bodies)))
+        while pending:
+            k = pending.pop(0)
+            joint = hangs.get(k)
+            if joint and joint.parent is not None and joint.parent not in made:
+                pending.append(k)
+                continue
+            parent = made[joint.parent] if joint and joint.parent is not None else spec.worldbody
+            base = bodies[joint.parent] if joint and joint.parent is not None else None
+            made[k] = self._body(parent, base, bodies[k], joint)
+        for joint in joints(scene):
+            if joint.parent is not None:
+                spec.add_exclude(bodyname1=bodies[joint.parent]["name"], bodyname2=bodies[joint.child]["name"])
+            if joint.closes:
+                self._close(spec, bodies, joint)
+
+    def _body(self, parent: Any, base: Any, body: Any, joint: Joint | None) -> Any:
+        own = pose(body)
+        placed = relative(pose(base), own) if base else own
+        kind, size = shape(body)
+        made = parent.add_body(name=body["name"], pos=placed[:3], quat=placed[3:])
+        if not body["fixed"]:
+            made.mass, made.ipos, made.iquat = body["mass"], [0, 0, 0], [1, 0, 0, 0]
+            made.inertia, made.explicitinertial = body["inertia"], True
+            if joint is None:
+                made.add_freejoint()
+            else:
+                at = relative(own, np.concatenate([joint.point, [1, 0, 0, 0]]))[:3]
+                axis = turned(own[3:] * [1, -1, -1, -1], joint.axis)
+                kinds = self.mujoco.mjtJoint
+                made.add_joint(type=kinds.mjJNT_HINGE if joint.kind == "hinge" else kinds.mjJNT_BALL,
+                               pos=at, axis=axis)
+        geom = self.mujoco.mjtGeom
+        if kind == "plane":
+            if size != [0, 0, 1]:
+                raise Unsupported("planes across other axes than z")
+            made.add_geom(type=geom.mjGEOM_PLANE, size=[10, 10, 1], **self.contact)
+        elif kind == "box":
+            made.add_geom(type=geom.mjGEOM_BOX, size=[edge / 2 for edge in size], **self.contact)
+        elif kind == "sphere":
+            made.add_geom(type=geom.mjGEOM_SPHERE, size=[size, 0, 0], **self.contact)
+        else:
+            raise Unsupported(f"a body of shape {kind}")
+        return made
+
+    def _close(self, spec: Any, bodies: Any, joint: Joint) -> None:
+        """A loop's last joint as equality constraints: a hinge is two points of its axis that stay together."""
+        parent = "world" if joint.parent is None else bodies[joint.parent]["name"]
+        own = pose(bodies[joint.child])
+        points = [joint.point] if joint.kind == "ball" else [joint.point - joint.axis / 20, joint.point + joint.axis / 20]
+        for point in points:
+            at = relative(own, np.concatenate([point, [1, 0, 0, 0]]))[:3]
+            equality = spec.add_equality(type=self.mujoco.mjtEq.mjEQ_CONNECT, name1=bodies[joint.child]["name"],
+                                         name2=parent, objtype=self.mujoco.mjtObj.mjOBJ_BODY)
+            equality.data[:3] = at
+            if "solref" in self.contact:
+                equality.solref = self.contact["solref"]
+
+    def _set_going(self, body: Any) -> None:
+        velocity = [*body["velocity"], *body["angular_velocity"]]
+        if body["fixed"] or not any(velocity):
+            return
+        joint = self.data.joint(int(self.model.body(body["name"]).jntadr[0]))
+        if len(joint.qvel) != 6:
+            raise Unsupported("a body on a joint that moves at the start")
+        joint.qvel[:3] = velocity[:3]
+        joint.qvel[3:] = turned(pose(body)[3:] * [1, -1, -1, -1], np.array(velocity[3:]))  # in the body's axes
+
+    def step(self) -> None:
+        self.mujoco.mj_step(self.model, self.data)
+
+    def poses(self) -> Array:
+        return np.hstack([self.data.xpos[self.ids], self.data.xquat[self.ids]])
+
+    def velocities(self) -> Array:
+        found = np.zeros((len(self.ids), 6))
+        for row, body in zip(found, self.ids):
+            self.mujoco.mj_objectVelocity(self.model, self.data, self.mujoco.mjtObj.mjOBJ_BODY, body, row, 0)
+        return found[:, [3, 4, 5, 0, 1, 2]]  # MuJoCo puts the turning first
+
+    def forces(self) -> Array | None:
+        every, wrench = np.zeros((self.model.nbody, 3)), np.zeros(6)
+        for k in range(self.data.ncon):
+            contact = self.data.contact[k]
+            self.mujoco.mj_contactForce(self.model, self.data, k, wrench)
+            force = contact.frame.reshape(3, 3).T @ wrench[:3]  # on the second geom
+            first, second = self.model.geom_bodyid[contact.geom]
+            every[first] -= force
+            every[second] += force
+        return every[self.ids]
+
+
+def bouncing(restitution: float) -> list[float]:
+    """``solref`` of a contact that leaves this part of the speed of approach.
+
+    A spring and damper with damping ratio ζ that can push but not pull lets go when its force is 0, with
+    e = exp(−ζ/√(1−ζ²) · θ) of the speed, where cos θ = 2ζ² − 1 and sin θ = 2ζ√(1−ζ²).
+    """
+
+    def left(zeta: float) -> float:
+        root = math.sqrt(1 - zeta * zeta)
+        return math.exp(-zeta / root * math.atan2(2 * zeta * root, 2 * zeta * zeta - 1))
+
+    low, high = 1e-9, 1 - 1e-9
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if left(middle) > restitution else (low, middle)
+    omega = math.pi / BOUNCE
+    return [-omega * omega, -2 * low * omega]
+
+
+ENGINE = Engine(
+    name="mujoco",
+    package="mujoco",
+    module="mujoco",
+    settings=(
+        Settings("defaults", "as installed: Newton's method, pyramids for cones, Euler, steps of 2 ms", 0.002),
+        Settings(
+            "accurate",
+            "elliptic cones, impratio 100, tolerance 1e-12 in 100 iterations, RK4, contacts as stiff as the "
+            "step allows (solref 2 dt), steps of 1 ms",
+            0.001,
+            {"cone": 1, "impratio": 100.0, "tolerance": 1e-12, "iterations": 100, "integrator": 1},
+        ),
+    ),
+    build=Model,
+)

@@ -1,0 +1,79 @@
+//! Which engine for what: the laws that a use rests on, who keeps all of them, and who misses them most.
+
+use super::{ACCURATE, DEFAULTS, OWN};
+use crate::number::readable;
+use crate::report::study::cards::{Column, Phenomenon, Record};
+
+/// What somebody may want to simulate, and the phenomena that it rests on.
+const USES: [(&str, &[&str]); 5] = [
+    ("A gripper, a leg", &["creep", "stopping", "weight"]),
+    ("A tower, a load", &["tower", "mass_ratio", "weight"]),
+    ("A mechanism", &["pendulum", "closed_loop"]),
+    ("What flies", &["free_fall", "angular_momentum"]),
+    ("What is thrown and hits", &["lift", "bounce"]),
+];
+
+/// A paragraph a use.
+pub fn of(record: &Record) -> String {
+    let paragraphs = USES.iter().map(|(what, names)| paragraph(record, what, names));
+    paragraphs.collect::<Vec<_>>().join("\n\n")
+}
+
+fn paragraph(record: &Record, what: &str, names: &[&str]) -> String {
+    let rests_on: Vec<&Phenomenon> =
+        record.phenomena.iter().filter(|own| names.contains(&own.name.as_str())).collect();
+    let keeping = |settings: &str| -> Vec<&str> {
+        let others = record.engines.iter().filter(|engine| engine.name != OWN);
+        let keep = others.filter(|engine| {
+            rests_on
+                .iter()
+                .all(|own| column(own, &engine.name, settings).is_some_and(Column::holds))
+        });
+        keep.map(|engine| engine.title.as_str()).collect()
+    };
+    let (installed, accurate) = (keeping(DEFAULTS), keeping(ACCURATE));
+    let tuned: Vec<_> = accurate.into_iter().filter(|own| !installed.contains(own)).collect();
+    let links = rests_on.iter().map(|own| format!("[{}](#{})", words(&own.name), own.name));
+    let who = match (&installed[..], &tuned[..]) {
+        ([], []) => "no engine keeps these laws".into(),
+        ([], tuned) => format!("{} with accurate settings, no engine as installed", list(tuned)),
+        (installed, []) => format!("{} as installed", list(installed)),
+        (installed, tuned) => {
+            format!("{} as installed, {} with accurate settings", list(installed), list(tuned))
+        }
+    };
+    let misses: Vec<String> = rests_on.iter().filter_map(|own| farthest(record, own)).collect();
+    let farthest = match misses.is_empty() {
+        true => String::new(),
+        false => format!(" Farthest off as installed: {}.", misses.join("; ")),
+    };
+    format!("**{what}** ({}): {who}.{farthest}", links.collect::<Vec<_>>().join(", "))
+}
+
+fn column<'a>(phenomenon: &'a Phenomenon, engine: &str, settings: &str) -> Option<&'a Column> {
+    phenomenon.columns.iter().find(|own| own.engine == engine && own.settings == settings)
+}
+
+fn words(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+fn list(names: &[&str]) -> String {
+    match names {
+        [most @ .., last] if !most.is_empty() => format!("{} and {last}", most.join(", ")),
+        names => names.concat(),
+    }
+}
+
+/// The engine of others that misses a law most as it is installed, with its number and the law's.
+fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<String> {
+    let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
+    let missed = installed.filter_map(|own| Some((own, own.worst().filter(|worst| !worst.holds)?)));
+    let (column, worst) = missed.max_by(|a, b| a.1.miss().total_cmp(&b.1.miss()))?;
+    let law = match worst.law {
+        0.0 => String::new(),
+        law => format!(", not {} {}", readable(law, 3), worst.unit),
+    };
+    let (engine, found) = (record.title(&column.engine), readable(worst.value, 3));
+    Some(format!("{engine} {} {found} {}{law}", worst.what, worst.unit))
+}

@@ -1,0 +1,133 @@
+//! Engine cards: which law holds in which engine, and what it looks like where it does not.
+
+mod answer;
+mod phenomenon;
+
+use super::{Document, Outcome, View};
+use crate::number::readable;
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::cards::{self, Engine, Phenomenon, Plan, Record};
+
+/// The two ways in which engines of others are run.
+const DEFAULTS: &str = "defaults";
+const ACCURATE: &str = "accurate";
+/// The engine whose settings are schemes.
+const OWN: &str = "lcplab";
+
+impl View for Plan {
+    const TITLE: &'static str = "Which law holds in which engine";
+
+    fn show(&self, findings: &[Record], document: &mut Document) {
+        for record in findings {
+            document.text(
+                "✓: the law is met within its tolerance. A number says by how many tolerances it is missed, at the worst \
+                 of what was measured. –: the engine, or its adapter, has no such thing. The rows lead to the pictures and \
+                 numbers below.",
+            );
+            for (name, id, words) in [
+                (DEFAULTS, "installed", "As installed"),
+                (
+                    ACCURATE,
+                    "accurate",
+                    "With the settings that their documentation recommends for accuracy",
+                ),
+            ] {
+                document
+                    .table(&format!("cards_{id}"), matrix(record, words, &others(record, name)));
+            }
+            document.table("cards_schemes", matrix(record, "lcplab's own schemes", &own(record)));
+            document.table("cards_settings", settings(record));
+            for phenomenon in &record.phenomena {
+                phenomenon::show(record, phenomenon, document);
+            }
+        }
+    }
+
+    fn answer(&self, findings: &[Record]) -> Option<String> {
+        findings.first().map(answer::of)
+    }
+
+    fn outcome(&self, findings: &[Record]) -> Outcome {
+        let all = || findings.iter().flat_map(|record| &record.phenomena);
+        let columns: Vec<_> = all().flat_map(|phenomenon| &phenomenon.columns).collect();
+        let measured = columns.iter().filter(|column| !column.measured.is_empty()).count();
+        let held = columns.iter().filter(|column| column.holds()).count();
+        Outcome { good: true, says: format!("{held} of {measured} runs keep their law") }
+    }
+}
+
+/// Engines and their settings, as columns of a table: the heading, and whose they are.
+type Ways<'a> = Vec<(String, &'a str, &'a str)>;
+
+/// The engines of others in one way.
+fn others<'a>(record: &'a Record, way: &'a str) -> Ways<'a> {
+    let run_so = |engine: &&Engine| engine.settings.iter().any(|settings| settings.name == way);
+    let engines = record.engines.iter().filter(run_so);
+    engines.map(|engine| (engine.title.clone(), engine.name.as_str(), way)).collect()
+}
+
+/// lcplab's schemes.
+fn own(record: &Record) -> Ways<'_> {
+    let engines = record.engines.iter().filter(|engine| engine.name == OWN);
+    let schemes = engines.flat_map(|engine| &engine.settings);
+    schemes.map(|scheme| (scheme.name.clone(), OWN, scheme.name.as_str())).collect()
+}
+
+fn matrix(record: &Record, title: &str, ways: &Ways<'_>) -> Table {
+    let row = |phenomenon: &Phenomenon| {
+        let asked =
+            Cell { link: format!("#{}", phenomenon.name), ..Cell::text(&phenomenon.question) };
+        let cells = ways.iter().map(|(_, engine, settings)| cell(phenomenon, engine, settings));
+        std::iter::once(asked).chain(cells).collect()
+    };
+    let headings = ways.iter().map(|(heading, ..)| Column::words(heading));
+    Table {
+        title: title.into(),
+        columns: std::iter::once(Column::words("question")).chain(headings).collect(),
+        rows: record.phenomena.iter().map(row).collect(),
+        ..Table::default()
+    }
+}
+
+/// Whether an engine keeps a law, or by how much it misses it.
+fn cell(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Cell {
+    let of = |column: &&cards::Column| column.engine == engine && column.settings == settings;
+    let Some(column) = phenomenon.columns.iter().find(of) else { return Cell::text("–") };
+    match (column.worst(), &column.failed) {
+        _ if column.holds() => Cell::text("").marked(Mark::Good),
+        (Some(worst), _) => {
+            Cell { value: Some(worst.miss()), ..Cell::text(times(worst.miss())) }.marked(Mark::Bad)
+        }
+        (None, Some(_)) => Cell::text("failed").marked(Mark::Bad),
+        (None, None) => Cell::text("–"),
+    }
+}
+
+/// A miss in tolerances.
+fn times(miss: f64) -> String {
+    match miss.is_finite() {
+        true => format!("{} ×", readable(miss, 2)),
+        false => "no end".into(),
+    }
+}
+
+fn settings(record: &Record) -> Table {
+    let rows = record.engines.iter().flat_map(|engine| {
+        engine.settings.iter().map(|settings| {
+            vec![
+                Cell::text(format!("{} {}", engine.package, engine.version)),
+                Cell::text(&settings.name),
+                Cell::text(&settings.words),
+            ]
+        })
+    });
+    Table {
+        title: "What was set".into(),
+        how_to_read: "All that differs from the engine as it is installed. The adapters translate and repair nothing; what \
+                      an engine cannot express is refused."
+            .into(),
+        columns: ["package", "settings", "in words"].map(Column::words).into(),
+        rows: rows.collect(),
+        ..Table::default()
+    }
+}

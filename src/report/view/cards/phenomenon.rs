@@ -1,0 +1,145 @@
+//! A phenomenon: its law, the curves of all engines beside it, what it looks like, and the numbers.
+
+use super::{ACCURATE, DEFAULTS, OWN, times};
+use crate::film::{Frame, Strip};
+use crate::number::readable;
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{self, Block, Cell, Mark, Table};
+use crate::report::study::cards::{Column, Measured, Phenomenon, Record};
+use crate::report::view::Document;
+
+/// Adds a section.
+pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut Document) {
+    document.open(&phenomenon.name, &phenomenon.question);
+    document.fold_tables();
+    document.text(&phenomenon.matters);
+    document.equation(&phenomenon.law, "the law");
+    document.text(format!("**Allowed**: {}", phenomenon.allowed));
+    if !phenomenon.reported.is_empty() {
+        document.text(&phenomenon.reported);
+    }
+    document.figure(figure(record, phenomenon));
+    if let Some(strip) = strip(record, phenomenon) {
+        document.figure(strip);
+    }
+    document.table(&format!("cards_{}", phenomenon.name), table(record, phenomenon));
+    let (language, text) = ("toml".into(), phenomenon.scene.clone());
+    document.add(Block::FoldedCode { language, text });
+}
+
+/// The curves, a panel for each way in which engines are run.
+fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
+    let Phenomenon { x, y, .. } = phenomenon;
+    let points = |y: &[f64]| x.values.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
+    let panel = |title: &str, chosen: &dyn Fn(&Column) -> bool| {
+        let drawn = phenomenon.columns.iter().filter(|own| !own.y.is_empty() && chosen(own));
+        let measured = drawn.map(|own| Series::measured(name(record, own), points(&own.y)));
+        let law = Series::theory("law", points(&y.law));
+        Panel {
+            y: Axis::linear(format!("{title}: {}", y.name), &y.unit),
+            series: std::iter::once(law).chain(measured).collect(),
+        }
+    };
+    let panels = [
+        panel("As installed", &|own| own.settings == DEFAULTS),
+        panel("Accurate", &|own| own.settings == ACCURATE),
+        panel("lcplab", &|own| own.engine == OWN),
+    ];
+    Lines {
+        id: format!("cards_{}", phenomenon.name),
+        title: capital(&y.name),
+        caption: "Dashed is the law. Above: engines as installed; in the middle: with the settings recommended for accuracy; \
+                  below: lcplab's schemes."
+            .into(),
+        x: match phenomenon.set.len() {
+            1 => Axis::linear(&x.name, &x.unit),
+            _ => Axis::log(&x.name, ""),
+        },
+        panels: panels.into_iter().filter(|panel| panel.series.len() > 1).collect(),
+    }
+}
+
+/// What a column is called where engines are told apart: a scheme of lcplab by its own name.
+fn name<'a>(record: &'a Record, column: &'a Column) -> &'a str {
+    match column.engine.as_str() {
+        OWN => &column.settings,
+        engine => record.title(engine),
+    }
+}
+
+/// A sentence's beginning.
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The telling instant in every engine as installed, and in lcplab.
+fn strip(record: &Record, phenomenon: &Phenomenon) -> Option<Strip> {
+    let scene = phenomenon.scene().ok()?;
+    let shown = phenomenon.columns.iter().filter(|own| own.settings != ACCURATE);
+    let (frames, labels): (Vec<_>, Vec<_>) = shown
+        .filter_map(|own| {
+            let last = own.pictures.last()?;
+            Some((
+                Frame { time: last.time, states: last.states(), ..Frame::default() },
+                name(record, own),
+            ))
+        })
+        .unzip();
+    let time = frames.first()?.time;
+    let caption = format!(
+        "The bodies after {} s: engines as installed, then lcplab's schemes, all seen alike.",
+        readable(time, 3)
+    );
+    let id = format!("pictures_{}", phenomenon.name);
+    let strip = Strip::new(&scene, frames).named(&id).with_caption(&caption);
+    Some(Strip { labels: labels.into_iter().map(String::from).collect(), ..strip })
+}
+
+fn table(record: &Record, phenomenon: &Phenomenon) -> Table {
+    let nothing = |own: &Column| {
+        let (why, mark) = match (&own.unsupported, &own.failed) {
+            (Some(why), _) => (why.as_str(), Mark::Plain),
+            (None, Some(why)) => (why.as_str(), Mark::Bad),
+            (None, None) => ("nothing was measured", Mark::Bad),
+        };
+        let words = [record.title(&own.engine), &own.settings, why].map(Cell::text);
+        let [engine, settings, why] = words;
+        let dash = || Cell::text("–");
+        vec![engine, settings, why.marked(mark), dash(), dash(), dash(), dash()]
+    };
+    let rows = phenomenon.columns.iter().flat_map(|own| match own.measured.is_empty() {
+        true => vec![nothing(own)],
+        false => own.measured.iter().map(|measured| row(record, own, measured)).collect(),
+    });
+    Table {
+        title: format!("Measured: {}", phenomenon.name.replace('_', " ")),
+        how_to_read: "A law is met where the number is within its tolerance of the law's.".into(),
+        columns: vec![
+            page::Column::words("engine"),
+            page::Column::words("settings"),
+            page::Column::words("what was measured"),
+            page::Column::numbers("found", ""),
+            page::Column::numbers("law", ""),
+            page::Column::numbers("tolerance", ""),
+            page::Column::words("verdict"),
+        ],
+        rows: rows.collect(),
+        ..Table::default()
+    }
+}
+
+fn row(record: &Record, column: &Column, measured: &Measured) -> Vec<Cell> {
+    vec![
+        Cell::text(record.title(&column.engine)),
+        Cell::text(&column.settings),
+        Cell::text(format!("{} ({})", measured.what, measured.unit)),
+        Cell::number(measured.value, 4),
+        Cell::number(measured.law, 4),
+        Cell::number(measured.tolerance, 2),
+        match measured.holds {
+            true => Cell::text("met").marked(Mark::Good),
+            false => Cell::text(times(measured.miss())).marked(Mark::Bad),
+        },
+    ]
+}
