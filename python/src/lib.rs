@@ -36,6 +36,7 @@ fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<scene::Scene>()?;
     module.add_class::<scene::Taken>()?;
     module.add_function(wrap_pyfunction!(scene::describe, module)?)?;
+    module.add_function(wrap_pyfunction!(scene::describe_json, module)?)?;
     module.add_function(wrap_pyfunction!(solving::solve, module)?)?;
     module.add_function(wrap_pyfunction!(solving::judge, module)?)?;
     module.add_function(wrap_pyfunction!(solving::explain, module)?)?;

@@ -84,11 +84,7 @@ impl Scene {
     /// A scene of a description in JSON.
     #[staticmethod]
     fn of(text: &str) -> PyResult<Self> {
-        let fault = |error: serde_json::Error| {
-            refused(lcplab::error::Error::invalid("scene", "description", error.to_string()))
-        };
-        let description: Description = serde_json::from_str(text).map_err(fault)?;
-        let scene = Described::new("scene", &description).map_err(refused)?;
+        let scene = Described::new("scene", &description(text)?).map_err(refused)?;
         Ok(Scene { simulation: Simulation::of(&scene).map_err(refused)?, last: None })
     }
 
@@ -191,4 +187,17 @@ impl Scene {
 pub fn describe(name: &str, set: Vec<(String, String)>) -> PyResult<String> {
     let whole = Description::load_with(name, &set).and_then(|scene| scene.written_out(name));
     Ok(serde_json::json!(whole.map_err(refused)?).to_string())
+}
+
+/// The same of a description in JSON.
+#[pyfunction]
+pub fn describe_json(text: &str) -> PyResult<String> {
+    let whole = description(text)?.written_out("scene").map_err(refused)?;
+    Ok(serde_json::json!(whole).to_string())
+}
+
+fn description(text: &str) -> PyResult<Description> {
+    serde_json::from_str(text).map_err(|error| {
+        refused(lcplab::error::Error::invalid("scene", "description", error.to_string()))
+    })
 }

@@ -36,3 +36,23 @@ def test_a_derivation_is_text_and_a_page():
     assert "4/3" in str(document) or "1.333" in str(document)
     assert document.html.startswith("<!DOCTYPE html>") or "<html" in document.html
     assert "$" in document.markdown
+
+
+def test_a_scene_of_a_dictionary_moves_as_that_of_its_file():
+    loaded, made = lcplab.Scene.load("incline"), lcplab.Scene.of(lcplab.Scene.described("incline"))
+    for _ in range(20):
+        loaded.step()
+        made.step()
+    np.testing.assert_allclose(made.poses, loaded.poses, atol=1e-12)
+    with pytest.raises(lcplab.InputError, match="unknown field"):
+        lcplab.Scene.of({"colour": 3})
+    with pytest.raises(TypeError, match="change the dictionary itself"):
+        lcplab.Scene.described({"bodies": []}, set={"mu": 1})
+
+
+def test_forces_of_a_box_at_rest_are_its_weight_also_in_the_direction_of_friction():
+    s = lcplab.Scene.load("incline", set={"mu": 0.5})
+    assert s.forces() is None
+    for _ in range(10):
+        s.step()
+    np.testing.assert_allclose(s.forces(), [[0, 0, -2 * 9.81], [0, 0, 2 * 9.81]], atol=1e-6)

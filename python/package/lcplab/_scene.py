@@ -86,18 +86,28 @@ class Scene:
 
     @staticmethod
     def described(
-        name: str | os.PathLike[str], *, set: Mapping[str, Any] | None = None
+        scene: str | os.PathLike[str] | Mapping[str, Any], *, set: Mapping[str, Any] | None = None
     ) -> dict[str, Any]:
-        """A scene's file as a dictionary for another program: nothing is left to look up or to work out.
+        """Write a scene out for another program: nothing is left to look up or to work out.
 
         Structures are written out as bodies, a tilt is turned into gravity, and each body has its mass,
-        moments, quaternion, coefficients and velocities.
+        moments, quaternion, coefficients and velocities. ``scene`` is a file, a shipped scene, or a dictionary
+        with the fields of a file; ``set`` changes fields of the first two.
 
         >>> [body["name"] for body in Scene.described("stack")["bodies"]][:3]
         ['ground', 'box1', 'box2']
+        >>> ball = {"name": "ball", "shape": {"sphere": 0.5}, "mass": 2.0}
+        >>> Scene.described({"bodies": [ball]})["bodies"][0]["inertia"]
+        [0.2, 0.2, 0.2]
         """
         changes = [(key, json.dumps(value)) for key, value in (set or {}).items()]
-        described: dict[str, Any] = json.loads(_lcplab.describe(os.fspath(name), changes))
+        if isinstance(scene, Mapping):
+            if changes:
+                raise TypeError("set changes files and shipped scenes; change the dictionary itself")
+            text = _lcplab.describe_json(json.dumps(dict(scene)))
+        else:
+            text = _lcplab.describe(os.fspath(scene), changes)
+        described: dict[str, Any] = json.loads(text)
         return described
 
     def forces(self) -> Array | None:

@@ -88,7 +88,9 @@ pub struct Phenomenon {
     pub scene: String,
     /// The fields that were set, one run each.
     pub set: Vec<serde_json::Map<String, serde_json::Value>>,
-    /// What is plotted upwards of.
+    /// Whether the horizontal axis is logarithmic.
+    pub log: bool,
+    /// What the plot goes along.
     pub x: Along,
     /// What is plotted.
     pub y: Upwards,
@@ -138,8 +140,8 @@ pub struct Column {
     #[serde(default)]
     pub y: Vec<f64>,
     /// Where the bodies were.
-    #[serde(default)]
-    pub pictures: Vec<Picture>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub picture: Option<Picture>,
 }
 
 /// A number beside the law's.

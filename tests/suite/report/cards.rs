@@ -59,6 +59,10 @@ fn assert_laws(record: &Record, name: &str, expected: &[f64]) {
 fn the_laws_of_the_record_are_those_of_mechanics() {
     let record = shipped();
     assert_laws(&record, "stopping", &[1e3 * 4.0 / (2.0 * 0.5 * G), 0.0]);
+    let slope = 25f64.to_radians();
+    let slides = 1e3 * G * (slope.sin() - 0.3 * slope.cos()) / 2.0;
+    assert_laws(&record, "directions", &[slides, 0.0]);
+    assert_laws(&record, "rolling", &[10.0 / 7.0, 0.0]);
     assert_laws(&record, "free_fall", &[3.0 - G / 2.0, 3f64.sqrt().to_degrees()]);
     assert_laws(&record, "weight", &[100.0]);
     // The last flight above a hundredth of the drop of 1 m is the third: it begins when two are over.
@@ -75,7 +79,7 @@ fn the_laws_of_the_record_are_those_of_mechanics() {
     let moments = [0.04 + 0.01, 0.09 + 0.01, 0.09 + 0.04].map(|sum| sum / 12.0);
     let turns = FreeBody { moments, rates: [0.0, 5.0, 0.5] }.period() / 2.0;
     assert_laws(&record, "angular_momentum", &[0.0, 0.0, turns]);
-    for name in ["creep", "lift", "tower", "mass_ratio"] {
+    for name in ["creep", "lift", "tower", "mass_ratio", "repeat"] {
         assert!(laws(&record, name).iter().all(|law| *law == 0.0), "{name}: nothing moves");
     }
 }
@@ -112,12 +116,14 @@ fn lcplabs_schemes_keep_every_law_that_their_theory_lets_them_keep() {
             .map(|own| own.name.as_str())
             .collect()
     };
-    assert_eq!(missed("velocity"), [""; 0]);
-    assert_eq!(missed("acceleration"), [""; 0]);
+    assert_eq!(missed("velocity, cone"), [""; 0]);
+    // A box rubs with up to √2 times its coefficient: all other schemes have one.
+    assert_eq!(missed("velocity"), ["directions"]);
+    assert_eq!(missed("acceleration"), ["directions"]);
     // Compliant contacts yield to a thousandfold load; XPBD's few sweeps leave some of it, and its velocities,
     // which are differences of positions, damp what turns.
-    assert_eq!(missed("soft"), ["mass_ratio"]);
-    assert_eq!(missed("xpbd"), ["mass_ratio", "tower", "pendulum", "closed_loop"]);
+    assert_eq!(missed("soft"), ["directions", "mass_ratio"]);
+    assert_eq!(missed("xpbd"), ["directions", "mass_ratio", "tower", "pendulum", "closed_loop"]);
 }
 
 #[test]
@@ -139,7 +145,7 @@ fn two_reported_findings_are_in_the_record_as_their_formulas_say() {
 fn every_scene_of_the_record_is_a_scene_with_a_pose_for_each_body() {
     for phenomenon in &shipped().phenomena {
         let scene: Scene = phenomenon.scene().unwrap();
-        for picture in phenomenon.columns.iter().flat_map(|own| &own.pictures) {
+        for picture in phenomenon.columns.iter().filter_map(|own| own.picture.as_ref()) {
             assert_eq!(picture.states().len(), scene.bodies.len(), "{}", phenomenon.name);
         }
         for own in phenomenon.columns.iter().filter(|own| !own.measured.is_empty()) {
@@ -167,7 +173,9 @@ fn the_page_has_a_row_a_phenomenon_and_a_column_an_engine_and_every_miss_is_a_nu
         }
     }
     let answer = plan.answer(&[record]).unwrap();
-    for use_ in ["A gripper", "A tower", "A mechanism", "What flies", "What is thrown"] {
+    for use_ in
+        ["A gripper", "A tower", "A mechanism", "What flies", "What rolls", "What is thrown"]
+    {
         assert!(answer.contains(use_), "{answer}");
     }
 }

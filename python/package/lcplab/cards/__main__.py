@@ -3,7 +3,7 @@
 Examples:
   python -m lcplab.cards                                    # all that is installed, as a table
   python -m lcplab.cards --engine mujoco --phenomenon creep,lift
-  python -m lcplab.cards --out results.json                 # for lcplab report engines
+  python -m lcplab.cards --report mine                      # mine/index.html, and the record beside it
 """
 
 from __future__ import annotations
@@ -11,13 +11,27 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from pathlib import Path
 from typing import Any
 
+from lcplab import _lcplab
 from lcplab.cards._record import record
 from lcplab.cards._run import Column, run, tasks
 from lcplab.cards.phenomena import PHENOMENA
 from lcplab.engines import NAMES, by_name
+
+
+#: A report file that draws a record.
+REPORT = """\
+title = "Physics engines, one law at a time"
+lead = ""
+
+[[section]]
+study = "cards"
+record = {record}
+"""
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -45,12 +59,25 @@ def main(arguments: list[str] | None = None) -> int:
     if options.engine and missing:
         return 2
     found = _run_all([name for name in asked if name not in missing], phenomena, options.jobs)
+    print(_table(found), flush=True)
     if options.out:
-        with open(options.out, "w", encoding="utf-8") as out:
-            json.dump(record(found), out, ensure_ascii=False, separators=(",", ":"))
-            out.write("\n")
-    print(_table(found))
+        _write(Path(options.out), found)
+    if options.report:
+        return _report(Path(options.report), found)
     return 0
+
+
+def _write(file: Path, found: list[tuple[str, Column]]) -> None:
+    text = json.dumps(record(found), ensure_ascii=False, separators=(",", ":"))
+    file.write_text(text + "\n", encoding="utf-8")
+
+
+def _report(folder: Path, found: list[tuple[str, Column]]) -> int:
+    folder.mkdir(parents=True, exist_ok=True)
+    _write(folder / "engines.json", found)
+    file = folder / "engines.toml"
+    file.write_text(REPORT.format(record=json.dumps(str(folder / "engines.json"))), encoding="utf-8")
+    return _lcplab.run(["lcplab", "report", str(file), "--out", str(folder), "--fresh"])
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -63,7 +90,8 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--engine", metavar="NAMES", help="engines, with commas; all that are installed")
     parser.add_argument("--phenomenon", metavar="NAMES", help="phenomena, with commas; all")
-    parser.add_argument("--out", metavar="FILE", help="write the record for `lcplab report engines`")
+    parser.add_argument("--out", metavar="FILE", help="write the record, which a report file can name")
+    parser.add_argument("--report", metavar="FOLDER", help="write the page, and the record beside it")
     parser.add_argument("--jobs", type=int, metavar="N", help="processes at a time; one a processor")
     parser.add_argument("--list", action="store_true", help="list phenomena and engines")
     return parser
@@ -72,15 +100,27 @@ def _parser() -> argparse.ArgumentParser:
 def _run_all(engines: list[str], phenomena: list[str], jobs: int | None) -> list[tuple[str, Column]]:
     wanted = list(tasks(engines, phenomena))
     with ProcessPoolExecutor(jobs) as pool:
-        waiting = [(phenomenon, pool.submit(run, *rest, phenomenon)) for *rest, phenomenon in wanted]
+        waiting = [(task[2], pool.submit(run, *task)) for task in wanted]
         found = []
         for done, (phenomenon, column) in enumerate(waiting, 1):
-            found.append((phenomenon, column.result()))
+            found.append((phenomenon, _result(column, wanted[done - 1])))
             if sys.stderr.isatty():
                 print(f"\r{done}/{len(waiting)} {phenomenon:<20}", end="", file=sys.stderr, flush=True)
     if sys.stderr.isatty():
         print("\r" + " " * 40 + "\r", end="", file=sys.stderr)
     return found
+
+
+def _result(column: Future[Column], task: tuple[str, str, str]) -> Column:
+    """What was found; where an engine took its process down with it, its task is tried again alone."""
+    try:
+        return column.result()
+    except BrokenProcessPool:
+        with ProcessPoolExecutor(1) as alone:
+            try:
+                return alone.submit(run, *task).result()
+            except BrokenProcessPool:
+                return Column(*task[:2], failed="the engine ended its process")
 
 
 def _table(found: list[tuple[str, Column]]) -> str:

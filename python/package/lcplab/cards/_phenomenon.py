@@ -99,10 +99,10 @@ class Phenomenon:
     exact: Callable[[Curve, Run], Array]
     #: Fields of the scene that are set, one run each.
     variants: Sequence[Mapping[str, Any]] = ({},)
-    #: Whether the axes are logarithmic.
+    #: Whether the horizontal axis is logarithmic.
     log: bool = False
-    #: When pictures are taken (s).
-    instants: Sequence[float] = ()
+    #: When the picture is taken that tells most (s); at the end without it.
+    instant: float | None = None
     #: Whether engines that tell no forces cannot be measured.
     needs_forces: bool = False
     #: What was reported of engines, and the formula that explains it.

@@ -18,7 +18,17 @@ FORMAT = 1
 
 
 def record(columns: Sequence[tuple[str, Column]]) -> dict[str, Any]:
-    """The record of columns, each with the name of its phenomenon."""
+    """The record of columns, each with the name of its phenomenon.
+
+    An engine that does not fly as a stone does with other settings than its defaults was translated wrongly:
+    it is left out.
+    """
+    wrong = {
+        column.engine
+        for name, column in columns
+        if name == PHENOMENA[0].name and column.settings != "defaults" and not column.holds
+    }
+    columns = [(name, column) for name, column in columns if column.engine not in wrong]
     engines = list(dict.fromkeys(column.engine for _, column in columns))
     names = list(dict.fromkeys(name for name, _ in columns))
     return {
@@ -55,6 +65,7 @@ def _phenomenon(of: Phenomenon, columns: Sequence[Column]) -> dict[str, Any]:
         "duration": of.duration,
         "scene": of.scene,
         "set": [dict(variant) for variant in of.variants],
+        "log": of.log,
         "x": {"name": of.x[0], "unit": of.x[1], "values": _numbers(drawn.curve.x) if drawn.curve else []},
         "y": {"name": of.y[0], "unit": of.y[1], "law": [] if drawn.exact is None else _numbers(drawn.exact)},
         "columns": [_column(column) for column in columns],
@@ -79,19 +90,16 @@ def _column(column: Column) -> dict[str, Any]:
         for m in column.measured
     ]
     told["y"] = _numbers(column.curve.y)
-    told["pictures"] = [
-        {"time": time, "poses": [_numbers(pose) for pose in poses]}
-        for time, poses in zip(column.times, column.poses, strict=True)
-    ]
+    told["picture"] = {"time": column.time, "poses": [_numbers(pose) for pose in column.poses]}
     return told
 
 
-def _number(value: float) -> float | str:
-    """Six digits, which plots and tables have use for; what is not finite as a word, as everywhere in lcplab."""
+def _number(value: float, digits: int = 6) -> float | str:
+    """So many digits, which plots and tables have use for; what is not finite as a word, as everywhere in lcplab."""
     if math.isfinite(value):
-        return float(f"{value:.6g}") + 0.0
+        return float(f"{value:.{digits}g}") + 0.0
     return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
 
 
 def _numbers(values: Array) -> list[float | str]:
-    return [_number(float(value)) for value in np.asarray(values)]
+    return [_number(float(value), 4) for value in np.asarray(values)]

@@ -32,8 +32,8 @@ class Column:
     measured: list[Measurement] = field(default_factory=list)
     curve: Curve | None = None
     exact: Array | None = None
-    #: The times of the pictures (s), and the poses then, (pictures, bodies, 7).
-    times: list[float] = field(default_factory=list)
+    #: When the picture was taken (s), and the poses then, (bodies, 7).
+    time: float = 0.0
     poses: Array | None = None
 
     @property
@@ -72,7 +72,7 @@ def simulate(engine: Engine, settings: Settings, scene: Description, duration: f
     return Recorded(
         scene=scene,
         dt=settings.dt,
-        t=np.arange(steps + 1) * settings.dt,
+        t=np.array([step * settings.dt for step in range(steps + 1)]),
         poses=np.array(poses),
         velocities=np.array(velocities),
         forces=np.array([np.zeros_like(forces[0]), *forces]) if len(forces) == steps else None,
@@ -99,22 +99,22 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
     except Exception as why:  # an engine may fail in any way of its own; the others go on
         return Column(engine, settings, failed=f"{why}" or type(why).__name__)
     curve = wanted.plot(runs)
-    if len(wanted.variants) == 1:
+    if wanted.x[0] == "time":
         curve = _thinned(curve, wanted.duration)
-    pictures = [runs[-1].after(min(time, wanted.duration)) for time in wanted.instants]
+    time = wanted.duration if wanted.instant is None else wanted.instant
     return Column(
         engine,
         settings,
         measured=wanted.measure(runs),
         curve=curve,
         exact=wanted.exact(curve, runs[0]),
-        times=list(wanted.instants),
-        poses=runs[-1].poses[pictures],
+        time=time,
+        poses=runs[-1].poses[runs[-1].after(time)],
     )
 
 
 #: A plot has so many points of a run, at the same times for all engines.
-POINTS = 161
+POINTS = 101
 
 
 def _thinned(curve: Curve, duration: float) -> Curve:

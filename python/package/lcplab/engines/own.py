@@ -10,11 +10,12 @@ class Stepped:
     """A scene that lcplab steps."""
 
     def __init__(self, scene: Description, settings: Settings) -> None:
+        values = dict(settings.values)
+        contact = {**scene["contact"], "model": values.pop("model", scene["contact"]["model"])}
         step = {**scene["step"], "dt": settings.dt}
-        for key, value in settings.values.items():
+        for key, value in values.items():
             step[key] = {**step[key], **value} if isinstance(value, dict) else value
-        changed = {**scene, "step": step}
-        self.scene = Scene.of(changed)
+        self.scene = Scene.of({**scene, "step": step, "contact": contact})
 
     def step(self) -> None:
         self.scene.step()
@@ -41,6 +42,10 @@ ENGINE = Engine(
         _scheme(
             "velocity", 0.001, "velocity level, Dantzig's method, coupled box, a fifth of an error fed back",
             baumgarte=0.2,
+        ),
+        _scheme(
+            "velocity, cone", 0.002, "velocity level, Coulomb's cone by APGD, a fifth of an error fed back",
+            scheme="velocity", model="coulomb-cone", baumgarte=0.2,
         ),
         _scheme("acceleration", 0.005, "acceleration level, Dantzig's method, RK4", integrator="rk4"),
         _scheme("xpbd", 0.005, "XPBD, 20 substeps", substeps=20),

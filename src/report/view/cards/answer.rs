@@ -5,9 +5,10 @@ use crate::number::readable;
 use crate::report::study::cards::{Column, Phenomenon, Record};
 
 /// What somebody may want to simulate, and the phenomena that it rests on.
-const USES: [(&str, &[&str]); 5] = [
+const USES: [(&str, &[&str]); 6] = [
     ("A gripper, a leg", &["creep", "stopping", "weight"]),
     ("A tower, a load", &["tower", "mass_ratio", "weight"]),
+    ("What rolls and slides", &["directions", "rolling", "stopping"]),
     ("A mechanism", &["pendulum", "closed_loop"]),
     ("What flies", &["free_fall", "angular_momentum"]),
     ("What is thrown and hits", &["lift", "bounce"]),

@@ -26,11 +26,7 @@ impl View for Plan {
             );
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),
-                (
-                    ACCURATE,
-                    "accurate",
-                    "With the settings that their documentation recommends for accuracy",
-                ),
+                (ACCURATE, "accurate", "With settings for accuracy"),
             ] {
                 document
                     .table(&format!("cards_{id}"), matrix(record, words, &others(record, name)));
@@ -123,7 +119,8 @@ fn settings(record: &Record) -> Table {
     });
     Table {
         title: "What was set".into(),
-        how_to_read: "All that differs from the engine as it is installed. The adapters translate and repair nothing; what \
+        how_to_read: "All that differs from the engine as it is installed. Settings for accuracy are those that an engine's \
+                      documentation recommends, or where it names none, those that the words say. The adapters translate and repair nothing; what \
                       an engine cannot express is refused."
             .into(),
         columns: ["package", "settings", "in words"].map(Column::words).into(),

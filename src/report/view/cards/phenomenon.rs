@@ -48,12 +48,12 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
     Lines {
         id: format!("cards_{}", phenomenon.name),
         title: capital(&y.name),
-        caption: "Dashed is the law. Above: engines as installed; in the middle: with the settings recommended for accuracy; \
+        caption: "Dashed is the law. Above: engines as installed; in the middle: with settings for accuracy; \
                   below: lcplab's schemes."
             .into(),
-        x: match phenomenon.set.len() {
-            1 => Axis::linear(&x.name, &x.unit),
-            _ => Axis::log(&x.name, ""),
+        x: match phenomenon.log {
+            true => Axis::log(&x.name, &x.unit),
+            false => Axis::linear(&x.name, &x.unit),
         },
         panels: panels.into_iter().filter(|panel| panel.series.len() > 1).collect(),
     }
@@ -79,7 +79,7 @@ fn strip(record: &Record, phenomenon: &Phenomenon) -> Option<Strip> {
     let shown = phenomenon.columns.iter().filter(|own| own.settings != ACCURATE);
     let (frames, labels): (Vec<_>, Vec<_>) = shown
         .filter_map(|own| {
-            let last = own.pictures.last()?;
+            let last = own.picture.as_ref()?;
             Some((
                 Frame { time: last.time, states: last.states(), ..Frame::default() },
                 name(record, own),

@@ -125,7 +125,7 @@ fn bodies_at_rest_get_their_weights_from_their_neighbours_and_the_ground_gets_al
     for scheme in Scheme::ALL {
         let mut stack = simulation(scene("stack", scheme));
         (0..200).for_each(|_| drop(stack.step().unwrap())); // compliant schemes settle
-        let mut mean = vec![Vector3::zeros(); 6];
+        let mut mean = [Vector3::zeros(); 6];
         for _ in 0..WATCHED {
             let step = stack.step().unwrap();
             let forces = step.forces(stack.scene()).expect("no integrator with stages");

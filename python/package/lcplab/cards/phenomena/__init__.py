@@ -2,9 +2,9 @@
 
 from lcplab.cards._phenomenon import Phenomenon
 from lcplab.cards.phenomena.flight import ANGULAR_MOMENTUM, BOUNCE, FREE_FALL
-from lcplab.cards.phenomena.friction import CREEP, LIFT, STOPPING
+from lcplab.cards.phenomena.friction import CREEP, DIRECTIONS, LIFT, ROLLING, STOPPING
 from lcplab.cards.phenomena.joints import CLOSED_LOOP, PENDULUM
-from lcplab.cards.phenomena.stacks import MASS_RATIO, TOWER, WEIGHT
+from lcplab.cards.phenomena.stacks import MASS_RATIO, REPEAT, TOWER, WEIGHT
 
 #: All of them; the first is the adapters' own test.
 PHENOMENA: tuple[Phenomenon, ...] = (
@@ -12,6 +12,8 @@ PHENOMENA: tuple[Phenomenon, ...] = (
     CREEP,
     LIFT,
     STOPPING,
+    DIRECTIONS,
+    ROLLING,
     WEIGHT,
     MASS_RATIO,
     TOWER,
@@ -19,4 +21,5 @@ PHENOMENA: tuple[Phenomenon, ...] = (
     PENDULUM,
     ANGULAR_MOMENTUM,
     CLOSED_LOOP,
+    REPEAT,
 )

@@ -45,7 +45,7 @@ FREE_FALL = Phenomenon(
     measure=_free_fall,
     plot=over_time(lambda run: run.place("cube")[:, 2]),
     exact=_thrown,
-    instants=(0.0, 0.3, 0.6, 1.0),
+    instant=1.0,
 )
 
 
@@ -102,7 +102,7 @@ BOUNCE = Phenomenon(
     measure=_bounce,
     plot=over_time(_above),
     exact=_height,
-    instants=(0.0, 0.3, 0.65, 2.0),
+    instant=2.0,
 )
 
 
@@ -193,5 +193,5 @@ ANGULAR_MOMENTUM = Phenomenon(
     measure=_angular_momentum,
     plot=over_time(lambda run: _rates(run)[:, 1]),
     exact=_middle,
-    instants=(0.0, 0.8, 1.0, 1.2),
+    instant=1.2,
 )

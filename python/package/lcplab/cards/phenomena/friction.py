@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -39,7 +40,7 @@ CREEP = Phenomenon(
     measure=_creep,
     plot=over_time(lambda run: 1e3 * (run.place("cube")[:, 0] - run.place("cube")[0, 0])),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instants=(0.0, 11.0),
+    instant=11.0,
     reported="Reported as mujoco#3328: what should stick creeps. MuJoCo's friction is compliant: an impedance $d < 1$ "
     "leaves the part $1 - d$ of the pull unopposed until the slip, damped at the rate $b$, makes up for it, so that "
     r"$v = \frac{1-d}{d}\,\frac{g \sin\theta}{b}$; with the defaults ($d = 0.95$, $b = 105$/s) that is 1.7 mm/s. With "
@@ -70,7 +71,7 @@ LIFT = Phenomenon(
     measure=_lift,
     plot=over_time(lambda run: 1e3 * _rise(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instants=(0.0, 0.5, 0.3),
+    instant=0.3,
     reported="Reported as Genesis#3126, where a cube at 6 m/s rises by 318 mm. The minimum of one convex cost over normal "
     r"force and friction leaves the ground at $w_n = \mu |w_t|$: exactly solved it would throw the cube up by as much as "
     r"$(\mu v)^2/2g$, here 459 mm, and softened it does a part of that, which grows with $(\mu v)^2$ all the same. It is "
@@ -119,5 +120,96 @@ STOPPING = Phenomenon(
     measure=_stopping,
     plot=over_time(_path),
     exact=_braked,
-    instants=(0.0, 0.2, 1.0),
+    instant=1.0,
+)
+
+
+SLOPE = math.radians(25)
+GRAVITY = 9.81
+TURNS = [math.radians(45 * k) for k in range(8)]
+
+
+def _pull(turn: float) -> list[float]:
+    """Gravity of a slope that falls in this direction, seen in the slope's own axes."""
+    along = GRAVITY * math.sin(SLOPE)
+    return [along * math.cos(turn), along * math.sin(turn), -GRAVITY * math.cos(SLOPE)]
+
+
+def _down(run: Run) -> tuple[Array, Array]:
+    """How far the cube slid down the slope, and across it (m), (steps + 1,)."""
+    gravity = np.array(run.scene["gravity"][:2])
+    down, path = gravity / np.linalg.norm(gravity), run.place("cube")[:, :2] - run.place("cube")[0, :2]
+    return path @ down, path @ np.array([-down[1], down[0]])
+
+
+def _slid(run: Run) -> float:
+    """g (sin θ − μ cos θ) T²/2 (m)."""
+    friction = run.body("cube")["friction"]
+    return float(GRAVITY * (math.sin(SLOPE) - friction * math.cos(SLOPE)) * run.t[-1] ** 2 / 2)
+
+
+def _directions(runs: Sequence[Run]) -> list[Measurement]:
+    law, time = _slid(runs[0]), float(runs[0].t[-1])
+    paths = [float(_down(run)[0][-1]) for run in runs]
+    worst = max(paths, key=lambda path: abs(path - law))
+    across = max(float(np.abs(_down(run)[1]).max()) for run in runs)
+    allowed = PART * law + law / time * runs[0].dt
+    return [
+        Measurement("slides down by", 1e3 * worst, 1e3 * law, 1e3 * allowed, "mm"),
+        Measurement("leaves its line by", 1e3 * across, 0.0, 1e3 * PART * law, "mm"),
+    ]
+
+
+DIRECTIONS = Phenomenon(
+    name="directions",
+    question="Does a cube slide down a slope alike in eight directions, and straight?",
+    matters="Friction as a box or a pyramid over two tangents rubs with up to 1.41 times, or 0.71 times, its coefficient "
+    "between them and pulls to a side. Whoever steers on wheels, paws or skids goes astray.",
+    law=r"\ddot x = g\,(\sin\theta - \mu \cos\theta)",
+    allowed="a hundredth of the path in the worst direction, and the path of a step at the mean speed; sideways a "
+    "hundredth of the path.",
+    duration=1.0,
+    x=("direction", "°"),
+    y=("path", "mm"),
+    measure=_directions,
+    plot=lambda runs: Curve(
+        np.degrees(TURNS), np.array([1e3 * float(_down(run)[0][-1]) for run in runs])
+    ),
+    exact=lambda curve, run: np.full_like(curve.x, 1e3 * _slid(run)),
+    variants=[{"gravity": _pull(turn)} for turn in TURNS],
+    instant=1.0,
+)
+
+
+def _rolling(runs: Sequence[Run]) -> list[Measurement]:
+    run = runs[0]
+    ball, start = run.number("ball"), float(run.body("ball")["velocity"][0])
+    radius, friction = run.body("ball")["shape"]["sphere"], run.body("ball")["friction"]
+    speed, spin = float(run.velocities[-1, ball, 0]), float(run.velocities[-1, ball, 4])
+    allowed = PART * 5 / 7 * start + friction * run.gravity * run.dt
+    return [
+        Measurement("rolls at", speed, 5 / 7 * start, allowed, "m/s"),
+        Measurement("slips by", speed - radius * spin, 0.0, allowed, "m/s"),
+    ]
+
+
+def _rolls(curve: Curve, run: Run) -> Array:
+    start, friction = float(run.body("ball")["velocity"][0]), run.body("ball")["friction"]
+    return np.asarray(np.maximum(start - friction * run.gravity * curve.x, 5 / 7 * start))
+
+
+ROLLING = Phenomenon(
+    name="rolling",
+    question="Does a ball that slides begin to roll, at five sevenths of its speed?",
+    matters="Wheels, bearings, bowls. Angular momentum about the line of contact decides, whatever the coefficient; "
+    "rolling that brakes itself, or never begins, shows a contact that does not hold a point.",
+    law=r"v = \tfrac57 v_0 \quad\text{after}\quad t = \frac{2 v_0}{7 \mu g}",
+    allowed=r"a hundredth of the speed, and $\mu g h$ for the step in which the slip ends.",
+    duration=1.0,
+    x=("time", "s"),
+    y=("speed", "m/s"),
+    measure=_rolling,
+    plot=over_time(lambda run: run.velocities[:, run.number("ball"), 0]),
+    exact=_rolls,
+    instant=1.0,
 )

@@ -106,7 +106,7 @@ PENDULUM = Phenomenon(
     measure=_pendulum,
     plot=over_time(lambda run: np.degrees(_rod_angle(run))),
     exact=lambda curve, run: np.degrees(_swung(_rod(run)[1], float(_rod_angle(run)[0]), curve.x)),
-    instants=(0.0, 0.3, 0.6, 0.9),
+    instant=0.9,
 )
 
 
@@ -150,5 +150,5 @@ CLOSED_LOOP = Phenomenon(
     measure=_closed_loop,
     plot=over_time(lambda run: np.degrees(_crank_angle(run))),
     exact=lambda curve, run: np.degrees(_swung(_four_bars(run)[1], float(_crank_angle(run)[0]), curve.x)),
-    instants=(0.0, 0.25, 0.5, 0.75),
+    instant=0.75,
 )

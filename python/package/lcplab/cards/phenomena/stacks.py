@@ -48,8 +48,10 @@ WEIGHT = Phenomenon(
         )[:, 0]
     ),
     exact=lambda curve, run: np.full_like(curve.x, 100.0),
-    instants=(0.0, 2.0),
+    instant=2.0,
     needs_forces=True,
+    reported="An engine whose bodies fall asleep may report no force from then on: 0 % stands for a body that sleeps, "
+    "not for one that falls.",
 )
 
 RATIOS = (1, 10, 100, 1000)
@@ -76,13 +78,14 @@ MASS_RATIO = Phenomenon(
     law=r"z_\text{heavy}(t) = z_\text{heavy}(0), \quad\text{whatever the masses}",
     allowed="a hundredth of an edge for each of the two contacts: 2 mm after three seconds.",
     duration=3.0,
-    x=("mass of the upper cube beside the lower", "1"),
+    x=("mass of the upper cube beside the lower", ""),
     y=("sunk", "mm"),
     measure=_mass_ratio,
     plot=lambda runs: Curve(np.array(RATIOS, dtype=float), np.array([1e3 * _sunk(run) for run in runs])),
     exact=lambda curve, run: np.zeros_like(curve.x),
     variants=[{"bodies.heavy.mass": ratio} for ratio in RATIOS],
-    instants=(3.0,),
+    log=True,
+    instant=3.0,
 )
 
 
@@ -116,5 +119,34 @@ TOWER = Phenomenon(
     measure=_tower,
     plot=over_time(lambda run: 1e3 * _aside(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
-    instants=(0.0, 10.0, 20.0),
+    instant=20.0,
+)
+
+
+def _apart(runs: Sequence[Run]) -> Array:
+    """How far any body is from where it was in the other run (m), (steps + 1,)."""
+    one, other = runs
+    return np.asarray(np.linalg.norm(one.poses[:, :, :3] - other.poses[:, :, :3], axis=2).max(axis=1))
+
+
+def _repeat(runs: Sequence[Run]) -> list[Measurement]:
+    differ = (runs[0].poses != runs[1].poses).any(axis=(1, 2))
+    return [Measurement("steps that differ", float(differ.sum()), 0.0, 0.5, "")]
+
+
+REPEAT = Phenomenon(
+    name="repeat",
+    question="Does the same scene give the same bits twice?",
+    matters="A defect that does not come back cannot be mended, and a policy that was trained on one run is judged on "
+    "another. Threads that add in another order, and worlds that inherit something from the one before, differ.",
+    law=r"\mathbf{x}_1(t) = \mathbf{x}_2(t) \quad\text{to the last bit}",
+    allowed="no step may differ in any bit, in two worlds of one process, one after the other.",
+    duration=2.0,
+    x=("time", "s"),
+    y=("apart", "mm"),
+    measure=_repeat,
+    plot=lambda runs: Curve(runs[0].t, 1e3 * _apart(runs)),
+    exact=lambda curve, run: np.zeros_like(curve.x),
+    variants=({}, {}),
+    instant=2.0,
 )
