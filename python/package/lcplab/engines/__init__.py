@@ -151,7 +151,7 @@ _REFUSED = {
 
 
 def joints(scene: Description) -> list[Joint]:
-    """The joints of a scene, those of a spanning tree outwards from the world first, then those that close loops.
+    """The joints of a scene: those of a spanning tree outwards from the world, then those that close loops.
 
     Engines in joint coordinates take the first as they are and need an equation for each of the others.
     What no adapter translates is refused here.
@@ -169,7 +169,9 @@ def joints(scene: Description) -> list[Joint]:
         if written["kind"] not in ("hinge", "ball"):
             raise Unsupported(f"a joint of kind {written['kind']}")
         bodies = [numbers[name] for name in written["bodies"]]
-        ends = [None if k in fixed else k for k in ([None] * (2 - len(bodies)) + bodies)]
+        if fixed.intersection(bodies):
+            raise Unsupported("a joint to a fixed body, which it would touch; join to the world")
+        ends = [None] * (2 - len(bodies)) + bodies
         point = np.array(written["point"] or scene["bodies"][bodies[-1]]["position"], dtype=float)
         axis = np.array(written["axis"] or [0, 0, 1], dtype=float)
         waiting.append((written["kind"], ends, point, axis / np.linalg.norm(axis)))

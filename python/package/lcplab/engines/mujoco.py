@@ -27,7 +27,8 @@ class Model:
 
         self.mujoco = mujoco
         spec = mujoco.MjSpec()
-        for key, value in {"timestep": settings.dt, "gravity": scene["gravity"], **settings.values}.items():
+        options = {"timestep": settings.dt, "gravity": scene["gravity"], **settings.values}
+        for key, value in options.items():
             setattr(spec.option, key, value)
         self.contact: dict[str, Any] = {"friction": [one_value(scene, "friction"), 0.005, 0.0001]}
         accurate = settings.name == "accurate"
@@ -61,7 +62,8 @@ class Model:
             made[k] = self._body(parent, base, bodies[k], joint)
         for joint in joints(scene):
             if joint.parent is not None:
-                spec.add_exclude(bodyname1=bodies[joint.parent]["name"], bodyname2=bodies[joint.child]["name"])
+                pair = [bodies[k]["name"] for k in (joint.parent, joint.child)]
+                spec.add_exclude(bodyname1=pair[0], bodyname2=pair[1])
             if joint.closes:
                 self._close(spec, bodies, joint)
 
@@ -95,14 +97,18 @@ class Model:
         return made
 
     def _close(self, spec: Any, bodies: Any, joint: Joint) -> None:
-        """A loop's last joint as equality constraints: a hinge is two points of its axis that stay together."""
+        """A loop's last joint as equalities: a hinge is two points of its axis that stay together."""
         parent = "world" if joint.parent is None else bodies[joint.parent]["name"]
         own = pose(bodies[joint.child])
-        points = [joint.point] if joint.kind == "ball" else [joint.point - joint.axis / 20, joint.point + joint.axis / 20]
-        for point in points:
+        sides = (0,) if joint.kind == "ball" else (-0.05, 0.05)
+        for point in (joint.point + side * joint.axis for side in sides):
             at = relative(own, np.concatenate([point, [1, 0, 0, 0]]))[:3]
-            equality = spec.add_equality(type=self.mujoco.mjtEq.mjEQ_CONNECT, name1=bodies[joint.child]["name"],
-                                         name2=parent, objtype=self.mujoco.mjtObj.mjOBJ_BODY)
+            equality = spec.add_equality(
+                type=self.mujoco.mjtEq.mjEQ_CONNECT,
+                objtype=self.mujoco.mjtObj.mjOBJ_BODY,
+                name1=bodies[joint.child]["name"],
+                name2=parent,
+            )
             equality.data[:3] = at
             if "solref" in self.contact:
                 equality.solref = self.contact["solref"]
@@ -115,7 +121,8 @@ class Model:
         if len(joint.qvel) != 6:
             raise Unsupported("a body on a joint that moves at the start")
         joint.qvel[:3] = velocity[:3]
-        joint.qvel[3:] = turned(pose(body)[3:] * [1, -1, -1, -1], np.array(velocity[3:]))  # in the body's axes
+        # In the body's axes.
+        joint.qvel[3:] = turned(pose(body)[3:] * [1, -1, -1, -1], np.array(velocity[3:]))
 
     def step(self) -> None:
         self.mujoco.mj_step(self.model, self.data)

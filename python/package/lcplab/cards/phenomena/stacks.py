@@ -28,7 +28,7 @@ def _carried(run: Run) -> Array:
 def _weight(runs: Sequence[Run]) -> list[Measurement]:
     carried = _carried(runs[0])[runs[0].after(runs[0].t[-1] - WATCHED) :].mean(axis=0)
     worst = float(carried[np.argmax(np.abs(carried - 1))])
-    return [Measurement("carried of a body's weight", 100 * worst, 100.0, 100 * PART, "%")]
+    return [Measurement("reports of a body's weight", 100 * worst, 100.0, 100 * PART, "%")]
 
 
 WEIGHT = Phenomenon(
@@ -40,7 +40,7 @@ WEIGHT = Phenomenon(
     allowed="a hundredth of the body's weight, on the average of the last half second.",
     duration=2.0,
     x=("time", "s"),
-    y=("carried of the worst body's weight", "%"),
+    y=("reported of the worst body's weight", "%"),
     measure=_weight,
     plot=over_time(
         lambda run: 100 * np.take_along_axis(
