@@ -15,6 +15,7 @@ from lcplab import cards, engines
 from lcplab.cards import PHENOMENA
 from lcplab.cards.__main__ import main
 from lcplab.cards._elliptic import first_kind
+from lcplab.cards._frames import frames
 from lcplab.cards._run import described
 
 NAMED = {phenomenon.name: phenomenon for phenomenon in PHENOMENA}
@@ -191,6 +192,23 @@ def test_the_command_writes_a_record_that_the_report_draws(tmp_path, capfd):
     assert [own["name"] for own in record["phenomena"]] == ["free_fall", "stopping"]
     assert "Where does a sliding cube stop?" in (out / "index.html").read_text(encoding="utf-8")
     assert "✓  stops after" in capfd.readouterr().out
+
+
+def test_mujocos_own_forces_solve_the_problem_that_it_poses():
+    pytest.importorskip("mujoco")
+    found = frames("mujoco")
+    assert [(own["phenomenon"], own["rows"]) for own in found] == [
+        ("creep", 16), ("stopping", 8), ("weight", 48), ("mass_ratio", 32)  # four a corner; what slides is on its front two
+    ]
+    for own in found:
+        assert own["verdict"] == "proved" and own["residual"] < 1e-6, own
+        assert {"newton", "dantzig", "lemke"} <= {s["solver"] for s in own["solvers"] if s["accepted"]}
+    engine = engines.by_name("mujoco")
+    world = engine.build(described(NAMED["stopping"], {}), engine.settings[0])
+    for _ in range(100):
+        world.step()
+    problem, answer = world.problem()
+    assert not lcplab.judge(problem, x=0.99 * answer, tolerance=1e-6)
 
 
 def test_an_engine_that_was_translated_wrongly_is_left_out_of_the_record():

@@ -36,6 +36,9 @@ pub struct Record {
     pub format: u32,
     /// The engines, in the order of the page.
     pub engines: Vec<Engine>,
+    /// Contact problems that engines solve themselves, of those that tell them.
+    #[serde(default)]
+    pub frames: Vec<Frame>,
     /// The phenomena, in the order of the page.
     pub phenomena: Vec<Phenomenon>,
 }
@@ -64,6 +67,40 @@ pub struct Settings {
     pub words: String,
     /// The length of a step (s).
     pub dt: f64,
+}
+
+/// A contact problem that an engine posed, and who solves it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Frame {
+    /// The engine's name; it runs as installed.
+    pub engine: String,
+    /// The name of the phenomenon.
+    pub phenomenon: String,
+    /// The time in it (s).
+    pub time: f64,
+    /// The number of rows.
+    pub rows: usize,
+    /// The judge's word on the engine's own answer.
+    pub verdict: String,
+    /// Its scaled residual.
+    pub residual: f64,
+    /// The row that is missed most, of an answer that is none.
+    pub row: Option<usize>,
+    /// How lcplab's solvers do on the same problem.
+    pub solvers: Vec<Tried>,
+}
+
+/// A solver on an engine's problem.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Tried {
+    /// Its name.
+    pub solver: String,
+    /// Whether the judge accepts its answer.
+    pub accepted: bool,
+    /// Sweeps or pivots.
+    pub iterations: usize,
+    /// What it cost.
+    pub multiplications: f64,
 }
 
 /// A question, its law, and what each engine answered.

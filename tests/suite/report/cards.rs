@@ -142,6 +142,20 @@ fn two_reported_findings_are_in_the_record_as_their_formulas_say() {
 }
 
 #[test]
+fn mujoco_solves_what_it_poses_so_that_what_it_misses_is_missed_by_the_model() {
+    let record = shipped();
+    let frames = || record.frames.iter().filter(|frame| frame.engine == "mujoco");
+    assert!(frames().count() >= 3);
+    assert!(frames().all(|frame| frame.verdict == "proved"), "{:?}", record.frames);
+    let (plan, missed) = (Plan::default(), phenomenon(&record, "creep"));
+    let of = |own: &&Column| own.engine == "mujoco" && own.settings == "defaults";
+    assert!(!missed.columns.iter().find(of).unwrap().holds());
+    let document = Document::of(&plan, &[record.clone()]);
+    let (_, table) = document.tables.iter().find(|(id, _)| id == "cards_frames").unwrap();
+    assert_eq!(table.rows.len(), record.frames.len());
+}
+
+#[test]
 fn every_scene_of_the_record_is_a_scene_with_a_pose_for_each_body() {
     for phenomenon in &shipped().phenomena {
         let scene: Scene = phenomenon.scene().unwrap();

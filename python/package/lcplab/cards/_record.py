@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from lcplab.cards._frames import frames
 from lcplab.cards._phenomenon import Phenomenon
 from lcplab.cards._run import Column, _named
 from lcplab.cards.phenomena import PHENOMENA
@@ -34,6 +35,7 @@ def record(columns: Sequence[tuple[str, Column]]) -> dict[str, Any]:
     return {
         "format": FORMAT,
         "engines": [_engine(name) for name in engines],
+        "frames": [frame for name in engines for frame in frames(name)],
         "phenomena": [
             _phenomenon(_named(PHENOMENA, name), [column for own, column in columns if own == name])
             for name in names

@@ -13,10 +13,12 @@ import importlib.metadata
 import importlib.util
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
+
+from lcplab import Problem
 
 Array = NDArray[np.float64]
 Description = Mapping[str, Any]
@@ -40,6 +42,14 @@ class World(Protocol):
 
     def forces(self) -> Array | None:
         """What contacts put on each body in the last step (N, world axes), (bodies, 3), if it is told."""
+
+
+@runtime_checkable
+class Posing(Protocol):
+    """A world that tells the contact problem which its engine solves."""
+
+    def problem(self) -> tuple[Problem, Array]:
+        """The problem of this moment, and the engine's own answer to it."""
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from lcplab import Problem
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
 from lcplab.engines import joints, one_value, pose, relative, shape, turned
 
@@ -146,6 +147,29 @@ class Model:
             every[first] -= force
             every[second] += force
         return every[self.ids]
+
+    def problem(self) -> tuple[Problem, Array]:
+        """The contact problem of this moment as MuJoCo poses and softens it, and MuJoCo's own forces for it.
+
+        w = (J M⁻¹Jᵀ + R) f + J a − a*, where a are the accelerations without contacts and a* those that are
+        asked for. It is an LCP where cones are pyramids, each edge of which has a force of its own.
+        """
+        mujoco, model, data = self.mujoco, self.model, self.data
+        mujoco.mj_forward(model, data)
+        if model.opt.cone != mujoco.mjtCone.mjCONE_PYRAMIDAL:
+            raise Unsupported("elliptic cones as an LCP")
+        if (data.efc_type != mujoco.mjtConstraint.mjCNSTR_CONTACT_PYRAMIDAL).any():
+            raise Unsupported("rows other than contacts")
+        jacobian = np.zeros((data.nefc, model.nv))
+        if mujoco.mj_isSparse(model):
+            mujoco.mju_sparse2dense(jacobian, data.efc_J, data.efc_J_rownnz, data.efc_J_rowadr, data.efc_J_colind)
+        else:
+            jacobian[:] = data.efc_J.reshape(data.nefc, model.nv)
+        moved = np.zeros_like(jacobian)
+        mujoco.mj_solveM(model, data, moved, jacobian)
+        matrix = jacobian @ moved.T + np.diag(data.efc_R)
+        matrix = (matrix + matrix.T) / 2
+        return Problem(matrix, jacobian @ data.qacc_smooth - data.efc_aref), data.efc_force.copy()
 
 
 def bouncing(restitution: float) -> list[float]:

@@ -1,6 +1,7 @@
 //! Engine cards: which law holds in which engine, and what it looks like where it does not.
 
 mod answer;
+mod frames;
 mod phenomenon;
 
 use super::{Document, Outcome, View};
@@ -33,6 +34,7 @@ impl View for Plan {
             }
             document.table("cards_schemes", matrix(record, "lcplab's own schemes", &own(record)));
             document.table("cards_settings", settings(record));
+            frames::show(record, document);
             for phenomenon in &record.phenomena {
                 phenomenon::show(record, phenomenon, document);
             }

@@ -1,0 +1,64 @@
+//! The contact problems that engines solve themselves: their own answers judged, and who else solves them.
+
+use crate::number::readable;
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::cards::{Frame, Record, Tried};
+use crate::report::view::Document;
+
+/// Adds a section, if there are such problems.
+pub fn show(record: &Record, document: &mut Document) {
+    if record.frames.is_empty() {
+        return;
+    }
+    document.open("frames", "Do engines solve the problems that they pose?");
+    document.text(
+        "What an engine misses may lie in the problem that it poses or in its solution of it. Here the problem of a step is \
+         taken out of the engine as it is installed, the engine's own forces are judged, in exact arithmetic where it says \
+         *proved*, and lcplab's solvers try the same problem. A law that is missed although the answer is proved is missed by \
+         the model: a softer contact, a pyramid for a cone.",
+    );
+    document.table("cards_frames", table(record));
+}
+
+fn table(record: &Record) -> Table {
+    Table {
+        title: "Engines' own answers".into(),
+        how_to_read: "*cheapest*: the solver that was accepted with the fewest multiplications. 10,000 iterations are the limit."
+            .into(),
+        columns: vec![
+            Column::words("engine"),
+            Column::words("phenomenon"),
+            Column::numbers("at", "s"),
+            Column::numbers("rows", ""),
+            Column::words("its own answer"),
+            Column::numbers("scaled residual", ""),
+            Column::words("lcplab's solvers accepted"),
+            Column::words("cheapest"),
+            Column::words("not within the limit"),
+        ],
+        rows: record.frames.iter().map(|frame| row(record, frame)).collect(),
+        ..Table::default()
+    }
+}
+
+fn row(record: &Record, frame: &Frame) -> Vec<Cell> {
+    let accepted: Vec<&Tried> = frame.solvers.iter().filter(|tried| tried.accepted).collect();
+    let cheapest = accepted.iter().min_by(|a, b| a.multiplications.total_cmp(&b.multiplications));
+    let failed: Vec<&str> =
+        frame.solvers.iter().filter(|own| !own.accepted).map(|own| own.solver.as_str()).collect();
+    let mark = if frame.verdict == "not_a_solution" { Mark::Bad } else { Mark::Good };
+    vec![
+        Cell::text(record.title(&frame.engine)),
+        Cell::text(frame.phenomenon.replace('_', " ")),
+        Cell::number(frame.time, 2),
+        Cell::count(frame.rows),
+        Cell::text(frame.verdict.replace('_', " ")).marked(mark),
+        Cell::number(frame.residual, 2),
+        Cell::text(format!("{} of {}", accepted.len(), frame.solvers.len())),
+        Cell::text(cheapest.map_or_else(
+            || "–".into(),
+            |own| format!("{}, {} iterations", own.solver, readable(own.iterations as f64, 6)),
+        )),
+        Cell::text(if failed.is_empty() { "–".into() } else { failed.join(", ") }),
+    ]
+}
