@@ -115,8 +115,8 @@ ENGINE = Engine(
         Settings(
             "accurate",
             "12 substeps, joints start from the last impulses, contacts of 480 Hz, nothing sleeps, "
-            "simplified friction, steps of 1/240 s; the documentation names no accurate settings: these "
-            "are the best of some thirty that were tried on these scenes",
+            "simplified friction, steps of 1/240 s; the best of some thirty that were tried "
+            "on these scenes",
             1 / 240,
             {
                 "parameters": {"num_solver_iterations": 12, "warmstart_joints": True},
