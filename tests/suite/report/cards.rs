@@ -150,7 +150,7 @@ fn mujoco_solves_what_it_poses_so_that_what_it_misses_is_missed_by_the_model() {
     let (plan, missed) = (Plan::default(), phenomenon(&record, "creep"));
     let of = |own: &&Column| own.engine == "mujoco" && own.settings == "defaults";
     assert!(!missed.columns.iter().find(of).unwrap().holds());
-    let document = Document::of(&plan, &[record.clone()]);
+    let document = Document::of(&plan, std::slice::from_ref(&record));
     let (_, table) = document.tables.iter().find(|(id, _)| id == "cards_frames").unwrap();
     assert_eq!(table.rows.len(), record.frames.len());
 }
