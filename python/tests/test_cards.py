@@ -16,7 +16,6 @@ from lcplab.cards import PHENOMENA
 from lcplab.cards.__main__ import main
 from lcplab.cards._elliptic import first_kind
 from lcplab.cards._frames import frames
-from lcplab.cards._run import described
 
 NAMED = {phenomenon.name: phenomenon for phenomenon in PHENOMENA}
 OTHERS = [name for name in engines.NAMES if name != "lcplab"]
@@ -30,8 +29,8 @@ def velocity():
 def moved(name, changed=None, duration=None):
     """A run by lcplab of the scene with fields changed, measured as the scene without."""
     phenomenon = NAMED[name]
-    told = described(phenomenon, phenomenon.variants[-1])
-    scene = described(phenomenon, {**phenomenon.variants[-1], **(changed or {})})
+    told = phenomenon.described(phenomenon.variants[-1])
+    scene = phenomenon.described({**phenomenon.variants[-1], **(changed or {})})
     run = cards.simulate(*velocity(), scene, duration or phenomenon.duration)
     return cards.Run(told, run.dt, run.t, run.poses, run.velocities, run.forces)
 
@@ -110,7 +109,7 @@ def test_a_measure_notices_forces_that_lack_a_fiftieth_and_bodies_that_wander(na
 
 
 def test_joints_are_a_tree_from_the_world_and_what_closes_loops():
-    scene = described(NAMED["closed_loop"], {})
+    scene = NAMED["closed_loop"].described({})
     joints = engines.joints(scene)
     assert [joint.closes for joint in joints] == [False, False, False, True]
     assert {joint.child for joint in joints[:3]} == {0, 1, 2}
@@ -161,7 +160,7 @@ def test_a_translated_chain_moves_as_lcplabs_does(other):
 
 
 def test_forces_of_a_cube_that_sticks_are_its_weight_in_all_directions(other):
-    scene = described(NAMED["creep"], {})
+    scene = NAMED["creep"].described({})
     try:
         run = cards.simulate(*other, scene, 1.0)
     except engines.Unsupported as why:
@@ -204,7 +203,7 @@ def test_mujocos_own_forces_solve_the_problem_that_it_poses():
         assert own["verdict"] == "proved" and own["residual"] < 1e-6, own
         assert {"newton", "dantzig", "lemke"} <= {s["solver"] for s in own["solvers"] if s["accepted"]}
     engine = engines.by_name("mujoco")
-    world = engine.build(described(NAMED["stopping"], {}), engine.settings[0])
+    world = engine.build(NAMED["stopping"].described({}), engine.settings[0])
     for _ in range(100):
         world.step()
     problem, answer = world.problem()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import lcplab
-from lcplab.cards._run import _named, described
+from lcplab.cards._run import _named
 from lcplab.cards.phenomena import PHENOMENA
 from lcplab.engines import Posing, Unsupported, by_name
 
@@ -28,7 +28,7 @@ def frames(name: str) -> list[dict[str, Any]]:
     for phenomenon, time in MOMENTS:
         of = _named(PHENOMENA, phenomenon)
         try:
-            world = engine.build(described(of, of.variants[-1]), engine.settings[0])
+            world = engine.build(of.described(of.variants[-1]), engine.settings[0])
             if not isinstance(world, Posing):
                 return []
             for _ in range(round(time / engine.settings[0].dt)):

@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from lcplab import Scene
 from lcplab.engines import Array, Description
+
+if TYPE_CHECKING:
+    from importlib.abc import Traversable  # moved to importlib.resources.abc in Python 3.11
 
 #: The part of what is measured by which a law may be missed.
 PART = 0.01
@@ -111,8 +115,16 @@ class Phenomenon:
     @property
     def scene(self) -> str:
         """The text of its scene file."""
-        file = resources.files("lcplab.cards") / "scenes" / f"{self.name}.toml"
-        return file.read_text(encoding="utf-8")
+        return self._file.read_text(encoding="utf-8")
+
+    def described(self, variant: Mapping[str, Any]) -> Description:
+        """The scene with the fields of a variant set, and everything written out."""
+        with resources.as_file(self._file) as path:
+            return Scene.described(path, set=variant)
+
+    @property
+    def _file(self) -> Traversable:
+        return resources.files("lcplab.cards") / "scenes" / f"{self.name}.toml"
 
 
 def over_time(quantity: Callable[[Run], Array]) -> Callable[[Sequence[Run]], Curve]:

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from lcplab import Scene
-from lcplab.cards._phenomenon import Curve, Measurement, Phenomenon
+from lcplab.cards._phenomenon import Curve, Measurement
 from lcplab.cards._phenomenon import Run as Recorded
 from lcplab.cards.phenomena import PHENOMENA
 from lcplab.engines import Array, Description, Engine, Settings, Unsupported, by_name
@@ -44,15 +41,6 @@ class Column:
 
 class Left(Exception):
     """A run went wrong."""
-
-
-def described(phenomenon: Phenomenon, variant: Mapping[str, Any]) -> Description:
-    """The scene of a phenomenon with everything written out."""
-    with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, f"{phenomenon.name}.toml")
-        with open(file, "w", encoding="utf-8") as out:
-            out.write(phenomenon.scene)
-        return Scene.described(file, set=variant)
 
 
 def simulate(engine: Engine, settings: Settings, scene: Description, duration: float) -> Recorded:
@@ -89,7 +77,7 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
     chosen = _named(known.settings, settings)
     try:
         runs = [
-            simulate(known, chosen, described(wanted, variant), wanted.duration)
+            simulate(known, chosen, wanted.described(variant), wanted.duration)
             for variant in wanted.variants
         ]
         if wanted.needs_forces and runs[0].forces is None:

@@ -122,7 +122,7 @@ fn settings(record: &Record) -> Table {
     Table {
         title: "What was set".into(),
         how_to_read: "All that differs from the engine as it is installed. Settings for accuracy are those that an engine's \
-                      documentation recommends, or where it names none, those that the words say. The adapters translate and repair nothing; what \
+                      documentation recommends, or where it names none, those that the words say; lcplab's steps and stiffness were chosen after tries on these scenes too. The adapters translate and repair nothing; what \
                       an engine cannot express is refused."
             .into(),
         columns: ["package", "settings", "in words"].map(Column::words).into(),
