@@ -29,7 +29,8 @@ fn exact_proof(criterion: &mut Criterion) {
     for n in [10, 50, 150] {
         let lcp = problem(n);
         let settings = Settings { tolerance: 1e-12, ..Settings::default() };
-        let x = Dantzig { settings }.solve(&lcp, &Start::default(), &mut ()).x;
+        let x =
+            Dantzig { settings, ..Dantzig::default() }.solve(&lcp, &Start::default(), &mut ()).x;
         let w = lcp.w(&x);
         assert!(prove(&lcp, &x, &w).is_some(), "nothing is timed that is not proved");
         group.bench_function(BenchmarkId::from_parameter(n), |bencher| {

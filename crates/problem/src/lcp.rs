@@ -142,17 +142,20 @@ impl Lcp {
     }
 
     /// Whether row i is bounded by another row's x.
+    #[inline]
     pub fn is_coupled(&self, i: usize) -> bool {
         self.coupling.as_ref().is_some_and(|coupling| coupling.index(i).is_some())
     }
 
     /// The row k that bounds row i by ±μ max(x_k, 0), and μ, if there is one.
+    #[inline]
     pub fn coupled_to(&self, i: usize) -> Option<(usize, f64)> {
         let coupling = self.coupling.as_ref()?;
         Some((coupling.index(i)?, coupling.mu(i)))
     }
 
     /// The bounds of row i at x: those of the file, or ±μ max(x_k, 0) for a coupled row.
+    #[inline]
     pub fn bounds(&self, i: usize, x: &[f64]) -> (f64, f64) {
         self.coupling
             .as_ref()
@@ -161,6 +164,7 @@ impl Lcp {
     }
 
     /// Π_i(value): the nearest number within the bounds of row i at x. K&M (3).
+    #[inline]
     pub fn project(&self, i: usize, value: f64, x: &[f64]) -> f64 {
         let (lo, hi) = self.bounds(i, x);
         value.max(lo).min(hi)
@@ -177,6 +181,7 @@ impl Lcp {
     }
 
     /// w_i = (A x)_i + b_i.
+    #[inline]
     pub fn row_w(&self, i: usize, x: &[f64]) -> f64 {
         self.matrix.row_dot(i, x) + self.b[i]
     }

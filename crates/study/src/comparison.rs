@@ -144,7 +144,9 @@ const NONE: Entry = Entry {
     cost: Cost::each("0", |_| 0.0),
     source: "",
     uses: &[],
-    build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
+    build: &|options| {
+        Box::new(Dantzig { settings: options.settings.clone(), ..Dantzig::default() })
+    },
 };
 
 /// Steps a scene with each of these solvers at both levels; an entry need not be a registered one.

@@ -67,6 +67,7 @@ impl Matrix {
     }
 
     /// The number of rows, n.
+    #[inline]
     pub fn len(&self) -> usize {
         match self {
             Matrix::Dense(dense) => dense.n,
@@ -88,6 +89,7 @@ impl Matrix {
     }
 
     /// The stored entries (j, a_ij) of row i, j ascending.
+    #[inline]
     pub fn row(&self, i: usize) -> Row<'_> {
         match self {
             Matrix::Dense(Dense { n, entries }) => {
@@ -101,6 +103,7 @@ impl Matrix {
     }
 
     /// Row i times x.
+    #[inline]
     pub fn row_dot(&self, i: usize, x: &[f64]) -> f64 {
         let row = self.row(i);
         match row.columns {
@@ -110,11 +113,13 @@ impl Matrix {
     }
 
     /// The entry a_ii.
+    #[inline]
     pub fn diagonal(&self, i: usize) -> f64 {
         self.entry(i, i)
     }
 
     /// The entry a_ij, 0 where none is stored.
+    #[inline]
     pub fn entry(&self, i: usize, j: usize) -> f64 {
         let row = self.row(i);
         match row.columns {
@@ -210,6 +215,7 @@ pub struct Row<'a> {
 
 impl<'a> Row<'a> {
     /// The entries of these columns, ascending, in their order; 0 where none is stored.
+    #[inline]
     pub fn gather(self, columns: &[usize], entries: &mut [f64]) {
         let Some(stored) = self.columns else {
             entries.iter_mut().zip(columns).for_each(|(entry, &j)| *entry = self.values[j]);
@@ -223,6 +229,7 @@ impl<'a> Row<'a> {
     }
 
     /// The entries (j, a_ij), j ascending.
+    #[inline]
     pub fn iter(self) -> impl Iterator<Item = (usize, f64)> + 'a {
         let column = move |k| self.columns.map_or(k, |columns| columns[k]);
         self.values.iter().enumerate().map(move |(k, &a)| (column(k), a))
@@ -244,6 +251,7 @@ fn is_symmetric(a: &[f64], n: usize) -> bool {
 
 /// xᵀy with eight partial sums in a fixed order: the same bits on every processor, and a form that
 /// compilers turn into vector instructions.
+#[inline]
 pub fn dot(x: &[f64], y: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     let (x_blocks, y_blocks) = (x.chunks_exact(8), y.chunks_exact(8));

@@ -37,14 +37,25 @@ fn row_residual(lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
     RowTerms::at(lcp, i, x).scaled_residual(lcp, i, x)
 }
 
-/// Whether max_i r_i is at most the tolerance, in plain sums and in compensated ones. The rows are looked at from
-/// `first` on, where the last look found one that is not: while it is not, nothing else needs to be computed.
+/// Whether max_i r_i is at most the tolerance, in compensated sums. The rows are looked at from `first` on, where the
+/// last look found one that is not: while it is not, nothing else needs to be computed.
 pub fn is_within(lcp: &Lcp, x: &[f64], tolerance: f64, first: &mut usize) -> bool {
     let n = lcp.len();
-    let is_outside = |&i: &usize| !(row_residual(lcp, i, x) <= tolerance);
-    let outside = (0..n).map(|k| (*first + k) % n).find(is_outside);
+    let mut largest: f64 = 0.0;
+    let mut is_outside = |&i: &usize| {
+        let residual = row_residual(lcp, i, x);
+        largest = largest.max(residual);
+        !(residual <= tolerance)
+    };
+    let outside = (0..n).map(|k| (*first + k) % n).find(&mut is_outside);
     *first = outside.unwrap_or(*first);
-    outside.is_none() && holds(lcp, x, tolerance)
+    outside.is_none() && (largest <= tolerance - rounding(n) || holds(lcp, x, tolerance))
+}
+
+/// A plain and a compensated sum of n products and b give r_i that differ by less than this: each sum is wrong by at
+/// most (n + 1) ε/2 beside the terms (Higham 2002, section 3.1), and r_i by no more than w_i and the terms together.
+fn rounding(n: usize) -> f64 {
+    2.0 * (n as f64 + 2.0) * f64::EPSILON
 }
 
 /// Whether max_i r_i is at most the tolerance, in compensated sums.
@@ -63,25 +74,53 @@ const BETTER: f64 = 0.1;
 /// The scaled residual alone cannot tell: it becomes small for any x that is far enough away along a
 /// direction with A d = 0.
 pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
-    let miss = |i: usize, x: &[f64]| RowTerms::at(lcp, i, x).miss(lcp, i, x);
-    let misses = |x: &[f64]| -> Vec<Miss> { (0..lcp.len()).map(|i| miss(i, x)).collect() };
+    let terms = terms(lcp, x);
+    is_better(&misses(lcp, x, &terms), &misses_of_nothing(lcp, &terms), tolerance)
+}
+
+/// The terms of all rows.
+fn terms(lcp: &Lcp, x: &[f64]) -> Vec<RowTerms> {
+    (0..lcp.len()).map(|i| RowTerms::at(lcp, i, x)).collect()
+}
+
+/// The misses of all rows at x, where these are their terms.
+fn misses(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Vec<Miss> {
+    terms.iter().enumerate().map(|(i, terms)| terms.miss(lcp, i, x)).collect()
+}
+
+/// The misses at Π(0); the scales are those of these terms.
+fn misses_of_nothing(lcp: &Lcp, terms: &[RowTerms]) -> Vec<Miss> {
     let mut nothing = vec![0.0; lcp.len()];
     lcp.project_all(&mut nothing);
-    is_better(&misses(x), &misses(&nothing), tolerance)
+    let is_zero = nothing.iter().all(|&x| x == 0.0);
+    let of_row = |(i, own): (usize, &RowTerms)| {
+        let b = lcp.b()[i]; // w_i at x = 0
+        let at_zero = || RowTerms::of_sums(lcp, b, b.abs(), own.scale);
+        let terms = is_zero.then(at_zero).flatten();
+        terms.unwrap_or_else(|| RowTerms::at(lcp, i, &nothing)).miss(lcp, i, &nothing)
+    };
+    terms.iter().enumerate().map(of_row).collect()
 }
 
 /// Whether the longest of these steps is a tenth of the longest of those of Π(0) at most, or Π(0) is
 /// within the tolerance.
 pub(super) fn is_better(misses: &[Miss], of_nothing: &[Miss], tolerance: f64) -> bool {
-    let longest = |misses: &[Miss]| misses.iter().map(Miss::step).fold(f64::NEG_INFINITY, f64::max);
-    longest(misses) <= longest(of_nothing) + libm::log2(BETTER)
+    Miss::longest_step(misses) <= Miss::longest_step(of_nothing) + libm::log2(BETTER)
         || of_nothing.iter().all(|miss| miss.residual <= tolerance)
 }
 
 /// Whether x may be called a solution: the scaled residual is within the tolerance, and x is worth
 /// something.
 pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
-    holds(lcp, x, tolerance) && is_worth_something(lcp, x, tolerance)
+    is_solution_by(lcp, x, &terms(lcp, x), tolerance)
+}
+
+/// [`is_solution`], by the terms of all rows at x in plain sums. What they leave open, compensated ones decide.
+pub fn is_solution_by(lcp: &Lcp, x: &[f64], terms: &[RowTerms], tolerance: f64) -> bool {
+    let misses = misses(lcp, x, terms);
+    let surely = tolerance - rounding(lcp.len());
+    let is_within = misses.iter().all(|miss| miss.residual <= surely) || holds(lcp, x, tolerance);
+    is_within && is_better(&misses, &misses_of_nothing(lcp, terms), tolerance)
 }
 
 /// max_i |x_i − Π(x_i − w_i)|: zero exactly at the solutions; it mixes the units of x and w.

@@ -48,6 +48,7 @@ impl RowTerms {
     }
 
     /// The terms whose sums were taken elsewhere; none if those may have overflowed or vanished.
+    #[inline]
     pub fn of_sums(lcp: &Lcp, w: f64, magnitude: f64, scale: f64) -> Option<Self> {
         let rest = lcp.scale() * scale;
         let terms = || RowTerms { w, magnitude: magnitude.max(rest), scale, exponent: 0 };
@@ -85,11 +86,13 @@ impl RowTerms {
     }
 
     /// r_i at x, where these terms were taken ([`scaled_residual`](super::scaled_residual)).
+    #[inline]
     pub fn scaled_residual(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
         self.miss(lcp, i, x).residual
     }
 
     /// How far x_i is from its own projected step, between the bounds of row i at x.
+    #[inline]
     pub fn miss(&self, lcp: &Lcp, i: usize, x: &[f64]) -> Miss {
         let (lo, hi) = lcp.bounds(i, x);
         let is_at = |bound: f64| lcp.is_coupled(i) && (x[i] - bound).abs() <= ROUNDING * hi;
@@ -102,6 +105,7 @@ impl RowTerms {
     ///
     /// The step is the median of x − lo, w/s and x − hi: times s it needs no division by s, and in units
     /// of e = R none by the terms.
+    #[inline]
     pub fn miss_between(&self, x: f64, lo: f64, hi: f64, reach: impl FnOnce() -> f64) -> Miss {
         let scale = self.positive_scale();
         let slack = |bound: f64| match x - bound {
@@ -161,11 +165,13 @@ impl RowTerms {
     }
 
     /// s_i, or 1 where the whole row is 0.
+    #[inline]
     pub fn positive_scale(&self) -> f64 {
         if self.scale == 0.0 { 1.0 } else { self.scale }
     }
 
     /// w_i itself, which may overflow.
+    #[inline]
     pub fn w(&self) -> f64 {
         libm::ldexp(self.w, self.exponent)
     }
@@ -193,17 +199,25 @@ pub struct Miss {
 }
 
 impl Miss {
-    /// log₂ of |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever the units of x
+    /// log₂ of the longest |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever the units of x
     /// and w.
-    pub fn step(&self) -> f64 {
-        match self.size {
-            0.0 => f64::NEG_INFINITY,
-            size => libm::log2(size) + f64::from(self.exponent) - 0.5 * libm::log2(self.scale),
+    pub fn longest_step(misses: &[Miss]) -> f64 {
+        if misses.iter().all(|miss| miss.exponent == 0) {
+            let longest = misses.iter().map(Miss::length).fold(0.0, f64::max);
+            return libm::log2(longest);
         }
+        let step = |miss: &Miss| libm::log2(miss.length()) + f64::from(miss.exponent);
+        misses.iter().map(step).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// |x − Π(x − w/s)| √s in units of 2^`exponent`.
+    fn length(&self) -> f64 {
+        if self.size == 0.0 { 0.0 } else { self.size / self.scale.sqrt() }
     }
 }
 
 /// The size beside the terms, with its sign, 0/0 = 0; NaN counts as ∞.
+#[inline]
 pub fn relative(size: f64, magnitude: f64) -> f64 {
     match size / magnitude {
         _ if size == 0.0 => 0.0,
@@ -214,6 +228,7 @@ pub fn relative(size: f64, magnitude: f64) -> f64 {
 }
 
 /// a b 2^shift, which does not overflow on the way.
+#[inline]
 pub fn product(a: f64, b: f64, shift: i32) -> f64 {
     match shift {
         0 => a * b,
@@ -239,6 +254,7 @@ fn shifted(a: f64, b: f64, shift: i32) -> (f64, f64) {
 }
 
 /// s_i: |a_ii|, or max_j |a_ij| where a_ii = 0.
+#[inline]
 pub fn row_scale(lcp: &Lcp, i: usize) -> f64 {
     match lcp.matrix().diagonal(i).abs() {
         0.0 => lcp.matrix().row(i).iter().fold(0.0, |s, (_, a)| f64::max(s, a.abs())),

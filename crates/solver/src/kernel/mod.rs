@@ -26,6 +26,7 @@ pub(super) mod rank_one;
 pub mod reading;
 pub(crate) mod rows;
 pub mod table;
+pub(crate) mod tableau;
 mod terms;
 
 pub use lanes::Width;

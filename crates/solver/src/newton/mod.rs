@@ -16,6 +16,12 @@ use crate::{Class, Cost, Entry, Event, Group, MatrixClass, Options, Solver};
 
 /// What the methods ask for that divide by the diagonal of A.
 const CLASS: Class = Class::of(MatrixClass::Semidefinite).with_positive_diagonal();
+/// A step by Cholesky, as it is where A is symmetric; a sweep where it takes one.
+const CHOLESKY: Cost =
+    Cost::each("n³/6 + 2 s, and s + n where it takes a sweep", |i| match i.event {
+        Event::Step => i.n.powi(3) / 6.0 + 2.0 * i.stored,
+        _ => i.stored + i.n,
+    });
 /// A least-squares step; a sweep where it takes one.
 const LEAST_SQUARES: Cost =
     Cost::each("5/3 n³, and s + n where it takes a sweep", |i| match i.event {
@@ -30,7 +36,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "Newton on the minimum map with line search, iterative",
         class: CLASS,
         group: Group::Newton,
-        cost: LEAST_SQUARES,
+        cost: CHOLESKY,
         source: "Pang 1990; Qi & Sun 1993",
         uses: &[],
         build: &|options| newton(Equations::MinimumMap, options),

@@ -12,17 +12,23 @@
 //! is a d that solves J d = −H, halved until |H| falls enough.
 //!
 //! For the minimum map row i of J is that of A where row i is free (F) and a unit row where it is at a
-//! bound: the step solves for the guessed active set, which is final once the guess is right. Where
-//! A_FF is symmetric and definite, that is a Cholesky factorisation:
+//! bound: the step solves for the guessed active set, which is final once the guess is right. Where A is
+//! symmetric that is a Cholesky factorisation, of A_FF or, where redundant contacts make it singular, of
+//! A_FF + 2⁻²⁸ D_FF, D = diag(A), which leaves x where it is along a null direction:
 //!
 //! ```text
 //! x_i + d_i = the bound of row i at a bound,   A_FF d_F = −w_F at x_F and these bounds
 //! ```
 //!
+//! At a kink it may be that no length of d reduces |H|. Then a proximal step begins ([`proximal`]): ρ D (x − c)
+//! is added to w with c = x, and ρ grows until a length of d does. A root of these equations is the next c, and ρ
+//! falls again. From ρ = 1 on, and where A is not symmetric, the step is a sweep of [`Pgs`](crate::Pgs) instead,
+//! and the observer is told so (`Sweep` for `Step`).
+//!
 //! For Fischer-Burmeister |H|² has no kink, so that d always leads downhill and the limit solves the
 //! LCP if A is a P0 matrix, as semidefinite ones are. Here J has all rows of A, and redundant contacts
-//! make it singular, as they do A_FF. Wherever there is no Cholesky factor the step is a least-squares
-//! solution, by QR:
+//! make it singular. The step is a least-squares solution, by QR, as it is for the minimum map where A is not
+//! symmetric:
 //!
 //! ```text
 //! (JᵀJ + ν I) d = −Jᵀ H,   ν = 10⁻¹⁰ |H|² / Σ b_i²/a_ii
@@ -31,13 +37,13 @@
 //! The term ν (Levenberg-Marquardt) picks the least change of x if J is singular, and since it
 //! vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001). Near a solution both
 //! equations double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei & Kanzow 1996).
-//! Where no length of d reduces |H|, which happens at kinks of the minimum map, the step is a sweep
-//! of [`Pgs`](crate::Pgs), and the observer is told so (`Sweep` for `Step`).
 //!
 //! |H|² is summed as Σ a_ii H_i², an energy. A step costs f³/6 products for f free rows by Cholesky and
 //! 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows
 //! are part of H, with their derivatives; a coupled row at a bound that moves needs QR. `ZeroDiagonal`
-//! and `Diverged` as for PGS.
+//! and `Diverged` as for PGS. The solution says whether proximal steps were taken ([`Fallback`]).
+//!
+//! [`proximal`]: crate::pivot::proximal
 
 use std::ops::ControlFlow;
 
@@ -48,7 +54,8 @@ use faer::{Mat, Side};
 use super::equations::{Equations, Row};
 use crate::iterate::iterate;
 use crate::metric;
-use crate::{Event, Observer, Settings, Solution, Solver, Start, Status};
+use crate::pivot::proximal::Rho;
+use crate::{Event, Fallback, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
@@ -96,20 +103,25 @@ impl Solver for Newton {
             Ok(diagonal) => diagonal,
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
-        let run = Run { lcp, diagonal: &diagonal, equations: self.equations };
+        let mut run = Run::of(lcp, &diagonal, self.equations);
         let mut known = None;
-        iterate(lcp, x, 0, &self.settings, observer, |x| {
-            let rows = known.take().unwrap_or_else(|| run.rows(x));
-            if let Some((next, rows)) = run.newton_step(x, &rows) {
-                x.copy_from_slice(&next);
-                known = Some(rows);
-                return ControlFlow::Continue(Event::Step);
+        let solution = iterate(lcp, x, 0, &self.settings, observer, |x| {
+            loop {
+                let rows = known.take().unwrap_or_else(|| run.rows(x));
+                if let Some(next) = run.newton_step(x, &rows) {
+                    x.copy_from_slice(&next.x);
+                    let has_moved = next.is_root && run.move_centre(x);
+                    known = (!has_moved).then_some(next.rows);
+                    return ControlFlow::Continue(Event::Step);
+                }
+                if !run.raise_rho(x) {
+                    run.sweep(x);
+                    return ControlFlow::Continue(Event::Sweep);
+                }
             }
-            for i in 0..x.len() {
-                x[i] = lcp.project(i, x[i] - lcp.row_w(i, x) / diagonal[i], x);
-            }
-            ControlFlow::Continue(Event::Sweep)
-        })
+        });
+        let fallback = run.proximal.map(|_| Fallback::Proximal);
+        solution.with_fallback(fallback)
     }
 }
 
@@ -117,19 +129,79 @@ struct Run<'a> {
     lcp: &'a Lcp,
     diagonal: &'a [f64],
     equations: Equations,
+    is_symmetric: bool,
+    /// The proximal step that is being taken, if any.
+    proximal: Option<Proximal>,
 }
 
-impl Run<'_> {
-    /// x + λ d with the first λ = 1, ½, ¼, … that reduces |H|² enough, if any does, and H there.
-    fn newton_step(&self, x: &[f64], rows: &[Row]) -> Option<(Vec<f64>, Vec<Row>)> {
+/// ρ D (x − c) is added to w.
+struct Proximal {
+    rho: Rho,
+    centre: Vec<f64>,
+}
+
+/// Where a step leads.
+struct Next {
+    x: Vec<f64>,
+    rows: Vec<Row>,
+    /// Whether H = 0 there but for rounding: the whole step was taken, and all rows are where the guess had them.
+    is_root: bool,
+}
+
+impl<'a> Run<'a> {
+    fn of(lcp: &'a Lcp, diagonal: &'a [f64], equations: Equations) -> Self {
+        let is_symmetric = lcp.matrix().is_nearly_symmetric();
+        Run { lcp, diagonal, equations, is_symmetric, proximal: None }
+    }
+
+    /// c ← x, and ρ falls; returns whether there is a proximal step.
+    fn move_centre(&mut self, x: &[f64]) -> bool {
+        let Some(own) = &mut self.proximal else { return false };
+        own.centre.copy_from_slice(x);
+        own.rho.fall(true);
+        true
+    }
+
+    /// Begins a proximal step at x, with a larger ρ than the last one's; false if that does not help any more.
+    fn raise_rho(&mut self, x: &[f64]) -> bool {
+        match &mut self.proximal {
+            _ if !self.is_symmetric || self.equations != Equations::MinimumMap => return false,
+            None => self.proximal = Some(Proximal { rho: Rho::least(), centre: x.to_vec() }),
+            Some(own) if own.rho.is_safe() => return false,
+            Some(own) => {
+                own.centre.copy_from_slice(x);
+                own.rho.rise();
+            }
+        }
+        true
+    }
+
+    /// A sweep of projected Gauss-Seidel.
+    fn sweep(&self, x: &mut [f64]) {
+        for i in 0..x.len() {
+            x[i] = self.lcp.project(i, x[i] - self.w(i, x) / self.diagonal[i], x);
+        }
+    }
+
+    /// w_i, with what a proximal step adds to it.
+    fn w(&self, i: usize, x: &[f64]) -> f64 {
+        let added =
+            self.proximal.as_ref().map_or(0.0, |own| own.rho.value() * (x[i] - own.centre[i]));
+        self.lcp.row_w(i, x) + self.diagonal[i] * added
+    }
+
+    /// x + λ d with the first λ = 1, ½, ¼, … that reduces |H|² enough, if any does.
+    fn newton_step(&self, x: &[f64], rows: &[Row]) -> Option<Next> {
         let square = self.square(rows);
-        let definite = self.active_set_direction(x, rows);
-        let d = definite.or_else(|| self.least_squares_direction(x, rows, square))?;
+        let by_active_set = self.active_set_direction(x, rows);
+        let d = by_active_set.or_else(|| self.least_squares_direction(x, rows, square))?;
         let shorter = |k: i32| {
             let lambda = 0.5f64.powi(k);
             let next: Vec<f64> = x.iter().zip(&d).map(|(x, d)| x + lambda * d).collect();
-            let (enough, rows) = ((1.0 - SUFFICIENT * lambda) * square, self.rows(&next));
-            (self.square(&rows) <= enough).then_some((next, rows))
+            let (enough, after) = ((1.0 - SUFFICIENT * lambda) * square, self.rows(&next));
+            let is_root =
+                k == 0 && after.iter().zip(rows).all(|(after, row)| after.by_w == row.by_w);
+            (self.square(&after) <= enough).then_some(Next { x: next, rows: after, is_root })
         };
         (0..=HALVINGS).find_map(shorter)
     }
@@ -137,7 +209,7 @@ impl Run<'_> {
     fn rows(&self, x: &[f64]) -> Vec<Row> {
         let row = |i: usize| {
             let (lo, hi) = self.lcp.bounds(i, x);
-            self.equations.row(x[i], self.lcp.row_w(i, x) / self.diagonal[i], lo, hi)
+            self.equations.row(x[i], self.w(i, x) / self.diagonal[i], lo, hi)
         };
         (0..x.len()).map(row).collect()
     }
@@ -147,27 +219,30 @@ impl Run<'_> {
         rows.iter().enumerate().map(|(i, row)| self.diagonal[i] * row.value.powi(2)).sum()
     }
 
-    /// The solution of J d = −H for the minimum map, if A_FF is symmetric and definite and the bounds
-    /// stay where they are.
+    /// The solution of J d = −H for the minimum map, if A is symmetric and semidefinite and the bounds stay where they
+    /// are.
     fn active_set_direction(&self, x: &[f64], rows: &[Row]) -> Option<Vec<f64>> {
         let is_free = |i: &usize| rows[*i].by_w != 0.0;
         let moves = |i: usize| self.bound_slope(i, x).is_some_and(|(_, slope)| slope != 0.0);
         let (free, bound): (Vec<usize>, Vec<usize>) = (0..x.len()).partition(is_free);
-        if self.equations != Equations::MinimumMap || bound.iter().any(|&i| moves(i)) {
+        let is_minimum_map = self.equations == Equations::MinimumMap;
+        if !is_minimum_map || !self.is_symmetric || bound.iter().any(|&i| moves(i)) {
             return None;
         }
         let mut d = vec![0.0; x.len()];
         bound.iter().for_each(|&i| d[i] = -rows[i].value);
-        let factor = self.factor(&free)?;
+        let rho = self.proximal.as_ref().map_or(0.0, |own| own.rho.value());
+        let least = Rho::least().value();
+        let factor = self.factor(&free, rho).or_else(|| self.factor(&free, rho + least))?;
         let moved: Vec<f64> = x.iter().zip(&d).map(|(x, d)| x + d).collect();
-        let rhs = Mat::from_fn(free.len(), 1, |k, _| -self.lcp.row_w(free[k], &moved));
+        let rhs = Mat::from_fn(free.len(), 1, |k, _| -self.w(free[k], &moved));
         let solution = factor.solve(&rhs);
         free.iter().enumerate().for_each(|(k, &i)| d[i] = solution[(k, 0)]);
         d.iter().all(|d| d.is_finite()).then_some(d)
     }
 
-    /// The Cholesky factor of A_FF, if it has one and no pivot that may be rounding.
-    fn factor(&self, free: &[usize]) -> Option<Llt<f64>> {
+    /// The Cholesky factor of A_FF + ρ D_FF, if it has one and no pivot that may be rounding.
+    fn factor(&self, free: &[usize], rho: f64) -> Option<Llt<f64>> {
         let mut place = vec![None; self.lcp.len()];
         free.iter().enumerate().for_each(|(k, &i)| place[i] = Some(k));
         let mut a = Mat::<f64>::zeros(free.len(), free.len());
@@ -177,9 +252,7 @@ impl Run<'_> {
                     a[(row, column)] = entry;
                 }
             }
-        }
-        if a != a.transpose() {
-            return None;
+            a[(column, column)] *= 1.0 + rho;
         }
         let factor = a.llt(Side::Lower).ok()?;
         let pivot = |k: usize| factor.L()[(k, k)].powi(2);

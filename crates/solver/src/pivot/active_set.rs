@@ -131,5 +131,6 @@ pub(crate) fn unit(lcp: &Lcp, i: usize) -> f64 {
 
 /// The status of a method that has ended at x by its own rules.
 pub(crate) fn claim(lcp: &Lcp, x: &[f64], settings: &Settings) -> Status {
-    if merit::is_solution(lcp, x, settings.tolerance) { Status::Solved } else { Status::Inaccurate }
+    let is_solution = Point::at(lcp, x.to_vec()).is_solution(lcp, settings.tolerance);
+    if is_solution { Status::Solved } else { Status::Inaccurate }
 }

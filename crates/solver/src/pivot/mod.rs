@@ -16,7 +16,7 @@ pub mod lemke;
 pub mod murty;
 mod opening;
 mod principal;
-mod proximal;
+pub(crate) mod proximal;
 mod ratio_test;
 mod standard_form;
 mod variable;
@@ -53,7 +53,9 @@ pub const ENTRIES: &[Entry] = &[
         cost: Cost::each("f n", |i| i.free() * i.n),
         source: "Cottle & Dantzig 1968; Baraff 1994",
         uses: &[],
-        build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
+        build: &|options| {
+            Box::new(Dantzig { settings: options.settings.clone(), ..Dantzig::default() })
+        },
     },
     Entry {
         name: "lemke",

@@ -1,8 +1,9 @@
 //! What the pivoting methods have in common before their first pivot.
 
+use super::principal::Point;
 use crate::{Event, Iterate, Observer, Settings, Status};
+use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
-use lcplab_problem::{Lcp, merit};
 
 /// Above this many rows a dense factor or tableau takes too long.
 pub(crate) const MAX_ROWS: usize = 8_000;
@@ -15,7 +16,7 @@ pub(crate) fn at_once(
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Option<Status> {
-    let is_solved = || merit::is_solution(lcp, x, settings.tolerance);
+    let is_solved = || Point::at(lcp, x.to_vec()).is_solution(lcp, settings.tolerance);
     begin(lcp, x, needs, settings, observer).or_else(|| is_solved().then_some(Status::Solved))
 }
 

@@ -33,6 +33,11 @@ impl Point {
         Point { terms: terms(lcp, &x, Width::widest()), x }
     }
 
+    /// Whether x may be called a solution.
+    pub(crate) fn is_solution(&self, lcp: &Lcp, tolerance: f64) -> bool {
+        merit::is_solution_by(lcp, &self.x, &self.terms, tolerance)
+    }
+
     /// r_i.
     pub(crate) fn residual(&self, lcp: &Lcp, i: usize) -> f64 {
         self.terms[i].scaled_residual(lcp, i, &self.x)
@@ -118,7 +123,7 @@ impl Search<'_> {
 
     /// What the method claims of the last point.
     pub(crate) fn claim(&self, lcp: &Lcp) -> Status {
-        match merit::is_solution(lcp, &self.point.x, self.settings.tolerance) {
+        match self.point.is_solution(lcp, self.settings.tolerance) {
             true => Status::Solved,
             false => Status::Inaccurate,
         }

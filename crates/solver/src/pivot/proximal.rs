@@ -44,22 +44,35 @@ const IDLE: usize = 3;
 const BETTER: f64 = 0.9;
 
 /// ρ = 2^exponent.
-struct Rho {
+pub(crate) struct Rho {
     exponent: i32,
     stride: i32,
 }
 
 impl Rho {
-    fn value(&self) -> f64 {
+    /// The one to begin with.
+    pub(crate) fn least() -> Self {
+        Rho { exponent: LEAST, stride: STRIDES[0] }
+    }
+
+    /// Whether it need not rise any more.
+    pub(crate) fn is_safe(&self) -> bool {
+        self.exponent >= SAFE
+    }
+
+    /// ρ.
+    pub(crate) fn value(&self) -> f64 {
         2f64.powi(self.exponent)
     }
 
-    fn rise(&mut self) {
+    /// After a step that failed.
+    pub(crate) fn rise(&mut self) {
         self.exponent += self.stride.max(STRIDES[1]);
         self.stride = (self.stride / 2).max(1);
     }
 
-    fn fall(&mut self, set_is_same: bool) {
+    /// After a step that was taken.
+    pub(crate) fn fall(&mut self, set_is_same: bool) {
         self.exponent = (self.exponent - self.stride).max(LEAST);
         if set_is_same {
             self.stride = (2 * self.stride).min(STRIDES[0]);
@@ -71,7 +84,7 @@ impl Rho {
 /// search.
 pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution {
     search.fallback = Some(Fallback::Proximal);
-    let mut steps = Steps { lcp, rho: Rho { exponent: LEAST, stride: STRIDES[0] }, soft: None };
+    let mut steps = Steps { lcp, rho: Rho::least(), soft: None };
     let mut centre = x.clone();
     let (mut best, mut idle) = (f64::INFINITY, 0);
     loop {
@@ -79,7 +92,7 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
         match steps.step(search, &centre) {
             ControlFlow::Continue(()) => {}
             ControlFlow::Break(Status::Stalled | Status::Singular { .. })
-                if steps.rho.exponent < SAFE =>
+                if !steps.rho.is_safe() =>
             {
                 steps.rho.rise();
                 continue;

@@ -1,11 +1,12 @@
-use lcplab_problem::{Coupling, Lcp, Matrix, merit};
-use lcplab_solver::{Equations, Newton, Pgs, Settings, Solver, Start, Status};
+use lcplab_problem::{Coupling, Lcp, Matrix, library, merit};
+use lcplab_solver::{Equations, Fallback, Newton, Pgs, Settings, Solver, Start, Status};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
 use lcplab_testing::{
-    INF, assert_proved, boxed, cases, chain, contacts, iterates, manufactured, stack,
+    INF, assert_certified, assert_proved, boxed, cases, chain, contacts, iterates, manufactured,
+    stack,
 };
 
 fn both() -> [Newton; 2] {
@@ -66,6 +67,19 @@ fn redundant_contacts_share_the_load() {
         let solution = solver.solve(&contacts(&a, &[-1.0; 4]), &Start::default(), &mut ());
         assert_eq!(solution.status, Status::Solved, "{}", solver.name());
         assert!(solution.x.iter().all(|x| (x - 0.25).abs() < 1e-7), "{:?}", solution.x);
+    }
+}
+
+#[test]
+fn redundant_contacts_with_friction_are_solved_by_proximal_steps() {
+    // Ten and twenty boxes on their corners: the minimum map alone is caught at a kink.
+    for boxes in [10.0, 20.0] {
+        let family = library::by_name("box-stack").unwrap();
+        let lcp = family.generate(&[("boxes", boxes), ("mu", 0.5)]).unwrap().lcp;
+        let solution = both()[0].solve(&lcp, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved);
+        assert_certified(&lcp, &solution.x);
+        assert_eq!(solution.fallback, (boxes == 20.0).then_some(Fallback::Proximal));
     }
 }
 

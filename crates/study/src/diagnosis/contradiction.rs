@@ -9,7 +9,7 @@
 use super::cause::Proof;
 use lcplab_judge::{Refutation, refutation, refuting_vector};
 use lcplab_problem::Lcp;
-use lcplab_solver::{Dantzig, Settings, Solver, Start, Status};
+use lcplab_solver::{Dantzig, Solver, Start, Status};
 
 /// Problems up to this size are proved exactly.
 const PROVED: usize = 150;
@@ -75,7 +75,7 @@ fn ray(lcp: &Lcp) -> Option<Vec<f64>> {
     if lcp.coupling().is_some() || !lcp.matrix().is_symmetric() {
         return None;
     }
-    let solver = Dantzig { settings: Settings::default() };
+    let solver = Dantzig::default();
     match solver.solve(lcp, &Start::default(), &mut ()).status {
         Status::Ray { direction, .. } => Some(direction),
         _ => None,

@@ -7,12 +7,10 @@
 use std::ops::ControlFlow;
 
 use super::Side;
+use super::basic::TIE;
 use super::direction::Direction;
 use super::run::Run;
 use crate::Status;
-
-/// Moves whose lengths differ by less than this part of them end together.
-const TIE: f64 = 1e-10;
 
 /// What may end a move: a row that arrives on this side after this length.
 #[derive(Debug, Clone, Copy)]

@@ -80,7 +80,7 @@ impl Run<'_> {
     }
 
     /// Whether w_i, just summed, is no more than rounding; [`Run::slope`] decides.
-    fn is_level(&self, i: usize) -> bool {
+    pub(super) fn is_level(&self, i: usize) -> bool {
         let (w, b) = (self.state.w[i], self.lcp.b()[i]);
         w.abs() <= RELATIVE_ZERO * ((w - b).abs() + b.abs())
     }

@@ -62,7 +62,7 @@ impl Run<'_> {
             .pop()
             .unwrap_or_else(|| Direction::with_room(self.state.x.len()));
         let Direction { free, schur, size, column, elimination, .. } = &mut direction;
-        let row = self.rows.row(i);
+        let row = self.rows().row(i);
         column.clear();
         column.extend(self.basis.free.iter().map(|&j| row.entry(j)));
         *schur = self.lcp.matrix().diagonal(i) - self.basis.factor.eliminate(column, elimination);
@@ -121,7 +121,7 @@ impl Run<'_> {
         }
         let end = self.basis.bound.iter().max().map_or(0, |last| last + 1);
         d.product.resize(end, 0.0);
-        self.rows.combine(i, &self.basis.free, &d.free, &mut d.product);
+        self.rows().combine(i, &self.basis.free, &d.free, &mut d.product);
         let mut sizes = None;
         for &j in self.basis.bound.iter().filter(|&&j| j != i) {
             let delta = d.product[j];
@@ -129,7 +129,7 @@ impl Run<'_> {
             let is_small = delta.abs() <= RELATIVE_ZERO * self.root[j] * d.size;
             let mut terms = || {
                 let sizes = sizes.get_or_insert_with(|| self.sizes(i, &d.free));
-                self.rows.row(j).magnitude(sizes)
+                self.rows().row(j).magnitude(sizes)
             };
             let is_zero = delta == 0.0 || is_small && delta.abs() <= RELATIVE_ZERO * terms();
             d.delta_w[j] = if is_zero { 0.0 } else { delta };

@@ -64,6 +64,17 @@ impl Run<'_> {
         ControlFlow::Continue(())
     }
 
+    /// Lets a row enter C, or be idle if it depends on C.
+    pub(super) fn admit(&mut self, row: usize) -> ControlFlow<Status> {
+        let direction = self.direction(row)?;
+        match direction.schur > 0.0 {
+            true => self.enter(row, &direction),
+            false => self.put(row, Side::Idle),
+        }
+        self.scratch.directions.push(direction);
+        ControlFlow::Continue(())
+    }
+
     fn enter(&mut self, row: usize, direction: &Direction) {
         self.basis.factor.enter(&direction.elimination, direction.schur);
         self.basis.free.push(row);
@@ -85,7 +96,7 @@ impl Run<'_> {
         for (&j, z) in self.basis.free.iter().zip(&z) {
             of_row[j] = *z;
         }
-        let part = |j: usize| self.rows.row(j).dot(&of_row) * self.root[self.basis.free[k]];
+        let part = |j: usize| self.rows().row(j).dot(&of_row) * self.root[self.basis.free[k]];
         let depends = |&j: &usize| part(j).powi(2) > ROUNDING * self.root[j].powi(2);
         rows.into_iter().filter(depends).collect()
     }

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! until w_i = 0 (i becomes free), x_i meets a bound, some x_j of C meets a bound (j leaves C), or
-//! some w_j at a bound reaches zero (j enters C). A_CC = L D Lᵀ is kept up to date.
+//! some w_j at a bound reaches zero (j enters C). What this needs is solved for with a factor A_CC = L D Lᵀ that is
+//! kept up to date, or, in problems of few rows as long as no s is near zero, read from a tableau (small.rs).
 //!
 //! Redundant contacts make A singular. Then s = 0 for a row that depends on C, and since A is
 //! semidefinite A d = 0: moving along d changes no w at all, and w_i is dᵀw. If that is zero the row
@@ -20,7 +21,8 @@
 //! Whether s is zero is decided without units, and by what rounding can do. A itself is rounded, each
 //! a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below some
 //! ten times that is none. run.rs has the method, direction.rs the direction and this decision,
-//! blocking.rs what ends a move and the rule for ties, exchange.rs the pivot, polish.rs the end;
+//! blocking.rs what ends a move and the rule for ties, exchange.rs the pivot, polish.rs the end; small.rs the
+//! method in a tableau, tableau.rs that, basic.rs what moves in it;
 //! [`textbook`](crate::textbook) has it on one page, for definite A and without regard to rounding.
 //!
 //! Ends with the exact active set but for rounding, after at most a few n pivots on contact
@@ -30,12 +32,15 @@
 //! Gauss-Seidel sweeps remove it, and the solution says so ([`Fallback`](crate::Fallback)). Not symmetric
 //! or not semidefinite A: `OutsideClass`. Coupled rows: see [`frozen`].
 
+mod basic;
 mod blocking;
 mod centring;
 mod direction;
 mod exchange;
 mod polish;
 mod run;
+mod small;
+mod tableau;
 
 use self::run::Run;
 use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
@@ -45,11 +50,22 @@ use lcplab_problem::memory::Memory;
 /// Above this many rows a dense factor takes too long.
 const MAX_ROWS: usize = 8_000;
 
+/// Where a pivot in the tableau of a dense problem begins to cost more than one by the factor.
+const TABLEAU_ROWS: usize = 160;
+
 /// Dantzig's pivoting method with an updated L D Lᵀ factorisation.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Dantzig {
+    /// Up to so many rows pivots are done in a tableau, which is faster; with 0 by the factor alone.
+    pub tableau: usize,
     /// The common settings; an iteration is a move of x, most of them pivots.
     pub settings: Settings,
+}
+
+impl Default for Dantzig {
+    fn default() -> Self {
+        Dantzig { tableau: TABLEAU_ROWS, settings: Settings::default() }
+    }
 }
 
 impl Solver for Dantzig {
@@ -77,7 +93,7 @@ impl Solver for Dantzig {
             frozen::tell(lcp, frozen, observer);
             let lcp = frozen;
             let mut run = Run::new(lcp, start.clone(), pivots, &self.settings, observer);
-            let status = run.solve();
+            let status = run.solve(self.tableau);
             if run.state.x.iter().any(|x| !x.is_finite()) {
                 return Solution::new(lcp, start, Status::NotFinite, run.pivots);
             }

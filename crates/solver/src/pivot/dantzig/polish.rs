@@ -10,7 +10,7 @@ use lcplab_problem::{accurate, merit};
 /// A row whose pivot is below this part of its diagonal entry depends on those before.
 const INDEPENDENT: f64 = 1e-14;
 /// A scaled residual below this is no more than rounding leaves.
-const EXACT: f64 = 1e-14;
+pub(super) const EXACT: f64 = 1e-14;
 /// Below this, sums lose digits to the end of the range of numbers.
 const TINY: f64 = 1e-280;
 /// A scaled residual below this may be rounding.

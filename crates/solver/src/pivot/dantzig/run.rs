@@ -1,5 +1,6 @@
 //! The method itself: rows are driven one after another, each until it is satisfied.
 
+use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
 use super::Side;
@@ -8,8 +9,9 @@ use super::direction::Direction;
 use crate::kernel::Width;
 use crate::kernel::rows::Rows;
 use crate::linalg::ldlt::Ldlt;
+use crate::pivot::principal::Point;
 use crate::{Event, Fallback, Iterate, Move, Observer, Part, Settings, Status};
-use lcplab_problem::{Lcp, merit};
+use lcplab_problem::Lcp;
 
 /// Rounds of refinement and renewed driving at the end.
 const POLISH_ROUNDS: usize = 20;
@@ -17,7 +19,8 @@ const POLISH_ROUNDS: usize = 20;
 /// A run of the method on one problem.
 pub(super) struct Run<'a> {
     pub(super) lcp: &'a Lcp,
-    pub(super) rows: Rows<'a>,
+    /// The rows of A, once they are asked for.
+    rows: OnceCell<Rows<'a>>,
     /// √a_jj, which has the unit of √(x w) / x_j.
     pub(super) root: Vec<f64>,
     pub(super) settings: &'a Settings,
@@ -71,7 +74,7 @@ impl<'a> Run<'a> {
     ) -> Self {
         let n = lcp.len();
         Run {
-            rows: Rows::of(lcp.matrix(), Width::widest()),
+            rows: OnceCell::new(),
             root: (0..n).map(|j| lcp.matrix().diagonal(j).max(0.0).sqrt()).collect(),
             lcp,
             settings,
@@ -84,11 +87,22 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Drives all rows, free ones first since they never leave C, and refines x until it is a solution.
-    pub(super) fn solve(&mut self) -> Status {
+    pub(super) fn rows(&self) -> &Rows<'a> {
+        self.rows.get_or_init(|| Rows::of(self.lcp.matrix(), Width::widest()))
+    }
+
+    /// Drives all rows, free ones first since they never leave C, and refines x until it is a solution; in a tableau
+    /// as far as that can be trusted, if there are no more rows than this.
+    pub(super) fn solve(&mut self, tableau: usize) -> Status {
         let bounded = |&i: &usize| self.lcp.lo()[i].is_finite() || self.lcp.hi()[i].is_finite();
         let (bounded, free): (Vec<_>, Vec<_>) = (0..self.lcp.len()).partition(bounded);
         let mut waiting: Vec<usize> = free.into_iter().chain(bounded).collect();
+        if self.lcp.len() <= tableau {
+            match self.solve_in_tableau(&waiting) {
+                ControlFlow::Break(status) => return status,
+                ControlFlow::Continue(rest) => waiting = rest,
+            }
+        }
         for _ in 0..POLISH_ROUNDS {
             for i in waiting {
                 if let ControlFlow::Break(status) = self.drive(i) {
@@ -96,22 +110,26 @@ impl<'a> Run<'a> {
                 }
             }
             if self.refine_once() {
-                return self.claim();
+                return self.claim(self.point());
             }
             waiting = self.refine();
             if waiting.is_empty() {
-                return self.claim();
+                return self.claim(self.point());
             }
         }
         self.settle();
-        self.claim()
+        self.claim(self.point())
     }
 
-    fn claim(&self) -> Status {
-        match merit::is_solution(self.lcp, &self.state.x, self.settings.tolerance) {
-            true => Status::Solved,
-            false => Status::Inaccurate,
-        }
+    fn point(&self) -> Point {
+        Point::at(self.lcp, self.state.x.clone())
+    }
+
+    /// What is claimed of this point, the last.
+    pub(super) fn claim(&mut self, point: Point) -> Status {
+        let is_solution = point.is_solution(self.lcp, self.settings.tolerance);
+        self.state.x = point.x;
+        if is_solution { Status::Solved } else { Status::Inaccurate }
     }
 
     /// Moves x_i until row i is satisfied.
@@ -123,9 +141,7 @@ impl<'a> Run<'a> {
         let (pivots, mut served) = (self.pivots, Vec::new());
         loop {
             if let Some(side) = self.satisfied(i) {
-                if self.pivots == pivots && self.observer.asks_for_parts() {
-                    self.observer.part(&Part::Satisfied { row: i, w: self.state.w[i], side });
-                }
+                self.tell_satisfied(i, side, pivots);
                 self.put(i, side);
                 return ControlFlow::Continue(());
             }
@@ -156,11 +172,18 @@ impl<'a> Run<'a> {
     }
 
     /// Counts a move of x, which `blocking` has ended.
-    fn moved(&mut self, driven: usize, blocking: usize) -> ControlFlow<Status> {
+    pub(super) fn moved(&mut self, driven: usize, blocking: usize) -> ControlFlow<Status> {
         self.pivots += 1;
         let event = Event::Pivot { driven, blocking };
         let iterate = Iterate { iteration: self.pivots, x: &self.state.x, event };
         self.observer.observe(&iterate).map_break(|()| Status::Stopped)
+    }
+
+    /// Tells an observer that asks that row i is satisfied as it stands, if no pivot came after this many.
+    pub(super) fn tell_satisfied(&mut self, i: usize, side: Side, pivots: usize) {
+        if self.pivots == pivots && self.observer.asks_for_parts() {
+            self.observer.part(&Part::Satisfied { row: i, w: self.state.w[i], side });
+        }
     }
 
     /// Tells an observer that asks of the move that is about to be done.
@@ -185,7 +208,7 @@ impl<'a> Run<'a> {
     }
 
     /// The side on which row i is satisfied already, if any.
-    fn satisfied(&self, i: usize) -> Option<Side> {
+    pub(super) fn satisfied(&self, i: usize) -> Option<Side> {
         let (lo, hi, x, w) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i], self.state.w[i]);
         match self.state.side[i] {
             Side::Free | Side::Idle => Some(self.state.side[i]),
