@@ -109,6 +109,7 @@ pub struct Placed {
 
 impl Mass {
     /// The number of velocity components: 0, 3 or 6.
+    #[inline]
     pub fn dof(&self) -> usize {
         match self {
             Mass::Fixed => 0,
@@ -184,16 +185,19 @@ impl Mass {
 }
 
 /// The first three components of [v; ω] or [f; τ].
+#[inline]
 pub fn linear(u: &Vector6<f64>) -> Vector3<f64> {
     u.fixed_rows::<3>(0).into_owned()
 }
 
 /// The last three components of [v; ω] or [f; τ].
+#[inline]
 pub fn angular(u: &Vector6<f64>) -> Vector3<f64> {
     u.fixed_rows::<3>(3).into_owned()
 }
 
 /// [a; b] from its halves.
+#[inline]
 pub fn stack(a: Vector3<f64>, b: Vector3<f64>) -> Vector6<f64> {
     Vector6::new(a.x, a.y, a.z, b.x, b.y, b.z)
 }

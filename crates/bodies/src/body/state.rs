@@ -15,11 +15,13 @@ pub struct Pose<T: RealField + Copy = f64> {
 
 impl<T: RealField + Copy> Pose<T> {
     /// The world point (m) that has these coordinates in the body's frame: p + R r.
+    #[inline]
     pub fn point(&self, body: &Vector3<f64>) -> Vector3<T> {
         self.p + self.direction(body)
     }
 
     /// The world vector that has these components in the body's frame: R r.
+    #[inline]
     pub fn direction(&self, body: &Vector3<f64>) -> Vector3<T> {
         self.q * body.map(nalgebra::convert::<f64, T>)
     }
@@ -34,6 +36,7 @@ impl Default for Pose {
 
 impl Pose {
     /// The coordinates in the body's frame (m) of a world point: Rᵀ (x − p).
+    #[inline]
     pub fn local(&self, world: &Vector3<f64>) -> Vector3<f64> {
         self.q.inverse() * (world - self.p)
     }
@@ -73,6 +76,7 @@ impl State {
     };
 
     /// u = [v; ω].
+    #[inline]
     pub fn velocity(&self) -> Vector6<f64> {
         stack(self.v, self.omega)
     }

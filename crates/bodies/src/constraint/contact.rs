@@ -66,6 +66,7 @@ pub(super) struct Frame {
 }
 
 impl Contact {
+    #[inline]
     fn frame(&self, arms: &Arms, states: [&State; 2]) -> Result<Frame, Degenerate> {
         match &self.normal {
             Normal::Face(n) => Ok(face(arms, states, states[0].pose.direction(n))),
@@ -81,6 +82,7 @@ impl Contact {
     ///
     /// # Errors
     /// Where n is not defined.
+    #[inline]
     pub fn gap(&self, states: [&State; 2]) -> Result<(f64, Vector3<f64>), Degenerate> {
         let arms = Arms::new(states, &self.anchors);
         let n = self.frame(&arms, states)?.n;

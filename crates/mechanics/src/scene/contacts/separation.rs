@@ -32,23 +32,34 @@ pub(super) struct EdgeAxis {
 
 /// The face of `a` over which `b` lies highest.
 pub(super) fn by_faces(a: &Solid, b: &Solid) -> Option<FaceAxis> {
-    let axis = |face: usize| {
-        let heights = b.vertices.iter().map(|vertex| a.height(face, vertex));
-        FaceAxis { face, separation: heights.fold(f64::INFINITY, f64::min) }
-    };
-    (0..a.normals.len())
-        .map(axis)
-        .reduce(|best, axis| if axis.separation > best.separation { axis } else { best })
+    let mut best: Option<FaceAxis> = None;
+    for face in 0..a.normals.len() {
+        let highest = best.map_or(f64::NEG_INFINITY, |axis| axis.separation);
+        let mut separation = f64::INFINITY;
+        for vertex in &b.vertices {
+            separation = separation.min(a.height(face, vertex));
+            if separation <= highest {
+                break; // another face parts them better
+            }
+        }
+        if separation > highest {
+            best = Some(FaceAxis { face, separation });
+        }
+    }
+    best
 }
 
-/// The edges that part `a` and `b` best, each of which reaches farthest along the normal.
+/// The edges that part `a` and `b` best, each of which reaches farthest along the normal. Parallel edges have one normal
+/// with another edge, and only the farthest of them can reach farthest of all.
 pub(super) fn by_edges(a: &Solid, b: &Solid) -> Option<EdgeAxis> {
     let mut best: Option<EdgeAxis> = None;
-    for (i, e0) in a.directions.iter().enumerate() {
-        for (j, e1) in b.directions.iter().enumerate() {
-            let Some(across) = e0.cross(e1).try_normalize(PARALLEL) else { continue };
+    for of_a in a.parallels() {
+        for of_b in b.parallels() {
+            let [e0, e1] = [a.directions[of_a[0]], b.directions[of_b[0]]];
+            let Some(across) = e0.cross(&e1).try_normalize(PARALLEL) else { continue };
             for n in [across, -across] {
-                let separation = n.dot(&(b.ends(j)[0] - a.ends(i)[0]));
+                let [(i, top), (j, bottom)] = [a.farthest(of_a, &n), b.farthest(of_b, &-n)];
+                let separation = -bottom - top;
                 let is_better = best.is_none_or(|axis| separation > axis.separation);
                 // Last, since it takes longest and few axes are better than the best so far.
                 if is_better && a.edge_faces(i, &n) && b.edge_faces(j, &-n) {

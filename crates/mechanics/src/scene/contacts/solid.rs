@@ -12,6 +12,7 @@ const ALONG: f64 = 1e-9;
 /// A body's polytope in world axes.
 pub(super) struct Solid {
     polytope: Arc<Polytope>,
+    parallels: Arc<[Vec<usize>]>,
     pose: Pose,
     /// The distance (m) up to which points around the polytope belong to the body.
     pub radius: f64,
@@ -31,6 +32,8 @@ pub(super) struct Solid {
 #[derive(Clone)]
 pub(super) struct Round {
     polytope: Arc<Polytope>,
+    /// The edges, those together that are parallel.
+    parallels: Arc<[Vec<usize>]>,
     radius: f64,
     /// The greatest distance (m) of a vertex from the part's own origin.
     size: f64,
@@ -39,13 +42,32 @@ pub(super) struct Round {
 impl Round {
     fn new(polytope: Arc<Polytope>, radius: f64) -> Self {
         let size = polytope.vertices.iter().map(|v| v.norm()).fold(0.0, f64::max);
-        Round { polytope, radius, size }
+        let parallels = parallels(&polytope).into();
+        Round { polytope, parallels, radius, size }
     }
 
     /// As a part of another body, in that one's axes.
     fn placed(self, pose: &Pose) -> Self {
         Round { polytope: Arc::new(self.polytope.seen_from(&pose.inverse())), ..self }
     }
+}
+
+/// The edges, those together that are parallel; the first of each direction first.
+fn parallels(polytope: &Polytope) -> Vec<Vec<usize>> {
+    let along = |edge: &Edge| {
+        let [from, to] = edge.ends.map(|k| polytope.vertices[k]);
+        (to - from).normalize()
+    };
+    let directions: Vec<_> = polytope.edges.iter().map(along).collect();
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (k, e) in directions.iter().enumerate() {
+        let is_parallel = |group: &&mut Vec<usize>| directions[group[0]].cross(e).norm() <= ALONG;
+        match groups.iter_mut().find(is_parallel) {
+            Some(group) => group.push(k),
+            None => groups.push(vec![k]),
+        }
+    }
+    groups
 }
 
 /// The convex parts of a shape: one, or several of a compound; `None` for a half space.
@@ -70,10 +92,10 @@ pub(super) fn parts(shape: &Shape) -> Vec<Option<Round>> {
 
 impl Solid {
     /// A part in no place yet.
-    pub fn new(Round { polytope, radius, size }: Round) -> Self {
+    pub fn new(Round { polytope, parallels, radius, size }: Round) -> Self {
         let (vertices, normals, directions, inwards) = Default::default();
         let pose = Pose::default();
-        Solid { polytope, pose, radius, size, vertices, normals, directions, inwards }
+        Solid { polytope, parallels, pose, radius, size, vertices, normals, directions, inwards }
     }
 
     /// How many vertices, edges and faces it has.
@@ -106,6 +128,18 @@ impl Solid {
             self.vertices.capacity() + self.normals.capacity() + self.directions.capacity();
         points * size_of::<Vector3<f64>>()
             + self.inwards.capacity() * size_of::<Option<[Vector3<f64>; 2]>>()
+    }
+
+    /// The edges, those together that are parallel.
+    pub fn parallels(&self) -> &[Vec<usize>] {
+        &self.parallels
+    }
+
+    /// Which of these edges, all along one direction across n, reaches farthest along n, and how far (m).
+    pub fn farthest(&self, edges: &[usize], n: &Vector3<f64>) -> (usize, f64) {
+        let height = |k: usize| n.dot(&self.vertices[self.polytope.edges[k].ends[0]]);
+        let heights = edges.iter().map(|&k| (k, height(k)));
+        heights.reduce(|best, next| if next.1 > best.1 { next } else { best }).unwrap_or_default()
     }
 
     /// The ends of an edge (m).
