@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::Study;
 use crate::body::{Pose, State};
 use crate::error::{Error, Result};
+use crate::lcp::file::Problem;
 use crate::scene::{Description, Scene};
 use lcplab_problem::disk;
 
@@ -78,6 +79,10 @@ pub struct Frame {
     pub phenomenon: String,
     /// The time in it (s).
     pub time: f64,
+    /// The problem, as the object of a problem file.
+    pub problem: serde_json::Value,
+    /// The engine's own answer.
+    pub answer: Vec<f64>,
     /// The number of rows.
     pub rows: usize,
     /// The judge's word on the engine's own answer.
@@ -230,6 +235,16 @@ impl Record {
     /// The name of an engine for people.
     pub fn title<'a>(&'a self, engine: &'a str) -> &'a str {
         self.engines.iter().find(|own| own.name == engine).map_or(engine, |own| &own.title)
+    }
+}
+
+impl Frame {
+    /// The problem.
+    ///
+    /// # Errors
+    /// If it is none.
+    pub fn problem(&self) -> Result<Problem> {
+        Problem::parse(&self.problem.to_string(), "engines.json")
     }
 }
 

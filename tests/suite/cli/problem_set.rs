@@ -20,6 +20,7 @@ fn the_set_is_small_has_no_problem_twice_and_an_index_of_cards() {
     assert_eq!(out(&output), format!("{} problems in {}\n", problems.len(), path.display()));
     let index = fs::read_to_string(path.join("index.csv")).unwrap();
     assert_eq!(index.lines().count(), 1 + problems.len());
+    assert!(index.contains("MuJoCo: creep after 1 s"), "{index}");
     let hashes: HashSet<&str> =
         index.lines().skip(1).filter_map(|line| line.rsplit(',').next()).collect();
     assert_eq!(hashes.len(), problems.len());

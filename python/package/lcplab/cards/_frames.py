@@ -36,7 +36,13 @@ def frames(name: str) -> list[dict[str, Any]]:
             problem, answer = world.problem()
         except Unsupported:
             continue
-        found.append({"engine": name, "phenomenon": phenomenon, "time": time, **_judged(problem, answer)})
+        posed = {
+            **problem.to_json(),
+            "name": f"{engine.title}: {phenomenon.replace('_', ' ')} after {time:g} s",
+            "source": f"{engine.package} {engine.version} as installed; forces (N), pyramids with a row an edge",
+        }
+        frame = {"engine": name, "phenomenon": phenomenon, "time": time, "problem": posed, "answer": list(answer)}
+        found.append(frame | _judged(problem, answer))
     return found
 
 

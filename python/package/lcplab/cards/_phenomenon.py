@@ -50,6 +50,11 @@ class Run:
         """Where the body's centre was, (steps + 1, 3)."""
         return np.asarray(self.poses[:, self.number(name), :3])
 
+    def carried(self, name: str, vector: Sequence[float] | Array) -> Array:
+        """A vector in a body's axes, seen in the world's, (steps + 1, 3)."""
+        q, along = self.poses[:, self.number(name), 3:], np.asarray(vector, dtype=float)
+        return np.asarray(along + 2 * np.cross(q[:, 1:], np.cross(q[:, 1:], along) + q[:, :1] * along))
+
     def after(self, time: float) -> int:
         """The first step at or after this time."""
         return int(np.searchsorted(self.t, time - 1e-9))

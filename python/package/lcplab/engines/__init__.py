@@ -176,15 +176,16 @@ def joints(scene: Description) -> list[Joint]:
     fixed = {k for k, body in enumerate(scene["bodies"]) if body["fixed"]}
     waiting = []
     for written in scene["constraints"]:
-        if written["kind"] not in ("hinge", "ball"):
-            raise Unsupported(f"a joint of kind {written['kind']}")
+        kind = "ball" if written["kind"] == "nail" else written["kind"]  # a nail is a ball joint to the world
+        if kind not in ("hinge", "ball"):
+            raise Unsupported(f"a joint of kind {kind}")
         bodies = [numbers[name] for name in written["bodies"]]
         if fixed.intersection(bodies):
             raise Unsupported("a joint to a fixed body, which it would touch; join to the world")
         ends = [None] * (2 - len(bodies)) + bodies
         point = np.array(written["point"] or scene["bodies"][bodies[-1]]["position"], dtype=float)
         axis = np.array(written["axis"] or [0, 0, 1], dtype=float)
-        waiting.append((written["kind"], ends, point, axis / np.linalg.norm(axis)))
+        waiting.append((kind, ends, point, axis / np.linalg.norm(axis)))
     tree: list[Joint] = []
     reached: set[int | None] = {None}
     while ready := [w for w in waiting if (w[1][0] in reached) != (w[1][1] in reached)]:
@@ -201,6 +202,16 @@ def joints(scene: Description) -> list[Joint]:
         assert child is not None
         tree.append(Joint(kind, parent, child, point, axis, closes=True))
     return tree
+
+
+def rates(joint: Joint | None, body: Mapping[str, Any]) -> Array:
+    """The angular velocity, in the body's axes, of a body that hangs at the world on a ball and moves at the start."""
+    own, omega = pose(body), np.array(body["angular_velocity"], dtype=float)
+    if joint is None or joint.parent is not None or joint.kind != "ball":
+        raise Unsupported("a body on a joint that moves at the start, other than one on a ball at the world")
+    if not np.allclose(np.cross(omega, own[:3] - joint.point), body["velocity"], atol=1e-9):
+        raise Unsupported("a start that opens a joint")
+    return turned(conjugate(own[3:]), omega)
 
 
 def times(p: Array, q: Array) -> Array:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
-from lcplab.engines import conjugate, joints, one_value, pose, relative, shape, turned
+from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
 
 
 class Model:
@@ -110,7 +110,8 @@ class Model:
         if body["fixed"] or not any([*body["velocity"], *body["angular_velocity"]]):
             return
         if joint is not None:
-            raise Unsupported("a body on a joint that moves at the start")
+            made.setVelocities(rates(joint, body))
+            return
         made.setLinearVelocity(body["velocity"])
         made.setAngularVelocity(body["angular_velocity"])
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
-from lcplab.engines import conjugate, joints, one_value, pose, relative, shape, turned
+from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
 
 #: The hydroelastic modulus of bodies (Pa) in the accurate settings. Drake's guide calls 1e5 to 1e7 good
 #: approximations of rigid contact and sees no reason for more.
@@ -70,7 +70,7 @@ class Model:
         self.context: Any = self.plant.GetMyMutableContextFromRoot(self.simulator.get_mutable_context())
         self.dt, self.steps = settings.dt, 0
         for k, body in enumerate(scene["bodies"]):
-            self._set_going(k, body)
+            self._set_going(k, body, hangs.get(k))
 
     def _inertia(self, body: Any) -> Any:
         if any(body["force"]) or any(body["torque"]):
@@ -152,12 +152,14 @@ class Model:
             self.plant.WeldFrames(self.plant.world_frame(), made.body_frame())
         return self.plant.GetBodyByName("world that closes")
 
-    def _set_going(self, k: int, body: Any) -> None:
+    def _set_going(self, k: int, body: Any, hung: Joint | None) -> None:
         velocity = [*body["angular_velocity"], *body["velocity"]]
         if body["fixed"] or not any(velocity):
             return
         if not self.bodies[k].is_floating_base_body():
-            raise Unsupported("a body on a joint that moves at the start")
+            joint = self.plant.GetJointByName(f"joint of {body['name']}")
+            joint.set_angular_velocity(self.context, rates(hung, body))
+            return
         moving = self.velocity(w=np.array(velocity[:3]), v=np.array(velocity[3:]))
         self.plant.SetFreeBodySpatialVelocity(self.context, self.bodies[k], moving)
 

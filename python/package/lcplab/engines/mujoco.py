@@ -14,7 +14,7 @@ import numpy as np
 
 from lcplab import Problem
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
-from lcplab.engines import joints, one_value, pose, relative, shape, turned
+from lcplab.engines import joints, one_value, pose, rates, relative, shape, turned
 
 #: The time (s) that a bounce takes where the accurate settings make one.
 BOUNCE = 0.02
@@ -43,8 +43,9 @@ class Model:
         self.data = mujoco.MjData(self.model)
         names = [body["name"] for body in scene["bodies"]]
         self.ids = [mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name) for name in names]
-        for body in scene["bodies"]:
-            self._set_going(body)
+        hung = {joint.child: joint for joint in joints(scene) if not joint.closes}
+        for k, body in enumerate(scene["bodies"]):
+            self._set_going(body, hung.get(k))
         mujoco.mj_forward(self.model, self.data)
 
     def _bodies(self, spec: Any, scene: Description) -> None:
@@ -114,13 +115,14 @@ class Model:
             if "solref" in self.contact:
                 equality.solref = self.contact["solref"]
 
-    def _set_going(self, body: Any) -> None:
+    def _set_going(self, body: Any, hung: Joint | None) -> None:
         velocity = [*body["velocity"], *body["angular_velocity"]]
         if body["fixed"] or not any(velocity):
             return
         joint = self.data.joint(int(self.model.body(body["name"]).jntadr[0]))
         if len(joint.qvel) != 6:
-            raise Unsupported("a body on a joint that moves at the start")
+            joint.qvel[:] = rates(hung, body)
+            return
         joint.qvel[:3] = velocity[:3]
         # In the body's axes.
         joint.qvel[3:] = turned(pose(body)[3:] * [1, -1, -1, -1], np.array(velocity[3:]))

@@ -50,8 +50,8 @@ ENGINE = Engine(
         _scheme("acceleration", 0.005, "acceleration level, Dantzig's method, RK4", integrator="rk4"),
         _scheme("xpbd", 0.005, "XPBD, 20 substeps", substeps=20),
         _scheme(
-            "soft", 0.005, "soft constraints (joints 400 Hz, contacts 200 Hz), 8 substeps",
-            soft={"joint_hertz": 400.0, "contact_hertz": 200.0},
+            "soft", 0.005, "soft constraints of 200 Hz, 8 substeps",
+            soft={"joint_hertz": 200.0, "contact_hertz": 200.0},
         ),
     ),
     build=Stepped,

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
-from lcplab.engines import conjugate, joints, pose, relative, shape, turned
+from lcplab.engines import conjugate, joints, pose, rates, relative, shape, turned
 
 
 class Model:
@@ -38,6 +38,7 @@ class Model:
             self._branches(bodies, hung, k)
         self._branches(bodies, hung, None)
         self.data: Any = self.model.createData()
+        self.hung = {joint.child: joint for joint in hung}
         self.q, self.v = self._started(bodies)
         self.loops = [loop for joint in every if joint.closes for loop in self._close(joint, settings.values)]
         self.kept = [loop.createData() for loop in self.loops]
@@ -92,7 +93,7 @@ class Model:
                 own = [turned(conjugate(placed[3:]), part) for part in velocity]  # in the body's axes
                 v[joint.idx_v : joint.idx_v + 6] = np.concatenate(own)
             elif np.any(velocity):
-                raise Unsupported("a body on a joint that moves at the start")
+                v[joint.idx_v : joint.idx_v + joint.nv] = rates(self.hung.get(k), body)
         return q, v
 
     def _close(self, joint: Joint, values: Any) -> list[Any]:

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
-from lcplab.engines import conjugate, joints, one_value, pose, relative, shape, turned
+from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
 
 #: What the maintainer of Bullet sets for restitution (github.com/bulletphysics/bullet3/issues/3094), beside
 #: rigid bodies and no contacts at a distance. The last entry is ours: it splits impulses not only of bodies
@@ -49,6 +49,7 @@ class Model:
         #: Each body's multibody and link; the base is link -1.
         self.places: list[tuple[int, int]] = [(-1, -1)] * len(scene["bodies"])
         every = joints(scene)
+        self.hung = {joint.child: joint for joint in every if not joint.closes}
         self._linked(scene["bodies"], [joint for joint in every if not joint.closes])
         for k, body in enumerate(scene["bodies"]):
             self._body(k, body)
@@ -65,8 +66,6 @@ class Model:
             raise Unsupported("forces on bodies")
         velocity = [*body["velocity"], *body["angular_velocity"]]
         hangs = self.places[k][0] >= 0
-        if hangs and any(velocity):
-            raise Unsupported("a body on a joint that moves at the start")
         if not hangs:
             own = pose(body)
             mass = 0.0 if body["fixed"] else body["mass"]
@@ -77,7 +76,9 @@ class Model:
         if not body["fixed"]:
             dynamics |= {"mass": body["mass"], "localInertiaDiagonal": body["inertia"]}
         self.p.changeDynamics(*self.places[k], **dynamics, **self.at)
-        if any(velocity):
+        if hangs and any(velocity):
+            self.p.resetJointStateMultiDof(*self.places[k], [0, 0, 0, 1], list(rates(self.hung.get(k), body)), **self.at)
+        elif any(velocity):
             self.p.resetBaseVelocity(self.places[k][0], velocity[:3], velocity[3:], **self.at)
 
     def _shape(self, body: Any, **place: Any) -> int:

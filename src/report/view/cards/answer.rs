@@ -5,13 +5,14 @@ use crate::number::readable;
 use crate::report::study::cards::{Column, Phenomenon, Record};
 
 /// What somebody may want to simulate, and the phenomena that it rests on.
-const USES: [(&str, &[&str]); 6] = [
-    ("A gripper, a leg", &["creep", "stopping", "weight"]),
+const USES: [(&str, &[&str]); 7] = [
+    ("A gripper, a leg", &["creep", "wall", "stopping", "weight"]),
     ("A tower, a load", &["tower", "mass_ratio", "weight"]),
     ("What rolls and slides", &["directions", "rolling", "stopping"]),
-    ("A mechanism", &["pendulum", "closed_loop"]),
-    ("What flies", &["free_fall", "angular_momentum"]),
-    ("What is thrown and hits", &["lift", "bounce"]),
+    ("A mechanism", &["pendulum", "chain", "closed_loop"]),
+    ("What flies", &["free_fall", "angular_momentum", "top"]),
+    ("What is thrown and hits", &["lift", "bounce", "bullet"]),
+    ("What is learned or optimised", &["predictability", "repeat"]),
 ];
 
 /// A paragraph a use.

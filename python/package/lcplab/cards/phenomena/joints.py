@@ -1,4 +1,4 @@
-"""Joints: a pendulum, and bars that close a loop."""
+"""Joints: a pendulum, a chain under load, and bars that close a loop."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ def _gap(run: Run) -> float:
                 continue
             start = pose(run.scene["bodies"][body])
             at = relative(start, np.concatenate([joint.point, [1, 0, 0, 0]]))[:3]
-            ends.append(np.array([p[:3] + turned(p[3:], at) for p in run.poses[:, body]]))
+            name = run.scene["bodies"][body]["name"]
+            ends.append(np.asarray(run.place(name) + run.carried(name, at)))
         worst = max(worst, float(np.linalg.norm(ends[0] - ends[1], axis=1).max()))
     return worst
 
@@ -107,6 +108,42 @@ PENDULUM = Phenomenon(
     plot=over_time(lambda run: np.degrees(_rod_angle(run))),
     exact=lambda curve, run: np.degrees(_swung(_rod(run)[1], float(_rod_angle(run)[0]), curve.x)),
     instant=0.9,
+)
+
+
+def _sunken(run: Run) -> Array:
+    """How far the load is below its place (m), (steps + 1,)."""
+    height = run.place("load")[:, 2]
+    return np.asarray(height[0] - height)
+
+
+def _chain(runs: Sequence[Run]) -> list[Measurement]:
+    run = runs[0]
+    first, second = (joint["point"][2] for joint in run.scene["constraints"][:2])
+    link, count = float(first - second), len(run.scene["constraints"])
+    sunken = _sunken(run)
+    worst = float(sunken[np.argmax(np.abs(sunken))])
+    return [
+        Measurement("load sinks by", 1e3 * worst, 0.0, 1e3 * PART * link * count, "mm"),
+        Measurement("joints open by", 1e3 * _gap(run), 0.0, 1e3 * PART * link, "mm"),
+    ]
+
+
+CHAIN = Phenomenon(
+    name="chain",
+    question="Does a chain keep its length under a load of a hundred times a link's mass?",
+    matters="Cranes, cable robots, fingers that hold something heavy. A joint passes on what hangs below it; sweeps "
+    "pass it on by a joint at a time, and springs give way to it.",
+    law=r"z_\text{load}(t) = z_\text{load}(0)",
+    allowed="a hundredth of a link for each of the thirteen joints, 13 mm at the load and 1 mm in any one, at all "
+    "times of three seconds. Nothing moves, so nothing is left to the step.",
+    duration=3.0,
+    x=("time", "s"),
+    y=("load below its place", "mm"),
+    measure=_chain,
+    plot=over_time(lambda run: 1e3 * _sunken(run)),
+    exact=lambda curve, run: np.zeros_like(curve.x),
+    instant=3.0,
 )
 
 

@@ -1,4 +1,4 @@
-"""What stands on each other: forces, mass ratios, towers."""
+"""What stands on each other, or hangs on each other's friction: forces, mass ratios, towers, a row at a wall."""
 
 from __future__ import annotations
 
@@ -120,6 +120,46 @@ TOWER = Phenomenon(
     plot=over_time(lambda run: 1e3 * _aside(run)),
     exact=lambda curve, run: np.zeros_like(curve.x),
     instant=20.0,
+)
+
+
+#: From when on the row at the wall is watched (s): before, a compliant contact may settle. And the time (s) in which
+#: it may creep by a hundredth of its height.
+SETTLED, LONG = 1.0, 10.0
+
+
+def _slipping(runs: Sequence[Run]) -> list[Measurement]:
+    run = runs[0]
+    moving, start = _moving(run), run.after(SETTLED)
+    time = float(run.t[-1] - run.t[start])
+    edge = float(run.scene["bodies"][moving[0]]["shape"]["box"][2])
+    path = np.linalg.norm(run.poses[-1, moving, :3] - run.poses[start, moving, :3], axis=1)
+    return [Measurement("the worst creeps at", 1e6 * float(path.max()) / time, 0.0, 1e6 * PART * edge / LONG, "µm/s")]
+
+
+def _down_the_wall(run: Run) -> Array:
+    """How far the slab that slid most has gone (m), (steps + 1,)."""
+    height = run.poses[:, _moving(run), 2]
+    return np.asarray((height[0] - height).max(axis=1))
+
+
+WALL = Phenomenon(
+    name="wall",
+    question="Does a row of slabs that is pressed against a wall hang on its friction?",
+    matters="Books between two hands, a gripper that lifts a stack, the stones of an arch. The contact at the wall "
+    "carries all of them, and what the outer ones weigh must pass through the inner ones within every step.",
+    law=r"\mu g_x > g_z \;\Rightarrow\; \mathbf{x}(t) = \mathbf{x}(0)",
+    allowed=r"100 µm/s, a hundredth of a slab's height in ten seconds, watched for four. Here "
+    r"$\mu g_x = \tfrac32 g_z$. No slab tips: with moments about its inner face, the force on the outer $k$ slabs "
+    "of thickness $a$ acts "
+    r"$\tfrac{k a}{2}\,\tfrac{g_z}{g_x}$ below the middle, at most 25 mm of the 50 mm to the edge.",
+    duration=SETTLED + 4.0,
+    x=("time", "s"),
+    y=("slid down", "mm"),
+    measure=_slipping,
+    plot=over_time(lambda run: 1e3 * _down_the_wall(run)),
+    exact=lambda curve, run: np.zeros_like(curve.x),
+    instant=5.0,
 )
 
 
