@@ -11,7 +11,7 @@
 //! elimination over the integers multiplies numbers of thousands of digits.
 
 use dashu_int::IBig;
-use dashu_int::ops::{Abs, BitTest};
+use dashu_int::ops::{Abs, BitTest, UnsignedAbs};
 
 /// The prime 2⁶¹ − 1.
 const P: u64 = (1 << 61) - 1;
@@ -53,18 +53,15 @@ pub fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
     if a.is_empty() {
         return Some((Vec::new(), IBig::ONE));
     }
-    let inverse = inverse(a)?;
+    let (inverse, words) = (inverse(a)?, Words::of(a));
     let steps = bound_in_digits(a, r);
     let p = IBig::from(P);
     let (mut x, mut rest, mut power) = (vec![IBig::ZERO; a.len()], r.to_vec(), IBig::ONE);
     let mut next_try = 4;
     for step in 1..=steps {
         let digit = digit(&inverse, &rest);
-        for (i, rest) in rest.iter_mut().enumerate() {
-            for (a, &x) in a[i].iter().zip(&digit) {
-                *rest -= a * IBig::from(x);
-            }
-            *rest /= &p;
+        for (rest, row) in rest.iter_mut().zip(&words.rows) {
+            *rest = (&*rest - words.product(row, &digit)) / &p;
         }
         for (x, digit) in x.iter_mut().zip(digit) {
             *x += &power * IBig::from(digit);
@@ -78,6 +75,58 @@ pub fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
         }
     }
     None
+}
+
+/// The entries of A other than 0 as words of 64 bits, equally many each: a product with a digit is summed in so many
+/// sums of 128 bits, without a number of its own for each term.
+struct Words {
+    /// Of each row the columns, with the sign and the place of the first word.
+    rows: Vec<Vec<(usize, bool, usize)>>,
+    /// The least word of an entry first.
+    words: Vec<u64>,
+    /// How many an entry has.
+    count: usize,
+}
+
+impl Words {
+    fn of(a: &[Vec<IBig>]) -> Self {
+        let most = a.iter().flatten().map(BitTest::bit_len).max().unwrap_or(0);
+        let (count, mut words) = (most.div_ceil(64).max(1), Vec::new());
+        let mut entry = |(j, entry): (usize, &IBig)| {
+            let first = words.len();
+            words.extend(entry.unsigned_abs().to_le_bytes().chunks(8).map(word));
+            words.resize(first + count, 0);
+            (j, *entry < IBig::ZERO, first)
+        };
+        let row = |row: &Vec<IBig>| {
+            let entries = row.iter().enumerate().filter(|(_, a)| **a != IBig::ZERO);
+            entries.map(&mut entry).collect()
+        };
+        Words { rows: a.iter().map(row).collect(), words, count }
+    }
+
+    /// The product of a row with x, digits below 2⁶¹.
+    fn product(&self, row: &[(usize, bool, usize)], x: &[u64]) -> IBig {
+        let mut sums = [vec![0_u128; self.count + 1], vec![0_u128; self.count + 1]];
+        for &(j, is_negative, first) in row {
+            let (sum, x) = (&mut sums[usize::from(is_negative)], u128::from(x[j]));
+            for (k, &word) in self.words[first..first + self.count].iter().enumerate() {
+                let product = u128::from(word) * x;
+                sum[k] += product & u128::from(u64::MAX);
+                sum[k + 1] += product >> 64;
+            }
+        }
+        let [above, below] = sums.map(|sum| {
+            let words = sum.iter().rev();
+            words.fold(IBig::ZERO, |total, &word| (total << 64) + IBig::from(word))
+        });
+        above - below
+    }
+}
+
+/// The number of up to eight bytes, the least first.
+fn word(bytes: &[u8]) -> u64 {
+    bytes.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte))
 }
 
 /// Digits that suffice for every numerator and denominator, by Cramer's rule and Hadamard's bound.

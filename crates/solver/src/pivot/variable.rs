@@ -47,7 +47,7 @@ impl Variable {
     }
 
     /// A number of its own.
-    fn number(self) -> usize {
+    pub(crate) fn number(self) -> usize {
         match self {
             Variable::Cover => 0,
             Variable::Y(i) => 4 * i + 1,

@@ -11,8 +11,6 @@
 
 mod exchange;
 
-use std::hash::{DefaultHasher, Hash, Hasher};
-
 use crate::kernel::{Width, table::Table};
 use crate::linalg::elimination::difference;
 use crate::pivot::variable::{Place, Places, Variable};
@@ -65,13 +63,8 @@ impl Dictionary {
     /// A number that tells this basis from others, but for a coincidence: which variables are basic, which not,
     /// and by which of their names.
     pub(crate) fn basis(&self) -> u64 {
-        let of = |variable: (bool, &Variable)| {
-            let mut hasher = DefaultHasher::new();
-            variable.hash(&mut hasher);
-            hasher.finish()
-        };
-        let basic = self.basic.iter().map(|v| of((true, v)));
-        let nonbasic = self.nonbasic.iter().map(|v| of((false, v)));
+        let basic = self.basic.iter().map(|v| mixed(2 * v.number() as u64));
+        let nonbasic = self.nonbasic.iter().map(|v| mixed(2 * v.number() as u64 + 1));
         basic.chain(nonbasic).fold(0, u64::wrapping_add)
     }
 
@@ -223,4 +216,12 @@ pub(crate) struct Taken {
     pub(crate) index: usize,
     /// 1, or −1 for the opposite.
     pub(crate) sign: f64,
+}
+
+/// A number that looks like one drawn at random (SplitMix64: Steele, Lea & Flood 2014).
+fn mixed(number: u64) -> u64 {
+    let mut z = number.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
 }

@@ -1,0 +1,49 @@
+//! The energy of a simulation, account by account.
+
+use serde_json::Value;
+
+use crate::lcp::file::number;
+use crate::number::readable;
+use crate::simulation::Ledger;
+
+/// The energy of all steps so far.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Books {
+    /// The sum of each account.
+    pub(super) work: Ledger,
+    /// The most that was missing in a step (J).
+    pub(super) remainder: f64,
+    /// The most that was missing in a step in which more than rounding was (J).
+    pub(super) missed: f64,
+}
+
+impl Books {
+    pub(super) fn with(self, ledger: &Ledger) -> Self {
+        let remainder = ledger.remainder().abs();
+        let missed = if ledger.closes() { 0.0 } else { remainder };
+        Books {
+            work: self.work + *ledger,
+            remainder: self.remainder.max(remainder),
+            missed: self.missed.max(missed),
+        }
+    }
+
+    /// The work of each account (J).
+    pub(super) fn by_account(&self) -> Value {
+        let accounts = self.work.accounts();
+        accounts.iter().map(|(name, work)| (name.to_string(), number(*work))).collect()
+    }
+
+    pub(super) fn text(&self) -> String {
+        let mut text = match self.missed {
+            0.0 => format!("closes to {} J a step:", readable(self.remainder, 2)),
+            missed => format!("does not close: {} J are missing in a step:", readable(missed, 2)),
+        };
+        let accounts = self.work.accounts();
+        let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));
+        for (name, work) in accounts.iter().filter(|(_, work)| work.abs() > 1e-12 * largest) {
+            text += &format!("\n             {name:<12} {:>14} J", readable(*work, 6));
+        }
+        text
+    }
+}

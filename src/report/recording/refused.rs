@@ -1,0 +1,72 @@
+//! The first answer that the judge did not accept, and the proof of a step without solution.
+
+use std::fmt;
+
+use serde_json::{Value, json};
+
+use crate::certificate::FrictionCertificate;
+use crate::lcp::file::number;
+use crate::number::readable;
+use crate::scene::Scene;
+use crate::simulation::{Cause, Solve};
+
+/// An answer that the judge did not accept.
+#[derive(Debug, Clone)]
+pub(super) struct Refused {
+    step: usize,
+    stage: &'static str,
+    row: String,
+    residual: f64,
+    solver: &'static str,
+    status: String,
+}
+
+impl Refused {
+    pub(super) fn of(
+        scene: &Scene,
+        step: usize,
+        solve: &Solve,
+        certificate: &FrictionCertificate,
+    ) -> Self {
+        Refused {
+            step,
+            stage: solve.problem.stage.name(),
+            row: solve.problem.assembly.rows[certificate.worst_row].label(scene),
+            residual: certificate.scaled_residual,
+            solver: solve.solver,
+            status: solve.solution.status.to_string(),
+        }
+    }
+
+    pub(super) fn to_json(&self) -> Value {
+        json!({
+            "step": self.step, "stage": self.stage, "row": self.row, "solver": self.solver,
+            "residual": number(self.residual), "status": self.status,
+        })
+    }
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Refused { step, stage, row, residual, solver, status } = self;
+        write!(
+            f,
+            "first in step {step}, {stage} stage, row {row:?}: residual {}, ",
+            readable(*residual, 2)
+        )?;
+        match *solver {
+            "none" => write!(f, "{status}"),
+            solver => write!(f, "{solver}: {status}"),
+        }
+    }
+}
+
+/// The certificate of a step without solution: the row, and the exact vector d whose dᵀw cannot be
+/// what the bounds ask of it; none where all active sets were tried instead.
+pub(super) fn proof(cause: &Cause) -> Option<Value> {
+    let Cause::NoSolution { row, proof } = cause else { return None };
+    let vector = proof
+        .as_ref()
+        .map(|farkas| farkas.vector.iter().map(ToString::to_string).collect::<Vec<_>>());
+    Some(json!({ "kind": "no_solution", "row": row, "farkas": vector }))
+}
