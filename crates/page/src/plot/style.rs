@@ -118,6 +118,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("clarabel", BLACK, 3, 5),
     ("velocity", BLUE, 0, 0),
     ("acceleration", VERMILION, 0, 1),
+    ("velocity_cone", GREEN, 1, 4),
     ("position", GREEN, 0, 2),
     ("soft", PURPLE, 0, 3),
     ("penalty", OCHRE, 0, 4),

@@ -17,8 +17,14 @@ const USES: [(&str, &[&str]); 7] = [
 
 /// A paragraph a use.
 pub fn of(record: &Record) -> String {
+    let others = record.engines.iter().filter(|engine| engine.name != OWN).count();
+    let begins = format!(
+        "{} laws of mechanics, each in a scene of its own, on {others} physics engines. For each use: which engines keep \
+         all laws that it rests on, and which misses them most.",
+        record.phenomena.len()
+    );
     let paragraphs = USES.iter().map(|(what, names)| paragraph(record, what, names));
-    paragraphs.collect::<Vec<_>>().join("\n\n")
+    std::iter::once(begins).chain(paragraphs).collect::<Vec<_>>().join("\n\n")
 }
 
 fn paragraph(record: &Record, what: &str, names: &[&str]) -> String {
@@ -37,12 +43,21 @@ fn paragraph(record: &Record, what: &str, names: &[&str]) -> String {
     let tuned: Vec<_> = accurate.into_iter().filter(|own| !installed.contains(own)).collect();
     let links = rests_on.iter().map(|own| format!("[{}](#{})", words(&own.name), own.name));
     let who = match (&installed[..], &tuned[..]) {
-        ([], []) => "no engine keeps these laws".into(),
-        ([], tuned) => format!("{} with accurate settings, no engine as installed", list(tuned)),
-        (installed, []) => format!("{} as installed", list(installed)),
-        (installed, tuned) => {
-            format!("{} as installed, {} with accurate settings", list(installed), list(tuned))
+        ([], []) => "no engine keeps all of these laws".into(),
+        ([], tuned) => {
+            format!(
+                "as installed no engine keeps all of these laws, with accurate settings {}",
+                list(tuned)
+            )
         }
+        (installed, []) => {
+            format!("all of these laws are kept by {} as installed", list(installed))
+        }
+        (installed, tuned) => format!(
+            "all of these laws are kept by {} as installed, with accurate settings by {} too",
+            list(installed),
+            list(tuned)
+        ),
     };
     let misses: Vec<String> = rests_on.iter().filter_map(|own| farthest(record, own)).collect();
     let farthest = match misses.is_empty() {
@@ -77,5 +92,5 @@ fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<String> {
         law => format!(", not {} {}", readable(law, 3), worst.unit),
     };
     let (engine, found) = (record.title(&column.engine), readable(worst.value, 3));
-    Some(format!("{engine} {} {found} {}{law}", worst.what, worst.unit))
+    Some(format!("{engine}: {} {found} {}{law}", worst.what, worst.unit))
 }

@@ -18,6 +18,11 @@ pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut Document) {
     if !phenomenon.reported.is_empty() {
         document.text(&phenomenon.reported);
     }
+    document.text(format!(
+        "Again, on an engine that is installed: `python -m lcplab.cards --engine mujoco --phenomenon {}`. Each engine takes \
+         the step of its settings, not the scene's.",
+        phenomenon.name
+    ));
     document.figure(figure(record, phenomenon));
     if let Some(strip) = strip(record, phenomenon) {
         document.figure(strip);
@@ -60,10 +65,10 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
 }
 
 /// What a column is called where engines are told apart: a scheme of lcplab by its own name.
-fn name<'a>(record: &'a Record, column: &'a Column) -> &'a str {
+fn name(record: &Record, column: &Column) -> String {
     match column.engine.as_str() {
-        OWN => &column.settings,
-        engine => record.title(engine),
+        OWN => column.settings.replace(", ", " "), // a comma would make it a shade of another
+        engine => record.title(engine).into(),
     }
 }
 
@@ -93,7 +98,7 @@ fn strip(record: &Record, phenomenon: &Phenomenon) -> Option<Strip> {
     );
     let id = format!("pictures_{}", phenomenon.name);
     let strip = Strip::new(&scene, frames).named(&id).with_caption(&caption);
-    Some(Strip { labels: labels.into_iter().map(String::from).collect(), ..strip })
+    Some(Strip { labels: labels, ..strip })
 }
 
 fn table(record: &Record, phenomenon: &Phenomenon) -> Table {

@@ -51,7 +51,7 @@ def _swinging(run: Run, angle: Array, period: float, length: float, loss: float)
     lost = _fallen(_amplitude(angle, run.t, period), start)
     return [
         Measurement("swings in", measured, period, PART * period, "s"),
-        Measurement("loses of its energy", 100 * lost, 0.0, 100 * loss, "%"),
+        Measurement("loses", 100 * lost, 0.0, 100 * loss, "% of its energy"),
         Measurement("joints open by", 1e3 * _gap(run), 0.0, 1e3 * PART * length, "mm"),
     ]
 
@@ -97,7 +97,7 @@ PENDULUM = Phenomenon(
     name="pendulum",
     question="Does a rod on a hinge keep its period, its energy and its hinge?",
     matters="A robot's arm, a door, a leg. Hinges as springs open under load, implicit steps brake, and a swing of "
-    "90 degrees is slower than a small one by exactly 18 %.",
+    "90 degrees is slower than a small one by 18 %.",
     law=r"T = 4\,K\!\left(\sin\tfrac{\varphi_0}{2}\right) \sqrt{\frac{I}{m g\,l/2}}, \qquad \dot E = 0",
     allowed="a hundredth of the period, of the energy in ten seconds (from the height that the rod reaches in its "
     "last swing, which a step of first order keeps), and of the rod's length.",

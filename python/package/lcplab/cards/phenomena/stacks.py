@@ -28,7 +28,7 @@ def _carried(run: Run) -> Array:
 def _weight(runs: Sequence[Run]) -> list[Measurement]:
     carried = _carried(runs[0])[runs[0].after(runs[0].t[-1] - WATCHED) :].mean(axis=0)
     worst = float(carried[np.argmax(np.abs(carried - 1))])
-    return [Measurement("reports of a body's weight", 100 * worst, 100.0, 100 * PART, "%")]
+    return [Measurement("reports", 100 * worst, 100.0, 100 * PART, "% of a body's weight")]
 
 
 WEIGHT = Phenomenon(
@@ -134,7 +134,7 @@ def _slipping(runs: Sequence[Run]) -> list[Measurement]:
     time = float(run.t[-1] - run.t[start])
     edge = float(run.scene["bodies"][moving[0]]["shape"]["box"][2])
     path = np.linalg.norm(run.poses[-1, moving, :3] - run.poses[start, moving, :3], axis=1)
-    return [Measurement("the worst creeps at", 1e6 * float(path.max()) / time, 0.0, 1e6 * PART * edge / LONG, "µm/s")]
+    return [Measurement("lets the worst slab creep at", 1e6 * float(path.max()) / time, 0.0, 1e6 * PART * edge / LONG, "µm/s")]
 
 
 def _down_the_wall(run: Run) -> Array:
@@ -149,7 +149,7 @@ WALL = Phenomenon(
     matters="Books between two hands, a gripper that lifts a stack, the stones of an arch. The contact at the wall "
     "carries all of them, and what the outer ones weigh must pass through the inner ones within every step.",
     law=r"\mu g_x > g_z \;\Rightarrow\; \mathbf{x}(t) = \mathbf{x}(0)",
-    allowed=r"100 µm/s, a hundredth of a slab's height in ten seconds, watched for four. Here "
+    allowed=r"100 µm/s, a hundredth of a slab's height in ten seconds, watched for four after the first. Here "
     r"$\mu g_x = \tfrac32 g_z$. No slab tips: with moments about its inner face, the force on the outer $k$ slabs "
     "of thickness $a$ acts "
     r"$\tfrac{k a}{2}\,\tfrac{g_z}{g_x}$ below the middle, at most 25 mm of the 50 mm to the edge.",
@@ -171,7 +171,7 @@ def _apart(runs: Sequence[Run]) -> Array:
 
 def _repeat(runs: Sequence[Run]) -> list[Measurement]:
     differ = (runs[0].poses != runs[1].poses).any(axis=(1, 2))
-    return [Measurement("steps that differ", float(differ.sum()), 0.0, 0.5, "")]
+    return [Measurement("differs in", float(differ.sum()), 0.0, 0.5, "steps")]
 
 
 REPEAT = Phenomenon(

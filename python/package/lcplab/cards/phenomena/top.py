@@ -51,10 +51,6 @@ def _top(runs: Sequence[Run]) -> list[Measurement]:
     ]
 
 
-def _round(curve: Curve, run: Run) -> Array:
-    return np.degrees(_precession(run) * curve.x)
-
-
 TOP = Phenomenon(
     name="top",
     question="Does a heavy top go round without nodding, as fast as it must?",
@@ -64,12 +60,12 @@ TOP = Phenomenon(
     r"\quad \varphi = \Omega t",
     allowed=r"a hundredth of $\theta$ and of $\Omega T$ in ten seconds; and for a step $h$ of first order, whose "
     r"velocities are half a step beside its poses, what the axis moves in half a step, $\Omega \sin\theta\, h/2$: "
-    "by so much it may nod.",
+    "by so much it may nod. $I_1$ is about the fixed point.",
     duration=10.0,
     x=("time", "s"),
-    y=("gone round", "°"),
+    y=("lean", "°"),
     measure=_top,
-    plot=over_time(lambda run: np.degrees(_azimuth(run))),
-    exact=_round,
+    plot=over_time(lambda run: np.degrees(_lean(run))),
+    exact=lambda curve, run: np.full_like(curve.x, math.degrees(float(_lean(run)[0]))),
     instant=10.0,
 )
