@@ -98,7 +98,7 @@ fn strip(record: &Record, phenomenon: &Phenomenon) -> Option<Strip> {
     );
     let id = format!("pictures_{}", phenomenon.name);
     let strip = Strip::new(&scene, frames).named(&id).with_caption(&caption);
-    Some(Strip { labels: labels, ..strip })
+    Some(Strip { labels, ..strip })
 }
 
 fn table(record: &Record, phenomenon: &Phenomenon) -> Table {
