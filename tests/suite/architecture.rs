@@ -21,7 +21,7 @@ const CRATES: [(&str, &[&str]); 10] = [
 
 /// The modules of the crates that have rows of them; `src` is the program's.
 const ROWS: [(&str, &[&[&str]]); 5] = [
-    ("src", &[&["storage", "film", "live"], &["report", "problem_set"], &["chapter"], &["lesson"]]),
+    ("src", &[&["storage", "film", "live"], &["report"], &["chapter", "problem_set"], &["lesson"]]),
     (
         "crates/page/src",
         &[&["number"], &["csv", "figure"], &["plot"], &["page"], &["text"], &["document"]],

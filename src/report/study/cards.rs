@@ -181,6 +181,9 @@ pub struct Column {
     /// The curve of the plot.
     #[serde(default)]
     pub y: Vec<f64>,
+    /// How long a simulated second takes (s), on the machine that ran it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pace: Option<f64>,
     /// Where the bodies were.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<Picture>,

@@ -31,6 +31,8 @@ class Run:
     velocities: Array
     #: What contacts put on each body (N), (steps + 1, bodies, 3), if the engine tells it.
     forces: Array | None
+    #: How long the steps took (s).
+    seconds: float = 0.0
 
     @property
     def gravity(self) -> float:

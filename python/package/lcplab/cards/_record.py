@@ -92,6 +92,8 @@ def _column(column: Column) -> dict[str, Any]:
         for m in column.measured
     ]
     told["y"] = _numbers(column.curve.y)
+    if column.pace is not None:
+        told["pace"] = _number(column.pace, 2)
     told["picture"] = {"time": column.time, "poses": [_numbers(pose) for pose in column.poses]}
     return told
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
@@ -32,6 +33,8 @@ class Column:
     #: When the picture was taken (s), and the poses then, (bodies, 7).
     time: float = 0.0
     poses: Array | None = None
+    #: How long a simulated second takes (s), on the machine that ran it.
+    pace: float | None = None
 
     @property
     def holds(self) -> bool:
@@ -49,8 +52,11 @@ def simulate(engine: Engine, settings: Settings, scene: Description, duration: f
     steps = round(duration / settings.dt)
     poses, velocities = [world.poses().copy()], [world.velocities().copy()]
     forces: list[Array] = []
+    seconds = 0.0
     for step in range(steps):
+        start = time.perf_counter()
         world.step()
+        seconds += time.perf_counter() - start
         poses.append(world.poses().copy())
         velocities.append(world.velocities().copy())
         if (told := world.forces()) is not None:
@@ -64,6 +70,7 @@ def simulate(engine: Engine, settings: Settings, scene: Description, duration: f
         poses=np.array(poses),
         velocities=np.array(velocities),
         forces=np.array([np.zeros_like(forces[0]), *forces]) if len(forces) == steps else None,
+        seconds=seconds,
     )
 
 
@@ -89,15 +96,16 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
     curve = wanted.plot(runs)
     if wanted.x[0] == "time":
         curve = _thinned(curve, wanted.duration)
-    time = wanted.duration if wanted.instant is None else wanted.instant
+    instant = wanted.duration if wanted.instant is None else wanted.instant
     return Column(
         engine,
         settings,
         measured=wanted.measure(runs),
         curve=curve,
         exact=wanted.exact(curve, runs[0]),
-        time=time,
-        poses=runs[-1].poses[runs[-1].after(time)],
+        time=instant,
+        poses=runs[-1].poses[runs[-1].after(instant)],
+        pace=sum(run.seconds for run in runs) / (wanted.duration * len(runs)),
     )
 
 

@@ -14,6 +14,8 @@ const DEFAULTS: &str = "defaults";
 const ACCURATE: &str = "accurate";
 /// The engine whose settings are schemes.
 const OWN: &str = "lcplab";
+/// The phenomenon whose scene shows how fast an engine is.
+const PACED: &str = "tower";
 
 impl View for Plan {
     const TITLE: &'static str = "Which law holds in which engine";
@@ -109,6 +111,14 @@ fn times(miss: f64) -> String {
     }
 }
 
+/// How long an engine takes for a simulated second of the tower.
+fn pace(record: &Record, engine: &str, settings: &str) -> Cell {
+    let tower = record.phenomena.iter().filter(|own| own.name == PACED);
+    let of = |column: &&cards::Column| column.engine == engine && column.settings == settings;
+    let pace = tower.flat_map(|own| &own.columns).find(of).and_then(|column| column.pace);
+    pace.map_or(Cell::text("–"), |pace| Cell::number(1e3 * pace, 2))
+}
+
 fn settings(record: &Record) -> Table {
     let rows = record.engines.iter().flat_map(|engine| {
         engine.settings.iter().map(|settings| {
@@ -116,16 +126,23 @@ fn settings(record: &Record) -> Table {
                 Cell::text(format!("{} {}", engine.package, engine.version)),
                 Cell::text(&settings.name),
                 Cell::text(&settings.words),
+                pace(record, &engine.name, &settings.name),
             ]
         })
     });
     Table {
         title: "What was set".into(),
-        how_to_read: "All that differs from the engine as it is installed. Settings for accuracy are those that an engine's \
-                      documentation recommends, or where it names none, those that the words say; lcplab's steps and stiffness were chosen after tries on these scenes too. The adapters translate and repair nothing; what \
-                      an engine cannot express is refused."
+        how_to_read: "All that differs from the engine as it is installed. Settings for accuracy are those that an \
+                      engine's documentation recommends, or where it names none, those that the words say; lcplab's steps \
+                      and stiffness were chosen after tries on these scenes too. The adapters translate and repair \
+                      nothing; what an engine cannot express is refused. Times are those of the machine that ran it; where \
+                      bodies sleep a step costs little."
             .into(),
-        columns: ["package", "settings", "in words"].map(Column::words).into(),
+        columns: ["package", "settings", "in words"]
+            .map(Column::words)
+            .into_iter()
+            .chain([Column::numbers("a second of the tower of ten takes", "ms")])
+            .collect(),
         rows: rows.collect(),
         ..Table::default()
     }
