@@ -20,7 +20,7 @@
 //! x_i + d_i = the bound of row i at a bound,   A_FF d_F = −w_F at x_F and these bounds
 //! ```
 //!
-//! At a kink it may be that no length of d reduces |H|. Then a proximal step begins ([`proximal`]): ρ D (x − c)
+//! At a kink it may be that no length of d reduces |H|. Then a proximal step begins (proximal.rs): ρ D (x − c)
 //! is added to w with c = x, and ρ grows until a length of d does. A root of these equations is the next c, and ρ
 //! falls again. From ρ = 1 on, and where A is not symmetric, the step is a sweep of [`Pgs`](crate::Pgs) instead,
 //! and the observer is told so (`Sweep` for `Step`).
@@ -42,8 +42,7 @@
 //! 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows
 //! are part of H, with their derivatives; a coupled row at a bound that moves needs QR. `ZeroDiagonal`
 //! and `Diverged` as for PGS. The solution says whether proximal steps were taken ([`Fallback`]).
-//!
-//! [`proximal`]: crate::pivot::proximal
+
 
 use std::ops::ControlFlow;
 
