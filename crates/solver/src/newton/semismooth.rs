@@ -43,7 +43,6 @@
 //! are part of H, with their derivatives; a coupled row at a bound that moves needs QR. `ZeroDiagonal`
 //! and `Diverged` as for PGS. The solution says whether proximal steps were taken ([`Fallback`]).
 
-
 use std::ops::ControlFlow;
 
 use faer::linalg::solvers::Llt;
@@ -58,7 +57,7 @@ use crate::{Event, Fallback, Observer, Settings, Solution, Solver, Start, Status
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// Halvings of a step before a sweep is taken instead.
+/// Halvings of a step before it is given up.
 const HALVINGS: i32 = 12;
 /// |H|² must fall by this part of what a linear H would give.
 const SUFFICIENT: f64 = 1e-4;
