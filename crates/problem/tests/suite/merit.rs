@@ -1,5 +1,6 @@
 use lcplab_problem::friction::{ConeProblem, Law, merit as cone};
-use lcplab_problem::{Coupling, Lcp, merit};
+use lcplab_problem::{Coupling, Lcp, accurate, merit};
+use lcplab_solver::kernel::{Width, terms};
 use lcplab_solver::{Dantzig, Solver, Start};
 use proptest::prelude::*;
 
@@ -152,4 +153,40 @@ proptest! {
         let mut first = start;
         prop_assert!(!merit::is_within(&m.lcp, &[f64::NAN; 5], 1.0, &mut first));
     }
+
+    #[test]
+    fn what_plain_sums_let_pass_is_what_compensated_ones_do(
+        m in manufactured(8, 3, 0.0),
+        shift in proptest::collection::vec(-1.0..1.0f64, 8),
+        digits in 0..16i32,
+        mu in 0.0..2.0f64,
+    ) {
+        // Near x*, so that the residual is anything from rounding to 1; in box form and with a coupled row.
+        let x: Vec<f64> = m.x.iter().zip(&shift).map(|(x, d)| x + d * 10f64.powi(-digits)).collect();
+        for lcp in [m.lcp.clone(), with_coupled_row(&m.lcp, mu)] {
+            let compensated = |i| merit::RowTerms::summed::<accurate::Sum>(&lcp, i, &x).scaled_residual(&lcp, i, &x);
+            let residual = (0..8).map(compensated).fold(0.0, f64::max);
+            let by_lanes = terms(&lcp, &x, Width::widest());
+            for tolerance in [residual.next_down(), residual, residual * (1.0 + 1e-14), 2.0 * residual] {
+                let worth = merit::is_worth_something(&lcp, &x, tolerance);
+                let expected = residual <= tolerance && worth;
+                prop_assert_eq!(merit::is_solution(&lcp, &x, tolerance), expected);
+                prop_assert_eq!(merit::is_solution_by(&lcp, &x, &by_lanes, tolerance), expected);
+                let within = merit::is_within(&lcp, &x, tolerance, &mut 0);
+                prop_assert!(!within || residual <= tolerance);
+            }
+        }
+    }
+}
+
+/// The same with row 1 bounded by ± μ times x_0, and x_0 ≥ 0.
+fn with_coupled_row(lcp: &Lcp, mu: f64) -> Lcp {
+    let (mut lo, mut hi) = (lcp.lo().to_vec(), lcp.hi().to_vec());
+    (lo[0], hi[0], lo[1], hi[1]) = (0.0, INF, -INF, INF);
+    let mut follows = vec![None; lcp.len()];
+    follows[1] = Some(0);
+    let mut mus = vec![0.0; lcp.len()];
+    mus[1] = mu;
+    let free = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lo, hi).unwrap();
+    free.with_coupling(Coupling::new(follows, mus).unwrap()).unwrap()
 }

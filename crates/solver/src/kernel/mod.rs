@@ -14,6 +14,7 @@
 //! | kernel | a pivot costs | what it gains |
 //! | --- | --- | --- |
 //! | [`table::Table`] | n² entries read and written | eight pivots on one way through memory |
+//! | `tableau`, of Dantzig's method | n²/2 of a symmetric table | one long loop where a factor has many short ones |
 //!
 //! They do not ask whether x solves anything: stop tests stay with the solvers. [`Width`] says with
 //! which instructions they run; the bits are the same with all.
