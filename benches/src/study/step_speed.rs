@@ -1,7 +1,7 @@
 //! What a whole step costs: finding what touches, making rows, sweeping, moving. Towers of cubes and nets
 //! of rods, larger and larger, by the [`Stepper`] with a fixed number of sweeps.
 //!
-//! Sweeps in the order of colours on one thread and on two must give the same bits, and no cube may have
+//! Sweeps of eight pairs at a time on one thread and on two must give the same bits, and no cube may have
 //! sunk in, before any time counts.
 
 use std::time::Instant;
@@ -108,7 +108,7 @@ pub struct Times {
     pub bytes: usize,
     /// A step, row by row.
     pub row_by_row: Time,
-    /// A step in the order of colours, on one thread and on two.
+    /// A step of eight pairs at a time, on one thread and on two.
     pub eight_pairs: [Time; 2],
     /// The parts of the latter, in the order of [`Part::ALL`].
     pub parts: [[Time; 5]; 2],

@@ -15,7 +15,7 @@ impl View for Plan {
             "Finding the pairs that are near, the points where they touch, the rows with what they start \
              from, {} sweeps, and the motion: a step of the *stepper*, which forms no matrix, keeps its memory, \
              and gives the motion of a simulation by `pgs`. Row by row in natural order, or eight pairs of \
-             bodies at a time in the order of colours, on one thread and on two.",
+             bodies at a time from the ground up, on one thread and on two.",
             self.sweeps
         ));
         document.table("steps", standing(findings));

@@ -150,7 +150,7 @@ fn sweeps(finding: &Finding) -> Table {
     Table {
         title: format!("{}: sweeps to a part of the first residual", finding.problem),
         how_to_read: "Of the natural residual, which is looked at every twenty sweeps. Eight pairs take the rows in \
-                      another order, by colours, and need another number."
+                      another order, layer by layer, and need another number."
             .into(),
         columns,
         rows: finding.forms.iter().map(row).collect(),
@@ -242,9 +242,10 @@ fn to_tolerance(times: &Times) -> Table {
     columns.extend(to_each(&times.tolerances, "ms"));
     Table {
         title: format!("{}: a sweep, and the time to a tolerance", times.problem),
-        how_to_read: "The last columns are the counted sweeps times the best sweep: colours make a sweep cheaper \
-                      and need more of them. A dash: not reached within the sweeps allowed."
-            .into(),
+        how_to_read:
+            "The last columns are the counted sweeps times the best sweep: another order needs \
+                      another number of them. A dash: not reached within the sweeps allowed."
+                .into(),
         columns,
         rows: times.runs.iter().map(row).collect(),
         ..Table::default()

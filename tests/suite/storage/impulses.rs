@@ -115,6 +115,42 @@ fn all_of_a_tower_of_equal_pairs_is_swept_in_every_order() {
     assert_eq!(order, (0..rows.len()).collect::<Vec<_>>());
 }
 
+/// The layer of each pair in the order of a sweep: 0 at the ground, above it that of its lower body.
+fn layers(problem: &Problem) -> Vec<usize> {
+    let factors = Factors::of(&problem.assembly);
+    let rows = factors.scaled_rows();
+    let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
+    let order = EightPairs::new(&system, Width::widest()).unwrap().order();
+    let ring = 12;
+    let layer = |row: &Row| match row.bodies {
+        [p, q] if p == q => 0,
+        [p, q] => 1 + p.min(q) / ring,
+    };
+    order.iter().map(|&i| layer(&rows[i])).collect()
+}
+
+/// So a sweep carries what moves at the ground to the top.
+#[test]
+fn a_tower_is_swept_from_the_ground_up() {
+    let layers = layers(&tower());
+    assert!(layers.is_sorted(), "{layers:?}");
+    assert_eq!(layers.last(), Some(&3));
+}
+
+/// Cubes one on another: by layers every octet would hold one pair, by colours it holds up to eight.
+#[test]
+fn a_lone_stack_is_swept_by_colours() {
+    let problem = stack();
+    let factors = Factors::of(&problem.assembly);
+    let rows = factors.scaled_rows();
+    let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
+    let order = EightPairs::new(&system, Width::widest()).unwrap().order();
+    let colour =
+        |row: &Row| if row.bodies[0] == row.bodies[1] { 0 } else { (row.bodies[0] + 1) % 2 };
+    let colours: Vec<usize> = order.iter().map(|&i| colour(&rows[i])).collect();
+    assert!(colours.is_sorted(), "{colours:?}");
+}
+
 #[test]
 fn the_bits_are_the_same_with_all_instructions() {
     let problem = tower();

@@ -36,8 +36,9 @@ const BOUNDS: Bounds = Bounds { penetration: 0.01, drift: 0.05 };
 /// Beyond this they will not come back.
 const HOPELESS: Bounds =
     Bounds { penetration: 4.0 * BOUNDS.penetration, drift: 2.0 * BOUNDS.drift };
-/// Iterations that are tried, one after the other.
-const ITERATIONS: [usize; 14] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128];
+/// Iterations that are tried, one after the other: four to each doubling.
+const ITERATIONS: [usize; 24] =
+    [1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112, 128];
 
 /// A scene for every engine.
 pub struct Setting {

@@ -9,7 +9,7 @@
 //! | [`dense::Rows`] | n² entries read | four rows at a time, their four sums independent |
 //! | [`dense::Columns`] | n entries for each x that changes | rows that stay at a bound are skipped |
 //! | [`impulses::RowByRow`] | 12 entries a row, A never formed | the plain form of the next |
-//! | [`impulses::EightPairs`] | the same | eight pairs of a colour at once, one a lane |
+//! | [`impulses::EightPairs`] | the same | eight pairs of a group at once, one a lane |
 //!
 //! | kernel | a pivot costs | what it gains |
 //! | --- | --- | --- |

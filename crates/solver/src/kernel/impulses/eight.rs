@@ -1,21 +1,21 @@
-//! Projected Gauss-Seidel by colours, eight pairs of bodies at a time, on one thread or several.
+//! Projected Gauss-Seidel by groups, eight pairs of bodies at a time, on one thread or several.
 
 use std::sync::Arc;
 
-use super::colour::Colouring;
+use super::groups::Groups;
 use super::octet::{self, NOBODIES, Share};
 use super::team::{Shared, Team};
 use super::{System, Velocity, WIDTH, bytes};
 use crate::Status;
 use crate::kernel::lanes::Width;
 
-/// Projected Gauss-Seidel by colours, eight pairs of bodies at a time.
+/// Projected Gauss-Seidel by groups, eight pairs of bodies at a time.
 ///
-/// Which pairs share a colour or a thread changes no bit of what a colour does, so the bits are the
+/// Which pairs share an octet or a thread changes no bit of what a group does, so the bits are the
 /// same on any number of threads.
 #[derive(Debug)]
 pub struct EightPairs {
-    colouring: Colouring,
+    groups: Groups,
     shares: Vec<Share>,
     shared: Arc<Shared>,
     team: Team,
@@ -33,7 +33,7 @@ impl EightPairs {
     pub fn idle(width: Width, threads: usize) -> Self {
         let team = Team::new(threads);
         EightPairs {
-            colouring: Colouring::default(),
+            groups: Groups::default(),
             shares: (0..team.threads()).map(|_| Share::default()).collect(),
             shared: Arc::new(Shared::new(0, team.threads())),
             team,
@@ -68,11 +68,11 @@ impl EightPairs {
     /// # Errors
     /// As [`EightPairs::new`].
     pub fn start(&mut self, system: &System, x: &[f64], v: &[Velocity]) -> Result<(), Status> {
-        if !self.colouring.fits(system) {
-            if !self.colouring.arrange(system) {
+        if !self.groups.fits(system) {
+            if !self.groups.arrange(system) {
                 return Err(FAR);
             }
-            octet::deal(&self.colouring, system.bodies, &mut self.shares);
+            octet::deal(&self.groups, system.bodies, &mut self.shares);
             let bodies = system.bodies + NOBODIES * self.shares.len();
             if self.shared.v.len() != bodies {
                 self.shared = Arc::new(Shared::new(bodies, self.shares.len()));
@@ -99,7 +99,7 @@ impl EightPairs {
 
     /// The rows of the system in the order in which a sweep takes them.
     pub fn order(&self) -> Vec<usize> {
-        self.colouring.pairs.iter().flat_map(|pair| pair.first..pair.first + pair.rows).collect()
+        self.groups.pairs.iter().flat_map(|pair| pair.first..pair.first + pair.rows).collect()
     }
 
     /// x, one entry a row of the system.
@@ -127,6 +127,6 @@ impl EightPairs {
     /// The bytes that its arrays hold.
     pub fn bytes(&self) -> usize {
         let shares: usize = self.shares.iter().map(Share::bytes).sum();
-        self.colouring.bytes() + shares + self.shared.v.bytes() + bytes(&self.v)
+        self.groups.bytes() + shares + self.shared.v.bytes() + bytes(&self.v)
     }
 }

@@ -14,14 +14,14 @@
 //! M⁻¹Jᵀ hold.
 //!
 //! [`RowByRow`] waits for each row's sum before the next begins: some 60 cycles a row, nearly all of them
-//! latency. [`EightPairs`] takes eight pairs of bodies that share none at once; for that the pairs are
-//! sorted by colour, and another order needs another number of sweeps (more, for tall stacks). Several
-//! threads may share a colour, and the bits stay.
+//! latency. [`EightPairs`] takes eight pairs of bodies that share none at once: in the order of the
+//! rows where enough pairs can go together, as in a tower, else, as in a lone stack, in another order,
+//! which needs another number of sweeps. Several threads may share a group of pairs, and the bits stay.
 //!
 //! Compliance (γ on A's diagonal) is not in these sweeps.
 
-mod colour;
 mod eight;
+mod groups;
 mod octet;
 mod rows;
 mod team;

@@ -1,24 +1,24 @@
 //! Eight pairs at once, one a lane.
 //!
-//! Pairs of one colour share no body, so eight of them can go through their rows together: lane l holds
+//! Pairs of one group share no body, so eight of them can go through their rows together: lane l holds
 //! the numbers of pair l, and the first rows of all eight are one vector operation after the other, then
 //! their second rows. No lane waits for a sum over another, which is what a single row spends its time
-//! on. Where a colour has no eight pairs left, lanes stay empty: rows of zeros between bodies that are
+//! on. Where a group has no eight pairs left, lanes stay empty: rows of zeros between bodies that are
 //! none. So do the last rows of a lane whose pair has fewer than the longest.
 
 use std::ops::Range;
 
-use super::colour::{Colouring, Pair};
+use super::groups::{Groups, Pair};
 use super::velocities::Velocities;
 use super::{System, WIDTH, bytes};
 use crate::kernel::lanes::{Lanes, prefetch};
 
-/// A thread's share of the octets: of each colour some.
+/// A thread's share of the octets: of each group some.
 #[derive(Debug, Default)]
 pub(super) struct Share {
     octets: Vec<Octet>,
-    /// For each colour, the end of its octets.
-    colours: Vec<usize>,
+    /// For each group, the end of its octets.
+    groups: Vec<usize>,
     /// Row r of eight pairs.
     rows: Vec<Rows>,
     /// For each row, the row of the octet that bounds it; then `hi` is μ.
@@ -52,36 +52,36 @@ const AHEAD: usize = 12;
 /// Bodies that are none, for the empty lanes of a share.
 pub(super) const NOBODIES: usize = 16;
 
-/// Deals the octets to the shares, of each colour as many to each. Those of share k have their empty
+/// Deals the octets to the shares, of each group as many to each. Those of share k have their empty
 /// lanes between the bodies from `bodies` + 16 k on.
-pub(super) fn deal(colouring: &Colouring, bodies: usize, shares: &mut [Share]) {
+pub(super) fn deal(groups: &Groups, bodies: usize, shares: &mut [Share]) {
     shares.iter_mut().for_each(Share::clear);
-    let (mut colour, mut turn) = (0, 0);
-    for pairs in colouring.octets() {
-        if pairs[0].colour != colour {
-            shares.iter_mut().for_each(Share::end_colour);
-            (colour, turn) = (pairs[0].colour, 0);
+    let (mut group, mut turn) = (0, 0);
+    for pairs in groups.octets() {
+        if pairs[0].group != group {
+            shares.iter_mut().for_each(Share::end_group);
+            (group, turn) = (pairs[0].group, 0);
         }
         let k = turn % shares.len();
-        shares[k].add(colouring, pairs, bodies + NOBODIES * k);
+        shares[k].add(groups, pairs, bodies + NOBODIES * k);
         turn += 1;
     }
-    shares.iter_mut().for_each(Share::end_colour);
+    shares.iter_mut().for_each(Share::end_group);
 }
 
 impl Share {
     fn clear(&mut self) {
         self.octets.clear();
-        self.colours.clear();
+        self.groups.clear();
         self.rows.clear();
         self.follows.clear();
     }
 
-    fn end_colour(&mut self) {
-        self.colours.push(self.octets.len());
+    fn end_group(&mut self) {
+        self.groups.push(self.octets.len());
     }
 
-    fn add(&mut self, colouring: &Colouring, pairs: &[Pair], nobody: usize) {
+    fn add(&mut self, groups: &Groups, pairs: &[Pair], nobody: usize) {
         let empty = |lane: usize| (nobody + lane) as u32;
         let mut bodies = [0, 8].map(|half| std::array::from_fn(|lane| empty(half + lane)));
         let mut places = [const { 0..0 }; 8];
@@ -94,7 +94,7 @@ impl Share {
             places[lane] = pair.first..pair.first + pair.rows;
         }
         let first = self.rows.len();
-        self.follows.extend(colouring.bounded(&pairs[0]));
+        self.follows.extend(groups.bounded(&pairs[0]));
         self.rows.resize(first + pairs[0].rows, Rows::default());
         self.octets.push(Octet { rows: first..self.rows.len(), bodies, places });
     }
@@ -121,23 +121,23 @@ impl Share {
         }
     }
 
-    /// One sweep, with something to do after each colour.
+    /// One sweep, with something to do after each group.
     #[inline(always)]
-    pub fn sweep<V: Lanes>(&mut self, v: &Velocities, mut after_colour: impl FnMut()) {
-        let Share { octets, colours, rows, follows } = self;
+    pub fn sweep<V: Lanes>(&mut self, v: &Velocities, mut after_group: impl FnMut()) {
+        let Share { octets, groups, rows, follows } = self;
         let mut first = 0;
-        for &end in &*colours {
+        for &end in &*groups {
             for octet in &octets[first..end] {
                 octet.sweep::<V>(rows, follows, v);
             }
             first = end;
-            after_colour();
+            after_group();
         }
     }
 
     /// The bytes that its arrays hold.
     pub fn bytes(&self) -> usize {
-        bytes(&self.octets) + bytes(&self.colours) + bytes(&self.rows) + bytes(&self.follows)
+        bytes(&self.octets) + bytes(&self.groups) + bytes(&self.rows) + bytes(&self.follows)
     }
 }
 

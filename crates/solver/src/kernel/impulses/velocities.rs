@@ -1,6 +1,6 @@
 //! The velocities of all bodies, where several threads can reach them.
 //!
-//! While a colour is swept each body is read and written by one thread, and between two colours all
+//! While a group is swept each body is read and written by one thread, and between two groups all
 //! threads wait for each other; so every number can be an atomic that is read and written in no
 //! particular order, which costs what a plain one does, and no `unsafe` is needed to share them.
 
