@@ -63,6 +63,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::published::Plan>(),
     Kind::of::<study::frames::Plan>(),
     Kind::of::<study::cards::Plan>(),
+    Kind::of::<study::grid::Plan>(),
 ];
 
 /// Reads the settings of a study from a file.

@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 
 use super::file::Grid;
 use super::folder::{Folder, Record, pretty};
-use super::measure::MEASURES;
+use super::measure::{Finding, MEASURES};
 use super::page;
 use super::plan::Task;
 use crate::csv;
@@ -29,9 +29,47 @@ impl Collection {
         self.done.iter().filter_map(|(_, record)| refuted(record)).sum::<f64>() as usize
     }
 
+    /// The points with what was found.
+    pub fn points(&self) -> Vec<Point<'_>> {
+        let points = self.done.iter().map(|(task, record)| Point {
+            task,
+            finding: record.finding.as_ref(),
+            reason: record.reason.as_deref(),
+        });
+        points.collect()
+    }
+
     /// Tasks whose settings make no scene or problem.
     pub fn impossible(&self) -> usize {
         self.done.iter().filter(|(_, record)| record.finding.is_none()).count()
+    }
+}
+
+/// A point of a grid, and what was found there or why nothing was.
+#[derive(Debug, Clone, Copy)]
+pub struct Point<'a> {
+    /// The point.
+    pub task: &'a Task,
+    /// What was found.
+    pub finding: Option<&'a Finding>,
+    /// Why nothing was: the settings make no scene or problem.
+    pub reason: Option<&'a str>,
+}
+
+impl Point<'_> {
+    /// A measure, if it was taken.
+    pub(super) fn get(&self, measure: &str) -> Option<f64> {
+        self.finding?.get(measure)
+    }
+
+    /// Status, verdict, and the reason for what went wrong.
+    pub(super) fn words(&self) -> [String; 3] {
+        match self.finding {
+            Some(Finding { status, verdict, trouble, .. }) => {
+                [status.clone(), verdict.clone(), trouble.clone().unwrap_or_default()]
+            }
+            None => ["impossible".into(), "none".into(), self.reason.unwrap_or_default().into()],
+        }
     }
 }
 
@@ -48,43 +86,31 @@ pub fn collect(grid: &Grid, folder: &Folder) -> Result<Collection> {
         }
     }
     let axes = &folder.plan().axes;
-    file::write(&folder.path().join("results.csv"), table(axes, &collection.done))?;
+    file::write(&folder.path().join("results.csv"), table(axes, &collection.points()))?;
     file::write(&folder.path().join("results.json"), &pretty(&object(folder, &collection.done))?)?;
     file::write(&folder.path().join("times.csv"), times(&collection.done))?;
     write::document(&page::document(grid, folder.plan(), &collection), folder.path())?;
     Ok(collection)
 }
 
-fn table(axes: &[String], done: &[(Task, Record)]) -> String {
-    let findings = || done.iter().filter_map(|(_, record)| record.finding.as_ref());
+fn table(axes: &[String], points: &[Point<'_>]) -> String {
+    let findings = || points.iter().filter_map(|point| point.finding);
     let taken = |name: &&str| findings().any(|finding| finding.values.contains_key(*name));
     let measures: Vec<&str> = MEASURES.iter().map(|measure| measure.name).filter(taken).collect();
     let mut out = String::new();
     let heading = ["task"].into_iter().chain(axes.iter().map(String::as_str));
     let heading = heading.chain(["task_seed"]).chain(measures.iter().copied());
     csv::record(&mut out, heading.chain(["status", "verdict", "reason"]));
-    for (task, record) in done {
-        let mut row = vec![task.task.to_string()];
-        row.extend(axes.iter().map(|path| task.shown(path)));
-        row.push(task.seed.to_string());
-        let value = |name: &&str| record.finding.as_ref().and_then(|finding| finding.get(name));
-        row.extend(measures.iter().map(|name| value(name).map(csv::number).unwrap_or_default()));
-        row.extend(words(record));
+    for point in points {
+        let mut row = vec![point.task.task.to_string()];
+        row.extend(axes.iter().map(|path| point.task.shown(path)));
+        row.push(point.task.seed.to_string());
+        let value = |name: &&str| point.get(name).map(csv::number).unwrap_or_default();
+        row.extend(measures.iter().map(value));
+        row.extend(point.words());
         csv::record(&mut out, row);
     }
     out
-}
-
-/// Status, verdict, and the reason for what went wrong.
-pub(super) fn words(record: &Record) -> [String; 3] {
-    match (&record.finding, &record.reason) {
-        (Some(finding), _) => [
-            finding.status.clone(),
-            finding.verdict.clone(),
-            finding.trouble.clone().unwrap_or_default(),
-        ],
-        (None, reason) => ["impossible".into(), "none".into(), reason.clone().unwrap_or_default()],
-    }
 }
 
 fn object(folder: &Folder, done: &[(Task, Record)]) -> Json {

@@ -49,10 +49,10 @@ mod plan;
 mod subject;
 mod theory;
 
-pub use collect::{Collection, collect};
+pub use collect::{Collection, Point, collect};
 pub use file::{Axis, Grid};
 pub use folder::{Folder, Machine, Record};
 pub use measure::Finding;
-pub use page::{document, plan_table};
+pub use page::{document, plan_table, show};
 pub use plan::{Plan, Task};
 pub use theory::Theory;

@@ -1,64 +1,61 @@
 //! The page of a grid: each measure across the first axis, a curve for each point of the others.
 //! Nothing is solved here.
 
-use super::collect::{Collection, words};
+use super::collect::{Collection, Point};
 use super::file::{Grid, REPEAT, SUBJECT};
-use super::folder::Record;
 use super::measure::{MEASURES, Measure};
 use super::plan::{Plan, Task, plain};
 use crate::number::readable;
-use crate::plot::{Axis, Figure, Lines, Panel, Scale, Series};
-use crate::report::page::{Block, Cell, Column, Mark, Origin, Page, Picture, Section, Table};
-use crate::report::view::{Document, FILES};
+use crate::plot::{Axis, Lines, Panel, Scale, Series};
+use crate::report::page::{Block, Cell, Column, Mark, Origin, Page, Table};
+use crate::report::view::Document;
 
 /// More curves than this no eye can follow.
 const MOST_CURVES: usize = 12;
 /// Rows of a table on a page; all are in the CSV file.
 const MOST_ROWS: usize = 500;
+/// The files of a collected grid.
+const WHOLE: [(&str, &str); 3] = [
+    ("results (CSV)", "results.csv"),
+    ("results (JSON)", "results.json"),
+    ("times (CSV)", "times.csv"),
+];
 /// Values that spread over this ratio are drawn on a logarithmic axis.
 const WIDE: f64 = 50.0;
 
 /// The page with its figures and tables.
 pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
-    let curves = curves(grid, plan, collection);
-    let mut figures: Vec<Box<dyn Figure>> = Vec::new();
-    let mut blocks = Vec::new();
-    for measure in &grid.measures {
-        if let Some(figure) = curves.as_ref().and_then(|curves| figure(grid, curves, measure)) {
-            blocks.push(Block::Figure(Picture::of(&figure, FILES)));
-            figures.push(Box::new(figure));
-        }
-    }
-    let section = |id: &str, title: &str, blocks: Vec<Block>| Section {
-        id: id.into(),
-        title: title.into(),
-        blocks,
-        ..Section::default()
-    };
-    let mut sections = Vec::new();
-    if !blocks.is_empty() {
-        sections.push(section("curves", "What was measured", blocks));
-    }
-    let optima = curves.as_ref().and_then(optima);
-    if let Some(table) = &optima {
-        sections.push(section("optimum", "The optimum", vec![Block::Table(table.clone())]));
-    }
-    let table = results_table(grid, plan, collection);
-    sections.push(section("results", "All results", vec![Block::Table(table.clone())]));
-    let origin = origin(grid);
-    sections.iter_mut().for_each(|section| section.obtained(&origin));
     let page = Page {
         title: grid.title.clone(),
         lead: grid.text.trim().to_string(),
-        sections,
         facts: facts(plan, collection),
+        ..Page::default()
     };
-    let tables = optima.map(|table| ("optimum".to_string(), table));
-    Document {
-        page,
-        figures,
-        tables: tables.into_iter().chain([("tasks".into(), table)]).collect(),
+    let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    document.open("results", "What was measured");
+    show(grid, plan, &collection.points(), "", &mut document);
+    let origin = origin(grid);
+    document.page.sections.iter_mut().for_each(|section| section.obtained(&origin));
+    if let Some(Block::Table(table)) =
+        document.page.sections.iter_mut().flat_map(|s| &mut s.blocks).last()
+    {
+        table.files = WHOLE.map(|(name, file)| (name.into(), file.into())).to_vec();
     }
+    document
+}
+
+/// Adds figures and tables of these points to the section that is open; the names of their files begin with `id`.
+pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: &mut Document) {
+    let curves = curves(grid, plan, points);
+    for measure in &grid.measures {
+        if let Some(figure) = curves.as_ref().and_then(|curves| figure(grid, curves, measure)) {
+            document.figure(Lines { id: format!("{id}{}", figure.id), ..figure });
+        }
+    }
+    if let Some(table) = curves.as_ref().and_then(optima) {
+        document.table(&format!("{id}optimum"), table);
+    }
+    document.table(&format!("{id}tasks"), results_table(grid, plan, points));
 }
 
 /// The table that `grid plan` prints: the first tasks with what varies.
@@ -91,25 +88,26 @@ struct Curves<'a> {
 /// The points that differ in the first axis alone, and in the repetition.
 struct Curve<'a> {
     name: String,
-    points: Vec<(f64, &'a Record)>,
+    points: Vec<(f64, Point<'a>)>,
 }
 
 /// `None` if no axis has numbers.
-fn curves<'a>(grid: &Grid, plan: &Plan, collection: &'a Collection) -> Option<Curves<'a>> {
+fn curves<'a>(grid: &Grid, plan: &Plan, points: &[Point<'a>]) -> Option<Curves<'a>> {
     let is_number = |path: &&String| plan.tasks.iter().all(|task| task.number(path).is_some());
     let first = plan.axes.iter().filter(|path| *path != REPEAT).find(is_number)?;
     let zipped = grid.axes.iter().find(|axis| axis.paths.contains(first))?;
     let is_other = |path: &&String| !zipped.paths.contains(path) && *path != REPEAT;
     let others: Vec<&String> = plan.axes.iter().filter(is_other).collect();
     let mut curves: Vec<Curve> = Vec::new();
-    for (task, record) in &collection.done {
+    for point in points {
+        let task = point.task;
         let parts = others.iter().map(|path| match task.number(path) {
             Some(_) => format!("{} = {}", grid.label(path), task.shown(path)),
             None => task.shown(path), // the name of a solver or family has a look of its own
         });
         let name = parts.collect::<Vec<_>>().join(", ");
         let name = if name.is_empty() { "measured".to_string() } else { name };
-        let point = (task.number(first)?, record);
+        let point = (task.number(first)?, *point);
         match curves.iter_mut().find(|curve| curve.name == name) {
             Some(curve) => curve.points.push(point),
             None => curves.push(Curve { name, points: vec![point] }),
@@ -122,9 +120,9 @@ fn curves<'a>(grid: &Grid, plan: &Plan, collection: &'a Collection) -> Option<Cu
 impl Curve<'_> {
     /// A measure by place, ascending; of repetitions the median, NaN where it was not taken.
     fn of(&self, measure: &str) -> Vec<(f64, f64)> {
-        let value = |record: &Record| record.finding.as_ref().and_then(|found| found.get(measure));
+        let value = |point: &Point| point.get(measure).unwrap_or(f64::NAN);
         let mut points: Vec<(f64, f64)> =
-            self.points.iter().map(|(x, record)| (*x, value(record).unwrap_or(f64::NAN))).collect();
+            self.points.iter().map(|(x, point)| (*x, value(point))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
         let groups = points.chunk_by(|a, b| a.0 == b.0);
         groups.map(|group| group[(group.len() - 1) / 2]).collect()
@@ -213,7 +211,7 @@ fn spread(values: impl Iterator<Item = f64> + Clone) -> Spread {
 
 /// Where theory says that the least is.
 fn optimum(curve: &Curve) -> Option<f64> {
-    curve.points.iter().find_map(|(_, record)| record.finding.as_ref()?.get("optimum"))
+    curve.points.iter().find_map(|(_, point)| point.get("optimum"))
 }
 
 /// Where each curve has its least, beside where theory says.
@@ -245,13 +243,12 @@ fn optima(curves: &Curves) -> Option<Table> {
             Column::numbers(format!("{across} by theory"), ""),
         ],
         rows,
-        files: vec![("data (CSV)".into(), format!("{FILES}/optimum.csv"))],
         ..Table::default()
     })
 }
 
-fn results_table(grid: &Grid, plan: &Plan, collection: &Collection) -> Table {
-    let findings = || collection.done.iter().filter_map(|(_, record)| record.finding.as_ref());
+fn results_table(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
+    let findings = || points.iter().filter_map(|point| point.finding);
     let shown = |measure: &&Measure| {
         let asked = grid.measures.contains(measure)
             || ["predicted", "iterations", "scaled_residual"].contains(&measure.name);
@@ -262,13 +259,12 @@ fn results_table(grid: &Grid, plan: &Plan, collection: &Collection) -> Table {
     columns.extend(plan.axes.iter().map(|path| Column::numbers(grid.label(path), "")));
     columns.extend(measures.iter().map(|m| Column::numbers(m.name.replace('_', " "), m.unit)));
     columns.extend(["status", "verdict", "reason"].map(Column::words));
-    let rows = collection.done.iter().take(MOST_ROWS).map(|(task, record)| {
-        let mut row = vec![Cell::count(task.task)];
-        row.extend(plan.axes.iter().map(|path| setting(task, path)));
-        row.extend(measures.iter().map(|measure| cell(record, measure)));
-        let [status, verdict, reason] = words(record);
-        let refuted = record.finding.as_ref().and_then(|found| found.get("refuted")) > Some(0.0);
-        let mark = if refuted { Mark::Bad } else { Mark::Plain };
+    let rows = points.iter().take(MOST_ROWS).map(|point| {
+        let mut row = vec![Cell::count(point.task.task)];
+        row.extend(plan.axes.iter().map(|path| setting(point.task, path)));
+        row.extend(measures.iter().map(|measure| cell(point, measure)));
+        let [status, verdict, reason] = point.words();
+        let mark = if point.get("refuted") > Some(0.0) { Mark::Bad } else { Mark::Plain };
         row.extend([
             Cell::text(status),
             Cell::text(verdict.replace('_', " ")).marked(mark),
@@ -277,7 +273,7 @@ fn results_table(grid: &Grid, plan: &Plan, collection: &Collection) -> Table {
         row
     });
     let rows: Vec<Vec<Cell>> = rows.collect();
-    let left = collection.done.len() - rows.len();
+    let left = points.len() - rows.len();
     let more =
         if left > 0 { format!(" {left} more rows are in results.csv.") } else { String::new() };
     Table {
@@ -287,11 +283,6 @@ fn results_table(grid: &Grid, plan: &Plan, collection: &Collection) -> Table {
         ),
         columns,
         rows,
-        files: vec![
-            ("results (CSV)".into(), "results.csv".into()),
-            ("results (JSON)".into(), "results.json".into()),
-            ("times (CSV)".into(), "times.csv".into()),
-        ],
         ..Table::default()
     }
 }
@@ -303,8 +294,8 @@ fn setting(task: &Task, path: &str) -> Cell {
     }
 }
 
-fn cell(record: &Record, measure: &Measure) -> Cell {
-    match record.finding.as_ref().and_then(|finding| finding.get(measure.name)) {
+fn cell(point: &Point, measure: &Measure) -> Cell {
+    match point.get(measure.name) {
         None => Cell::text("–"),
         Some(value) if value.fract() == 0.0 && (0.0..1e9).contains(&value) => {
             Cell::count(value as usize)

@@ -91,6 +91,9 @@ pub struct Frame {
     pub residual: f64,
     /// The row that is missed most, of an answer that is none.
     pub row: Option<usize>,
+    /// How far it is missed, in the unit of w (impulses: m/s).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub missed: Option<f64>,
     /// How lcplab's solvers do on the same problem.
     pub solvers: Vec<Tried>,
 }
@@ -104,8 +107,8 @@ pub struct Tried {
     pub accepted: bool,
     /// Sweeps or pivots.
     pub iterations: usize,
-    /// What it cost.
-    pub multiplications: f64,
+    /// What it cost, where that is counted.
+    pub multiplications: Option<f64>,
 }
 
 /// A question, its law, and what each engine answered.

@@ -15,6 +15,7 @@ pub mod force_path;
 pub mod frames;
 pub mod friction;
 pub mod friction_solvers;
+pub mod grid;
 pub mod history;
 pub mod ledger;
 pub mod merits;

@@ -18,6 +18,7 @@ mod footage;
 mod force_path;
 mod frames;
 mod friction_solvers;
+mod grid;
 mod ledger;
 mod merits;
 mod order;
@@ -266,7 +267,7 @@ impl Document {
     }
 
     /// Starts a section.
-    fn open(&mut self, id: &str, title: &str) {
+    pub(in crate::report) fn open(&mut self, id: &str, title: &str) {
         let section = Section {
             id: id.into(),
             title: title.into(),

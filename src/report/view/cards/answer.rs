@@ -6,13 +6,13 @@ use crate::report::study::cards::{Column, Phenomenon, Record};
 
 /// What somebody may want to simulate, and the phenomena that it rests on.
 const USES: [(&str, &[&str]); 7] = [
-    ("A gripper, a leg", &["creep", "wall", "stopping", "weight"]),
+    ("A gripper, a leg", &["creep", "wall", "capstan", "stopping", "weight"]),
     ("A tower, a load", &["tower", "mass_ratio", "weight"]),
     ("What rolls and slides", &["directions", "rolling", "stopping"]),
-    ("A mechanism", &["pendulum", "chain", "closed_loop"]),
+    ("A mechanism", &["spring", "pendulum", "chain", "closed_loop", "bricard"]),
     ("What flies", &["free_fall", "angular_momentum", "top"]),
     ("What is thrown and hits", &["lift", "bounce", "bullet"]),
-    ("What is learned or optimised", &["predictability", "repeat"]),
+    ("What is learned or optimised", &["predictability", "order", "repeat"]),
 ];
 
 /// A paragraph a use.

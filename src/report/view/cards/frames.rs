@@ -13,9 +13,10 @@ pub fn show(record: &Record, document: &mut Document) {
     document.open("frames", "Do engines solve the problems that they pose?");
     document.text(
         "What an engine misses may lie in the problem that it poses or in its solution of it. Here the problem of a step is \
-         taken out of the engine as it is installed, the engine's own forces are judged, in exact arithmetic where it says \
-         *proved*, and lcplab's solvers try the same problem. A law that is missed although the answer is proved is missed by \
-         the model: a softer contact, a pyramid for a cone.",
+         taken out of the engine as it is installed, the engine's own forces or impulses are judged, in exact arithmetic where \
+         it says *proved*, and lcplab's solvers try the same problem. A law that is missed although the answer is proved is \
+         missed by the model: a softer contact, a pyramid for a cone, friction bounded by an earlier force. Pinocchio poses no \
+         contacts: its solver gets the problem that lcplab poses.",
     );
     document.table("cards_frames", table(record));
 }
@@ -32,6 +33,7 @@ fn table(record: &Record) -> Table {
             Column::numbers("rows", ""),
             Column::words("its own answer"),
             Column::numbers("scaled residual", ""),
+            Column::words("missed most"),
             Column::words("lcplab's solvers accepted"),
             Column::words("cheapest"),
             Column::words("not within the limit"),
@@ -41,9 +43,16 @@ fn table(record: &Record) -> Table {
     }
 }
 
+/// The row that is missed most, with its name, and by how much.
+fn missed(frame: &Frame) -> Option<String> {
+    let label = frame.problem["rows"][frame.row?]["label"].as_str()?;
+    Some(format!("{label}: {} mm/s", readable(1e3 * frame.missed?, 2)))
+}
+
 fn row(record: &Record, frame: &Frame) -> Vec<Cell> {
     let accepted: Vec<&Tried> = frame.solvers.iter().filter(|tried| tried.accepted).collect();
-    let cheapest = accepted.iter().min_by(|a, b| a.multiplications.total_cmp(&b.multiplications));
+    let cost = |own: &&&Tried| own.multiplications.unwrap_or(f64::INFINITY);
+    let cheapest = accepted.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
     let failed: Vec<&str> =
         frame.solvers.iter().filter(|own| !own.accepted).map(|own| own.solver.as_str()).collect();
     let mark = if frame.verdict == "not_a_solution" { Mark::Bad } else { Mark::Good };
@@ -54,6 +63,7 @@ fn row(record: &Record, frame: &Frame) -> Vec<Cell> {
         Cell::count(frame.rows),
         Cell::text(frame.verdict.replace('_', " ")).marked(mark),
         Cell::number(frame.residual, 2),
+        Cell::text(missed(frame).unwrap_or_else(|| "–".into())),
         Cell::text(format!("{} of {}", accepted.len(), frame.solvers.len())),
         Cell::text(cheapest.map_or_else(
             || "–".into(),

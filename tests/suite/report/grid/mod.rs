@@ -2,6 +2,7 @@
 
 mod file;
 mod folder;
+mod study;
 mod theory;
 
 use lcplab::report::grid::{Finding, Folder, Grid, Task};

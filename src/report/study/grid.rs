@@ -1,0 +1,87 @@
+//! A grid as a section of a report: its points are tasks like those of any study.
+//!
+//! `lcplab grid` does the same points one file each, for machines that share a folder and nothing else.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Study;
+use crate::error::{Error, Result};
+use crate::report::grid::{self, Finding, Grid, measure};
+
+/// A grid file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(try_from = "Settings", into = "Settings")]
+pub struct Plan {
+    /// The file.
+    pub grid: Grid,
+    /// Its points.
+    pub plan: grid::Plan,
+    name: String,
+}
+
+/// What a report file says of a grid.
+#[derive(Clone, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Settings {
+    /// A grid file, or the name of a shipped grid.
+    grid: String,
+    /// The hash of its plan; it is written with the results, so that they are not shown for another file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    plan: Option<String>,
+}
+
+/// What was found at a point.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Found {
+    /// The number of the point, from 1.
+    pub task: usize,
+    /// What was found.
+    pub finding: Finding,
+}
+
+impl TryFrom<Settings> for Plan {
+    type Error = Error;
+
+    fn try_from(Settings { grid: name, plan: hash }: Settings) -> Result<Self> {
+        let grid = Grid::load(&name)?;
+        let plan = grid.plan()?;
+        match hash.filter(|hash| *hash != plan.hash) {
+            Some(hash) => {
+                let reason = format!("is plan {} now, not {hash}: run the report again", plan.hash);
+                Err(Error::invalid(name, "grid", reason))
+            }
+            None => Ok(Plan { grid, plan, name }),
+        }
+    }
+}
+
+impl From<Plan> for Settings {
+    fn from(Plan { name, plan, .. }: Plan) -> Self {
+        Settings { grid: name, plan: Some(plan.hash) }
+    }
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "grid";
+    type Finding = Found;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        let setting = |task: &grid::Task, path: &String| {
+            format!("{} = {}", self.grid.label(path), task.shown(path))
+        };
+        let name = |task: &grid::Task| {
+            let settings: Vec<String> =
+                self.plan.axes.iter().map(|path| setting(task, path)).collect();
+            settings.join(", ")
+        };
+        self.plan.tasks.iter().map(name).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Found, ())> {
+        let task = &self.plan.tasks[task];
+        let (finding, _) = measure::run(task, self.grid.theory)?;
+        Ok((Found { task: task.task, finding }, ()))
+    }
+}

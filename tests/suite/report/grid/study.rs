@@ -1,0 +1,71 @@
+//! A grid as a section of a report.
+
+use std::fs;
+use std::path::Path;
+
+use indicatif::ProgressBar;
+use lcplab::report::experiment::Experiment;
+use lcplab::report::grid::{Folder, Grid, collect};
+use lcplab::report::results::Results;
+use lcplab::report::{run, view};
+use lcplab::solver::Stop;
+
+const GRID: &str = "title = 'Two bodies'\nfamily = 'stack'\nmeasure = 'error'\ntheory = 'mass-ratio'\n\
+                    [set]\nn = 2\nsolver.name = 'pgs'\nsolver.tolerance = 0\n\
+                    [axes]\nsolver.max_iterations = [1, 2, 5]\nratio = [1, 10]\n";
+
+/// A grid file, and a report whose only section is that grid.
+fn written(folder: &Path, text: &str) -> (String, String) {
+    let file = folder.join("two.toml").display().to_string();
+    fs::write(&file, text).unwrap();
+    let report =
+        format!("title = 'Mine'\nlead = ''\n[[section]]\nstudy = 'grid'\ngrid = '{file}'\n");
+    (file, report)
+}
+
+fn results(report: &str) -> Results {
+    let experiment = Experiment::parse(report, "mine.toml", "mine").unwrap();
+    run::run(&experiment, None, &ProgressBar::hidden(), &Stop::default(), &|_| Ok(())).unwrap()
+}
+
+#[test]
+fn a_report_finds_at_each_point_of_a_grid_what_the_grid_alone_finds() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, report) = written(folder.path(), GRID);
+    let results = results(&report);
+    let grid = Grid::load(&file).unwrap();
+    let alone = Folder::new(&folder.path().join("alone"), &grid).unwrap();
+    alone.run_missing(&ProgressBar::hidden(), &Stop::default()).unwrap();
+    let collection = collect(&grid, &alone).unwrap();
+    let own: Vec<_> =
+        results.sections[0].findings().map(|found| found["finding"].clone()).collect();
+    let expected = collection
+        .points()
+        .iter()
+        .map(|point| serde_json::json!(point.finding))
+        .collect::<Vec<_>>();
+    assert_eq!(own, expected);
+    let document = view::document(&results).unwrap();
+    assert_eq!(document.figures.len(), 1);
+    assert_eq!(document.tables.iter().find(|(id, _)| id == "grid_tasks").unwrap().1.rows.len(), 6);
+    assert!(results.is_good().unwrap());
+}
+
+#[test]
+fn results_of_a_grid_are_not_shown_for_a_file_that_has_changed() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, report) = written(folder.path(), GRID);
+    let results = results(&report);
+    written(folder.path(), &GRID.replace("[1, 2, 5]", "[1, 2, 6]"));
+    let error = view::document(&results).err().unwrap().to_string();
+    assert!(error.contains("run the report again"), "{error}");
+}
+
+#[test]
+fn a_grid_file_with_defects_is_told_with_its_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, report) = written(folder.path(), &GRID.replace("'stack'", "'stacks'"));
+    let refused = Experiment::parse(&report, "mine.toml", "mine").err();
+    let error = refused.unwrap().to_string();
+    assert!(error.contains("stacks") && error.contains("line"), "{error}");
+}
