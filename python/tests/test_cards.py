@@ -8,14 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.special import ellipk
+from scipy.spatial.transform import Rotation
+from scipy.special import ellipj, ellipk
 
 import lcplab
 from lcplab import cards, engines
 from lcplab.cards import PHENOMENA
 from lcplab.cards.__main__ import main
-from lcplab.cards._elliptic import first_kind
+from lcplab.cards._elliptic import first_kind, sine
 from lcplab.cards._frames import frames
+from lcplab.cards.phenomena import bricard, capstan
 
 NAMED = {phenomenon.name: phenomenon for phenomenon in PHENOMENA}
 OTHERS = [name for name in engines.NAMES if name != "lcplab"]
@@ -38,6 +40,8 @@ def moved(name, changed=None, duration=None):
 def test_elliptic_integrals_are_scipys():
     for k in (0.0, 0.1, 0.5, math.sin(math.pi / 4), 0.999):
         assert first_kind(k) == pytest.approx(ellipk(k * k), rel=1e-14)
+        u = np.linspace(-7, 20, 50)
+        np.testing.assert_allclose(sine(u, k), ellipj(u, k * k)[0], atol=1e-13)
 
 
 @pytest.mark.parametrize(
@@ -57,6 +61,118 @@ def test_the_curve_of_a_swing_solves_its_equation(name, square, start):
     np.testing.assert_allclose(np.abs(curve), np.abs(np.degrees(exact.y[0])), atol=1e-5)
 
 
+def test_the_way_of_bricards_mechanism_is_closed_and_its_curve_solves_lagranges_equation():
+    scene = NAMED["bricard"].described({})
+    run = cards.Run(scene, 0.1, np.zeros(1), np.zeros((1, 5, 7)), np.zeros((1, 5, 6)), None)
+    points, axes = np.array([joint["point"] for joint in scene["constraints"]]), "yzxyzx"
+    signs = [-1, 1, 1, -1, 1, 1]
+
+    def chain(psi):
+        """The rods' middles and frames, by rotations about the scene's hinges; where the last hinge is, and by how much
+        the world would be turned after it."""
+        theta, phi = 2 * math.atan(math.sqrt(3) * math.cos(psi)), 2 * math.asin(math.sqrt(0.75) * math.sin(psi))
+        frame, end, middles, frames = Rotation.identity(), points[0], [], []
+        for k in range(5):
+            turn = signs[k] * ((theta, phi)[k % 2] - math.pi / 2)
+            frame = frame * Rotation.from_euler(axes[k], turn)
+            along = frame.apply(points[k + 1] - points[k])
+            middles.append(end + along / 2)
+            frames.append(frame)
+            end = end + along
+        turn = signs[5] * (phi - math.pi / 2)
+        return np.array(middles), frames, end, (frame * Rotation.from_euler("x", turn)).magnitude()
+
+    def energies(psi, d=1e-5):
+        (one, before, *_), (other, after, *_) = chain(psi - d), chain(psi + d)
+        inertia = ((other - one) ** 2).sum() / (2 * d) ** 2
+        for k, moments in enumerate(body["inertia"] for body in scene["bodies"]):
+            inertia += np.array(moments) @ ((before[k].inv() * after[k]).as_rotvec() / (2 * d)) ** 2
+        return inertia, 9.81 * chain(psi)[0][:, 2].sum()
+
+    for psi in np.linspace(bricard.CUBE, math.pi - bricard.CUBE, 7):
+        _, _, end, turned = chain(psi)
+        assert np.abs(end - points[5]).max() < 1e-14 and turned < 1e-14
+        np.testing.assert_allclose(np.ravel(bricard._energies(run, np.array([psi]))), energies(psi), rtol=1e-8)
+
+    def rate(_, s, d=1e-5):
+        low, here, high = np.transpose(bricard._energies(run, s[0] + np.array([-d, 0, d])))
+        slope = (high - low) / (2 * d)
+        return [s[1], -(slope[0] * s[1] ** 2 / 2 + slope[1]) / here[0]]
+
+    t = np.linspace(0, 3, 31)
+    exact = solve_ivp(rate, (0, 3), [bricard.CUBE, 0], t_eval=t, rtol=1e-9, atol=1e-10)
+    angles = np.degrees(2 * np.arctan(math.sqrt(3) * np.cos(exact.y[0])))
+    np.testing.assert_allclose(NAMED["bricard"].exact(cards.Curve(t, t), run), angles, atol=1e-3)
+
+
+def test_bricards_mechanism_swings_as_its_inertia_says_where_steps_are_short():
+    own, settings = velocity()
+    for gravity, holds in ((9.81, True), (9.5, False)):
+        scene = NAMED["bricard"].described({"gravity": [0, 0, -gravity]})
+        run = cards.simulate(own, replace(settings, dt=0.0005), scene, 10.0)
+        told = replace(run, scene=NAMED["bricard"].described({}))
+        assert all(measured.holds for measured in NAMED["bricard"].measure([told])) == holds
+
+
+@pytest.mark.parametrize(
+    ("settings", "h"), [("velocity", 0.001), ("acceleration", 0.005), ("xpbd", 0.005 / 20), ("soft", 2 * 0.005 / 8)]
+)
+def test_a_spring_of_lcplab_loses_what_an_implicit_step_takes(settings, h):
+    swings, loses = cards.run("lcplab", settings, "spring").measured
+    assert swings.holds and not loses.holds
+    assert loses.value == pytest.approx(100 * (1 - math.exp(-50 * h * 10.5 * swings.law)), rel=1e-3)
+
+
+def test_a_spring_that_follows_its_law_keeps_it_and_another_does_not():
+    spring, t = NAMED["spring"], np.linspace(0, 10, 10_001)
+    scene = spring.described({})
+
+    def hung(omega, damping):
+        poses = np.tile([0, 0, -1.0, 1, 0, 0, 0], (len(t), 1, 1))
+        poses[:, 0, 2] -= 9.81 / 50 * (1 - np.cos(omega * t) * np.exp(-damping * t))
+        run = cards.Run(scene, 0.001, t, poses, np.zeros((len(t), 1, 6)), None)
+        return [measured.holds for measured in spring.measure([run])]
+
+    exact = math.sqrt(50)
+    assert hung(exact, 0) == [True, True]
+    assert hung(1.02 * exact, 0) == [False, True] and hung(exact, 0.001) == [True, False]
+
+
+def test_a_thin_chain_without_weight_holds_what_the_formula_says():
+    described = NAMED["capstan"].described({"bodies.heavy.mass": 3.0})
+    thin = [{**body, "mass": 1e-12, "shape": {"sphere": 1e-12}} for body in described["bodies"][2:-1]]
+    scene = {**described, "bodies": [*described["bodies"][:2], *thin, described["bodies"][-1]]}
+    run = cards.Run(scene, 0.001, np.zeros(1), np.zeros((1, 20, 7)), np.zeros((1, 20, 6)), None)
+    part = 0.3 * math.tan(math.radians(7.5))
+    factor = ((1 + part) / (1 - part)) ** 12
+    assert capstan._turns(run) == pytest.approx((math.exp(0.3 * math.pi), factor), rel=1e-12)
+    assert capstan._limits(run) == pytest.approx((factor, 9.81 * (3 - factor) / (3 + factor)), rel=1e-9)
+
+
+def test_a_chain_with_less_friction_slides_and_with_more_is_held():
+    variants, measure = NAMED["capstan"].variants, NAMED["capstan"].measure
+    told = [NAMED["capstan"].described(variant) for variant in variants]
+
+    def found(friction):
+        scenes = [NAMED["capstan"].described({**variant, "contact.friction": friction}) for variant in variants]
+        runs = [cards.simulate(*velocity(), scene, 0.4) for scene in scenes]
+        return [own.holds for own in measure([replace(run, scene=one) for run, one in zip(runs, told, strict=True)])]
+
+    assert found(0.26) == [False, False] and found(0.305)[0] and not found(0.32)[1]
+
+
+def test_an_error_that_stays_is_of_no_order():
+    own, order = velocity()[0], NAMED["order"]
+
+    def lacks(gravity):
+        scene, told = (order.described({"gravity": [0, 0, -g]}) for g in (gravity, 9.81))
+        steps = [replace(own.settings[0], dt=0.001 * part) for part in order.steps]
+        return order.measure([replace(cards.simulate(own, step, scene, 2.0), scene=told) for step in steps])[0]
+
+    assert lacks(9.81).holds
+    assert lacks(9.5).value == pytest.approx(1, abs=0.05)
+
+
 def test_the_curve_of_the_brick_solves_eulers_equations():
     run = moved("angular_momentum", duration=0.01)
     one, two, three = np.array([0.04 + 0.01, 0.09 + 0.01, 0.09 + 0.04]) / 12
@@ -71,7 +187,7 @@ def test_the_curve_of_the_brick_solves_eulers_equations():
 
 @pytest.mark.parametrize(
     "name",
-    "free_fall creep wall lift stopping predictability painleve weight bounce chain top".split(),
+    "free_fall creep wall capstan lift stopping predictability painleve weight bounce order chain top".split(),
 )
 def test_velocity_level_keeps_the_laws(name):
     column = cards.run("lcplab", "velocity", name)
@@ -199,6 +315,36 @@ def test_a_translated_chain_moves_as_lcplabs_does(other):
     np.testing.assert_allclose(run.velocities[-1], exact.velocities[-1], atol=0.1)
 
 
+def test_a_tree_that_hangs_on_nothing_is_free(other):
+    described = chain()
+    scene = {**described, "constraints": described["constraints"][1:]}
+    assert [joint.parent for joint in engines.joints(scene)] == [0]
+    run = cards.simulate(*other, scene, 0.25)
+    fallen = np.array(scene["gravity"]) * 0.25**2 / 2
+    np.testing.assert_allclose(run.poses[-1] - run.poses[0], np.tile([*fallen, 0, 0, 0, 0], (2, 1)), atol=0.006)
+
+
+def test_a_translated_spring_pulls_as_lcplabs_does(other):
+    turn = {"quaternion": [0.8, 0.36, 0.48, 0.0]}
+    box = {"shape": {"box": [0.4, 0.1, 0.2]}, "mass": 2.0, "rotation": turn}
+    scene = lcplab.Scene.described({
+        "bodies": [{"name": "upper", "position": [0, 0, 0], **box}, {"name": "lower", "position": [0.5, 0, -1], **box}],
+        "constraints": [
+            {"kind": "spring", "bodies": ["upper"], "points": [[0, 0, 1], [0.1, 0, 0]], "length": 0.7, "stiffness": 100},
+            {"kind": "spring", "bodies": ["upper", "lower"], "points": [[0, 0.1, 0], [0.4, 0, -1]], "stiffness": 200},
+        ],
+    })
+    own = engines.by_name("lcplab")
+    exact = cards.simulate(own, replace(own.settings[0], dt=0.0001), scene, 0.25)
+    try:
+        run = cards.simulate(*other, scene, 0.25)
+    except engines.Unsupported as why:
+        assert other[0].name in ("pybullet", "dart", "pinocchio")
+        pytest.skip(str(why))
+    np.testing.assert_allclose(run.poses[-1, :, :3], exact.poses[-1, :, :3], atol=0.01)
+    np.testing.assert_allclose(run.velocities[-1], exact.velocities[-1], atol=0.15)
+
+
 def test_forces_of_a_cube_that_sticks_are_its_weight_in_all_directions(other):
     scene = NAMED["creep"].described({})
     try:
@@ -216,9 +362,9 @@ def test_forces_of_a_cube_that_sticks_are_its_weight_in_all_directions(other):
 def test_what_an_engine_cannot_express_is_refused(other):
     engine, settings = other
     if engine.name != "pinocchio":  # to which bodies have no shape
-        capsule = {"name": "peg", "shape": {"capsule": {"length": 1, "radius": 0.1}}, "mass": 1.0}
+        cylinder = {"name": "peg", "shape": {"cylinder": {"length": 1, "radius": 0.1}}, "mass": 1, "inertia": [1, 1, 1]}
         with pytest.raises(engines.Unsupported, match="shape"):
-            engine.build(lcplab.Scene.described({"bodies": [capsule]}), settings)
+            engine.build(lcplab.Scene.described({"bodies": [cylinder]}), settings)
     pushed = {"name": "ball", "shape": {"sphere": 0.1}, "mass": 1.0, "force": [1.0, 0, 0]}
     with pytest.raises(engines.Unsupported, match="force"):
         engine.build(lcplab.Scene.described({"bodies": [pushed]}), settings)
@@ -246,8 +392,152 @@ def test_mujocos_own_forces_solve_the_problem_that_it_poses():
     world = engine.build(NAMED["stopping"].described({}), engine.settings[0])
     for _ in range(100):
         world.step()
-    problem, answer = world.problem()
-    assert not lcplab.judge(problem, x=0.99 * answer, tolerance=1e-6)
+    posed = world.problem()
+    assert not lcplab.judge(posed.problem, x=0.99 * posed.answer, tolerance=1e-6)
+
+
+def brick():
+    """A brick of three moments that lands turning, on a corner, and slides."""
+    return lcplab.Scene.described({
+        "gravity": [1.0, 0.5, -9.81],
+        "contact": {"friction": 0.5},
+        "bodies": [
+            {"name": "floor", "fixed": True, "shape": {"plane": [0, 0, 1]}},
+            {"name": "brick", "shape": {"box": [0.2, 0.1, 0.05]}, "mass": 2.0, "position": [0, 0, 0.15],
+             "rotation": {"quaternion": [0.8, 0.36, 0.48, 0]}, "velocity": [1, 0.5, 0], "angular_velocity": [3, -2, 5]},
+        ],
+    })
+
+
+def installed(name):
+    engine = engines.by_name(name)
+    if not engine.is_installed:
+        pytest.skip(f"{engine.package} is not installed")
+    return engine
+
+
+def dense(triplets, rows, columns):
+    matrix = np.zeros((rows, columns))
+    for i, j, value in triplets:
+        matrix[i, j] = value
+    return matrix
+
+
+def steps(engine, settings, scene, duration):
+    """What is posed in each step in which something touches, and the velocities after it."""
+    world = engine.build(scene, settings)
+    for _ in range(round(duration / settings.dt)):
+        try:
+            posed = world.problem()
+        except engines.Unsupported:
+            continue
+        yield posed, world.velocities()
+
+
+@pytest.mark.parametrize(("name", "error"), [("pybullet", 1e-9), ("drake", 1e-6), ("dart", 1e-11)])
+@pytest.mark.parametrize("scene", ["brick", "creep", "weight", "mass_ratio", "stopping"])
+def test_an_engines_step_is_what_its_own_answer_makes_of_the_problem_that_is_posed(name, error, scene):
+    # Drake's unknowns are the velocities. Its forces follow from them, and it stops when momentum is balanced to 1e-6
+    # of itself or of the impulses, each entry over the root of its mass (Castro et al. 2022, SAP).
+    engine = installed(name)
+    described = brick() if scene == "brick" else NAMED[scene].described({})
+    free = [not body["fixed"] for body in described["bodies"]]
+    touched = 0
+    for posed, velocities in steps(engine, engine.settings[0], described, 0.4):
+        motion, n = posed.more["motion"], len(posed.answer)
+        target, k = np.array(motion["target"]), len(motion["target"])
+        half, jacobian = dense(motion["mass"], k, k), dense(motion["jacobian"], n, k)
+        mass = half + np.triu(half, 1).T
+        told = target + np.linalg.solve(mass, jacobian.T @ posed.answer)
+        own = velocities[free].ravel()
+        parts = mass @ (own - told), mass @ own, jacobian.T @ posed.answer
+        imbalance, momentum, impulse = (np.linalg.norm(part / np.sqrt(np.diag(mass))) for part in parts)
+        assert imbalance <= error * max(momentum, impulse)
+        problem = posed.problem
+        matrix = jacobian @ np.linalg.solve(mass, jacobian.T) + np.diag(motion["compliance"])
+        np.testing.assert_allclose(problem.A, matrix, atol=1e-9 * np.abs(matrix).max())
+        np.testing.assert_allclose(problem.b, jacobian @ target + motion["bias"], atol=1e-12)
+        assert [row["kind"] for row in posed.more["rows"][:3]] == ["normal", "friction", "friction"]
+        touched += 1
+    assert touched > 20
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "residual"),
+    [
+        ("pybullet", "accurate", 1e-9),
+        ("drake", "defaults", 1e-5),
+        ("dart", "defaults", 1e-10),
+        ("dart", "accurate", 1e-10),
+    ],
+)
+def test_an_engine_that_iterates_long_enough_solves_what_is_posed_of_it(name, settings, residual):
+    engine = installed(name)
+    chosen = next(own for own in engine.settings if own.name == settings)
+    for scene in ("creep", "weight"):
+        for posed, _ in list(steps(engine, chosen, NAMED[scene].described({}), 0.2))[-20:]:
+            verdict = lcplab.judge(posed.problem, x=posed.answer, tolerance=residual)
+            assert verdict, (scene, verdict)
+            assert not lcplab.judge(posed.problem, x=0.99 * posed.answer, tolerance=residual)
+
+
+@pytest.mark.parametrize("name", ["pybullet", "dart"])
+def test_the_problem_of_a_bounce_asks_for_its_part_of_the_speed(name):
+    engine = installed(name)
+    bounces = 0
+    for posed, velocities in steps(engine, engine.settings[0], NAMED["bounce"].described({}), 1.0):
+        if velocities[1, 2] > 1.0:
+            approach = posed.more["motion"]["target"][2]
+            if approach < 0:
+                assert velocities[1, 2] == pytest.approx(-0.5 * approach, rel=0.1)  # and what corrects the overlap
+                assert lcplab.judge(posed.problem, x=posed.answer, tolerance=1e-9)
+                bounces += 1
+    assert bounces > 0
+
+
+def test_bullets_friction_is_along_the_sliding_over_the_diagonal():
+    # x_t is μ x_n along −w_t/a_t, entry by entry: up to 30° beside the sliding of a brick that stands on a corner.
+    engine = installed("pybullet")
+    angles = []
+    for posed, _ in steps(engine, engine.settings[1], brick(), 0.4):
+        matrix, x = posed.problem.A, posed.answer
+        w = matrix @ x + posed.problem.b
+        for i in range(0, len(x), 3):
+            tangents = slice(i + 1, i + 3)
+            if x[i] < 1e-3 or np.linalg.norm(w[tangents]) < 0.1:
+                continue
+            along = -w[tangents] / matrix.diagonal()[tangents]
+            expected = 0.5 * x[i] * along / np.linalg.norm(along)
+            np.testing.assert_allclose(x[tangents], expected, atol=1e-3 * x[i])
+            cosine = -x[tangents] @ w[tangents] / np.linalg.norm(x[tangents]) / np.linalg.norm(w[tangents])
+            angles.append(math.degrees(math.acos(min(cosine, 1.0))))
+    assert max(angles) > 5
+
+
+def test_pinocchios_solver_answers_the_problems_that_lcplab_poses():
+    installed("pinocchio")
+    found = frames("pinocchio")
+    assert [own["phenomenon"] for own in found] == ["creep", "stopping", "weight", "mass_ratio"]
+    for own in found:
+        assert own["residual"] < 1e-4 and own["problem"]["model"] == "coulomb-cone", own
+        assert "apgd" in {s["solver"] for s in own["solvers"] if s["accepted"]}
+
+
+@pytest.mark.parametrize("name", ["mujoco", "pybullet", "drake", "dart", "pinocchio"])
+def test_a_frame_is_a_problem_file_whose_worst_row_has_a_name(name, tmp_path):
+    installed(name)
+    found = frames(name)
+    assert found
+    for own in found:
+        file = tmp_path / "frame.json"
+        file.write_text(json.dumps(own["problem"]), encoding="utf-8")
+        problem = lcplab.Problem.read(file)
+        assert len(problem) == own["rows"] == len(own["answer"])
+        assert lcplab.judge(problem, x=own["answer"], tolerance=1e-6).verdict == own["verdict"]
+        assert name == "mujoco" or len(problem.to_json()["rows"]) == own["rows"]
+        assert (own["row"] is None) == ("missed" not in own)
+        if own["row"] is not None:
+            assert 0 < own["missed"] < 2e-3  # m/s
 
 
 def test_an_engine_that_was_translated_wrongly_is_left_out_of_the_record():

@@ -3,6 +3,7 @@
 mod chapter;
 mod convert;
 mod diagnose;
+mod engines;
 mod explain;
 mod families;
 mod form;

@@ -14,6 +14,7 @@ use lcplab::report::proofs::Proofs;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
 
+use super::engines;
 use super::limits::Limits;
 use super::pdf::Browser;
 use super::plugin::Declared;
@@ -22,6 +23,9 @@ use crate::handout::ALL;
 
 /// The walk through the chapter.
 const HANDOUT: &Program = &ALL[0];
+
+/// The report that draws what physics engines did.
+const ENGINES: &str = "engines";
 
 /// Run a report and write its page
 #[derive(Debug, Args)]
@@ -33,6 +37,7 @@ Example:
   lcplab report --print standard > mine.toml   # a start for a report of your own
   lcplab report mine.toml --out mine
   lcplab report frames/*.json --solver pgs --sweeps 10   # problems of your own: what is missing, who solves them
+  lcplab report engines --engine mujoco,rapier # engines that are installed, run on this machine
   lcplab report --proofs       # with proof files, and buttons on the page that check them
   lcplab report --section convergence          # one section of the standard report
   lcplab report --section convergence --figure convergence_chain --out chain.pdf   # one figure alone
@@ -95,6 +100,10 @@ pub struct Report {
     /// Prove what the rows about single problems say, and let the page check it
     #[arg(long, conflicts_with = "compare")]
     proofs: bool,
+    /// Of the report engines: run these physics engines first, with commas between them, or all that are installed, by
+    /// python3 -m lcplab.cards; without it the recorded page is drawn
+    #[arg(long, value_name = "NAMES|all", conflicts_with_all = ["redraw", "compare", "section"])]
+    engine: Option<String>,
     #[command(flatten)]
     plugins: Declared,
 }
@@ -136,6 +145,9 @@ impl Report {
         let _running = self.plugins.start(&self.report[0], &experiment.plugins)?;
         let out = self.out.as_deref().filter(|_| self.figure.is_none());
         let mut folder = folder_of(out, "reports", &experiment.name)?;
+        if let Some(names) = &self.engine {
+            experiment = self.of_engines(names, &folder)?;
+        }
         if let Some(id) = &self.section {
             experiment = experiment.only(id)?;
             folder.push(id);
@@ -163,6 +175,18 @@ impl Report {
         Ok((stopped.map_or(outcome, Outcome::Stopped), page))
     }
 
+    /// The report on engines with what these engines do on this machine.
+    fn of_engines(&self, names: &str, folder: &Path) -> Result<Experiment> {
+        if self.report != [ENGINES] {
+            let reason = format!("belongs to the report {ENGINES}, not to {}", self.report[0]);
+            return Err(Error::invalid("report", "--engine", reason));
+        }
+        let record = engines::run(names, folder)?;
+        let record = toml::Value::from(record.display().to_string());
+        let text = format!("{}record = {record}\n", experiment::shipped(ENGINES, "report")?);
+        Experiment::parse(&text, "engines.toml", ENGINES)
+    }
+
     /// The command that makes this page again, wherever it is run from the same folder.
     fn command(&self) -> String {
         let mut words = vec!["lcplab".to_string(), "report".into()];
@@ -179,6 +203,9 @@ impl Report {
         }
         if self.proofs {
             words.push("--proofs".into());
+        }
+        if let Some(names) = &self.engine {
+            words.extend(["--engine".into(), shell_word(names)]);
         }
         words.extend(self.plugins.word());
         words.join(" ")

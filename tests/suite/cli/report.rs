@@ -6,8 +6,9 @@ use lcplab::report::results::Results;
 use lcplab::report::{run as runner, write};
 use lcplab::solver::Stop;
 use serde_json::Value;
+use std::fs;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Output};
 
 use super::{err, out, run};
 
@@ -28,7 +29,7 @@ fn interrupted(file: &Path, folder: &Path) -> Results {
 }
 
 fn read(folder: &Path) -> Value {
-    let text = std::fs::read_to_string(folder.join("results.json")).unwrap();
+    let text = fs::read_to_string(folder.join("results.json")).unwrap();
     serde_json::from_str(&text).unwrap()
 }
 
@@ -46,7 +47,7 @@ fn first_number(value: &mut Value) -> Option<&mut Value> {
 fn an_interrupted_report_does_again_what_somebody_has_edited_since() {
     let folder = tempfile::tempdir().unwrap();
     let (file, page) = (folder.path().join("two.toml"), folder.path().join("page"));
-    std::fs::write(&file, TWO).unwrap();
+    fs::write(&file, TWO).unwrap();
     let names = ["report", file.to_str().unwrap(), "--out", page.to_str().unwrap()];
     let whole = serde_json::to_value(interrupted(&file, &page)).unwrap();
     let untouched = run(&names);
@@ -73,7 +74,7 @@ fn an_interrupted_report_does_again_what_somebody_has_edited_since() {
         interrupted(&file, &page);
         let mut results = read(&page);
         edit(&mut results);
-        std::fs::write(page.join("results.json"), results.to_string()).unwrap();
+        fs::write(page.join("results.json"), results.to_string()).unwrap();
         let output = run(&names);
         let path = page.join("results.json");
         let told = format!(
@@ -89,7 +90,7 @@ fn an_interrupted_report_does_again_what_somebody_has_edited_since() {
 fn what_is_complete_carries_no_checksum() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("two.toml");
-    std::fs::write(&file, TWO).unwrap();
+    fs::write(&file, TWO).unwrap();
     let whole = interrupted(&file, folder.path());
     let sections = read(folder.path())["sections"].clone();
     assert!(sections.as_array().unwrap().iter().all(|part| part["checksum"].is_string()));
@@ -102,12 +103,12 @@ fn what_is_complete_carries_no_checksum() {
 fn the_line_that_reproduces_a_page_does() {
     let folder = tempfile::tempdir().unwrap();
     let inner = folder.path().join("my reports");
-    std::fs::create_dir(&inner).unwrap();
+    fs::create_dir(&inner).unwrap();
     let (file, page) = (inner.join("mine.toml"), inner.join("page"));
-    std::fs::write(&file, TWO).unwrap();
+    fs::write(&file, TWO).unwrap();
     let (file, page) = (file.to_str().unwrap(), page.to_str().unwrap());
     assert_eq!(run(&["report", file, "--out", page]).status.code(), Some(0));
-    let html = || std::fs::read_to_string(Path::new(page).join("index.html")).unwrap();
+    let html = || fs::read_to_string(Path::new(page).join("index.html")).unwrap();
     let line = format!("lcplab report '{file}' --out '{page}'");
     let escaped = |text: &str| text.replace('\'', "&#39;").replace('"', "&#34;");
     let has = |line: &str| html().contains(line) || html().contains(&escaped(line));
@@ -123,7 +124,7 @@ fn the_line_that_reproduces_a_page_does() {
 
     let part = run(&["report", file, "--section", "rates", "--out", page]);
     assert_eq!(part.status.code(), Some(0), "{}", err(&part));
-    let html = std::fs::read_to_string(Path::new(page).join("rates/index.html")).unwrap();
+    let html = fs::read_to_string(Path::new(page).join("rates/index.html")).unwrap();
     let line = format!("lcplab report '{file}' --section rates --out '{page}'");
     assert!(html.contains(&line) || html.contains(&escaped(&line)), "{line}");
 }
@@ -136,11 +137,11 @@ const JUDGED: &str = "title = 'Judged'\nlead = ''\n\
 fn every_row_that_shows_the_verdict_of_a_problem_links_to_a_proof_that_a_stranger_accepts() {
     let folder = tempfile::tempdir().unwrap();
     let (file, page) = (folder.path().join("judged.toml"), folder.path().join("page"));
-    std::fs::write(&file, JUDGED).unwrap();
+    fs::write(&file, JUDGED).unwrap();
     let ran = run(&["report", file.to_str().unwrap(), "--proofs", "--out", page.to_str().unwrap()]);
     assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
     assert!(err(&ran).starts_with("4 proofs in "), "{}", err(&ran));
-    let html = std::fs::read_to_string(page.join("index.html")).unwrap();
+    let html = fs::read_to_string(page.join("index.html")).unwrap();
     let ids = html.split("class=\"proof\" id=\"").skip(1);
     let ids: Vec<&str> = ids.map(|rest| &rest[..rest.find('"').unwrap()]).collect();
     assert_eq!(ids.len(), 4);
@@ -167,14 +168,14 @@ fn problem_files_make_a_report_of_what_is_missing_and_who_solves_them() {
     let out_folder = at("page");
     let told = run(&["report", &at("*.json"), "--sweeps", "2", "--out", &out_folder]);
     assert_eq!(told.status.code(), Some(0), "{told:?}");
-    let page = std::fs::read_to_string(at("page/index.html")).unwrap();
+    let page = fs::read_to_string(at("page/index.html")).unwrap();
     for part in ["2 sweeps of pgs leave", "Who solves most?", "step-1.json", "dantzig"] {
         assert!(page.contains(part), "{part}");
     }
     // It names the command that makes it again, and is drawn again from its results to the same bytes.
     assert!(page.contains("--solver pgs --sweeps 2"));
     assert_eq!(run(&["report", "--redraw", &out_folder]).status.code(), Some(0));
-    assert!(page == std::fs::read_to_string(at("page/index.html")).unwrap());
+    assert!(page == fs::read_to_string(at("page/index.html")).unwrap());
     let told = run(&["report", &at("step-1.json"), "mine.toml"]);
     assert_eq!(told.status.code(), Some(2));
     let error = String::from_utf8(told.stderr).unwrap();
@@ -185,7 +186,7 @@ fn problem_files_make_a_report_of_what_is_missing_and_who_solves_them() {
 fn a_shipped_report_prints_as_a_start_for_one_of_ones_own() {
     let printed = run(&["report", "--print", "friction"]);
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/friction.toml");
-    assert_eq!(out(&printed), std::fs::read_to_string(file).unwrap());
+    assert_eq!(out(&printed), fs::read_to_string(file).unwrap());
     assert_eq!(run(&["report", "--print", "fiction"]).status.code(), Some(2));
     let schema: serde_json::Value =
         serde_json::from_str(&out(&run(&["report", "--schema"]))).unwrap();
@@ -196,7 +197,7 @@ fn a_shipped_report_prints_as_a_start_for_one_of_ones_own() {
 fn a_figure_alone_is_that_of_the_page() {
     let folder = tempfile::tempdir().unwrap();
     let (file, page) = (folder.path().join("two.toml"), folder.path().join("page"));
-    std::fs::write(&file, TWO).unwrap();
+    fs::write(&file, TWO).unwrap();
     let [file, page] = [&file, &page].map(|path| path.to_str().unwrap());
     assert_eq!(run(&["report", file, "--out", page]).status.code(), Some(0));
     for (ending, source) in [("svg", &["--redraw", page]), ("csv", &[file, "--fresh"])] {
@@ -205,7 +206,7 @@ fn a_figure_alone_is_that_of_the_page() {
         let told = run(&[&["report"][..], source, &out].concat());
         assert_eq!(told.status.code(), Some(0), "{}", err(&told));
         let beside = Path::new(page).join(format!("data/rates_error.{ending}"));
-        assert_eq!(std::fs::read(&alone).unwrap(), std::fs::read(beside).unwrap());
+        assert_eq!(fs::read(&alone).unwrap(), fs::read(beside).unwrap());
     }
     let refused = |figure: &str, out: &str| {
         let told = run(&["report", "--redraw", page, "--figure", figure, "--out", out]);
@@ -214,4 +215,45 @@ fn a_figure_alone_is_that_of_the_page() {
     };
     assert!(refused("nothing", "a.svg").contains("named \"nothing\"; there are worst_cases"));
     assert!(refused("rates_error", "a.png").contains("must end in .svg, .pdf or .csv"));
+}
+
+/// In place of Python: a script that notes how it was called and writes the shipped record, or fails.
+#[cfg(unix)]
+fn report_on_engines(folder: &Path, script: &str) -> Output {
+    use std::os::unix::fs::PermissionsExt;
+    let python = folder.join("python");
+    fs::write(&python, format!("#!/bin/sh\n{script}\n")).unwrap();
+    fs::set_permissions(&python, fs::Permissions::from_mode(0o755)).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
+    command.args(["report", "engines", "--engine", "mujoco,rapier", "--out"]);
+    command.arg(folder.join("page")).env("LCPLAB_PYTHON", python).output().unwrap()
+}
+
+#[cfg(unix)]
+#[test]
+fn engines_that_are_named_run_before_their_page_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let record = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/engines.json");
+    let called = folder.path().join("called");
+    let script = format!("echo \"$@\" >{}; cp {record} \"$4\"", called.display());
+    let output = report_on_engines(folder.path(), &script);
+    assert!(output.status.success(), "{}", err(&output));
+    let written = folder.path().join("page/engines.json");
+    let expected = format!("-m lcplab.cards --out {} --engine mujoco,rapier\n", written.display());
+    assert_eq!(fs::read_to_string(called).unwrap(), expected);
+    let page = fs::read_to_string(folder.path().join("page/index.html")).unwrap();
+    assert!(page.contains("MuJoCo") && page.contains("--engine mujoco,rapier"));
+}
+
+#[cfg(unix)]
+#[test]
+fn engines_that_do_not_run_are_one_message() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = report_on_engines(folder.path(), "exit 2");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("ended with exit status: 2"), "{}", err(&output));
+    assert!(err(&output).contains("pip install ./python"), "{}", err(&output));
+    let output = run(&["report", "scenes", "--engine", "mujoco"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("belongs to the report engines"), "{}", err(&output));
 }

@@ -103,13 +103,15 @@ class Phenomenon:
     #: Name and unit of the plot's axes.
     x: tuple[str, str]
     y: tuple[str, str]
-    #: What the runs, one a variant, give.
+    #: What the runs, one a variant and step, give.
     measure: Callable[[Sequence[Run]], list[Measurement]]
     #: What is plotted of them, and what the law has for it.
     plot: Callable[[Sequence[Run]], Curve]
     exact: Callable[[Curve, Run], Array]
     #: Fields of the scene that are set, one run each.
     variants: Sequence[Mapping[str, Any]] = ({},)
+    #: What the settings' own step is multiplied by, one run each for each variant.
+    steps: Sequence[float] = (1.0,)
     #: Whether the horizontal axis is logarithmic.
     log: bool = False
     #: When the picture is taken that tells most (s); at the end without it.

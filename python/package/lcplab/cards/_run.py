@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -84,8 +84,9 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
     chosen = _named(known.settings, settings)
     try:
         runs = [
-            simulate(known, chosen, wanted.described(variant), wanted.duration)
+            simulate(known, replace(chosen, dt=part * chosen.dt), wanted.described(variant), wanted.duration)
             for variant in wanted.variants
+            for part in wanted.steps
         ]
         if wanted.needs_forces and runs[0].forces is None:
             raise Unsupported("forces are not told")
@@ -105,8 +106,12 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
         exact=wanted.exact(curve, runs[0]),
         time=instant,
         poses=runs[-1].poses[runs[-1].after(instant)],
-        pace=sum(run.seconds for run in runs) / (wanted.duration * len(runs)),
+        pace=_pace([run for run in runs if run.dt == chosen.dt], wanted.duration),
     )
+
+
+def _pace(runs: Sequence[Recorded], duration: float) -> float:
+    return sum(run.seconds for run in runs) / (duration * len(runs))
 
 
 #: A plot has so many points of a run, at the same times for all engines.

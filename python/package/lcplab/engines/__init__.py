@@ -11,7 +11,7 @@ from __future__ import annotations
 import importlib
 import importlib.metadata
 import importlib.util
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol, runtime_checkable
 
@@ -44,12 +44,24 @@ class World(Protocol):
         """What contacts put on each body in the last step (N, world axes), (bodies, 3), if it is told."""
 
 
+@dataclass(frozen=True)
+class Posed:
+    """A contact problem of an engine and the engine's own answer to it."""
+
+    problem: Problem
+    answer: Array
+    #: What was posed and in which units, for people.
+    words: str
+    #: More keys of a problem file: what its rows are, what it was made from.
+    more: Mapping[str, Any] = field(default_factory=dict)
+
+
 @runtime_checkable
 class Posing(Protocol):
     """A world that tells the contact problem which its engine solves."""
 
-    def problem(self) -> tuple[Problem, Array]:
-        """The problem of this moment, and the engine's own answer to it."""
+    def problem(self) -> Posed:
+        """The problem of this moment; where an engine tells it only afterwards, that of a step which this takes."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +89,8 @@ class Engine:
     module: str
     settings: tuple[Settings, ...]
     build: Callable[[Description, Settings], World]
+    #: How its contact solver answers a problem with Coulomb's cones, if it poses none itself, and the words for it.
+    solve: tuple[Callable[[Problem], Array], str] | None = None
 
     @property
     def title(self) -> str:
@@ -153,6 +167,38 @@ class Joint:
     closes: bool
 
 
+@dataclass(frozen=True)
+class Spring:
+    """A spring of a scene, without a damper."""
+
+    #: The body by its number, and the point in its axes (m), of both ends; no body is the world.
+    ends: list[tuple[int | None, Array]]
+    #: At which it pulls nothing (m), and how much it pulls for each metre more (N/m).
+    length: float
+    stiffness: float
+
+
+def springs(scene: Description) -> list[Spring]:
+    """The springs of a scene."""
+    numbers = {body["name"]: k for k, body in enumerate(scene["bodies"])}
+    found = []
+    for written in scene["constraints"]:
+        if written["kind"] != "spring":
+            continue
+        if written["damping"] or not written["points"]:
+            raise Unsupported("a spring with a damper, or without its points")
+        bodies = [numbers[name] for name in written["bodies"]]
+        points = np.array(written["points"], dtype=float)
+        length = written["length"]
+        length = float(np.linalg.norm(points[1] - points[0])) if length is None else float(length)
+        ends: list[tuple[int | None, Array]] = [(None, points[0])] * (2 - len(bodies))
+        for k, point in zip(bodies, points[-len(bodies) :]):
+            at = np.array([*point, 1, 0, 0, 0])
+            ends.append((k, relative(pose(scene["bodies"][k]), at)[:3]))
+        found.append(Spring(ends, length, float(written["stiffness"])))
+    return found
+
+
 #: Fields of bodies and joints that no adapter translates.
 _REFUSED = {
     "bodies": ("force", "force_at", "torque"),
@@ -160,14 +206,20 @@ _REFUSED = {
 }
 
 
-def joints(scene: Description) -> list[Joint]:
-    """The joints of a scene: those of a spanning tree outwards from the world, then those that close loops.
+def joints(scene: Description, besides: Sequence[str] = ()) -> list[Joint]:
+    """The joints of a scene: those of spanning trees, then those that close loops.
+
+    A tree begins at the world or, where nothing joins its bodies to that, at the first of them, which is free.
 
     Engines in joint coordinates take the first as they are and need an equation for each of the others.
-    What no adapter translates is refused here.
+    What no adapter translates is refused here. Constraints of the kinds ``besides`` are left to the adapter.
     """
+    constraints = [written for written in scene["constraints"] if written["kind"] not in besides]
+    if any(written["kind"] == "spring" for written in constraints):
+        raise Unsupported("a spring between two points")
     for key, fields in _REFUSED.items():
-        for written, field_ in ((written, field_) for written in scene[key] for field_ in fields):
+        every = constraints if key == "constraints" else scene[key]
+        for written, field_ in ((written, field_) for written in every for field_ in fields):
             if written[field_] not in (None, [0, 0, 0]):
                 raise Unsupported(f"the field {field_} of {key}")
     if scene["start"]:
@@ -175,7 +227,7 @@ def joints(scene: Description) -> list[Joint]:
     numbers = {body["name"]: k for k, body in enumerate(scene["bodies"])}
     fixed = {k for k, body in enumerate(scene["bodies"]) if body["fixed"]}
     waiting = []
-    for written in scene["constraints"]:
+    for written in constraints:
         kind = "ball" if written["kind"] == "nail" else written["kind"]  # a nail is a ball joint to the world
         if kind not in ("hinge", "ball"):
             raise Unsupported(f"a joint of kind {kind}")
@@ -188,7 +240,14 @@ def joints(scene: Description) -> list[Joint]:
         waiting.append((kind, ends, point, axis / np.linalg.norm(axis)))
     tree: list[Joint] = []
     reached: set[int | None] = {None}
-    while ready := [w for w in waiting if (w[1][0] in reached) != (w[1][1] in reached)]:
+    while waiting:
+        ready = [w for w in waiting if (w[1][0] in reached) != (w[1][1] in reached)]
+        if not ready:
+            loose = [w[1][0] for w in waiting if w[1][0] not in reached]
+            if not loose:
+                break
+            reached.add(loose[0])
+            continue
         kind, ends, point, axis = ready[0]
         parent, child = ends if ends[0] in reached else ends[::-1]
         assert child is not None
@@ -196,8 +255,6 @@ def joints(scene: Description) -> list[Joint]:
         reached.add(child)
         waiting.remove(ready[0])
     for kind, ends, point, axis in waiting:
-        if ends[0] not in reached or ends[1] not in reached:
-            raise Unsupported("joints that no body of the world begins")
         parent, child = ends if ends[1] is not None else ends[::-1]
         assert child is not None
         tree.append(Joint(kind, parent, child, point, axis, closes=True))

@@ -14,8 +14,14 @@ from typing import Any
 
 import numpy as np
 
-from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
+import lcplab
+from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
+from lcplab.engines._contacts import Contacts
+
+#: What DART has built in (dart/constraint/ContactConstraint.cpp): the part of an overlap that a step corrects, the
+#: most speed (m/s) for it, the speed (m/s) above which bodies bounce, and the part that is added to the diagonal.
+ERP, FASTEST, BOUNCES_FROM, CFM = 0.01, 1e-3, 0.1, 1e-5
 
 
 class Model:
@@ -25,6 +31,7 @@ class Model:
         import dartpy
 
         self.dart: Any = dartpy
+        self.scene, self.dt = scene, settings.dt
         self.world: Any = dartpy.simulation.World()
         self.world.setTimeStep(settings.dt)
         self.world.setGravity(scene["gravity"])
@@ -98,6 +105,10 @@ class Model:
             made = kinds.BoxShape(size)
         elif kind == "sphere":
             made = kinds.SphereShape(size)
+        elif kind == "capsule":
+            if self.world.getConstraintSolver().getCollisionDetector().getType() == "fcl":
+                raise Unsupported("capsules in FCL, as which DART takes spheres")
+            made = kinds.CapsuleShape(size["radius"], size["length"])
         else:
             raise Unsupported(f"a body of shape {kind}")
         put = node.createShapeNode(made)
@@ -144,6 +155,40 @@ class Model:
                 node = end.getShapeFrame().asShapeNode().getBodyNodePtr()
                 every[numbers[node.getName()]] += sign * contact.force
         return every
+
+    def problem(self) -> Posed:
+        """The contact problem of a step, which is taken here, as DART poses it, and DART's own impulses.
+
+        DART tells no problem. Points, normals, depths and forces are those of the step's contacts, poses and
+        velocities those before it, masses and moments those of the scene. Dantzig's method, which DART has
+        from ODE, bounds the friction along each tangent by μ times the normal impulse that it finds
+        before any friction, and keeps this bound: the problem is that of a box frozen there.
+        """
+        contacts = Contacts(self.scene, self.poses(), self.velocities(), self.dt)
+        self.step()
+        if not self.velocities().any():
+            raise Unsupported("bodies that sleep")
+        numbers = {node.getName(): k for k, node in enumerate(self.nodes)}
+        for contact in self.world.getLastCollisionResult().getContacts():
+            nodes = [end.getShapeFrame().asShapeNode().getBodyNodePtr()
+                     for end in (contact.collisionObject1, contact.collisionObject2)]
+            pair = numbers[nodes[0].getName()], numbers[nodes[1].getName()]
+            along = np.cross([0, 0, 1], contact.normal)
+            if along @ along < 1e-12:
+                along = np.cross([1, 0, 0], contact.normal)
+            along /= np.linalg.norm(along)
+            axes = np.array([contact.normal, along, np.cross(contact.normal, along)])
+            lines = contacts.lines(pair, (contact.point, contact.point), axes)
+            speed = min(max(contact.penetrationDepth, 0.0) * ERP / self.dt, FASTEST)
+            bounce = -self.surface[1] ** 2 * float(lines[0] @ contacts.target)
+            if bounce > BOUNCES_FROM:
+                speed = max(speed, bounce)
+            mixed = CFM * np.diag(lines @ np.linalg.solve(contacts.mass, lines.T))
+            contacts.add(pair, lines, self.dt * axes @ contact.force, -speed, mixed)
+        most = np.tile([np.inf, 0.0, 0.0], (len(contacts.rows) // 3, 1))
+        normal = lcplab.solve(contacts.posed("", most=most).problem).x[::3]
+        most[:, 1:] = self.surface[0] * normal[:, None]
+        return contacts.posed("impulses (N s), boxes of friction", most=most)
 
 
 ENGINE = Engine(

@@ -13,14 +13,18 @@ from typing import Any
 
 import numpy as np
 
-from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
-from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
+from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
+from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, springs, turned
+from lcplab.engines._contacts import Contacts
 
 #: The hydroelastic modulus of bodies (Pa) in the accurate settings. Drake's guide calls 1e5 to 1e7 good
 #: approximations of rigid contact and sees no reason for more.
 MODULUS = 1e7
-#: How finely a sphere is meshed (m), as Drake has it by default.
-MESH = 0.02
+#: How finely round bodies are meshed (m), as Drake has it by default, and smaller ones in parts of their radius.
+MESH, FINE = 0.02, 0.2
+#: What Drake takes by default: a body's stiffness (N/m) and dissipation (s/m), of two the half and the same; the
+#: speed (m/s) below which friction holds, and its least compliance as a part of the contact's own J M⁻¹Jᵀ.
+STIFFNESS, DISSIPATION, STICTION, SIGMA = 1e6, 50.0, 1e-4, 1e-3
 
 
 class Model:
@@ -32,6 +36,7 @@ class Model:
         from pydrake.multibody import math as spatial, plant, tree
         from pydrake.systems import analysis, framework
 
+        self.scene = scene
         self.geometry: Any = geometry
         self.math: Any = math
         self.quaternion: Any = eigen_geometry.Quaternion
@@ -51,7 +56,7 @@ class Model:
                                   for body in scene["bodies"]]
         #: The body's number for each geometry.
         self.owners: dict[Any, int] = {}
-        every = joints(scene)
+        every = joints(scene, besides=("spring",))
         hangs = {joint.child: joint for joint in every if not joint.closes}
         for k, body in enumerate(scene["bodies"]):
             self._shape(k, body)
@@ -65,6 +70,11 @@ class Model:
         for joint in every:
             if joint.closes:
                 self._close(scene["bodies"], joint, graph)
+        for spring in springs(scene):
+            ends: list[Any] = []
+            for number, point in spring.ends:
+                ends += [self.plant.world_body() if number is None else self.bodies[number], point]
+            self.plant.AddForceElement(self.tree.LinearSpringDamper(*ends, spring.length, spring.stiffness, 0.0))
         self.plant.Finalize()
         self.simulator: Any = analysis.Simulator(builder.Build())
         self.context: Any = self.plant.GetMyMutableContextFromRoot(self.simulator.get_mutable_context())
@@ -94,6 +104,8 @@ class Model:
             made = self.geometry.Box(*size)
         elif kind == "sphere":
             made = self.geometry.Sphere(size)
+        elif kind == "capsule":
+            made = self.geometry.Capsule(size["radius"], size["length"])
         else:
             raise Unsupported(f"a body of shape {kind}")
         properties = self.geometry.ProximityProperties()
@@ -102,7 +114,8 @@ class Model:
         if self.accurate and kind == "plane":
             self.geometry.AddRigidHydroelasticProperties(properties=properties)
         elif self.accurate:
-            self.geometry.AddCompliantHydroelasticProperties(MESH, MODULUS, properties)
+            radius = size if kind == "sphere" else size["radius"] if kind == "capsule" else np.inf
+            self.geometry.AddCompliantHydroelasticProperties(min(MESH, FINE * radius), MODULUS, properties)
         at = self.math.RigidTransform()
         made = self.plant.RegisterCollisionGeometry(self.bodies[k], at, made, body["name"], properties)
         self.owners[made] = k
@@ -189,6 +202,47 @@ class Model:
             every[self.owners[surface.contact_surface().id_M()]] += force
             every[self.owners[surface.contact_surface().id_N()]] -= force
         return every
+
+    def problem(self) -> Posed:
+        """The contact problem of a step, which is taken here, as Drake poses it, and Drake's own impulses.
+
+        Points, depths and forces are those of the contact results of the step, poses and velocities those before
+        it, masses and moments those of the scene. Drake looks for velocities v_n, v_t of each point at which the
+        impulses are dt k (depth − dt v_n)₊ (1 − d v_n)₊ along its normal and −μ n₀ v_t/√(|v_t|² + ε²) along its
+        surface, n₀ being the normal one at the velocity before the step. That is no LCP. It becomes one with the
+        factor of d and with the root as they are at Drake's own velocity after the step: each row then has a
+        compliance, and a tangent the bounds ±μ n₀. Its only solution is Drake's answer if that solves Drake's
+        own equations. A point that leaves faster than 1/d carries nothing, yet has the friction of n₀.
+        """
+        if self.accurate:
+            raise Unsupported("surfaces of contact")
+        before, dt = self.velocities(), self.dt
+        contacts = Contacts(self.scene, self.poses(), before, dt)
+        self.step()
+        after = self.velocities()
+        numbers = {body.index(): k for k, body in enumerate(self.bodies)}
+        results = self.plant.get_contact_results_output_port().Eval(self.context)
+        bounds = []
+        for number in range(results.num_point_pair_contacts()):
+            point = results.point_pair_contact_info(number)
+            pair = numbers[point.bodyA_index()], numbers[point.bodyB_index()]
+            normal, depth = np.array(point.point_pair().nhat_BA_W), point.point_pair().depth
+            along = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
+            along /= np.linalg.norm(along)
+            axes = np.array([normal, along, np.cross(normal, along)])
+            place = point.contact_point()
+            lines = contacts.lines(pair, (place, place), axes)
+            start, end = (lines @ moving[list(contacts.first)].ravel() for moving in (before, after))
+            factor = 1 - DISSIPATION * end[0]
+            most = self.friction * dt * STIFFNESS / 2 * depth * max(1 - DISSIPATION * start[0], 0.0)
+            mobility = np.linalg.norm(lines @ np.linalg.solve(contacts.mass, lines.T)) / 3
+            root = np.hypot(np.linalg.norm(end[1:]), max(STICTION, SIGMA * mobility * most))
+            tangential = root / most if most > 0 else 0.0
+            pressed = 2 / (dt * dt * STIFFNESS * factor) if factor > 0 else 0.0
+            compliance = np.array([pressed, tangential, tangential])
+            contacts.add(pair, lines, -dt * axes @ point.contact_force(), -depth / dt, compliance)
+            bounds.append([np.inf if factor > 0 else 0.0, most, most])
+        return contacts.posed("impulses (N s), soft points with lagged friction", most=np.array(bounds))
 
 
 ENGINE = Engine(

@@ -1,4 +1,4 @@
-"""MuJoCo: joint coordinates, soft contacts whose forces minimise a convex function.
+"""MuJoCo: joint coordinates, soft contacts whose forces minimise a convex function. A spring is a tendon.
 
 The larger friction of two geoms counts, so equal ones are translated as they are. MuJoCo has no coefficient
 of restitution: by default nothing bounces, and its documentation says to lower the damping of a contact
@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from lcplab import Problem
-from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
-from lcplab.engines import joints, one_value, pose, rates, relative, shape, turned
+from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
+from lcplab.engines import joints, one_value, pose, rates, relative, shape, springs, turned
 
 #: The time (s) that a bounce takes where the accurate settings make one.
 BOUNCE = 0.02
@@ -38,19 +38,20 @@ class Model:
         restitution = one_value(scene, "restitution")
         if accurate and restitution > 0:
             self.contact |= {"solref": bouncing(restitution), "solimp": [0.99, 0.99, 0.001, 0.5, 2.0]}
+        self.joints = joints(scene, besides=("spring",))
         self._bodies(spec, scene)
         self.model = spec.compile()
         self.data = mujoco.MjData(self.model)
         names = [body["name"] for body in scene["bodies"]]
         self.ids = [mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name) for name in names]
-        hung = {joint.child: joint for joint in joints(scene) if not joint.closes}
+        hung = {joint.child: joint for joint in self.joints if not joint.closes}
         for k, body in enumerate(scene["bodies"]):
             self._set_going(body, hung.get(k))
         mujoco.mj_forward(self.model, self.data)
 
     def _bodies(self, spec: Any, scene: Description) -> None:
         bodies = scene["bodies"]
-        hangs = {joint.child: joint for joint in joints(scene) if not joint.closes}
+        hangs = {joint.child: joint for joint in self.joints if not joint.closes}
         made: dict[int, Any] = {}
         pending = list(range(len(bodies)))
         while pending:
@@ -62,12 +63,18 @@ class Model:
             parent = made[joint.parent] if joint and joint.parent is not None else spec.worldbody
             base = bodies[joint.parent] if joint and joint.parent is not None else None
             made[k] = self._body(parent, base, bodies[k], joint)
-        for joint in joints(scene):
+        for joint in self.joints:
             if joint.parent is not None:
                 pair = [bodies[k]["name"] for k in (joint.parent, joint.child)]
                 spec.add_exclude(bodyname1=pair[0], bodyname2=pair[1])
             if joint.closes:
                 self._close(spec, bodies, joint)
+        for spring in springs(scene):
+            tendon = spec.add_tendon(stiffness=[spring.stiffness, 0, 0], springlength=[spring.length] * 2)
+            for number, point in spring.ends:
+                body = spec.worldbody if number is None else made[number]
+                site = body.add_site(name=f"site {len(spec.sites)}", pos=point)
+                tendon.wrap_site(site.name)
 
     def _body(self, parent: Any, base: Any, body: Any, joint: Joint | None) -> Any:
         own = pose(body)
@@ -94,6 +101,8 @@ class Model:
             made.add_geom(type=geom.mjGEOM_BOX, size=[edge / 2 for edge in size], **self.contact)
         elif kind == "sphere":
             made.add_geom(type=geom.mjGEOM_SPHERE, size=[size, 0, 0], **self.contact)
+        elif kind == "capsule":
+            made.add_geom(type=geom.mjGEOM_CAPSULE, size=[size["radius"], size["length"] / 2, 0], **self.contact)
         else:
             raise Unsupported(f"a body of shape {kind}")
         return made
@@ -128,7 +137,10 @@ class Model:
         joint.qvel[3:] = turned(pose(body)[3:] * [1, -1, -1, -1], np.array(velocity[3:]))
 
     def step(self) -> None:
+        """Go on by a step; places and velocities of bodies, which MuJoCo leaves at the step's start, follow."""
         self.mujoco.mj_step(self.model, self.data)
+        for follow in (self.mujoco.mj_kinematics, self.mujoco.mj_comPos, self.mujoco.mj_comVel):
+            follow(self.model, self.data)
 
     def poses(self) -> Array:
         return np.hstack([self.data.xpos[self.ids], self.data.xquat[self.ids]])
@@ -150,7 +162,7 @@ class Model:
             every[second] += force
         return every[self.ids]
 
-    def problem(self) -> tuple[Problem, Array]:
+    def problem(self) -> Posed:
         """The contact problem of this moment as MuJoCo poses and softens it, and MuJoCo's own forces for it.
 
         w = (J M⁻¹Jᵀ + R) f + J a − a*, where a are the accelerations without contacts and a* those that are
@@ -171,7 +183,8 @@ class Model:
         mujoco.mj_solveM(model, data, moved, jacobian)
         matrix = jacobian @ moved.T + np.diag(data.efc_R)
         matrix = (matrix + matrix.T) / 2
-        return Problem(matrix, jacobian @ data.qacc_smooth - data.efc_aref), data.efc_force.copy()
+        problem = Problem(matrix, jacobian @ data.qacc_smooth - data.efc_aref)
+        return Posed(problem, data.efc_force.copy(), "forces (N), pyramids with a row an edge")
 
 
 def bouncing(restitution: float) -> list[float]:

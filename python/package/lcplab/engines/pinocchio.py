@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from lcplab import Problem
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
 from lcplab.engines import conjugate, joints, pose, rates, relative, shape, turned
 
@@ -169,6 +170,32 @@ def refuse_contacts(bodies: Any, every: list[Joint]) -> None:
         raise Unsupported("contacts: what touches when is left to a simulator")
 
 
+def solved(problem: Problem) -> Array:
+    """The impulses (N s) that Pinocchio's ADMM gives, with its default settings, for rows n, t1, t2 of each contact.
+
+    Its contacts have their normal last. As A and b are given, the joints that its contacts belong to are any.
+    """
+    import pinocchio
+
+    assert problem.mu is not None
+    model = pinocchio.Model()
+    joint = model.addJoint(0, pinocchio.JointModelFreeFlyer(), pinocchio.SE3.Identity(), "any")
+    cones, kept = pinocchio.StdVec_ConstraintModel(), pinocchio.StdVec_ConstraintData()
+    for mu in problem.mu[1::3]:
+        cone = pinocchio.PointContactConstraintModel(model, joint)
+        cone.setFriction(mu)
+        cones.append(pinocchio.ConstraintModel(cone))
+        kept.append(cones[-1].createData())
+    order = np.arange(len(problem)).reshape(-1, 3)[:, [1, 2, 0]].ravel()
+    delassus = pinocchio.DelassusOperatorDense(problem.A[np.ix_(order, order)])
+    result = pinocchio.ADMMSolverResult()
+    settings = pinocchio.ADMMSolverSettings()
+    pinocchio.ADMMConstraintSolver().solve(delassus, problem.b[order], cones, kept, settings, result)
+    x = np.zeros(len(problem))
+    x[order] = result.retrieveConstraintImpulses()
+    return x
+
+
 ENGINE = Engine(
     name="pinocchio",
     package="pin",
@@ -190,4 +217,5 @@ ENGINE = Engine(
         ),
     ),
     build=Model,
+    solve=(solved, "its ADMM, impulses (N s), on the step that lcplab poses at velocity level with Coulomb's cones"),
 )

@@ -1,10 +1,10 @@
 """PyBullet: Bullet's multibodies in joint coordinates, contacts by sequential impulses with friction cones.
 
 PyBullet multiplies the coefficients of two bodies, so each body gets the square root of what the pair has.
-All bodies with joints are links of one multibody whose base is the world; its motors, which are on by
-default, get no force. A joint that closes a loop is one point that two bodies share, for a hinge two points
-of its axis, 5 cm to each side. By its maintainer proper restitution takes rigid bodies, not multibodies,
-so the accurate settings make such of free bodies in a scene that bounces.
+Bodies with joints are links of a multibody whose base is the world or, of a tree that hangs on nothing, its first
+body; its motors, which are on by default, get no force. A joint that closes a loop is one point that two bodies
+share, for a hinge two points of its axis, 5 cm to each side. By its maintainer proper restitution takes rigid bodies,
+not multibodies, so the accurate settings make such of free bodies in a scene that bounces.
 """
 
 from __future__ import annotations
@@ -14,14 +14,18 @@ from typing import Any
 
 import numpy as np
 
-from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
+from lcplab.engines import Array, Description, Engine, Joint, Posed, Settings, Unsupported
 from lcplab.engines import conjugate, joints, one_value, pose, rates, relative, shape, turned
+from lcplab.engines._contacts import Contacts
 
 #: What the maintainer of Bullet sets for restitution (github.com/bulletphysics/bullet3/issues/3094), beside
 #: rigid bodies and no contacts at a distance. The last entry is ours: it splits impulses not only of bodies
 #: that overlap by more than 4 cm.
 BOUNCING = {"restitutionVelocityThreshold": 0.0, "warmStartingFactor": 0.0, "useSplitImpulse": 1,
             "contactSlop": 0.0, "splitImpulsePenetrationThreshold": 0.0}
+#: What PyBullet sets and does not tell (SharedMemory/PhysicsServerCommandProcessor.cpp): the part of an overlap that a step
+#: corrects, what is added to each distance (m), the speed (m/s) from which bodies bounce, the damping (1/s).
+ERP, SLOP, BOUNCES_FROM, DAMPING = 0.08, 1e-5, 0.2, 0.04
 
 
 class Model:
@@ -31,6 +35,7 @@ class Model:
         import pybullet
 
         self.p: Any = pybullet
+        self.scene, self.dt = scene, settings.dt
         self.client: int = pybullet.connect(pybullet.DIRECT)
         self.at: dict[str, int] = {"physicsClientId": self.client}
         pybullet.setGravity(*scene["gravity"], **self.at)
@@ -50,7 +55,8 @@ class Model:
         self.places: list[tuple[int, int]] = [(-1, -1)] * len(scene["bodies"])
         every = joints(scene)
         self.hung = {joint.child: joint for joint in every if not joint.closes}
-        self._linked(scene["bodies"], [joint for joint in every if not joint.closes])
+        for root, tree in trees([joint for joint in every if not joint.closes]):
+            self._linked(scene["bodies"], root, tree)
         for k, body in enumerate(scene["bodies"]):
             self._body(k, body)
         for joint in every:
@@ -65,8 +71,7 @@ class Model:
         if any(body["force"]) or any(body["torque"]):
             raise Unsupported("forces on bodies")
         velocity = [*body["velocity"], *body["angular_velocity"]]
-        hangs = self.places[k][0] >= 0
-        if not hangs:
+        if self.places[k][0] < 0:
             own = pose(body)
             mass = 0.0 if body["fixed"] else body["mass"]
             made = self.p.createMultiBody(mass, self._shape(body), -1, own[:3], xyzw(own[3:]),
@@ -76,7 +81,7 @@ class Model:
         if not body["fixed"]:
             dynamics |= {"mass": body["mass"], "localInertiaDiagonal": body["inertia"]}
         self.p.changeDynamics(*self.places[k], **dynamics, **self.at)
-        if hangs and any(velocity):
+        if self.places[k][1] >= 0 and any(velocity):
             self.p.resetJointStateMultiDof(*self.places[k], [0, 0, 0, 1], list(rates(self.hung.get(k), body)), **self.at)
         elif any(velocity):
             self.p.resetBaseVelocity(self.places[k][0], velocity[:3], velocity[3:], **self.at)
@@ -92,27 +97,31 @@ class Model:
             made = self.p.createCollisionShape(self.p.GEOM_BOX, halfExtents=half, **place, **self.at)
         elif kind == "sphere":
             made = self.p.createCollisionShape(self.p.GEOM_SPHERE, radius=size, **place, **self.at)
+        elif kind == "capsule":
+            made = self.p.createCollisionShape(self.p.GEOM_CAPSULE, radius=size["radius"], height=size["length"],
+                                               **place, **self.at)
         else:
             raise Unsupported(f"a body of shape {kind}")
         return int(made)
 
-    def _linked(self, bodies: Any, tree: list[Joint]) -> None:
-        """One multibody of all bodies with joints.
+    def _linked(self, bodies: Any, root: int | None, tree: list[Joint]) -> None:
+        """One multibody of a tree of joints, whose base is its free root or the world.
 
         A link's frame is at its joint and has the body's axes; mass and shape are where the body is in it.
         """
-        if not tree:
-            return
-        links = {joint.child: k for k, joint in enumerate(tree)}
-        frames = {joint.child: np.concatenate([joint.point, pose(bodies[joint.child])[3:]]) for joint in tree}
-        world = np.array([0, 0, 0, 1, 0, 0, 0], dtype=float)
+        links: dict[int | None, int] = {joint.child: k for k, joint in enumerate(tree)}
+        frames: dict[int | None, Array] = {
+            joint.child: np.concatenate([joint.point, pose(bodies[joint.child])[3:]]) for joint in tree
+        }
+        base = np.array([0, 0, 0, 1, 0, 0, 0], dtype=float) if root is None else pose(bodies[root])
         own = [frames[joint.child] for joint in tree]
-        placed = [relative(world if joint.parent is None else frames[joint.parent], frame)
+        placed = [relative(base if joint.parent == root else frames[joint.parent], frame)
                   for joint, frame in zip(tree, own)]
         middles = [relative(frame, pose(bodies[joint.child]))[:3] for joint, frame in zip(tree, own)]
         kinds = {"hinge": self.p.JOINT_REVOLUTE, "ball": self.p.JOINT_SPHERICAL}
+        heavy = (0, -1, -1) if root is None else (bodies[root]["mass"], self._shape(bodies[root]), -1)
         made = self.p.createMultiBody(
-            0, -1, -1,
+            *heavy, base[:3], xyzw(base[3:]),
             linkMasses=[bodies[joint.child]["mass"] for joint in tree],
             linkCollisionShapeIndices=[self._shape(bodies[joint.child], collisionFramePosition=middle)
                                        for joint, middle in zip(tree, middles)],
@@ -121,12 +130,14 @@ class Model:
             linkOrientations=[xyzw(at[3:]) for at in placed],
             linkInertialFramePositions=middles,
             linkInertialFrameOrientations=[[0, 0, 0, 1]] * len(tree),
-            linkParentIndices=[0 if joint.parent is None else links[joint.parent] + 1 for joint in tree],
+            linkParentIndices=[0 if joint.parent == root else links[joint.parent] + 1 for joint in tree],
             linkJointTypes=[kinds[joint.kind] for joint in tree],
             linkJointAxis=[turned(conjugate(frame[3:]), joint.axis) for joint, frame in zip(tree, own)],
             flags=self.p.URDF_USE_SELF_COLLISION,
             **self.at,
         )
+        if root is not None:
+            self.places[root] = (made, -1)
         numbers = {self.p.getJointInfo(made, k, **self.at)[12]: k for k in range(len(tree))}
         for wanted, joint in enumerate(tree):
             k = numbers[f"link{wanted + 1}".encode()]  # PyBullet sorts links depth first
@@ -176,10 +187,52 @@ class Model:
             every[self.places.index((contact[2], contact[4]))] -= force
         return every
 
+    def problem(self) -> Posed:
+        """The contact problem of a step, which is taken here, as Bullet poses it, and Bullet's own impulses.
+
+        Bullet tells no problem. Points, normals, tangents, distances and forces are those that it tells after the
+        step, poses and velocities those before it, masses and moments those of the scene. Free bodies are
+        multibodies without links: a step first adds gravity and the gyroscopic torque to u and takes the damping
+        0.04 (1 + |u|) u per second away. A point that is apart may close its distance, one that overlaps is to
+        correct a part of it, and one that comes fast enough bounces. Bullet moves the friction of a point
+        along each tangent by the sliding over that row's own diagonal entry, and then onto its disc; where the
+        entries differ, friction is not quite against the sliding. What is posed is Coulomb's law. Nothing else
+        is left out: ``u* + M⁻¹Jᵀx`` is the velocity after the step.
+        """
+        if self.maximal:
+            raise Unsupported("rigid bodies with split impulses")
+        velocities = self.velocities()
+        contacts = Contacts(self.scene, self.poses(), velocities, self.dt)
+        parts = velocities[list(contacts.first)].reshape(-1, 3)
+        damping = self.dynamics.get("linearDamping", DAMPING) * (1 + np.linalg.norm(parts, axis=1, keepdims=True))
+        contacts.target -= self.dt * (damping * parts).ravel()
+        self.step()
+        for contact in self.p.getContactPoints(**self.at):
+            pair = self.places.index((contact[1], contact[3])), self.places.index((contact[2], contact[4]))
+            axes = np.array([contact[7], contact[11], contact[13]])
+            lines = contacts.lines(pair, (np.array(contact[5]), np.array(contact[6])), axes)
+            distance = contact[8] + SLOP
+            bias = (1 if distance > 0 else ERP) * distance / self.dt
+            approach = float(lines[0] @ contacts.target)
+            if approach <= -BOUNCES_FROM:
+                bias += self.dynamics["restitution"] ** 2 * approach
+            contacts.add(pair, lines, self.dt * np.array([contact[9], contact[10], contact[12]]), bias)
+        return contacts.posed("impulses (N s), Coulomb's cones", mu=self.dynamics["lateralFriction"] ** 2)
+
     def __del__(self) -> None:
         client = getattr(self, "client", -1)
         if client >= 0 and self.p.isConnected(client):
             self.p.disconnect(client)
+
+
+def trees(hung: list[Joint]) -> list[tuple[int | None, list[Joint]]]:
+    """The trees of joints, each with the body at its root, which is free; the world is one, too."""
+    roots: dict[int | None, int | None] = {}
+    found: dict[int | None, list[Joint]] = {}
+    for joint in hung:  # parents before children
+        root = roots[joint.child] = roots.get(joint.parent, joint.parent)
+        found.setdefault(root, []).append(joint)
+    return list(found.items())
 
 
 def xyzw(turn: Array) -> Array:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from lcplab.engines import Array, Description, Engine, Joint, Settings, Unsupported
-from lcplab.engines import conjugate, joints, one_value, pose, shape, turned
+from lcplab.engines import conjugate, joints, one_value, pose, shape, springs, turned
 
 
 class Model:
@@ -36,8 +36,14 @@ class Model:
         self.bodies = [self._body(body) for body in scene["bodies"]]
         self.colliders = [body.colliders[0] for body in self._found()]
         self.ground = self.world.add_body(rapier3d.RigidBody.fixed())
-        for joint in joints(scene):
+        for joint in joints(scene, besides=("spring",)):
             self._join(scene["bodies"], joint)
+        for spring in springs(scene):
+            (one, first), (other, second) = spring.ends
+            made = rapier3d.SpringJointBuilder(spring.length, spring.stiffness, 0.0)
+            made = made.local_anchor1(tuple(first)).local_anchor2(tuple(second))
+            parent, child = (self.ground if k is None else self.bodies[k] for k in (one, other))
+            self.world.impulse_joints.insert(parent, child, made.build())
 
     def _body(self, body: Any) -> Any:
         rapier, placed = self.rapier, pose(body)
@@ -55,6 +61,8 @@ class Model:
             collider = rapier.Collider.cuboid(*(edge / 2 for edge in size))
         elif kind == "sphere":
             collider = rapier.Collider.ball(size)
+        elif kind == "capsule":
+            collider = rapier.Collider.capsule_z(size["length"] / 2, size["radius"])
         else:
             raise Unsupported(f"a body of shape {kind}")
         collider = collider.density(0.0).friction(self.surface[0]).restitution(self.surface[1])

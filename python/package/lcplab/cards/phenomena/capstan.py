@@ -1,0 +1,112 @@
+"""A chain over a post: friction lets a small load hold a large one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from lcplab.cards._phenomenon import PART, Curve, Measurement, Phenomenon, Run, over_time
+from lcplab.engines import Array
+
+#: The masses of the heavy load (kg): 0.91 and 1.19 of what friction can hold.
+HELD, SLIDES = 2.3, 3.0
+
+
+def _pull(run: Run, acceleration: float) -> float:
+    """How much the chain pulls the heavy load up (N) while it moves along itself and all contacts slide.
+
+    Link after link from the light load, in the plane (x, z), with the forces and the moments about the link's middle
+    p, which is its contact's too: it is pulled back at p by F, pressed outwards by N and rubbed by −μ N at the post,
+    R = |p| − r from the axis, and pulled on at the next hinge q by G; its weight acts at p. A link that hangs has no N.
+    """
+    g, friction = run.gravity, run.body("post")["friction"]
+    links = [body for body in run.scene["bodies"] if body["name"].startswith("link")]
+    hinges = [np.array(joint["point"])[[0, 2]] for joint in run.scene["constraints"]]
+    back = np.array([0.0, -run.body("light")["mass"] * (g + acceleration)])
+    for link, after in zip(links, hinges[1:], strict=True):
+        p, radius, mass = np.array(link["position"])[[0, 2]], link["shape"]["sphere"], link["mass"]
+        out = p / np.linalg.norm(p) if p[1] > -1e-9 else np.array([-1.0, 0.0])
+        ahead, arm = np.array([out[1], -out[0]]), after - p
+        weight = np.array([0.0, -mass * g]) - mass * acceleration * ahead
+        # Unknown are N and G; the rows are the forces and the moment.
+        rows = np.eye(3, k=1)
+        if p[1] > -1e-9:
+            rows[:2, 0] = out - friction * ahead
+            rows[2] = -friction * radius, -arm[1], arm[0]
+        else:
+            rows[:, 0], rows[2] = (1.0, 0.0, 0.0), (0.0, -arm[1], arm[0])
+        back = -np.linalg.solve(rows, np.array([*(-back - weight), 0.0]))[1:]
+    return float(back[1])
+
+
+def _limits(run: Run) -> tuple[float, float]:
+    """The mass that friction can hold (kg), and the acceleration (m/s²) with which the heavy load goes down.
+
+    The pull is linear in the acceleration: m (g − a) = F(0) + (F(1) − F(0)) a.
+    """
+    mass, still = run.body("heavy")["mass"], _pull(run, 0.0)
+    return still / run.gravity, (mass * run.gravity - still) / (mass + _pull(run, 1.0) - still)
+
+
+def _lowered(run: Run) -> Array:
+    """How far the heavy load is below its place (m), (steps + 1,)."""
+    height = run.place("heavy")[:, 2]
+    return np.asarray(height[0] - height)
+
+
+def _turns(run: Run) -> tuple[float, float]:
+    """T₂/T₁ at the limit of a thin rope and of a thin chain that lies as this one does."""
+    friction = run.body("post")["friction"]
+    on = [body for body in run.scene["bodies"] if body["name"].startswith("link") and body["position"][2] > -1e-9]
+    count = len(on) - 1
+    part = friction * math.tan(math.pi / (2 * count))
+    return math.exp(friction * math.pi), ((1 + part) / (1 - part)) ** count
+
+
+def _capstan(runs: Sequence[Run]) -> list[Measurement]:
+    held, slides = runs
+    (limit, acceleration), (rope, chain) = _limits(slides), _turns(slides)
+    heavy, time = slides.body("heavy")["mass"], float(slides.t[-1])
+    law = acceleration * time**2 / 2
+    off = 2 * slides.gravity * heavy * limit / (heavy + limit) ** 2 * (chain / rope - 1)
+    allowed = PART * law + off * time**2 / 2 + acceleration * time * slides.dt / 2
+    radius = held.body("post")["shape"]["capsule"]["radius"]
+    return [
+        Measurement(f"lets {HELD:g} kg sink by", 1e3 * float(_lowered(held)[-1]), 0.0, 1e3 * PART * radius, "mm"),
+        Measurement(f"lets {SLIDES:g} kg sink by", 1e3 * float(_lowered(slides)[-1]), 1e3 * law, 1e3 * allowed, "mm"),
+    ]
+
+
+CAPSTAN = Phenomenon(
+    name="capstan",
+    question="Does a chain around a post hold a load of more than twice the other, and no more?",
+    matters="Winches, belts, tendons over pulleys, cables. Each link may pull by a little more than the one before "
+    "it, and the parts multiply: who takes the normal forces from somewhere else than from the pull itself, from "
+    "the last step or from a problem without friction, gets a sum instead of a power.",
+    law=r"\frac{T_2}{T_1} \le \left(\frac{1 + \mu \tan\frac{\delta}{2}}{1 - \mu \tan\frac{\delta}{2}}\right)^{n} "
+    r"\approx e^{\mu\pi}",
+    allowed=r"the formula is for a thin chain without weight; with $n$ = 12, $\delta$ = 15° and $\mu$ = 0.3 it is "
+    "2.58. Links of 10 g that touch the post 10 mm beneath their hinges change that: forces and moments, link after "
+    "link, give 2.53. So 1 kg must hold 2.3 kg: to a hundredth of the post's radius, 1 mm. And 3 kg must go down by "
+    r"$a t^2/2$, to a hundredth, what $a$ changes with the part by which the formula differs from $e^{\mu\pi}$ "
+    "(links that move on stand otherwise), and $a t h/2$.",
+    duration=0.4,
+    x=("time", "s"),
+    y=("2.3 kg below their place", "mm"),
+    measure=_capstan,
+    plot=over_time(lambda run: 1e3 * _lowered(run)),
+    exact=lambda curve, run: np.zeros_like(curve.x),
+    variants=({"bodies.heavy.mass": HELD}, {"bodies.heavy.mass": SLIDES}),
+    instant=0.4,
+    reported="DART rubs with the same 1.2 N at each link, so that parts add up: Dantzig's method, as it comes from "
+    "ODE, bounds friction by what the contacts would press without it. Rapier keeps the normal of a contact while a "
+    "ball moves on over a round body by some degrees (a ball without friction flies off straight, 11 mm, where it "
+    "should follow), and links that have moved wedge: 3 kg come to rest; as installed its contacts are so soft for "
+    "links of 10 g that the chain goes through the post. MuJoCo's soft contacts let 3 kg go down by 78 mm, with "
+    "steps of a sixteenth, which make them stiffer, by 69 mm. Drake's chain follows the law as installed until the "
+    "next link arrives, after 0.19 s; then 1 ms is too long for links of 10 g at 1e6 N/m, and with 0.5 ms 3 kg go "
+    "down by 67 mm. With its accurate settings each link sinks into the post, which is of 1e7 Pa and has facets, by "
+    "a millimetre. Of 3 kg all but 0.47 kg are held: friction that is 2 % too small is 12 % of the path.",
+)
