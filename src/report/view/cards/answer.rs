@@ -92,5 +92,6 @@ fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<String> {
         law => format!(", not {} {}", readable(law, 3), worst.unit),
     };
     let (engine, found) = (record.title(&column.engine), readable(worst.value, 3));
-    Some(format!("{engine}: {} {found} {}{law}", worst.what, worst.unit))
+    let law_of = words(&phenomenon.name);
+    Some(format!("{law_of}, where {engine} {} {found} {}{law}", worst.what, worst.unit))
 }
