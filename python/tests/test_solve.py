@@ -29,6 +29,7 @@ def test_lists_bounds_and_sparse_arrays_are_taken():
     from scipy import sparse
 
     assert lcplab.solve([[2]], [-8], hi=3).x.tolist() == [3.0]
+    assert lcplab.solve([[2, 0], [0, 2]], [-8, -2], hi=3).x.tolist() == [3.0, 1.0]
     assert lcplab.solve([[2]], [8], lo=-np.inf).x.tolist() == [-4.0]
     r = lcplab.solve(sparse.csr_array(A), B)
     assert r.x.tolist() == [0.5, 0.0]

@@ -216,8 +216,8 @@ def vector(values: ArrayLike) -> Array:
 def _bound(values: ArrayLike | None, n: int) -> Array | None:
     if values is None:
         return None
-    bound = vector(values)
-    return np.full(n, bound) if bound.ndim == 0 else bound
+    bound = np.asarray(values, dtype=np.float64)
+    return np.full(n, bound) if bound.ndim == 0 else vector(bound)
 
 
 def _entries(A: Any) -> _lcplab.Entries:
