@@ -1,38 +1,77 @@
 //! `report engines --engine NAMES`: the Python package runs physics engines before the page is drawn.
 
-use std::env;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitStatus};
+use std::time::Duration;
+use std::{env, fs, thread};
 
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::plugin::child::Family;
+use lcplab::solver::{Reason, Stop};
 
 /// The environment variable that names another interpreter than `python3`.
 const INTERPRETER: &str = "LCPLAB_PYTHON";
 /// All engines that are installed.
 const ALL: &str = "all";
+/// How often it is looked whether the engines are through, or it is time to stop.
+const LOOK: Duration = Duration::from_millis(50);
 
-/// Runs these engines, with commas between them, on every phenomenon; returns the record, which is in this folder.
+/// Runs these engines, with commas between them, on every phenomenon; returns the record, which is in this folder, or why
+/// they were stopped.
 ///
 /// # Errors
-/// If there is no interpreter or package, or an engine is not installed.
-pub fn run(names: &str, folder: &Path) -> Result<PathBuf> {
+/// If no engine is named, there is no interpreter or package, an engine is not installed, or no record was written.
+pub fn run(
+    names: &str,
+    folder: &Path,
+    stop: &Stop,
+) -> Result<std::result::Result<PathBuf, Reason>> {
+    if names.split(',').any(|name| name.trim().is_empty()) {
+        let reason = format!("{names:?} names no engine; {ALL} are all that are installed");
+        return Err(Error::invalid("--engine", "engines", reason));
+    }
     file::prepare(folder)?;
-    let record = folder.join("engines.json");
-    let python = env::var_os(INTERPRETER).unwrap_or_else(|| "python3".into());
+    let (record, part) = (folder.join("engines.json"), folder.join("engines.part.json"));
+    let python = env::var_os(INTERPRETER).filter(|name| !name.is_empty());
+    let python = python.unwrap_or_else(|| "python3".into());
+    let refused = |reason: String| {
+        let words = format!("{} -m lcplab.cards {reason}", python.display());
+        Error::invalid("--engine", "engines", words)
+    };
     let mut command = Command::new(&python);
-    command.args(["-m", "lcplab.cards", "--out"]).arg(&record);
+    command.args(["-m", "lcplab.cards", "--out"]).arg(&part);
     if names != ALL {
         command.args(["--engine", names]);
     }
-    let refused = |reason: String| {
-        let hint = "it needs lcplab's Python package (pip install ./python)";
-        let program = python.display();
-        Error::invalid("--engine", "engines", format!("{program} -m lcplab.cards {reason}; {hint}"))
-    };
-    match command.status() {
-        Ok(status) if status.success() => Ok(record),
-        Ok(status) => Err(refused(format!("ended with {status}"))),
-        Err(cause) => Err(refused(format!("did not start: {cause}"))),
+    let family = Family::spawn(&mut command);
+    let family = family.map_err(|cause| {
+        refused(format!("did not start: {cause}; {INTERPRETER} may name another interpreter"))
+    })?;
+    match ended(family, stop).map_err(|cause| refused(cause.to_string()))? {
+        Err(reason) => return Ok(Err(reason)),
+        Ok(status) if !status.success() => {
+            let package = "lcplab's Python package is installed by pip install ./python";
+            return Err(refused(format!("ended with {status}, and says why above; {package}")));
+        }
+        Ok(_) => {}
+    }
+    fs::rename(&part, &record).map_err(|_| refused("wrote no record".into()))?;
+    Ok(Ok(record))
+}
+
+/// How a process ended, or why it was stopped.
+fn ended(
+    mut family: Family,
+    stop: &Stop,
+) -> std::io::Result<std::result::Result<ExitStatus, Reason>> {
+    loop {
+        if let Some(status) = family.try_wait()? {
+            return Ok(Ok(status));
+        }
+        if let Some(reason) = stop.reason() {
+            return Ok(Err(reason));
+        }
+        thread::sleep(LOOK);
     }
 }

@@ -63,7 +63,9 @@ impl Limits {
     /// When to stop, for a command that asks; from now on a signal is one of the reasons. A second one
     /// ends at once.
     pub fn stop(&self) -> &Stop {
-        self.asks.store(true, Ordering::Relaxed);
+        if self.asks.swap(true, Ordering::Relaxed) {
+            return &self.stop; // it listens already
+        }
         let (stop, mut was_asked) = (self.stop.clone(), false);
         at_signals(move || {
             if was_asked {

@@ -13,6 +13,7 @@ use lcplab::report::kind::KINDS;
 use lcplab::report::proofs::Proofs;
 use lcplab::report::results::Results;
 use lcplab::report::{difference, run, text, view, write};
+use lcplab::solver::Reason;
 
 use super::engines;
 use super::limits::Limits;
@@ -125,15 +126,38 @@ impl Report {
             return self.changes(old, new);
         }
         let browser = self.pdf.then(Browser::find).transpose()?;
-        let (outcome, page) = self.page(limits)?;
+        let record =
+            match self.engine.as_ref().map(|names| self.engines(names, limits)).transpose()? {
+                Some(Err(reason)) => {
+                    say("the engines were stopped, and what they did is lost");
+                    return Ok(Outcome::Stopped(reason));
+                }
+                Some(Ok(record)) => Some(record),
+                None => None,
+            };
+        let (outcome, page) = self.page(record.as_deref(), limits)?;
         if let Some(browser) = browser {
             print(&format!("{}\n", browser.print(&page)?.display()))?;
         }
         Ok(outcome)
     }
 
-    /// Writes the page; returns how the report came out, and the page's path.
-    fn page(&self, limits: &Limits) -> Result<(Outcome, PathBuf)> {
+    /// Runs engines; returns their record, or why they were stopped.
+    fn engines(
+        &self,
+        names: &str,
+        limits: &Limits,
+    ) -> Result<std::result::Result<PathBuf, Reason>> {
+        if self.report != [ENGINES] {
+            let reason = format!("belongs to the report {ENGINES}, not to {}", self.report[0]);
+            return Err(Error::invalid("report", "--engine", reason));
+        }
+        let out = self.out.as_deref().filter(|_| self.figure.is_none());
+        engines::run(names, &folder_of(out, "reports", ENGINES)?, limits.stop())
+    }
+
+    /// Writes the page, of a record if there is one; returns how the report came out, and the page's path.
+    fn page(&self, record: Option<&Path>, limits: &Limits) -> Result<(Outcome, PathBuf)> {
         if let Some(folder) = &self.redraw {
             return self.shown(&read_results(folder)?, folder);
         }
@@ -145,8 +169,8 @@ impl Report {
         let _running = self.plugins.start(&self.report[0], &experiment.plugins)?;
         let out = self.out.as_deref().filter(|_| self.figure.is_none());
         let mut folder = folder_of(out, "reports", &experiment.name)?;
-        if let Some(names) = &self.engine {
-            experiment = self.of_engines(names, &folder)?;
+        if let Some(record) = record {
+            experiment = of_record(record)?;
         }
         if let Some(id) = &self.section {
             experiment = experiment.only(id)?;
@@ -173,18 +197,6 @@ impl Report {
         save(&results)?;
         let (outcome, page) = self.shown(&results, &folder)?;
         Ok((stopped.map_or(outcome, Outcome::Stopped), page))
-    }
-
-    /// The report on engines with what these engines do on this machine.
-    fn of_engines(&self, names: &str, folder: &Path) -> Result<Experiment> {
-        if self.report != [ENGINES] {
-            let reason = format!("belongs to the report {ENGINES}, not to {}", self.report[0]);
-            return Err(Error::invalid("report", "--engine", reason));
-        }
-        let record = engines::run(names, folder)?;
-        let record = toml::Value::from(record.display().to_string());
-        let text = format!("{}record = {record}\n", experiment::shipped(ENGINES, "report")?);
-        Experiment::parse(&text, "engines.toml", ENGINES)
     }
 
     /// The command that makes this page again, wherever it is run from the same folder.
@@ -257,6 +269,13 @@ impl Report {
         print(&format!("{}\n", path.display()))?;
         Ok((Outcome::Good, path))
     }
+}
+
+/// The report on engines that draws this record.
+fn of_record(record: &Path) -> Result<Experiment> {
+    let record = toml::Value::from(record.display().to_string());
+    let text = format!("{}record = {record}\n", experiment::shipped(ENGINES, "report")?);
+    Experiment::parse(&text, "engines.toml", ENGINES)
 }
 
 /// Whether a name is that of a problem file, or of a folder or a pattern of them; the name of a shipped report is none.

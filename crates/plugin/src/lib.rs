@@ -13,6 +13,7 @@
 //!
 //! `docs/plugins.md` has the protocol key by key.
 
+pub mod child;
 mod message;
 mod process;
 

@@ -5,12 +5,13 @@
 
 use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
+use super::child::Family;
 use super::message::brief;
 
 /// So much (bytes) of what it writes to its standard error is kept.
@@ -18,10 +19,10 @@ const COMPLAINT: usize = 4096;
 /// How long a process that has closed its output gets to end by itself, so that its end can be told.
 const LAST_WORDS: Duration = Duration::from_millis(200);
 
-/// A running process; it and its children end when this is dropped.
+/// A running process.
 #[derive(Debug)]
 pub(super) struct Process {
-    child: Child,
+    child: Family,
     requests: Sender<(String, usize)>,
     lines: Receiver<Line>,
     complaint: Arc<Mutex<VecDeque<u8>>>,
@@ -61,10 +62,8 @@ impl Process {
         let mut command = Command::new(program);
         command.args(arguments);
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        #[cfg(unix)]
-        std::os::unix::process::CommandExt::process_group(&mut command, 0); // its children end with it
         let cannot = |cause| format!("{program} cannot be run: {cause}");
-        let mut child = command.spawn().map_err(cannot)?;
+        let mut child = Family::spawn(&mut command).map_err(cannot)?;
         let (Some(mut input), Some(output), Some(error)) =
             (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {
@@ -127,18 +126,6 @@ impl Process {
             Some(last) => format!("{status}: {}", brief(last)),
             None => status,
         }
-    }
-}
-
-impl Drop for Process {
-    fn drop(&mut self) {
-        #[cfg(unix)]
-        let _ = rustix::process::kill_process_group(
-            rustix::process::Pid::from_child(&self.child),
-            rustix::process::Signal::KILL,
-        ); // it may have ended
-        let _ = self.child.kill();
-        let _ = self.child.wait();
     }
 }
 

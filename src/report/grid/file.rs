@@ -81,6 +81,11 @@ impl Grid {
         }
     }
 
+    /// The text of its file.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
     /// Reads a grid file, or takes a shipped grid by its name.
     ///
     /// # Errors

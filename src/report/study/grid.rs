@@ -26,9 +26,9 @@ pub struct Plan {
 struct Settings {
     /// A grid file, or the name of a shipped grid.
     grid: String,
-    /// The hash of its plan; it is written with the results, so that they are not shown for another file.
+    /// The file itself; it is written with the results, so that they are drawn again without it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    plan: Option<String>,
+    source: Option<String>,
 }
 
 /// What was found at a point.
@@ -43,22 +43,22 @@ pub struct Found {
 impl TryFrom<Settings> for Plan {
     type Error = Error;
 
-    fn try_from(Settings { grid: name, plan: hash }: Settings) -> Result<Self> {
-        let grid = Grid::load(&name)?;
-        let plan = grid.plan()?;
-        match hash.filter(|hash| *hash != plan.hash) {
-            Some(hash) => {
-                let reason = format!("is plan {} now, not {hash}: run the report again", plan.hash);
-                Err(Error::invalid(name, "grid", reason))
-            }
-            None => Ok(Plan { grid, plan, name }),
+    fn try_from(Settings { grid: name, source }: Settings) -> Result<Self> {
+        let grid = match source {
+            Some(text) => Grid::from_toml(&name, &text)?,
+            None => Grid::load(&name)?,
+        };
+        if !grid.plugins.is_empty() {
+            let reason = "of a grid in a report stand in the report file";
+            return Err(Error::invalid(name, "plugins", reason));
         }
+        Ok(Plan { plan: grid.plan()?, grid, name })
     }
 }
 
 impl From<Plan> for Settings {
-    fn from(Plan { name, plan, .. }: Plan) -> Self {
-        Settings { grid: name, plan: Some(plan.hash) }
+    fn from(Plan { name, grid, .. }: Plan) -> Self {
+        Settings { grid: name, source: Some(grid.source().into()) }
     }
 }
 

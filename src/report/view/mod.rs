@@ -75,6 +75,9 @@ pub struct Document {
     pub tables: Vec<(String, Table)>,
 }
 
+/// The setting that holds a whole file, which is not shown among the others.
+const SOURCE: &str = "source";
+
 /// The folder beside the page that holds figures and tables.
 pub const FILES: &str = "data";
 
@@ -194,9 +197,13 @@ fn origin(results: &Results, part: &Part) -> Origin {
         None => format!(" --section {}", part.id),
     };
     let tasks: Vec<&str> = part.tasks.iter().map(|task| task.name.as_str()).collect();
+    let mut settings = part.settings.clone();
+    if let Value::Object(fields) = &mut settings {
+        fields.remove(SOURCE);
+    }
     Origin {
         scene: tasks.join(", "),
-        settings: toml::to_string(&part.settings).unwrap_or_default().trim().replace('\n', "; "),
+        settings: toml::to_string(&settings).unwrap_or_default().trim().replace('\n', "; "),
         command: command + &section,
     }
 }

@@ -219,14 +219,14 @@ fn a_figure_alone_is_that_of_the_page() {
 
 /// In place of Python: a script that notes how it was called and writes the shipped record, or fails.
 #[cfg(unix)]
-fn report_on_engines(folder: &Path, script: &str) -> Output {
+fn report_on_engines(folder: &Path, script: &str, more: &[&str]) -> Output {
     use std::os::unix::fs::PermissionsExt;
     let python = folder.join("python");
     fs::write(&python, format!("#!/bin/sh\n{script}\n")).unwrap();
     fs::set_permissions(&python, fs::Permissions::from_mode(0o755)).unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
     command.args(["report", "engines", "--engine", "mujoco,rapier", "--out"]);
-    command.arg(folder.join("page")).env("LCPLAB_PYTHON", python).output().unwrap()
+    command.arg(folder.join("page")).args(more).env("LCPLAB_PYTHON", python).output().unwrap()
 }
 
 #[cfg(unix)]
@@ -236,9 +236,9 @@ fn engines_that_are_named_run_before_their_page_is_drawn() {
     let record = concat!(env!("CARGO_MANIFEST_DIR"), "/reports/engines.json");
     let called = folder.path().join("called");
     let script = format!("echo \"$@\" >{}; cp {record} \"$4\"", called.display());
-    let output = report_on_engines(folder.path(), &script);
+    let output = report_on_engines(folder.path(), &script, &[]);
     assert!(output.status.success(), "{}", err(&output));
-    let written = folder.path().join("page/engines.json");
+    let written = folder.path().join("page/engines.part.json");
     let expected = format!("-m lcplab.cards --out {} --engine mujoco,rapier\n", written.display());
     assert_eq!(fs::read_to_string(called).unwrap(), expected);
     let page = fs::read_to_string(folder.path().join("page/index.html")).unwrap();
@@ -249,11 +249,36 @@ fn engines_that_are_named_run_before_their_page_is_drawn() {
 #[test]
 fn engines_that_do_not_run_are_one_message() {
     let folder = tempfile::tempdir().unwrap();
-    let output = report_on_engines(folder.path(), "exit 2");
+    let output = report_on_engines(folder.path(), "exit 2", &[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("ended with exit status: 2"), "{}", err(&output));
     assert!(err(&output).contains("pip install ./python"), "{}", err(&output));
+    let output = report_on_engines(folder.path(), "exit 0", &[]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("wrote no record"), "{}", err(&output));
     let output = run(&["report", "scenes", "--engine", "mujoco"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("belongs to the report engines"), "{}", err(&output));
+}
+
+#[cfg(unix)]
+#[test]
+fn engines_that_take_too_long_end_at_the_time_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let called = folder.path().join("called");
+    let output = report_on_engines(
+        folder.path(),
+        &format!("sleep 20; touch {}", called.display()),
+        &["--time-limit", "1"],
+    );
+    assert_eq!(output.status.code(), Some(1));
+    assert!(err(&output).contains("what they did is lost"), "{}", err(&output));
+    assert!(!called.exists());
+}
+
+#[test]
+fn no_engine_is_none_and_not_all() {
+    let output = run(&["report", "engines", "--engine", ""]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("names no engine"), "{}", err(&output));
 }

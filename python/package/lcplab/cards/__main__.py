@@ -46,8 +46,8 @@ def main(arguments: list[str] | None = None) -> int:
             state = engine.version if engine.is_installed else f"not installed: pip install {engine.package}"
             print(f"{name:<18} {state}")
         return 0
-    asked = options.engine.split(",") if options.engine else list(NAMES)
-    phenomena = options.phenomenon.split(",") if options.phenomenon else names
+    asked = list(NAMES) if options.engine is None else options.engine.split(",")
+    phenomena = names if options.phenomenon is None else options.phenomenon.split(",")
     for what, given, known in (("engine", asked, NAMES), ("phenomenon", phenomena, names)):
         for name in given:
             if name not in known:

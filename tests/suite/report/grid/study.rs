@@ -52,13 +52,22 @@ fn a_report_finds_at_each_point_of_a_grid_what_the_grid_alone_finds() {
 }
 
 #[test]
-fn results_of_a_grid_are_not_shown_for_a_file_that_has_changed() {
+fn results_are_drawn_again_without_the_grids_file() {
     let folder = tempfile::tempdir().unwrap();
-    let (_, report) = written(folder.path(), GRID);
+    let (file, report) = written(folder.path(), GRID);
     let results = results(&report);
-    written(folder.path(), &GRID.replace("[1, 2, 5]", "[1, 2, 6]"));
-    let error = view::document(&results).err().unwrap().to_string();
-    assert!(error.contains("run the report again"), "{error}");
+    let page = || view::document(&results).unwrap().page.render().unwrap();
+    let before = page();
+    fs::remove_file(file).unwrap();
+    assert!(page() == before && before.contains("Two bodies"));
+}
+
+#[test]
+fn a_grid_with_plug_ins_of_its_own_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, report) = written(folder.path(), &format!("{GRID}[plugins.mine]\ncommand = 'mine'\n"));
+    let error = Experiment::parse(&report, "mine.toml", "mine").err().unwrap().to_string();
+    assert!(error.contains("stand in the report file"), "{error}");
 }
 
 #[test]

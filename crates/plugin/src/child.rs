@@ -1,0 +1,47 @@
+//! A child process that ends with its own children.
+
+use std::io::Result;
+use std::ops::{Deref, DerefMut};
+use std::process::{Child, Command};
+
+/// A running process; it and its children end when this is dropped.
+#[derive(Debug)]
+pub struct Family(Child);
+
+impl Family {
+    /// Starts a command.
+    ///
+    /// # Errors
+    /// Those of [`Command::spawn`].
+    pub fn spawn(command: &mut Command) -> Result<Self> {
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(command, 0);
+        command.spawn().map(Family)
+    }
+}
+
+impl Deref for Family {
+    type Target = Child;
+
+    fn deref(&self) -> &Child {
+        &self.0
+    }
+}
+
+impl DerefMut for Family {
+    fn deref_mut(&mut self) -> &mut Child {
+        &mut self.0
+    }
+}
+
+impl Drop for Family {
+    fn drop(&mut self) {
+        #[cfg(unix)]
+        let _ = rustix::process::kill_process_group(
+            rustix::process::Pid::from_child(&self.0),
+            rustix::process::Signal::KILL,
+        ); // it may have ended
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
