@@ -4,6 +4,7 @@ use crate::number::readable;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::cards::{Frame, Record, Tried};
 use crate::report::view::Document;
+use crate::report::view::attempt::iterations_in_words;
 
 /// Adds a section, if there are such problems.
 pub fn show(record: &Record, document: &mut Document) {
@@ -15,8 +16,9 @@ pub fn show(record: &Record, document: &mut Document) {
         "What an engine misses may lie in the problem that it poses or in its solution of it. Here the problem of a step is \
          taken out of the engine as it is installed, the engine's own forces or impulses are judged, in exact arithmetic where \
          it says *proved*, and lcplab's solvers try the same problem. A law that is missed although the answer is proved is \
-         missed by the model: a softer contact, a pyramid for a cone, friction bounded by an earlier force. Pinocchio poses no \
-         contacts: its solver gets the problem that lcplab poses.",
+         missed by the model: a softer contact, a pyramid for a cone, friction bounded by an earlier force. An answer that is \
+         refused may keep a law all the same: it is off by what the table says. Pinocchio poses no contacts: its solver gets \
+         the problem that lcplab poses. Rapier tells no problem, and DART none of a scene that sleeps.",
     );
     document.table("cards_frames", table(record));
 }
@@ -24,7 +26,8 @@ pub fn show(record: &Record, document: &mut Document) {
 fn table(record: &Record) -> Table {
     Table {
         title: "Engines' own answers".into(),
-        how_to_read: "*cheapest*: the solver that was accepted with the fewest multiplications. 10,000 iterations are the limit."
+        how_to_read: "*accepted*: of the solvers that take such problems, with Coulomb's cones one. *cheapest*: the one that was accepted \
+                       with the fewest multiplications. 10,000 iterations are the limit."
             .into(),
         columns: vec![
             Column::words("engine"),
@@ -67,7 +70,7 @@ fn row(record: &Record, frame: &Frame) -> Vec<Cell> {
         Cell::text(format!("{} of {}", accepted.len(), frame.solvers.len())),
         Cell::text(cheapest.map_or_else(
             || "–".into(),
-            |own| format!("{}, {} iterations", own.solver, readable(own.iterations as f64, 6)),
+            |own| format!("{}, {}", own.solver, iterations_in_words(&own.solver, own.iterations)),
         )),
         Cell::text(if failed.is_empty() { "–".into() } else { failed.join(", ") }),
     ]

@@ -90,8 +90,8 @@ CAPSTAN = Phenomenon(
     allowed=r"the formula is for a thin chain without weight; with $n$ = 12, $\delta$ = 15° and $\mu$ = 0.3 it is "
     "2.58. Links of 10 g that touch the post 10 mm beneath their hinges change that: forces and moments, link after "
     "link, give 2.53. So 1 kg must hold 2.3 kg: to a hundredth of the post's radius, 1 mm. And 3 kg must go down by "
-    r"$a t^2/2$, to a hundredth, what $a$ changes with the part by which the formula differs from $e^{\mu\pi}$ "
-    "(links that move on stand otherwise), and $a t h/2$.",
+    r"$a t^2/2$. A hundredth of that is allowed, $a t h/2$ for the step, and, as links that have moved lie otherwise "
+    r"on the post, the path that the difference between the formula and $e^{\mu\pi}$, 0.6 %, is worth.",
     duration=0.4,
     x=("time", "s"),
     y=("2.3 kg below their place", "mm"),
@@ -104,9 +104,10 @@ CAPSTAN = Phenomenon(
     "ODE, bounds friction by what the contacts would press without it. Rapier keeps the normal of a contact while a "
     "ball moves on over a round body by some degrees (a ball without friction flies off straight, 11 mm, where it "
     "should follow), and links that have moved wedge: 3 kg come to rest; as installed its contacts are so soft for "
-    "links of 10 g that the chain goes through the post. MuJoCo's soft contacts let 3 kg go down by 78 mm, with "
-    "steps of a sixteenth, which make them stiffer, by 69 mm. Drake's chain follows the law as installed until the "
-    "next link arrives, after 0.19 s; then 1 ms is too long for links of 10 g at 1e6 N/m, and with 0.5 ms 3 kg go "
+    "links of 10 g that the chain goes through the post. MuJoCo's accurate settings let 3 kg go down by 78 mm, and "
+    "with a sixteenth of their step, which makes contacts stiffer, by 69 mm. Drake's chain follows the law as "
+    "installed until the next link arrives, after 0.19 s; then 1 ms is too long for links of 10 g at 1e6 N/m, and with 0.5 ms 3 kg go "
     "down by 67 mm. With its accurate settings each link sinks into the post, which is of 1e7 Pa and has facets, by "
-    "a millimetre. Of 3 kg all but 0.47 kg are held: friction that is 2 % too small is 12 % of the path.",
+    "a millimetre. Whatever is off shows five times as large: of 3 kg friction leaves 0.47 kg to pull, and friction "
+    "that is 2 % too small leaves 0.05 kg more, a tenth of the path.",
 )

@@ -120,7 +120,7 @@ def _order(runs: Sequence[Run]) -> list[Measurement]:
     first, second = np.log2(errors[:-1] / errors[1:])
     lacks = 0.0 if errors[-1] == ROUNDED else max(0.0, 1 - float(2 * second - first))
     allowed = PART + 3 / (8 * math.log(2)) * (omega * runs[0].dt) ** 2
-    return [Measurement("falls short of first order by", lacks, 0.0, allowed, "orders")]
+    return [Measurement("falls short of first order by", lacks, 0.0, allowed, "")]
 
 
 ORDER = Phenomenon(
