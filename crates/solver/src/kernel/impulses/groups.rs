@@ -1,9 +1,10 @@
 //! Which pairs can be taken at once: those of one group share no body.
 //!
-//! Pairs are taken layer by layer from the ground up, each layer in as few colours as greed finds: a pair gets the least that
-//! neither of its bodies has in this layer. So one sweep carries what moves at the ground to the top of a tower. In a lone stack every
-//! layer has one pair, and seven of eight lanes would stay empty; so where layers make more than twice as many octets as
-//! colours alone, there are no layers. A sweep is cheaper then, and more are needed.
+//! Pairs are taken layer by layer from the ground up, and each layer in as few colours as greed finds: a
+//! pair gets the least colour that neither of its bodies has in this layer. So one sweep carries what moves
+//! at the ground to the top of a tower. In a lone stack every layer has one pair, and seven of eight lanes
+//! would stay empty; so where layers make more than twice as many octets as colours alone, there are no
+//! layers: a sweep is cheaper then, and more are needed.
 //!
 //! Within a group the pairs with the most rows come first, and eight follow each other in the same octet if
 //! the rows of each are bounded like the first rows of the longest.

@@ -14,9 +14,9 @@
 //! M⁻¹Jᵀ hold.
 //!
 //! [`RowByRow`] waits for each row's sum before the next begins: some 60 cycles a row, nearly all of them
-//! latency. [`EightPairs`] takes eight pairs of bodies that share none at once: in the order of the
-//! rows where enough pairs can go together, as in a tower, else, as in a lone stack, in another order,
-//! which needs another number of sweeps. Several threads may share a group of pairs, and the bits stay.
+//! latency. [`EightPairs`] takes eight pairs of bodies that share none at once: layer by layer from the
+//! ground up where enough pairs can go together, as in a tower, else, as in a lone stack, by colours alone.
+//! Another order needs another number of sweeps. Several threads may share a group of pairs, and the bits stay.
 //!
 //! Compliance (γ on A's diagonal) is not in these sweeps.
 
