@@ -83,12 +83,12 @@ impl Window {
 }
 
 impl Layout {
-    /// As few rows as show the window nearly as large as any number of rows would.
-    pub fn new(window: &Window, frames: usize) -> Self {
+    /// As few rows as show the window nearly as large as any number of rows would, in cells at least as wide as a label.
+    pub fn new(window: &Window, frames: usize, label: f64) -> Self {
         let mut best = Layout::in_rows(window, frames, 1);
         for rows in 2..=frames {
             let other = Layout::in_rows(window, frames, rows);
-            if other.scale > WORTH * best.scale {
+            if best.width < label || other.scale > WORTH * best.scale {
                 best = other;
             }
         }

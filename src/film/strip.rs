@@ -177,13 +177,19 @@ impl Figure for Strip {
     }
 
     fn svg(&self) -> String {
-        let finite = self.frames.iter().filter(|frame| frame.is_finite());
-        let frames: Vec<Frame> = finite.cloned().collect();
+        let label = |(k, frame): (usize, &Frame)| {
+            let time = || format!("{} s", readable(frame.time, 3));
+            self.labels.get(k).cloned().unwrap_or_else(time)
+        };
+        let finite = || self.frames.iter().enumerate().filter(|(_, frame)| frame.is_finite());
+        let frames: Vec<Frame> = finite().map(|(_, frame)| frame.clone()).collect();
+        let labels: Vec<String> = finite().map(label).collect();
+        let widest = labels.iter().map(|label| style::width(label, TEXT)).fold(0.0, f64::max);
         let camera = Camera::new(self.view);
         let landmarks = extent::landmarks(&self.scene, &frames);
         let patches = ground::patches(&self.scene, &landmarks);
         let window = ground::window(&camera, landmarks, &patches);
-        let layout = Layout::new(&window, frames.len());
+        let layout = Layout::new(&window, frames.len(), widest);
         let lens = layout.lens(camera, &window);
         let largest = arrow::largest(&frames);
         let shown = self.arrows == Arrows::Shown && largest > 0.0;
@@ -194,11 +200,9 @@ impl Figure for Strip {
         let size = style::TITLE * fit.min(1.0);
         canvas.text((EDGE, 26.0), Anchor::Start, size, INK, &self.title);
         self.scales(&mut canvas, &frames, &lens, newton);
-        for (k, frame) in frames.iter().enumerate() {
+        for (k, (frame, label)) in frames.iter().zip(&labels).enumerate() {
             let (x, y) = layout.corner(k, TOP);
-            let time = || format!("{} s", readable(frame.time, 3));
-            let label = self.labels.get(k).cloned().unwrap_or_else(time);
-            canvas.text((x + 2.0, y - LABEL + 14.0), Anchor::Start, TEXT, FAINT_INK, &label);
+            canvas.text((x + 2.0, y - LABEL + 14.0), Anchor::Start, TEXT, FAINT_INK, label);
             canvas.raw(&format!(
                 "<g class=\"instant\" transform=\"translate({x:.1} {y:.1}) scale(0.1)\" \
                  stroke=\"{}\" stroke-width=\"6\" stroke-linejoin=\"round\">\n\
