@@ -7,7 +7,7 @@ use std::{env, fs, thread};
 
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::plugin::child::Family;
+use lcplab::plugin::group::ProcessGroup;
 use lcplab::solver::{Reason, Stop};
 
 /// The environment variable that names another interpreter than `python3`.
@@ -44,11 +44,11 @@ pub fn run(
     if names != ALL {
         command.args(["--engine", names]);
     }
-    let family = Family::spawn(&mut command);
-    let family = family.map_err(|cause| {
+    let group = ProcessGroup::spawn(&mut command);
+    let group = group.map_err(|cause| {
         refused(format!("did not start: {cause}; {INTERPRETER} may name another interpreter"))
     })?;
-    match ended(family, stop).map_err(|cause| refused(cause.to_string()))? {
+    match ended(group, stop).map_err(|cause| refused(cause.to_string()))? {
         Err(reason) => return Ok(Err(reason)),
         Ok(status) if !status.success() => {
             let package = "lcplab's Python package is installed by pip install ./python";
@@ -62,11 +62,11 @@ pub fn run(
 
 /// How a process ended, or why it was stopped.
 fn ended(
-    mut family: Family,
+    mut group: ProcessGroup,
     stop: &Stop,
 ) -> std::io::Result<std::result::Result<ExitStatus, Reason>> {
     loop {
-        if let Some(status) = family.try_wait()? {
+        if let Some(status) = group.try_wait()? {
             return Ok(Ok(status));
         }
         if let Some(reason) = stop.reason() {

@@ -1,4 +1,4 @@
-//! A child process that ends with its own children.
+//! A process group: a child process that ends with its own children.
 
 use std::io::Result;
 use std::ops::{Deref, DerefMut};
@@ -6,9 +6,9 @@ use std::process::{Child, Command};
 
 /// A running process; it and its children end when this is dropped.
 #[derive(Debug)]
-pub struct Family(Child);
+pub struct ProcessGroup(Child);
 
-impl Family {
+impl ProcessGroup {
     /// Starts a command.
     ///
     /// # Errors
@@ -16,11 +16,11 @@ impl Family {
     pub fn spawn(command: &mut Command) -> Result<Self> {
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(command, 0);
-        command.spawn().map(Family)
+        command.spawn().map(ProcessGroup)
     }
 }
 
-impl Deref for Family {
+impl Deref for ProcessGroup {
     type Target = Child;
 
     fn deref(&self) -> &Child {
@@ -28,13 +28,13 @@ impl Deref for Family {
     }
 }
 
-impl DerefMut for Family {
+impl DerefMut for ProcessGroup {
     fn deref_mut(&mut self) -> &mut Child {
         &mut self.0
     }
 }
 
-impl Drop for Family {
+impl Drop for ProcessGroup {
     fn drop(&mut self) {
         #[cfg(unix)]
         let _ = rustix::process::kill_process_group(

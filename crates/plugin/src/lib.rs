@@ -13,7 +13,7 @@
 //!
 //! `docs/plugins.md` has the protocol key by key.
 
-pub mod child;
+pub mod group;
 mod message;
 mod process;
 

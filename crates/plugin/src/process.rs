@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use super::child::Family;
+use super::group::ProcessGroup;
 use super::message::brief;
 
 /// So much (bytes) of what it writes to its standard error is kept.
@@ -22,7 +22,7 @@ const LAST_WORDS: Duration = Duration::from_millis(200);
 /// A running process.
 #[derive(Debug)]
 pub(super) struct Process {
-    child: Family,
+    child: ProcessGroup,
     requests: Sender<(String, usize)>,
     lines: Receiver<Line>,
     complaint: Arc<Mutex<VecDeque<u8>>>,
@@ -63,7 +63,7 @@ impl Process {
         command.args(arguments);
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let cannot = |cause| format!("{program} cannot be run: {cause}");
-        let mut child = Family::spawn(&mut command).map_err(cannot)?;
+        let mut child = ProcessGroup::spawn(&mut command).map_err(cannot)?;
         let (Some(mut input), Some(output), Some(error)) =
             (child.stdin.take(), child.stdout.take(), child.stderr.take())
         else {
