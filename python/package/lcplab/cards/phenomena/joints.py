@@ -274,7 +274,7 @@ SPRING = Phenomenon(
     measure=_spring,
     plot=over_time(_lowered),
     exact=_bounced,
-    instant=10.0,
+    instant=9.33,
     reported="Rapier and lcplab take a spring as a soft row, implicitly. At the last but one turn, after $t = "
     r"10.5\,T$, the part $1 - e^{-\omega^2 h t}$ of the energy is gone: 86 % with the substeps of 1/240 s of Rapier "
     "as installed, 37 % with steps of 1 ms; all of these columns are off by that. The soft scheme solves its rows "
