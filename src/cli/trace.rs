@@ -8,7 +8,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::Lcp;
 use lcplab::plot::{Axis, Figure, Lines, Panel, Series};
-use lcplab::solver::{Group, Options, Order, Solution, theory};
+use lcplab::solver::{Group, Options, Solution, theory};
 use lcplab::trace::Record;
 
 /// Beyond so many rows no eigenvalues are computed.
@@ -86,16 +86,10 @@ fn rate(lcp: &Lcp, solver: &str, options: &Options, x: &[f64]) -> Option<f64> {
         lcp.is_coupled(i) && hi > 0.0 && (x[i] <= lo || x[i] >= hi)
     };
     // A row that slides moves with its normal, and is neither free nor at rest.
-    let is_known = options.order == Order::Natural && !(0..lcp.len()).any(slides);
-    if lcp.len() > EIGENVALUE_ROWS || !is_known {
+    if lcp.len() > EIGENVALUE_ROWS || (0..lcp.len()).any(slides) {
         return None;
     }
-    match solver {
-        "pgs" => theory::rate_beside(lcp, x, |a| theory::sor_iteration_matrix(a, 1.0)),
-        "sor" => theory::rate_beside(lcp, x, |a| theory::sor_iteration_matrix(a, options.omega)),
-        "ssor" => theory::rate_beside(lcp, x, |a| theory::ssor_iteration_matrix(a, options.omega)),
-        _ => None,
-    }
+    theory::rate(solver, options, lcp, &theory::rows_inside(lcp, x))
 }
 
 fn figure(solver: &str, records: &[Record], rate: Option<f64>) -> Lines {

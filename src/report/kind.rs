@@ -34,7 +34,6 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::comparison::Plan>(),
     Kind::of::<study::cross_check::Plan>(),
     Kind::of::<study::convergence::Plan>(),
-    Kind::of::<study::rates::Plan>(),
     Kind::of::<study::worst_cases::Plan>(),
     Kind::of::<study::sliding::Plan>(),
     Kind::of::<study::merits::Plan>(),
@@ -43,8 +42,6 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::storage::Plan>(),
     Kind::of::<study::profiles::Plan>(),
     Kind::of::<study::ratio::Plan>(),
-    Kind::of::<study::relaxation::Plan>(),
-    Kind::of::<study::scaling::Plan>(),
     Kind::of::<study::warm_start::Plan>(),
     Kind::of::<study::residual_map::Plan>(),
     Kind::of::<study::plane::Plan>(),
@@ -116,6 +113,9 @@ pub trait AnyStudy: Send + Sync {
     /// Whether its tasks run beside nothing else.
     fn alone(&self) -> bool;
 
+    /// A name and a heading of its own.
+    fn named(&self) -> Option<(String, String)>;
+
     /// The settings as a report file states them.
     fn settings(&self) -> Value;
 
@@ -165,7 +165,11 @@ impl<S: View> AnyStudy for S {
     }
 
     fn alone(&self) -> bool {
-        S::ALONE
+        Study::alone(self)
+    }
+
+    fn named(&self) -> Option<(String, String)> {
+        Study::named(self)
     }
 
     fn settings(&self) -> Value {

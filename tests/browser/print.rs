@@ -85,7 +85,7 @@ fn a_figure_alone_is_one_sheet_of_its_size() {
     let (svg, pdf) = (folder.path().join("f.svg"), folder.path().join("f.pdf"));
     for file in [&svg, &pdf] {
         let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
-        command.args(["report", "--section", "rates", "--figure", "rates_error", "--out"]);
+        command.args(["report", "--section", "ratio", "--figure", "ratio_error", "--out"]);
         let output = command.arg(file).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     }

@@ -113,9 +113,12 @@ impl Plan {
 
 impl Study for Plan {
     const NAME: &'static str = "direct-speed";
-    const ALONE: bool = true;
     type Finding = Finding;
     type Times = Times;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         self.problems().map(|(bounds, n)| bounds.problem(n)).collect()

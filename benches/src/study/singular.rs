@@ -70,9 +70,12 @@ impl Plan {
 
 impl Study for Plan {
     const NAME: &'static str = "singular";
-    const ALONE: bool = true;
     type Finding = Finding;
     type Times = Times;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         self.stacks().iter().map(Stack::name).collect()

@@ -129,9 +129,12 @@ impl Times {
 
 impl Study for Plan {
     const NAME: &'static str = "sparse-speed";
-    const ALONE: bool = true;
     type Finding = Finding;
     type Times = Times;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         self.problems.iter().map(|p| format!("{}, step {}", p.scene, p.step)).collect()

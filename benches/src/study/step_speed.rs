@@ -147,9 +147,12 @@ fn scene(which: (Kind, usize)) -> Result<Scene> {
 
 impl Study for Plan {
     const NAME: &'static str = "step-speed";
-    const ALONE: bool = true;
     type Finding = Finding;
     type Times = Times;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         self.scenes().into_iter().map(name).collect()

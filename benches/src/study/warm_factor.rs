@@ -66,9 +66,12 @@ pub struct Times {
 
 impl Study for Plan {
     const NAME: &'static str = "warm-factor";
-    const ALONE: bool = true;
     type Finding = Finding;
     type Times = Times;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         self.rows.iter().map(|n| format!("n = {n}")).collect()

@@ -26,6 +26,8 @@
 
 use nalgebra::DMatrix;
 
+use crate::metric::Metric;
+use crate::{Options, Order};
 use lcplab_problem::{Lcp, Matrix};
 
 /// The rows and columns `rows` of A, in that order: the matrix of a phase with these rows free.
@@ -106,16 +108,44 @@ pub fn contraction(g: &DMatrix<f64>) -> f64 {
     g.eigenvalues().map_or(f64::NAN, largest)
 }
 
-/// The contraction of sweeps on the rows that are free at x, the point that they lead to; `None` if it is not below 1.
-/// `matrix` makes the iteration matrix of a block of A.
-pub fn rate_beside(lcp: &Lcp, x: &[f64], matrix: impl Fn(&Matrix) -> DMatrix<f64>) -> Option<f64> {
-    let is_inside = |&i: &usize| {
+/// The contraction of a registered method with these options while exactly the rows `free` are inside their bounds; `None`
+/// where the method is no linear iteration, or does not contract.
+///
+/// ```
+/// use lcplab_problem::library;
+/// use lcplab_solver::{Options, theory};
+///
+/// // Two bodies, the upper one 3 times as heavy: r / (1 + r).
+/// let lcp = library::by_name("stack")?.generate(&[("n", 2.0), ("ratio", 3.0)])?.lcp;
+/// let rate = theory::rate("pgs", &Options::default(), &lcp, &[0, 1]).unwrap();
+/// assert!((rate - 0.75).abs() < 1e-12);
+/// assert_eq!(theory::rate("dantzig", &Options::default(), &lcp, &[0, 1]), None);
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Option<f64> {
+    let block = principal_submatrix(lcp.matrix(), free);
+    let relaxed = |omega: f64, order: Order| {
+        let place = |row: usize| free.iter().position(|&other| other == row);
+        ordered_iteration_matrix(&block, omega, order.rows(lcp).into_iter().filter_map(place))
+    };
+    let matrix = match method {
+        "pgs" => relaxed(1.0, options.order),
+        "sor" => relaxed(options.omega, options.order),
+        "ssor" => relaxed(options.omega, Order::Symmetric),
+        "red-black" => relaxed(1.0, Order::Coloured),
+        "jacobi" => jacobi_iteration_matrix(&block, options.damping.factor(&Metric::of(lcp).ok()?)),
+        _ => return None,
+    };
+    Some(contraction(&matrix)).filter(|rate| *rate < 1.0)
+}
+
+/// The rows strictly between their bounds at x.
+pub fn rows_inside(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
+    let is_free = |&i: &usize| {
         let (lo, hi) = lcp.bounds(i, x);
         lo < x[i] && x[i] < hi
     };
-    let free: Vec<usize> = (0..lcp.len()).filter(is_inside).collect();
-    let rate = contraction(&matrix(&principal_submatrix(lcp.matrix(), &free)));
-    (rate < 1.0).then_some(rate)
+    (0..lcp.len()).filter(is_free).collect()
 }
 
 /// An eigenvalue this near to 1 is 1 but for rounding.

@@ -119,9 +119,11 @@ impl Reader<'_> {
                 self.defects.add(place, format!("the study {name:?}: {reason}"));
             });
         }
+        let study = study?;
+        let (id, usual) = study.named().unwrap_or_else(|| (kind.name.into(), kind.title.into()));
         let Head { title, text, shown, .. } = head;
-        let title = title.unwrap_or_else(|| kind.title.into());
-        Some(Section { id: kind.name.into(), title, text, shown, study: Some(study?.into()) })
+        let title = title.unwrap_or(usual);
+        Some(Section { id: anchor(&id), title, text, shown, study: Some(study.into()) })
     }
 
     /// A section without a study, of which nothing may be left but its head.

@@ -8,6 +8,7 @@ use super::folder::{Folder, Record, pretty};
 use super::measure::{Finding, MEASURES};
 use super::page;
 use super::plan::Task;
+use super::theory::Predicted;
 use crate::csv;
 use crate::error::Result;
 use crate::file;
@@ -57,6 +58,16 @@ pub struct Point<'a> {
 }
 
 impl Point<'_> {
+    /// What the closed form says of a measure.
+    pub(super) fn predicted(&self, measure: &str) -> Option<&Predicted> {
+        self.finding?.predicted(measure)
+    }
+
+    /// Whether all of it was solved, by the solver's word.
+    pub(super) fn is_solved(&self) -> bool {
+        self.finding.is_some_and(|finding| finding.status == "solved")
+    }
+
     /// A measure, if it was taken.
     pub(super) fn get(&self, measure: &str) -> Option<f64> {
         self.finding?.get(measure)
@@ -95,18 +106,26 @@ pub fn collect(grid: &Grid, folder: &Folder) -> Result<Collection> {
 
 fn table(axes: &[String], points: &[Point<'_>]) -> String {
     let findings = || points.iter().filter_map(|point| point.finding);
-    let taken = |name: &&str| findings().any(|finding| finding.values.contains_key(*name));
-    let measures: Vec<&str> = MEASURES.iter().map(|measure| measure.name).filter(taken).collect();
+    let is_any = |has: &dyn Fn(&Finding) -> bool| findings().any(has);
+    let names = MEASURES.iter().map(|measure| measure.name);
+    let taken = |name: &&str| is_any(&|finding| finding.values.contains_key(*name));
+    let told = |name: &&str| is_any(&|finding| finding.predicted(name).is_some());
+    let (measures, predicted): (Vec<&str>, Vec<&str>) =
+        (names.clone().filter(taken).collect(), names.filter(told).collect());
     let mut out = String::new();
     let heading = ["task"].into_iter().chain(axes.iter().map(String::as_str));
-    let heading = heading.chain(["task_seed"]).chain(measures.iter().copied());
-    csv::record(&mut out, heading.chain(["status", "verdict", "reason"]));
+    let heading = heading.chain(["task_seed"]).chain(measures.iter().copied()).map(String::from);
+    let theory = predicted.iter().map(|name| format!("{name}_by_theory"));
+    let words = ["status", "verdict", "reason"].map(String::from);
+    csv::record(&mut out, heading.chain(theory).chain(words));
     for point in points {
         let mut row = vec![point.task.task.to_string()];
         row.extend(axes.iter().map(|path| point.task.shown(path)));
         row.push(point.task.seed.to_string());
-        let value = |name: &&str| point.get(name).map(csv::number).unwrap_or_default();
-        row.extend(measures.iter().map(value));
+        let value = |value: Option<f64>| value.map(csv::number).unwrap_or_default();
+        row.extend(measures.iter().map(|name| value(point.get(name))));
+        let by_theory = |name: &&str| value(point.predicted(name).map(|own| own.value));
+        row.extend(predicted.iter().map(by_theory));
         row.extend(point.words());
         csv::record(&mut out, row);
     }

@@ -15,8 +15,9 @@ use crate::file;
 use crate::plot::Scale;
 use crate::plugin::Declaration;
 
-/// The sweeps that lcplab ships, by name.
-const SHIPPED: [(&str, &str); 2] = [
+/// The grids that lcplab ships, by name.
+const SHIPPED: [(&str, &str); 3] = [
+    ("column", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/column.toml"))),
     ("omega", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/omega.toml"))),
     ("ratio", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/ratio.toml"))),
 ];

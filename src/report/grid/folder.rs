@@ -10,7 +10,6 @@ use serde_json::Value as Json;
 use super::file::Grid;
 use super::measure::{self, Finding};
 use super::plan::{Plan, Task};
-use super::theory::Theory;
 use crate::error::{Error, Result};
 use crate::file;
 use crate::json;
@@ -23,7 +22,7 @@ use crate::solver::Stop;
 pub struct Folder {
     path: PathBuf,
     plan: Plan,
-    theory: Option<Theory>,
+    grid: Grid,
 }
 
 /// What is kept of a task.
@@ -61,7 +60,7 @@ impl Folder {
         if let Some(found) = read(&file)? {
             check(&file, found["hash"].as_str().unwrap_or("none"), &plan.hash)?;
         }
-        Ok(Folder { path: path.into(), plan, theory: grid.theory })
+        Ok(Folder { path: path.into(), plan, grid: grid.clone() })
     }
 
     /// The plan.
@@ -143,7 +142,7 @@ impl Folder {
     }
 
     fn done(&self, task: &Task) -> Record {
-        let (finding, reason, seconds) = match measure::run(task, self.theory) {
+        let (finding, reason, seconds) = match measure::run(task, &self.grid) {
             Ok((finding, seconds)) => (Some(finding), None, seconds),
             Err(reason) => (None, Some(reason.to_string()), 0.0),
         };

@@ -7,9 +7,10 @@ use std::time::Instant;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json};
 
+use super::file::Grid;
 use super::plan::Task;
 use super::subject::Subject;
-use super::theory::Theory;
+use super::theory::{Predicted, Prediction};
 use crate::certificate::{Demand, FrictionCertificate, Verdict, judge};
 use crate::error::Result;
 use crate::lcp::Lcp;
@@ -18,7 +19,8 @@ use crate::report::answer::status_word;
 use crate::report::methods;
 use crate::scene::Scene;
 use crate::simulation::{Motion, Step};
-use crate::solver::{Solution, Start, Status};
+use crate::solver::{Options, Settings, Solution, Start, Status, theory};
+use crate::trace::{Convergence, Work};
 
 /// A number that is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,7 +38,7 @@ const fn measure(name: &'static str, unit: &'static str, about: &'static str) ->
 }
 
 /// All measures, in the order of tables.
-pub const MEASURES: [Measure; 14] = [
+pub const MEASURES: [Measure; 16] = [
     measure("iterations", "", "sweeps or pivots in all"),
     measure("rows", "", "rows of the largest LCP"),
     measure("steps", "", "steps taken"),
@@ -44,14 +46,31 @@ pub const MEASURES: [Measure; 14] = [
     measure("claimed", "", "LCPs that the solver claims to have solved"),
     measure("accepted", "", "answers that the judge accepts"),
     measure("refuted", "", "claims that the judge refutes"),
+    measure("work", "", "multiplications, counted by formulas; for families only"),
+    measure(
+        "rate",
+        "",
+        "what is left of the natural residual from one iteration to the next, in the last half of those before rounding",
+    ),
+    measure(
+        "eigenvalue",
+        "",
+        "the largest modulus below 1 of an eigenvalue of the iteration matrix, on the rows inside their bounds",
+    ),
     measure("scaled_residual", "", "the worst scaled residual of all answers"),
     measure("error", "", "max |x − x*| / max |x*|, where x* is known"),
     measure("energy_change", "J", "the largest departure of the energy from its start"),
     measure("drift", "m", "the largest error of a joint"),
     measure("penetration", "m", "the deepest overlap"),
-    measure("predicted", "", "what the closed form says"),
-    measure("optimum", "", "where the closed form has its least"),
+    measure("optimum", "", "where the closed form has its least rate"),
 ];
+
+/// The wall time of stepping and solving, which is recorded apart from what is the same on every machine.
+pub static SECONDS: Measure = measure(
+    "seconds",
+    "s",
+    "the wall time of stepping and solving, on a machine that does other things too",
+);
 
 /// What was found at a point; the same on every machine.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -65,12 +84,26 @@ pub struct Finding {
     pub trouble: Option<String>,
     /// The measures, those that mean something here.
     pub values: Map<String, Json>,
+    /// What the closed form says.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub predicted: Vec<Predicted>,
 }
 
 impl Finding {
     /// A measure, if it was taken.
     pub fn get(&self, name: &str) -> Option<f64> {
         self.values.get(name).and_then(as_number)
+    }
+
+    /// What the closed form says of a measure, if it says something.
+    pub fn predicted(&self, name: &str) -> Option<&Predicted> {
+        self.predicted.iter().find(|predicted| predicted.measure == name)
+    }
+
+    /// Whether each claim of the closed form holds.
+    pub fn claims(&self) -> impl Iterator<Item = bool> {
+        let held = |predicted: &Predicted| predicted.holds(self.get(&predicted.measure)?);
+        self.predicted.iter().filter_map(held)
     }
 
     fn put(&mut self, name: &str, value: f64) {
@@ -83,19 +116,14 @@ impl Finding {
 ///
 /// # Errors
 /// If the task's settings make no scene or problem, or name no solver.
-pub fn run(task: &Task, theory: Option<Theory>) -> Result<(Finding, f64)> {
+pub fn run(task: &Task, grid: &Grid) -> Result<(Finding, f64)> {
     match Subject::of(task)? {
-        Subject::Scene(scene, steps) => simulate(task, &scene, steps, theory),
-        Subject::Problem(problem, settings) => solve(task, &problem, &settings, theory),
+        Subject::Scene(scene, steps) => simulate(task, &scene, steps, grid),
+        Subject::Problem(problem, settings) => solve(task, &problem, &settings, grid),
     }
 }
 
-fn simulate(
-    task: &Task,
-    scene: &Scene,
-    steps: usize,
-    theory: Option<Theory>,
-) -> Result<(Finding, f64)> {
+fn simulate(task: &Task, scene: &Scene, steps: usize, grid: &Grid) -> Result<(Finding, f64)> {
     let mut simulation = Simulation::of(scene)?;
     let demand = Demand { tolerance: scene.solver.tolerance, prove_up_to: 0 };
     let mut tally = Tally::default();
@@ -122,49 +150,69 @@ fn simulate(
     finding.put("energy_change", course.energy_change);
     finding.put("drift", course.drift);
     finding.put("penetration", course.penetration);
-    predict(&mut finding, task, theory, last.as_ref(), scene);
+    if let Some(lcp) = last {
+        finding.beside_theory(task, grid, &lcp, scene)?;
+    }
     Ok((finding, seconds))
 }
 
-fn solve(
-    task: &Task,
-    problem: &Problem,
-    settings: &Scene,
-    theory: Option<Theory>,
-) -> Result<(Finding, f64)> {
+fn solve(task: &Task, problem: &Problem, settings: &Scene, grid: &Grid) -> Result<(Finding, f64)> {
     let options = simulation::options(settings);
-    let solver = (methods::entry(&settings.solver.name)?.build)(&options);
+    let entry = methods::entry(&settings.solver.name)?;
+    let mut work = Work::of(&entry, &problem.lcp);
     let start = Instant::now();
-    let solution = solver.solve(&problem.lcp, &Start::default(), &mut ());
+    let solution = (entry.build)(&options).solve(&problem.lcp, &Start::default(), &mut work);
     let seconds = start.elapsed().as_secs_f64();
     let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
     let certificate = judge(&problem.lcp, &solution.x, &demand).into();
     let mut tally = Tally::default();
     tally.add(problem.lcp.len(), &solution, &certificate, None);
     let mut finding = tally.finding();
+    if work.multiplications.is_finite() {
+        finding.put("work", work.multiplications);
+    }
     if let Some(exact) = only_solution(problem) {
         let size = exact.iter().fold(0.0, |size, x| f64::max(size, x.abs()));
         let off = exact.iter().zip(&solution.x).map(|(exact, x)| (x - exact).abs());
         finding.put("error", off.fold(0.0, f64::max) / size);
     }
-    predict(&mut finding, task, theory, Some(&problem.lcp), settings);
+    finding.beside_theory(task, grid, &problem.lcp, settings)?;
     Ok((finding, seconds))
 }
 
-fn predict(
-    finding: &mut Finding,
-    task: &Task,
-    theory: Option<Theory>,
-    lcp: Option<&Lcp>,
-    scene: &Scene,
-) {
-    let (Some(theory), Some(lcp)) = (theory, lcp) else { return };
-    let iterations = finding.get("iterations").unwrap_or(0.0);
-    let Some(prediction) = theory.predict(task, lcp, &scene.solver, iterations) else { return };
-    finding.put("predicted", prediction.value);
-    if let Some(optimum) = prediction.optimum {
-        finding.put("optimum", optimum);
+impl Finding {
+    /// Adds what the closed form says of the last problem, and its rate if the grid asks for it.
+    fn beside_theory(&mut self, task: &Task, grid: &Grid, lcp: &Lcp, scene: &Scene) -> Result<()> {
+        let (name, options) = (&scene.solver.name, simulation::options(scene));
+        if grid.measures.iter().any(|measure| measure.name == "rate") {
+            let (rate, eigenvalue) = rates(name, &options, lcp)?;
+            rate.into_iter().for_each(|rate| self.put("rate", rate));
+            eigenvalue.into_iter().for_each(|rate| self.put("eigenvalue", rate));
+        }
+        let Some(theory) = grid.theory else { return Ok(()) };
+        let iterations = self.get("iterations").unwrap_or(0.0);
+        let Prediction { values, optimum } = theory.predict(task, lcp, name, &options, iterations);
+        optimum.into_iter().for_each(|optimum| self.put("optimum", optimum));
+        let is_taken = |predicted: &Predicted| self.get(&predicted.measure).is_some();
+        let values = values.into_iter().filter(|own| own.value.is_finite() && is_taken(own));
+        self.predicted = values.collect();
+        Ok(())
     }
+}
+
+/// Residuals below this part of the first are rounding.
+const FLOOR: f64 = 1e-11;
+
+/// The rate of a solver that sweeps, as its residuals show it and as an eigenvalue.
+fn rates(name: &str, options: &Options, lcp: &Lcp) -> Result<(Option<f64>, Option<f64>)> {
+    let settings = Settings { tolerance: 0.0, ..options.settings.clone() };
+    let options = Options { settings, ..options.clone() };
+    let mut trace = Convergence::of(lcp);
+    trace.floor = FLOOR;
+    let solver = (methods::entry(name)?.build)(&options);
+    let x = solver.solve(lcp, &Start::default(), &mut trace).x;
+    let eigenvalue = theory::rate(name, &options, lcp, &theory::rows_inside(lcp, &x));
+    Ok((eigenvalue.and(trace.rate()), eigenvalue))
 }
 
 /// Claims and verdicts of many solves.
@@ -228,6 +276,7 @@ impl Tally {
             verdict: self.verdict.map_or("none", |verdict| verdict.word()).into(),
             trouble: self.trouble,
             values: Map::new(),
+            predicted: Vec::new(),
         };
         for (name, count) in [
             ("iterations", self.iterations),

@@ -30,7 +30,7 @@
 //! ```
 //!
 //! `scale = "linear"` or `"log"` spreads the measures on their axis, which else depends on the values;
-//! `theory` names a closed form to draw beside them ([`Theory`]).
+//! `theory` names a closed form to draw beside them ([`Theory`]). The measure `rate` has its problem solved once more.
 //!
 //! A setting is the path of a field of the scene file: of lists the item's number from 0 or its name,
 //! or neither if there is one item. Of a family it is a parameter, or a field of `solver` as scenes
@@ -53,6 +53,6 @@ pub use collect::{Collection, Point, collect};
 pub use file::{Axis, Grid};
 pub use folder::{Folder, Machine, Record};
 pub use measure::Finding;
-pub use page::{document, plan_table, show};
+pub use page::{document, plan_table, show, show_seconds};
 pub use plan::{Plan, Task};
-pub use theory::Theory;
+pub use theory::{Predicted, Theory};

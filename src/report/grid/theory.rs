@@ -1,36 +1,61 @@
 //! Closed forms that a grid can be drawn beside.
 
+use serde::{Deserialize, Serialize};
+
 use super::plan::Task;
 use crate::lcp::{Lcp, Matrix};
-use crate::scene::Solver;
-use crate::solver::theory::{column_radius, optimal_omega, sor_radius};
+use crate::solver::theory::{column_radius, optimal_omega, sor_radius, sweeps_to};
+use crate::solver::{Damping, Options, Order};
 
 /// A closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Theory {
-    /// Young (1950), SOR on a column of n equal masses, standing on the ground or hung at one end:
+    /// Young (1950), sweeps on a column of n equal masses, standing on the ground or hung at one end:
     ///
     /// ```text
-    /// ρ_J = cos(π/2n),   ω* = 2/(1 + √(1 − ρ_J²)),   ρ(ω) = ω − 1 for ω ≥ ω*,
+    /// ρ_J = cos(π/2n),   ρ_GS = ρ_J²,   ω* = 2/(1 + √(1 − ρ_J²)),   ρ(ω) = ω − 1 for ω ≥ ω*,
     /// ρ(ω) = ((ω ρ_J + √(ω² ρ_J² − 4(ω − 1)))/2)² below
     /// ```
     ///
-    /// It predicts iterations: ln(tolerance)/ln ρ(ω) sweeps, the optimum ω*. Applies where A is a
-    /// multiple of tridiag(−1, 2, −1) with 1 in the first place, and the solver is SOR or PGS.
+    /// It knows the rate, and by the rate the iterations, ln(tolerance)/ln ρ sweeps: a rule of thumb, since the start may
+    /// have more or less of the slowest kind of error. Where the column falls onto the ground (b is 0 but in the first row),
+    /// Gauss-Seidel leaves (2/n) b ρᵏ in the ground's row, whose terms add up to 2 n b: the scaled residual is ε after
+    /// ln(ε n²)/ln ρ sweeps. Applies where A is a multiple of tridiag(−1, 2, −1) with 1 in the first place, and the solver is
+    /// SOR, PGS or Jacobi's method without damping.
     Young,
-    /// Gauss-Seidel on two bodies, the upper one r times as heavy (the family `stack` with n = 2): it
-    /// predicts the error after k sweeps, (r/(1 + r))^k.
+    /// Gauss-Seidel on two bodies, the upper one r times as heavy (the family `stack` with n = 2): a sweep leaves
+    /// ρ = r/(1 + r) of the error, and the scaled residual after k sweeps is ρᵏ/(2 (1 + r)).
     MassRatio,
 }
 
-/// What a closed form says of a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Prediction {
-    /// The value of [`Theory::measure`].
+/// What a closed form says of a measure.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Predicted {
+    /// The measure.
+    pub measure: String,
+    /// Its value.
     pub value: f64,
-    /// Where along the first axis its least value is, if that is known.
+    /// By how much what is measured may differ; `None` for a rule of thumb, which claims nothing.
+    pub slack: Option<f64>,
+}
+
+/// What a closed form says of a point.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Prediction {
+    /// By measure.
+    pub values: Vec<Predicted>,
+    /// Where along the first axis the least rate is, if that is known.
     pub optimum: Option<f64>,
 }
+
+/// Eigenvalues are known to this: where two of them meet, at ω*, to the root of the precision only.
+const EIGENVALUE: f64 = 1e-5;
+/// Sweeps that are counted and those that the slowest kind of error needs differ by this part at most, and by a sweep.
+const SWEEPS: f64 = 0.05;
+/// The rounding of an error of size 1.
+const ROUNDING: f64 = 1e-12;
+/// A scaled residual is a claim once it is this small for two bodies; before, a solver takes it back.
+const SMALL: f64 = 0.05;
 
 impl Theory {
     /// All of them.
@@ -49,41 +74,84 @@ impl Theory {
         Theory::ALL.into_iter().find(|theory| theory.name() == name)
     }
 
-    /// The measure that it predicts.
-    pub fn measure(self) -> &'static str {
-        match self {
-            Theory::Young => "iterations",
-            Theory::MassRatio => "error",
-        }
-    }
-
-    /// What it says of a task's problem, solved in so many iterations; `None` where it does not apply.
+    /// What it says of a task's problem, solved by this solver in so many iterations; nothing where it does not apply.
     pub(super) fn predict(
         self,
         task: &Task,
         lcp: &Lcp,
-        solver: &Solver,
+        solver: &str,
+        options: &Options,
         iterations: f64,
-    ) -> Option<Prediction> {
-        match self {
-            Theory::Young => {
-                let omega = match solver.name.as_str() {
-                    "sor" => solver.omega,
-                    "pgs" => 1.0,
-                    _ => return None,
-                };
-                let jacobi = radius_of_column(lcp.matrix())?;
-                let value = libm::log(solver.tolerance) / libm::log(sor_radius(jacobi, omega));
-                let optimum = optimal_omega(jacobi);
-                Some(Prediction { value, optimum: Some(optimum) })
-            }
-            Theory::MassRatio => {
-                let pair = task.text("family") == Some("stack") && lcp.len() == 2;
-                let ratio = task.number("ratio").unwrap_or(1.0);
-                let value = libm::pow(ratio / (1.0 + ratio), iterations);
-                (pair && solver.name == "pgs").then_some(Prediction { value, optimum: None })
-            }
-        }
+    ) -> Prediction {
+        let predicted = match self {
+            Theory::Young => young(lcp, solver, options),
+            Theory::MassRatio => mass_ratio(task, lcp, solver, options, iterations),
+        };
+        predicted.unwrap_or_default()
+    }
+}
+
+fn young(lcp: &Lcp, solver: &str, options: &Options) -> Option<Prediction> {
+    let jacobi = radius_of_column(lcp.matrix())?;
+    let (rate, optimum) = match (solver, options.damping) {
+        ("sor", _) => (sor_radius(jacobi, options.omega), Some(optimal_omega(jacobi))),
+        ("pgs", _) => (jacobi * jacobi, None),
+        ("jacobi", Damping::Factor(1.0)) => (jacobi, None),
+        _ => return None,
+    };
+    let tolerance = options.settings.tolerance;
+    let squared = (lcp.len() * lcp.len()) as f64;
+    let falls = lcp.b().iter().skip(1).all(|b| *b == 0.0);
+    let is_plain = solver == "pgs" && options.order == Order::Natural;
+    let sweeps = match falls && is_plain && tolerance * squared < 1.0 {
+        true => claimed_sweeps(sweeps_to(tolerance * squared, rate)),
+        false => Predicted::thumb("iterations", sweeps_to(tolerance, rate)),
+    };
+    Some(Prediction { values: rates(rate).into_iter().chain([sweeps]).collect(), optimum })
+}
+
+fn mass_ratio(
+    task: &Task,
+    lcp: &Lcp,
+    solver: &str,
+    options: &Options,
+    iterations: f64,
+) -> Option<Prediction> {
+    let is_pair = task.text("family") == Some("stack") && lcp.len() == 2 && solver == "pgs";
+    let ratio = is_pair.then(|| task.number("ratio").unwrap_or(1.0))?;
+    let rate = ratio / (1.0 + ratio);
+    let error = libm::pow(rate, iterations);
+    let mut values = rates(rate).to_vec();
+    values.push(Predicted::within("error", error, ROUNDING));
+    let left = 2.0 * (1.0 + ratio) * options.settings.tolerance;
+    if 0.0 < left && left < SMALL {
+        values.push(claimed_sweeps(sweeps_to(left, rate)));
+    }
+    Some(Prediction { values, optimum: None })
+}
+
+/// A rate, measured and as an eigenvalue: what is measured over a few sweeps claims nothing.
+fn rates(rate: f64) -> [Predicted; 2] {
+    [Predicted::thumb("rate", rate), Predicted::within("eigenvalue", rate, EIGENVALUE)]
+}
+
+fn claimed_sweeps(sweeps: f64) -> Predicted {
+    let whole = sweeps.ceil();
+    Predicted::within("iterations", whole, f64::max(1.0, SWEEPS * whole))
+}
+
+impl Predicted {
+    fn within(measure: &str, value: f64, slack: f64) -> Self {
+        Predicted { measure: measure.into(), value, slack: Some(slack) }
+    }
+
+    fn thumb(measure: &str, value: f64) -> Self {
+        Predicted { measure: measure.into(), value, slack: None }
+    }
+
+    /// Whether what was measured is what is claimed; `None` if nothing is.
+    pub fn holds(&self, measured: f64) -> Option<bool> {
+        self.slack.map(|slack| (measured - self.value).abs() <= slack)
     }
 }
 

@@ -7,7 +7,7 @@ use super::Study;
 use super::settings::{AtStep, Given, first};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::solver::{Dantzig, Order, Pgs, Settings, Solver, Start, theory};
+use crate::solver::{Dantzig, Options, Order, Pgs, Settings, Solver, Start, theory};
 use crate::trace::{Convergence, Record};
 
 /// LCPs solved by sweeps.
@@ -82,7 +82,7 @@ pub struct Curve {
 }
 
 /// Most sweeps of a curve.
-const SWEEPS: usize = 600;
+const SWEEPS: usize = 1000;
 /// Residuals below this part of the first are rounding, not convergence.
 const FLOOR: f64 = 1e-12;
 
@@ -114,17 +114,15 @@ fn curve(lcp: &Lcp, omega: f64) -> Curve {
         ..Settings::default()
     };
     let mut trace = Convergence::of(lcp);
+    trace.floor = FLOOR;
     let x = Pgs { omega, order: Order::default(), settings }
         .solve(lcp, &Start::default(), &mut trace)
         .x;
-    let floor = FLOOR * trace.records.first().map_or(0.0, |record| record.natural_residual);
-    let measured_rate = trace.rate(floor);
-    let reached = trace.records.iter().position(|record| record.natural_residual <= floor);
-    trace.records.truncate(reached.map_or(usize::MAX, |k| k + 1));
+    let options = Options { omega, ..Options::default() };
     Curve {
         omega,
+        measured_rate: trace.rate(),
         records: trace.records,
-        predicted_rate: theory::rate_beside(lcp, &x, |a| theory::sor_iteration_matrix(a, omega)),
-        measured_rate,
+        predicted_rate: theory::rate("sor", &options, lcp, &theory::rows_inside(lcp, &x)),
     }
 }

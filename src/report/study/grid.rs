@@ -17,6 +17,8 @@ pub struct Plan {
     pub grid: Grid,
     /// Its points.
     pub plan: grid::Plan,
+    /// Whether the points are taken one after the other and the report shows how long each took.
+    pub timed: bool,
     name: String,
 }
 
@@ -26,6 +28,9 @@ pub struct Plan {
 struct Settings {
     /// A grid file, or the name of a shipped grid.
     grid: String,
+    /// Take the points one after the other, and show how long each took in the section of times.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    timed: bool,
     /// The file itself; it is written with the results, so that they are drawn again without it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     source: Option<String>,
@@ -40,10 +45,19 @@ pub struct Found {
     pub finding: Finding,
 }
 
+/// How long a point took.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Seconds {
+    /// The number of the point, from 1.
+    pub task: usize,
+    /// The wall time of stepping and solving (s); `None` where it was not solved.
+    pub seconds: Option<f64>,
+}
+
 impl TryFrom<Settings> for Plan {
     type Error = Error;
 
-    fn try_from(Settings { grid: name, source }: Settings) -> Result<Self> {
+    fn try_from(Settings { grid: name, timed, source }: Settings) -> Result<Self> {
         let grid = match source {
             Some(text) => Grid::from_toml(&name, &text)?,
             None => Grid::load(&name)?,
@@ -52,20 +66,28 @@ impl TryFrom<Settings> for Plan {
             let reason = "of a grid in a report stand in the report file";
             return Err(Error::invalid(name, "plugins", reason));
         }
-        Ok(Plan { plan: grid.plan()?, grid, name })
+        Ok(Plan { plan: grid.plan()?, grid, timed, name })
     }
 }
 
 impl From<Plan> for Settings {
-    fn from(Plan { name, grid, .. }: Plan) -> Self {
-        Settings { grid: name, source: Some(grid.source().into()) }
+    fn from(Plan { name, grid, timed, .. }: Plan) -> Self {
+        Settings { grid: name, timed, source: Some(grid.source().into()) }
     }
 }
 
 impl Study for Plan {
     const NAME: &'static str = "grid";
     type Finding = Found;
-    type Times = ();
+    type Times = Option<Seconds>;
+
+    fn alone(&self) -> bool {
+        self.timed
+    }
+
+    fn named(&self) -> Option<(String, String)> {
+        Some((self.grid.name.clone(), self.grid.title.clone()))
+    }
 
     fn tasks(&self) -> Vec<String> {
         let setting = |task: &grid::Task, path: &String| {
@@ -79,9 +101,11 @@ impl Study for Plan {
         self.plan.tasks.iter().map(name).collect()
     }
 
-    fn run(&self, task: usize) -> Result<(Found, ())> {
+    fn run(&self, task: usize) -> Result<(Found, Option<Seconds>)> {
         let task = &self.plan.tasks[task];
-        let (finding, _) = measure::run(task, self.grid.theory)?;
-        Ok((Found { task: task.task, finding }, ()))
+        let (finding, seconds) = measure::run(task, &self.grid)?;
+        let seconds = Some(seconds).filter(|_| finding.status == "solved");
+        let times = self.timed.then_some(Seconds { task: task.task, seconds });
+        Ok((Found { task: task.task, finding }, times))
     }
 }

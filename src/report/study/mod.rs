@@ -28,11 +28,8 @@ pub mod profiles;
 pub mod published;
 pub mod race;
 pub mod ramp;
-pub mod rates;
 pub mod ratio;
-pub mod relaxation;
 pub mod residual_map;
-pub mod scaling;
 pub mod scenes;
 pub mod schemes;
 pub mod settings;
@@ -58,12 +55,20 @@ use crate::error::Result;
 pub trait Study: JsonSchema + Serialize + DeserializeOwned + Send + Sync {
     /// The kind's name in report files.
     const NAME: &'static str;
-    /// Whether its tasks run one after the other and beside nothing else, because they are timed.
-    const ALONE: bool = false;
     /// What a task finds out: the same in every run on the same kind of processor.
     type Finding: Serialize + DeserializeOwned + Send;
     /// What differs from machine to machine; `()` where nothing is timed.
     type Times: Serialize + DeserializeOwned + Send;
+
+    /// Whether its tasks run one after the other and beside nothing else, because they are timed.
+    fn alone(&self) -> bool {
+        false
+    }
+
+    /// A name and a heading of its own, where the settings bring them; those of the kind else.
+    fn named(&self) -> Option<(String, String)> {
+        None
+    }
 
     /// What tells the tasks apart: a scene's name, a size.
     fn tasks(&self) -> Vec<String>;

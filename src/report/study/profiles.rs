@@ -67,9 +67,12 @@ pub struct Seconds {
 
 impl Study for Plan {
     const NAME: &'static str = "profiles";
-    const ALONE: bool = true;
     type Finding = Tried;
     type Times = Seconds;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         let steps = self.scenes.iter().map(|at| Source::Scene(at.clone()).name());

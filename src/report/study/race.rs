@@ -99,9 +99,12 @@ pub struct Clock {
 
 impl Study for Plan {
     const NAME: &'static str = "race";
-    const ALONE: bool = true;
     type Finding = Race;
     type Times = Clock;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         self.problems.iter().map(Source::name).collect()

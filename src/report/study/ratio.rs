@@ -25,7 +25,7 @@ use super::attempt::{Attempt, attempt, entries, options};
 use super::posed::{BLOW, Loaded, column};
 use crate::error::Result;
 use crate::lcp::Lcp;
-use crate::solver::{Options, Order, theory};
+use crate::solver::{Options, theory};
 
 /// Which stacks and which solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -126,10 +126,11 @@ impl Study for Plan {
     fn run(&self, task: usize) -> Result<(Stack, Seconds)> {
         let (system, ratio) = self.stack(task);
         let posed = self.posed(task)?;
+        let all: Vec<usize> = (0..posed.lcp.len()).collect(); // at rest every row is free
         let (mut tried, mut seconds) = (Vec::new(), Vec::new());
         for entry in entries(&self.solvers)? {
             let mut found = Tried {
-                rate: rate(entry.name, &posed.lcp),
+                rate: theory::rate(entry.name, &Options::default(), &posed.lcp, &all),
                 attempts: Vec::new(),
                 missing: Vec::new(),
             };
@@ -184,18 +185,4 @@ fn boxes(boxes: usize, ratio: f64) -> Result<Posed> {
     let carries = rows.filter(|(_, row)| row.id.component == 0 && row.bodies.contains(&ground));
     let ground = carries.map(|(i, _)| i).collect();
     Ok(Posed { ground, weight, lcp: problem.lcp })
-}
-
-/// The contraction of a sweep with every row free; `None` where the method is none of these.
-fn rate(solver: &str, lcp: &Lcp) -> Option<f64> {
-    let Options { omega, .. } = Options::default();
-    let (omega, order) = match solver {
-        "pgs" => (1.0, Order::Natural),
-        "sor" => (omega, Order::Natural),
-        "ssor" => (omega, Order::Symmetric),
-        "red-black" => (1.0, Order::Coloured),
-        _ => return None,
-    };
-    let matrix = theory::ordered_iteration_matrix(lcp.matrix(), omega, order.rows(lcp));
-    Some(theory::contraction(&matrix)).filter(|rate| *rate < 1.0)
 }

@@ -2,30 +2,58 @@
 
 use super::attempt::section_id;
 use super::{Document, Outcome, View};
-use crate::report::grid::{self, Point};
-use crate::report::study::grid::{Found, Plan};
+use crate::report::grid::{self, Finding, Point};
+use crate::report::study::grid::{Found, Plan, Seconds};
 
 impl View for Plan {
     const TITLE: &'static str = "A grid of settings";
 
     fn show(&self, found: &[Found], document: &mut Document) {
         document.text(self.grid.text.trim());
-        let points = found.iter().filter_map(|Found { task, finding }| {
-            let task = self.plan.tasks.get(task - 1)?;
-            Some(Point { task, finding: Some(finding), reason: None })
-        });
-        let points: Vec<Point> = points.collect();
         let id = format!("{}_", section_id(document));
-        grid::show(&self.grid, &self.plan, &points, &id, document);
+        grid::show(&self.grid, &self.plan, &self.points(found), &id, document);
+    }
+
+    fn show_times(&self, times: &[Option<Seconds>], document: &mut Document) {
+        let found: Vec<Found> = times.iter().flatten().map(Seconds::found).collect();
+        let id = format!("{}_", self.grid.name);
+        grid::show_seconds(&self.grid, &self.plan, &self.points(&found), &id, document);
     }
 
     fn outcome(&self, found: &[Found]) -> Outcome {
         let refuted = found.iter().filter(|own| own.finding.get("refuted") > Some(0.0)).count();
-        let says = format!(
-            "{} of {} points measured, claims refuted at {refuted}",
-            found.len(),
-            self.plan.tasks.len()
-        );
-        Outcome { good: refuted == 0, says }
+        let claims: Vec<bool> = found.iter().flat_map(|own| own.finding.claims()).collect();
+        let held = claims.iter().filter(|held| **held).count();
+        let theory = match claims.len() {
+            0 => String::new(),
+            all => format!(", {held} of {all} numbers as the closed form says"),
+        };
+        let (points, all) = (found.len(), self.plan.tasks.len());
+        let says =
+            format!("{points} of {all} points measured{theory}, claims refuted at {refuted}");
+        Outcome { good: refuted == 0 && held == claims.len(), says }
+    }
+}
+
+impl Plan {
+    fn points<'a>(&'a self, found: &'a [Found]) -> Vec<Point<'a>> {
+        let point = |Found { task, finding }: &'a Found| {
+            let task = self.plan.tasks.get(task - 1)?;
+            Some(Point { task, finding: Some(finding), reason: None })
+        };
+        found.iter().filter_map(point).collect()
+    }
+}
+
+impl Seconds {
+    /// The time as a measure.
+    fn found(&self) -> Found {
+        let seconds = self.seconds.map(|seconds| ("seconds".to_string(), seconds.into()));
+        let finding = Finding {
+            status: "solved".into(),
+            values: seconds.into_iter().collect(),
+            ..Finding::default()
+        };
+        Found { task: self.task, finding }
     }
 }

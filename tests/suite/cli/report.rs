@@ -14,7 +14,7 @@ use super::{err, out, run};
 
 const TWO: &str = "title = 'Two'\nlead = ''\n\
                    [[section]]\nstudy = 'worst-cases'\nsizes = [2]\n\
-                   [[section]]\nstudy = 'rates'\nbodies = [5]\nratios = [10.0]\n";
+                   [[section]]\nstudy = 'grid'\ngrid = 'ratio'\n";
 
 /// The results of a run of the file that ended before its last task.
 fn interrupted(file: &Path, folder: &Path) -> Results {
@@ -113,7 +113,7 @@ fn the_line_that_reproduces_a_page_does() {
     let escaped = |text: &str| text.replace('\'', "&#39;").replace('"', "&#34;");
     let has = |line: &str| html().contains(line) || html().contains(&escaped(line));
     assert!(has(&line), "{line}");
-    assert!(has(&format!("{line} --section rates")), "each section's own");
+    assert!(has(&format!("{line} --section ratio")), "each section's own");
 
     let again = std::process::Command::new("sh")
         .args(["-c", &line.replacen("lcplab", env!("CARGO_BIN_EXE_lcplab"), 1)])
@@ -122,10 +122,10 @@ fn the_line_that_reproduces_a_page_does() {
     assert_eq!(again.status.code(), Some(0), "{}", err(&again));
     assert!(out(&again).contains("index.html") && has(&line));
 
-    let part = run(&["report", file, "--section", "rates", "--out", page]);
+    let part = run(&["report", file, "--section", "ratio", "--out", page]);
     assert_eq!(part.status.code(), Some(0), "{}", err(&part));
-    let html = fs::read_to_string(Path::new(page).join("rates/index.html")).unwrap();
-    let line = format!("lcplab report '{file}' --section rates --out '{page}'");
+    let html = fs::read_to_string(Path::new(page).join("ratio/index.html")).unwrap();
+    let line = format!("lcplab report '{file}' --section ratio --out '{page}'");
     assert!(html.contains(&line) || html.contains(&escaped(&line)), "{line}");
 }
 
@@ -202,10 +202,10 @@ fn a_figure_alone_is_that_of_the_page() {
     assert_eq!(run(&["report", file, "--out", page]).status.code(), Some(0));
     for (ending, source) in [("svg", &["--redraw", page]), ("csv", &[file, "--fresh"])] {
         let alone = folder.path().join(format!("alone.{ending}"));
-        let out = ["--figure", "rates_error", "--out", alone.to_str().unwrap()];
+        let out = ["--figure", "ratio_error", "--out", alone.to_str().unwrap()];
         let told = run(&[&["report"][..], source, &out].concat());
         assert_eq!(told.status.code(), Some(0), "{}", err(&told));
-        let beside = Path::new(page).join(format!("data/rates_error.{ending}"));
+        let beside = Path::new(page).join(format!("data/ratio_error.{ending}"));
         assert_eq!(fs::read(&alone).unwrap(), fs::read(beside).unwrap());
     }
     let refused = |figure: &str, out: &str| {
@@ -214,7 +214,7 @@ fn a_figure_alone_is_that_of_the_page() {
         err(&told)
     };
     assert!(refused("nothing", "a.svg").contains("named \"nothing\"; there are worst_cases"));
-    assert!(refused("rates_error", "a.png").contains("must end in .svg, .pdf or .csv"));
+    assert!(refused("ratio_error", "a.png").contains("must end in .svg, .pdf or .csv"));
 }
 
 /// In place of Python: a script that notes how it was called and writes the shipped record, or fails.

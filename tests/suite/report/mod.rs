@@ -9,7 +9,6 @@ mod ledger;
 mod looks;
 mod page;
 mod published;
-mod rates;
 mod recording;
 mod reference;
 mod rubbing;

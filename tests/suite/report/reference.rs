@@ -46,6 +46,7 @@ fn the_standard_report_is_the_committed_one() {
 fn a_difference_beyond_the_tolerance_is_found() {
     let differs = |old, new| first_difference(old, new, ABSOLUTE).is_some();
     assert!(!differs("a,1.0,-2e-17\n", "a,1.0000000001,3e-17\n"));
+    assert!(!differs("nan,1", "nan,1") && differs("nan", "1") && differs("1", "nan"));
     assert!(differs("a,1.0", "a,1.00001") && differs("a,1", "b,1") && differs("1,2", "1,2,3"));
 }
 
@@ -70,6 +71,7 @@ fn first_difference(old: &str, new: &str, absolute: f64) -> Option<String> {
 fn alike(old: &str, new: &str, absolute: f64) -> bool {
     let is_sign = |c: char| !(c.is_ascii_alphanumeric() || ".+-".contains(c));
     let same = |(old, new): (&str, &str)| match (old.parse::<f64>(), new.parse::<f64>()) {
+        (Ok(old), Ok(new)) if old.is_nan() => new.is_nan(),
         (Ok(old), Ok(new)) => {
             let apart = (old - new).abs();
             old == new || apart <= absolute + RELATIVE * old.abs().max(new.abs())

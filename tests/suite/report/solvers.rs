@@ -1,7 +1,5 @@
 //! The studies of solvers, held against closed forms.
 
-use std::f64::consts::PI;
-
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::report::results::Results;
 use lcplab::report::study::Study;
@@ -9,9 +7,8 @@ use lcplab::report::study::attempt::{Attempt, Outcome};
 use lcplab::report::study::posed::{BLOW, Source};
 use lcplab::report::study::profiles::{self, Cost, costs, multiplications, of_all, profiles};
 use lcplab::report::study::ratio::{self, Stack, System};
-use lcplab::report::study::{plane, race, relaxation, residual_map, scaling, warm_start};
+use lcplab::report::study::{plane, race, residual_map, warm_start};
 use lcplab::report::view;
-use lcplab::solver::theory::sor_radius;
 use lcplab::solver::{self, Options, Start, entry};
 use lcplab::trace::Work;
 
@@ -40,14 +37,9 @@ bodies = 5
 sweeps = 8
 
 [[section]]
-study = "relaxation"
-bodies = [5]
-omegas = [1.0, 1.4, 1.7]
-
-[[section]]
-study = "scaling"
-bodies = [5, 10]
-solvers = ["pgs", "sor", "dantzig"]
+study = "grid"
+grid = "column"
+timed = true
 
 [[section]]
 study = "plane"
@@ -208,39 +200,6 @@ fn work_is_what_the_formulas_say() {
     assert_eq!(multiplications, n.powi(3) / 6.0 + steps * n * n);
 }
 
-/// ρ at ω* and at 1 from benchmarks 4.3, and the sweeps of Gauss-Seidel; left of ω* a product of the
-/// two eigenvalues of SOR for ±ρ_J is (ω − 1)².
-#[test]
-fn the_relaxation_factor_does_what_young_says() {
-    let plan: relaxation::Plan = settings("bodies = [10]\nomegas = [0.5, 1.0, 1.5, 1.9]");
-    let column = only(&plan);
-    assert!((column.best - 1.729454).abs() < 5e-7);
-    let at = |omega: f64| column.points.iter().find(|point| point.omega == omega).unwrap();
-    assert!((at(1.0).closed_form - 0.975528).abs() < 5e-7);
-    assert_eq!(at(1.0).sweeps, Some(606));
-    assert!((at(column.best).closed_form - 0.729454).abs() < 5e-7);
-    assert!((at(1.9).closed_form - 0.9).abs() < 1e-15);
-    for point in &column.points {
-        assert!((point.eigenvalue - point.closed_form).abs() < 1e-6, "{point:?}");
-    }
-    for omega in [0.5, 1.0, 1.5] {
-        let point = at(omega);
-        let off = point.measured.unwrap().ln() / point.closed_form.ln() - 1.0;
-        assert!(off.abs() < 1e-3, "{point:?}");
-        let other = (omega - 1.0).powi(2) / point.closed_form;
-        let sum = omega * omega * (PI / 20.0).cos().powi(2) - 2.0 * (omega - 1.0);
-        assert!((point.closed_form + other - sum).abs() < 1e-12);
-    }
-    assert_eq!(sor_radius(0.5, 1.8), 0.8);
-}
-
-#[test]
-fn an_omega_that_sor_does_not_take_is_an_error() {
-    let plan: relaxation::Plan = settings("bodies = [5]\nomegas = [2.0]");
-    let error = plan.run(0).unwrap_err().to_string();
-    assert!(error.contains("must lie between 0 and 2, is 2"), "{error}");
-}
-
 /// Top-down, row i hears of the ground in sweep i; from the ground up, x_i = b/2ⁱ after one sweep, and
 /// row i is off by the x_{i+1} that came after it.
 #[test]
@@ -305,21 +264,6 @@ fn a_load_on_boxes_is_carried_by_the_ground() {
     }
     let error = Source::Stack(lcplab::report::study::posed::Loaded { boxes: 3, ratio: -1.0 }).lcp();
     assert!(error.unwrap_err().to_string().contains("mass"));
-}
-
-#[test]
-fn columns_cost_what_the_formulas_say() {
-    let plan: scaling::Plan =
-        settings("bodies = [5, 20]\nsolvers = [\"pgs\", \"dantzig\"]\ntolerance = 1e-8");
-    for (task, n) in [5_usize, 20].into_iter().enumerate() {
-        let column = plan.run(task).unwrap().0;
-        let [pgs, dantzig] = &column.attempts[..] else { panic!("two solvers") };
-        let rate = (PI / (2 * n) as f64).cos().powi(2);
-        let sweeps = (1e-8 * (n * n) as f64).ln() / rate.ln();
-        assert!((column.gauss_seidel - sweeps).abs() < 1e-9 * sweeps);
-        assert!(pgs.iterations.abs_diff(sweeps.ceil() as usize) <= 1);
-        assert_eq!(dantzig.iterations, n);
-    }
 }
 
 #[test]

@@ -39,9 +39,8 @@ text = "Look at the slopes."
 scenes = [{ scene = "chain", step = 20, omegas = [1.0, 1.5] }]
 
 [[section]]
-study = "rates"
-bodies = [5]
-ratios = [10.0]
+study = "grid"
+grid = "ratio"
 
 [[section]]
 study = "worst-cases"
@@ -129,8 +128,8 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
         assert!(folder.path().join("data").join(link).is_file(), "{link}");
         count += 1;
     }
-    // A CSV for each of 15 tables, an SVG and a CSV for each of 11 figures.
-    assert_eq!(count, 15 + 2 * 11);
+    // A CSV for each of 14 tables, an SVG and a CSV for each of 11 figures.
+    assert_eq!(count, 14 + 2 * 11);
     assert!(folder.path().join("results.json").is_file());
     let left_over = std::fs::read_dir(folder.path()).unwrap();
     assert!(left_over.flatten().all(|file| file.path().extension().is_none_or(|e| e != "part")));
@@ -161,7 +160,7 @@ fn a_task_that_fails_is_a_row_with_its_reason_and_the_others_go_on() {
     let document = view::document(&results).unwrap();
     let rows = table(&document, "drift_failures").rows;
     assert!(rows.len() == 1 && rows[0][0].text == "moon" && rows[0][1].text.starts_with(reason));
-    assert_eq!(table(&document, "rates_sweeps").rows.len(), 2);
+    assert_eq!(table(&document, "ratio_tasks").rows.len(), 55);
 }
 
 #[test]
@@ -225,25 +224,25 @@ fn a_thinned_motion_keeps_its_ends_and_its_extremes() {
 #[test]
 fn every_figure_and_table_says_how_it_was_obtained() {
     let document = view::document(results()).unwrap();
-    let section = document.page.sections.iter().find(|section| section.id == "rates").unwrap();
+    let section = document.page.sections.iter().find(|section| section.id == "ratio").unwrap();
     for block in &section.blocks {
         let (Block::Figure(Picture { origin, .. }) | Block::Table(Table { origin, .. })) = block
         else {
             continue;
         };
         let origin = origin.as_ref().expect("an origin");
-        assert_eq!(origin.settings, "bodies = [5]; ratios = [10.0]");
-        assert_eq!(origin.command, "lcplab report small.toml --section rates");
+        assert_eq!(origin.settings, "grid = \"ratio\"");
+        assert_eq!(origin.command, "lcplab report small.toml --section ratio");
     }
 }
 
 #[test]
 fn one_section_can_be_run_alone() {
-    let alone = experiment(SMALL).unwrap().only("rates").unwrap();
+    let alone = experiment(SMALL).unwrap().only("ratio").unwrap();
     let results = run_all(&alone);
-    assert_eq!(results.sections, [results_of("rates")]);
-    let message = experiment(SMALL).unwrap().only("rate").err().unwrap().to_string();
-    assert!(message.starts_with("there is no section named \"rate\"; there are words-alone"));
+    assert_eq!(results.sections, [results_of("ratio")]);
+    let message = experiment(SMALL).unwrap().only("rat").err().unwrap().to_string();
+    assert!(message.starts_with("there is no section named \"rat\"; there are words-alone"));
 }
 
 fn results_of(id: &str) -> Part {

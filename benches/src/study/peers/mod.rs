@@ -23,9 +23,12 @@ pub struct Plan {}
 
 impl Study for Plan {
     const NAME: &'static str = "peers";
-    const ALONE: bool = true;
     type Finding = Recording;
     type Times = ();
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         vec!["recorded run".into()]

@@ -153,9 +153,12 @@ pub struct Run {
 
 impl Study for Plan {
     const NAME: &'static str = "sweep-speed";
-    const ALONE: bool = true;
     type Finding = Finding;
     type Times = Times;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         let dense = self.dense.iter().map(|n| format!("dense, n = {n}"));

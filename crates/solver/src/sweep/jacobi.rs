@@ -44,6 +44,16 @@ pub enum Damping {
     Factor(f64),
 }
 
+impl Damping {
+    /// θ on a problem with this metric.
+    pub(crate) fn factor(self, metric: &Metric) -> f64 {
+        match self {
+            Damping::Safe => 1.0 / metric.eigenvalue,
+            Damping::Factor(theta) => theta,
+        }
+    }
+}
+
 impl Solver for Jacobi {
     fn name(&self) -> &'static str {
         "jacobi"
@@ -55,10 +65,7 @@ impl Solver for Jacobi {
             Ok(metric) => metric,
             Err(status) => return Solution::new(lcp, x, status, 0),
         };
-        let theta = match self.damping {
-            Damping::Safe => 1.0 / metric.eigenvalue,
-            Damping::Factor(theta) => theta,
-        };
+        let theta = self.damping.factor(&metric);
         iterate(lcp, x, 0, &self.settings, observer, |x| {
             let gradient = metric.gradient(lcp, x);
             for (x, g) in x.iter_mut().zip(&gradient) {

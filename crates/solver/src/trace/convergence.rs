@@ -27,6 +27,8 @@ pub struct Convergence<'a> {
     lcp: &'a Lcp,
     /// Ask the solver to stop after this many iterations.
     pub limit: usize,
+    /// Ask the solver to stop once the natural residual is below this part of the first: what comes then is rounding.
+    pub floor: f64,
     /// One record an iterate, the start first.
     pub records: Vec<Record>,
 }
@@ -49,20 +51,33 @@ pub struct Record {
 impl<'a> Convergence<'a> {
     /// A trace of iterates for this problem.
     pub fn of(lcp: &'a Lcp) -> Self {
-        Convergence { lcp, limit: usize::MAX, records: Vec::new() }
+        Convergence { lcp, limit: usize::MAX, floor: 0.0, records: Vec::new() }
     }
 
-    /// The factor by which the natural residual shrinks an iteration, measured over the last half
-    /// of the records that lie between `floor` and the start; `None` with fewer than ten of them.
-    pub fn rate(&self, floor: f64) -> Option<f64> {
-        let above: Vec<&Record> =
-            self.records.iter().take_while(|r| r.natural_residual > floor).collect();
+    /// The factor by which the natural residual shrinks an iteration: a straight line through its logarithms, by least
+    /// squares, over the last half of the records above the floor; `None` with fewer than ten of them.
+    ///
+    /// A line, since residuals may go up and down: those of Jacobi's method, whose eigenvalues come in pairs ±ρ, or of SOR
+    /// above ω*, where they are complex.
+    pub fn rate(&self) -> Option<f64> {
+        let residuals = self.records.iter().map(|record| record.natural_residual);
+        let above: Vec<f64> =
+            residuals.take_while(|residual| !self.is_rounding(*residual)).collect();
+        let logs: Vec<f64> =
+            above[above.len() / 2..].iter().map(|residual| residual.ln()).collect();
         if above.len() < 10 {
             return None;
         }
-        let (first, last) = (above[above.len() / 2], above[above.len() - 1]);
-        let ratio = last.natural_residual / first.natural_residual;
-        Some(ratio.powf(1.0 / (last.iteration - first.iteration) as f64))
+        let n = logs.len() as f64;
+        let middle = (n - 1.0) / 2.0;
+        let spread = n * (n * n - 1.0) / 12.0; // Σ (k − middle)²
+        let slope: f64 = logs.iter().enumerate().map(|(k, log)| (k as f64 - middle) * log).sum();
+        Some((slope / spread).exp())
+    }
+
+    fn is_rounding(&self, residual: f64) -> bool {
+        let first = self.records.first().map_or(0.0, |record| record.natural_residual);
+        residual <= self.floor * first
     }
 }
 
@@ -75,7 +90,8 @@ impl Observer for Convergence<'_> {
             objective: merit::objective(self.lcp, iterate.x),
             free_rows: merit::free_rows(self.lcp, iterate.x),
         });
-        if iterate.iteration >= self.limit {
+        let residual = self.records.last().map_or(f64::INFINITY, |last| last.natural_residual);
+        if (self.floor > 0.0 && self.is_rounding(residual)) || iterate.iteration >= self.limit {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())

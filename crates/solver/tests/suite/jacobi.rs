@@ -31,7 +31,7 @@ fn errors_shrink_by_the_spectral_radius() {
         let mut trace = Convergence::of(&lcp);
         jacobi(Damping::Factor(theta)).solve(&lcp, &Start::default(), &mut trace);
         let predicted = spectral_radius(&jacobi_iteration_matrix(lcp.matrix(), theta));
-        let measured = trace.rate(0.0).unwrap();
+        let measured = trace.rate().unwrap();
         assert!((measured - predicted).abs() < 1e-3, "θ = {theta}: {measured}, {predicted}");
     }
 }

@@ -68,9 +68,12 @@ pub struct Pictures {
 
 impl Study for Plan {
     const NAME: &'static str = "storage";
-    const ALONE: bool = true;
     type Finding = Finding;
     type Times = time::Times;
+
+    fn alone(&self) -> bool {
+        true
+    }
 
     fn tasks(&self) -> Vec<String> {
         vec!["all".into()]

@@ -47,8 +47,37 @@ fn a_report_finds_at_each_point_of_a_grid_what_the_grid_alone_finds() {
     assert_eq!(own, expected);
     let document = view::document(&results).unwrap();
     assert_eq!(document.figures.len(), 1);
-    assert_eq!(document.tables.iter().find(|(id, _)| id == "grid_tasks").unwrap().1.rows.len(), 6);
+    assert_eq!(document.tables.iter().find(|(id, _)| id == "two_tasks").unwrap().1.rows.len(), 6);
     assert!(results.is_good().unwrap());
+}
+
+#[test]
+fn a_number_that_theory_does_not_say_is_told_and_the_report_is_not_good() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, report) = written(folder.path(), GRID);
+    let mut results = results(&report);
+    assert!(results.summary().unwrap().contains("6 of 6 numbers as the closed form says"));
+    let finding = results.sections[0].tasks[2].finding.as_mut().unwrap();
+    finding["finding"]["values"]["error"] = 0.3.into();
+    assert!(!results.is_good().unwrap());
+    assert!(results.summary().unwrap().contains("5 of 6 numbers as the closed form says"));
+}
+
+#[test]
+fn a_timed_grid_shows_how_long_each_point_took() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = GRID
+        .replace("solver.tolerance = 0", "solver.tolerance = 1e-3")
+        .replace("[1, 2, 5]", "[50, 100, 200]");
+    let (_, report) = written(folder.path(), &text);
+    let timed = results(&format!("{report}timed = true\n"));
+    let figures = |results: &Results| -> Vec<String> {
+        view::document(results).unwrap().figures.iter().map(|figure| figure.id().into()).collect()
+    };
+    assert_eq!(figures(&timed), ["two_error", "two_seconds"]);
+    let plain = results(&report);
+    assert_eq!(figures(&plain), ["two_error"]);
+    assert!(plain.sections[0].findings().eq(timed.sections[0].findings()));
 }
 
 #[test]

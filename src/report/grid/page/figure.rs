@@ -1,0 +1,108 @@
+//! A measure of a grid across its first axis.
+
+use super::curves::{Curve, Curves};
+use crate::plot::{Axis, Lines, Panel, Scale, Series};
+use crate::report::grid::file::{Grid, REPEAT};
+use crate::report::grid::measure::Measure;
+
+/// More curves than this no eye can follow.
+const MOST_CURVES: usize = 12;
+/// Values that spread over this ratio are drawn on a logarithmic axis,
+const WIDE: f64 = 50.0;
+/// and those whose logarithms are this nearly evenly spaced.
+const EVEN: f64 = 1.1;
+
+/// The figure of a measure; `None` if it was nowhere taken.
+pub(super) fn figure(grid: &Grid, curves: &Curves<'_>, measure: &Measure) -> Option<Lines> {
+    let shown = &curves.curves[..curves.curves.len().min(MOST_CURVES)];
+    let drawn = |curve: &Curve| Series::measured(curve.name.clone(), curve.measured(measure));
+    let is_taken = |own: &Series| own.points.iter().any(|(_, y)| y.is_finite());
+    let mut series: Vec<Series> = shown.iter().map(drawn).filter(is_taken).collect();
+    let all: Vec<(f64, f64)> = series.iter().flat_map(|own| own.points.iter().copied()).collect();
+    let (x, y) = (Spread::of(all.iter().map(|(x, _)| *x)), Spread::of(all.iter().map(|(_, y)| *y)));
+    y.most.is_finite().then_some(())?;
+    let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
+    let floor = if y_wide { y.smallest } else { y.least };
+    let mut words = vec![format!("{}: {}.", measure.name.replace('_', " "), measure.about)];
+    let theory = shown.iter().map(|curve| curve.predicted(measure));
+    if let Some(theory) = joined("theory", theory, Series::theory) {
+        series.push(theory);
+        let optima = shown.iter().filter_map(|curve| curves.optimum(curve));
+        let bars = optima.map(|best| vec![(best, floor), (best, y.most)]);
+        series.extend(joined("optimum by theory", bars, Series::reference));
+        words.push("Dashed grey: the closed form.".into());
+    }
+    if grid.axes.iter().any(|axis| axis.paths == [REPEAT]) {
+        words.push("Each point is the median of its repetitions.".into());
+    }
+    if shown.len() < curves.curves.len() {
+        words.push(format!("The first {} of {} curves.", shown.len(), curves.curves.len()));
+    }
+    let axis = |wide: bool, label: &str, unit: &str| match wide {
+        true => Axis::log(label, unit),
+        false => Axis::linear(label, unit),
+    };
+    Some(Lines {
+        id: measure.name.into(),
+        title: format!(
+            "{}: {} across {}",
+            grid.title,
+            measure.name.replace('_', " "),
+            curves.across
+        ),
+        caption: words.join(" "),
+        x: axis(x.is_wide(), &curves.across, curves.unit()),
+        panels: vec![Panel {
+            y: axis(y_wide, &measure.name.replace('_', " "), measure.unit),
+            series,
+        }],
+    })
+}
+
+/// Several curves as one series, with a gap after each; none if there are no points.
+fn joined(
+    name: &str,
+    curves: impl Iterator<Item = Vec<(f64, f64)>>,
+    series: fn(String, Vec<(f64, f64)>) -> Series,
+) -> Option<Series> {
+    let gap = (f64::NAN, f64::NAN);
+    let has_points = |curve: &Vec<(f64, f64)>| curve.iter().any(|(_, y)| y.is_finite());
+    let points = curves.filter(has_points).flat_map(|curve| curve.into_iter().chain([gap]));
+    let points: Vec<(f64, f64)> = points.collect();
+    (!points.is_empty()).then(|| series(name.into(), points))
+}
+
+/// How values spread.
+pub(super) struct Spread {
+    least: f64,
+    most: f64,
+    /// The least above 0.
+    smallest: f64,
+    /// Whether they ask for a logarithmic axis.
+    wide: bool,
+}
+
+impl Spread {
+    /// How these values spread.
+    pub fn of(values: impl Iterator<Item = f64>) -> Self {
+        let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        let least = values.first().copied().unwrap_or(f64::INFINITY);
+        let most = values.last().copied().unwrap_or(f64::NEG_INFINITY);
+        let smallest = values.iter().copied().find(|value| *value > 0.0).unwrap_or(f64::INFINITY);
+        let ratios = values.windows(2).map(|pair| (pair[1] / pair[0]).ln());
+        let (closest, widest) = ratios
+            .fold((f64::INFINITY, 0.0_f64), |(closest, widest), ratio| {
+                (closest.min(ratio), widest.max(ratio))
+            });
+        let is_geometric = values.len() > 2 && least > 0.0 && widest <= EVEN * closest;
+        let wide = least >= 0.0 && (most / smallest >= WIDE || is_geometric);
+        Spread { least, most, smallest, wide }
+    }
+
+    /// Whether the values ask for a logarithmic axis and can have one.
+    pub fn is_wide(&self) -> bool {
+        self.wide && self.least > 0.0
+    }
+}

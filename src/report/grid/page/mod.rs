@@ -1,0 +1,121 @@
+//! The page of a grid: each measure across the first axis, a curve for each point of the others.
+//! Nothing is solved here.
+
+mod curves;
+mod figure;
+mod tables;
+
+use self::curves::Curves;
+use super::collect::{Collection, Point};
+use super::file::{Grid, SUBJECT};
+use super::measure::SECONDS;
+use super::plan::{Plan, Task, plain};
+use crate::plot::Lines;
+use crate::report::page::{Block, Cell, Column, Origin, Page, Table};
+use crate::report::view::Document;
+
+/// The files of a collected grid.
+const WHOLE: [(&str, &str); 3] = [
+    ("results (CSV)", "results.csv"),
+    ("results (JSON)", "results.json"),
+    ("times (CSV)", "times.csv"),
+];
+
+/// The page with its figures and tables.
+pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
+    let page = Page {
+        title: grid.title.clone(),
+        lead: grid.text.trim().to_string(),
+        facts: facts(plan, collection),
+        ..Page::default()
+    };
+    let mut document = Document { page, figures: Vec::new(), tables: Vec::new() };
+    document.open("results", "What was measured");
+    show(grid, plan, &collection.points(), "", &mut document);
+    let origin = origin(grid);
+    document.page.sections.iter_mut().for_each(|section| section.obtained(&origin));
+    if let Some(Block::Table(table)) =
+        document.page.sections.iter_mut().flat_map(|s| &mut s.blocks).last()
+    {
+        table.files = WHOLE.map(|(name, file)| (name.into(), file.into())).to_vec();
+    }
+    document
+}
+
+/// Adds figures and tables of these points to the section that is open; the names of their files begin with `id`.
+pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: &mut Document) {
+    if let Some(curves) = Curves::of(grid, plan, points) {
+        for measure in &grid.measures {
+            if let Some(figure) = figure::figure(grid, &curves, measure) {
+                document.figure(Lines { id: format!("{id}{}", figure.id), ..figure });
+            }
+        }
+        if let Some(table) = tables::optima(&curves) {
+            document.table(&format!("{id}optimum"), table);
+        }
+        if let Some(table) = tables::growth(grid, &curves) {
+            document.table(&format!("{id}growth"), table);
+        }
+    }
+    document.table(&format!("{id}tasks"), tables::results(grid, plan, points));
+}
+
+/// Adds the figure of the wall times of these points.
+pub fn show_seconds(
+    grid: &Grid,
+    plan: &Plan,
+    points: &[Point<'_>],
+    id: &str,
+    document: &mut Document,
+) {
+    let figure =
+        Curves::of(grid, plan, points).and_then(|curves| figure::figure(grid, &curves, &SECONDS));
+    if let Some(figure) = figure {
+        document.figure(Lines { id: format!("{id}{}", figure.id), ..figure });
+    }
+}
+
+/// The table that `grid plan` prints: the first tasks with what varies.
+pub fn plan_table(grid: &Grid, plan: &Plan, rows: usize) -> Table {
+    let columns =
+        ["task"].into_iter().map(String::from).chain(plan.axes.iter().map(|p| grid.label(p)));
+    let cells = |task: &Task| {
+        let values = plan.axes.iter().map(|path| Cell::text(task.shown(path)));
+        [Cell::text(task.task.to_string())].into_iter().chain(values).collect()
+    };
+    let left = plan.tasks.len().saturating_sub(rows);
+    let more =
+        if left > 0 { format!("and {left} more; plan.json has them all") } else { String::new() };
+    Table {
+        title: format!("{}: {} tasks, plan {}", plan.grid, plan.tasks.len(), plan.hash),
+        how_to_read: more,
+        columns: columns.map(|title| Column::numbers(title, "")).collect(),
+        rows: plan.tasks.iter().take(rows).map(cells).collect(),
+        ..Table::default()
+    }
+}
+
+/// How all of it was obtained.
+fn origin(grid: &Grid) -> Origin {
+    let fixed = grid.settings.iter().filter(|(path, _)| !SUBJECT[..2].contains(&path.as_str()));
+    let subjects = SUBJECT[..2].iter().flat_map(|kind| grid.values_of(kind));
+    let words = |values: Vec<String>| values.join(", ");
+    Origin {
+        scene: words(subjects.map(plain).collect()),
+        settings: words(fixed.map(|(path, value)| format!("{path} = {}", plain(value))).collect()),
+        command: format!("lcplab grid run {0}; lcplab grid collect {0}", grid.name),
+    }
+}
+
+fn facts(plan: &Plan, collection: &Collection) -> Vec<(String, String)> {
+    let mut facts = vec![
+        ("lcplab".to_string(), env!("CARGO_PKG_VERSION").to_string()),
+        ("grid".into(), plan.grid.clone()),
+        ("plan".into(), plan.hash.clone()),
+        ("tasks".into(), format!("{} of {}", collection.done.len(), plan.tasks.len())),
+    ];
+    if collection.impossible() > 0 {
+        facts.push(("impossible points".into(), collection.impossible().to_string()));
+    }
+    facts
+}

@@ -1,0 +1,170 @@
+//! The tables of a grid: where the least is, how things grow, and every point.
+
+use super::curves::{Curve, Curves};
+use super::figure::Spread;
+use crate::number::readable;
+use crate::report::grid::collect::Point;
+use crate::report::grid::file::Grid;
+use crate::report::grid::measure::{MEASURES, Measure};
+use crate::report::grid::plan::{Plan, Task};
+use crate::report::page::{Cell, Column, Mark, Table};
+
+/// Rows of a table on a page; all are in the CSV file.
+const MOST_ROWS: usize = 500;
+
+/// Where each curve has its least, beside where theory says.
+pub(super) fn optima(curves: &Curves<'_>) -> Option<Table> {
+    let across = &curves.across;
+    let iterations = &MEASURES[0];
+    let row = |curve: &Curve| {
+        let best = curves.optimum(curve)?;
+        let points = curve.measured(iterations);
+        let least =
+            points.iter().filter(|(_, y)| y.is_finite()).min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(vec![
+            Cell::text(&curve.name),
+            Cell::number(least.0, 4),
+            Cell::count(least.1 as usize),
+            Cell::number(best, 4),
+        ])
+    };
+    let rows: Vec<Vec<Cell>> = curves.curves.iter().filter_map(row).collect();
+    (!rows.is_empty()).then(|| Table {
+        title: "The fewest iterations, and where theory has them".into(),
+        how_to_read: format!(
+            "Of the points that were tried the one with the fewest iterations, beside the {across} \
+             at which the spectral radius is least."
+        ),
+        columns: vec![
+            Column::words("curve"),
+            Column::numbers(format!("{across} of the fewest"), ""),
+            Column::numbers("iterations", ""),
+            Column::numbers(format!("{across} by theory"), ""),
+        ],
+        rows,
+        ..Table::default()
+    })
+}
+
+/// The exponent of each measure over the last two places, where the axis is logarithmic.
+pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
+    if !Spread::of(curves.curves.iter().flat_map(Curve::places)).is_wide() {
+        return None;
+    }
+    let exponent = |curve: &Curve, measure: &Measure| {
+        let [(x0, y0), (x1, y1)] = curve.end(measure)?;
+        Some((y1 / y0).ln() / (x1 / x0).ln()).filter(|exponent| exponent.is_finite())
+    };
+    let cells = |curve: &Curve| {
+        let exponents = grid.measures.iter().map(|measure| exponent(curve, measure));
+        let numbers =
+            exponents.map(|own| own.map_or(Cell::text("–"), |own| Cell::number(own, 2)));
+        [Cell::text(&curve.name)].into_iter().chain(numbers).collect::<Vec<_>>()
+    };
+    let heads = grid
+        .measures
+        .iter()
+        .map(|measure| Column::numbers(format!("{} ~ {}^", words(measure), curves.across), ""));
+    Some(Table {
+        title: format!("How it grows with {}", curves.across),
+        how_to_read: format!(
+            "Exponents over the last two values of {}: where it doubles, 1 means twice as much, 2 four times.",
+            curves.across
+        ),
+        columns: [Column::words("curve")].into_iter().chain(heads).collect(),
+        rows: curves.curves.iter().map(cells).collect(),
+        ..Table::default()
+    })
+}
+
+/// A measure's name in words.
+fn words(measure: &Measure) -> String {
+    measure.name.replace('_', " ")
+}
+
+/// Shown whether or not a grid asks for them.
+const ALWAYS: [&str; 3] = ["iterations", "eigenvalue", "scaled_residual"];
+
+/// Every point: its settings, what was measured beside theory, and the words.
+pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
+    let findings = || points.iter().filter_map(|point| point.finding);
+    let shown = |measure: &&Measure| {
+        let asked = grid.measures.contains(measure) || ALWAYS.contains(&measure.name);
+        asked && findings().any(|finding| finding.values.contains_key(measure.name))
+    };
+    let measures: Vec<&Measure> = MEASURES.iter().filter(shown).collect();
+    let told = |measure: &Measure| findings().any(|own| own.predicted(measure.name).is_some());
+    let has_theory: Vec<bool> = measures.iter().map(|measure| told(measure)).collect();
+    let mut columns = vec![Column::numbers("task", "")];
+    columns.extend(plan.axes.iter().map(|path| Column::numbers(grid.label(path), "")));
+    for (measure, has_theory) in measures.iter().zip(&has_theory) {
+        columns.push(Column::numbers(words(measure), measure.unit));
+        columns.extend(has_theory.then(|| Column::numbers("by theory", measure.unit)));
+    }
+    columns.extend(["status", "verdict", "reason"].map(Column::words));
+    let rows = points.iter().take(MOST_ROWS).map(|point| {
+        let mut row = vec![Cell::count(point.task.task)];
+        row.extend(plan.axes.iter().map(|path| setting(point.task, path)));
+        for (measure, has_theory) in measures.iter().zip(&has_theory) {
+            row.push(measured(point, measure));
+            row.extend(has_theory.then(|| by_theory(point, measure)));
+        }
+        let [status, verdict, reason] = point.words();
+        let mark = if point.get("refuted") > Some(0.0) { Mark::Bad } else { Mark::Plain };
+        row.extend([
+            Cell::text(status),
+            Cell::text(verdict.replace('_', " ")).marked(mark),
+            Cell::text(reason),
+        ]);
+        row
+    });
+    let rows: Vec<Vec<Cell>> = rows.collect();
+    let left = points.len() - rows.len();
+    let more =
+        if left > 0 { format!(" {left} more rows are in results.csv.") } else { String::new() };
+    let theory = match has_theory.contains(&true) {
+        true => {
+            " What is marked agrees with the closed form, or does not; what is not marked is a rule of thumb, which \
+                  claims nothing."
+        }
+        false => "",
+    };
+    Table {
+        title: "What was found at each point".into(),
+        how_to_read: format!(
+            "Status: the solver's word. Verdict: the judge's, on the worst answer.{theory}{more}"
+        ),
+        columns,
+        rows,
+        ..Table::default()
+    }
+}
+
+fn setting(task: &Task, path: &str) -> Cell {
+    match task.number(path) {
+        Some(value) => Cell { text: readable(value, 6), value: Some(value), ..Cell::default() },
+        None => Cell::text(task.shown(path)),
+    }
+}
+
+fn value(value: f64) -> Cell {
+    match value.fract() == 0.0 && (0.0..1e9).contains(&value) {
+        true => Cell::count(value as usize),
+        false => Cell::number(value, 5),
+    }
+}
+
+/// What was measured, marked where theory claims something.
+fn measured(point: &Point, measure: &Measure) -> Cell {
+    let Some(found) = point.get(measure.name) else { return Cell::text("–") };
+    let holds = point.predicted(measure.name).and_then(|own| own.holds(found));
+    value(found).marked(match holds {
+        Some(true) => Mark::Good,
+        Some(false) => Mark::Bad,
+        None => Mark::Plain,
+    })
+}
+
+fn by_theory(point: &Point, measure: &Measure) -> Cell {
+    point.predicted(measure.name).map_or(Cell::text("–"), |own| value(own.value))
+}
