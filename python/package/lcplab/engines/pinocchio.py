@@ -204,9 +204,9 @@ ENGINE = Engine(
         Settings(
             "defaults",
             "as in its example of closed chains: semi-implicit Euler, errors of loops fed back with Kp 10 "
-            "and critical Kd, one proximal iteration with mu 1e-10, steps of 5 ms",
+            "and critical Kd, up to 10 proximal iterations with mu 1e-10, steps of 5 ms",
             0.005,
-            {"rk4": False, "stiffness": 10.0, "proximal": (1e-10, 1)},
+            {"rk4": False, "stiffness": 10.0, "proximal": (1e-10, 10)},
         ),
         Settings(
             "accurate",
