@@ -9,21 +9,24 @@
 //!
 //! vanish exactly at the solutions (a bound at infinity drops its φ; Billups 1995 for two finite
 //! ones), and no variable is doubled for the upper bounds. With J a generalised Jacobian at x, a step
-//! is a d that solves J d = −H, halved until |H| falls enough.
+//! is a d that solves J d = −H. Whole steps are taken as long as |H| falls; of the minimum map, which has kinks, also up to ten
+//! that raise it (a *watchdog*: Chamberlain and others 1982), since a whole step ends at the point of an active set, and a
+//! shorter one at none. Where that does not lead below the least |H| so far, the step from there is halved until |H| falls
+//! enough.
 //!
 //! For the minimum map row i of J is that of A where row i is free (F) and a unit row where it is at a
 //! bound: the step solves for the guessed active set, which is final once the guess is right. Where A is
-//! symmetric that is a Cholesky factorisation, of A_FF or, where redundant contacts make it singular, of
+//! symmetric that takes the factor of A_FF that suits A (free_rows.rs) or, where redundant contacts make it singular, of
 //! A_FF + 2⁻²⁸ D_FF, D = diag(A), which leaves x where it is along a null direction:
 //!
 //! ```text
 //! x_i + d_i = the bound of row i at a bound,   A_FF d_F = −w_F at x_F and these bounds
 //! ```
 //!
-//! At a kink it may be that no length of d reduces |H|. Then a proximal step begins (proximal.rs): ρ D (x − c)
+//! At a kink it may be that no length of d, down to 1/16, reduces |H|. Then a proximal step begins (proximal.rs): ρ D (x − c)
 //! is added to w with c = x, and ρ grows until a length of d does. A root of these equations is the next c, and ρ
-//! falls again. From ρ = 1 on, and where A is not symmetric, the step is a sweep of [`Pgs`](crate::Pgs) instead,
-//! and the observer is told so (`Sweep` for `Step`).
+//! falls again. From ρ = 1 on, and where A is not symmetric, d is halved further, and at last a sweep of
+//! [`Pgs`](crate::Pgs) taken instead, and the observer is told so (`Sweep` for `Step`).
 //!
 //! For Fischer-Burmeister |H|² has no kink, so that d always leads downhill and the limit solves the
 //! LCP if A is a P0 matrix, as semidefinite ones are. Here J has all rows of A, and redundant contacts
@@ -38,36 +41,38 @@
 //! vanishes with |H|² it does not spoil the speed (Yamashita & Fukushima 2001). Near a solution both
 //! equations double the correct digits in each step (Qi & Sun 1993; De Luca, Facchinei & Kanzow 1996).
 //!
-//! |H|² is summed as Σ a_ii H_i², an energy. A step costs f³/6 products for f free rows by Cholesky and
-//! 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows
+//! |H|² is summed as Σ a_ii H_i², an energy. A step costs f³/6 products for f free rows by Cholesky, fewer where A is
+//! sparse, and 5/3 n³ by QR, for A of any kind with a positive diagonal, up to 2000 rows. The bounds of coupled rows
 //! are part of H, with their derivatives; a coupled row at a bound that moves needs QR. `ZeroDiagonal`
 //! and `Diverged` as for PGS. The solution says whether proximal steps were taken ([`Fallback`]).
 
 use std::ops::ControlFlow;
 
-use faer::linalg::solvers::Llt;
-use faer::prelude::{Solve, SolveLstsq};
-use faer::{Mat, Side};
+use faer::Mat;
+use faer::prelude::SolveLstsq;
 
 use super::equations::{Equations, Row};
 use crate::iterate::iterate;
 use crate::metric;
+use crate::pivot::free_rows::FreeRows;
 use crate::pivot::proximal::Rho;
 use crate::{Event, Fallback, Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
-/// Halvings of a step before it is given up.
-const HALVINGS: i32 = 12;
+/// Halvings of a step before a proximal one is tried, and where there is none before it is given up.
+const HALVINGS: [i32; 2] = [4, 12];
 /// |H|² must fall by this part of what a linear H would give.
 const SUFFICIENT: f64 = 1e-4;
+/// Whole steps that need not reduce |H|² before a line search does.
+const PATIENCE: usize = 10;
+/// |H|² that differ by this part are the same but for rounding.
+const LEVEL: f64 = 1e-9;
 /// ν for |H|² = Σ b_i²/a_ii, which it has at x = 0 without bounds. Only the flattest directions
 /// feel it.
 const DAMPING: f64 = 1e-10;
 /// ν stays above this, so that a singular J keeps its least-squares problem solvable.
 const LEAST_DAMPING: f64 = 1e-28;
-/// A pivot that is at most this part of its diagonal entry may be rounding.
-const INDEPENDENT: f64 = 1e-10;
 /// Above this many rows the dense problem takes too long.
 const MAX_ROWS: usize = 2_000;
 
@@ -130,6 +135,10 @@ struct Run<'a> {
     is_symmetric: bool,
     /// The proximal step that is being taken, if any.
     proximal: Option<Proximal>,
+    watch: Option<Watch>,
+    /// What was solved last, of A itself and with a ρ.
+    posed: Option<Softened>,
+    softened: Option<Softened>,
 }
 
 /// ρ D (x − c) is added to w.
@@ -138,10 +147,40 @@ struct Proximal {
     centre: Vec<f64>,
 }
 
+/// A + ρ D and its equations.
+struct Softened {
+    rho: f64,
+    problem: Lcp,
+    equations: FreeRows,
+}
+
+/// The point with the least |H|² so far, and how many whole steps may still be taken from there before it is less: to points
+/// where it is the same, as when a column adds contact to contact, and to points where it is more.
+struct Watch {
+    x: Vec<f64>,
+    rows: Vec<Row>,
+    square: f64,
+    level: usize,
+    higher: usize,
+}
+
+impl Watch {
+    /// Whether a step to such a |H|² may be taken; it is counted.
+    fn allows(&mut self, square: f64) -> bool {
+        let is_level = square <= (1.0 + LEVEL) * self.square;
+        let left = if is_level { &mut self.level } else { &mut self.higher };
+        let allows = *left > 0 && square.is_finite();
+        *left = left.saturating_sub(1);
+        allows
+    }
+}
+
 /// Where a step leads.
 struct Next {
     x: Vec<f64>,
     rows: Vec<Row>,
+    /// |H|².
+    square: f64,
     /// Whether H = 0 there but for rounding: the whole step was taken, and all rows are where the guess had them.
     is_root: bool,
 }
@@ -149,7 +188,16 @@ struct Next {
 impl<'a> Run<'a> {
     fn of(lcp: &'a Lcp, diagonal: &'a [f64], equations: Equations) -> Self {
         let is_symmetric = lcp.matrix().is_nearly_symmetric();
-        Run { lcp, diagonal, equations, is_symmetric, proximal: None }
+        Run {
+            lcp,
+            diagonal,
+            equations,
+            is_symmetric,
+            proximal: None,
+            watch: None,
+            posed: None,
+            softened: None,
+        }
     }
 
     /// c ← x, and ρ falls; returns whether there is a proximal step.
@@ -157,15 +205,24 @@ impl<'a> Run<'a> {
         let Some(own) = &mut self.proximal else { return false };
         own.centre.copy_from_slice(x);
         own.rho.fall(true);
+        self.watch = None;
         true
+    }
+
+    /// Whether a proximal step, or a larger ρ, may help.
+    fn can_raise_rho(&self) -> bool {
+        let is_safe = self.proximal.as_ref().is_some_and(|own| own.rho.is_safe());
+        self.is_symmetric && self.equations == Equations::MinimumMap && !is_safe
     }
 
     /// Begins a proximal step at x, with a larger ρ than the last one's; false if that does not help any more.
     fn raise_rho(&mut self, x: &[f64]) -> bool {
+        if !self.can_raise_rho() {
+            return false;
+        }
+        self.watch = None; // these are other equations
         match &mut self.proximal {
-            _ if !self.is_symmetric || self.equations != Equations::MinimumMap => return false,
             None => self.proximal = Some(Proximal { rho: Rho::least(), centre: x.to_vec() }),
-            Some(own) if own.rho.is_safe() => return false,
             Some(own) => {
                 own.centre.copy_from_slice(x);
                 own.rho.rise();
@@ -188,20 +245,57 @@ impl<'a> Run<'a> {
         self.lcp.row_w(i, x) + self.diagonal[i] * added
     }
 
-    /// x + λ d with the first λ = 1, ½, ¼, … that reduces |H|² enough, if any does.
-    fn newton_step(&self, x: &[f64], rows: &[Row]) -> Option<Next> {
+    /// Where the whole step leads while the watch lasts; else x goes back to the point that is watched, and it is x + λ d with
+    /// the first λ = ½, ¼, … that reduces |H|² enough, if any does.
+    fn newton_step(&mut self, x: &mut [f64], rows: &[Row]) -> Option<Next> {
         let square = self.square(rows);
-        let by_active_set = self.active_set_direction(x, rows);
-        let d = by_active_set.or_else(|| self.least_squares_direction(x, rows, square))?;
+        let mut watch = match self.watch.take() {
+            Some(watch) if square > (1.0 - SUFFICIENT) * watch.square => watch,
+            _ => self.watch_from(x, rows, square),
+        };
+        let direction = self.direction(x, rows, square);
+        if let Some(d) = &direction {
+            let whole = self.along(x, rows, d, 1.0);
+            let is_enough = whole.square <= (1.0 - SUFFICIENT) * watch.square;
+            if is_enough || watch.allows(whole.square) {
+                self.watch = Some(watch);
+                return Some(whole);
+            }
+        }
+        let is_here = *x == watch.x;
+        x.copy_from_slice(&watch.x);
+        let Watch { rows, square, .. } = watch;
+        let d = if is_here { direction } else { self.direction(x, &rows, square) }?;
         let shorter = |k: i32| {
             let lambda = 0.5f64.powi(k);
-            let next: Vec<f64> = x.iter().zip(&d).map(|(x, d)| x + lambda * d).collect();
-            let (enough, after) = ((1.0 - SUFFICIENT * lambda) * square, self.rows(&next));
-            let is_root =
-                k == 0 && after.iter().zip(rows).all(|(after, row)| after.by_w == row.by_w);
-            (self.square(&after) <= enough).then_some(Next { x: next, rows: after, is_root })
+            let next = self.along(x, &rows, &d, lambda);
+            (next.square <= (1.0 - SUFFICIENT * lambda) * square).then_some(next)
         };
-        (0..=HALVINGS).find_map(shorter)
+        let most = if self.can_raise_rho() { HALVINGS[0] } else { HALVINGS[1] };
+        let next = (1..=most).find_map(shorter)?;
+        self.watch = Some(self.watch_from(&next.x, &next.rows, next.square));
+        Some(next)
+    }
+
+    /// The watch over whole steps from this point on.
+    fn watch_from(&self, x: &[f64], rows: &[Row], square: f64) -> Watch {
+        let is_minimum_map = self.equations == Equations::MinimumMap;
+        let (level, higher) = if is_minimum_map { (x.len(), PATIENCE) } else { (0, 0) };
+        Watch { x: x.to_vec(), rows: rows.to_vec(), square, level, higher }
+    }
+
+    fn along(&self, x: &[f64], rows: &[Row], d: &[f64], lambda: f64) -> Next {
+        let next: Vec<f64> = x.iter().zip(d).map(|(x, d)| x + lambda * d).collect();
+        let after = self.rows(&next);
+        let is_same = || after.iter().zip(rows).all(|(after, row)| after.by_w == row.by_w);
+        let is_root = lambda == 1.0 && is_same();
+        Next { square: self.square(&after), x: next, rows: after, is_root }
+    }
+
+    /// A solution d of J d = −H.
+    fn direction(&mut self, x: &[f64], rows: &[Row], square: f64) -> Option<Vec<f64>> {
+        let by_active_set = self.active_set_direction(x, rows);
+        by_active_set.or_else(|| self.least_squares_direction(x, rows, square))
     }
 
     fn rows(&self, x: &[f64]) -> Vec<Row> {
@@ -219,7 +313,7 @@ impl<'a> Run<'a> {
 
     /// The solution of J d = −H for the minimum map, if A is symmetric and semidefinite and the bounds stay where they
     /// are.
-    fn active_set_direction(&self, x: &[f64], rows: &[Row]) -> Option<Vec<f64>> {
+    fn active_set_direction(&mut self, x: &[f64], rows: &[Row]) -> Option<Vec<f64>> {
         let is_free = |i: &usize| rows[*i].by_w != 0.0;
         let moves = |i: usize| self.bound_slope(i, x).is_some_and(|(_, slope)| slope != 0.0);
         let (free, bound): (Vec<usize>, Vec<usize>) = (0..x.len()).partition(is_free);
@@ -229,32 +323,27 @@ impl<'a> Run<'a> {
         }
         let mut d = vec![0.0; x.len()];
         bound.iter().for_each(|&i| d[i] = -rows[i].value);
-        let rho = self.proximal.as_ref().map_or(0.0, |own| own.rho.value());
-        let least = Rho::least().value();
-        let factor = self.factor(&free, rho).or_else(|| self.factor(&free, rho + least))?;
         let moved: Vec<f64> = x.iter().zip(&d).map(|(x, d)| x + d).collect();
-        let rhs = Mat::from_fn(free.len(), 1, |k, _| -self.w(free[k], &moved));
-        let solution = factor.solve(&rhs);
-        free.iter().enumerate().for_each(|(k, &i)| d[i] = solution[(k, 0)]);
+        let rhs: Vec<f64> = free.iter().map(|&i| -self.w(i, &moved)).collect();
+        let rho = self.proximal.as_ref().map_or(0.0, |own| own.rho.value());
+        let solved = self.solved(&free, rho, &rhs);
+        let solved = solved.or_else(|| self.solved(&free, rho + Rho::least().value(), &rhs))?;
+        free.iter().zip(solved).for_each(|(&i, z)| d[i] = z);
         d.iter().all(|d| d.is_finite()).then_some(d)
     }
 
-    /// The Cholesky factor of A_FF + ρ D_FF, if it has one and no pivot that may be rounding.
-    fn factor(&self, free: &[usize], rho: f64) -> Option<Llt<f64>> {
-        let mut place = vec![None; self.lcp.len()];
-        free.iter().enumerate().for_each(|(k, &i)| place[i] = Some(k));
-        let mut a = Mat::<f64>::zeros(free.len(), free.len());
-        for (column, &i) in free.iter().enumerate() {
-            for (j, entry) in self.lcp.matrix().row(i).iter() {
-                if let Some(row) = place[j] {
-                    a[(row, column)] = entry;
-                }
-            }
-            a[(column, column)] *= 1.0 + rho;
+    /// The solution z of (A_FF + ρ D_FF) z = rhs, if that is not singular.
+    fn solved(&mut self, free: &[usize], rho: f64, rhs: &[f64]) -> Option<Vec<f64>> {
+        let kept = if rho == 0.0 { &mut self.posed } else { &mut self.softened };
+        if kept.as_ref().is_none_or(|kept| kept.rho != rho) {
+            let problem =
+                if rho == 0.0 { self.lcp.clone() } else { self.lcp.softened(rho).ok()? };
+            *kept = Some(Softened { rho, equations: FreeRows::of(&problem), problem });
         }
-        let factor = a.llt(Side::Lower).ok()?;
-        let pivot = |k: usize| factor.L()[(k, k)].powi(2);
-        (0..free.len()).all(|k| pivot(k) > INDEPENDENT * a[(k, k)]).then_some(factor)
+        let Softened { problem, equations, .. } = kept.as_mut()?;
+        let mut z = rhs.to_vec();
+        equations.solve(problem, free, &mut z).ok()?;
+        Some(z)
     }
 
     /// The least-squares solution of J d = −H, √ν d = 0, in the variables √a_ii x_i.

@@ -67,14 +67,28 @@ impl FreeRows {
         !matches!(self.factor, Factor::Lu(_))
     }
 
+    /// Makes the factor of A_FF, if it is not that which is kept.
+    fn prepare(&mut self, lcp: &Lcp, free: &[usize]) -> Result<(), Status> {
+        if self.free.as_deref() != Some(free) {
+            self.free = None;
+            self.factor.factor(lcp, free).map_err(|row| Status::Singular { row })?;
+            self.free = Some(free.to_vec());
+        }
+        Ok(())
+    }
+
+    /// z ← A_FF⁻¹ z for these free rows, or [`Status::Singular`].
+    pub(crate) fn solve(&mut self, lcp: &Lcp, free: &[usize], z: &mut [f64]) -> Result<(), Status> {
+        self.prepare(lcp, free)?;
+        self.factor.solve(lcp, free, z);
+        Ok(())
+    }
+
     /// The point of an active set: [`Status::Singular`] or [`Status::NotFinite`] if there is none.
     pub(crate) fn point(&mut self, lcp: &Lcp, set: &ActiveSet) -> Result<Point, Status> {
         let free: Vec<usize> = (0..lcp.len()).filter(|&i| set.0[i] == Side::Free).collect();
-        if self.free.as_ref() != Some(&free) {
-            self.free = None;
-            self.factor.factor(lcp, &free).map_err(|row| Status::Singular { row })?;
-        }
-        let free = self.free.insert(free);
+        self.prepare(lcp, &free)?;
+        let free = &free;
         let mut x = set.moved_to_bounds(lcp, &vec![0.0; lcp.len()]);
         match x.iter().all(|&x| x == 0.0) {
             true => self.factor.correct(lcp, free, &mut x, |i, _| lcp.b()[i]), // w = b
