@@ -71,7 +71,7 @@ pub fn solve(a: &[Vec<IBig>], r: &[IBig]) -> Option<(Vec<IBig>, IBig)> {
             if let Some(solution) = reconstruct(&x, &power).filter(|s| satisfies(a, r, s)) {
                 return Some(solution);
             }
-            next_try *= 2;
+            next_try *= 4;
         }
     }
     None
