@@ -33,7 +33,7 @@ const LEAST_SQUARES: Cost =
 pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "newton",
-        method: "Newton on the minimum map with line search, iterative",
+        method: "Newton on the minimum map with a watchdog and line search, iterative",
         class: CLASS,
         group: Group::Newton,
         cost: CHOLESKY,
