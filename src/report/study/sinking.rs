@@ -2,7 +2,7 @@
 //! what is not carried falls.
 //!
 //! For two bodies, the upper one r times as heavy, k sweeps from 0 leave the part (r/(1 + r))^k of both
-//! impulses out ([`rates`](super::rates)).
+//! impulses out ([`Theory`](crate::report::grid::Theory)).
 
 use rayon::prelude::*;
 use schemars::JsonSchema;

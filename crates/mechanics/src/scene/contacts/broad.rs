@@ -1,12 +1,12 @@
 //! The pairs of convex parts that may touch: those whose boxes along the world's axes meet.
 //!
 //! The boxes lie in a tree (parry's bounding volume hierarchy), so that n bodies with few
-//! neighbours each cost n log n. The tree is built anew each time, in memory that is kept, so which
+//! neighbours each cost n log n; of a few boxes each is compared with each. The tree is built anew each time, in memory that is kept, so which
 //! pairs are found depends on where the bodies are and on nothing before. A half space may touch
 //! every body that is not wholly above it.
 
 use nalgebra::Vector3;
-use parry3d_f64::bounding_volume::Aabb;
+use parry3d_f64::bounding_volume::{Aabb, BoundingVolume};
 use parry3d_f64::glamx::DVec3;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, BvhWorkspace};
 
@@ -14,6 +14,9 @@ use super::solid::Solid;
 
 /// Rounding, as a part of the coordinates.
 const ROUNDING: f64 = 1e-12;
+
+/// A tree of more boxes than this costs less than to compare each with each.
+const FEW: usize = 32;
 
 /// A half space in its place.
 pub(super) struct HalfSpace {
@@ -25,9 +28,11 @@ pub(super) struct HalfSpace {
     pub point: Vector3<f64>,
 }
 
-/// The tree, and the pairs that were found last.
+/// The boxes, their tree, and the pairs that were found last.
 #[derive(Default)]
 pub(super) struct Broad {
+    /// With the places of their solids.
+    boxes: Vec<(usize, Aabb)>,
     tree: Bvh,
     workspace: BvhWorkspace,
     pairs: Vec<[usize; 2]>,
@@ -42,7 +47,8 @@ impl Broad {
         margin: f64,
         may: impl Fn([usize; 2]) -> bool,
     ) {
-        let Broad { tree, workspace, pairs } = self;
+        let Broad { boxes, tree, workspace, pairs } = self;
+        boxes.clear();
         pairs.clear();
         let mut add = |a: usize, b: usize| {
             let pair = [a.min(b), a.max(b)];
@@ -53,20 +59,33 @@ impl Broad {
         for (k, solid) in solids.iter().enumerate() {
             let Some(solid) = solid else { continue };
             let around = bounds(solid, margin / 2.0);
-            tree.insert_or_update_partially(around, k as u32, 0.0);
+            boxes.push((k, around));
             for plane in half_spaces.iter().filter(|plane| plane.reaches(&around, margin / 2.0)) {
                 add(plane.solid, k);
             }
         }
-        tree.rebuild(workspace, BvhBuildStrategy::Binned);
-        tree.traverse_bvtt_single_tree::<false>(workspace, &mut |a, b| add(a as usize, b as usize));
+        if boxes.len() <= FEW {
+            for (k, (a, around)) in boxes.iter().enumerate() {
+                let near = boxes[k + 1..].iter().filter(|(_, other)| around.intersects(other));
+                near.for_each(|(b, _)| add(*a, *b));
+            }
+        } else {
+            for (k, around) in &*boxes {
+                tree.insert_or_update_partially(*around, *k as u32, 0.0);
+            }
+            tree.rebuild(workspace, BvhBuildStrategy::Binned);
+            let found = &mut |a: u32, b: u32| add(a as usize, b as usize);
+            tree.traverse_bvtt_single_tree::<false>(workspace, found);
+        }
         pairs.sort_unstable();
     }
 
     /// The bytes that its arrays hold; those of the workspace are as many boxes as the tree has.
     pub fn bytes(&self) -> usize {
         let leaves = self.tree.leaf_count() as usize * size_of::<BvhNode>();
-        self.tree.heap_memory_size() + leaves + self.pairs.capacity() * size_of::<[usize; 2]>()
+        let boxes = self.boxes.capacity() * size_of::<(usize, Aabb)>();
+        let pairs = self.pairs.capacity() * size_of::<[usize; 2]>();
+        self.tree.heap_memory_size() + leaves + boxes + pairs
     }
 
     /// The pairs that were found last.

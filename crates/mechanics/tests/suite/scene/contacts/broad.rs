@@ -1,4 +1,4 @@
-//! Many bodies: the tree of boxes loses nothing and repeats itself.
+//! Many bodies, and a few: neither the tree of boxes nor the comparison of each with each loses anything.
 
 use lcplab_mechanics::body::{Pose, State};
 use lcplab_mechanics::scene::{Scene, contacts};
@@ -22,7 +22,7 @@ proptest! {
 
     #[test]
     fn a_crowd_has_the_contacts_of_its_pairs_in_their_order(
-        poses in proptest::collection::vec(pose(), 24),
+        poses in proptest::collection::vec(pose(), 20..50), // up to 32 without a tree
     ) {
         let scene = crowd(poses.len());
         let spread = |pose: &Pose| State { pose: Pose { p: pose.p * 2.0, ..*pose }, ..State::WORLD };
