@@ -72,6 +72,8 @@ pub struct Document {
     pub tables: Vec<(String, Table)>,
 }
 
+/// More tasks than this are not named one by one where a section says how it was obtained.
+const MOST_NAMED: usize = 20;
 /// The setting that holds a whole file, which is not shown among the others.
 const SOURCE: &str = "source";
 
@@ -194,12 +196,18 @@ fn origin(results: &Results, part: &Part) -> Origin {
         None => format!(" --section {}", part.id),
     };
     let tasks: Vec<&str> = part.tasks.iter().map(|task| task.name.as_str()).collect();
+    let named = match tasks[..] {
+        [first, second, .., last] if tasks.len() > MOST_NAMED => {
+            format!("{first}; {second}; … {last}: {} tasks", tasks.len())
+        }
+        _ => tasks.join(", "),
+    };
     let mut settings = part.settings.clone();
     if let Value::Object(fields) = &mut settings {
         fields.remove(SOURCE);
     }
     Origin {
-        scene: tasks.join(", "),
+        scene: named,
         settings: toml::to_string(&settings).unwrap_or_default().trim().replace('\n', "; "),
         command: command + &section,
     }

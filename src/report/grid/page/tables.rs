@@ -55,14 +55,15 @@ pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
         let [(x0, y0), (x1, y1)] = curve.end(measure)?;
         Some((y1 / y0).ln() / (x1 / x0).ln()).filter(|exponent| exponent.is_finite())
     };
+    let grows = |measure: &&&Measure| measure.name != "rate"; // it lies between 0 and 1
+    let measures: Vec<&&Measure> = grid.measures.iter().filter(grows).collect();
     let cells = |curve: &Curve| {
-        let exponents = grid.measures.iter().map(|measure| exponent(curve, measure));
+        let exponents = measures.iter().map(|measure| exponent(curve, measure));
         let numbers =
             exponents.map(|own| own.map_or(Cell::text("–"), |own| Cell::number(own, 2)));
         [Cell::text(&curve.name)].into_iter().chain(numbers).collect::<Vec<_>>()
     };
-    let heads = grid
-        .measures
+    let heads = measures
         .iter()
         .map(|measure| Column::numbers(format!("{} ~ {}^", words(measure), curves.across), ""));
     Some(Table {
@@ -93,10 +94,18 @@ pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
         asked && findings().any(|finding| finding.values.contains_key(measure.name))
     };
     let measures: Vec<&Measure> = MEASURES.iter().filter(shown).collect();
-    let told = |measure: &Measure| findings().any(|own| own.predicted(measure.name).is_some());
+    // What is said of the rate is said of the eigenvalue.
+    let told = |measure: &Measure| {
+        let is_said = measure.name == "eigenvalue" && measures.iter().any(|own| own.name == "rate");
+        !is_said && findings().any(|own| own.predicted(measure.name).is_some())
+    };
     let has_theory: Vec<bool> = measures.iter().map(|measure| told(measure)).collect();
     let mut columns = vec![Column::numbers("task", "")];
-    columns.extend(plan.axes.iter().map(|path| Column::numbers(grid.label(path), "")));
+    let is_number = |path: &String| points.iter().all(|point| point.task.number(path).is_some());
+    columns.extend(plan.axes.iter().map(|path| match is_number(path) {
+        true => Column::numbers(grid.label(path), ""),
+        false => Column::words(grid.label(path)),
+    }));
     for (measure, has_theory) in measures.iter().zip(&has_theory) {
         columns.push(Column::numbers(words(measure), measure.unit));
         columns.extend(has_theory.then(|| Column::numbers("by theory", measure.unit)));
