@@ -49,11 +49,6 @@ pub fn sor_iteration_matrix(a: &Matrix, omega: f64) -> DMatrix<f64> {
     ordered_iteration_matrix(a, omega, 0..a.len())
 }
 
-/// The iteration matrix of symmetric SOR with ω: a forward sweep, then a backward one.
-pub fn ssor_iteration_matrix(a: &Matrix, omega: f64) -> DMatrix<f64> {
-    ordered_iteration_matrix(a, omega, (0..a.len()).chain((0..a.len()).rev()))
-}
-
 /// The iteration matrix of relaxation with ω that takes the rows in the given order, some perhaps
 /// more than once.
 ///

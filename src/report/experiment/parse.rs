@@ -9,6 +9,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 use super::super::kind;
+use super::super::view::attempt::anchor;
 use super::{Experiment, Section, Shown};
 use crate::error::{Defect, Defects, Error, Result};
 use crate::lcp::exchange;
@@ -123,7 +124,7 @@ impl Reader<'_> {
         let (id, usual) = study.named().unwrap_or_else(|| (kind.name.into(), kind.title.into()));
         let Head { title, text, shown, .. } = head;
         let title = title.unwrap_or(usual);
-        Some(Section { id: anchor(&id), title, text, shown, study: Some(study.into()) })
+        Some(Section { id, title, text, shown, study: Some(study.into()) })
     }
 
     /// A section without a study, of which nothing may be left but its head.
@@ -193,10 +194,4 @@ fn numbered(mut section: Section, before: &[Section]) -> Section {
         section.id = format!("{id}-{number}");
     }
     section
-}
-
-/// A title as an anchor: its words in small letters, joined by hyphens.
-fn anchor(title: &str) -> String {
-    let words = title.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
-    words.collect::<Vec<_>>().join("-").to_ascii_lowercase()
 }

@@ -37,9 +37,12 @@ const fn measure(name: &'static str, unit: &'static str, about: &'static str) ->
     Measure { name, unit, about }
 }
 
+/// Sweeps or pivots, which closed forms are about.
+pub const ITERATIONS: Measure = measure("iterations", "", "sweeps or pivots in all");
+
 /// All measures, in the order of tables.
 pub const MEASURES: [Measure; 16] = [
-    measure("iterations", "", "sweeps or pivots in all"),
+    ITERATIONS,
     measure("rows", "", "rows of the largest LCP"),
     measure("steps", "", "steps taken"),
     measure("solves", "", "LCPs solved"),

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::Study;
 use crate::error::{Error, Result};
 use crate::report::grid::{self, Finding, Grid, measure};
+use crate::report::view::attempt::anchor;
 
 /// A grid file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -86,7 +87,8 @@ impl Study for Plan {
     }
 
     fn named(&self) -> Option<(String, String)> {
-        Some((self.grid.name.clone(), self.grid.title.clone()))
+        let name = Some(anchor(&self.grid.name)).filter(|name| !name.is_empty());
+        Some((name.unwrap_or_else(|| Self::NAME.into()), self.grid.title.clone()))
     }
 
     fn tasks(&self) -> Vec<String> {

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 
 use lcplab_problem::{Lcp, Matrix, merit};
 use lcplab_solver::theory::{
-    contraction, jacobi_iteration_matrix, optimal_omega, principal_submatrix, sor_iteration_matrix,
-    spectral_radius, ssor_iteration_matrix, sweeps_to,
+    contraction, jacobi_iteration_matrix, optimal_omega, ordered_iteration_matrix,
+    principal_submatrix, sor_iteration_matrix, spectral_radius, sweeps_to,
 };
 use lcplab_solver::{Iterate, Observer, Pgs, Settings, Solver, Start, Status};
 
@@ -92,7 +92,7 @@ fn the_symmetric_sweep_is_the_forward_sweep_and_its_mirror_image() {
     // SSOR's matrix is similar to a symmetric semidefinite one: real eigenvalues in [0, 1).
     let a = tridiagonal(12, 2.0);
     for omega in [0.7, 1.0, 1.6] {
-        let g = ssor_iteration_matrix(&a, omega);
+        let g = ordered_iteration_matrix(&a, omega, (0..a.len()).chain((0..a.len()).rev()));
         let radius = spectral_radius(&g);
         assert!(radius < 1.0);
         assert!(g.trace() > 0.0 && g.trace() < 12.0 * radius);

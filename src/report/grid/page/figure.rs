@@ -12,8 +12,13 @@ const WIDE: f64 = 50.0;
 /// and those whose logarithms are this nearly evenly spaced.
 const EVEN: f64 = 1.1;
 
-/// The figure of a measure; `None` if it was nowhere taken.
-pub(super) fn figure(grid: &Grid, curves: &Curves<'_>, measure: &Measure) -> Option<Lines> {
+/// The figure of a measure, whose files' names begin with `id`; `None` if it was nowhere taken.
+pub(super) fn figure(
+    grid: &Grid,
+    curves: &Curves<'_>,
+    measure: &Measure,
+    id: &str,
+) -> Option<Lines> {
     let shown = &curves.curves[..curves.curves.len().min(MOST_CURVES)];
     let drawn = |curve: &Curve| Series::measured(curve.name.clone(), curve.measured(measure));
     let is_taken = |own: &Series| own.points.iter().any(|(_, y)| y.is_finite());
@@ -43,7 +48,7 @@ pub(super) fn figure(grid: &Grid, curves: &Curves<'_>, measure: &Measure) -> Opt
         false => Axis::linear(label, unit),
     };
     Some(Lines {
-        id: measure.name.into(),
+        id: format!("{id}{}", measure.name),
         title: format!(
             "{}: {} across {}",
             grid.title,

@@ -10,7 +10,6 @@ use super::collect::{Collection, Point};
 use super::file::{Grid, SUBJECT};
 use super::measure::SECONDS;
 use super::plan::{Plan, Task, plain};
-use crate::plot::Lines;
 use crate::report::page::{Block, Cell, Column, Origin, Page, Table};
 use crate::report::view::Document;
 
@@ -46,8 +45,8 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> Document {
 pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: &mut Document) {
     if let Some(curves) = Curves::of(grid, plan, points) {
         for measure in &grid.measures {
-            if let Some(figure) = figure::figure(grid, &curves, measure) {
-                document.figure(Lines { id: format!("{id}{}", figure.id), ..figure });
+            if let Some(figure) = figure::figure(grid, &curves, measure, id) {
+                document.figure(figure);
             }
         }
         if let Some(table) = tables::optima(&curves) {
@@ -68,10 +67,9 @@ pub fn show_seconds(
     id: &str,
     document: &mut Document,
 ) {
-    let figure =
-        Curves::of(grid, plan, points).and_then(|curves| figure::figure(grid, &curves, &SECONDS));
-    if let Some(figure) = figure {
-        document.figure(Lines { id: format!("{id}{}", figure.id), ..figure });
+    let curves = Curves::of(grid, plan, points);
+    if let Some(figure) = curves.and_then(|curves| figure::figure(grid, &curves, &SECONDS, id)) {
+        document.figure(figure);
     }
 }
 

@@ -5,7 +5,7 @@ use super::figure::Spread;
 use crate::number::readable;
 use crate::report::grid::collect::Point;
 use crate::report::grid::file::Grid;
-use crate::report::grid::measure::{MEASURES, Measure};
+use crate::report::grid::measure::{ITERATIONS, MEASURES, Measure};
 use crate::report::grid::plan::{Plan, Task};
 use crate::report::page::{Cell, Column, Mark, Table};
 
@@ -15,10 +15,9 @@ const MOST_ROWS: usize = 500;
 /// Where each curve has its least, beside where theory says.
 pub(super) fn optima(curves: &Curves<'_>) -> Option<Table> {
     let across = &curves.across;
-    let iterations = &MEASURES[0];
     let row = |curve: &Curve| {
         let best = curves.optimum(curve)?;
-        let points = curve.measured(iterations);
+        let points = curve.measured(&ITERATIONS);
         let least =
             points.iter().filter(|(_, y)| y.is_finite()).min_by(|a, b| a.1.total_cmp(&b.1))?;
         Some(vec![
