@@ -11,6 +11,8 @@ mod sparse;
 pub use sparse::Sparse;
 use sparse::summed;
 
+use std::sync::OnceLock;
+
 /// The square matrix A.
 #[derive(Debug, Clone)]
 pub enum Matrix {
@@ -25,6 +27,7 @@ pub enum Matrix {
 pub struct Dense {
     n: usize,
     entries: Vec<f64>,
+    is_symmetric: OnceLock<bool>,
 }
 
 impl Dense {
@@ -48,7 +51,7 @@ impl Matrix {
     /// If there are not n² entries.
     pub fn dense(n: usize, entries_by_rows: &[f64]) -> Self {
         assert_eq!(entries_by_rows.len(), n * n, "a dense matrix needs n² entries");
-        Matrix::Dense(Dense { n, entries: entries_by_rows.to_vec() })
+        Matrix::Dense(Dense { n, entries: entries_by_rows.to_vec(), is_symmetric: OnceLock::new() })
     }
 
     /// A sparse A from entries (row, column, value); entries at the same place add up exactly, and their
@@ -92,7 +95,7 @@ impl Matrix {
     #[inline]
     pub fn row(&self, i: usize) -> Row<'_> {
         match self {
-            Matrix::Dense(Dense { n, entries }) => {
+            Matrix::Dense(Dense { n, entries, .. }) => {
                 Row { columns: None, values: &entries[i * n..(i + 1) * n] }
             }
             Matrix::Sparse(sparse) => {
@@ -115,7 +118,10 @@ impl Matrix {
     /// The entry a_ii.
     #[inline]
     pub fn diagonal(&self, i: usize) -> f64 {
-        self.entry(i, i)
+        match self {
+            Matrix::Dense(Dense { n, entries, .. }) => entries[i * n + i],
+            Matrix::Sparse(sparse) => sparse.diagonal[i].map_or(0.0, |k| sparse.values[k]),
+        }
     }
 
     /// The entry a_ij, 0 where none is stored.
@@ -128,11 +134,15 @@ impl Matrix {
         }
     }
 
-    /// Whether a_ij = a_ji for all entries, exactly.
+    /// Whether a_ij = a_ji for all entries, exactly. The entries are looked at once, whoever asks.
     pub fn is_symmetric(&self) -> bool {
         match self {
-            Matrix::Dense(dense) => is_symmetric(&dense.entries, dense.n),
-            Matrix::Sparse(_) => self.meets_its_transpose(),
+            Matrix::Dense(Dense { n, entries, is_symmetric: known }) => {
+                *known.get_or_init(|| is_symmetric(entries, *n))
+            }
+            Matrix::Sparse(sparse) => {
+                *sparse.is_symmetric.get_or_init(|| self.meets_its_transpose())
+            }
         }
     }
 
@@ -171,12 +181,8 @@ impl Matrix {
         let mut softened = self.clone();
         for i in 0..self.len() {
             let diagonal = match &mut softened {
-                Matrix::Dense(Dense { n, entries }) => Some(&mut entries[i * *n + i]),
-                Matrix::Sparse(sparse) => {
-                    let row = sparse.row(i);
-                    let k = sparse.columns[row.clone()].binary_search(&i).ok();
-                    k.map(|k| &mut sparse.values[row.start + k])
-                }
+                Matrix::Dense(Dense { n, entries, .. }) => Some(&mut entries[i * *n + i]),
+                Matrix::Sparse(sparse) => sparse.diagonal[i].map(|k| &mut sparse.values[k]),
             };
             if let Some(diagonal) = diagonal {
                 *diagonal *= 1.0 + part;

@@ -1,5 +1,7 @@
 //! Compressed sparse rows.
 
+use std::sync::OnceLock;
+
 use dashu_ratio::RBig;
 
 /// Some entries of an n × n matrix, row by row, columns ascending in each row (compressed sparse rows).
@@ -9,6 +11,9 @@ pub struct Sparse {
     pub(super) starts: Vec<usize>,
     pub(super) columns: Vec<usize>,
     pub(super) values: Vec<f64>,
+    /// Of each row, where a_ii is; none where it is not stored.
+    pub(super) diagonal: Vec<Option<usize>>,
+    pub(super) is_symmetric: OnceLock<bool>,
 }
 
 impl Sparse {
@@ -22,8 +27,14 @@ impl Sparse {
         for i in 0..n {
             starts[i + 1] += starts[i];
         }
+        let mut diagonal = vec![None; n];
+        for (k, &(row, column, _)) in entries.iter().enumerate() {
+            if row == column {
+                diagonal[row] = Some(k);
+            }
+        }
         let (columns, values) = entries.iter().map(|&(_, column, value)| (column, value)).unzip();
-        Sparse { starts, columns, values }
+        Sparse { starts, columns, values, diagonal, is_symmetric: OnceLock::new() }
     }
 
     /// Where the entries of row i are.

@@ -75,7 +75,8 @@ const BETTER: f64 = 0.1;
 /// direction with A d = 0.
 pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     let terms = terms(lcp, x);
-    is_better(&misses(lcp, x, &terms), &misses_of_nothing(lcp, &terms), tolerance)
+    let misses = misses(lcp, x, &terms);
+    is_better(&misses, misses_of_nothing(lcp, &misses), tolerance)
 }
 
 /// The terms of all rows.
@@ -84,43 +85,46 @@ fn terms(lcp: &Lcp, x: &[f64]) -> Vec<RowTerms> {
 }
 
 /// The misses of all rows at x, where these are their terms.
-fn misses(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Vec<Miss> {
+pub fn misses(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Vec<Miss> {
     terms.iter().enumerate().map(|(i, terms)| terms.miss(lcp, i, x)).collect()
 }
 
-/// The misses at Π(0); the scales are those of these terms.
-fn misses_of_nothing(lcp: &Lcp, terms: &[RowTerms]) -> Vec<Miss> {
+/// The misses at Π(0), row by row; the scales are those of these misses.
+fn misses_of_nothing(lcp: &Lcp, misses: &[Miss]) -> impl Iterator<Item = Miss> + Clone {
     let mut nothing = vec![0.0; lcp.len()];
     lcp.project_all(&mut nothing);
     let is_zero = nothing.iter().all(|&x| x == 0.0);
-    let of_row = |(i, own): (usize, &RowTerms)| {
+    misses.iter().enumerate().map(move |(i, own)| {
         let b = lcp.b()[i]; // w_i at x = 0
         let at_zero = || RowTerms::of_sums(lcp, b, b.abs(), own.scale);
         let terms = is_zero.then(at_zero).flatten();
         terms.unwrap_or_else(|| RowTerms::at(lcp, i, &nothing)).miss(lcp, i, &nothing)
-    };
-    terms.iter().enumerate().map(of_row).collect()
+    })
 }
 
 /// Whether the longest of these steps is a tenth of the longest of those of Π(0) at most, or Π(0) is
-/// within the tolerance.
-pub(super) fn is_better(misses: &[Miss], of_nothing: &[Miss], tolerance: f64) -> bool {
-    Miss::longest_step(misses) <= Miss::longest_step(of_nothing) + libm::log2(BETTER)
-        || of_nothing.iter().all(|miss| miss.residual <= tolerance)
+/// within the tolerance. Of Π(0) no more rows are looked at than it takes to tell.
+pub(super) fn is_better(
+    misses: &[Miss],
+    mut of_nothing: impl Iterator<Item = Miss> + Clone,
+    tolerance: f64,
+) -> bool {
+    let (longest, all) = (Miss::longest_step(misses), of_nothing.clone());
+    of_nothing.any(|miss| longest <= miss.step() + libm::log2(BETTER))
+        || all.into_iter().all(|miss| miss.residual <= tolerance)
 }
 
 /// Whether x may be called a solution: the scaled residual is within the tolerance, and x is worth
 /// something.
 pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
-    is_solution_by(lcp, x, &terms(lcp, x), tolerance)
+    is_solution_by(lcp, x, &misses(lcp, x, &terms(lcp, x)), tolerance)
 }
 
-/// [`is_solution`], by the terms of all rows at x in plain sums. What they leave open, compensated ones decide.
-pub fn is_solution_by(lcp: &Lcp, x: &[f64], terms: &[RowTerms], tolerance: f64) -> bool {
-    let misses = misses(lcp, x, terms);
+/// [`is_solution`], by the misses of all rows at x in plain sums. What they leave open, compensated ones decide.
+pub fn is_solution_by(lcp: &Lcp, x: &[f64], misses: &[Miss], tolerance: f64) -> bool {
     let surely = tolerance - rounding(lcp.len());
     let is_within = misses.iter().all(|miss| miss.residual <= surely) || holds(lcp, x, tolerance);
-    is_within && is_better(&misses, &misses_of_nothing(lcp, terms), tolerance)
+    is_within && is_better(misses, misses_of_nothing(lcp, misses), tolerance)
 }
 
 /// max_i |x_i − Π(x_i − w_i)|: zero exactly at the solutions; it mixes the units of x and w.

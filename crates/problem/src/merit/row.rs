@@ -173,7 +173,10 @@ impl RowTerms {
     /// w_i itself, which may overflow.
     #[inline]
     pub fn w(&self) -> f64 {
-        libm::ldexp(self.w, self.exponent)
+        match self.exponent {
+            0 => self.w,
+            exponent => libm::ldexp(self.w, exponent),
+        }
     }
 }
 
@@ -206,8 +209,12 @@ impl Miss {
             let longest = misses.iter().map(Miss::length).fold(0.0, f64::max);
             return libm::log2(longest);
         }
-        let step = |miss: &Miss| libm::log2(miss.length()) + f64::from(miss.exponent);
-        misses.iter().map(step).fold(f64::NEG_INFINITY, f64::max)
+        misses.iter().map(Miss::step).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// log₂ of |x − Π(x − w/s)| √s.
+    pub(super) fn step(&self) -> f64 {
+        libm::log2(self.length()) + f64::from(self.exponent)
     }
 
     /// |x − Π(x − w/s)| √s in units of 2^`exponent`.

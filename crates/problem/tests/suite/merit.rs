@@ -169,9 +169,10 @@ proptest! {
             let by_lanes = terms(&lcp, &x, Width::widest());
             for tolerance in [residual.next_down(), residual, residual * (1.0 + 1e-14), 2.0 * residual] {
                 let worth = merit::is_worth_something(&lcp, &x, tolerance);
+                let misses = merit::misses(&lcp, &x, &by_lanes);
                 let expected = residual <= tolerance && worth;
                 prop_assert_eq!(merit::is_solution(&lcp, &x, tolerance), expected);
-                prop_assert_eq!(merit::is_solution_by(&lcp, &x, &by_lanes, tolerance), expected);
+                prop_assert_eq!(merit::is_solution_by(&lcp, &x, &misses, tolerance), expected);
                 let within = merit::is_within(&lcp, &x, tolerance, &mut 0);
                 prop_assert!(!within || residual <= tolerance);
             }

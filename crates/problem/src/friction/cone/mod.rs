@@ -160,7 +160,7 @@ impl Complementarity for ConeProblem {
             x
         };
         let misses = |x: &[f64]| self.all_misses::<f64>(x);
-        merit::is_better(&misses(x), &misses(&nothing), tolerance)
+        merit::is_better(&misses(x), misses(&nothing).into_iter(), tolerance)
     }
 
     fn is_frozen(&self) -> bool {
