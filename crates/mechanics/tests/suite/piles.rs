@@ -168,16 +168,3 @@ fn sweeps_that_take_rounding_away_are_named() {
     assert!((3..=8).any(|layers| fallback(layers, 1e6) == Some(Fallback::Sweeps)));
     assert!((3..=8).all(|layers| fallback(layers, 1.0).is_none()));
 }
-
-#[test]
-fn a_second_path_of_lemke_is_named() {
-    // Twenty cubes on four corners each, with friction: 240 rows of which every second depends on the
-    // others, so that rounding leads the first path astray.
-    let stack = |boxes: f64| {
-        let given = [("boxes", boxes), ("mu", 0.5)];
-        lcplab_problem::library::by_name("box-stack").unwrap().generate(&given).unwrap().lcp
-    };
-    let (small, large) = (honest("lemke", &stack(1.0)), honest("lemke", &stack(20.0)));
-    assert_eq!((small.status, small.fallback), (Status::Solved, None));
-    assert_eq!((large.status, large.fallback), (Status::Solved, Some(Fallback::SecondPath)));
-}

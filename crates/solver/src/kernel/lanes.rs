@@ -15,7 +15,7 @@
 use std::ops::{Add, Mul, Sub};
 
 /// Eight numbers, and what is done to each.
-pub(super) trait Lanes:
+pub(crate) trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
     /// Whether four sums at a time fit in the registers.
@@ -32,6 +32,8 @@ pub(super) trait Lanes:
     fn abs(self) -> Self;
     /// 0 where the size is at most this.
     fn zero_within(self, size: Self) -> Self;
+    /// Whether any is at most the other.
+    fn any_at_most(self, other: Self) -> bool;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -67,7 +69,7 @@ pub(super) fn sum([a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
 
 /// Something to do with lanes of any kind; `run` must be `#[inline(always)]`, and so must all that it
 /// calls with them, or it is compiled without the instructions.
-pub(super) trait Work {
+pub(crate) trait Work {
     type Output;
     fn run<V: Lanes>(self) -> Self::Output;
 }
@@ -109,7 +111,7 @@ impl Width {
     }
 
     /// Does the work with these instructions, or portably where the processor lacks them.
-    pub(super) fn run<W: Work>(self, work: W) -> W::Output {
+    pub(crate) fn run<W: Work>(self, work: W) -> W::Output {
         #[cfg(target_arch = "x86_64")]
         if self.is_here() {
             // SAFETY: the processor has just been asked.
@@ -168,6 +170,11 @@ impl Lanes for Portable {
     #[inline(always)]
     fn zero_within(self, size: Self) -> Self {
         self.zip(size, |a, size| if a.abs() <= size { 0.0 } else { a })
+    }
+
+    #[inline(always)]
+    fn any_at_most(self, other: Self) -> bool {
+        (0..8).any(|k| self.0[k] <= other.0[k])
     }
 }
 
@@ -282,6 +289,12 @@ mod x86 {
             let is_larger = by_halves!(_mm256_cmp_pd::<_CMP_NLE_UQ>)(self.abs(), size);
             by_halves!(_mm256_and_pd)(self, is_larger)
         }
+
+        #[inline(always)]
+        fn any_at_most(self, other: Self) -> bool {
+            let at_most = by_halves!(_mm256_cmp_pd::<_CMP_LE_OQ>)(self, other);
+            unsafe { _mm256_movemask_pd(_mm256_or_pd(at_most.0, at_most.1)) != 0 }
+        }
     }
 
     impl Lanes for Avx512 {
@@ -323,6 +336,11 @@ mod x86 {
                 let is_larger = _mm512_cmp_pd_mask::<_CMP_NLE_UQ>(self.abs().0, size.0);
                 Avx512(_mm512_maskz_mov_pd(is_larger, self.0))
             }
+        }
+
+        #[inline(always)]
+        fn any_at_most(self, other: Self) -> bool {
+            unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(self.0, other.0) != 0 }
         }
     }
 }

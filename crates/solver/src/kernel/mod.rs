@@ -14,16 +14,16 @@
 //! | kernel | a pivot costs | what it gains |
 //! | --- | --- | --- |
 //! | [`table::Table`] | n² entries read and written | eight pivots on one way through memory |
-//! | `tableau`, of Dantzig's method | n²/2 of a symmetric table | one long loop where a factor has many short ones |
+//! | `tableau`, symmetric | n²/2 entries read and written | sixteen pivots on one way through memory |
 //!
 //! They do not ask whether x solves anything: stop tests stay with the solvers. [`Width`] says with
 //! which instructions they run; the bits are the same with all.
 
 pub mod dense;
 pub mod impulses;
-mod lanes;
+pub(crate) mod lanes;
 pub(crate) mod panels;
-pub(super) mod rank_one;
+pub(crate) mod rank_one;
 pub mod reading;
 pub(crate) mod rows;
 pub mod table;

@@ -8,7 +8,21 @@ use crate::linalg::elimination::{RELATIVE_ZERO, difference};
 /// Eight numbers that begin where a line of the cache does, so that none is loaded in two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
-pub(super) struct Block(pub(super) [f64; 8]);
+pub(crate) struct Block(pub(crate) [f64; 8]);
+
+pub(super) fn zeros(blocks: usize) -> Vec<Block> {
+    vec![Block([0.0; 8]); blocks]
+}
+
+#[inline(always)]
+pub(crate) fn get(blocks: &[Block], k: usize) -> f64 {
+    blocks[k / 8].0[k % 8]
+}
+
+#[inline(always)]
+pub(crate) fn put(blocks: &mut [Block], k: usize, value: f64) {
+    blocks[k / 8].0[k % 8] = value;
+}
 
 /// Blocks that are on their way at once, so that none waits for the last one.
 const TOGETHER: usize = 4;

@@ -15,7 +15,7 @@
 //! [`difference`].
 
 use super::lanes::{Lanes, Width, Work};
-use super::rank_one::{Block, add_all};
+use super::rank_one::{Block, add_all, get, put, zeros};
 use crate::linalg::elimination::difference;
 
 /// Pivots that are made in one pass.
@@ -215,18 +215,4 @@ impl Work for Add<'_> {
     fn run<V: Lanes>(self) {
         add_all::<V>(&[(self.factor, self.x)], self.y);
     }
-}
-
-fn zeros(blocks: usize) -> Vec<Block> {
-    vec![Block([0.0; 8]); blocks]
-}
-
-#[inline(always)]
-fn get(blocks: &[Block], k: usize) -> f64 {
-    blocks[k / 8].0[k % 8]
-}
-
-#[inline(always)]
-fn put(blocks: &mut [Block], k: usize, value: f64) {
-    blocks[k / 8].0[k % 8] = value;
 }

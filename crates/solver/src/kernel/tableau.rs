@@ -1,146 +1,321 @@
-//! What a pivot in a tableau costs: the sweep, the ratio test, the move.
+//! A symmetric tableau: what the pivots so far have made of A, all of it.
 //!
-//! Rows are whole blocks of eight.
+//! With C the free rows and B the others it is the symmetric matrix
+//!
+//! ```text
+//! S_CC = −A_CC⁻¹,   S_CB = A_CC⁻¹ A_CB,   S_BB = A_BB − A_BC A_CC⁻¹ A_CB
+//! ```
+//!
+//! so that row i of B has all that a move of x_i asks for: d_C = −S_iC, Δw_B = S_iB, and s = S_ii. Row k enters or
+//! leaves C by a *sweep* (Beaton 1964; Goodnight 1979):
+//!
+//! ```text
+//! s_ij ← s_ij − f_i s_kj,   s_ik ← ± f_i,   s_kk ← −1 / s_kk      f_i = s_ik / s_kk, + enters, − leaves
+//! ```
+//!
+//! A sweep costs n²/2 products, but one at a time it spends its time on the way to memory and back. So f and row k are put
+//! aside until several sweeps can be made on one way. A row that is asked for meanwhile is brought up to date
+//! alone. Each entry sees the same operations in the same order as if no sweep waited, so the bits are the same.
 
 use super::lanes::{Lanes, Width, Work};
+use super::rank_one::{Block, get, put, zeros};
+use lcplab_problem::Matrix;
 
-/// What is left of a sum below this part of its terms is rounding: sweeps leave more of it than a factor does.
-pub(crate) const ROUNDING: f64 = 1e-13;
+/// Sweeps that are made on one way through the tableau.
+const TOGETHER: usize = 16;
 
-/// S ← S − f rᵀ with r row k of S and f = r / s_kk; then row and column k ← ± f, and s_kk ← −1 / s_kk. Each row of S is
-/// stored from its first block on.
-pub(crate) struct Sweep<'a> {
-    /// The rows of S, each as long as `row`.
-    pub table: &'a mut [f64],
-    /// The row that is swept.
-    pub k: usize,
-    pub row: &'a [f64],
-    /// 1 or −1.
-    pub sign: f64,
-    /// Room for f.
-    pub factors: &'a mut [f64],
+/// Rows that are brought up to date together, so that what is subtracted is loaded once for all of them.
+const ROWS: usize = 4;
+
+/// S, of which each row has the entries from its own block of eight on: what stands before is read from the column.
+pub(crate) struct Tableau {
+    /// The last row and column of all, if there are more than those of A: its last entry is 0.
+    border: Vec<f64>,
+    /// Blocks of a whole row: zeros right of the last column and below the last row make it so many.
+    blocks: usize,
+    /// Eight rows after eight rows, of the g-th eight the blocks from g on.
+    entries: Vec<Block>,
+    /// Of each sweep that waits f, then row k; both are 0 where row and column are up to date.
+    waiting: Vec<Block>,
+    count: usize,
+    width: Width,
 }
 
-impl Sweep<'_> {
-    pub(crate) fn run(self, width: Width) {
-        width.run(self);
+impl Tableau {
+    /// A itself: nothing is free.
+    pub(crate) fn of(matrix: &Matrix) -> Self {
+        Tableau::bordered(matrix, Vec::new())
     }
-}
 
-impl Work for Sweep<'_> {
-    type Output = ();
+    /// A with one more row and column, this one, whose last entry is 0; or without, if it is empty.
+    pub(crate) fn bordered(matrix: &Matrix, border: Vec<f64>) -> Self {
+        let n = matrix.len() + usize::from(!border.is_empty());
+        let blocks = n.div_ceil(8).max(1);
+        let entries = zeros(4 * blocks * (blocks + 1));
+        let waiting = Vec::with_capacity(2 * TOGETHER * blocks);
+        let mut own =
+            Tableau { border, blocks, entries, waiting, count: 0, width: Width::widest() };
+        own.fill(matrix);
+        own
+    }
 
-    #[inline(always)]
-    fn run<V: Lanes>(self) {
-        let Sweep { table, k, row, sign, factors } = self;
-        let stride = row.len();
-        let pivot = row[k];
-        for (factor, s_ik) in factors.iter_mut().zip(row) {
-            *factor = s_ik / pivot;
-        }
-        let blocks = row.as_chunks::<8>().0;
-        for (i, own) in table.chunks_exact_mut(stride).enumerate() {
-            let factor = factors[i];
-            if factor != 0.0 {
-                let (lanes, first) = (V::splat(factor), i / 8);
-                let own = &mut own.as_chunks_mut::<8>().0[first..];
-                for (own, row) in own.iter_mut().zip(&blocks[first..]) {
-                    (V::load(own) - lanes * V::load(row)).store(own);
+    /// Becomes A again.
+    pub(crate) fn reset(&mut self, matrix: &Matrix) {
+        self.forget();
+        self.entries.fill(Block([0.0; 8]));
+        self.fill(matrix);
+    }
+
+    /// Writes the entries of A and of the border over zeros.
+    fn fill(&mut self, matrix: &Matrix) {
+        let n = matrix.len();
+        for i in 0..n {
+            let first = i / 8;
+            let row = self.row_mut(i);
+            match matrix {
+                Matrix::Dense(dense) => {
+                    let own = dense.entries()[i * n..(i + 1) * n].chunks(8).skip(first);
+                    row.iter_mut().zip(own).for_each(|(to, a)| to.0[..a.len()].copy_from_slice(a));
+                }
+                Matrix::Sparse(_) => {
+                    let own = matrix.row(i).iter().filter(|(j, _)| *j >= 8 * first);
+                    own.for_each(|(j, a)| put(row, j - 8 * first, a));
                 }
             }
         }
-        let first = k - k % 8;
-        for (own, factor) in table.chunks_exact_mut(stride).zip(&*factors).take(first + 8) {
-            own[k] = sign * factor;
-        }
-        let own = &mut table[k * stride..][..stride];
-        for (s_kj, factor) in own[first..].iter_mut().zip(&factors[first..]) {
-            *s_kj = sign * factor;
-        }
-        own[k] = -1.0 / pivot;
-    }
-}
-
-/// How far variables can move that keep between limits: the least length.
-pub(crate) struct Reach<'a> {
-    /// Of each variable its value and its limits.
-    pub value: &'a [f64],
-    pub low: &'a [f64],
-    pub high: &'a [f64],
-    /// Its speed is `factor` times `row`, or 0 where |row| is at most `zero`.
-    pub factor: &'a [f64],
-    pub zero: &'a [f64],
-    pub row: &'a [f64],
-    /// What `factor` and `zero` are multiplied by.
-    pub sign: f64,
-    pub size: f64,
-    /// The speeds, and the lengths after which each variable is at a limit, ∞ if it never is.
-    pub speed: &'a mut [f64],
-    pub length: &'a mut [f64],
-}
-
-impl Reach<'_> {
-    pub(crate) fn run(self, width: Width) -> f64 {
-        width.run(self)
-    }
-}
-
-impl Work for Reach<'_> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn run<V: Lanes>(self) -> f64 {
-        fn blocks(numbers: &[f64], count: usize) -> &[[f64; 8]] {
-            &numbers.as_chunks::<8>().0[..count]
-        }
-        let count = self.row.len() / 8;
-        let [value, low, high] = [self.value, self.low, self.high].map(|all| blocks(all, count));
-        let [factor, zero, row] = [self.factor, self.zero, self.row].map(|all| blocks(all, count));
-        let speeds = &mut self.speed.as_chunks_mut::<8>().0[..count];
-        let lengths = &mut self.length.as_chunks_mut::<8>().0[..count];
-        let mut least = [f64::INFINITY; 8];
-        for b in 0..count {
-            for k in 0..8 {
-                let entry = row[b][k];
-                let moves = entry.abs() > self.size * zero[b][k];
-                let speed = if moves { self.sign * factor[b][k] * entry } else { 0.0 };
-                let limit = if speed > 0.0 { high[b][k] } else { low[b][k] };
-                let length = (limit - value[b][k]) / speed;
-                let length = if length > 0.0 { length } else { 0.0 };
-                let length = if speed == 0.0 { f64::INFINITY } else { length };
-                speeds[b][k] = speed;
-                lengths[b][k] = length;
-                least[k] = if length < least[k] { length } else { least[k] };
+        for i in 0..self.border.len() {
+            let entry = self.border[i];
+            put(self.row_mut(i), n - i / 8 * 8, entry);
+            if i / 8 == n / 8 {
+                put(self.row_mut(n), i % 8, entry);
             }
         }
-        least.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Where the rows of the g-th eight begin, and how many blocks each has.
+    #[inline(always)]
+    fn eight(&self, g: usize) -> (usize, usize) {
+        (8 * g * self.blocks - 4 * g * g.saturating_sub(1), self.blocks - g)
+    }
+
+    /// Row i from its own block on.
+    #[inline(always)]
+    fn row(&self, i: usize) -> &[Block] {
+        let (start, length) = self.eight(i / 8);
+        &self.entries[start + i % 8 * length..][..length]
+    }
+
+    #[inline(always)]
+    fn row_mut(&mut self, i: usize) -> &mut [Block] {
+        let (start, length) = self.eight(i / 8);
+        &mut self.entries[start + i % 8 * length..][..length]
+    }
+
+    /// No sweep waits any more.
+    fn forget(&mut self) {
+        self.waiting.clear();
+        self.count = 0;
+    }
+
+    /// Room for a row.
+    pub(crate) fn room(&self) -> Vec<Block> {
+        zeros(self.blocks)
+    }
+
+    /// Row i, zeros behind the n-th entry.
+    pub(crate) fn read(&self, i: usize, row: &mut [Block]) {
+        self.width.run(Read { tableau: self, i, row });
+    }
+
+    /// Row k, which this is, enters C, sign = 1, or leaves it, sign = −1. `followed`, row i, was read before and is brought
+    /// up to date.
+    pub(crate) fn pivot(
+        &mut self,
+        k: usize,
+        row: &[Block],
+        sign: f64,
+        followed: Option<(usize, &mut Vec<Block>)>,
+    ) {
+        let width = self.width;
+        width.run(Pivot { tableau: self, k, row, sign, followed });
+    }
+
+    /// Row i, zeros behind the n-th entry.
+    #[inline(always)]
+    fn bring<V: Lanes>(&self, i: usize, row: &mut [Block]) {
+        let first = i / 8;
+        let (before, own) = row.split_at_mut(first);
+        let mut rows = &self.entries[..];
+        for (g, to) in before.iter_mut().enumerate() {
+            let length = self.blocks - g;
+            for r in 0..8 {
+                to.0[r] = rows[r * length + first - g].0[i % 8];
+            }
+            rows = &rows[8 * length..];
+        }
+        copy::<V>(self.row(i), own);
+        self.subtract::<V>(0, i, row);
+    }
+
+    /// Brings row i, which was read before the last pivot, that of row k, up to date.
+    #[inline(always)]
+    fn follow<V: Lanes>(&self, i: usize, k: usize, row: &mut [Block]) {
+        self.subtract::<V>(self.count - 1, i, row);
+        put(row, k, self.stored(i, k));
+    }
+
+    /// s_ik as it is stored: up to date if row k is.
+    #[inline(always)]
+    fn stored(&self, i: usize, k: usize) -> f64 {
+        let (i, k) = (i.min(k), i.max(k));
+        get(self.row(i), k - i / 8 * 8)
+    }
+
+    /// Subtracts what the sweeps from `first` on take from row i: s_ji − f_j s_ki before its block, s_ij − f_i s_kj from there on.
+    #[inline(always)]
+    fn subtract<V: Lanes>(&self, first: usize, i: usize, row: &mut [Block]) {
+        let (before, own) = row.split_at_mut(i / 8);
+        let waiting = self.waiting[2 * first * self.blocks..].chunks_exact(2 * self.blocks);
+        for (factors, swept) in waiting.map(|sweep| sweep.split_at(self.blocks)) {
+            let entry = get(swept, i);
+            if entry != 0.0 {
+                subtract_multiple::<V>(entry, factors, before);
+                subtract_multiple::<V>(get(factors, i), &swept[i / 8..], own);
+            }
+        }
+    }
+
+    /// Row k enters or leaves C.
+    #[inline(always)]
+    fn sweep<V: Lanes>(&mut self, k: usize, row: &[Block], sign: f64) {
+        if self.count == TOGETHER {
+            self.settle::<V>();
+        }
+        let (first, blocks) = (k / 8, self.blocks);
+        let pivot = get(row, k);
+        for side in self.waiting.chunks_exact_mut(blocks) {
+            put(side, k, 0.0);
+        }
+        let start = self.waiting.len();
+        self.waiting.extend_from_slice(row);
+        self.waiting.extend_from_slice(row);
+        for factors in &mut self.waiting[start..][..blocks] {
+            for lane in 0..8 {
+                factors.0[lane] /= pivot;
+            }
+        }
+        let mut rows = &mut self.entries[..];
+        for (g, factors) in self.waiting[start..][..=first].iter().enumerate() {
+            let length = blocks - g;
+            for r in 0..8 {
+                rows[r * length + first - g].0[k % 8] = sign * factors.0[r];
+            }
+            if g < first {
+                rows = &mut rows[8 * length..];
+            }
+        }
+        let length = blocks - first;
+        let own = &mut rows[k % 8 * length..][..length];
+        for (own, factors) in own.iter_mut().zip(&self.waiting[start + first..]) {
+            for lane in 0..8 {
+                own.0[lane] = sign * factors.0[lane];
+            }
+        }
+        put(own, k % 8, -1.0 / pivot);
+        let (factors, swept) = self.waiting[start..].split_at_mut(blocks);
+        put(factors, k, 0.0);
+        put(swept, k, 0.0);
+        self.count += 1;
+    }
+
+    /// Makes the sweeps that wait.
+    #[inline(always)]
+    fn settle<V: Lanes>(&mut self) {
+        let (blocks, waiting) = (self.blocks, &self.waiting);
+        let mut rest = &mut self.entries[..];
+        for i in (0..8 * blocks).step_by(ROWS) {
+            let length = blocks - i / 8;
+            let rows;
+            (rows, rest) = rest.split_at_mut(ROWS * length);
+            let (mut factors, mut swept, mut count) = ([[0.0; ROWS]; TOGETHER], [0; TOGETHER], 0);
+            for start in (0..waiting.len()).step_by(2 * blocks) {
+                factors[count] = waiting[start + i / 8].0.as_chunks::<ROWS>().0[i % 8 / ROWS];
+                swept[count] = start + blocks;
+                count += usize::from(factors[count] != [0.0; ROWS]);
+            }
+            if count == 0 {
+                continue;
+            }
+            for b in 0..length {
+                let mut own = [V::splat(0.0); ROWS];
+                for r in 0..ROWS {
+                    own[r] = V::load(&rows[r * length + b].0);
+                }
+                for (factors, start) in factors[..count].iter().zip(&swept) {
+                    let swept = V::load(&waiting[start + i / 8 + b].0);
+                    for r in 0..ROWS {
+                        own[r] = own[r] - V::splat(factors[r]) * swept;
+                    }
+                }
+                for r in 0..ROWS {
+                    own[r].store(&mut rows[r * length + b].0);
+                }
+            }
+        }
+        self.forget();
     }
 }
 
-/// value ← value + t speed, exactly 0 where only rounding is left.
-pub(crate) struct Advance<'a> {
-    pub value: &'a mut [f64],
-    pub speed: &'a [f64],
-    pub length: f64,
+/// See [`Tableau::read`].
+struct Read<'a> {
+    tableau: &'a Tableau,
+    i: usize,
+    row: &'a mut [Block],
 }
 
-impl Advance<'_> {
-    pub(crate) fn run(self, width: Width) {
-        width.run(self);
-    }
-}
-
-impl Work for Advance<'_> {
+impl Work for Read<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<V: Lanes>(self) {
-        let (length, zero) = (V::splat(self.length), V::splat(ROUNDING));
-        let values = self.value.as_chunks_mut::<8>().0;
-        for (value, speed) in values.iter_mut().zip(self.speed.as_chunks::<8>().0) {
-            let (before, change) = (V::load(value), length * V::load(speed));
-            let rounding = zero * (before.abs() + change.abs());
-            (before + change).zero_within(rounding).store(value);
+        self.tableau.bring::<V>(self.i, self.row);
+    }
+}
+
+/// See [`Tableau::pivot`].
+struct Pivot<'a> {
+    tableau: &'a mut Tableau,
+    k: usize,
+    row: &'a [Block],
+    sign: f64,
+    followed: Option<(usize, &'a mut Vec<Block>)>,
+}
+
+impl Work for Pivot<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        self.tableau.sweep::<V>(self.k, self.row, self.sign);
+        if let Some((i, row)) = self.followed {
+            self.tableau.follow::<V>(i, self.k, row);
         }
+    }
+}
+
+/// to ← to − number · row.
+#[inline(always)]
+fn subtract_multiple<V: Lanes>(number: f64, row: &[Block], to: &mut [Block]) {
+    let number = V::splat(number);
+    for (to, row) in to.iter_mut().zip(row) {
+        (V::load(&to.0) - number * V::load(&row.0)).store(&mut to.0);
+    }
+}
+
+/// to ← from, as far as both go.
+#[inline(always)]
+fn copy<V: Lanes>(from: &[Block], to: &mut [Block]) {
+    for (from, to) in from.iter().zip(to) {
+        V::load(&from.0).store(&mut to.0);
     }
 }

@@ -105,7 +105,7 @@ impl ActiveSet {
 
     /// The side that row i should change to, if it is not satisfied at the point of this set.
     pub(crate) fn better_side(&self, lcp: &Lcp, i: usize, point: &Point) -> Option<Side> {
-        if point.residual(lcp, i) <= ROUNDING {
+        if point.residual(i) <= ROUNDING {
             return None;
         }
         match self.0[i] {
@@ -124,13 +124,12 @@ pub(crate) fn unit(lcp: &Lcp, i: usize) -> f64 {
         0.0 => 1.0,
         scale => {
             let exponent = (scale.to_bits() >> 52) as i32 - 1023; // 2^exponent ≤ scale
-            2f64.powi(exponent.div_euclid(2))
+            f64::from_bits(((1023 + exponent.div_euclid(2)) as u64) << 52)
         }
     }
 }
 
 /// The status of a method that has ended at x by its own rules.
 pub(crate) fn claim(lcp: &Lcp, x: &[f64], settings: &Settings) -> Status {
-    let is_solution = Point::at(lcp, x.to_vec()).is_solution(lcp, settings.tolerance);
-    if is_solution { Status::Solved } else { Status::Inaccurate }
+    Point::at(lcp, x.to_vec()).claim(lcp, settings.tolerance)
 }

@@ -7,6 +7,7 @@
 //! 2ⁿ exchanges; contacts are not the worst case.
 
 pub(crate) mod active_set;
+mod basic;
 pub mod block_pivoting;
 pub mod dantzig;
 mod dictionary;
@@ -18,6 +19,7 @@ mod opening;
 mod principal;
 pub(crate) mod proximal;
 mod ratio_test;
+mod refinement;
 mod standard_form;
 mod variable;
 
@@ -47,10 +49,10 @@ fn factorisation(i: &Effort<'_>) -> f64 {
 pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "dantzig",
-        method: "Dantzig pivoting with updated LDLᵀ, finite",
+        method: "Dantzig pivoting in a symmetric tableau or with updated LDLᵀ, finite",
         class: Class::of(MatrixClass::Semidefinite),
         group: Group::Pivoting,
-        cost: Cost::each("f n", |i| i.free() * i.n),
+        cost: Cost::each("n²/2", |i| i.n * i.n / 2.0),
         source: "Cottle & Dantzig 1968; Baraff 1994",
         uses: &[],
         build: &|options| {

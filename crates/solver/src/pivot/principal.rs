@@ -8,7 +8,7 @@ use crate::kernel::{Width, terms};
 use crate::{Event, Fallback, Iterate, Observer, Settings, Solution, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
-use lcplab_problem::merit::{self, RowTerms};
+use lcplab_problem::merit::{self, Miss, RowTerms};
 
 /// Which of the rows that are not satisfied change sides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,27 +26,40 @@ pub(crate) enum Change {
 pub(crate) struct Point {
     pub(crate) x: Vec<f64>,
     pub(crate) terms: Vec<RowTerms>,
+    misses: Vec<Miss>,
 }
 
 impl Point {
     pub(crate) fn at(lcp: &Lcp, x: Vec<f64>) -> Self {
-        Point { terms: terms(lcp, &x, Width::widest()), x }
+        let terms = terms(lcp, &x, Width::widest());
+        Point { misses: merit::misses(lcp, &x, &terms), terms, x }
     }
 
     /// Whether x may be called a solution.
     pub(crate) fn is_solution(&self, lcp: &Lcp, tolerance: f64) -> bool {
-        merit::is_solution_by(lcp, &self.x, &self.terms, tolerance)
+        merit::is_solution_by(lcp, &self.x, &self.misses, tolerance)
+    }
+
+    /// What a method may claim of x that ends here.
+    pub(crate) fn claim(&self, lcp: &Lcp, tolerance: f64) -> Status {
+        if self.is_solution(lcp, tolerance) { Status::Solved } else { Status::Inaccurate }
     }
 
     /// r_i.
-    pub(crate) fn residual(&self, lcp: &Lcp, i: usize) -> f64 {
-        self.terms[i].scaled_residual(lcp, i, &self.x)
+    pub(crate) fn residual(&self, i: usize) -> f64 {
+        self.misses[i].residual
     }
 
     /// max_i r_i; ∞ if x is not finite.
-    pub(crate) fn largest_residual(&self, lcp: &Lcp) -> f64 {
-        let residuals = (0..self.x.len()).map(|i| self.residual(lcp, i));
+    pub(crate) fn largest_residual(&self) -> f64 {
+        let residuals = self.misses.iter().map(|miss| miss.residual);
         residuals.fold(0.0, |most, r| if r.is_nan() { f64::INFINITY } else { f64::max(most, r) })
+    }
+
+    /// The solution with this x.
+    pub(crate) fn solution(self, status: Status, iterations: usize) -> Solution {
+        let w = self.terms.iter().map(RowTerms::w).collect();
+        Solution { x: self.x, w, status, iterations, fallback: None }
     }
 }
 
@@ -123,17 +136,12 @@ impl Search<'_> {
 
     /// What the method claims of the last point.
     pub(crate) fn claim(&self, lcp: &Lcp) -> Status {
-        match self.point.is_solution(lcp, self.settings.tolerance) {
-            true => Status::Solved,
-            false => Status::Inaccurate,
-        }
+        self.point.claim(lcp, self.settings.tolerance)
     }
 
     /// The last point as a solution.
     pub(crate) fn solution(&self, status: Status) -> Solution {
-        let Search { point: Point { x, terms }, count, fallback, .. } = self;
-        let w = terms.iter().map(RowTerms::w).collect();
-        Solution { x: x.clone(), w, status, iterations: *count, fallback: *fallback }
+        self.point.clone().solution(status, self.count).with_fallback(self.fallback)
     }
 }
 

@@ -100,7 +100,7 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
             ControlFlow::Break(status) => return search.solution(status),
         }
         let before = std::mem::replace(&mut centre, search.point.x.clone());
-        let residual = search.point.largest_residual(lcp);
+        let residual = search.point.largest_residual();
         if residual < BETTER * best {
             (best, idle) = (residual, 0);
         } else if steps.rho.exponent == LEAST {

@@ -82,9 +82,7 @@ impl StandardForm {
         let sign: Vec<f64> =
             kind.iter().map(|&kind| if kind == Kind::Above { -1.0 } else { 1.0 }).collect();
         let rows: Vec<usize> = (0..n).filter(|&i| kind[i] != Kind::Pinned).collect();
-        let units = rows.iter().map(|&i| unit(lcp, i));
-        let (least, most) = units.fold((f64::INFINITY, 0.0), |(l, m), u| (u.min(l), u.max(m)));
-        let needs_units = most > FAR_APART * least;
+        let needs_units = needs_units(lcp);
         let dictionary = equations(lcp, &rows, &base, &sign);
         let pairs = rows.len();
         let mut form = StandardForm { kind, base, sign, dictionary, pairs, needs_units };
@@ -211,6 +209,26 @@ impl StandardForm {
         };
         ActiveSet((0..self.kind.len()).map(side).collect())
     }
+}
+
+/// Whether the rows that are not pinned have units of w that are far apart.
+fn needs_units(lcp: &Lcp) -> bool {
+    let units = (0..lcp.len()).filter(|&i| lcp.lo()[i] < lcp.hi()[i]).map(|i| unit(lcp, i));
+    let (least, most) = units.fold((f64::INFINITY, 0.0), |(l, m), u| (u.min(l), u.max(m)));
+    most > FAR_APART * least
+}
+
+/// How fast the covering variable lifts the w of each row from the wrong side of zero: not at all where x is free or
+/// pinned.
+pub(crate) fn cover(lcp: &Lcp) -> Vec<f64> {
+    let needs_units = needs_units(lcp);
+    let lift = |i: usize| if needs_units { unit(lcp, i) } else { 1.0 };
+    let of_row = |i: usize| match Kind::of(lcp.lo()[i], lcp.hi()[i]) {
+        Kind::Pinned | Kind::Free => 0.0,
+        Kind::Above => -lift(i),
+        Kind::Below | Kind::Both => lift(i),
+    };
+    (0..lcp.len()).map(of_row).collect()
 }
 
 /// w = b + A x in these rows as equations of their y, with a column of zeros for the covering variable.

@@ -7,10 +7,10 @@
 use std::ops::ControlFlow;
 
 use super::Side;
-use super::basic::TIE;
 use super::direction::Direction;
 use super::run::Run;
 use crate::Status;
+use crate::pivot::basic::TIE;
 
 /// What may end a move: a row that arrives on this side after this length.
 #[derive(Debug, Clone, Copy)]
@@ -87,7 +87,8 @@ impl Run<'_> {
     /// How far w_j, row j being at a bound, can move at this velocity until it is zero.
     fn distance_to_zero(&self, j: usize, velocity: f64) -> f64 {
         let length = -self.state.w[j] / velocity; // a division costs less than a wrong guess of who needs it
-        if self.state.away[j] * velocity > 0.0 { length } else { f64::INFINITY }
+        let away = if self.state.side[j] == Side::Upper { velocity } else { -velocity };
+        if away > 0.0 && self.may_leave(j) { length } else { f64::INFINITY }
     }
 
     /// How far x_j can move at this velocity, and the bound it meets then.

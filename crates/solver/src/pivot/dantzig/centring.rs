@@ -29,14 +29,21 @@ impl Run<'_> {
     /// Makes row i idle, in the middle, if it is at a bound, depends on C, and its w is zero; returns
     /// whether it did.
     pub(super) fn settle_idle(&mut self, i: usize) -> bool {
-        let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i]);
-        if self.state.side[i] != Side::Waiting || lo < x && x < hi || !self.is_level(i) {
+        if !self.is_at_rest(i) {
             return false;
         }
         let ControlFlow::Continue(d) = self.direction(i) else { return false };
-        let is_idle = d.schur == 0.0 && self.slope(i, &d) == 0.0 && self.centre(i, &d, None);
+        let is_idle = d.schur == 0.0
+            && self.slope(i, &self.basis.free, &d.free) == 0.0
+            && self.centre_along(i, &d, None);
         self.scratch.directions.push(d);
         is_idle
+    }
+
+    /// Whether row i has not been driven yet and stands at a bound with w = 0.
+    pub(super) fn is_at_rest(&self, i: usize) -> bool {
+        let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i]);
+        self.state.side[i] == Side::Waiting && !(lo < x && x < hi) && self.is_level(i)
     }
 
     /// Ends a move of x_i: x goes off the bound that the blocking row of C has met, to the middle of what
@@ -61,7 +68,7 @@ impl Run<'_> {
         let Some(k) = self.basis.free.iter().position(|&j| j == row) else { return false };
         let is_spare = |&j: &usize| match self.state.side[j] {
             Side::Idle => true,
-            Side::Lower | Side::Upper => self.state.away[j] != 0.0 && self.state.w[j] == 0.0,
+            Side::Lower | Side::Upper => self.may_leave(j) && self.state.w[j] == 0.0,
             Side::Waiting | Side::Free => false,
         };
         let rows =
@@ -70,7 +77,7 @@ impl Run<'_> {
             served.push(j);
             let ControlFlow::Continue(d) = self.direction(j) else { continue };
             let leads_away = d.schur == 0.0 && d.free[k] != 0.0;
-            let moved = leads_away && self.centre(j, &d, Some(row));
+            let moved = leads_away && self.centre_along(j, &d, Some(row));
             self.scratch.directions.push(d);
             if moved {
                 return true;
@@ -85,11 +92,25 @@ impl Run<'_> {
         w.abs() <= RELATIVE_ZERO * ((w - b).abs() + b.abs())
     }
 
-    /// Moves x to the middle of where it may go along d, A d = 0, and makes row j idle; false if there is no
-    /// way, or no end of it.
-    fn centre(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
+    /// [`Run::centre`] with C as the factor has it.
+    fn centre_along(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
+        let free = std::mem::take(&mut self.basis.free);
+        let has_moved = self.centre(j, &free, &d.free, keeps);
+        self.basis.free = free;
+        has_moved
+    }
+
+    /// Moves x to the middle of where it may go along d, A d = 0: x_j by 1, x of the free rows by d. Then row j is
+    /// idle. False if there is no way, or no end of it.
+    pub(super) fn centre(
+        &mut self,
+        j: usize,
+        free: &[usize],
+        d: &[f64],
+        keeps: Option<usize>,
+    ) -> bool {
         let reach = |sign: f64| {
-            let free = self.basis.free.iter().zip(&d.free);
+            let free = free.iter().zip(d);
             let of_free = free.map(|(&k, d)| self.end_at_bound(k, sign * d).length);
             of_free.fold(self.end_at_bound(j, sign).length, f64::min)
         };
@@ -99,13 +120,13 @@ impl Run<'_> {
             return false;
         }
         if self.observer.asks_for_parts() {
-            let (x, free, direction) = (&self.state.x, &self.basis.free, &d.free);
-            let own = Centring { row: j, keeps, x, free, direction, forward, back };
+            let x = &self.state.x;
+            let own = Centring { row: j, keeps, x, free, direction: d, forward, back };
             self.observer.part(&Part::Centring(own));
         }
         let t = (forward - back) / 2.0;
         self.state.x[j] += t;
-        for (&k, d) in self.basis.free.iter().zip(&d.free) {
+        for (&k, d) in free.iter().zip(d) {
             self.state.x[k] += t * d;
         }
         self.state.w[j] = 0.0;

@@ -5,12 +5,11 @@ use super::blocking::End;
 use super::run::Run;
 use crate::Fallback;
 use crate::linalg::ldlt::Ldlt;
+use crate::pivot::refinement::EXACT;
 use lcplab_problem::{accurate, merit};
 
 /// A row whose pivot is below this part of its diagonal entry depends on those before.
 const INDEPENDENT: f64 = 1e-14;
-/// A scaled residual below this is no more than rounding leaves.
-pub(super) const EXACT: f64 = 1e-14;
 /// Below this, sums lose digits to the end of the range of numbers.
 const TINY: f64 = 1e-280;
 /// A scaled residual below this may be rounding.

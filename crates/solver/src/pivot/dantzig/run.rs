@@ -3,9 +3,9 @@
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
-use super::Side;
 use super::blocking::{Block, End};
 use super::direction::Direction;
+use super::{FEW_ROWS, Side};
 use crate::kernel::Width;
 use crate::kernel::rows::Rows;
 use crate::linalg::ldlt::Ldlt;
@@ -38,9 +38,6 @@ pub(super) struct State {
     /// Kept up to date for rows at a bound and the driven row.
     pub(super) w: Vec<f64>,
     pub(super) side: Vec<Side>,
-    /// The sign of a Δw that takes a row away from its bound: 1 at the upper one, −1 at the lower one, 0
-    /// where both are the same.
-    pub(super) away: Vec<f64>,
 }
 
 /// Which rows are free and which at a bound, and the factor of the free ones.
@@ -63,6 +60,14 @@ pub(super) struct Scratch {
     pub(super) ends: Vec<End>,
 }
 
+/// How far the tableau has come.
+pub(super) enum Reached {
+    /// To the end.
+    Point(Point),
+    /// To these rows, which are still to be driven.
+    Rows(Vec<usize>),
+}
+
 impl<'a> Run<'a> {
     /// A run from x, after so many pivots of earlier ones.
     pub(super) fn new(
@@ -79,7 +84,7 @@ impl<'a> Run<'a> {
             lcp,
             settings,
             observer,
-            state: State { x, w: vec![0.0; n], side: vec![Side::Waiting; n], away: vec![0.0; n] },
+            state: State { x, w: vec![0.0; n], side: vec![Side::Waiting; n] },
             basis: Basis::default(),
             scratch: Scratch::default(),
             pivots,
@@ -92,44 +97,41 @@ impl<'a> Run<'a> {
     }
 
     /// Drives all rows, free ones first since they never leave C, and refines x until it is a solution; in a tableau
-    /// as far as that can be trusted, if there are no more rows than this.
-    pub(super) fn solve(&mut self, tableau: usize) -> Status {
-        let bounded = |&i: &usize| self.lcp.lo()[i].is_finite() || self.lcp.hi()[i].is_finite();
-        let (bounded, free): (Vec<_>, Vec<_>) = (0..self.lcp.len()).partition(bounded);
-        let mut waiting: Vec<usize> = free.into_iter().chain(bounded).collect();
-        if self.lcp.len() <= tableau {
+    /// as far as that can be trusted, if there are no more rows than this. Returns the last point, or why there is none.
+    pub(super) fn solve(&mut self, tableau: usize) -> Result<Point, Status> {
+        let is_free = |&i: &usize| self.lcp.lo()[i].is_infinite() && self.lcp.hi()[i].is_infinite();
+        let mut waiting = Vec::with_capacity(self.lcp.len());
+        waiting.extend((0..self.lcp.len()).filter(is_free));
+        let free = waiting.len();
+        waiting.extend((0..self.lcp.len()).filter(|i| !is_free(i)));
+        let few_leave = waiting.len() > FEW_ROWS && 2 * free > waiting.len();
+        if waiting.len() <= tableau && !few_leave {
             match self.solve_in_tableau(&waiting) {
-                ControlFlow::Break(status) => return status,
-                ControlFlow::Continue(rest) => waiting = rest,
+                ControlFlow::Break(status) => return Err(status),
+                ControlFlow::Continue(Reached::Point(point)) => return Ok(point),
+                ControlFlow::Continue(Reached::Rows(rest)) => waiting = rest,
             }
         }
         for _ in 0..POLISH_ROUNDS {
             for i in waiting {
                 if let ControlFlow::Break(status) = self.drive(i) {
-                    return status;
+                    return Err(status);
                 }
             }
             if self.refine_once() {
-                return self.claim(self.point());
+                return Ok(self.point());
             }
             waiting = self.refine();
             if waiting.is_empty() {
-                return self.claim(self.point());
+                return Ok(self.point());
             }
         }
         self.settle();
-        self.claim(self.point())
+        Ok(self.point())
     }
 
     fn point(&self) -> Point {
         Point::at(self.lcp, self.state.x.clone())
-    }
-
-    /// What is claimed of this point, the last.
-    pub(super) fn claim(&mut self, point: Point) -> Status {
-        let is_solution = point.is_solution(self.lcp, self.settings.tolerance);
-        self.state.x = point.x;
-        if is_solution { Status::Solved } else { Status::Inaccurate }
     }
 
     /// Moves x_i until row i is satisfied.
@@ -150,7 +152,7 @@ impl<'a> Run<'a> {
             }
             let mut direction = self.direction(i)?;
             if direction.schur == 0.0 {
-                self.state.w[i] = self.slope(i, &direction);
+                self.state.w[i] = self.slope(i, &self.basis.free, &direction.free);
                 let idle = (self.state.w[i] == 0.0).then_some(Side::Idle);
                 if let Some(side) = self.satisfied(i).or(idle) {
                     self.put(i, side);
@@ -161,7 +163,10 @@ impl<'a> Run<'a> {
             let sign = -self.state.w[i].signum();
             self.respond(i, &mut direction);
             let Some(block) = self.blocking(i, sign, &mut direction)? else {
-                return ControlFlow::Break(self.endless(i, sign, &direction));
+                return ControlFlow::Break(match direction.schur > 0.0 {
+                    true => Status::NotFinite, // w_i is zero only beyond the largest number
+                    false => self.ray(i, sign, &self.basis.free, &direction.free),
+                });
             };
             self.tell(i, sign, &direction, &block);
             self.advance(i, sign * block.length, &direction);
@@ -172,6 +177,7 @@ impl<'a> Run<'a> {
     }
 
     /// Counts a move of x, which `blocking` has ended.
+    #[inline]
     pub(super) fn moved(&mut self, driven: usize, blocking: usize) -> ControlFlow<Status> {
         self.pivots += 1;
         let event = Event::Pivot { driven, blocking };
@@ -180,6 +186,7 @@ impl<'a> Run<'a> {
     }
 
     /// Tells an observer that asks that row i is satisfied as it stands, if no pivot came after this many.
+    #[inline]
     pub(super) fn tell_satisfied(&mut self, i: usize, side: Side, pivots: usize) {
         if self.pivots == pivots && self.observer.asks_for_parts() {
             self.observer.part(&Part::Satisfied { row: i, w: self.state.w[i], side });
@@ -208,6 +215,7 @@ impl<'a> Run<'a> {
     }
 
     /// The side on which row i is satisfied already, if any.
+    #[inline]
     pub(super) fn satisfied(&self, i: usize) -> Option<Side> {
         let (lo, hi, x, w) = (self.lcp.lo()[i], self.lcp.hi()[i], self.state.x[i], self.state.w[i]);
         match self.state.side[i] {
@@ -226,22 +234,20 @@ impl<'a> Run<'a> {
         self.state.side[row] = side;
         if matches!(side, Side::Lower | Side::Upper) {
             self.basis.bound.push(row);
-            self.state.away[row] = match side {
-                _ if self.lcp.lo()[row] == self.lcp.hi()[row] => 0.0,
-                Side::Upper => 1.0,
-                _ => -1.0,
-            };
         }
     }
 
-    /// Why nothing ends a move: w_i does not change, or is zero only beyond the largest number.
-    fn endless(&self, i: usize, sign: f64, direction: &Direction) -> Status {
-        if direction.schur > 0.0 {
-            return Status::NotFinite;
-        }
+    /// Whether row j stands at one of two bounds and may leave it.
+    pub(super) fn may_leave(&self, j: usize) -> bool {
+        let is_at_bound = matches!(self.state.side[j], Side::Lower | Side::Upper);
+        is_at_bound && self.lcp.lo()[j] < self.lcp.hi()[j]
+    }
+
+    /// The ray from x along which w_i does not change: x_i by `sign`, x of the free rows by d.
+    pub(super) fn ray(&self, i: usize, sign: f64, free: &[usize], d: &[f64]) -> Status {
         let mut ray = vec![0.0; self.state.x.len()];
         ray[i] = sign;
-        for (&j, d) in self.basis.free.iter().zip(&direction.free) {
+        for (&j, d) in free.iter().zip(d) {
             ray[j] = sign * d;
         }
         Status::Ray { row: i, direction: ray }

@@ -1,0 +1,242 @@
+//! The basic variables of a symmetric tableau and how far they can move.
+//!
+//! Each row has one that may move: x_j of a free row, w_j of a row at a bound. They keep between two limits, an x
+//! between its bounds, a w on the side of zero that its bound allows; so one test serves all.
+
+use super::dantzig::Side;
+use crate::kernel::Width;
+use crate::kernel::lanes::{Lanes, Work};
+use crate::kernel::rank_one::Block;
+
+/// One a row.
+pub(crate) struct Basic {
+    eights: Vec<Eight>,
+    /// So many of them have rows that have been driven: the others do not move.
+    used: usize,
+    arrivals: u64,
+    width: Width,
+}
+
+/// The variables of eight rows, as arrays that a processor can go through at a stretch.
+#[derive(Clone)]
+#[repr(align(64))]
+struct Eight {
+    value: [f64; 8],
+    low: [f64; 8],
+    high: [f64; 8],
+    /// The speed is so many times the entry of the tableau: −1 for an x, 1 for a w, 0 where nothing is asked.
+    factor: [f64; 8],
+    /// √a_jj for a w, 0 for an x: how large an entry is that only rounding leaves.
+    rounding: [f64; 8],
+    /// √a_jj for an x, 0 for a w: what d_j is measured by.
+    weight: [f64; 8],
+    /// Of the move under way.
+    speed: [f64; 8],
+    /// Its length until the variable is at a limit, ∞ if it never is; known where `ends` is true, else it is beyond all that
+    /// is asked for.
+    length: [f64; 8],
+    ends: bool,
+    /// Of those that end a move together the least goes first: w before x, then in the order of arrival.
+    rank: [u64; 8],
+}
+
+/// Moves whose lengths differ by less than this part of them end together.
+pub(crate) const TIE: f64 = 1e-10;
+
+/// What is left of a sum below this part of its terms is rounding: sweeps leave more of it than a factor does.
+const ROUNDING: f64 = 1e-13;
+
+/// Rows of which nothing is asked.
+const IDLE: Eight = Eight {
+    value: [0.0; 8],
+    low: [f64::NEG_INFINITY; 8],
+    high: [f64::INFINITY; 8],
+    factor: [0.0; 8],
+    rounding: [0.0; 8],
+    weight: [0.0; 8],
+    speed: [0.0; 8],
+    length: [f64::INFINITY; 8],
+    ends: false,
+    rank: [0; 8],
+};
+
+impl Basic {
+    /// n rows of which nothing is asked, and some more, so that they are whole eights.
+    pub(crate) fn of(n: usize) -> Self {
+        Basic { eights: vec![IDLE; n.div_ceil(8)], used: 0, arrivals: 0, width: Width::widest() }
+    }
+
+    /// Row j stands on this side from now on, at this x or w, whichever may move; √a_jj is its unit.
+    pub(crate) fn put(
+        &mut self,
+        j: usize,
+        side: Side,
+        value: f64,
+        (lo, hi): (f64, f64),
+        unit: f64,
+    ) {
+        self.arrivals += 1;
+        let is_free = side == Side::Free;
+        let (low, high, factor) = match side {
+            Side::Free => (lo, hi, -1.0),
+            Side::Lower if lo < hi => (0.0, f64::INFINITY, 1.0),
+            Side::Upper if lo < hi => (f64::NEG_INFINITY, 0.0, 1.0),
+            _ => (f64::NEG_INFINITY, f64::INFINITY, 0.0),
+        };
+        let (own, k) = (&mut self.eights[j / 8], j % 8);
+        (own.value[k], own.low[k], own.high[k], own.factor[k]) = (value, low, high, factor);
+        (own.weight[k], own.rounding[k]) = if is_free { (unit, 0.0) } else { (0.0, unit) };
+        own.rank[k] = self.arrivals + if is_free { 1 << 62 } else { 0 };
+        self.used = self.used.max(j / 8 + 1);
+    }
+
+    /// Σ_C √a_jj |d_j|, given a row of the tableau.
+    pub(crate) fn size(&self, row: &[Block]) -> f64 {
+        let mut lanes = [0.0; 8];
+        for (eight, row) in self.eights[..self.used].iter().zip(row) {
+            for k in 0..8 {
+                lanes[k] += eight.weight[k] * row.0[k].abs();
+            }
+        }
+        lanes.iter().sum()
+    }
+
+    /// How far x_i, whose row of the tableau this is, can go up, sign = 1, or down before a variable meets a limit, if that
+    /// is within `most`; else ∞. `size` is that of the direction.
+    pub(crate) fn reach(&mut self, row: &[Block], sign: f64, size: f64, most: f64) -> f64 {
+        let eights = &mut self.eights[..self.used];
+        self.width.run(Reach { eights, row, sign, rounding: ROUNDING * size, most })
+    }
+
+    /// The row whose variable ends a move within this length, and where; where several do, the first by rank.
+    pub(crate) fn first_within(&self, length: f64) -> Option<(usize, f64)> {
+        let mut first = None;
+        for (b, eight) in self.eights[..self.used].iter().enumerate().filter(|(_, e)| e.ends) {
+            for k in 0..8 {
+                if eight.length[k] <= length
+                    && first.is_none_or(|(rank, _, _)| eight.rank[k] < rank)
+                {
+                    first = Some((eight.rank[k], 8 * b + k, eight.length[k]));
+                }
+            }
+        }
+        first.map(|(_, row, length)| (row, length))
+    }
+
+    /// The rows whose variables end a move within this length.
+    pub(crate) fn all_within(&self, length: f64) -> impl Iterator<Item = usize> {
+        self.lengths().filter(move |(_, own)| *own <= length).map(|(j, _)| j)
+    }
+
+    /// The rows that may end a move, and after which length.
+    fn lengths(&self) -> impl Iterator<Item = (usize, f64)> {
+        let ending = self.eights[..self.used].iter().enumerate().filter(|(_, eight)| eight.ends);
+        ending.flat_map(|(b, eight)| (0..8).map(move |k| (8 * b + k, eight.length[k])))
+    }
+
+    /// Whether the speed of row j's variable may be nothing but rounding, given the sizes of both directions as a product.
+    pub(crate) fn is_rounding(&self, j: usize, sizes: f64) -> bool {
+        self.speed(j).abs() <= ROUNDING * sizes
+    }
+
+    /// Row j's variable does not move; returns how far the others reach.
+    pub(crate) fn hold(&mut self, j: usize) -> f64 {
+        (self.eights[j / 8].speed[j % 8], self.eights[j / 8].length[j % 8]) = (0.0, f64::INFINITY);
+        self.lengths().map(|(_, length)| length).fold(f64::INFINITY, f64::min)
+    }
+
+    /// How fast row j's variable moves.
+    pub(crate) fn speed(&self, j: usize) -> f64 {
+        self.eights[j / 8].speed[j % 8]
+    }
+
+    /// Row j's variable.
+    pub(crate) fn value(&self, j: usize) -> f64 {
+        self.eights[j / 8].value[j % 8]
+    }
+
+    /// Gives row j's variable a value.
+    pub(crate) fn set(&mut self, j: usize, value: f64) {
+        self.eights[j / 8].value[j % 8] = value;
+    }
+
+    /// All variables go on for this length; exactly 0 where only rounding is left, or ties are missed.
+    pub(crate) fn advance(&mut self, length: f64) {
+        self.width.run(Advance { eights: &mut self.eights[..self.used], length });
+    }
+
+    /// The place of row j in the order of arrival, among those of its kind.
+    pub(crate) fn rank(&self, j: usize) -> u64 {
+        self.eights[j / 8].rank[j % 8]
+    }
+}
+
+/// See [`Basic::reach`].
+struct Reach<'a> {
+    eights: &'a mut [Eight],
+    row: &'a [Block],
+    sign: f64,
+    /// What an entry beside √a_jj is rounding below.
+    rounding: f64,
+    most: f64,
+}
+
+impl Work for Reach<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) -> f64 {
+        let (rounding, sign) = (V::splat(self.rounding), V::splat(self.sign));
+        let (most, zero) = (V::splat(2.0 * self.most), V::splat(0.0));
+        let mut least = [f64::INFINITY; 8];
+        for (eight, row) in self.eights.iter_mut().zip(self.row) {
+            let entry = V::load(&row.0).zero_within(rounding * V::load(&eight.rounding));
+            let speed = sign * V::load(&eight.factor) * entry;
+            speed.store(&mut eight.speed);
+            let (value, way) = (V::load(&eight.value), most * speed);
+            let meets_high = (V::load(&eight.high) - value).any_at_most(way);
+            let meets_low = (value - V::load(&eight.low)).any_at_most(zero - way);
+            eight.ends = meets_high || meets_low;
+            if eight.ends {
+                eight.measure(&mut least); // a division takes longer than all of this
+            }
+        }
+        least.into_iter().fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl Eight {
+    /// How far each variable can move, and the least so far.
+    #[inline(always)]
+    fn measure(&mut self, least: &mut [f64; 8]) {
+        for k in 0..8 {
+            let speed = self.speed[k];
+            let limit = if speed > 0.0 { self.high[k] } else { self.low[k] };
+            let length = (limit - self.value[k]) / speed;
+            let length = if length > 0.0 { length } else { 0.0 };
+            let length = if speed == 0.0 { f64::INFINITY } else { length };
+            self.length[k] = length;
+            least[k] = if length < least[k] { length } else { least[k] };
+        }
+    }
+}
+
+/// See [`Basic::advance`].
+struct Advance<'a> {
+    eights: &'a mut [Eight],
+    length: f64,
+}
+
+impl Work for Advance<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes>(self) {
+        let (length, zero) = (V::splat(self.length), V::splat(ROUNDING));
+        for Eight { value, speed, .. } in self.eights {
+            let (before, change) = (V::load(value), length * V::load(speed));
+            let rounding = zero * (before.abs() + change.abs());
+            (before + change).zero_within(rounding).store(value);
+        }
+    }
+}

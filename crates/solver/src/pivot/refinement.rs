@@ -1,0 +1,42 @@
+//! x at the end of a method that has worked in a tableau, without the rounding of the way.
+
+use super::principal::Point;
+use crate::kernel::rank_one::get;
+use crate::kernel::tableau::Tableau;
+use lcplab_problem::merit::RowTerms;
+use lcplab_problem::{Lcp, accurate};
+
+/// A scaled residual below this is no more than rounding leaves.
+pub(crate) const EXACT: f64 = 1e-14;
+/// Steps of refinement; all but the first with an accurate w.
+const STEPS: usize = 3;
+
+/// x as exact as rounding allows, or as the tolerance asks, with x_C ← x_C + S_CC w_C; none if it does not become so.
+pub(crate) fn refined(
+    lcp: &Lcp,
+    tableau: &Tableau,
+    free: &[usize],
+    mut x: Vec<f64>,
+    tolerance: f64,
+) -> Option<Point> {
+    lcp.project_all(&mut x);
+    let mut point = Point::at(lcp, x);
+    for step in 0..=STEPS {
+        if point.largest_residual() <= tolerance.min(EXACT) {
+            return Some(point);
+        }
+        let w = |j: usize| match step {
+            0 => point.terms[j].w(),
+            _ => RowTerms::summed::<accurate::Sum>(lcp, j, &point.x).w(),
+        };
+        let w: Vec<f64> = free.iter().map(|&j| w(j)).collect();
+        let (mut x, mut row) = (point.x, tableau.room());
+        for &k in free {
+            tableau.read(k, &mut row);
+            let change: f64 = free.iter().zip(&w).map(|(&j, w)| get(&row, j) * w).sum();
+            x[k] = (x[k] + change).max(lcp.lo()[k]).min(lcp.hi()[k]);
+        }
+        point = Point::at(lcp, x);
+    }
+    None
+}
