@@ -3,8 +3,9 @@
 use super::path::Path;
 use crate::Status;
 use crate::linalg::elimination::RELATIVE_ZERO;
-use crate::pivot::active_set::ROUNDING;
-use lcplab_problem::merit;
+use crate::pivot::active_set::{ActiveSet, ROUNDING};
+use crate::pivot::principal::Point;
+use lcplab_problem::Lcp;
 
 impl Path<'_> {
     /// Why nothing becomes zero. Along a ray d no x_i w_i changes, so that dᵀA d ≤ 0; where it is more,
@@ -26,29 +27,24 @@ impl Path<'_> {
         let row = (0..direction.len()).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
         Status::Ray { row, direction }
     }
+}
 
-    /// x at the end of the path without the rounding of the path: from a fresh factorisation of the
-    /// active set, first with the free rows at a bound that are there but for rounding.
-    pub(super) fn refined(&self) -> Vec<f64> {
-        let (lcp, x) = (self.lcp, &self.x);
-        let set = self.form.active_set();
-        let tight = set.tightened(lcp, x);
-        let points: [&dyn Fn() -> Option<Vec<f64>>; 4] = [
-            &|| tight.point(lcp).ok(),
-            &|| Some(tight.moved_to_bounds(lcp, x)),
-            &|| set.point(lcp).ok(),
-            &|| Some(x.clone()),
-        ];
-        let (mut best, mut least) = (Vec::new(), f64::INFINITY);
-        for point in points.iter().filter_map(|point| point()) {
-            let residual = merit::scaled_residual(lcp, &point);
-            if best.is_empty() || residual.total_cmp(&least).is_lt() {
-                (best, least) = (point, residual);
-            }
-            if least <= ROUNDING {
-                break; // none is better but by rounding
+/// x at the end of a path without the rounding of the path: from a fresh factorisation of the active set, first
+/// with the free rows at a bound that are there but for rounding.
+pub(super) fn refined(lcp: &Lcp, set: &ActiveSet, x: &[f64]) -> Point {
+    let tight = set.tightened(lcp, x);
+    let mut best = Point::at(lcp, x.to_vec());
+    for set in [&tight, set] {
+        let points = [set.point(lcp).ok(), Some(set.moved_to_bounds(lcp, x))];
+        for x in points.into_iter().flatten() {
+            let point = Point::at(lcp, x);
+            if point.largest_residual() < best.largest_residual() {
+                best = point;
             }
         }
-        best
+        if best.largest_residual() <= ROUNDING {
+            break; // none is better but by rounding
+        }
     }
+    best
 }

@@ -23,6 +23,9 @@
 //! broken lexicographically: c is perturbed by (ε, ε², …), which is read off the columns of the
 //! first basis, so degenerate problems do not cycle; z₀ itself leaves whenever it can. The number of
 //! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
+//! Where A is symmetric the path can be followed by principal pivots, which are cheaper and exacter
+//! (parametric.rs); if one of them cannot be trusted, or somebody wants to see the tableaux, they are made.
+//!
 //! At the end x is computed afresh from the active set. Rounding piles up, and can even lead a path
 //! back to where it was. Such a path, and one of more than 50 pivots or with a very small pivot that
 //! ends at no solution, is followed once more, with a tableau that is made anew every 50 pivots; its
@@ -32,11 +35,16 @@
 //! [`frozen`].
 
 mod end;
+mod parametric;
 mod path;
 
+use self::parametric::{End, Parametric};
 use self::path::Path;
 use crate::pivot::opening;
-use crate::{Fallback, Observer, Settings, Solution, Solver, Start, Status, frozen};
+use crate::pivot::standard_form::cover;
+use std::ops::ControlFlow;
+
+use crate::{Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
 
@@ -58,12 +66,29 @@ impl Solver for Lemke {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let x = start.point(lcp);
-        if let Some(status) = opening::at_once(lcp, &x, tableaux(lcp), &self.settings, observer) {
+        let by_principal_pivots = !observer.asks_for_parts() && lcp.matrix().is_nearly_symmetric();
+        let open = match start.x {
+            None if by_principal_pivots => opening::begin, // the path begins with the same look at x
+            _ => opening::at_once,
+        };
+        if let Some(status) = open(lcp, &x, tableaux(lcp), &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
         frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
             frozen::tell(lcp, frozen, observer);
             let lcp = frozen;
+            let mut seen = 0;
+            if by_principal_pivots {
+                let mut path = Parametric::new(lcp, cover(lcp), before);
+                match path.solve(&self.settings, observer) {
+                    Some(End::Point(point)) => return point.solution(Status::Solved, path.pivots),
+                    Some(End::Status(status, x)) => {
+                        return Solution::new(lcp, x, status, path.pivots);
+                    }
+                    None => seen = path.pivots - before,
+                }
+            }
+            let observer = &mut Later { seen, observer };
             let mut path = Path::new(lcp, before);
             let (x, status) = path.solve(&self.settings, observer);
             let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
@@ -80,6 +105,30 @@ impl Solver for Lemke {
             let solution = Solution::new(lcp, x, status, path.pivots);
             solution.with_fallback(Some(Fallback::SecondPath))
         })
+    }
+}
+
+/// An observer that has seen the first pivots already.
+struct Later<'a> {
+    seen: usize,
+    observer: &'a mut dyn Observer,
+}
+
+impl Observer for Later<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        if self.seen > 0 {
+            self.seen -= 1;
+            return ControlFlow::Continue(());
+        }
+        self.observer.observe(iterate)
+    }
+
+    fn asks_for_parts(&self) -> bool {
+        self.observer.asks_for_parts()
+    }
+
+    fn part(&mut self, part: &Part<'_>) {
+        self.observer.part(part);
     }
 }
 

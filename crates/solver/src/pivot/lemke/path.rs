@@ -4,8 +4,8 @@ use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use super::PIVOTS_TO_RENEWAL;
+use super::end::refined;
 use crate::linalg::elimination::difference;
-use crate::pivot::active_set::claim;
 use crate::pivot::ratio_test::{Blocking, Candidate, least};
 use crate::pivot::standard_form::{FORGIVEN, StandardForm};
 use crate::{Event, Iterate, Leaving, Observer, Part, Settings, Status, Tableau, Variable};
@@ -50,8 +50,9 @@ impl<'a> Path<'a> {
         observer: &mut dyn Observer,
     ) -> (Vec<f64>, Status) {
         let end = self.follow(settings.max_iterations, observer);
-        let x = self.refined();
-        match (claim(self.lcp, &x, settings), end) {
+        let point = refined(self.lcp, &self.form.active_set(), &self.x);
+        let (claim, x) = (point.claim(self.lcp, settings.tolerance), point.x);
+        match (claim, end) {
             (status, ControlFlow::Continue(())) => (x, status),
             // z₀ was zero but for rounding
             (Status::Solved, ControlFlow::Break(Status::Ray { .. } | Status::NotFinite)) => {
