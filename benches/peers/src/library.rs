@@ -14,6 +14,7 @@ pub fn all() -> Vec<Library> {
         library("Open Dynamics Engine", env!("HAS_ODE"), "libode-dev"),
         library("Bullet", env!("HAS_BULLET"), "libbullet-dev"),
         library("Siconos", env!("HAS_SICONOS"), "libsiconos-numerics-dev libopenblas0-pthread"),
+        library("DART", crate::dart::version().unwrap_or_default(), "dartpy from PyPI"),
         library("Rapier", &locked("rapier3d-f64"), "crates.io: rapier3d-f64"),
         library("clarabel", &locked("clarabel"), "crates.io: clarabel"),
     ]

@@ -1,4 +1,4 @@
-//! lcplab beside Open Dynamics Engine, Bullet, Siconos, Rapier and clarabel.
+//! lcplab beside Open Dynamics Engine, Bullet, Siconos, DART, Rapier and clarabel.
 //!
 //! ```text
 //! cargo run --release                            all, tables on the terminal
@@ -12,6 +12,7 @@
 mod bullet;
 mod clarabel;
 mod contender;
+mod dart;
 mod library;
 mod machine;
 mod ode;
@@ -39,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let asked = asked()?;
     let libraries = library::all();
     for library in libraries.iter().filter(|library| library.version.is_none()) {
-        println!("skipped: {} is not installed (Debian: {})", library.name, library.package);
+        println!("skipped: {} is not installed ({})", library.name, library.package);
     }
     let recording = Recording {
         date: machine::today(),

@@ -12,7 +12,7 @@ use lcplab::solver::{self, Options};
 use crate::contender::Contender;
 use crate::raw::Raw;
 use crate::trial::trial;
-use crate::{clarabel, ours};
+use crate::{clarabel, dart, ours};
 
 /// Rows of the random problems with a definite A.
 const ONE_SIDED: [usize; 4] = [50, 200, 500, 1000];
@@ -41,6 +41,7 @@ fn contenders<'a>(lcp: &'a Lcp, raw: &'a Raw) -> Result<Vec<Contender<'a>>> {
     all.extend(clarabel::solvers(lcp));
     #[cfg(has_ode)]
     all.extend(crate::ode::solvers(raw));
+    all.extend(dart::solvers(raw));
     #[cfg(has_bullet)]
     all.extend(crate::bullet::solvers(raw));
     #[cfg(has_siconos)]

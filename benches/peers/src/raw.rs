@@ -8,11 +8,11 @@ use crate::contender::{Contender, Run};
 
 /// A problem in plain arrays.
 pub struct Raw {
-    n: c_int,
-    a: Vec<f64>,
-    b: Vec<f64>,
-    lo: Vec<f64>,
-    hi: Vec<f64>,
+    pub n: c_int,
+    pub a: Vec<f64>,
+    pub b: Vec<f64>,
+    pub lo: Vec<f64>,
+    pub hi: Vec<f64>,
 }
 
 /// A solver behind C's calling convention: n, A, b, lo, hi, then x and the number of complaints, which it
@@ -50,6 +50,17 @@ impl Raw {
         let n = c_int::try_from(lcp.len()).expect("a problem of this benchmark");
         let a = lcp.matrix().to_dense().transpose().as_slice().to_vec();
         Raw { n, a, b: lcp.b().to_vec(), lo: lcp.lo().to_vec(), hi: lcp.hi().to_vec() }
+    }
+
+    /// A copy for a solver in which A x = b + w, and a row of A begins every so many numbers or a multiple of that.
+    pub fn padded(&self, every: usize) -> Raw {
+        let (rows, stride) = (self.rows(), self.rows().next_multiple_of(every));
+        let mut a = vec![0.0; rows * stride];
+        for (to, row) in a.chunks_exact_mut(stride).zip(self.a.chunks_exact(rows)) {
+            to[..rows].copy_from_slice(row);
+        }
+        let b = self.b.iter().map(|b| -b).collect();
+        Raw { n: self.n, a, b, lo: self.lo.clone(), hi: self.hi.clone() }
     }
 
     /// Whether all rows are equations.

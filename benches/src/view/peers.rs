@@ -68,8 +68,9 @@ fn words(recording: &Recording) -> String {
 
 fn asked(recording: &Recording, goal: &crate::study::peers::Goal) -> Goal {
     let ours = goal.ours.unwrap_or("the fastest of ours");
+    let peer = if goal.peer.is_empty() { "the fastest peer" } else { goal.peer };
     Goal {
-        what: format!("{}: {ours} beside {}", goal.problem, goal.peer),
+        what: format!("{}: {ours} beside {peer}", goal.problem),
         asked: Asked::AtLeast(goal.faster),
         unit: "times as fast",
         measured: recording.faster(goal),
