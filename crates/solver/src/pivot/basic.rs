@@ -43,6 +43,9 @@ struct Eight {
 /// Moves whose lengths differ by less than this part of them end together.
 pub(crate) const TIE: f64 = 1e-10;
 
+/// dᵀA d = s is trusted above this part of (Σ √a_jj |d_j|)²: five digits of it are right then.
+pub(crate) const TRUSTED: f64 = 1e-11;
+
 /// What is left of a sum below this part of its terms is rounding: sweeps leave more of it than a factor does.
 const ROUNDING: f64 = 1e-13;
 

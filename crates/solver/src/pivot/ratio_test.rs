@@ -14,7 +14,7 @@ use super::dictionary::Dictionary;
 use super::variable::Variable;
 
 /// Two ratios that differ by less than this part of them are tied.
-const TIE: f64 = 1e-12;
+pub(crate) const TIE: f64 = 1e-12;
 
 /// What becomes zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,13 +12,11 @@ use super::blocking::End;
 use super::run::{Reached, Run};
 use crate::kernel::rank_one::{Block, get};
 use crate::kernel::tableau::Tableau;
-use crate::pivot::basic::{Basic, TIE};
+use crate::pivot::basic::{Basic, TIE, TRUSTED};
 use crate::pivot::refinement::refined;
 use crate::{Move, Part, Status};
 
-/// dᵀA d = s is trusted above this part of (Σ √a_jj |d_j|)²: five digits of it are right then.
-const TRUSTED: f64 = 1e-11;
-/// Below this part of it s is rounding, and zero.
+/// Below this part of (Σ √a_jj |d_j|)² s = dᵀA d is rounding, and zero.
 const REDUNDANT: f64 = 1e-14;
 
 /// What the tableau adds to a run.

@@ -21,15 +21,13 @@ use super::end::refined as of_set;
 use crate::kernel::rank_one::{Block, get};
 use crate::kernel::tableau::Tableau;
 use crate::pivot::active_set::{self, ActiveSet};
-use crate::pivot::basic::{Basic, TIE};
+use crate::pivot::basic::{Basic, TIE, TRUSTED};
 use crate::pivot::dantzig::Side;
 use crate::pivot::principal::Point;
+use crate::pivot::ratio_test;
 use crate::pivot::refinement::refined;
 use crate::{Event, Iterate, Observer, Settings, Status};
 use lcplab_problem::Lcp;
-
-/// s is trusted above this part of (Σ √a_jj |d_j|)².
-const TRUSTED: f64 = 1e-11;
 
 /// A path that is followed.
 pub(super) struct Parametric<'a> {
@@ -42,8 +40,10 @@ pub(super) struct Parametric<'a> {
     tableau: Tableau,
     basic: Basic,
     side: Vec<Side>,
+    /// C.
     free: Vec<usize>,
     x: Vec<f64>,
+    /// √a_jj.
     root: Vec<f64>,
     /// Row z of the tableau, and another one.
     speeds: Vec<Block>,
@@ -120,9 +120,10 @@ impl<'a> Parametric<'a> {
 
     /// Solves w = 0 for the x of the rows without bounds.
     fn solve_free_rows(&mut self) -> Option<()> {
-        let n = self.lcp.len();
-        for row in (0..n).filter(|&i| self.side[i] == Side::Waiting).collect::<Vec<_>>() {
-            self.enter(row)?;
+        for row in 0..self.lcp.len() {
+            if self.side[row] == Side::Waiting {
+                self.enter(row)?;
+            }
         }
         if self.free.is_empty() {
             return Some(());
@@ -141,11 +142,14 @@ impl<'a> Parametric<'a> {
         let asked = |i: usize| if self.cover[i] == 0.0 { 0.0 } else { -w[i] / self.cover[i] };
         self.z = (0..w.len()).map(asked).fold(0.0, f64::max);
         let last = (0..w.len()).rev().find(|&i| asked(i) >= self.z * (1.0 - TIE));
-        for i in (0..w.len()).filter(|&i| self.side[i] != Side::Free).collect::<Vec<_>>() {
-            let value = if last == Some(i) { 0.0 } else { w[i] + self.z * self.cover[i] };
+        for i in 0..w.len() {
+            let value = match self.side[i] {
+                Side::Free => self.x[i],
+                _ if last == Some(i) => 0.0,
+                _ => w[i] + self.z * self.cover[i],
+            };
             self.put(i, self.side[i], value);
         }
-        self.free.iter().for_each(|&j| self.basic.set(j, self.x[j]));
         last.filter(|_| self.z > 0.0)
     }
 
@@ -250,7 +254,7 @@ impl<'a> Parametric<'a> {
             let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
             let mut ratios = ratios.into_iter();
             left.retain(|_| {
-                let near = |ratio: f64| ratio - least <= 1e-12 * ratio.abs().max(least.abs());
+                let near = |r: f64| r - least <= ratio_test::TIE * r.abs().max(least.abs());
                 ratios.next().is_some_and(near)
             });
         }
@@ -266,7 +270,7 @@ impl<'a> Parametric<'a> {
         }
     }
 
-    /// A row enters C where it is.
+    /// A row enters C where it is; none if its s cannot be trusted.
     fn enter(&mut self, row: usize) -> Option<()> {
         self.tableau.read(row, &mut self.other);
         let size = self.root[row] + self.basic.size(&self.other);
@@ -308,6 +312,7 @@ impl<'a> Parametric<'a> {
         self.tableau.read(self.lcp.len(), &mut self.speeds);
     }
 
+    /// A row stands on this side from now on, at this x or w, whichever may move.
     fn put(&mut self, row: usize, side: Side, value: f64) {
         self.side[row] = side;
         let bounds = (self.lcp.lo()[row], self.lcp.hi()[row]);
