@@ -45,6 +45,12 @@ fn factorisation(i: &Effort<'_>) -> f64 {
     f.powi(3) / 3.0 + f * f + i.stored
 }
 
+/// All entries of a table with the covering variable and the constants, or a triangle of them.
+fn lemke_pivot(i: &Effort<'_>) -> f64 {
+    let table = i.n * (i.n + 2.0);
+    if i.is_symmetric() { table / 2.0 } else { table }
+}
+
 /// The methods of this group.
 pub const ENTRIES: &[Entry] = &[
     Entry {
@@ -64,7 +70,7 @@ pub const ENTRIES: &[Entry] = &[
         method: "Lemke's complementary pivoting, lexicographic ties, finite",
         class: Class::of(MatrixClass::CopositivePlus),
         group: Group::Pivoting,
-        cost: Cost::each("n (n + 2)", |i| i.n * (i.n + 2.0)),
+        cost: Cost::each("n (n + 2), half of it where A is symmetric", lemke_pivot),
         source: "Lemke 1965; Cottle, Pang & Stone 1992",
         uses: &[],
         build: &|options| Box::new(Lemke { settings: options.settings.clone() }),

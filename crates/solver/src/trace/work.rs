@@ -94,4 +94,9 @@ impl Effort<'_> {
     pub fn free(&self) -> f64 {
         merit::free_rows(self.lcp, self.x) as f64
     }
+
+    /// Whether A is symmetric.
+    pub fn is_symmetric(&self) -> bool {
+        self.lcp.matrix().is_symmetric()
+    }
 }
