@@ -109,9 +109,9 @@ pub(super) fn is_better(
     mut of_nothing: impl Iterator<Item = Miss> + Clone,
     tolerance: f64,
 ) -> bool {
-    let (longest, all) = (Miss::longest_step(misses), of_nothing.clone());
+    let (longest, mut all) = (Miss::longest_step(misses), of_nothing.clone());
     of_nothing.any(|miss| longest <= miss.step() + libm::log2(BETTER))
-        || all.into_iter().all(|miss| miss.residual <= tolerance)
+        || all.all(|miss| miss.residual <= tolerance)
 }
 
 /// Whether x may be called a solution: the scaled residual is within the tolerance, and x is worth

@@ -113,7 +113,7 @@ impl Basic {
 
     /// The row whose variable ends a move within this length, and where; where several do, the first by rank.
     pub(crate) fn first_within(&self, length: f64) -> Option<(usize, f64)> {
-        let mut first = None;
+        let mut first = None; // in a loop: `lengths` makes a solve of few rows a tenth slower
         for (b, eight) in self.eights[..self.used].iter().enumerate().filter(|(_, e)| e.ends) {
             for k in 0..8 {
                 if eight.length[k] <= length

@@ -31,7 +31,7 @@ impl Path<'_> {
 
 /// x at the end of a path without the rounding of the path: from a fresh factorisation of the active set, first
 /// with the free rows at a bound that are there but for rounding.
-pub(super) fn refined(lcp: &Lcp, set: &ActiveSet, x: &[f64]) -> Point {
+pub(super) fn from_active_set(lcp: &Lcp, set: &ActiveSet, x: &[f64]) -> Point {
     let tight = set.tightened(lcp, x);
     let mut best = Point::at(lcp, x.to_vec());
     for set in [&tight, set] {

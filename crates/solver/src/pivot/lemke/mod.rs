@@ -38,12 +38,12 @@ mod end;
 mod parametric;
 mod path;
 
+use std::ops::ControlFlow;
+
 use self::parametric::{End, Parametric};
 use self::path::Path;
 use crate::pivot::opening;
 use crate::pivot::standard_form::cover;
-use std::ops::ControlFlow;
-
 use crate::{Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
@@ -88,23 +88,30 @@ impl Solver for Lemke {
                     None => seen = path.pivots - before,
                 }
             }
-            let observer = &mut Later { seen, observer };
-            let mut path = Path::new(lcp, before);
-            let (x, status) = path.solve(&self.settings, observer);
-            let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
-            let is_led_astray = match status {
-                Status::Ray { .. } | Status::NotFinite | Status::Inaccurate => is_long,
-                Status::Stalled => true,
-                _ => false,
-            };
-            if !is_led_astray {
-                return Solution::new(lcp, x, status, path.pivots);
-            }
-            let mut path = Path::new(lcp, path.pivots).with_renewals();
-            let (x, status) = path.solve(&self.settings, observer);
-            let solution = Solution::new(lcp, x, status, path.pivots);
-            solution.with_fallback(Some(Fallback::SecondPath))
+            self.by_tables(lcp, before, &mut Later { seen, observer })
         })
+    }
+}
+
+impl Lemke {
+    /// Follows the path by Lemke's tables, after so many pivots on other problems; a second time where rounding may have led
+    /// astray.
+    fn by_tables(&self, lcp: &Lcp, before: usize, observer: &mut dyn Observer) -> Solution {
+        let mut path = Path::new(lcp, before);
+        let (x, status) = path.solve(&self.settings, observer);
+        let is_long = path.is_doubtful || path.pivots - before > PIVOTS_TO_RENEWAL;
+        let is_led_astray = match status {
+            Status::Ray { .. } | Status::NotFinite | Status::Inaccurate => is_long,
+            Status::Stalled => true,
+            _ => false,
+        };
+        if !is_led_astray {
+            return Solution::new(lcp, x, status, path.pivots);
+        }
+        let mut path = Path::new(lcp, path.pivots).with_renewals();
+        let (x, status) = path.solve(&self.settings, observer);
+        let solution = Solution::new(lcp, x, status, path.pivots);
+        solution.with_fallback(Some(Fallback::SecondPath))
     }
 }
 

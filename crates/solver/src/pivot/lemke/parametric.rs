@@ -17,7 +17,7 @@
 
 use std::ops::ControlFlow;
 
-use super::end::refined as of_set;
+use super::end::from_active_set;
 use crate::kernel::rank_one::{Block, get};
 use crate::kernel::tableau::Tableau;
 use crate::pivot::active_set::{self, ActiveSet};
@@ -111,7 +111,8 @@ impl<'a> Parametric<'a> {
             ControlFlow::Continue(()) => {
                 let (lcp, x) = (self.lcp, self.x.clone());
                 let exact = refined(lcp, &self.tableau, &self.free, x, settings.tolerance);
-                let point = exact.unwrap_or_else(|| of_set(lcp, &self.active_set(), &self.x));
+                let point =
+                    exact.unwrap_or_else(|| from_active_set(lcp, &self.active_set(), &self.x));
                 let is_solution = point.is_solution(self.lcp, settings.tolerance);
                 is_solution.then_some(End::Point(point))
             }

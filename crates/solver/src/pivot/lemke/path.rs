@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use super::PIVOTS_TO_RENEWAL;
-use super::end::refined;
+use super::end::from_active_set;
 use crate::linalg::elimination::difference;
 use crate::pivot::ratio_test::{Blocking, Candidate, least};
 use crate::pivot::standard_form::{FORGIVEN, StandardForm};
@@ -50,7 +50,7 @@ impl<'a> Path<'a> {
         observer: &mut dyn Observer,
     ) -> (Vec<f64>, Status) {
         let end = self.follow(settings.max_iterations, observer);
-        let point = refined(self.lcp, &self.form.active_set(), &self.x);
+        let point = from_active_set(self.lcp, &self.form.active_set(), &self.x);
         let (claim, x) = (point.claim(self.lcp, settings.tolerance), point.x);
         match (claim, end) {
             (status, ControlFlow::Continue(())) => (x, status),
