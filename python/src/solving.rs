@@ -5,9 +5,10 @@ use lcplab::document::Format;
 use lcplab::error::Error;
 use lcplab::explain::{Method as Explained, problem as explained};
 use lcplab::lcp::Lcp;
+use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{Answer, certificate_json, claim};
-use lcplab::report::friction::{self, Modelled};
+use lcplab::report::friction::{self, Judged};
 use lcplab::report::study::families;
 use lcplab::report::{methods, text, view};
 use lcplab::solver::{Entry, Method, Options, Settings, Solution, Start, Stop, default_for};
@@ -68,13 +69,14 @@ pub fn solve<'py>(
     let demand = Demand { tolerance: given.tolerance, prove_up_to };
     let options = given.options()?;
     let name = solver.as_ref().and_then(|solver| solver.extract::<String>().ok());
-    if let Some(modelled) = modelled(problem, model, name.as_deref())? {
+    let question = question(problem, model, name.as_deref())?;
+    if let Some(model) = question.model() {
         if trace {
             let reason =
                 "keeps the iterates of a problem that is solved without a model of friction";
             return Err(refused(Error::invalid("options", "trace", reason)));
         }
-        return solve_modelled(py, &modelled, solver, &options, &demand);
+        return solve_modelled(py, &question, model, solver, &options, &demand);
     }
     let lcp = &problem.0.lcp;
     let entry = match solver {
@@ -121,25 +123,21 @@ fn told<'py>(
     Ok(told)
 }
 
-/// The problem under the model of friction that is asked for, or that it states; `None` where there is none.
-fn modelled(
-    problem: &Problem,
-    model: Option<String>,
-    solver: Option<&str>,
-) -> PyResult<Option<Modelled>> {
+/// The problem under the friction model that is asked for, or that it states.
+fn question(problem: &Problem, model: Option<String>, solver: Option<&str>) -> PyResult<Question> {
     let asked = model.map(|model| model.parse()).transpose().map_err(refused)?;
     let model = friction::model(asked, solver, &problem.0);
-    model.map(|model| Modelled::of(&problem.0, model, "problem")).transpose().map_err(refused)
+    Question::new(&problem.0, model, "problem").map_err(refused)
 }
 
 fn solve_modelled<'py>(
     py: Python<'py>,
-    modelled: &Modelled,
+    question: &Question,
+    model: Model,
     solver: Option<Bound<'py, PyAny>>,
     options: &Options,
     demand: &Demand,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let model = modelled.model();
     let method = match solver {
         Some(solver) if solver.extract::<String>().is_err() => {
             let method = Method::Boxed(callable::entry(&solver)?);
@@ -153,8 +151,9 @@ fn solve_modelled<'py>(
         None => methods::by_name(methods::default_for(model), model).map_err(refused)?,
     };
     let stop = Stop::default();
-    let (solution, judged) =
-        wait(py, &stop, || modelled.solve(&method, options, demand, &mut stop.watch(&mut ())))?;
+    let (solution, judged) = wait(py, &stop, || {
+        friction::solve(question, &method, options, demand, &mut stop.watch(&mut ()))
+    })?;
     let certificate = &judged.certificate;
     let (status, message) = claim(&solution.status, certificate.refutation(), None);
     let told = told(py, &solution, &certificate.w, &certificate.verdict)?;
@@ -197,9 +196,10 @@ pub fn judge(
         return Err(refused(Error::invalid("answer", "x", reason)));
     }
     let demand = Demand { tolerance, prove_up_to: Demand::EXACT_ROWS };
-    let (verdict, object) = match modelled(problem, model, None)? {
-        Some(modelled) => {
-            let judged = py.detach(|| modelled.judge(&x, &demand));
+    let question = question(problem, model, None)?;
+    let (verdict, object) = match question.model() {
+        Some(_) => {
+            let judged = py.detach(|| Judged::of(&question, &x, &demand));
             (judged.certificate.verdict, judged.json())
         }
         None => {

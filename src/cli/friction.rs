@@ -2,9 +2,10 @@
 
 use lcplab::certificate::{Demand, Verdict};
 use lcplab::error::Result;
+use lcplab::lcp::Question;
 use lcplab::lcp::file::number;
 use lcplab::report::answer::claim;
-use lcplab::report::friction::{Judged, Modelled};
+use lcplab::report::friction::{Judged, solve as solve_and_judge};
 use lcplab::solver::{Method, Options, Solution, Status};
 use serde_json::{Map, Value, json};
 
@@ -14,7 +15,7 @@ use super::{Outcome, print};
 
 /// Solves a friction problem, has the answer judged and prints both; the solution too.
 pub fn solve(
-    friction: &Modelled,
+    question: &Question,
     title: &str,
     method: &Method,
     options: &Options,
@@ -23,7 +24,8 @@ pub fn solve(
     limits: &Limits,
 ) -> Result<(Outcome, Solution)> {
     let stop = limits.stop();
-    let (solution, judged) = friction.solve(method, options, demand, &mut stop.watch(&mut ()));
+    let (solution, judged) =
+        solve_and_judge(question, method, options, demand, &mut stop.watch(&mut ()));
     let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
     limits.over();
     let (word, message) = claim(&solution.status, judged.certificate.refutation(), stopped);
@@ -34,40 +36,43 @@ pub fn solve(
         object.insert("iterations".into(), json!(solution.iterations));
         object.insert("solver".into(), json!(method.name()));
         object.insert("message".into(), json!(message));
-        print_json(friction, object, &judged)?;
+        print_json(question, object, &judged)?;
     } else {
         let status = if word == message { message } else { format!("{word}: {message}") };
         let solver = format!("solver     {}\n", method.name());
         let status = format!("status     {status}, {} iterations\n", solution.iterations);
-        print_text(friction, title, &(solver + &status), &judged)?;
+        print_text(question, title, &(solver + &status), &judged)?;
     }
     Ok((outcome(&judged.certificate.verdict, stopped), solution))
 }
 
 /// Judges an answer and prints the verdict.
 pub fn judge(
-    friction: &Modelled,
+    question: &Question,
     title: &str,
     x: &[f64],
     demand: &Demand,
     json: bool,
 ) -> Result<Verdict> {
-    let judged = friction.judge(x, demand);
+    let judged = Judged::of(question, x, demand);
     if json {
-        print_json(friction, Map::new(), &judged)?;
+        print_json(question, Map::new(), &judged)?;
     } else {
-        print_text(friction, title, "", &judged)?;
+        print_text(question, title, "", &judged)?;
     }
     Ok(judged.certificate.verdict)
 }
 
-fn print_json(friction: &Modelled, mut object: Map<String, Value>, judged: &Judged) -> Result<()> {
-    object.insert("model".into(), json!(friction.model().to_string()));
+fn print_json(question: &Question, mut object: Map<String, Value>, judged: &Judged) -> Result<()> {
+    object.insert("model".into(), json!(question.model().map(|model| model.to_string())));
     object.extend(judged.json());
     print(&format!("{}\n", Value::Object(object)))
 }
 
-fn print_text(friction: &Modelled, title: &str, claim: &str, judged: &Judged) -> Result<()> {
-    let model = format!("model      {}, {} contacts\n", friction.model(), friction.contacts());
+fn print_text(question: &Question, title: &str, claim: &str, judged: &Judged) -> Result<()> {
+    let model = question.model().zip(question.friction()).map(|(model, friction)| {
+        format!("model      {model}, {} contacts\n", friction.contacts().len())
+    });
+    let model = model.unwrap_or_default();
     print(&format!("{title}\n{model}{claim}{}", judged.text()))
 }

@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use lcplab::certificate::{Demand, Verdict, judge, printed_up};
 use lcplab::error::Result;
+use lcplab::lcp::Question;
 use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{bound, certificate_json, certificate_text, verdict_json};
-use lcplab::report::friction::{Modelled, model};
+use lcplab::report::friction::Judged as Judgement;
 use lcplab::report::page::{Cell, Column, Table};
 use lcplab::report::text;
 use lcplab::solver::Settings;
@@ -87,20 +88,18 @@ impl Judge {
         let read = |path: &PathBuf| read_answers(path, problem.lcp.len(), memory);
         let answers = self.answers.iter().map(read).collect::<Result<Vec<_>>>()?;
         let input = self.problem.display().to_string();
-        let friction = model(self.model, None, &problem)
-            .map(|model| Modelled::of(&problem, model, &input))
-            .transpose()?;
+        let question = Question::new(&problem, self.model, &input)?;
         match answers.as_slice() {
-            [only] if only.iterates.is_empty() => self.one(&problem, friction.as_ref(), &only.x),
+            [only] if only.iterates.is_empty() => self.one(&question, &only.x),
             _ => {
                 let mut all = Vec::new();
                 for (path, answers) in self.answers.iter().zip(&answers) {
                     let name = path.display().to_string();
                     for (k, x) in answers.iterates.iter().enumerate() {
                         let label = format!("{name}, iterate {}", k + 1);
-                        all.push(self.judged(label, &problem, friction.as_ref(), x, false));
+                        all.push(self.judged(label, &question, x, false));
                     }
-                    all.push(self.judged(name, &problem, friction.as_ref(), &answers.x, true));
+                    all.push(self.judged(name, &question, &answers.x, true));
                 }
                 self.many(&problem, &all)
             }
@@ -112,10 +111,10 @@ impl Judge {
     }
 
     /// One answer, with its rows.
-    fn one(&self, problem: &Problem, friction: Option<&Modelled>, x: &[f64]) -> Result<Outcome> {
-        let demand = self.demand();
-        if let Some(friction) = friction {
-            let verdict = friction::judge(friction, &title(problem), x, &demand, self.json)?;
+    fn one(&self, question: &Question, x: &[f64]) -> Result<Outcome> {
+        let (demand, problem) = (self.demand(), question.problem());
+        if question.model().is_some() {
+            let verdict = friction::judge(question, &title(problem), x, &demand, self.json)?;
             return Ok(self.fail_on.outcome(&verdict));
         }
         let certificate = judge(&problem.lcp, x, &demand);
@@ -136,24 +135,9 @@ impl Judge {
         Ok(self.fail_on.outcome(&certificate.verdict))
     }
 
-    fn judged(
-        &self,
-        label: String,
-        problem: &Problem,
-        friction: Option<&Modelled>,
-        x: &[f64],
-        is_answer: bool,
-    ) -> Judged {
-        let (verdict, scaled_residual) = match friction {
-            Some(friction) => {
-                let certificate = friction.certificate(x, &self.demand());
-                (certificate.verdict, certificate.scaled_residual)
-            }
-            None => {
-                let certificate = judge(&problem.lcp, x, &self.demand());
-                (certificate.verdict, certificate.scaled_residual)
-            }
-        };
+    fn judged(&self, label: String, question: &Question, x: &[f64], is_answer: bool) -> Judged {
+        let certificate = Judgement::of(question, x, &self.demand()).certificate;
+        let (verdict, scaled_residual) = (certificate.verdict, certificate.scaled_residual);
         Judged { label, verdict, scaled_residual, is_answer }
     }
 

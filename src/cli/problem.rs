@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::certificate::{Certificate, Demand, Verdict, upper_bound};
 use lcplab::error::Result;
-use lcplab::lcp::Lcp;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
+use lcplab::lcp::{Lcp, Question};
 use lcplab::number::readable;
 use lcplab::report::answer::{Answer, certificate_text};
-use lcplab::report::friction::{Modelled, model};
+use lcplab::report::friction::model;
 use lcplab::report::methods;
 use lcplab::solver::{Method, Observer, Reason, Start, Status, default_for};
 use lcplab::trace::Convergence;
@@ -83,10 +83,11 @@ impl Solve {
             self.proof.as_ref().map_or(Ok(()), |_| proof::check_model(model))?;
             let method = methods::by_name(solver.unwrap_or(methods::default_for(model)), model)?;
             let options = self.settings.options(&[method])?;
-            let modelled = Modelled::of(&problem, model, &self.problem.display().to_string())?;
+            let input = self.problem.display().to_string();
+            let question = Question::new(&problem, Some(model), &input)?;
             let title = title(&problem);
             let (outcome, solution) =
-                friction::solve(&modelled, &title, &method, &options, &demand, self.json, limits)?;
+                friction::solve(&question, &title, &method, &options, &demand, self.json, limits)?;
             self.prove(&problem, &solution.x)?;
             return Ok(outcome);
         }

@@ -29,6 +29,8 @@ mod matrix;
 pub mod memory;
 pub mod merit;
 pub mod number;
+#[cfg(feature = "json")]
+mod question;
 
 pub use complementarity::Complementarity;
 pub use coupled::Coupling;
@@ -37,3 +39,5 @@ pub use gauss::Gauss;
 pub use hypot::hypot;
 pub use lcp::Lcp;
 pub use matrix::{Dense, Matrix, Row, Sparse, dot};
+#[cfg(feature = "json")]
+pub use question::Question;

@@ -6,26 +6,17 @@ use serde_json::{Map, Value, json};
 use super::answer::{evidence_json, evidence_text, proof_of_denial, verdict_json};
 use super::methods;
 use lcplab_judge::{Demand, FrictionCertificate, judge_cone, judge_friction};
-use lcplab_problem::Lcp;
-use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Problem, number};
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Model, Posed};
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::number::readable;
+use lcplab_problem::{Lcp, Question};
 use lcplab_solver::{Method, Observer, Options, Solution, Status};
 
 /// A contact slides if |w_t| is above this part of the terms it is the sum of.
 const SLIP: f64 = 1e-6;
 /// Contacts that are printed at most.
 const PRINTED: usize = 20;
-
-/// A friction problem under the model that it is solved and judged under.
-#[derive(Debug, Clone)]
-pub struct Modelled {
-    model: Model,
-    problem: FrictionProblem,
-    posed: Posed,
-}
 
 /// The model to take: the one asked for, else the problem's own, else Coulomb's law for a solver that is
 /// made for cones only. Without any, friction rows are rows of a boxed LCP like others.
@@ -37,55 +28,18 @@ pub fn model(asked: Option<Model>, solver: Option<&str>, problem: &Problem) -> O
     asked.or(problem.model).or(law)
 }
 
-impl Modelled {
-    /// The friction problem of an input of this name.
-    ///
-    /// # Errors
-    /// If there is no friction in it, or it cannot be stated under this model.
-    pub fn of(problem: &Problem, model: Model, input: &str) -> Result<Self> {
-        let friction = problem.friction().ok_or_else(|| {
-            let reason = format!("is missing: {model} is a model of friction");
-            Error::invalid(input, "friction_index", reason)
-        })?;
-        let friction = friction.map_err(|error| error.within(input))?;
-        let posed = model.pose(&friction, problem.frozen_at.as_deref());
-        let posed = posed.map_err(|error| error.within(input))?;
-        Ok(Modelled { model, problem: friction, posed })
-    }
-
-    /// The model.
-    pub fn model(&self) -> Model {
-        self.model
-    }
-
-    /// How many contacts there are.
-    pub fn contacts(&self) -> usize {
-        self.problem.contacts().len()
-    }
-
-    /// Solves it and has the answer judged.
-    pub fn solve(
-        &self,
-        method: &Method,
-        options: &Options,
-        demand: &Demand,
-        observer: &mut dyn Observer,
-    ) -> (Solution, Judged) {
-        let solution = method.solve(&self.posed, options, observer);
-        let judged = self.judge(&solution.x, demand);
-        let judged = judged.with_claim(&self.posed, &solution.status, demand);
-        (solution, judged)
-    }
-
-    /// Judges an answer, one number a row of the file's problem.
-    pub fn judge(&self, x: &[f64], demand: &Demand) -> Judged {
-        Judged::of(&self.problem, &self.posed, x, demand)
-    }
-
-    /// The judge's certificate alone.
-    pub fn certificate(&self, x: &[f64], demand: &Demand) -> FrictionCertificate {
-        judge_friction(&self.posed, x, demand)
-    }
+/// Solves a problem under the model of the question and has the answer judged.
+pub fn solve(
+    question: &Question,
+    method: &Method,
+    options: &Options,
+    demand: &Demand,
+    observer: &mut dyn Observer,
+) -> (Solution, Judged) {
+    let solution = method.solve(question.posed(), options, observer);
+    let judged = Judged::of(question, &solution.x, demand);
+    let judged = judged.with_claim(question.posed(), &solution.status, demand);
+    (solution, judged)
 }
 
 /// One contact in an answer.
@@ -114,8 +68,26 @@ pub struct Judged {
 }
 
 impl Judged {
+    /// Judges an answer, one number a row of the problem, under the model of the question. Without contacts, Coulomb's
+    /// law asks nothing more than the problem does.
+    pub fn of(question: &Question, x: &[f64], demand: &Demand) -> Self {
+        match question.friction() {
+            Some(friction) => Judged::at_contacts(friction, question.posed(), x, demand),
+            None => {
+                let certificate = judge_friction(question.posed(), x, demand);
+                let coulomb_residual = certificate.scaled_residual;
+                Judged { certificate, contacts: Vec::new(), coulomb_residual }
+            }
+        }
+    }
+
     /// Judges x under the model that the problem is posed under.
-    pub fn of(problem: &FrictionProblem, posed: &Posed, x: &[f64], demand: &Demand) -> Self {
+    pub fn at_contacts(
+        problem: &FrictionProblem,
+        posed: &Posed,
+        x: &[f64],
+        demand: &Demand,
+    ) -> Self {
         let coulomb = ConeProblem::new(problem.clone(), Law::Coulomb);
         let certificate = judge_friction(posed, x, demand);
         let contact = |c: &Contact| contact(problem.lcp(), c, x, &certificate.w);

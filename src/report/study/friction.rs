@@ -82,7 +82,7 @@ fn answer(problem: &FrictionProblem, model: Model, options: &Options) -> Result<
     };
     let posed = model.pose(problem, frozen_at.as_deref())?;
     let solution = method.solve(&posed, options, &mut ());
-    let judged = Judged::of(problem, &posed, &solution.x, &Demand::default());
+    let judged = Judged::at_contacts(problem, &posed, &solution.x, &Demand::default());
     Ok(Answer {
         model,
         solver: method.name().to_string(),

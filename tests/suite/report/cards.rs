@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use lcplab::certificate::{Demand, Verdict, judge};
-use lcplab::report::friction::Modelled;
+use lcplab::lcp::Question;
+use lcplab::report::friction::Judged;
 use lcplab::report::study::Study;
 use lcplab::report::study::cards::{Column, Frame, Phenomenon, Plan, Record};
 use lcplab::report::view::{Document, View};
@@ -237,13 +238,8 @@ fn mujoco_solves_what_it_poses_so_that_what_it_misses_is_missed_by_the_model() {
 fn verdict(frame: &Frame) -> Verdict {
     let (problem, demand) =
         (frame.problem().unwrap(), Demand { tolerance: 1e-6, ..Demand::default() });
-    match problem.model {
-        None => judge(&problem.lcp, &frame.answer, &demand).verdict,
-        Some(model) => {
-            let modelled = Modelled::of(&problem, model, "engines.json").unwrap();
-            modelled.certificate(&frame.answer, &demand).verdict
-        }
-    }
+    let question = Question::new(&problem, None, "engines.json").unwrap();
+    Judged::of(&question, &frame.answer, &demand).certificate.verdict
 }
 
 #[test]

@@ -1,0 +1,100 @@
+//! A problem together with the friction model under which its answers are judged.
+//!
+//! The same A, b and contacts have different solutions under different models: a coupled box, a polygon, a cone.
+//! Every command that solves, judges, explains or proves takes a [`Question`], so that the model that a file states
+//! is never lost on the way.
+//!
+//! ```
+//! use lcplab_problem::Question;
+//! use lcplab_problem::file::Problem;
+//! use lcplab_problem::friction::Model;
+//!
+//! let text = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, -3],
+//!                "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}"#;
+//! let problem = Problem::parse(text, "cone.json")?;
+//! let question = Question::new(&problem, None, "cone.json")?;
+//! assert_eq!(question.model(), Some(Model::CoulombCone));
+//! assert!(question.boxed().is_none()); // x is not the answer to an LCP with these rows
+//!
+//! let question = Question::new(&problem, Some(Model::CoupledBox), "cone.json")?;
+//! assert_eq!(question.boxed().unwrap().bounds(1, &[2.0, 0.0, 0.0]), (-1.0, 1.0));
+//! # Ok::<(), lcplab_problem::error::Error>(())
+//! ```
+
+use crate::Lcp;
+use crate::error::{Error, Result};
+use crate::file::Problem;
+use crate::friction::{FrictionProblem, Model, Posed};
+
+/// A problem and the friction model under which its answers are judged.
+#[derive(Debug, Clone)]
+pub struct Question {
+    problem: Problem,
+    under: Option<(Model, FrictionProblem)>,
+    posed: Posed,
+}
+
+impl Question {
+    /// The problem under the model that was asked for; without one, under the model that the problem states; without
+    /// that, as the LCP that it is, friction rows being coupled rows.
+    ///
+    /// `input` is the name of the file in errors.
+    ///
+    /// # Errors
+    /// If a model is asked for or stated and the problem has no friction rows, or cannot be posed under that model.
+    pub fn new(problem: &Problem, asked: Option<Model>, input: &str) -> Result<Self> {
+        let problem = problem.clone();
+        let Some(model) = asked.or(problem.model) else {
+            let posed = Posed::Boxed(problem.lcp.clone());
+            return Ok(Question { problem, under: None, posed });
+        };
+        let friction = problem.friction().ok_or_else(|| {
+            let reason = format!("is missing: {model} is a model of friction");
+            Error::invalid(input, "friction_index", reason)
+        })?;
+        let friction = friction.map_err(|error| error.within(input))?;
+        let posed = model.pose(&friction, problem.frozen_at.as_deref());
+        let posed = posed.map_err(|error| error.within(input))?;
+        Ok(Question { problem, under: Some((model, friction)), posed })
+    }
+
+    /// The problem, with its name and the labels of its rows.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// The friction model; none if neither the caller nor the problem names one.
+    pub fn model(&self) -> Option<Model> {
+        self.under.as_ref().map(|(model, _)| *model)
+    }
+
+    /// The contacts with friction, where a model is named.
+    pub fn friction(&self) -> Option<&FrictionProblem> {
+        self.under.as_ref().map(|(_, friction)| friction)
+    }
+
+    /// The mathematical problem that the model makes of it.
+    pub fn posed(&self) -> &Posed {
+        &self.posed
+    }
+
+    /// The LCP whose solution x itself is: none for polygons, which have unknowns of their own, and for cones.
+    pub fn boxed(&self) -> Option<&Lcp> {
+        match &self.posed {
+            Posed::Boxed(lcp) => Some(lcp),
+            Posed::Polyhedral(_) | Posed::Cone(_) => None,
+        }
+    }
+
+    /// The LCP of a question that needs one.
+    ///
+    /// # Errors
+    /// If the model is a polygon or a cone; `what` says what cannot be done then, as in "proofs are".
+    pub fn require_boxed(&self, what: &str, input: &str) -> Result<&Lcp> {
+        self.boxed().ok_or_else(|| {
+            let model = self.model().map(|model| model.to_string()).unwrap_or_default();
+            let reason = format!("is {model}, but {what} about boxes only");
+            Error::invalid(input, "model", reason)
+        })
+    }
+}
