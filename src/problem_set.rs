@@ -127,7 +127,7 @@ fn solved(problem: &mut Problem) {
     if !is_open || lcp.len() > EXACT_ROWS {
         return;
     }
-    let proof = answer(lcp).and_then(|x| prove(lcp, &x, &lcp.w(&x)));
+    let proof = answer(lcp).and_then(|x| prove(lcp, &x));
     if let Some(proof) = proof {
         let expected = Expected::one_of_several(proof.x);
         problem.extra.insert("expected".into(), expected.json());

@@ -3,19 +3,21 @@
 use dashu_ratio::RBig;
 
 use super::{Refusal, Refutation, Verdict};
-use lcplab_problem::Lcp;
 use lcplab_problem::accurate::Sum;
-use lcplab_problem::merit::{RowTerms, Sum as _};
+use lcplab_problem::merit::Sum as _;
+
+use crate::residual::{Residual, Rows, worst};
 
 /// Everything the judge found out about x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
     /// w = A x + b.
     pub w: Vec<f64>,
+    /// r_i, row by row.
+    pub residuals: Vec<f64>,
     /// max_i |x_i − Π(x_i − w_i)|.
     pub natural_residual: f64,
-    /// max_i r_i, dimensionless: see
-    /// [`RowTerms::scaled_residual`](lcplab_problem::merit::RowTerms::scaled_residual).
+    /// max_i r_i, dimensionless: see [`scaled_residual`](lcplab_problem::merit::scaled_residual).
     pub scaled_residual: f64,
     /// The row that has it.
     pub worst_row: usize,
@@ -30,10 +32,13 @@ pub struct Certificate {
     /// ½ xᵀAx + bᵀx.
     pub objective: f64,
     /// Objective minus dual objective: Σ_i w_i⁺ (x_i − lo_i) + w_i⁻ (hi_i − x_i), over finite
-    /// bounds. With A symmetric semidefinite and no infeasibility it bounds the objective's error.
+    /// bounds. With A symmetric semidefinite it bounds the objective's error. NaN where it bounds nothing: x lies
+    /// outside its bounds, a w pushes it towards infinity by more than the tolerance, or no solution exists.
     pub duality_gap: f64,
     /// The decision.
     pub verdict: Verdict,
+    /// max |x − x'| where the decision is that about the rounded neighbor x' of x; the residuals are those of x.
+    pub rounded_by: Option<f64>,
     /// What else was shown in exact arithmetic.
     pub evidence: Option<Evidence>,
 }
@@ -58,7 +63,8 @@ impl Certificate {
     /// The same x as the answer to a problem that has no solution.
     pub fn refuted_by(self, refutation: Refutation) -> Self {
         let verdict = self.verdict.refused(self.worst_row, self.scaled_residual);
-        Certificate { verdict, evidence: Some(Evidence::NoSolution(refutation)), ..self }
+        let evidence = Some(Evidence::NoSolution(refutation));
+        Certificate { verdict, evidence, rounded_by: None, duality_gap: f64::NAN, ..self }
     }
 
     /// The direction in which the solution can be moved without moving any w, if one was shown.
@@ -84,20 +90,20 @@ impl Evidence {
     }
 }
 
-/// The certificate of x before anything is proved, from the terms of its rows.
-pub(super) fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
-    let (mut worst_row, mut scaled_residual) = (0, 0.0);
+/// The certificate of x before anything is proved, from its rows and their residuals.
+pub(super) fn measure(at: &Rows<'_>, residuals: &[Residual], tolerance: f64) -> Certificate {
+    let (lcp, x, all_w) = (at.lcp, at.x, at.w());
+    let (worst_row, scaled_residual) = worst(residuals.iter().map(|own| own.relative));
+    let mut is_feasible = true;
     let (mut natural, mut gap, mut outside, mut infeasible) = (0.0, 0.0, 0.0, 0.0);
     let (mut objective, mut duality_gap) = (Sum::default(), Sum::default());
-    for (i, row) in terms.iter().enumerate() {
-        let ((lo, hi), w) = (lcp.bounds(i, x), row.w());
-        let residual = row.scaled_residual(lcp, i, x);
-        if residual > scaled_residual {
-            (worst_row, scaled_residual) = (i, residual);
-        }
+    for (i, &w) in all_w.iter().enumerate() {
+        let (lo, hi) = lcp.bounds(i, x);
         natural = f64::max(natural, finite_or_infinite(w.min(x[i] - lo).max(x[i] - hi).abs()));
         outside = f64::max(outside, (lo - x[i]).max(x[i] - hi));
         let room = if w > 0.0 { x[i] - lo } else { hi - x[i] };
+        is_feasible &=
+            residuals[i].relative <= tolerance || room.is_finite() && lo <= x[i] && x[i] <= hi;
         if room.is_infinite() {
             infeasible = f64::max(infeasible, w.abs());
         } else {
@@ -108,7 +114,8 @@ pub(super) fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
         objective.add_product(0.5 * x[i], lcp.b()[i]);
     }
     Certificate {
-        w: terms.iter().map(RowTerms::w).collect(),
+        residuals: residuals.iter().map(|own| own.relative).collect(),
+        w: all_w,
         natural_residual: natural,
         scaled_residual,
         worst_row,
@@ -117,12 +124,13 @@ pub(super) fn measure(lcp: &Lcp, x: &[f64], terms: &[RowTerms]) -> Certificate {
         bound_violation: outside,
         dual_infeasibility: infeasible,
         objective: objective.value(),
-        duality_gap: duality_gap.value(),
+        duality_gap: if is_feasible { duality_gap.value() } else { f64::NAN },
         verdict: Verdict::NotASolution {
             row: worst_row,
             amount: scaled_residual,
             why: Refusal::Residual,
         },
+        rounded_by: None,
         evidence: None,
     }
 }

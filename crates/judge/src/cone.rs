@@ -2,8 +2,8 @@
 //!
 //! The same judge as for boxed problems: the terms of w in compensated arithmetic, and two scaled
 //! residuals a contact, how far its normal and its tangents are from their own projected step, each beside
-//! its own terms ([`ConeProblem`]). There is no proof in rational arithmetic, because a disc has irrational
-//! points.
+//! its own terms ([`ConeProblem`]). Where no contact slides, an exact solution can be shown in rational arithmetic
+//! ([`exact`]); a sliding contact's friction is in general an irrational point of its disc, so there is no proof then.
 //!
 //! ```
 //! use lcplab_judge::{Demand, judge_cone};
@@ -26,16 +26,21 @@
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
-use super::{Demand, Refusal, Verdict, accurate_terms};
+mod exact;
+
+use super::neighbor;
+use super::residual::{Residual, cone, improves_on_zero, worst};
+use super::{Demand, Refusal, Verdict, distance, is_near};
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{ConeProblem, Contact};
-use lcplab_problem::merit::RowTerms;
 
 /// Everything the judge found out about x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConeCertificate {
     /// w = A x + b, without shift.
     pub w: Vec<f64>,
+    /// The scaled residual of each row; both tangents of a contact have that of their plane.
+    pub residuals: Vec<f64>,
     /// The scaled residual of each contact, the larger one of its normal and its tangents.
     pub contact_residuals: Vec<f64>,
     /// The largest scaled residual of contacts and other rows.
@@ -46,40 +51,83 @@ pub struct ConeCertificate {
     pub worst_contact: Option<usize>,
     /// How far x lies outside the cones: max |x_t| − μ x_n over contacts, or 0.
     pub cone_violation: f64,
-    /// The decision: never *proved*.
+    /// The decision; *proved* only where no contact slides.
     pub verdict: Verdict,
+    /// max |x − x'| where the decision is that about the rounded neighbor x' of x.
+    pub rounded_by: Option<f64>,
 }
 
-/// Judges x for a cone problem, under its law.
+/// Judges x for a cone problem, under its law. An x that misses by rounding alone is accepted as in
+/// [`judge`](super::judge()).
 ///
 /// # Panics
 /// If x has not n entries.
 pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCertificate {
     let (lcp, contacts) = (problem.lcp(), problem.friction().contacts());
     assert_eq!(x.len(), lcp.len(), "x needs one entry a row");
-    let terms: Vec<_> = (0..x.len()).map(|i| accurate_terms(lcp, i, x)).collect();
-    let residuals = problem.residuals(&terms, x);
-    let worst = (0..x.len()).max_by(|&i, &j| residuals[i].total_cmp(&residuals[j])).unwrap_or(0);
-    let scaled_residual = residuals.iter().copied().fold(0.0, f64::max);
-    let worst_contact = contacts.iter().position(|contact| contact.rows.contains(&worst));
+    let certificate = judge_as_given(problem, x, demand);
+    if certificate.verdict.is_solution() || !x.iter().all(|x| x.is_finite()) {
+        return certificate;
+    }
+    if lcp.len() <= demand.prove_up_to {
+        let bounds = neighbor::rounding_of(&neighbor::sizes(lcp, contacts, x));
+        if let Some(distance) = exact::prove(problem, x, Some(&bounds)) {
+            return ConeCertificate { verdict: Verdict::Proved { distance }, ..certificate };
+        }
+    }
+    let Some(neighbor) = neighbor::rounded(lcp, contacts, x) else { return certificate };
+    let of_neighbor = judge_as_given(problem, &neighbor, demand).verdict;
+    match of_neighbor.from(distance(x, &neighbor)) {
+        Some((verdict, moved)) => {
+            ConeCertificate { verdict, rounded_by: Some(moved), ..certificate }
+        }
+        None => certificate,
+    }
+}
+
+/// Judges x without a look at its neighbors.
+fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCertificate {
+    let contacts = problem.friction().contacts();
+    let (w, all) = cone::residuals(problem, x);
+    let residuals: Vec<f64> = all.iter().map(|own| own.relative).collect();
+    let (worst_row, scaled_residual) = worst(residuals.iter().copied());
     let outside = contacts.iter().map(|contact| {
         let [n, t1, t2] = contact.of(x);
         lcplab_problem::hypot(t1, t2) - contact.mu * n
     });
-    let refused = |why| Verdict::NotASolution { row: worst, amount: scaled_residual, why };
-    let is_within = x.iter().all(|x| x.is_finite()) && scaled_residual <= demand.tolerance;
     let of_contact = |contact: &Contact| contact.of(&residuals).into_iter().fold(0.0, f64::max);
     ConeCertificate {
-        w: terms.iter().map(RowTerms::w).collect(),
+        w,
         contact_residuals: contacts.iter().map(of_contact).collect(),
+        residuals,
         scaled_residual,
-        worst_row: worst,
-        worst_contact,
+        worst_row,
+        worst_contact: contacts.iter().position(|contact| contact.rows.contains(&worst_row)),
         cone_violation: outside.fold(0.0, f64::max),
-        verdict: match is_within {
-            true if problem.is_worth_something(x, demand.tolerance) => Verdict::WithinTolerance,
-            true => refused(Refusal::Worthless),
-            false => refused(Refusal::Residual),
-        },
+        verdict: verdict(problem, x, &all, (worst_row, scaled_residual), demand),
+        rounded_by: None,
+    }
+}
+
+fn verdict(
+    problem: &ConeProblem,
+    x: &[f64],
+    residuals: &[Residual],
+    (row, amount): (usize, f64),
+    demand: &Demand,
+) -> Verdict {
+    if !x.iter().all(|x| x.is_finite()) || !(amount <= demand.tolerance) {
+        return Verdict::NotASolution { row, amount, why: Refusal::Residual };
+    }
+    let is_small = x.len() <= demand.prove_up_to;
+    let proved = if is_small { exact::prove(problem, x, None) } else { None };
+    if let Some(distance) = proved.filter(|&distance| is_near(x, distance)) {
+        return Verdict::Proved { distance };
+    }
+    let mut zero = vec![0.0; x.len()];
+    problem.project_all(&mut zero);
+    match improves_on_zero(residuals, &cone::residuals(problem, &zero).1, demand.tolerance) {
+        true => Verdict::WithinTolerance,
+        false => Verdict::NotASolution { row, amount, why: Refusal::NoBetterThanZero },
     }
 }

@@ -3,9 +3,10 @@
 //! Where contacts are redundant, x is not unique but w and the velocities u are; so each is compared
 //! on its own.
 
+use super::residual::Rows;
 use super::{Certificate, Demand, judge};
 use crate::reference;
-use lcplab_problem::{Lcp, merit};
+use lcplab_problem::Lcp;
 
 /// The answer beside the box QP's.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,9 +48,10 @@ pub fn cross_check(lcp: &Lcp, x: &[f64]) -> Option<CrossCheck> {
 
 /// An interior point lies beside its bounds; puts x_i on the bound where Π_i(x_i − w_i/s_i) is.
 fn onto_bounds(lcp: &Lcp, x: &[f64]) -> Vec<f64> {
+    let at = Rows::at(lcp, x);
     let snap = |i: usize| {
         let (lo, hi) = (lcp.lo()[i], lcp.hi()[i]);
-        let target = x[i] - lcp.row_w(i, x) / merit::row_scale(lcp, i);
+        let target = x[i] - (at.rows[i].w / at.rows[i].scale).value();
         if target <= lo {
             lo
         } else if target >= hi {

@@ -15,12 +15,14 @@
 
 use faer::{Mat, Side};
 
-use super::accurate_terms;
 use super::interval::{Interval, add_up, div_up, mul_up, norm_up};
+use super::residual::Rows;
 use lcplab_problem::Lcp;
 
 /// Half the distance from 1 to the next number.
 const U: f64 = f64::EPSILON / 2.0;
+/// Terms in this range were summed as plain numbers.
+const SAFE: std::ops::Range<f64> = 1e-250..1e250;
 /// Above this many rows a dense eigenvalue problem is too large.
 const MAX_ROWS: usize = 2_000;
 
@@ -45,7 +47,8 @@ pub fn error_bound(lcp: &Lcp, x: &[f64]) -> Option<f64> {
     let a = Mat::from_fn(n, n, |i, j| d[i] * lcp.matrix().entry(i, j) * d[j]);
     let least = least_eigenvalue(&a)?;
     let norm = (0..n).map(|i| (0..n).map(|j| a[(i, j)].abs()).sum::<f64>()).fold(0.0, f64::max);
-    let residual = norm_up((0..n).map(|i| Interval::around_zero(residual(lcp, i, x, d[i]))));
+    let at = Rows::at(lcp, x);
+    let residual = norm_up((0..n).map(|i| Interval::around_zero(residual(&at, i, d[i]))));
     let slack = 1.0 + 8.0 * (n as f64 + 4.0) * U; // the roundings of this and the sums above
     let bound = mul_up(mul_up(div_up(1.0 + norm, least), slack), residual);
     let largest = d.iter().copied().fold(0.0, f64::max);
@@ -84,14 +87,14 @@ pub(super) fn least_eigenvalue(a: &Mat<f64>) -> Option<f64> {
 }
 
 /// A bound on |x_i − Π(x_i − w_i)| of the problem scaled by d: x_i/d_i and d_i w_i.
-fn residual(lcp: &Lcp, i: usize, x: &[f64], d: f64) -> f64 {
-    let terms = accurate_terms(lcp, i, x);
+fn residual(at: &Rows<'_>, i: usize, d: f64) -> f64 {
+    let (lcp, w, terms) = (at.lcp, at.rows[i].w.value(), at.rows[i].terms.value());
     let n = lcp.len() as f64 + 2.0;
-    if terms.exponent != 0 {
+    if terms != 0.0 && !SAFE.contains(&terms) {
         return f64::INFINITY; // too large or too small to bound in plain numbers
     }
-    let error = U * terms.w.abs() + (n * U) * (n * U) * terms.magnitude + f64::MIN_POSITIVE;
-    let (w, x) = (d * terms.w, x[i] / d);
+    let error = U * w.abs() + (n * U) * (n * U) * terms + f64::MIN_POSITIVE;
+    let (w, x) = (d * w, at.x[i] / d);
     let natural = w.min(x - lcp.lo()[i] / d).max(x - lcp.hi()[i] / d).abs();
     add_up(natural, add_up(mul_up(d, error), mul_up(U, x.abs())))
 }

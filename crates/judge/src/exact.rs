@@ -7,14 +7,20 @@
 //! bound, that of a coupled row with the x_k of the point itself, and every sign of w is decided exactly.
 //! Where the equations are singular, the unknowns that they leave open keep the value they have in x.
 //!
-//! A failed proof refutes nothing: the active set may have been misread where x_i − w_i/s_i lies
-//! within rounding of a bound.
+//! A failed proof refutes nothing: the active set may have been misread where x_i − w_i/s_i lies within rounding of a
+//! bound. So the active sets that x itself shows, its ties among them, are tried too, and the nearest solution counts.
 
 use dashu_ratio::RBig;
 
+use crate::residual::{Rows, Wide};
 use lcplab_problem::Lcp;
+use lcplab_problem::exact::dyadic::{dyadic, rational};
 use lcplab_problem::exact::{Exact, Side};
-use lcplab_problem::merit::row_scale;
+
+/// x_i − w_i/s_i this close to a bound, in parts of the terms that it is made of, may lie on either side of it.
+const TIE: f64 = 64.0 * f64::EPSILON;
+/// Of more tied rows all are taken to be where x_i − w_i/s_i says, or where x_i itself is.
+const MOST_TIES: usize = 4;
 
 /// A solution that exists exactly, near the x it was read off from.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,18 +35,34 @@ pub struct Proof {
     pub null_direction: Option<Vec<RBig>>,
 }
 
-/// Proves that the active set of x carries a solution of the problem, if it does.
+/// Proves that an active set of x carries a solution of the problem, if one does; the nearest one found.
 ///
-/// `w` is A x + b; it only serves to read the active set. Costs one exact linear solve.
-pub fn prove(lcp: &Lcp, x: &[f64], w: &[f64]) -> Option<Proof> {
+/// Costs one exact linear solve where the first active set has a solution within rounding of x, 18 at most.
+pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
     let exact = Exact::new(lcp);
-    let sides = sides(lcp, x, w);
+    let at = Rows::at(lcp, x);
     let inside: Vec<f64> = (0..x.len()).map(|i| lcp.project(i, x[i], x)).collect();
-    let (point, null) = exact.point(&sides, &inside)?;
+    let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+    let mut nearest: Option<Proof> = None;
+    for sides in active_sets(&at) {
+        let Some(proof) = solution(&exact, x, &inside, &sides) else { continue };
+        if nearest.as_ref().is_none_or(|own| proof.distance < own.distance) {
+            nearest = Some(proof);
+        }
+        if nearest.as_ref().is_some_and(|own| own.distance <= TIE * size) {
+            break;
+        }
+    }
+    nearest
+}
+
+/// The solution of a piece, if it has one.
+fn solution(exact: &Exact, x: &[f64], inside: &[f64], sides: &[Side]) -> Option<Proof> {
+    let (point, null) = exact.point(sides, inside)?;
     if !exact.is_solved_by(&point) {
         return None;
     }
-    let null = null.filter(|d| exact.is_free_along(d, &point, &sides));
+    let null = null.filter(|d| exact.is_free_along(d, &point, sides));
     Some(Proof {
         distance: point.distance(x),
         x: point.entries(),
@@ -48,15 +70,45 @@ pub fn prove(lcp: &Lcp, x: &[f64], w: &[f64]) -> Option<Proof> {
     })
 }
 
+/// Whether every |x_i − x*_i| is at most the bound of its row.
+pub(super) fn is_within(x: &[f64], solution: &[RBig], bounds: &[f64]) -> bool {
+    x.iter().zip(solution).zip(bounds).all(|((&x, solution), &bound)| {
+        let away = rational(&dyadic(x)) - solution;
+        let away = if away < RBig::ZERO { -away } else { away };
+        away <= rational(&dyadic(bound))
+    })
+}
+
+/// The active sets that x may stand for: where Π(x − w/s) lies; then where x itself lies; then both sides of the rows
+/// in which x − w/s cannot be told from a bound.
+fn active_sets(at: &Rows<'_>) -> Vec<Vec<Side>> {
+    let first = sides(at);
+    let own: Vec<Side> = (0..at.x.len()).map(|i| own_side(at, i)).collect();
+    let ties: Vec<(usize, [Side; 2])> =
+        (0..at.x.len()).filter_map(|i| Some((i, tied_sides(at, i)?))).collect();
+    let mut sets = vec![first.clone()];
+    let mut add = |set: Vec<Side>| {
+        if !sets.contains(&set) {
+            sets.push(set);
+        }
+    };
+    add(own);
+    let count = if ties.len() <= MOST_TIES { 1 << ties.len() } else { 0 };
+    for choice in 0..count {
+        let mut set = first.clone();
+        for (k, &(i, both)) in ties.iter().enumerate() {
+            set[i] = both[choice >> k & 1];
+        }
+        add(set);
+    }
+    sets
+}
+
 /// Where Π(x − w/s) lies, row by row.
-pub(super) fn sides(lcp: &Lcp, x: &[f64], w: &[f64]) -> Vec<Side> {
+pub(super) fn sides(at: &Rows<'_>) -> Vec<Side> {
     let side = |i: usize| {
-        let (lo, hi) = lcp.bounds(i, x);
-        let scale = match row_scale(lcp, i) {
-            0.0 => 1.0,
-            scale => scale,
-        };
-        let target = x[i] - w[i] / scale;
+        let (lo, hi) = at.lcp.bounds(i, at.x);
+        let target = target(at, i);
         if lo == hi || target <= lo {
             Side::Lower
         } else if target >= hi {
@@ -65,5 +117,33 @@ pub(super) fn sides(lcp: &Lcp, x: &[f64], w: &[f64]) -> Vec<Side> {
             Side::Free
         }
     };
-    (0..lcp.len()).map(side).collect()
+    (0..at.x.len()).map(side).collect()
+}
+
+/// x_i − w_i/s_i.
+fn target(at: &Rows<'_>, i: usize) -> f64 {
+    at.x[i] - (at.rows[i].w / at.rows[i].scale).value()
+}
+
+/// Where x_i itself lies between its bounds.
+fn own_side(at: &Rows<'_>, i: usize) -> Side {
+    let (lo, hi) = at.lcp.bounds(i, at.x);
+    match at.x[i] {
+        x if x <= lo => Side::Lower,
+        x if x >= hi => Side::Upper,
+        _ => Side::Free,
+    }
+}
+
+/// The two sides of a row whose x_i − w_i/s_i may lie on either side of a bound.
+fn tied_sides(at: &Rows<'_>, i: usize) -> Option<[Side; 2]> {
+    let (lo, hi) = at.lcp.bounds(i, at.x);
+    let (row, target) = (&at.rows[i], Wide::from(target(at, i)));
+    let terms = row.terms / row.scale + Wide::from(at.x[i]).abs();
+    let is_tied = |bound: f64| (target - bound.into()).abs() <= terms * TIE.into();
+    match (lo < hi, is_tied(lo), is_tied(hi)) {
+        (true, true, _) => Some([Side::Free, Side::Lower]),
+        (true, _, true) => Some([Side::Free, Side::Upper]),
+        _ => None,
+    }
 }

@@ -22,6 +22,7 @@
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 
+pub mod cases;
 mod certificate;
 mod cone;
 #[cfg(feature = "clarabel")]
@@ -31,11 +32,13 @@ pub mod exact;
 mod friction;
 mod interval;
 pub mod motion_bound;
+mod neighbor;
 pub mod ray;
 #[cfg(feature = "clarabel")]
 pub mod reference;
 mod refutation;
 pub mod regularity;
+mod residual;
 pub mod uniqueness;
 mod verdict;
 
@@ -47,9 +50,8 @@ pub use verdict::{Refusal, Verdict, printed_up, upper_bound};
 
 use certificate::measure;
 use lcplab_problem::Lcp;
-use lcplab_problem::accurate::Sum;
-use lcplab_problem::merit::{self, RowTerms};
 use refutation::{Existence, existence};
+use residual::{Residual, Rows, improves_on_zero};
 
 /// What the judge asks of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,17 +78,46 @@ const NEAR: f64 = 1e-6;
 
 /// Judges x for a problem; coupled rows have the bounds they have at this x.
 ///
+/// An x that misses is judged once more before it is rejected: it is accepted if an exact solution lies within rounding
+/// of it, or if its rounded neighbor is accepted, the point where entries that differ from a bound or 0 by rounding
+/// alone are moved there.
+///
 /// # Panics
 /// If x has not n entries.
 pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
     assert_eq!(x.len(), lcp.len(), "x needs one entry a row");
-    let terms: Vec<RowTerms> = (0..lcp.len()).map(|i| accurate_terms(lcp, i, x)).collect();
-    let certificate = measure(lcp, x, &terms);
+    let certificate = judge_as_given(lcp, x, demand);
+    if certificate.verdict.is_solution() || !x.iter().all(|x| x.is_finite()) {
+        return certificate;
+    }
+    if let Some(proof) = proof_within_rounding(lcp, x, demand) {
+        return Certificate {
+            verdict: Verdict::Proved { distance: proof.distance },
+            evidence: proof.null_direction.map(Evidence::NotUnique),
+            ..certificate
+        };
+    }
+    let Some(neighbor) = neighbor::rounded(lcp, &[], x) else { return certificate };
+    let of_neighbor = judge_as_given(lcp, &neighbor, demand);
+    match of_neighbor.verdict.from(distance(x, &neighbor)) {
+        Some((verdict, moved)) => {
+            let evidence = of_neighbor.evidence;
+            Certificate { verdict, rounded_by: Some(moved), evidence, ..certificate }
+        }
+        None => certificate,
+    }
+}
+
+/// Judges x without a look at its neighbors.
+fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
+    let at = Rows::at(lcp, x);
+    let residuals = at.residuals();
+    let certificate = measure(&at, &residuals, demand.tolerance);
     if x.iter().any(|x| !x.is_finite()) || !(certificate.scaled_residual <= demand.tolerance) {
         return certificate;
     }
     let is_small = lcp.len() <= demand.prove_up_to;
-    let proof = if is_small { exact::prove(lcp, x, &certificate.w) } else { None };
+    let proof = if is_small { exact::prove(lcp, x) } else { None };
     let within = Certificate { verdict: Verdict::WithinTolerance, ..certificate };
     match proof {
         Some(proof) if is_near(x, proof.distance) => Certificate {
@@ -94,30 +125,70 @@ pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
             evidence: proof.null_direction.map(Evidence::NotUnique),
             ..within
         },
-        _ if !merit::is_worth_something(lcp, x, demand.tolerance) => {
+        _ if !improves_on_zero(&residuals, &at_zero(lcp), demand.tolerance) => {
             let (row, amount) = (within.worst_row, within.scaled_residual);
-            let verdict = Verdict::NotASolution { row, amount, why: Refusal::Worthless };
+            let verdict = Verdict::NotASolution { row, amount, why: Refusal::NoBetterThanZero };
             Certificate { verdict, ..within }
         }
         Some(exact::Proof { distance, .. }) => {
             Certificate { evidence: Some(Evidence::FarSolution { distance }), ..within }
         }
-        None if is_small => searched(lcp, x, within),
+        None if is_small => searched(&at, within),
         None => within,
     }
 }
 
+/// The residuals of Π(0), the answer of a solver that does nothing.
+fn at_zero(lcp: &Lcp) -> Vec<Residual> {
+    let mut zero = vec![0.0; lcp.len()];
+    lcp.project_all(&mut zero);
+    Rows::at(lcp, &zero).residuals()
+}
+
+/// An exact solution from which x differs by rounding alone, in each entry beside the largest of its component.
+fn proof_within_rounding(lcp: &Lcp, x: &[f64], demand: &Demand) -> Option<exact::Proof> {
+    if lcp.len() > demand.prove_up_to {
+        return None;
+    }
+    let bounds = neighbor::rounding_of(&neighbor::sizes(lcp, &[], x));
+    if !may_be_rounding(lcp, x, &bounds) {
+        return None;
+    }
+    exact::prove(lcp, x).filter(|proof| exact::is_within(x, &proof.x, &bounds))
+}
+
+/// Whether x may be this close to a solution: then no x_i is farther from its own step than by what these changes of x
+/// make of it. It spares an exact proof where it must fail.
+fn may_be_rounding(lcp: &Lcp, x: &[f64], bounds: &[f64]) -> bool {
+    let at = Rows::at(lcp, x);
+    (0..x.len()).all(|i| {
+        let moved = |j: usize, a: f64| a.abs() * bounds[j];
+        let of_w: f64 = lcp.matrix().row(i).iter().map(|(j, a)| moved(j, a)).sum();
+        let of_bound = lcp.coupled_to(i).map_or(0.0, |(k, mu)| mu * bounds[k]);
+        let scale = at.rows[i].scale.value();
+        let least = 2.0 * (of_w + scale * (bounds[i] + of_bound)); // twice, as this is rounded too
+        let size = at.residual(i).step * at.rows[i].scale.sqrt();
+        !(size.value() > least)
+    })
+}
+
+/// max_i |x_i − y_i|, rounded up.
+pub(crate) fn distance(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| interval::add_up(x.max(*y), -x.min(*y))).fold(0.0, f64::max)
+}
+
 /// The certificate of an x within the tolerance whose active set carries no solution, after a search for
 /// one elsewhere.
-fn searched(lcp: &Lcp, x: &[f64], within: Certificate) -> Certificate {
-    let sides = exact::sides(lcp, x, &within.w);
-    match existence(lcp, &[x], Some(&sides)) {
+fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
+    match existence(at.lcp, &[at.x]) {
         Existence::None(refutation) => within.refuted_by(refutation),
-        Existence::Solution(point) => match point.distance(x) {
-            distance if is_near(x, distance) => {
+        Existence::Solution(point) => match point.distance(at.x) {
+            distance if is_near(at.x, distance) => {
                 Certificate { verdict: Verdict::Proved { distance }, ..within }
             }
-            _ => within,
+            distance => {
+                Certificate { evidence: Some(Evidence::FarSolution { distance }), ..within }
+            }
         },
         Existence::Unknown => within,
     }
@@ -126,9 +197,4 @@ fn searched(lcp: &Lcp, x: &[f64], within: Certificate) -> Certificate {
 /// Whether a solution at this distance says something of x.
 fn is_near(x: &[f64], distance: f64) -> bool {
     distance <= NEAR * x.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
-}
-
-/// The terms of row i in compensated arithmetic.
-fn accurate_terms(lcp: &Lcp, i: usize, x: &[f64]) -> RowTerms {
-    RowTerms::summed::<Sum>(lcp, i, x)
 }

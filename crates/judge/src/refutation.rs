@@ -3,25 +3,24 @@
 //! A small residual does not say so: far out, where the terms of a row are large, a wall that nothing can
 //! hold looks held. So where no exact solution was found near x, the judge looks for a proof that there is
 //! none: a vector ([`ray`](super::ray)), read off x, off a solver's ray or off the solution of a linear
-//! program, and else all pieces of the problem, one by one, in exact arithmetic.
+//! program, and else a [case split](super::cases).
 
+use super::cases::{Search, search};
 use super::ray::{Farkas, refute};
 use lcplab_problem::Lcp;
-use lcplab_problem::exact::{Pieces, Point, Search, Side};
+use lcplab_problem::exact::Point;
 
 /// Of larger problems only the vectors that are at hand are tried.
 const MOST_ROWS: usize = 150;
-/// The same for all pieces, each of which costs the cube of the rows.
-const MOST_ROWS_IN_PIECES: usize = 20;
 
 /// Why no x solves a problem.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refutation {
     /// By a vector.
     Vector(Farkas),
-    /// Each of so many pieces was tried in exact arithmetic: all choices of a side for each row.
+    /// By a [case split](super::cases), each case being closed by a vector.
     CaseSplit {
-        /// How many.
+        /// The number of cases.
         pieces: usize,
     },
 }
@@ -47,11 +46,11 @@ pub(super) enum Existence {
 /// let (lo, hi) = (vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2]);
 /// let lcp = Lcp::new(a, vec![-1.0, -0.5], lo, hi)?;
 /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0])?)?;
-/// assert_eq!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { pieces: 6 }));
+/// assert_eq!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { pieces: 3 }));
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {
-    match existence(lcp, hints, None) {
+    match existence(lcp, hints) {
         Existence::None(refutation) => Some(refutation),
         Existence::Solution(_) | Existence::Unknown => None,
     }
@@ -77,20 +76,17 @@ fn by_linear_program(_: &Lcp) -> Option<Vec<f64>> {
     None
 }
 
-/// Looks for a proof that there is no solution, or for a solution; first in the piece with these sides.
-pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]], sides: Option<&[Side]>) -> Existence {
+/// Looks for a proof that there is no solution, or for a solution.
+pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]]) -> Existence {
     if let Some(farkas) = refuting_vector(lcp, hints) {
         return Existence::None(Refutation::Vector(farkas));
     }
-    let pieces = if lcp.len() > MOST_ROWS_IN_PIECES { None } else { Pieces::of(lcp) };
-    let Some(pieces) = pieces else { return Existence::Unknown };
-    let pieces = match sides {
-        Some(sides) => pieces.beginning_with(sides),
-        None => pieces,
-    };
-    match pieces.search() {
-        Search::Solution(point) => Existence::Solution(point),
-        Search::Nothing { pieces } => Existence::None(Refutation::CaseSplit { pieces }),
+    match search(lcp) {
+        Some(Search::Solution(point)) => Existence::Solution(point),
+        Some(Search::None(tree)) => {
+            Existence::None(Refutation::CaseSplit { pieces: tree.leaves() })
+        }
+        None => Existence::Unknown,
     }
 }
 

@@ -30,9 +30,9 @@ pub enum Verdict {
 pub enum Refusal {
     /// The residual is above the tolerance.
     Residual,
-    /// The residual is small beside the terms of a far away x, and that is all: x is no nearer to a
-    /// solution than Π(0).
-    Worthless,
+    /// The residual is small compared with the terms of x, but the longest step that the rows ask of x is more than a
+    /// tenth of that at Π(0).
+    NoBetterThanZero,
     /// The problem has no solution.
     Impossible,
 }
@@ -49,6 +49,18 @@ impl Verdict {
             Verdict::Proved { distance } => Some(*distance),
             _ => None,
         }
+    }
+
+    /// The verdict on an x that is `moved` away from the one that was accepted, and how far; none if that one was not.
+    pub(crate) fn from(self, moved: f64) -> Option<(Verdict, f64)> {
+        let verdict = match self {
+            Verdict::Proved { distance } => {
+                Verdict::Proved { distance: crate::interval::add_up(distance, moved) }
+            }
+            Verdict::WithinTolerance => Verdict::WithinTolerance,
+            Verdict::NotASolution { .. } => return None,
+        };
+        Some((verdict, moved))
     }
 
     /// The verdict once it is known that the problem has no solution: an x that misses already is
@@ -87,10 +99,10 @@ impl std::fmt::Display for Verdict {
                     readable(*amount, 2)
                 )
             }
-            Verdict::NotASolution { why: Refusal::Worthless, .. } => {
+            Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
                 write!(
                     f,
-                    "not a solution: x is no nearer to one than zero is, only its terms are large"
+                    "not a solution: the residual is small only beside the large terms of x; x = 0 comes as close"
                 )
             }
             Verdict::NotASolution { why: Refusal::Impossible, .. } => {

@@ -7,6 +7,7 @@ use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use dashu_ratio::RBig;
 
+use lcplab_judge::cases::Tree;
 use lcplab_judge::upper_bound;
 use lcplab_problem::error::Error;
 
@@ -254,37 +255,6 @@ pub enum Entry {
     Lo,
     /// The upper bound of its row.
     Hi,
-}
-
-/// The ways that a solution could take.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Tree {
-    /// The end of one: the entries of a vector d other than 0.
-    Leaf(Vec<(usize, IBig)>),
-    /// The sides on which a row can be; none where the bound is infinite.
-    Branch {
-        /// The row.
-        row: usize,
-        /// x at the lower bound, w ≥ 0.
-        lo: Option<Box<Tree>>,
-        /// w = 0.
-        free: Box<Tree>,
-        /// x at the upper bound, w ≤ 0.
-        hi: Option<Box<Tree>>,
-    },
-}
-
-impl Tree {
-    /// How many ways there are.
-    pub fn leaves(&self) -> usize {
-        match self {
-            Tree::Leaf(_) => 1,
-            Tree::Branch { lo, free, hi, .. } => {
-                let sides = [lo.as_ref(), Some(free), hi.as_ref()];
-                sides.into_iter().flatten().map(|tree| tree.leaves()).sum()
-            }
-        }
-    }
 }
 
 /// A fraction of integers; the denominator is positive.

@@ -3,10 +3,11 @@
 use dashu_int::IBig;
 use serde_json::{Map, Value, json};
 
+use lcplab_judge::cases::Tree;
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::json::parse;
 
-use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Tree, Vector};
+use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Vector};
 
 /// The key `format`.
 const FORMAT: &str = "lcplab-proof-1";

@@ -31,12 +31,12 @@ mod hash;
 mod minors;
 mod motion;
 mod pivot;
-mod program;
 mod prove;
 mod residual;
 
 pub use check::check;
-pub use claim::{Bounded, Claim, Entry, Fraction, Kind, Motion, Near, Proof, Reason, Tree, Vector};
+pub use claim::{Bounded, Claim, Entry, Fraction, Kind, Motion, Near, Proof, Reason, Vector};
 pub use hash::{canonical_bytes, hash};
+pub use lcplab_judge::cases::Tree;
 pub use prove::{Found, prove, prove_kind};
 pub use residual::scaled as exact_residual;

@@ -5,15 +5,15 @@ use std::cell::OnceCell;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use lcplab_judge::{Demand, exact, judge, refuting_vector};
+use lcplab_judge::cases::{self, Search, Tree};
+use lcplab_judge::{exact, refuting_vector};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point, all_solutions};
 use lcplab_problem::file::Problem;
 
-use crate::cases::{self, Search};
 use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, check};
-use crate::claim::{Claim, Entry, Kind, Near, Proof, Reason, Tree, Vector, over_one_denominator};
+use crate::claim::{Claim, Entry, Kind, Near, Proof, Reason, Vector, over_one_denominator};
 use crate::{hash, minors, motion, pivot, residual};
 
 /// With more rows no exact solution is looked for: it would take hours.
@@ -151,8 +151,7 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
         ));
     }
     if answer.iter().all(|x| x.is_finite()) {
-        let w = judge(lcp, answer, &Demand { prove_up_to: 0, ..Demand::default() }).w;
-        if let Some(exact::Proof { x, null_direction, .. }) = exact::prove(lcp, answer, &w) {
+        if let Some(exact::Proof { x, null_direction, .. }) = exact::prove(lcp, answer) {
             return Ok(Solvable::Yes(Solution { x, direction: null_direction }));
         }
     }

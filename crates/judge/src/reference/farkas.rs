@@ -9,8 +9,8 @@
 //! units in which a_ii is about 1.
 
 use super::program::{MAX_ITERATIONS, Program};
+use crate::residual::Rows;
 use lcplab_problem::Lcp;
-use lcplab_problem::merit::row_scale;
 
 /// d, if the optimum seems to be negative.
 pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
@@ -18,12 +18,9 @@ pub fn farkas(lcp: &Lcp) -> Option<Vec<f64>> {
     if n == 0 {
         return None; // clarabel knows no empty program
     }
-    let unit: Vec<f64> = (0..n)
-        .map(|i| match row_scale(lcp, i) {
-            0.0 => 1.0,
-            scale => scale.sqrt(),
-        })
-        .collect();
+    let zero = vec![0.0; n];
+    let unit: Vec<f64> =
+        Rows::at(lcp, &zero).rows.iter().map(|row| row.scale.sqrt().value()).collect();
     let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
     let mut program = Program::with_costs((0..n).map(|i| lcp.b()[i] / unit[i]).collect());
     for i in 0..n {

@@ -49,7 +49,7 @@ mod tangents;
 
 pub use cone::{ConeProblem, Law, project};
 pub use model::{Model, Posed};
-pub use polyhedral::Polyhedral;
+pub use polyhedral::{Polyhedral, Unknowns};
 
 use super::{Coupling, Lcp};
 use crate::error::{Defects, Result};

@@ -75,8 +75,22 @@ const BETTER: f64 = 0.1;
 /// direction with A d = 0.
 pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     let terms = terms(lcp, x);
-    let misses = misses(lcp, x, &terms);
-    is_better(&misses, misses_of_nothing(lcp, &misses), tolerance)
+    is_nearer_than_nothing(lcp, x, &misses(lcp, x, &terms), tolerance)
+}
+
+/// The same by the misses of all rows at x in plain sums. What their rounding leaves open, compensated sums decide.
+fn is_nearer_than_nothing(lcp: &Lcp, x: &[f64], plain: &[Miss], tolerance: f64) -> bool {
+    let of_nothing = misses_of_nothing(lcp, plain);
+    let rounding = rounding(lcp.len());
+    let at_most = |miss: &Miss| Miss { size: miss.size + rounding * miss.magnitude, ..*miss };
+    let at_most: Vec<Miss> = plain.iter().map(at_most).collect();
+    let exactly = || {
+        let terms = |i| RowTerms::summed::<accurate::Sum>(lcp, i, x);
+        misses(lcp, x, &(0..lcp.len()).map(terms).collect::<Vec<_>>())
+    };
+    is_better(&at_most, of_nothing.clone(), tolerance)
+        || is_better(plain, of_nothing.clone(), tolerance)
+            && is_better(&exactly(), of_nothing, tolerance)
 }
 
 /// The terms of all rows.
@@ -124,7 +138,7 @@ pub fn is_solution(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
 pub fn is_solution_by(lcp: &Lcp, x: &[f64], misses: &[Miss], tolerance: f64) -> bool {
     let surely = tolerance - rounding(lcp.len());
     let is_within = misses.iter().all(|miss| miss.residual <= surely) || holds(lcp, x, tolerance);
-    is_within && is_better(misses, misses_of_nothing(lcp, misses), tolerance)
+    is_within && is_nearer_than_nothing(lcp, x, misses, tolerance)
 }
 
 /// max_i |x_i − Π(x_i − w_i)|: zero exactly at the solutions; it mixes the units of x and w.

@@ -130,7 +130,7 @@ impl RowTerms {
                 residual = part.min(away(lo)).max(away(hi)).abs();
             }
         }
-        Miss { size, scale, exponent: self.exponent, residual }
+        Miss { size, scale, magnitude: self.magnitude, exponent: self.exponent, residual }
     }
 
     /// R_i: the largest x_i that the bounds of row i speak of, where these are its terms
@@ -195,6 +195,8 @@ pub struct Miss {
     pub size: f64,
     /// s.
     pub scale: f64,
+    /// The size of the terms that w is the sum of, in units of 2^`exponent`.
+    pub magnitude: f64,
     /// 0 unless the terms are so large or so small that they would overflow or vanish.
     pub exponent: i32,
     /// The scaled residual; NaN counts as ∞.

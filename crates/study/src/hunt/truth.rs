@@ -115,7 +115,9 @@ impl Claim {
             Verdict::Proved { .. } => Claim::Proved,
             Verdict::WithinTolerance => Claim::Within,
             Verdict::NotASolution { why: Refusal::Impossible, .. } => Claim::Refused,
-            Verdict::NotASolution { why: Refusal::Worthless, .. } => Claim::Lie(Lie::Worthless),
+            Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
+                Claim::Lie(Lie::Worthless)
+            }
             Verdict::NotASolution { row, amount, why: Refusal::Residual } => {
                 Claim::Lie(Lie::Refuted { row, amount })
             }

@@ -27,7 +27,8 @@ impl ConeProblem {
         });
         let residual = merit::relative(of_reach, tangents.magnitude);
         let normal = n.miss_between(x[0], 0.0, f64::INFINITY, || f64::INFINITY);
-        [normal, Miss { size: of_scale, scale, exponent, residual }]
+        let magnitude = tangents.magnitude;
+        [normal, Miss { size: of_scale, scale, magnitude, exponent, residual }]
     }
 
     /// The cone in coordinates in which both scales are s_t: p = (s_n x_n ρ, s_t x_t), ρ = √(s_t/s_n).
@@ -53,7 +54,7 @@ impl ConeProblem {
         });
         let miss = |k: usize, scale, terms| {
             let residual = merit::relative(of_reach[k], terms);
-            Miss { size: of_scale[k], scale, exponent, residual }
+            Miss { size: of_scale[k], scale, magnitude: terms, exponent, residual }
         };
         [miss(0, of_normal, load), miss(1, scale, tangents.magnitude)]
     }

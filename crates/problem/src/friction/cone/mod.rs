@@ -159,7 +159,7 @@ impl Complementarity for ConeProblem {
             self.project_all(&mut x);
             x
         };
-        let misses = |x: &[f64]| self.all_misses::<f64>(x);
+        let misses = |x: &[f64]| self.all_misses::<accurate::Sum>(x);
         merit::is_better(&misses(x), misses(&nothing).into_iter(), tolerance)
     }
 

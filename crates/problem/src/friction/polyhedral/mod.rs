@@ -34,6 +34,7 @@
 mod rubbing;
 mod unknowns;
 
+pub use self::rubbing::Unknowns;
 use self::unknowns::{along, beta, delassus, direction, impulses};
 use super::{Contact, FrictionProblem};
 use crate::error::{Error, Result};

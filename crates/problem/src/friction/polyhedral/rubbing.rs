@@ -6,12 +6,17 @@ use super::Polyhedral;
 use crate::Lcp;
 use crate::merit::{RowTerms, reach_of_friction, relative};
 
-/// Where the unknowns of a contact are, and its μ.
-struct Unknowns {
-    normal: usize,
-    beta: Range<usize>,
-    gamma: usize,
-    mu: f64,
+/// Where the unknowns of a contact with friction are among those of the LCP, and its μ.
+#[derive(Debug, Clone)]
+pub struct Unknowns {
+    /// x_n.
+    pub normal: usize,
+    /// The k impulses β.
+    pub beta: Range<usize>,
+    /// γ.
+    pub gamma: usize,
+    /// The coefficient of friction, above 0.
+    pub mu: f64,
 }
 
 impl Polyhedral {
@@ -24,7 +29,7 @@ impl Polyhedral {
         terms: impl Fn(&Lcp, usize, &[f64]) -> RowTerms,
     ) -> (usize, f64) {
         let at = |unknown: usize| terms(&self.lcp, unknown, z);
-        let residuals = self.rubbing_contacts().flat_map(|Unknowns { normal, beta, gamma, mu }| {
+        let residuals = self.unknowns().flat_map(|Unknowns { normal, beta, gamma, mu }| {
             let reach = reach_of_friction(mu, at(normal).size(&self.lcp, normal, z));
             let push = beta.clone().map(|unknown| {
                 let miss = at(unknown).miss_between(z[unknown], 0.0, f64::INFINITY, || reach);
@@ -42,7 +47,7 @@ impl Polyhedral {
     }
 
     /// The unknowns of the contacts with friction.
-    fn rubbing_contacts(&self) -> impl Iterator<Item = Unknowns> + '_ {
+    pub fn unknowns(&self) -> impl Iterator<Item = Unknowns> + '_ {
         let k = self.directions;
         let contacts = self.friction.contacts();
         let normals = (self.friction.others().len()..).zip(contacts);

@@ -7,4 +7,5 @@ mod friction;
 mod motion_bound;
 mod ray;
 mod regularity;
+mod rounding;
 mod verdict;

@@ -187,7 +187,10 @@ fn an_x_far_out_is_no_answer_to_a_problem_without_one() {
     let wedged = contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0]);
     let certificate = judge(&wedged, &[1e9, 1e9], &Demand::default());
     assert!(certificate.scaled_residual < 1e-8);
-    assert!(matches!(certificate.verdict, Verdict::NotASolution { why: Refusal::Worthless, .. }));
+    assert!(matches!(
+        certificate.verdict,
+        Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. }
+    ));
     // Five rows of which spectral gradients once said "solved" at 5e6, with w₀ = ½.
     let a: [&[f64]; 5] = [
         &[5.0, -6.0, -4.0, -1.0, -3.0],

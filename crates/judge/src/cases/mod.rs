@@ -1,0 +1,298 @@
+//! That no solution exists, case by case: a tree of sides, with a vector at the end of each path.
+//!
+//! Each row of a solution is at its lower side (x_i = lo_i, w_i ≥ 0), free (w_i = 0) or at its upper side. A linear
+//! program in exact arithmetic says whether some x obeys all that the sides chosen so far ask for. If not, its multipliers
+//! show it; if so, the tree branches at the first row where that x is no solution. This is complete, also for coupled rows
+//! and for A that are not symmetric, and shares nothing with the solver `enumeration`.
+
+mod program;
+
+use dashu_int::IBig;
+
+use lcplab_problem::Lcp;
+use lcplab_problem::exact::dyadic::{Dyadic, dyadic, integers, whole};
+use lcplab_problem::exact::{Exact, Point, Side};
+
+/// More rows are not split into cases.
+pub const MOST_ROWS: usize = 24;
+/// More linear programs are not solved.
+const MOST_PROGRAMS: usize = 4096;
+
+/// The sides of the rows on a path, for those that have one.
+pub type Sides = [Option<Side>];
+
+/// A case split.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Tree {
+    /// d, row by row, integers; the other entries are 0. It shows that no solution has the sides of the path.
+    Leaf(Vec<(usize, IBig)>),
+    /// A row and the trees of its sides: `None` for a side that it has not.
+    Branch {
+        /// The row.
+        row: usize,
+        /// Where x_row is at its lower side.
+        lo: Option<Box<Tree>>,
+        /// Where w_row = 0.
+        free: Box<Tree>,
+        /// Where x_row is at its upper side.
+        hi: Option<Box<Tree>>,
+    },
+}
+
+impl Tree {
+    /// The number of cases, each closed by a vector.
+    pub fn leaves(&self) -> usize {
+        match self {
+            Tree::Leaf(_) => 1,
+            Tree::Branch { lo, free, hi, .. } => {
+                let sides = [lo.as_deref(), Some(&**free), hi.as_deref()];
+                sides.into_iter().flatten().map(Tree::leaves).sum()
+            }
+        }
+    }
+}
+
+/// Whether a row has a lower and an upper side.
+pub fn finite(lcp: &Lcp, row: usize) -> [bool; 2] {
+    match lcp.is_coupled(row) {
+        true => [true; 2],
+        false => [lcp.lo()[row].is_finite(), lcp.hi()[row].is_finite()],
+    }
+}
+
+/// The row that a row is coupled to, and μ.
+pub fn coupled(lcp: &Lcp, row: usize) -> Option<(usize, Dyadic)> {
+    lcp.coupled_to(row).map(|(k, mu)| (k, dyadic(mu)))
+}
+
+/// What a search through the cases has found.
+pub enum Search {
+    /// A solution.
+    Solution(Point),
+    /// That there is none.
+    None(Tree),
+}
+
+/// Looks for a solution, or for a tree that shows that there is none; `None` where it gives up.
+///
+/// A linear program says whether some x obeys all that the sides so far ask for. If not, its multipliers are the
+/// d of a leaf; if so, the tree branches at the first row where that x is no solution.
+pub fn search(lcp: &Lcp) -> Option<Search> {
+    if lcp.len() > MOST_ROWS {
+        return None;
+    }
+    let mut programs = 0;
+    Cases { lcp, exact: Exact::new(lcp) }.search(&mut vec![None; lcp.len()], &mut programs)
+}
+
+struct Cases<'a> {
+    lcp: &'a Lcp,
+    exact: Exact,
+}
+
+impl Cases<'_> {
+    fn search(&self, sides: &mut Vec<Option<Side>>, programs: &mut usize) -> Option<Search> {
+        *programs += 1;
+        if *programs > MOST_PROGRAMS {
+            return None;
+        }
+        let point = match self.relaxed(sides) {
+            Ok(point) => point,
+            Err(d) => return Some(Search::None(Tree::Leaf(d))),
+        };
+        let Some(row) = (0..self.lcp.len()).find(|&i| !self.is_solved(i, &point)) else {
+            return Some(Search::Solution(point));
+        };
+        let [has_lo, has_hi] = finite(self.lcp, row);
+        let mut way = |side: Side, is_there: bool| -> Option<Result<Option<Box<Tree>>, Point>> {
+            if !is_there {
+                return Some(Ok(None));
+            }
+            sides[row] = Some(side);
+            let found = self.search(sides, programs)?;
+            sides[row] = None;
+            Some(match found {
+                Search::None(tree) => Ok(Some(Box::new(tree))),
+                Search::Solution(point) => Err(point),
+            })
+        };
+        let mut trees = [None, None, None];
+        let ways = [(Side::Lower, has_lo), (Side::Free, true), (Side::Upper, has_hi)];
+        for (place, (side, is_there)) in trees.iter_mut().zip(ways) {
+            match way(side, is_there)? {
+                Ok(tree) => *place = tree,
+                Err(point) => return Some(Search::Solution(point)),
+            }
+        }
+        let [lo, free, hi] = trees;
+        Some(Search::None(Tree::Branch { row, lo, free: free?, hi }))
+    }
+
+    /// Whether a row's w and x agree; x is within its bounds.
+    fn is_solved(&self, i: usize, point: &Point) -> bool {
+        let (w, (lo, hi)) = (self.exact.scaled_w(i, point), self.exact.scaled_bounds(i, point));
+        (w <= Dyadic::ZERO || lo.as_ref() == Some(point.scaled(i)))
+            && (w >= Dyadic::ZERO || hi.as_ref() == Some(point.scaled(i)))
+    }
+
+    /// An x within its bounds that obeys what the sides ask of w, or the d that shows that there is none.
+    fn relaxed(&self, sides: &Sides) -> Result<Point, Vec<(usize, IBig)>> {
+        let lcp = self.lcp;
+        let n = lcp.len();
+        let form = Form::of(lcp, sides);
+        // What is asked of w_i: its sign, or 0.
+        let asked: Vec<(usize, i8)> =
+            (0..n).filter_map(|i| Some((i, asked(lcp, sides, i)?))).collect();
+        let slacks = asked.iter().filter(|(_, sign)| *sign != 0).count() + form.limits.len();
+        let columns = form.unknowns + slacks;
+        let mut rows: Vec<Vec<Dyadic>> = Vec::new();
+        let mut slack = form.unknowns;
+        let mut put = |mut row: Vec<Dyadic>, constant: Dyadic, sign: i8| {
+            row.resize(columns + 1, Dyadic::ZERO);
+            if sign != 0 {
+                row[slack] = if sign > 0 { -Dyadic::ONE } else { Dyadic::ONE };
+                slack += 1;
+            }
+            row[columns] = -constant;
+            rows.push(row);
+        };
+        for &(i, sign) in &asked {
+            let mut row = vec![Dyadic::ZERO; form.unknowns];
+            let mut constant = dyadic(lcp.b()[i]);
+            for (j, a) in lcp.matrix().row(i).iter() {
+                let a = dyadic(a);
+                constant += &a * &form.x[j].constant;
+                for (u, factor) in &form.x[j].terms {
+                    row[*u] += &a * factor;
+                }
+            }
+            put(row, constant, sign);
+        }
+        for (terms, constant) in &form.limits {
+            let mut row = vec![Dyadic::ZERO; form.unknowns];
+            terms.iter().for_each(|(u, factor)| row[*u] += factor);
+            put(row, constant.clone(), -1); // y − limit ≤ 0
+        }
+        let all = integers(&rows.concat());
+        let rows = all.chunks(columns + 1).map(<[IBig]>::to_vec).collect();
+        match program::solve(rows, columns) {
+            program::Found::Multipliers(p) => {
+                let d = asked.iter().zip(p).map(|(&(i, _), p)| (i, p));
+                Err(shortened(d.filter(|(_, p)| *p != IBig::ZERO).collect()))
+            }
+            program::Found::Point(y, denominator) => {
+                let denominator = whole(denominator);
+                let y: Vec<Dyadic> = y.into_iter().map(whole).collect();
+                let entry = |x: &Affine| {
+                    let sum = x.terms.iter().map(|(u, factor)| factor * &y[*u]);
+                    sum.fold(&x.constant * &denominator, |sum, term| sum + term)
+                };
+                Ok(Point::new(form.x.iter().map(entry).collect(), denominator))
+            }
+        }
+    }
+}
+
+/// The sign that w_i must have, 0 for w_i = 0; `None` if nothing is asked.
+fn asked(lcp: &Lcp, sides: &Sides, i: usize) -> Option<i8> {
+    match (sides[i], finite(lcp, i)) {
+        (Some(Side::Lower), _) | (None, [true, false]) => Some(1),
+        (Some(Side::Upper), _) | (None, [false, true]) => Some(-1),
+        (Some(Side::Free), _) | (None, [false, false]) => Some(0),
+        (None, [true, true]) => None,
+    }
+}
+
+/// A number that depends on unknowns y ≥ 0.
+#[derive(Clone)]
+struct Affine {
+    terms: Vec<(usize, Dyadic)>,
+    constant: Dyadic,
+}
+
+/// x by unknowns y ≥ 0, so that it is on its sides and above its lower bounds.
+struct Form {
+    x: Vec<Affine>,
+    unknowns: usize,
+    /// Terms plus a constant, which must be at most 0: the upper bounds.
+    limits: Vec<(Vec<(usize, Dyadic)>, Dyadic)>,
+}
+
+impl Form {
+    fn of(lcp: &Lcp, sides: &Sides) -> Form {
+        let nothing = Affine { terms: Vec::new(), constant: Dyadic::ZERO };
+        let mut form = Form { x: vec![nothing; lcp.len()], unknowns: 0, limits: Vec::new() };
+        let (tangents, others): (Vec<usize>, Vec<usize>) =
+            (0..lcp.len()).partition(|&i| lcp.is_coupled(i));
+        for i in others {
+            form.x[i] = form.bounded(lcp, sides, i);
+        }
+        for i in tangents {
+            let (k, mu) = coupled(lcp, i).expect("a coupled row");
+            form.x[i] = form.rubbing(sides[i], k, &mu);
+        }
+        form
+    }
+
+    fn unknown(&mut self) -> usize {
+        self.unknowns += 1;
+        self.unknowns - 1
+    }
+
+    fn bounded(&mut self, lcp: &Lcp, sides: &Sides, i: usize) -> Affine {
+        let bound = |value: f64| value.is_finite().then(|| dyadic(value));
+        let (lo, hi) = (bound(lcp.lo()[i]), bound(lcp.hi()[i]));
+        let fixed = |constant| Affine { terms: Vec::new(), constant };
+        match (sides[i], lo, hi) {
+            (Some(Side::Lower), Some(lo), _) => fixed(lo),
+            (Some(Side::Upper), _, Some(hi)) => fixed(hi),
+            (_, Some(lo), hi) => {
+                let y = self.unknown();
+                if let Some(hi) = hi {
+                    self.limits.push((vec![(y, Dyadic::ONE)], &lo - hi));
+                }
+                Affine { terms: vec![(y, Dyadic::ONE)], constant: lo }
+            }
+            (_, None, Some(hi)) => {
+                Affine { terms: vec![(self.unknown(), -Dyadic::ONE)], constant: hi }
+            }
+            (_, None, None) => {
+                let terms = vec![(self.unknown(), Dyadic::ONE), (self.unknown(), -Dyadic::ONE)];
+                Affine { terms, constant: Dyadic::ZERO }
+            }
+        }
+    }
+
+    /// −μ x_k, or μ x_k, or between: −μ x_k + y with y ≤ 2 μ x_k.
+    fn rubbing(&mut self, side: Option<Side>, k: usize, mu: &Dyadic) -> Affine {
+        let times = |factor: Dyadic, x: &Affine| Affine {
+            terms: x.terms.iter().map(|(u, own)| (*u, own * &factor)).collect(),
+            constant: &x.constant * &factor,
+        };
+        match side {
+            Some(Side::Lower) => times(-mu.clone(), &self.x[k]),
+            Some(Side::Upper) => times(mu.clone(), &self.x[k]),
+            _ => {
+                let y = self.unknown();
+                let mut limit = times(mu * dyadic(-2.0), &self.x[k]);
+                limit.terms.push((y, Dyadic::ONE));
+                self.limits.push((limit.terms, limit.constant));
+                let mut x = times(-mu.clone(), &self.x[k]);
+                x.terms.push((y, Dyadic::ONE));
+                x
+            }
+        }
+    }
+}
+
+/// The same direction by smaller integers.
+fn shortened(mut d: Vec<(usize, IBig)>) -> Vec<(usize, IBig)> {
+    use dashu_int::ops::Gcd;
+    let common = d.iter().fold(IBig::ZERO, |common, (_, d)| {
+        if common == IBig::ZERO { d.clone() } else { IBig::from(common.gcd(d)) }
+    });
+    if common > IBig::ONE {
+        d.iter_mut().for_each(|(_, d)| *d /= &common);
+    }
+    d
+}
