@@ -19,7 +19,7 @@ use lcplab::hunt;
 use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model};
 use lcplab::lcp::{Lcp, library};
-use lcplab::report::answer::{Answer, certificate_json, status_word, verdict_json};
+use lcplab::report::answer::{Answer, certificate_json, rounding_json, status_word, verdict_json};
 use lcplab::scene::{Scene, Scheme, catalogue};
 use lcplab::solver::{ALL, CONES, Options, Settings, Solver, Start, Status};
 use rayon::prelude::*;
@@ -79,6 +79,7 @@ fn cone_record(name: &str, friction: &FrictionProblem, model: Model) -> Value {
     let judged = |solver: &str, status: &str, x: &[f64]| {
         let certificate = judge_cone(&cone, x, &demand);
         let mut answer = verdict_json(&certificate.verdict);
+        answer.extend(rounding_json(certificate.rounded_by));
         answer.insert("solver".into(), json!(solver));
         answer.insert("status".into(), json!(status));
         answer.insert("x".into(), x.iter().map(|&x| number(x)).collect());
@@ -173,18 +174,25 @@ type Change = fn(f64, usize) -> f64;
 
 /// Answers that are wrong, or right by a hair.
 fn strange<'a>(lcp: &'a Lcp, x: &'a [f64]) -> impl Iterator<Item = (&'static str, Vec<f64>)> + 'a {
-    let changes: [(&'static str, Change); 6] = [
+    let changes: [(&'static str, Change); 8] = [
         ("nothing", |_, _| 0.0),
         ("far", |_, _| 1e9),
         ("doubled", |x, _| 2.0 * x),
         ("a little more", |x, _| x * (1.0 + 1e-9)),
         ("shifted", |x, i| if i == 0 { x + 1e-7 } else { x }),
         ("negative", |x, _| -x),
+        ("dusty", |x, _| x),
+        ("dirty", |x, _| x),
     ];
     changes.into_iter().map(move |(name, change)| {
         let mut x: Vec<f64> = x.iter().enumerate().map(|(i, &x)| change(x, i)).collect();
-        if name == "far" {
-            lcp.project_all(&mut x);
+        let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+        match name {
+            "far" => lcp.project_all(&mut x),
+            // Rounding error, and what is no rounding error any more, in every third entry.
+            "dusty" => x.iter_mut().step_by(3).for_each(|x| *x += 1e-15 * size),
+            "dirty" => x.iter_mut().step_by(3).for_each(|x| *x += 1e-12 * size),
+            _ => {}
         }
         (name, x)
     })

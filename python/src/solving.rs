@@ -7,11 +7,14 @@ use lcplab::explain::{Method as Explained, problem as explained};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
-use lcplab::report::answer::{Answer, certificate_json, claim};
+use lcplab::report::answer::{Answer, attempts_json, certificate_json, claim};
 use lcplab::report::friction::{self, Judged};
 use lcplab::report::study::families;
 use lcplab::report::{methods, text, view};
-use lcplab::solver::{Entry, Method, Options, Settings, Solution, Start, Stop, default_for};
+use lcplab::solver::{
+    Answered, Entry, Method, Observer, Options, Settings, Solution, Start, Stop, default_for,
+    solve_boxed_by_sequence,
+};
 use lcplab::trace::Convergence;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -80,11 +83,12 @@ pub fn solve<'py>(
     }
     let lcp = &problem.0.lcp;
     let entry = match solver {
-        Some(solver) => callable::entry(&solver)?,
-        None => methods::entry(default_for(lcp)).map_err(refused)?,
+        Some(solver) => Some(callable::entry(&solver)?),
+        None if trace => Some(methods::entry(default_for(lcp)).map_err(refused)?), // of one method
+        None => None,
     };
     let stop = Stop::default();
-    let work = || answered(lcp, &entry, &options, &demand, trace, &stop);
+    let work = || answered(lcp, entry.as_ref(), &options, &demand, trace, &stop);
     let (answer, records) = match lcp.len() <= QUICK_ROWS && !trace {
         true => py.detach(work),
         false => wait(py, &stop, work)?,
@@ -94,7 +98,9 @@ pub fn solve<'py>(
     told.set_item("status", answer.status_word())?;
     told.set_item("message", answer.message())?;
     told.set_item("solver", answer.solver)?;
-    told.set_item("certificate", Value::Object(certificate_json(certificate)).to_string())?;
+    let mut object = certificate_json(certificate);
+    object.extend(attempts_json(&answer.attempts));
+    told.set_item("certificate", Value::Object(object).to_string())?;
     if trace {
         let column =
             |of: fn(&lcplab::trace::Record) -> f64| PyArray1::from_iter(py, records.iter().map(of));
@@ -145,40 +151,58 @@ fn solve_modelled<'py>(
                 let reason = format!("a function of A, b, lo, hi does not solve {model}");
                 return Err(refused(Error::invalid("options", "solver", reason)));
             }
-            method
+            Some(method)
         }
-        Some(solver) => methods::by_name(&solver.extract::<String>()?, model).map_err(refused)?,
-        None => methods::by_name(methods::default_for(model), model).map_err(refused)?,
+        Some(solver) => {
+            Some(methods::by_name(&solver.extract::<String>()?, model).map_err(refused)?)
+        }
+        None => None,
     };
     let stop = Stop::default();
-    let (solution, judged) = wait(py, &stop, || {
-        friction::solve(question, &method, options, demand, &mut stop.watch(&mut ()))
+    let (answered, judged) = wait(py, &stop, || {
+        let observer = &mut stop.watch(&mut ());
+        match &method {
+            Some(method) => {
+                let (solution, judged) =
+                    friction::solve(question, method, options, demand, observer);
+                (Answered { solver: method.name(), solution, attempts: Vec::new() }, judged)
+            }
+            None => friction::solve_by_default(question, options, demand, observer),
+        }
     })?;
+    let Answered { solver, solution, attempts } = answered;
     let certificate = &judged.certificate;
     let (status, message) = claim(&solution.status, certificate.refutation(), None);
     let told = told(py, &solution, &certificate.w, &certificate.verdict)?;
     told.set_item("status", status)?;
     told.set_item("message", message)?;
-    told.set_item("solver", method.name())?;
-    told.set_item("certificate", Value::Object(judged.json()).to_string())?;
+    told.set_item("solver", solver)?;
+    let mut certificate = judged.json();
+    certificate.extend(attempts_json(&attempts));
+    told.set_item("certificate", Value::Object(certificate).to_string())?;
     Ok(told)
 }
 
 fn answered(
     lcp: &Lcp,
-    entry: &Entry,
+    entry: Option<&Entry>,
     options: &Options,
     demand: &Demand,
     trace: bool,
     stop: &Stop,
 ) -> (Answer, Vec<lcplab::trace::Record>) {
-    let solver = (entry.build)(options);
     let mut convergence = Convergence::of(lcp);
-    let solution = match trace {
-        true => solver.solve(lcp, &Start::default(), &mut stop.watch(&mut convergence)),
-        false => solver.solve(lcp, &Start::default(), &mut stop.watch(&mut ())),
+    let observer: &mut dyn Observer = if trace { &mut convergence } else { &mut () };
+    let (observer, start) = (&mut stop.watch(observer), Start::default());
+    let Answered { solver, solution, attempts } = match entry {
+        Some(entry) => Answered {
+            solver: entry.name,
+            solution: (entry.build)(options).solve(lcp, &start, observer),
+            attempts: Vec::new(),
+        },
+        None => solve_boxed_by_sequence(lcp, &start, options, observer),
     };
-    (Answer::judged(lcp, entry.name, solution, demand), convergence.records)
+    (Answer::judged(lcp, solver, solution, demand).after(attempts), convergence.records)
 }
 
 /// The judge's certificate, as JSON, with whether x is accepted.

@@ -4,8 +4,8 @@ use lcplab::certificate::{Demand, Verdict};
 use lcplab::error::Result;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::number;
-use lcplab::report::answer::claim;
-use lcplab::report::friction::{Judged, solve as solve_and_judge};
+use lcplab::report::answer::{attempts_json, attempts_text, claim};
+use lcplab::report::friction::{Judged, solve as solve_and_judge, solve_by_default};
 use lcplab::solver::{Method, Options, Solution, Status};
 use serde_json::{Map, Value, json};
 
@@ -13,19 +13,30 @@ use super::limits::Limits;
 use super::problem::outcome;
 use super::{Outcome, print};
 
-/// Solves a friction problem, has the answer judged and prints both; the solution too.
+/// Solves a friction problem by a method, or by the fallback sequence without one, has the answer judged and prints both;
+/// returns the solution too.
 pub fn solve(
     question: &Question,
     title: &str,
-    method: &Method,
+    method: Option<&Method>,
     options: &Options,
     demand: &Demand,
     json: bool,
     limits: &Limits,
 ) -> Result<(Outcome, Solution)> {
     let stop = limits.stop();
-    let (solution, judged) =
-        solve_and_judge(question, method, options, demand, &mut stop.watch(&mut ()));
+    let (solver, solution, attempts, judged) = match method {
+        Some(method) => {
+            let (solution, judged) =
+                solve_and_judge(question, method, options, demand, &mut stop.watch(&mut ()));
+            (method.name(), solution, Vec::new(), judged)
+        }
+        None => {
+            let (answered, judged) =
+                solve_by_default(question, options, demand, &mut stop.watch(&mut ()));
+            (answered.solver, answered.solution, answered.attempts, judged)
+        }
+    };
     let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
     limits.over();
     let (word, message) = claim(&solution.status, judged.certificate.refutation(), stopped);
@@ -34,14 +45,15 @@ pub fn solve(
         object.insert("status".into(), json!(word));
         object.insert("x".into(), solution.x.iter().map(|&x| number(x)).collect());
         object.insert("iterations".into(), json!(solution.iterations));
-        object.insert("solver".into(), json!(method.name()));
+        object.insert("solver".into(), json!(solver));
+        object.extend(attempts_json(&attempts));
         object.insert("message".into(), json!(message));
         print_json(question, object, &judged)?;
     } else {
         let status = if word == message { message } else { format!("{word}: {message}") };
-        let solver = format!("solver     {}\n", method.name());
+        let solver = format!("solver     {solver}\n");
         let status = format!("status     {status}, {} iterations\n", solution.iterations);
-        print_text(question, title, &(solver + &status), &judged)?;
+        print_text(question, title, &(solver + &status + &attempts_text(&attempts)), &judged)?;
     }
     Ok((outcome(&judged.certificate.verdict, stopped), solution))
 }

@@ -5,14 +5,17 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::certificate::{Certificate, Demand, Verdict, upper_bound};
 use lcplab::error::Result;
+use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
-use lcplab::lcp::{Lcp, Question};
 use lcplab::number::readable;
-use lcplab::report::answer::{Answer, certificate_text};
+use lcplab::report::answer::{Answer, attempts_text, certificate_text};
 use lcplab::report::friction::model;
 use lcplab::report::methods;
-use lcplab::solver::{Method, Observer, Reason, Start, Status, default_for};
+use lcplab::report::motion_error::MotionError;
+use lcplab::solver::{
+    Answered, Method, Observer, Reason, Start, Status, default_for, solve_boxed_by_sequence,
+};
 use lcplab::trace::Convergence;
 
 use super::friction;
@@ -44,8 +47,8 @@ A problem with friction rows is solved as it stands, as a coupled box, unless --
 pub struct Solve {
     /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
-    /// The name of a solver [default: dantzig for symmetric A, lemke for any other, and for a friction
-    /// model one that takes it]
+    /// The name of a solver [default: the methods that suit the problem, one after the other until one
+    /// solves it; for symmetric A dantzig first, lemke for any other, apgd or cone-pgs for cones]
     #[arg(long)]
     solver: Option<String>,
     /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
@@ -81,28 +84,46 @@ impl Solve {
         if let Some(model) = model(self.model, solver, &problem) {
             self.tracing.check(false)?;
             self.proof.as_ref().map_or(Ok(()), |_| proof::check_model(model))?;
-            let method = methods::by_name(solver.unwrap_or(methods::default_for(model)), model)?;
-            let options = self.settings.options(&[method])?;
+            let method = solver.map(|name| methods::by_name(name, model)).transpose()?;
+            let options = self.settings.options(method.as_slice())?;
             let input = self.problem.display().to_string();
             let question = Question::new(&problem, Some(model), &input)?;
             let title = title(&problem);
-            let (outcome, solution) =
-                friction::solve(&question, &title, &method, &options, &demand, self.json, limits)?;
+            let (outcome, solution) = friction::solve(
+                &question,
+                &title,
+                method.as_ref(),
+                &options,
+                &demand,
+                self.json,
+                limits,
+            )?;
             self.prove(&problem, &solution.x)?;
             return Ok(outcome);
         }
-        let entry = methods::entry(solver.unwrap_or_else(|| default_for(&problem.lcp)))?;
-        let options = self.settings.options(&[Method::Boxed(entry)])?;
-        let (solver, stop) = ((entry.build)(&options), limits.stop());
+        // A trace shows one method.
+        let traced = self.tracing.is_wanted().then(|| default_for(&problem.lcp));
+        let entry = solver.or(traced).map(methods::entry).transpose()?;
+        let options = self.settings.options(entry.map(Method::Boxed).as_slice())?;
+        let (stop, start) = (limits.stop(), Start::default());
         let mut trace = Convergence::of(&problem.lcp);
         let observer: &mut dyn Observer =
             if self.tracing.is_wanted() { &mut trace } else { &mut () };
-        let solution = solver.solve(&problem.lcp, &Start::default(), &mut stop.watch(observer));
+        let observer = &mut stop.watch(observer);
+        let Answered { solver, solution, attempts } = match entry {
+            Some(entry) => Answered {
+                solver: entry.name,
+                solution: (entry.build)(&options).solve(&problem.lcp, &start, observer),
+                attempts: Vec::new(),
+            },
+            None => solve_boxed_by_sequence(&problem.lcp, &start, &options, observer),
+        };
         let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
         limits.over();
-        self.tracing.write(&problem.lcp, entry.name, &options, &solution, &trace.records)?;
+        self.tracing.write(&problem.lcp, solver, &options, &solution, &trace.records)?;
         self.prove(&problem, &solution.x)?;
-        let answer = Answer::judged(&problem.lcp, entry.name, solution, &demand).stopped(stopped);
+        let answer = Answer::judged(&problem.lcp, solver, solution, &demand);
+        let answer = answer.stopped(stopped).after(attempts);
         if self.json {
             print(&format!("{}\n", answer.to_json()))?;
         } else {
@@ -117,9 +138,11 @@ impl Solve {
             if let Some(fallback) = answer.solution.fallback {
                 text += &format!("fallback   {fallback}\n");
             }
+            text += &attempts_text(&answer.attempts);
             text += &certificate_text(&answer.certificate, &problem);
             text += &bound_text(answer.error_bound);
-            text += &rows(&problem.lcp, &answer.solution.x, &answer.certificate);
+            text += &motion_text(&problem, &answer.solution.x);
+            text += &rows(&problem, &answer.solution.x, &answer.certificate);
             print(&text)?;
         }
         Ok(outcome(&answer.certificate.verdict, stopped))
@@ -162,27 +185,48 @@ pub fn bound_text(bound: Option<f64>) -> String {
     bound.map(line).unwrap_or_default()
 }
 
-pub fn rows(lcp: &Lcp, x: &[f64], certificate: &Certificate) -> String {
+/// The rows in order; of a large problem those with the largest residuals, the largest first.
+pub fn rows(problem: &Problem, x: &[f64], certificate: &Certificate) -> String {
+    let (lcp, residuals) = (&problem.lcp, &certificate.residuals);
+    let mut shown: Vec<usize> = (0..x.len()).collect();
+    if x.len() > PRINTED_ROWS {
+        shown.sort_by(|&i, &j| residuals[j].total_cmp(&residuals[i]));
+        shown.truncate(PRINTED_ROWS);
+    }
     let of = |value| readable(value, 7);
-    let mut text = format!("{:>5} {:>15} {:>15} {:>15} {:>15}\n", "row", "lo", "x", "hi", "w");
-    let line = |i: usize| {
-        let (lo, hi) = lcp.bounds(i, x);
-        format!(
-            "{i:>5} {:>15} {:>15} {:>15} {:>15}\n",
+    let mut text = format!(
+        "{:>5} {:>15} {:>15} {:>15} {:>15} {:>10}\n",
+        "row", "lo", "x", "hi", "w", "residual"
+    );
+    for &i in &shown {
+        let ((lo, hi), w) = (lcp.bounds(i, x), certificate.w[i]);
+        let residual = readable(residuals[i], 2);
+        let label = problem.extra.get("rows").and_then(|rows| rows.get(i)?.get("label")?.as_str());
+        text += &format!(
+            "{i:>5} {:>15} {:>15} {:>15} {:>15} {residual:>10}{}\n",
             of(lo),
             of(x[i]),
             of(hi),
-            of(certificate.w[i])
-        )
-    };
-    text.extend((0..x.len().min(PRINTED_ROWS)).map(line));
-    if x.len() > PRINTED_ROWS {
-        text += &format!("      and {} more rows; --json prints all\n", x.len() - PRINTED_ROWS);
+            of(w),
+            label.map(|label| format!("  {}", on_one_line(label))).unwrap_or_default()
+        );
     }
-    if let Verdict::NotASolution { row, .. } = certificate.verdict
-        && row >= PRINTED_ROWS
-    {
-        text += &line(row);
+    if x.len() > PRINTED_ROWS {
+        let more = x.len() - PRINTED_ROWS;
+        text += &format!(
+            "      the {PRINTED_ROWS} rows with the largest residuals; {more} more are in the JSON output\n"
+        );
     }
     text
+}
+
+/// How far the motion that x leads to is from the exact one, where the problem states its masses and rows.
+pub fn motion_text(problem: &Problem, x: &[f64]) -> String {
+    match MotionError::of(problem, x) {
+        None => String::new(),
+        Some(Ok(error)) => {
+            format!("  motion error     {:>10}  {}\n", upper_bound(error.bound), error.meaning())
+        }
+        Some(Err(why)) => format!("  motion error              –  {why}\n"),
+    }
 }

@@ -16,4 +16,4 @@ pub mod view;
 pub mod write;
 
 pub use lcplab_page::{page, text};
-pub use lcplab_study::{answer, aside, clarabel, friction, methods, tasks};
+pub use lcplab_study::{answer, aside, clarabel, friction, methods, motion_error, tasks};

@@ -12,7 +12,8 @@ How far x is from it: each part beside its own scale s and its own terms T = sum
 but s_t is at least |(T_t1, T_t2)| / R, and just that where t1 and t2 are rows of zeros, with
 R = mu max(x_n, T_n/s_n) unless that is 0, and where D(v) is the point of the disc of radius mu x_n nearest to v. Other rows as in judge.py. The associated law
 (x in K, w in its dual, x.w = 0) is the fixed point x = P(x - w/s), P the nearest point of the cone in the metric
-of s. x is worth something if the longest |x - its step| sqrt(s) is at most a
+of s. A cone is proved only where no contact slides: a contact is open (x = 0) or sticks (w = 0, |x_t| <= mu x_n), and that
+point, by exact equations, lies within `distance` of x. Rounding as in judge.py. x is worth something if the longest |x - its step| sqrt(s) is at most a
 tenth of that of x = 0, or 0 is within the tolerance.
 
 Records and output as in judge.py. Numbers are exact, roots have 60 digits.
@@ -69,6 +70,40 @@ class Cones:
         taken = {i for n, t1, t2, _ in self.contacts for i in (n, t1, t2)}
         return [Q(0) if i in taken else max(self.box.lo[i], min(self.box.hi[i], Q(0))) for i in range(self.box.n)]
 
+    def rounded(self, x):
+        """The rounded neighbor of x: only a normal has a bound, and tangents may be moved to 0."""
+        out = list(x)
+        taken = {t for _, t1, t2, _ in self.contacts for t in (t1, t2)}
+        for i, (v, size) in enumerate(zip(x, self.box.sizes(x))):
+            targets = [Q(0)] if i in taken else [self.box.lo[i], self.box.hi[i], Q(0)]
+            out[i] = next((t for t in targets if abs(t) != float("inf") and abs(v - t) <= size * 16 / 2**52), v)
+        return out
+
+    def still(self, x):
+        """The exact point in which each contact is open or sticks as in x, if it solves the problem."""
+        piece = list(self.box.piece_of(x))
+        for n, t1, t2, mu in self.contacts:
+            side = "=" if piece[n] == "=" else "<"
+            piece[n], piece[t1], piece[t2] = side, *[side if mu else "<"] * 2
+        y, _ = self.box.point_on("".join(piece), x)
+        w = [sum(a * v for a, v in zip(row, y)) + b for row, b in zip(self.A, self.b)]
+        taken = {i for n, t1, t2, _ in self.contacts for i in (n, t1, t2)}
+        for i in set(range(len(y))) - taken:
+            lo, hi = self.box.lo[i], self.box.hi[i]
+            if not lo <= y[i] <= hi or w[i] > 0 and y[i] != lo or w[i] < 0 and y[i] != hi:
+                return None
+        for n, t1, t2, mu in self.contacts:
+            q = self.box.mu[t1]
+            if piece[n] == "=":
+                is_right = (w[n] == 0 and (not mu or w[t1] == w[t2] == 0) and y[n] >= 0
+                            and y[t1] ** 2 + y[t2] ** 2 <= (q * y[n]) ** 2)
+            else:
+                slip = q * q * (w[t1] ** 2 + w[t2] ** 2) if self.law == "associated-cone" else 0
+                is_right = y[n] == y[t1] == y[t2] == 0 and w[n] >= 0 and w[n] ** 2 >= slip
+            if not is_right:
+                return None
+        return y
+
     def look(self, x):
         """For every row: the residual, and the length of the step times sqrt(s)."""
         w = [sum(a * v for a, v in zip(row, x)) + b for row, b in zip(self.A, self.b)]
@@ -124,9 +159,7 @@ def differ(told, worst):
 def judge(cones, tolerance, answer):
     """Yields what is wrong with an answer."""
     x = [number(v, False) for v in answer["x"]]
-    accepts = answer["verdict"] == "within_tolerance"
-    if answer["verdict"] == "proved":
-        yield "a cone has no proof"
+    accepts = answer["verdict"] != "not_a_solution"
     if not all(isinstance(v, Q) for v in x):
         if accepts or answer["status"] == "solved":
             yield "accepted, and not finite"
@@ -137,6 +170,18 @@ def judge(cones, tolerance, answer):
     if differ(told, worst):
         yield f"scaled_residual is {float(worst):.6g}, not {told}"
     limit = Decimal(tolerance)
+    if answer["verdict"] == "proved":
+        y, most = cones.still(x), number(answer["distance"])
+        y = cones.still(cones.rounded(x)) if y is None else y
+        if y is None or max((abs(a - b) for a, b in zip(x, y)), default=Q(0)) > most:
+            yield "could not confirm the proof"
+        elif worst > limit * (1 + CLOSE) and not answer.get("rounded_by") and not cones.box.differs_by_rounding(x, y):
+            yield f"proved with residual {float(worst):.6g}"
+        return
+    if answer.get("rounded_by"):
+        x = cones.rounded(x)
+        rows = cones.look(x)
+        worst = max(r for r, _ in rows)
     is_worth = (max(e for _, e in rows) <= max(e for _, e in start) / 10 * (1 + CLOSE)
                 or max(r for r, _ in start) <= limit)
     if accepts and (worst > limit * (1 + CLOSE) or not is_worth):

@@ -19,6 +19,10 @@ RESIDUALS.  P_i clamps to the bounds of row i at x.  s_i = |a_ii|, else max_j |a
 VERDICTS.  proved: scaled_residual <= tolerance, an exact solution within `distance` of x (max norm) exists,
     and distance <= 1e-6 max|x|.   within_tolerance: scaled_residual <= tolerance and x is worth something.
     not_a_solution (with the worst row and its r_i): otherwise, or if a certificate says there is none.
+ROUNDING.  The size of row i is the largest |x_j| of the rows that it is connected with through A or friction, of all
+    rows if it is connected with none. An x that misses counts as proved if a solution differs in no entry by more than
+    64 2^-52 of that size; else the verdict is that of its rounded neighbor x' (key `rounded_by`: at least max|x - x'|), whose
+    entries within 16 2^-52 of that size of a bound (of x', in coupled rows) or of 0 are moved there.
 CERTIFICATES.  no_solution: d with d_i > 0 only where hi_i = inf, d_i < 0 only where lo_i = -inf, d_i = 0 in
     coupled rows; so d_i w_i >= 0 at every solution.  But max over the box of d.w = (A'd).x + b.d is < 0.
     case_split: no piece (below) holds a solution.     far_solution: a solution is within this of x, but not
@@ -163,6 +167,34 @@ class Problem:
         largest = max([abs(v) for v in (self.lo[i], self.hi[i]) if abs(v) != INF], default=Q(0))
         return max(largest, self.least) if largest else INF
 
+    def sizes(self, x):
+        """The size of x where each row is."""
+        group = list(range(self.n))
+        links = [(i, j) for i, row in enumerate(self.rows) for j in range(self.n) if row[j] and i != j]
+        links += [(i, k) for i, k in enumerate(self.owner) if k >= 0]
+        for i, j in links:
+            old, new = group[i], group[j]
+            if old != new:
+                group = [new if g == old else g for g in group]
+        linked = {i for link in links for i in link}
+        largest = max(map(abs, x), default=Q(0))
+        return [max(abs(x[j]) for j in range(self.n) if group[j] == group[i]) if i in linked else largest
+                for i in range(self.n)]
+
+    def rounded(self, x):
+        """The rounded neighbor of x."""
+        out, limits = list(x), [size * 16 / 2**52 for size in self.sizes(x)]
+        for i in sorted(range(self.n), key=lambda i: self.owner[i] >= 0):
+            k = self.owner[i]
+            reach = self.mu[i] * max(out[k], 0) if k >= 0 else None
+            targets = (self.lo[i], self.hi[i], Q(0)) if k < 0 else (-reach, reach, Q(0))
+            out[i] = next((t for t in targets if abs(t) != INF and abs(x[i] - t) <= limits[i]), x[i])
+        return out
+
+    def differs_by_rounding(self, x, y):
+        """Is no entry of y farther from x than 64 2^-52 of its size?"""
+        return all(abs(a - b) <= size * 64 / 2**52 for a, b, size in zip(x, y, self.sizes(x)))
+
     def is_solution(self, x):
         return all(lo <= v <= hi and (w <= 0 or v == lo) and (w >= 0 or v == hi)
                    for v, (w, _, lo, hi) in zip(x, self.rows_at(x)))
@@ -227,9 +259,32 @@ class Problem:
                 return y
         return None
 
+    def nearby(self, x):
+        """Solutions on the pieces that x may be on: by its steps, by its rounded neighbor, by where it lies itself, and
+        by both sides of the rows where rounding decides."""
+        yield from (y for y in (self.guess(x), self.guess(self.rounded(x))) if y is not None)
+        rows = list(self.rows_at(x))
+        own = "".join("<" if v <= lo else ">" if v >= hi else "=" for v, (_, _, lo, hi) in zip(x, rows))
+        pieces, first = [own], self.piece_of(x)
+        tied = []
+        for i, (v, s, (w, size, lo, hi)) in enumerate(zip(x, self.scale, rows)):
+            near = [side for side, bound in (("<", lo), (">", hi))
+                    if abs(bound) != INF and lo < hi and abs(v - w / s - bound) <= (size / s + abs(v)) * 128 / 2**52]
+            tied += [(i, side) for side in near[:1]]
+        if len(tied) <= 4:
+            for choice in range(1 << len(tied)):
+                piece = list(first)
+                for k, (i, side) in enumerate(tied):
+                    piece[i] = side if choice >> k & 1 else "="
+                pieces.append("".join(piece))
+        for piece in pieces:
+            y, solves = self.point_on(piece, x)
+            if solves:
+                yield y
+
     def solution_near(self, x, far):
         """A solution no farther than `far` from x, or None if none was found (for small problems: exists)."""
-        y = self.guess(x)
+        y = next((y for y in self.nearby(x) if distance(x, y) <= far), None)
         return y if y is not None and distance(x, y) <= far else CaseSplit(self, x, far).decide()[1]
 
     def excludes(self, d):
@@ -416,7 +471,7 @@ def read_answer(raw, p):
     """Check the form of an answer; numbers become exact. x is None if it is not finite."""
     get = lambda key: None if raw.get(key) is None else number(raw[key], False)
     listed = lambda key: [number(v, False) for v in raw[key]]
-    numbers = {key: get(key) for key in ("scaled_residual", "natural_residual", "distance", "amount")}
+    numbers = {key: get(key) for key in ("scaled_residual", "natural_residual", "distance", "amount", "rounded_by")}
     a = SimpleNamespace(solver=str(raw["solver"]), status=raw["status"], verdict=raw["verdict"], row=raw.get("row"),
                         exit_code=raw.get("exit_code"), x=listed("x"), w=listed("w") if raw.get("w") else None,
                         certificate=dict(raw.get("certificate") or {}), **numbers)
@@ -475,18 +530,30 @@ def check_alone(p, tolerance, a, known, count):
     fits, misses = at.scaled <= allowed[0], at.scaled > allowed[1]
     worth = 100 * at.e2 <= p.start.e2 * (1 + 2 * SLACK) or p.start.scaled <= allowed[0]
     worthless = 100 * at.e2 > p.start.e2 * (1 - 2 * SLACK) and p.start.scaled > allowed[1]
-    if good and not fits:
-        yield f"{a.verdict}, but its scaled residual is {show(at.scaled)}"
-    if a.status == "solved" and at.scaled > tolerance * Q(1001, 1000):
+    neighbor = p.rounded(a.x)
+    at_neighbor = p.look(neighbor)
+    neighbor_fits = at_neighbor.scaled <= allowed[0] and (
+        100 * at_neighbor.e2 <= p.start.e2 * (1 + 2 * SLACK) or p.start.scaled <= allowed[0])
+    if good and a.rounded_by is not None:
+        if not neighbor_fits:
+            yield f"{a.verdict} by its rounded neighbor, whose scaled residual is {show(at_neighbor.scaled)}"
+        if not isinstance(a.rounded_by, Q) or a.rounded_by < distance(a.x, neighbor) * (1 - SLACK):
+            yield f"rounded_by is {show(distance(a.x, neighbor))}"
+    elif good and not fits:
+        y = p.solution_near(a.x, a.distance) if a.verdict == PROVED and isinstance(a.distance, Q) else None
+        if y is None or not p.differs_by_rounding(a.x, y):
+            yield f"{a.verdict}, but its scaled residual is {show(at.scaled)}"
+    if a.status == "solved" and not good and at.scaled > tolerance * Q(1001, 1000):
         yield f"solved, but its scaled residual is {show(at.scaled)}"
-    if a.verdict == WITHIN and not worth:
+    if a.verdict == WITHIN and a.rounded_by is None and not worth:
         yield f"{a.verdict}, but x is not worth anything: e(x)^2 = {show(at.e2)}, at P(0) {show(p.start.e2)}"
     if a.verdict == NOT:
         if type(a.row) is not int or not 0 <= a.row < p.n or at.r[a.row] < at.scaled * (1 - NEAR) - Q(1, 10**15):
             yield f"row {a.row} is not the worst one: that is row {at.r.index(at.scaled) if at.r else None}"
         elif a.amount is None or not agrees(a.amount, at.r[a.row], NEAR, Q(1, 10**15)):
             yield f"the amount in row {a.row} is {show(at.r[a.row])}"
-        a.needs_none = not misses and not worthless
+        strictly = at_neighbor.scaled <= allowed[1] and neighbor_fits
+        a.needs_none = not misses and not worthless or strictly
     if a.verdict == PROVED:
         if not isinstance(a.distance, Q) or a.distance > NEAR * size * (1 + SLACK):
             yield "proved without a distance, or with one above 1e-6 max|x|"
@@ -621,6 +688,7 @@ def self_test():
     d = lcp([[27, 21, 21], [21, 17, 17], [21, 17, 17]], [-1, -1, -2], friction_index=[-1, 0, 0], mu=2)
     e = lcp([[10, 8], [8, 8]], [1, 3], friction_index=[-1, 0], mu=2)
     f, third = lcp([[3]], [-1]), 1 / 3
+    i = lcp([[2, 0], [0, 3]], [-1, 0], lo=[0, "-inf"])     # an equation without load
     g = lcp([[1, 1], [1, 1]], [-2, -2])
     h = lcp([[1, 1], [1, 1 + 2**-27]], [-2, -2 - 2**-27])       # solution (1, 1); nearly as good: (1 + t, 1 - t)
     tiny = float(abs(Q(third) - Q(1, 3)))
@@ -664,6 +732,10 @@ def self_test():
         ("h true", h, [answer(h, [1.001, 0.999], WITHIN, certificate={"far_solution": 0.0011})], yes, None),
         ("h", h, [answer(h, [1.001, 0.999], WITHIN, certificate={"far_solution": 0.0009})], None, "confirm far_solution"),
         ("h proved", h, [answer(h, [1.001, 0.999], PROVED, distance=0.0011)], None, "above 1e-6"),
+        ("i rounding", i, [answer(i, [0.5, 2e-17], PROVED, distance=2e-17)], yes, None),
+        ("i neighbor", i, [answer(i, [0.5, 2e-17], WITHIN, rounded_by=2e-17)], yes, None),
+        ("i too far", i, [answer(i, [0.5, 2e-13], PROVED, distance=2e-13)], yes, "but its scaled residual is"),
+        ("i refused", i, [answer(i, [0.5, 2e-17], NOT, "failed")], yes, "nothing proves"),
         ("malformed", g | {"b": [1]}, [], None, "malformed"),
         ("cone", f, [{"model": "coulomb-cone"}], None, None)]
     failed = 0

@@ -32,7 +32,7 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
         "crates/study/src",
         &[
             &["number"],
-            &["answer", "aside", "attempt", "card", "clarabel"],
+            &["answer", "aside", "attempt", "card", "clarabel", "motion_error"],
             &["families", "friction", "methods", "profiles", "tasks"],
             &["comparison", "hunt"],
             &["explain", "diagnosis"],

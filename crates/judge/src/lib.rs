@@ -186,9 +186,7 @@ fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
             distance if is_near(at.x, distance) => {
                 Certificate { verdict: Verdict::Proved { distance }, ..within }
             }
-            distance => {
-                Certificate { evidence: Some(Evidence::FarSolution { distance }), ..within }
-            }
+            _ => within, // one of many, which says nothing of x
         },
         Existence::Unknown => within,
     }

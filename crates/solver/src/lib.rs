@@ -18,6 +18,8 @@
 //!
 //! The same methods as a student writes them are in [`textbook`].
 //!
+//! Where no solver is named, a [fallback sequence](solve_by_sequence) of methods answers.
+//!
 //! Friction rows whose bounds follow another row are solved in the sweep, or by [`frozen`] bounds.
 
 mod class;
@@ -33,6 +35,7 @@ pub mod newton;
 mod observer;
 pub mod pivot;
 mod registry;
+mod sequence;
 mod settings;
 mod solution;
 mod stop;
@@ -52,6 +55,9 @@ pub use observer::{Centring, Event, Iterate, Leaving, Move, Observer, Part, RowU
 pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};
 pub use registry::{
     ALL, Build, Choice, Entry, Group, Options, SPECIMENS, add, added, by_name, default_for, entry,
+};
+pub use sequence::{
+    Answered, Attempt, solve as solve_by_sequence, solve_boxed as solve_boxed_by_sequence,
 };
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};

@@ -10,7 +10,7 @@ use lcplab_judge::{
 use lcplab_page::number::readable;
 use lcplab_problem::Lcp;
 use lcplab_problem::file::{Problem, number};
-use lcplab_solver::{Options, Reason, Solution, Start, Status, by_name, default_for};
+use lcplab_solver::{Attempt, Options, Reason, Solution, Start, Status, solve_boxed_by_sequence};
 
 /// Entries of an exact vector that are printed at most.
 const SHOWN: usize = 12;
@@ -28,6 +28,8 @@ pub struct Answer {
     pub error_bound: Option<f64>,
     /// Who stopped the solver, if someone did.
     pub stopped: Option<Reason>,
+    /// The methods that were tried before this one, where no solver was named.
+    pub attempts: Vec<Attempt>,
 }
 
 impl Answer {
@@ -40,12 +42,17 @@ impl Answer {
             None => certificate,
         };
         let error_bound = bound(lcp, &solution.x, &certificate);
-        Answer { solver, solution, certificate, error_bound, stopped: None }
+        Answer { solver, solution, certificate, error_bound, stopped: None, attempts: Vec::new() }
     }
 
     /// The same, with the reason why the solver was stopped.
     pub fn stopped(self, stopped: Option<Reason>) -> Self {
         Answer { stopped, ..self }
+    }
+
+    /// The same, with the methods that were tried before.
+    pub fn after(self, attempts: Vec<Attempt>) -> Self {
+        Answer { attempts, ..self }
     }
 
     /// The solver's claim in one of four words. `infeasible` is said only with a proof.
@@ -72,6 +79,7 @@ impl Answer {
         if let Some(fallback) = self.solution.fallback {
             fields.insert("fallback".into(), json!(fallback.to_string()));
         }
+        fields.extend(attempts_json(&self.attempts));
         if let Some(bound) = self.error_bound {
             fields.insert("error_bound".into(), number(printed_up(bound)));
         }
@@ -79,18 +87,29 @@ impl Answer {
     }
 }
 
-/// The x of the first of a few solvers that claims one, else of the last.
+/// The key `attempts`: the methods of a fallback sequence that were tried and did not solve the problem.
+pub fn attempts_json(attempts: &[Attempt]) -> Option<(String, Value)> {
+    let object = |Attempt { solver, status, iterations }: &Attempt| {
+        json!({
+            "solver": solver, "status": status_word(status), "message": status.to_string(),
+            "iterations": iterations,
+        })
+    };
+    let all: Vec<Value> = attempts.iter().map(object).collect();
+    (!all.is_empty()).then(|| ("attempts".into(), Value::Array(all)))
+}
+
+/// The same as lines of text.
+pub fn attempts_text(attempts: &[Attempt]) -> String {
+    let line = |Attempt { solver, status, iterations }: &Attempt| {
+        format!("tried      {solver}: {status}, {iterations} iterations\n")
+    };
+    attempts.iter().map(line).collect()
+}
+
+/// The x of the fallback sequence.
 pub fn first_answer(lcp: &Lcp) -> Vec<f64> {
-    let mut x = vec![0.0; lcp.len()];
-    for name in [default_for(lcp), "block-pivoting", "lemke", "newton"] {
-        let Ok(solver) = by_name(name, &Options::default()) else { continue };
-        let solution = solver.solve(lcp, &Start::default(), &mut ());
-        x = solution.x;
-        if solution.status == Status::Solved {
-            break;
-        }
-    }
-    x
+    solve_boxed_by_sequence(lcp, &Start::default(), &Options::default(), &mut ()).solution.x
 }
 
 /// A verdict with what its row is and what its w means, if the problem says so: `normal ground box1 0: 0.017 m/s of
@@ -157,7 +176,7 @@ fn how(refutation: &Refutation) -> String {
     match refutation {
         Refutation::Vector(_) => "proved by a vector that was checked exactly".to_string(),
         Refutation::CaseSplit { pieces } => {
-            format!("as all {pieces} choices of active rows were tried in exact arithmetic")
+            format!("shown in exact arithmetic in each of {pieces} cases of active rows")
         }
     }
 }
@@ -206,11 +225,28 @@ pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
     if certificate.scale > 0.0 {
         object.insert("scale".into(), number(certificate.scale));
     }
+    object.extend(rounding_json(certificate.rounded_by));
     object.extend(verdict_json(&certificate.verdict));
     object.extend(
         certificate.evidence.iter().map(|evidence| ("certificate".into(), evidence_json(evidence))),
     );
     object
+}
+
+/// The key `rounded_by`, where the verdict is that about the rounded neighbor of x.
+pub fn rounding_json(rounded_by: Option<f64>) -> Option<(String, Value)> {
+    rounded_by.map(|by| ("rounded_by".into(), number(printed_up(by))))
+}
+
+/// The same as a line of text.
+pub fn rounding_text(rounded_by: Option<f64>) -> String {
+    let line = |by| {
+        format!(
+            "  rounding         {:>10}  moved by this much, entries near a bound or 0 lie on it; the verdict is about that x\n",
+            upper_bound(by)
+        )
+    };
+    rounded_by.map(line).unwrap_or_default()
 }
 
 /// The key `certificate`: what was shown in exact arithmetic beside the verdict.
@@ -256,12 +292,17 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
         ("natural residual", certificate.natural_residual, "max |x − Π(x − w)|"),
         ("bound violation", certificate.bound_violation, "how far x lies outside its bounds"),
         ("complementarity", certificate.complementarity_gap, "largest w times distance to bound"),
-        ("duality gap", certificate.duality_gap, "objective minus lower bound"),
+        (
+            "duality gap",
+            certificate.duality_gap,
+            "objective minus lower bound; – where there is no such bound",
+        ),
     ];
     let mut text =
         format!("verdict    {}\n", labelled(&certificate.verdict, &certificate.w, problem));
     for (name, value, meaning) in lines {
-        text += &format!("  {name:<17}{:>10}  {meaning}\n", readable(value, 3));
+        let shown = if value.is_nan() { "–".into() } else { readable(value, 3) };
+        text += &format!("  {name:<17}{shown:>10}  {meaning}\n");
     }
     if certificate.scale > 0.0 {
         text += &format!(
@@ -269,6 +310,7 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
             readable(certificate.scale, 3)
         );
     }
+    text += &rounding_text(certificate.rounded_by);
     text += &certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
     text
 }
@@ -284,7 +326,8 @@ pub fn evidence_text(evidence: &Evidence) -> String {
             format!("  not unique: x can move along ({}), and no w moves\n", listed(direction))
         }
         Evidence::FarSolution { distance } => {
-            format!("  an exact solution exists, but {} away from x\n", upper_bound(*distance))
+            let distance = upper_bound(*distance);
+            format!("  one exact solution is {distance} away from x; others may be nearer\n")
         }
         Evidence::NoSolution(Refutation::Vector(farkas)) => {
             format!("  no solution exists: d = ({}) proves it\n", listed(&farkas.vector))

@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
-use super::answer::{evidence_json, evidence_text, proof_of_denial, verdict_json};
+use super::answer::{
+    evidence_json, evidence_text, proof_of_denial, rounding_json, rounding_text, verdict_json,
+};
 use super::methods;
 use lcplab_judge::{Demand, FrictionCertificate, judge_cone, judge_friction};
 use lcplab_problem::file::{Problem, number};
@@ -11,7 +13,7 @@ use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law, Model
 use lcplab_problem::merit::RowTerms;
 use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, Question};
-use lcplab_solver::{Method, Observer, Options, Solution, Status};
+use lcplab_solver::{Answered, Method, Observer, Options, Solution, Status, solve_by_sequence};
 
 /// A contact slides if |w_t| is above this part of the terms it is the sum of.
 const SLIP: f64 = 1e-6;
@@ -40,6 +42,20 @@ pub fn solve(
     let judged = Judged::of(question, &solution.x, demand);
     let judged = judged.with_claim(question.posed(), &solution.status, demand);
     (solution, judged)
+}
+
+/// Solves a problem under the model of the question by the methods that suit it, one after the other, and has the answer
+/// judged.
+pub fn solve_by_default(
+    question: &Question,
+    options: &Options,
+    demand: &Demand,
+    observer: &mut dyn Observer,
+) -> (Answered, Judged) {
+    let answered = solve_by_sequence(question.posed(), options, observer);
+    let judged = Judged::of(question, &answered.solution.x, demand);
+    let judged = judged.with_claim(question.posed(), &answered.solution.status, demand);
+    (answered, judged)
 }
 
 /// One contact in an answer.
@@ -131,6 +147,7 @@ impl Judged {
         object.insert("scaled_residual".into(), number(self.certificate.scaled_residual));
         object.insert("coulomb_residual".into(), number(self.coulomb_residual));
         object.extend(verdict_json(&self.certificate.verdict));
+        object.extend(rounding_json(self.certificate.rounded_by));
         let evidence = self.certificate.evidence.iter();
         object.extend(evidence.map(|evidence| ("certificate".into(), evidence_json(evidence))));
         object.insert("contacts".into(), self.contacts.iter().map(contact).collect());
@@ -146,6 +163,7 @@ impl Judged {
             readable(*scaled_residual, 3),
             readable(self.coulomb_residual, 3)
         );
+        text += &rounding_text(self.certificate.rounded_by);
         text += &self.certificate.evidence.as_ref().map(evidence_text).unwrap_or_default();
         text += &format!(
             "{:>7} {:>14} {:>14} {:>14} {:>14} {:>10} {:>14}\n",

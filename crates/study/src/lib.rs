@@ -20,6 +20,7 @@ pub mod families;
 pub mod friction;
 pub mod hunt;
 pub mod methods;
+pub mod motion_error;
 pub mod number;
 pub mod profiles;
 pub mod tasks;

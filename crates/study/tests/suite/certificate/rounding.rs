@@ -3,7 +3,8 @@
 use lcplab_judge::{Demand, Verdict, judge, judge_cone};
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::{ConeProblem, Contact, FrictionProblem, Law};
-use lcplab_testing::{INF, boxed, contacts};
+use lcplab_testing::{INF, boxed, cases, contacts, manufactured};
+use proptest::prelude::*;
 
 fn accepts(lcp: &Lcp, x: &[f64]) -> bool {
     judge(lcp, x, &Demand::default()).verdict.is_solution()
@@ -138,4 +139,75 @@ fn a_sliding_contact_is_accepted_and_never_called_proved() {
     let slides = pushed(Law::Coulomb, [-2.0, -3.0, 0.0]);
     let verdict = judge_cone(&slides, &[2.0, 1.0, 0.0], &Demand::default()).verdict;
     assert_eq!(verdict, Verdict::WithinTolerance);
+}
+
+/// The connected parts of a problem, as a list of rows each: through A and friction, found anew by flooding.
+fn component(lcp: &Lcp, i: usize) -> Vec<usize> {
+    let mut found = vec![i];
+    let mut next = 0;
+    while let Some(&row) = found.get(next) {
+        for j in 0..lcp.len() {
+            let (a, b) = (lcp.matrix().entry(row, j), lcp.matrix().entry(j, row));
+            let is_coupled = [(row, j), (j, row)]
+                .iter()
+                .any(|&(t, n)| lcp.coupled_to(t).is_some_and(|(k, _)| k == n));
+            if (a != 0.0 || b != 0.0 || is_coupled) && !found.contains(&j) {
+                found.push(j);
+            }
+        }
+        next += 1;
+    }
+    found
+}
+
+fn size(lcp: &Lcp, x: &[f64], i: usize) -> f64 {
+    let rows = component(lcp, i);
+    let rows = if rows.len() > 1 { rows } else { (0..x.len()).collect() };
+    rows.iter().map(|&j| x[j].abs()).fold(0.0, f64::max)
+}
+
+proptest! {
+    #![proptest_config(cases(150))]
+
+    #[test]
+    fn an_accepted_answer_stays_accepted_when_an_entry_moves_by_rounding(
+        m in prop_oneof![manufactured(6, 6, 1.0), manufactured(5, 3, 0.0), manufactured(4, 2, 0.0)],
+        at in any::<prop::sample::Index>(),
+        sign in prop::sample::select(vec![-1.0, 1.0]),
+    ) {
+        let i = at.index(m.x.len());
+        let mut x = m.x.clone();
+        x[i] += sign * 1e-15 * size(&m.lcp, &m.x, i);
+        let certificate = judge(&m.lcp, &x, &Demand::default());
+        prop_assert!(certificate.verdict.is_solution(), "{} {x:?}", certificate.verdict);
+    }
+
+    #[test]
+    fn no_false_answer_is_accepted_as_a_rounding_of_a_true_one(
+        m in manufactured(5, 5, 1.0),
+        at in any::<prop::sample::Index>(),
+        exponent in -7.0f64..-3.0,
+    ) {
+        // A is definite, so that x* is the only solution.
+        let i = at.index(m.x.len());
+        let mut x = m.x.clone();
+        x[i] += 10f64.powf(exponent) * size(&m.lcp, &m.x, i);
+        let residual = lcplab_problem::merit::scaled_residual(&m.lcp, &x);
+        let accepted = judge(&m.lcp, &x, &Demand::default()).verdict.is_solution();
+        prop_assert_eq!(accepted, residual <= 1e-8 && x != m.x || x == m.x, "{} {:?}", residual, x);
+    }
+
+    #[test]
+    fn an_entry_that_is_wrongly_put_to_its_bound_is_not_accepted(
+        m in manufactured(5, 5, 1.0),
+        at in any::<prop::sample::Index>(),
+    ) {
+        let i = at.index(m.x.len());
+        let (lo, hi) = (m.lcp.lo()[i], m.lcp.hi()[i]);
+        let bound = if lo.is_finite() { lo } else { 0.0 };
+        let mut x = m.x.clone();
+        x[i] = if x[i] == bound && hi.is_finite() { hi } else { bound };
+        let accepted = judge(&m.lcp, &x, &Demand::default()).verdict.is_solution();
+        prop_assert_eq!(accepted, x == m.x);
+    }
 }

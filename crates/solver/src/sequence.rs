@@ -1,0 +1,168 @@
+//! The fallback sequence: which methods solve a problem for which no solver is named.
+//!
+//! | problem | methods, in this order |
+//! | --- | --- |
+//! | boxes, A symmetric but for rounding | `dantzig`, `block-pivoting`, `newton`, `interior-point` |
+//! | boxes, any other A | `lemke`, `fischer-newton`, `enumeration` |
+//! | polygons | `lemke`, sweeps by contact (`polygon-pgs`) |
+//! | cones | `apgd` where A is symmetric but for rounding, `cone-pgs` |
+//!
+//! Pivoting comes first because it ends at a solution with all its digits; it fails where rounding misleads it, on a ray
+//! of a matrix that is not copositive, and where friction limits change on the way. The next method fails elsewhere. Each
+//! has the iterations of the settings, Newton's method and the interior point at most 100, the enumeration its 65,536
+//! active sets. A solver that was named is never replaced.
+//!
+//! ```
+//! use lcplab_problem::friction::Posed;
+//! use lcplab_problem::{Lcp, Matrix};
+//! use lcplab_solver::{Options, Status, solve_by_sequence};
+//!
+//! // A bimatrix game: Lemke's path ends on a ray, the enumeration finds the equilibrium.
+//! let a = [0.0, 0.0, 2.0, 4.0, 0.0, 0.0, 3.0, 1.0, 1.0, 3.0, 0.0, 0.0, 4.0, 2.0, 0.0, 0.0];
+//! let lcp = Lcp::new(Matrix::dense(4, &a), vec![-1.0; 4], vec![0.0; 4], vec![f64::INFINITY; 4])?;
+//! let answer = solve_by_sequence(&Posed::Boxed(lcp), &Options::default(), &mut ());
+//! assert_eq!(answer.solution.status, Status::Solved);
+//! # Ok::<(), lcplab_problem::error::Error>(())
+//! ```
+
+use crate::{
+    CONES, ConeEntry, Observer, Options, PolygonPgs, Settings, Solution, Start, Status, entry,
+    solve_polyhedral,
+};
+use lcplab_problem::Lcp;
+use lcplab_problem::friction::{ConeProblem, Polyhedral, Posed};
+
+/// Newton's method and the interior point are done in some ten steps, or never.
+const MOST_STEPS: usize = 100;
+/// As many active sets as the enumeration ever tries.
+const MOST_SETS: usize = 1 << 16;
+
+/// A method that was tried and did not solve the problem.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attempt {
+    /// The method.
+    pub solver: &'static str,
+    /// How it ended.
+    pub status: Status,
+    /// After how many iterations.
+    pub iterations: usize,
+}
+
+/// The answer of a fallback sequence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answered {
+    /// The method whose answer it is: the one that solved the problem, else the first.
+    pub solver: &'static str,
+    /// Its answer.
+    pub solution: Solution,
+    /// The methods that were tried and did not solve it, in order.
+    pub attempts: Vec<Attempt>,
+}
+
+impl Answered {
+    /// The methods that failed, and how, in one sentence; none if the first one solved the problem.
+    pub fn history(&self) -> Option<String> {
+        let tried = |attempt: &Attempt| {
+            let Attempt { solver, status, iterations } = attempt;
+            format!("{solver} ({status}, {iterations} iterations)")
+        };
+        let all: Vec<String> = self.attempts.iter().map(tried).collect();
+        (!all.is_empty()).then(|| format!("tried without success: {}", all.join(", ")))
+    }
+}
+
+/// Solves a problem from 0 by the methods that suit it, one after the other, until one succeeds.
+pub fn solve(problem: &Posed, options: &Options, observer: &mut dyn Observer) -> Answered {
+    match problem {
+        Posed::Boxed(lcp) => solve_boxed(lcp, &Start::default(), options, observer),
+        Posed::Polyhedral(polygons) => solve_polygons(polygons, options, observer),
+        Posed::Cone(cones) => solve_cones(cones, options, observer),
+    }
+}
+
+/// The same for boxes, from a start.
+pub fn solve_boxed(
+    lcp: &Lcp,
+    start: &Start<'_>,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Answered {
+    let symmetric = ["dantzig", "block-pivoting", "newton", "interior-point"];
+    let names: &[&'static str] = match lcp.matrix().is_nearly_symmetric() {
+        true => &symmetric,
+        false => &["lemke", "fischer-newton", "enumeration"],
+    };
+    let attempt = |name: &'static str, observer: &mut dyn Observer| {
+        let solver = entry(name).ok().map(|entry| (entry.build)(&within_budget(name, options)));
+        solver.map(|solver| solver.solve(lcp, start, observer))
+    };
+    first_success(names, observer, attempt)
+}
+
+fn solve_polygons(
+    polygons: &Polyhedral,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Answered {
+    let (start, settings) = (Start::default(), options.settings.clone());
+    let attempt = |name: &'static str, observer: &mut dyn Observer| match entry(name) {
+        Ok(entry) => {
+            let solver = (entry.build)(options);
+            Some(solve_polyhedral(&*solver, polygons, &start, settings.tolerance, observer))
+        }
+        Err(_) => Some(PolygonPgs { settings: settings.clone() }.solve(polygons, &start, observer)),
+    };
+    first_success(&["lemke", PolygonPgs::NAME], observer, attempt)
+}
+
+fn solve_cones(cones: &ConeProblem, options: &Options, observer: &mut dyn Observer) -> Answered {
+    use lcplab_problem::Complementarity;
+    let names: &[&'static str] = match cones.lcp().matrix().is_nearly_symmetric() {
+        true => &["apgd", "cone-pgs"],
+        false => &["cone-pgs"],
+    };
+    let attempt = |name: &'static str, observer: &mut dyn Observer| {
+        let entry: Option<&ConeEntry> = CONES.iter().find(|entry| entry.name == name);
+        entry
+            .map(|entry| (entry.build)(&options.settings).solve(cones, &Start::default(), observer))
+    };
+    first_success(names, observer, attempt)
+}
+
+/// The settings of a method of the sequence.
+fn within_budget(name: &str, options: &Options) -> Options {
+    let given = options.settings.max_iterations;
+    let max_iterations = match name {
+        "newton" | "fischer-newton" | "interior-point" => given.min(MOST_STEPS),
+        "enumeration" => MOST_SETS,
+        _ => given,
+    };
+    let settings = Settings { max_iterations, ..options.settings.clone() };
+    Options { settings, ..options.clone() }
+}
+
+/// The first answer that is a solution, a proof that there is none, or what an observer stopped; else the first.
+fn first_success(
+    names: &[&'static str],
+    observer: &mut dyn Observer,
+    attempt: impl Fn(&'static str, &mut dyn Observer) -> Option<Solution>,
+) -> Answered {
+    let mut failed: Vec<(&'static str, Solution)> = Vec::new();
+    let mut success = None;
+    for &name in names {
+        let Some(solution) = attempt(name, observer) else { continue };
+        if matches!(solution.status, Status::Solved | Status::NoSolution | Status::Stopped) {
+            success = Some((name, solution));
+            break;
+        }
+        failed.push((name, solution));
+    }
+    let told = |(solver, solution): &(&'static str, Solution)| Attempt {
+        solver,
+        status: solution.status.clone(),
+        iterations: solution.iterations,
+    };
+    let attempts = failed.iter().map(told).collect();
+    let (solver, solution) = success.unwrap_or_else(|| failed.swap_remove(0));
+    Answered { solver, solution, attempts }
+}

@@ -1,0 +1,73 @@
+//! How far the motion that an answer leads to is from the exact motion, for problems that state their masses and rows.
+//!
+//! A relative residual is no physical tolerance. Where the file has the key `motion`, [Gauss's principle](Gauss) bounds the
+//! error of the motion itself: |u(x) − û|_M, u(x) = u* + M⁻¹Jᵀx, in the norm whose half square is an energy (of
+//! velocities). Beside it stands what the constraints change, |û − u*|_M. Where rows are coupled, û is the motion with
+//! the friction limits that x itself gives.
+
+use serde_json::{Value, json};
+
+use lcplab_judge::motion_bound::{MotionBound, Unproved, motion_bound};
+use lcplab_judge::printed_up;
+use lcplab_page::number::readable;
+use lcplab_problem::Gauss;
+use lcplab_problem::file::{Problem, number};
+
+/// A bound on the error of the motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionError {
+    /// |u(x) − û|_M is at most this, in the root of the unit of energy where u is a velocity.
+    pub bound: f64,
+    /// |û − u*|_M, to within the bound: what the constraints change.
+    pub effect: f64,
+    /// Whether friction limits are those that x gives.
+    pub is_frozen: bool,
+}
+
+impl MotionError {
+    /// The bound for an answer; none where the problem does not state its masses and rows, else why there is no bound.
+    pub fn of(problem: &Problem, x: &[f64]) -> Option<Result<MotionError, Unproved>> {
+        let gauss = problem.motion.as_ref()?;
+        let is_frozen = problem.lcp.has_coupled_rows();
+        let (lo, hi) = (0..x.len()).map(|i| problem.lcp.bounds(i, x)).unzip();
+        let gauss = Gauss { lo, hi, ..gauss.clone() };
+        let found = motion_bound(&gauss, x);
+        Some(found.map(|MotionBound { energy_norm, motion, .. }| MotionError {
+            bound: energy_norm,
+            effect: distance(&gauss, &motion),
+            is_frozen,
+        }))
+    }
+
+    /// What the bound means, as the end of a line.
+    pub fn meaning(&self) -> String {
+        let part = readable(self.bound / self.effect, 2);
+        let of_what = match self.effect {
+            0.0 => "the constraints change nothing".to_string(),
+            effect => format!("{part} of what the constraints change ({})", readable(effect, 3)),
+        };
+        let frozen = if self.is_frozen { ", with the friction limits of x" } else { "" };
+        format!("bound on |u(x) − û|_M: {of_what}{frozen}")
+    }
+}
+
+/// |u − u*|_M.
+fn distance(gauss: &Gauss, u: &[f64]) -> f64 {
+    let change: Vec<f64> = u.iter().zip(&gauss.target).map(|(u, target)| u - target).collect();
+    let term = |&(i, j, m): &(usize, usize, f64)| {
+        let product = m * change[i] * change[j];
+        if i == j { product } else { 2.0 * product }
+    };
+    gauss.mass.iter().map(term).sum::<f64>().max(0.0).sqrt()
+}
+
+/// The key `motion_error` of an answer.
+pub fn error_json(error: &Result<MotionError, Unproved>) -> (String, Value) {
+    let value = match error {
+        Ok(MotionError { bound, effect, is_frozen }) => json!({
+            "bound": number(printed_up(*bound)), "effect": number(*effect), "frozen": is_frozen,
+        }),
+        Err(why) => json!({ "unproved": why.to_string() }),
+    };
+    ("motion_error".into(), value)
+}
