@@ -25,8 +25,8 @@ ROUNDING.  The size of row i is the largest |x_j| of the rows that it is connect
     entries within 16 2^-52 of that size of a bound (of x', in coupled rows) or of 0 are moved there.
 CERTIFICATES.  no_solution: d with d_i > 0 only where hi_i = inf, d_i < 0 only where lo_i = -inf, d_i = 0 in
     coupled rows; so d_i w_i >= 0 at every solution.  But max over the box of d.w = (A'd).x + b.d is < 0.
-    case_split: no piece (below) holds a solution.     far_solution: a solution is within this of x, but not
-    within 1e-6 max|x|.     not_unique: d != 0 with A d = 0, along which a solution can move inside its bounds.
+    case_split: no piece (below) holds a solution.     far_solution: a solution is within this of x (others may
+    be nearer).     not_unique: d != 0 with A d = 0, along which a solution can move inside its bounds.
 PIECES.  In a solution every row is at its lower side ("<": x_i = lo_i, w_i >= 0), at its upper side (">"), or
     inside ("=": w_i = 0).  Such a choice for all rows is a piece: linear equations and inequalities in x.
     Trying all pieces decides whether there is a solution.
@@ -265,22 +265,25 @@ class Problem:
         yield from (y for y in (self.guess(x), self.guess(self.rounded(x))) if y is not None)
         rows = list(self.rows_at(x))
         own = "".join("<" if v <= lo else ">" if v >= hi else "=" for v, (_, _, lo, hi) in zip(x, rows))
-        pieces, first = [own], self.piece_of(x)
+        first = self.piece_of(x)
+        pieces = [first, own]
         tied = []
         for i, (v, s, (w, size, lo, hi)) in enumerate(zip(x, self.scale, rows)):
             near = [side for side, bound in (("<", lo), (">", hi))
-                    if abs(bound) != INF and lo < hi and abs(v - w / s - bound) <= (size / s + abs(v)) * 128 / 2**52]
+                    if abs(bound) != INF and lo < hi and abs(v - w / s - bound) <= (size / s + abs(v)) * 64 / 2**52]
             tied += [(i, side) for side in near[:1]]
-        if len(tied) <= 4:
+        if len(tied) <= 6:
             for choice in range(1 << len(tied)):
                 piece = list(first)
                 for k, (i, side) in enumerate(tied):
                     piece[i] = side if choice >> k & 1 else "="
                 pieces.append("".join(piece))
-        for piece in pieces:
+        for piece in pieces:        # and from a point that is no solution on to the piece of that point
             y, solves = self.point_on(piece, x)
             if solves:
                 yield y
+            elif len(pieces) < 100 and (following := self.piece_of(y)) not in pieces:
+                pieces.append(following)
 
     def solution_near(self, x, far):
         """A solution no farther than `far` from x, or None if none was found (for small problems: exists)."""
@@ -565,7 +568,7 @@ def check_alone(p, tolerance, a, known, count):
     # Certificates about solutions. (Those that there is none need more than this answer: see judge_lcp.)
     if "far_solution" in cert:
         y = p.solution_near(a.x, cert["far_solution"])
-        if y is not None and distance(a.x, y) > NEAR * size:
+        if y is not None:
             known.solutions.append(y)
             count["certificates"] += 1
         else:

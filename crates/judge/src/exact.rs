@@ -21,6 +21,8 @@ use lcplab_problem::exact::{Exact, Side};
 const TIE: f64 = 64.0 * f64::EPSILON;
 /// Of more tied rows all are taken to be where x_i − w_i/s_i says, or where x_i itself is.
 const MOST_TIES: usize = 4;
+/// So often the active set of a point that is no solution is tried too.
+const MOST_STEPS: usize = 3;
 
 /// A solution that exists exactly, near the x it was read off from.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,37 +39,39 @@ pub struct Proof {
 
 /// Proves that an active set of x carries a solution of the problem, if one does; the nearest one found.
 ///
-/// Costs one exact linear solve where the first active set has a solution within rounding of x, 18 at most.
+/// Costs one exact linear solve where the first active set has a solution within rounding of x, some twenty at most.
 pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
     let exact = Exact::new(lcp);
-    let at = Rows::at(lcp, x);
     let inside: Vec<f64> = (0..x.len()).map(|i| lcp.project(i, x[i], x)).collect();
     let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
     let mut nearest: Option<Proof> = None;
-    for sides in active_sets(&at) {
-        let Some(proof) = solution(&exact, x, &inside, &sides) else { continue };
-        if nearest.as_ref().is_none_or(|own| proof.distance < own.distance) {
-            nearest = Some(proof);
-        }
-        if nearest.as_ref().is_some_and(|own| own.distance <= TIE * size) {
-            break;
+    let (mut sets, mut steps, mut next) = (active_sets(&Rows::at(lcp, x)), 0, 0);
+    while let Some(sides) = sets.get(next).cloned() {
+        next += 1;
+        let Some((point, null)) = exact.point(&sides, &inside) else { continue };
+        if exact.is_solved_by(&point) {
+            let distance = point.distance(x);
+            if nearest.as_ref().is_none_or(|own| distance < own.distance) {
+                let null = null.filter(|d| exact.is_free_along(d, &point, &sides));
+                let null_direction = null.map(|d| d.entries());
+                nearest = Some(Proof { x: point.entries(), distance, null_direction });
+            }
+            if distance <= TIE * size {
+                break;
+            }
+        } else if steps < MOST_STEPS {
+            steps += 1;
+            let y: Vec<f64> = point.entries().iter().map(|x| x.to_f64().value()).collect();
+            let of_point = y.iter().all(|y| y.is_finite()).then(|| sides_at(lcp, &y));
+            sets.extend(of_point.filter(|set| !sets.contains(set)));
         }
     }
     nearest
 }
 
-/// The solution of a piece, if it has one.
-fn solution(exact: &Exact, x: &[f64], inside: &[f64], sides: &[Side]) -> Option<Proof> {
-    let (point, null) = exact.point(sides, inside)?;
-    if !exact.is_solved_by(&point) {
-        return None;
-    }
-    let null = null.filter(|d| exact.is_free_along(d, &point, sides));
-    Some(Proof {
-        distance: point.distance(x),
-        x: point.entries(),
-        null_direction: null.map(|d| d.entries()),
-    })
+/// The active set of a point.
+fn sides_at(lcp: &Lcp, x: &[f64]) -> Vec<Side> {
+    sides(&Rows::at(lcp, x))
 }
 
 /// Whether every |x_i − x*_i| is at most the bound of its row.

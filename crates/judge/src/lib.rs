@@ -130,6 +130,8 @@ fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
             let verdict = Verdict::NotASolution { row, amount, why: Refusal::NoBetterThanZero };
             Certificate { verdict, ..within }
         }
+        // Of a family of solutions, the one that was found says nothing.
+        Some(exact::Proof { null_direction: Some(_), .. }) => within,
         Some(exact::Proof { distance, .. }) => {
             Certificate { evidence: Some(Evidence::FarSolution { distance }), ..within }
         }

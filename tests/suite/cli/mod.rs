@@ -14,6 +14,7 @@ mod limits;
 mod mistake;
 mod plugin;
 mod problem_set;
+mod readme;
 mod report;
 mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
-use lcplab::certificate::{Demand, Verdict, judge};
+use lcplab::certificate::{Demand, Verdict};
 use lcplab::lcp::Question;
 use lcplab::report::friction::Judged;
 use lcplab::report::study::Study;

@@ -21,6 +21,7 @@ mod order;
 mod parts;
 mod pgs;
 mod principal;
+mod sequence;
 mod singular;
 mod stop;
 mod textbook;
