@@ -12,6 +12,7 @@
 
 use dashu_ratio::RBig;
 
+use crate::Demand;
 use crate::residual::{Rows, Wide};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{dyadic, rational};
@@ -39,13 +40,17 @@ pub struct Proof {
 
 /// Proves that an active set of x carries a solution of the problem, if one does; the nearest one found.
 ///
-/// Costs one exact linear solve where the first active set has a solution within rounding of x, some twenty at most.
+/// Costs one exact linear solve where the first active set has a solution within rounding of x, some twenty at most; of a
+/// problem of more than 150 rows only the first active set is tried.
 pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
     let exact = Exact::new(lcp);
     let inside: Vec<f64> = (0..x.len()).map(|i| lcp.project(i, x[i], x)).collect();
     let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
     let mut nearest: Option<Proof> = None;
     let (mut sets, mut steps, mut next) = (active_sets(&Rows::at(lcp, x)), 0, 0);
+    if lcp.len() > Demand::EXACT_ROWS {
+        (steps, _) = (MOST_STEPS, sets.drain(1..));
+    }
     while let Some(sides) = sets.get(next).cloned() {
         next += 1;
         let Some((point, null)) = exact.point(&sides, &inside) else { continue };

@@ -13,6 +13,9 @@ use lcplab_problem::exact::Point;
 /// Of larger problems only the vectors that are at hand are tried.
 const MOST_ROWS: usize = 150;
 
+/// The judge solves no more linear programs than this: well below a second.
+const MOST_PROGRAMS: usize = 500;
+
 /// Why no x solves a problem.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refutation {
@@ -81,7 +84,7 @@ pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]]) -> Existence {
     if let Some(farkas) = refuting_vector(lcp, hints) {
         return Existence::None(Refutation::Vector(farkas));
     }
-    match search(lcp) {
+    match search(lcp, MOST_PROGRAMS) {
         Some(Search::Solution(point)) => Existence::Solution(point),
         Some(Search::None(tree)) => {
             Existence::None(Refutation::CaseSplit { pieces: tree.leaves() })

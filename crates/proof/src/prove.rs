@@ -162,7 +162,7 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
             return at(point.entries());
         }
     }
-    match cases::search(lcp) {
+    match cases::search(lcp, cases::MOST_PROGRAMS) {
         Some(Search::Solution(point)) => return at(point.entries()),
         Some(Search::None(tree)) => return Ok(Solvable::No(tree)),
         None => {}

@@ -15,8 +15,8 @@ use lcplab_problem::exact::{Exact, Point, Side};
 
 /// More rows are not split into cases.
 pub const MOST_ROWS: usize = 24;
-/// More linear programs are not solved.
-const MOST_PROGRAMS: usize = 4096;
+/// A proof that is asked for solves no more linear programs than this: some ten seconds.
+pub const MOST_PROGRAMS: usize = 4096;
 
 /// The sides of the rows on a path, for those that have one.
 pub type Sides = [Option<Side>];
@@ -77,11 +77,11 @@ pub enum Search {
 ///
 /// A linear program says whether some x obeys all that the sides so far ask for. If not, its multipliers are the
 /// d of a leaf; if so, the tree branches at the first row where that x is no solution.
-pub fn search(lcp: &Lcp) -> Option<Search> {
+pub fn search(lcp: &Lcp, most_programs: usize) -> Option<Search> {
     if lcp.len() > MOST_ROWS {
         return None;
     }
-    let mut programs = 0;
+    let mut programs = most_programs;
     Cases { lcp, exact: Exact::new(lcp) }.search(&mut vec![None; lcp.len()], &mut programs)
 }
 
@@ -92,10 +92,7 @@ struct Cases<'a> {
 
 impl Cases<'_> {
     fn search(&self, sides: &mut Vec<Option<Side>>, programs: &mut usize) -> Option<Search> {
-        *programs += 1;
-        if *programs > MOST_PROGRAMS {
-            return None;
-        }
+        *programs = programs.checked_sub(1)?;
         let point = match self.relaxed(sides) {
             Ok(point) => point,
             Err(d) => return Some(Search::None(Tree::Leaf(d))),
