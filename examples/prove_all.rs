@@ -39,13 +39,13 @@ fn main() -> Result<()> {
         }
         let stem: String =
             problem.name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
-        file::write(&folder.join(format!("{stem}.json")), problem.to_json().to_string())?;
+        file::write_in(&folder, format!("{stem}.json"), problem.to_json().to_string())?;
         match proof {
             Some(proof) => write(&folder, &stem, &proof.to_json().to_string()),
             None => Ok(()),
         }
     };
-    file::prepare(&folder)?;
+    file::prepare(&folder, &[])?;
     for family in library::all() {
         if let Ok(problem) = family.generate(&[]) {
             proved(&problem)?;
@@ -71,5 +71,5 @@ fn main() -> Result<()> {
 }
 
 fn write(folder: &Path, stem: &str, text: &str) -> Result<()> {
-    file::write(&folder.join(format!("{stem}.proof.json")), text)
+    file::write_in(folder, format!("{stem}.proof.json"), text)
 }

@@ -70,7 +70,7 @@ pub fn linked(text: &str) -> Vec<Live> {
 pub fn write_linked(html: &str, folder: &Path) -> Result<()> {
     let is_linked = |page: &&Page| html.contains(&format!("href=\"live/{}.html", page.name));
     for page in PAGES.iter().filter(is_linked) {
-        file::write(&folder.join(format!("live/{}.html", page.name)), page.text())?;
+        file::write_in(folder, format!("live/{}.html", page.name), page.text())?;
     }
     Ok(())
 }

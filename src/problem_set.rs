@@ -21,6 +21,10 @@ use crate::scene::{Scene, catalogue};
 use crate::simulation::Step;
 use crate::solver::{Options, Start, by_name, default_for};
 
+/// A card of each problem.
+const INDEX: &str = "index.csv";
+/// How to cite the set.
+const CITATION: &str = "CITATION.cff";
 /// Problems with more numbers in A are left out.
 const MOST_NUMBERS: usize = 90_000;
 /// Seeds of each family that has one.
@@ -41,7 +45,7 @@ const VERSION: &str = "3";
 /// # Errors
 /// If the folder cannot be written.
 pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
-    file::prepare(folder)?;
+    file::prepare(folder, &[INDEX, CITATION])?;
     let mut problems: Vec<Problem> = library::all().flat_map(of_family).collect();
     let scenes = catalogue::SHIPPED.iter();
     problems.extend(scenes.flat_map(|scene| STEPS.map(|k| step(scene.name, k))).flatten());
@@ -74,13 +78,13 @@ pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
             continue; // a family with another parameter for the same problem
         }
         let name = format!("{:03}_{}.json", written.len() + 1, stem(&problem.name));
-        file::write(&folder.join(&name), text)?;
+        file::write_in(folder, &name, text)?;
         csv::record(&mut index, record(problem, &name, &hash));
         written.push(hash);
         progress.inc(1);
     }
-    file::write(&folder.join("index.csv"), index)?;
-    file::write(&folder.join("CITATION.cff"), citation(written.len()))?;
+    file::write_in(folder, INDEX, index)?;
+    file::write_in(folder, CITATION, citation(written.len()))?;
     Ok(written.len())
 }
 

@@ -266,7 +266,7 @@ fn worst_problems(
         let Some(solve) = main_solve(&step) else { continue };
         let name = format!("{stem}-step-{}.json", step.number);
         let text = format!("{}\n", solve.exported(scene, step.number).to_json());
-        file::write(&page.with_file_name(&name), &text)?;
+        file::write_in(&file::folder_of(page), &name, &text)?;
         written.push((name, format!("step {}: {why}", step.number)));
     }
     Ok(written)

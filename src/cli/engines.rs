@@ -3,15 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 use std::time::Duration;
-use std::{env, fs, thread};
+use std::{env, thread};
 
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::memory::Memory;
 use lcplab::plugin::group::ProcessGroup;
 use lcplab::solver::{Reason, Stop};
 
 /// The environment variable that names another interpreter than `python3`.
 const INTERPRETER: &str = "LCPLAB_PYTHON";
+/// The file of the record in the report's folder.
+const RECORD: &str = "engines.json";
 /// All engines that are installed.
 const ALL: &str = "all";
 /// How often it is looked whether the engines are through, or it is time to stop.
@@ -31,8 +34,10 @@ pub fn run(
         let reason = format!("{names:?} names no engine; {ALL} are all that are installed");
         return Err(Error::invalid("--engine", "engines", reason));
     }
-    file::prepare(folder)?;
-    let (record, part) = (folder.join("engines.json"), folder.join("engines.part.json"));
+    file::prepare(folder, &[RECORD])?;
+    // Python follows links, so that its file is not made in a folder that may hold some.
+    let own = tempfile::tempdir().map_err(|cause| Error::file(&env::temp_dir(), &cause))?;
+    let part = own.path().join(RECORD);
     let python = env::var_os(INTERPRETER).filter(|name| !name.is_empty());
     let python = python.unwrap_or_else(|| "python3".into());
     let refused = |reason: String| {
@@ -56,8 +61,11 @@ pub fn run(
         }
         Ok(_) => {}
     }
-    fs::rename(&part, &record).map_err(|_| refused("wrote no record".into()))?;
-    Ok(Ok(record))
+    if !part.is_file() {
+        return Err(refused("wrote no record".into()));
+    }
+    file::write_in(folder, RECORD, file::read(&part, Memory::default())?)?;
+    Ok(Ok(folder.join(RECORD)))
 }
 
 /// How a process ended, or why it was stopped.

@@ -95,15 +95,18 @@ impl Lesson {
     fn write(&self, lesson: &Program) -> Result<PathBuf> {
         let (folder, kind) =
             if self.ipynb { ("notebooks", "ipynb") } else { ("reports/lessons", "html") };
-        let folder = self.out.as_deref().unwrap_or(Path::new(folder));
+        let folder = match &self.out {
+            Some(folder) => folder.clone(),
+            None => file::inside(Path::new(""), folder)?,
+        };
         let record = lesson.run()?;
         let text =
             if self.ipynb { lesson.notebook(&record)? } else { lesson.page(&record)?.render()? };
         let name = if lesson.name == "README" { "index" } else { lesson.name };
-        let path = folder.join(name).with_extension(kind);
-        file::write(&path, &text)?;
-        write_linked(&text, folder)?;
-        Ok(path)
+        let name = format!("{name}.{kind}");
+        file::write_in(&folder, &name, &text)?;
+        write_linked(&text, &folder)?;
+        Ok(folder.join(name))
     }
 }
 

@@ -7,7 +7,7 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::live::PAGES;
 
-use super::{Outcome, print};
+use super::{Outcome, folder_of, print};
 
 /// Write a live page: drag a problem, step through methods
 #[derive(Debug, Args)]
@@ -25,9 +25,9 @@ pub struct Live {
     /// Show it in the browser
     #[arg(long, requires = "page")]
     open: bool,
-    /// Folder to write it into
-    #[arg(long, default_value = "reports/live")]
-    out: PathBuf,
+    /// Folder to write it into [default: reports/live]
+    #[arg(long)]
+    out: Option<PathBuf>,
 }
 
 impl Live {
@@ -42,8 +42,10 @@ impl Live {
             name: name.clone(),
             known: PAGES.iter().map(|page| page.name.to_string()).collect(),
         })?;
-        let path = self.out.join(format!("{name}.html"));
-        file::write(&path, page.text())?;
+        let folder = folder_of(self.out.as_deref(), "reports", "live")?;
+        let file = format!("{name}.html");
+        file::write_in(&folder, &file, page.text())?;
+        let path = folder.join(file);
         if self.open {
             open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
         }

@@ -41,7 +41,7 @@ use lcplab::memory::Memory;
 use lcplab::report::text::printable;
 use lcplab::solver::Reason;
 
-use limits::{Limits, TimeLimit};
+use limits::{Limits, TimeLimit, outlive_file_size_limit};
 
 /// Solve, judge and compare contact problems of rigid bodies.
 #[derive(Debug, Parser)]
@@ -168,6 +168,7 @@ fn code(reason: Reason) -> u8 {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let matches = grouped(Cli::command()).get_matches_from(arguments);
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    outlive_file_size_limit();
     let limits = Limits::begin(&cli.time);
     let result = match cli.command {
         Command::Report(command) => command.run(&limits),
@@ -251,7 +252,7 @@ fn folder_of(out: Option<&Path>, usual: &str, name: &str) -> Result<PathBuf> {
     }
     let reason = |reason| format!("{reason}; --out FOLDER takes another one");
     file::check_name(name).map_err(|why| Error::invalid(usual, "folder", reason(why)))?;
-    Ok([usual, name].iter().collect())
+    file::inside(Path::new(""), Path::new(usual).join(name))
 }
 
 /// A number of threads.

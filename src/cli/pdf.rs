@@ -1,12 +1,12 @@
 //! A page as PDF, printed by a browser that is on the machine: what is seen is what is printed.
 
 use std::env::{self, consts::EXE_SUFFIX};
-use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{self, Command};
+use std::process::Command;
 
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use tempfile::TempDir;
 
 /// The names under which the browser is looked for.
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
@@ -35,9 +35,7 @@ impl Browser {
     /// # Errors
     /// If the page cannot be read, or the browser does not print it.
     pub fn print(&self, page: &Path) -> Result<PathBuf> {
-        let pdf = page.with_file_name("report.pdf");
-        file::made_by(&pdf, |part| self.print_to(part, page))?;
-        Ok(pdf)
+        file::make_in(&file::folder_of(page), "report.pdf", |part| self.print_to(part, page))
     }
 
     /// Prints an SVG picture to a page of its size.
@@ -45,7 +43,6 @@ impl Browser {
     /// # Errors
     /// If the browser does not print it.
     pub fn print_picture(&self, svg: &str, pdf: &Path) -> Result<()> {
-        let page = pdf.with_extension("page.html");
         let size = |key: &str| {
             let after = svg.split(&format!(" {key}=\"")).nth(1).unwrap_or_default();
             after.split('"').next().unwrap_or_default().to_string()
@@ -55,26 +52,23 @@ impl Browser {
             "@page {{ size: {width}px {height}px; margin: 0 }} body {{ margin: 0 }} svg {{ display: block }}"
         );
         let html = format!("<!doctype html><meta charset=\"utf-8\"><style>{style}</style>{svg}");
-        file::write(&page, html)?;
-        let printed = file::made_by(pdf, |part| self.print_to(part, &page));
-        // The page was the browser's alone.
-        let _ = fs::remove_file(&page);
-        printed
+        let folder = private_folder()?;
+        file::write_in(folder.path(), "page.html", html)?;
+        let page = folder.path().join("page.html");
+        file::made_by(pdf, |part| self.print_to(part, &page))
     }
 
     fn print_to(&self, part: &Path, page: &Path) -> Result<()> {
         let address = page.canonicalize().map_err(|cause| Error::file(page, &cause))?;
-        let profile = env::temp_dir().join(format!("lcplab-print-{}", process::id()));
+        let profile = private_folder()?;
         // Without a sandbox, as it may be the superuser who prints; the page is ours and fetches nothing.
         let output = Command::new(&self.0)
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"])
-            .arg(format!("--user-data-dir={}", profile.display()))
+            .arg(format!("--user-data-dir={}", profile.path().display()))
             .arg(format!("--print-to-pdf={}", part.display()))
             .arg(address)
             .output()
             .map_err(|cause| Error::file(&self.0, &cause))?;
-        // What it leaves behind is of no use, and no harm.
-        let _ = fs::remove_dir_all(&profile);
         // The part is there before it is printed to, and empty.
         if !part.metadata().is_ok_and(|part| part.len() > 0) {
             let said = String::from_utf8_lossy(&output.stderr);
@@ -83,4 +77,9 @@ impl Browser {
         }
         Ok(())
     }
+}
+
+/// A folder of a name that nobody else knows, which goes when it is dropped: what the browser needs while it prints.
+fn private_folder() -> Result<TempDir> {
+    tempfile::tempdir().map_err(|cause| Error::file(&env::temp_dir(), &cause))
 }

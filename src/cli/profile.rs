@@ -1,6 +1,6 @@
 //! `compare-solvers --profile`: a performance profile for a paper.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use lcplab::csv;
 use lcplab::error::Result;
@@ -17,12 +17,16 @@ pub fn write(name: &Path, rows: &[Row]) -> Result<()> {
     let costs = costs(rows, &solvers);
     let (of_all, of_its_own) = (profiles(&of_all(&costs)), profiles(&costs));
     let figure = figure(&solvers, &of_all, &of_its_own);
-    let beside = |ending: &str| -> PathBuf { name.with_extension(ending) };
-    file::write(&beside("svg"), figure.svg())?;
-    file::write(&beside("csv"), figure.csv())?;
-    file::write(&beside("tex"), latex(&solvers, &of_all, &of_its_own, costs.len()))?;
-    let stem = name.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into());
-    file::write(&name.with_file_name(format!("{stem}_problems.csv")), problems(rows))
+    let (folder, stem) = (file::folder_of(name), name.file_stem().unwrap_or_default());
+    let write = |ending: &str, text: String| {
+        let mut own = stem.to_os_string();
+        own.push(ending);
+        file::write_in(&folder, own, text)
+    };
+    write(".svg", figure.svg())?;
+    write(".csv", figure.csv())?;
+    write(".tex", latex(&solvers, &of_all, &of_its_own, costs.len()))?;
+    write("_problems.csv", problems(rows))
 }
 
 /// What every solver made of every problem, as CSV.

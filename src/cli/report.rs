@@ -174,13 +174,16 @@ impl Report {
         }
         if let Some(id) = &self.section {
             experiment = experiment.only(id)?;
-            folder.push(id);
+            folder = file::inside(&folder, id)?;
         }
         if let Some(threads) = self.threads {
             // Fails only if the pool exists already, which nothing before this has made.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         let is_alone = self.figure.is_some();
+        if !is_alone {
+            write::WRITTEN.iter().try_for_each(|name| file::inside(&folder, name).map(drop))?;
+        }
         let begun = || interrupted(&folder.join(write::RESULTS));
         let earlier = if self.fresh || is_alone { None } else { begun() };
         experiment.command = Some(self.command());
@@ -262,10 +265,10 @@ impl Report {
 
     /// The report `chapter`: a notebook in the order of the chapter, run and written as one page.
     fn handout(&self) -> Result<(Outcome, PathBuf)> {
-        let folder = self.out.clone().unwrap_or_else(|| ["reports", HANDOUT.name].iter().collect());
+        let folder = folder_of(self.out.as_deref(), "reports", HANDOUT.name)?;
+        let path = file::inside(&folder, "index.html")?;
         let page = HANDOUT.page(&HANDOUT.run()?)?.render()?;
-        let path = folder.join("index.html");
-        file::write(&path, &page)?;
+        file::write_in(&folder, "index.html", &page)?;
         print(&format!("{}\n", path.display()))?;
         Ok((Outcome::Good, path))
     }

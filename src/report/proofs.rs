@@ -108,9 +108,9 @@ impl Proofs {
     /// If one cannot be written.
     pub fn write(&self, folder: &Path) -> Result<()> {
         for own in &self.problems {
-            file::write(&folder.join(FOLDER).join(format!("{}.json", own.name)), &own.problem)?;
+            file::write_in(folder, format!("{FOLDER}/{}.json", own.name), &own.problem)?;
             for (_, proof) in &own.proofs {
-                file::write(&folder.join(&proof.file), &proof.text)?;
+                file::write_in(folder, &proof.file, &proof.text)?;
             }
         }
         Ok(())

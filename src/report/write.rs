@@ -11,6 +11,10 @@ use crate::live::write_linked;
 
 /// The name of the results beside a page.
 pub const RESULTS: &str = "results.json";
+/// The name of the page.
+const PAGE: &str = "index.html";
+/// What a report writes into its folder: its results, a page, and a folder of figures and tables.
+pub const WRITTEN: [&str; 3] = [RESULTS, PAGE, FILES];
 
 /// Writes `index.html`, `results.json` and the folder of figures and tables into `folder`; returns
 /// the path of the page.
@@ -29,7 +33,7 @@ pub fn report(results: &Results, folder: &Path) -> Result<PathBuf> {
 pub fn results(results: &Results, folder: &Path) -> Result<()> {
     let json = layout::json(&results.sealed())
         .map_err(|cause| Error::invalid(RESULTS, "results", cause.to_string()))?;
-    file::write(&folder.join(RESULTS), &json)
+    file::write_in(folder, RESULTS, &json)
 }
 
 /// Writes a document's page, figures and tables; returns the path of the page.
@@ -40,18 +44,17 @@ pub fn results(results: &Results, folder: &Path) -> Result<()> {
 pub fn document(document: &Document, folder: &Path) -> Result<PathBuf> {
     check_names(document)?;
     let html = document.page.render()?;
-    let data = folder.join(FILES);
+    let data = |id: &str, ending: &str| format!("{FILES}/{id}.{ending}");
     for figure in &document.figures {
-        file::write(&data.join(format!("{}.svg", figure.id())), figure.svg())?;
-        file::write(&data.join(format!("{}.csv", figure.id())), figure.csv())?;
+        file::write_in(folder, data(figure.id(), "svg"), figure.svg())?;
+        file::write_in(folder, data(figure.id(), "csv"), figure.csv())?;
     }
     for (id, table) in &document.tables {
-        file::write(&data.join(format!("{id}.csv")), table.csv())?;
+        file::write_in(folder, data(id, "csv"), table.csv())?;
     }
     write_linked(&html, folder)?;
-    let page = folder.join("index.html");
-    file::write(&page, &html)?;
-    Ok(page)
+    file::write_in(folder, PAGE, &html)?;
+    Ok(folder.join(PAGE))
 }
 
 /// Names of figures and tables are made of those of scenes, runs and sections.

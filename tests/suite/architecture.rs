@@ -126,3 +126,33 @@ fn the_readme_is_short_and_leads_to_every_page() {
         assert!(root.join(link).exists(), "{link}");
     }
 }
+
+#[test]
+fn files_are_written_in_one_place_and_never_through_a_link_of_a_stranger() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let crates = fs::read_dir(root.join("crates")).unwrap().map(|entry| entry.unwrap().path());
+    let folders = crates.map(|path| path.join("src")).chain([root.join("src")]);
+    let direct = [
+        "fs::write(",
+        "fs::copy(",
+        "fs::rename(",
+        "fs::create_dir",
+        "fs::hard_link(",
+        "File::create",
+        "OpenOptions::new",
+    ];
+    for file in folders.flat_map(|folder| sources(&folder)) {
+        if file.ends_with("crates/files/src/disk.rs") {
+            continue;
+        }
+        let text = fs::read_to_string(&file).unwrap();
+        let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        for line in code {
+            assert!(!direct.iter().any(|word| line.contains(word)), "{}: {line}", file.display());
+            // What follows is a path that the user named, not one that is put together here.
+            let named = line.split_once("file::write(").map_or("", |(_, rest)| rest);
+            let is_made = [".join(", "with_file_name(", "with_extension("];
+            assert!(!is_made.iter().any(|word| named.contains(word)), "{}: {line}", file.display());
+        }
+    }
+}

@@ -30,7 +30,9 @@ impl Output {
     /// If a file cannot be written.
     pub fn save(&self, path: &Path) -> Result<()> {
         for (part, text) in &self.parts {
-            disk::write(&beside(path, MATRIX, part), text)?;
+            let own = beside(path, MATRIX, part);
+            let name = own.file_name().unwrap_or_default();
+            disk::write_in(&disk::folder_of(path), name, text)?;
         }
         disk::write(path, &self.main)
     }

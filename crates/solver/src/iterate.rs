@@ -65,6 +65,7 @@ pub(super) fn iterate_in_parts(
         if iteration > first || first == 0 {
             let iterate = Iterate { iteration, x: &x, event };
             if observer.observe(&iterate).is_break() {
+                let x = if is_finite(&x) { x } else { last_finite };
                 return Solution::new(lcp, x, Status::Stopped, iteration);
             }
         }

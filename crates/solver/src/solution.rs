@@ -8,7 +8,7 @@ use lcplab_problem::memory::Memory;
 /// A solver's answer. There is no time in it: a solution is the same on every machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// The unknowns, n entries.
+    /// The unknowns, n finite entries.
     pub x: Vec<f64>,
     /// w = A x + b, recomputed from x when the solution was made.
     pub w: Vec<f64>,
@@ -21,8 +21,14 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// The solution with this x; w is recomputed.
-    pub fn new(lcp: &Lcp, x: Vec<f64>, status: Status, iterations: usize) -> Self {
+    /// The solution with this x; w is recomputed. An x that overflowed is no answer, whatever the method says of it: it
+    /// becomes zero, moved into the bounds, with the status [`Status::NotFinite`].
+    pub fn new(lcp: &Lcp, mut x: Vec<f64>, mut status: Status, iterations: usize) -> Self {
+        if !x.iter().all(|x| x.is_finite()) {
+            x.fill(0.0);
+            lcp.project_all(&mut x);
+            status = Status::NotFinite;
+        }
         Solution { w: lcp.w(&x), x, status, iterations, fallback: None }
     }
 
@@ -77,7 +83,8 @@ pub enum Status {
     Stopped,
     /// The iterates grow without bound; x is the last finite iterate.
     Diverged,
-    /// An iterate was not finite; x is the last finite one.
+    /// An iterate was not finite, since a number was beyond 1.8e308; x is the last finite iterate, or zero moved into the
+    /// bounds where the method keeps none.
     NotFinite,
     /// Row `row` has a_ii ≤ 0, by which the method divides; x is the iterate before that.
     ZeroDiagonal {
@@ -127,7 +134,7 @@ impl fmt::Display for Status {
             Status::Stalled => write!(f, "no more progress"),
             Status::Stopped => write!(f, "stopped by the observer"),
             Status::Diverged => write!(f, "diverged"),
-            Status::NotFinite => write!(f, "an iterate was not finite"),
+            Status::NotFinite => write!(f, "an iterate was not finite; x is not an answer"),
             Status::ZeroDiagonal { row } => write!(f, "the diagonal of row {row} is not positive"),
             Status::Singular { row } => write!(f, "singular at row {row}"),
             Status::Ray { row, .. } => {

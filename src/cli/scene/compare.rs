@@ -73,7 +73,7 @@ impl Compare {
         let samples = Memory::bytes(size_of::<Sample>() as u64).times(steps);
         scene.memory.check(what, samples.times(contenders.len()))?;
         if let Some(folder) = &self.out {
-            file::prepare(folder)?;
+            file::prepare(folder, &write::WRITTEN)?;
         }
         let progress = bar(contenders.len() as u64, &scene.name);
         let stop = limits.stop();

@@ -19,6 +19,16 @@ use crate::cli::limits::Limits;
 use crate::cli::plugin::Plugins;
 use crate::cli::{Outcome, bar, print};
 
+/// What is written into the folder.
+const FILES: [&str; 7] = [
+    "trajectory.csv",
+    "ledger.csv",
+    "forces.csv",
+    "results.json",
+    "final.toml",
+    "index.html",
+    "frames.svg",
+];
 /// The steps that a duration may stand for.
 const MOST_STEPS: f64 = 1e9;
 
@@ -67,7 +77,7 @@ impl Simulate {
         let scene = self.scene.load(Plugins::sole(self.scene.solver.as_deref(), &plugins)?)?;
         let simulation = self.scene.simulation(&scene)?;
         if let Some(folder) = &self.out {
-            file::prepare(folder)?;
+            file::prepare(folder, &FILES)?;
         }
         let steps = self.count(&scene)?;
         let mut record = Record::start(&scene, &simulation);
@@ -159,12 +169,12 @@ impl Simulate {
         record.write(folder)?;
         let states = &camera.last.states;
         let saved = self.scene.changes.saved(&self.scene.scene, scene, states)?;
-        file::write(&folder.join("final.toml"), &saved)?;
+        file::write_in(folder, "final.toml", &saved)?;
         let page = view::simulation_page(Film::new("film", scene, vec![camera.take]), record);
-        file::write(&folder.join("index.html"), &page.render()?)?;
+        file::write_in(folder, "index.html", &page.render()?)?;
         let strip = Strip::new(scene, camera.frames);
         let strip = if self.forces { strip.with_forces() } else { strip };
-        file::write(&folder.join("frames.svg"), strip.svg())
+        file::write_in(folder, "frames.svg", strip.svg())
     }
 
     /// The steps after which to look; none if no picture is wanted.

@@ -97,9 +97,9 @@ pub fn collect(grid: &Grid, folder: &Folder) -> Result<Collection> {
         }
     }
     let axes = &folder.plan().axes;
-    file::write(&folder.path().join("results.csv"), table(axes, &collection.points()))?;
-    file::write(&folder.path().join("results.json"), &pretty(&object(folder, &collection.done))?)?;
-    file::write(&folder.path().join("times.csv"), times(&collection.done))?;
+    file::write_in(folder.path(), "results.csv", table(axes, &collection.points()))?;
+    file::write_in(folder.path(), "results.json", &pretty(&object(folder, &collection.done))?)?;
+    file::write_in(folder.path(), "times.csv", times(&collection.done))?;
     write::document(&page::document(grid, folder.plan(), &collection), folder.path())?;
     Ok(collection)
 }

@@ -17,6 +17,9 @@ use crate::memory::Memory;
 use crate::report::tasks::Tasks;
 use crate::solver::Stop;
 
+/// The file of the plan in the folder.
+const PLAN: &str = "plan.json";
+
 /// A folder with the plan and the results of a grid.
 #[derive(Debug, Clone)]
 pub struct Folder {
@@ -53,10 +56,10 @@ impl Folder {
     /// The folder of a grid, which need not exist yet.
     ///
     /// # Errors
-    /// If it holds another plan, or a scene of the grid cannot be read.
+    /// If it holds another plan, or a link in its place, or a scene of the grid cannot be read.
     pub fn new(path: &Path, grid: &Grid) -> Result<Self> {
         let plan = grid.plan()?;
-        let file = path.join("plan.json");
+        let file = file::inside(path, PLAN)?;
         if let Some(found) = read(&file)? {
             check(&file, found["hash"].as_str().unwrap_or("none"), &plan.hash)?;
         }
@@ -78,9 +81,8 @@ impl Folder {
     /// # Errors
     /// If it cannot be written.
     pub fn write_plan(&self) -> Result<PathBuf> {
-        let path = self.path.join("plan.json");
-        file::write(&path, &pretty(&self.plan)?)?;
-        Ok(path)
+        file::write_in(&self.path, PLAN, &pretty(&self.plan)?)?;
+        Ok(self.path.join(PLAN))
     }
 
     /// Does one task, whether its result is there or not, and keeps the result.
@@ -133,7 +135,7 @@ impl Folder {
     /// # Errors
     /// If it cannot be read, or belongs to another plan.
     pub fn record(&self, number: usize) -> Result<Option<Record>> {
-        let path = self.file(number);
+        let path = file::inside(&self.path, name(number))?;
         let Some(found) = read(&path)? else { return Ok(None) };
         let record: Record =
             serde_json::from_value(found).map_err(|cause| unreadable(&path, &cause))?;
@@ -153,12 +155,13 @@ impl Folder {
     }
 
     fn keep(&self, record: &Record) -> Result<()> {
-        file::write(&self.file(record.task), &pretty(record)?)
+        file::write_in(&self.path, name(record.task), &pretty(record)?)
     }
+}
 
-    fn file(&self, number: usize) -> PathBuf {
-        self.path.join("tasks").join(format!("{number}.json"))
-    }
+/// The file of a task's result in the folder.
+fn name(task: usize) -> String {
+    format!("tasks/{task}.json")
 }
 
 /// The JSON of a file; `None` if there is no such file.

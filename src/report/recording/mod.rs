@@ -177,11 +177,11 @@ impl Record {
     /// If a file cannot be written.
     pub fn write(&self, folder: &Path) -> Result<()> {
         if let Some(Tables { trajectory, ledger, forces }) = &self.tables {
-            file::write(&folder.join("trajectory.csv"), trajectory)?;
-            file::write(&folder.join("ledger.csv"), ledger)?;
-            file::write(&folder.join("forces.csv"), forces)?;
+            file::write_in(folder, "trajectory.csv", trajectory)?;
+            file::write_in(folder, "ledger.csv", ledger)?;
+            file::write_in(folder, "forces.csv", forces)?;
         }
-        file::write(&folder.join("results.json"), format!("{:#}\n", self.summary()))
+        file::write_in(folder, "results.json", format!("{:#}\n", self.summary()))
     }
 
     /// The totals as JSON.

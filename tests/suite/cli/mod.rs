@@ -11,6 +11,8 @@ mod exit_code;
 mod friction;
 mod hostile;
 mod limits;
+#[cfg(unix)] // its links
+mod links;
 mod mistake;
 mod plugin;
 mod problem_set;

@@ -19,6 +19,20 @@ fn solve_prints_one_json_object_with_the_fixed_keys() {
 }
 
 #[test]
+fn an_answer_that_overflows_is_a_status_and_has_finite_numbers() {
+    // x = −1e600.
+    let problem = r#"{"A": {"dense": [[-1e-300]]}, "b": [-1e300], "lo": ["-inf"]}"#;
+    for solver in ["lemke", "enumeration"] {
+        let output = run_with(problem, &["solve", "-", "--solver", solver, "--json"]);
+        assert_eq!(output.status.code(), Some(1), "{solver}: {}", out(&output));
+        let answer: Value = serde_json::from_str(&out(&output)).unwrap();
+        assert_eq!(answer["status"], "failed", "{answer}");
+        assert_eq!(answer["message"], "an iterate was not finite; x is not an answer", "{answer}");
+        assert_eq!(answer["x"], serde_json::json!([0.0]), "{answer}");
+    }
+}
+
+#[test]
 fn without_a_name_the_matrix_chooses_the_solver() {
     let skew = r#"{"A": {"dense": [[0, -1], [1, 1]]}, "b": [1, -2]}"#;
     for (problem, solver) in [(GOOD, "dantzig"), (skew, "lemke")] {

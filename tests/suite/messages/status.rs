@@ -55,7 +55,7 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
         Status::Stalled => said("lemke", &rubbing, usual()), "no more progress";
         Status::Stopped => stopped(), "stopped by the observer";
         Status::Diverged => said("pgs", &indefinite, usual()), "diverged";
-        Status::NotFinite => said("murty", &beyond, usual()), "an iterate was not finite";
+        Status::NotFinite => said("murty", &beyond, usual()), "an iterate was not finite; x is not an answer";
         Status::ZeroDiagonal { .. } => said("pgs", &flat, usual()),
             "the diagonal of row 1 is not positive";
         Status::Singular { .. } => said("block-pivoting", &dependent, usual()), "singular at row 1";

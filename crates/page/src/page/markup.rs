@@ -4,10 +4,10 @@
 //! *word*, **word**, `word`, [word](address), lists, tables, $x^2$, $$x^2$$ on a line of its own
 //! ```
 //!
-//! HTML is shown, not obeyed.
+//! HTML is shown, not obeyed. A page loads nothing, so that a picture, ![words](address), is its words and a link.
 
 use math_core::{LatexToMathML, MathDisplay};
-use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, html::push_html};
+use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 
 use super::mathml;
 
@@ -77,8 +77,11 @@ impl Renderer {
 
     fn events<'a>(&self, text: &'a str) -> Result<Vec<Event<'a>>, String> {
         let options = Options::ENABLE_MATH | Options::ENABLE_TABLES;
-        let parser = Parser::new_ext(text, options).into_offset_iter();
-        parser.map(|(event, range)| self.event(event, text, range.start)).collect()
+        let (mut events, mut pictures) = (Vec::new(), Pictures::default());
+        for (event, range) in Parser::new_ext(text, options).into_offset_iter() {
+            events.extend(pictures.linked(self.event(event, text, range.start)?));
+        }
+        Ok(events)
     }
 
     /// The event with mathematics set, HTML disarmed, and addresses and dollar signs checked.
@@ -102,6 +105,50 @@ impl Renderer {
 
     fn mathml(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         mathml::converted(&self.math, latex, display)
+    }
+}
+
+/// Where in the links and pictures of a text a reader is.
+#[derive(Default)]
+struct Pictures<'a> {
+    /// The links to the pictures whose words are being read.
+    open: Vec<Tag<'a>>,
+    /// How many links they stand in: a link cannot hold another one.
+    links: usize,
+}
+
+impl<'a> Pictures<'a> {
+    /// The event; of a picture its words, and its address in parentheses.
+    fn linked(&mut self, event: Event<'a>) -> Vec<Event<'a>> {
+        match event {
+            Event::Start(Tag::Image { link_type, dest_url, title, id }) => {
+                self.open.push(Tag::Link { link_type, dest_url, title, id });
+                Vec::new()
+            }
+            Event::End(TagEnd::Image) => {
+                self.open.pop().map_or(Vec::new(), |link| self.close(link))
+            }
+            Event::Start(Tag::Link { .. }) => {
+                self.links += 1;
+                vec![event]
+            }
+            Event::End(TagEnd::Link) => {
+                self.links -= 1;
+                vec![event]
+            }
+            event => vec![event],
+        }
+    }
+
+    fn close(&self, link: Tag<'a>) -> Vec<Event<'a>> {
+        let Tag::Link { dest_url: address, .. } = &link else { return Vec::new() };
+        let address = Event::Text(address.clone());
+        let address = match self.links {
+            0 => vec![Event::Start(link), address, Event::End(TagEnd::Link)],
+            _ => vec![address],
+        };
+        let sign = |sign| Event::Text(CowStr::Borrowed(sign));
+        [vec![sign(" (")], address, vec![sign(")")]].concat()
     }
 }
 

@@ -156,6 +156,58 @@ fn is_measurable(m: &Manufactured) -> bool {
     (0..m.x.len()).all(|i| RowTerms::at(&m.lcp, i, &m.x).magnitude > 0.0)
 }
 
+#[test]
+fn an_answer_beyond_the_largest_number_is_a_status_and_no_answer() {
+    // x = −b/a = −1e600, and x₁ = 1e318 beside x₀ = 0: no number of 64 bits.
+    let alone = boxed(&[&[-1e-300]], &[-1e300], &[-INF], &[INF]);
+    let beside = contacts(&[&[1.0, 0.0], &[0.0, 1e-308]], &[0.0, -1e10]);
+    for lcp in [alone, beside] {
+        for solver in all() {
+            let solution = solver.solve(&lcp, &Start::default(), &mut ());
+            assert_ne!(solution.status, Status::Solved, "{}", solver.name());
+            assert!(solution.x.iter().all(|x| x.is_finite()), "{}", solver.name());
+        }
+    }
+}
+
+/// Numbers of all sizes, from subnormal ones to the largest.
+fn of_any_size() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        2 => Just(0.0),
+        3 => -2.0f64..2.0,
+        6 => (-2.0f64..2.0, -310i32..308).prop_map(|(v, power)| v * 10f64.powi(power)),
+    ]
+}
+
+/// A symmetric problem of three rows with such numbers, whose last row may be friction of the first.
+fn overflowing() -> impl Strategy<Value = Lcp> {
+    let numbers = proptest::collection::vec(of_any_size(), 9);
+    let bounds =
+        proptest::sample::select(vec![(0.0, INF), (-INF, INF), (-1.0, 1.0), (-1.0, 1e308)]);
+    (numbers, bounds, any::<bool>()).prop_map(|(v, (lo, hi), is_coupled)| {
+        let a: [&[f64]; 3] = [&[v[0], v[1], v[2]], &[v[1], v[3], v[4]], &[v[2], v[4], v[5]]];
+        if !is_coupled {
+            return boxed(&a, &v[6..], &[lo; 3], &[hi; 3]);
+        }
+        let lcp = boxed(&a, &v[6..], &[0.0, lo, -INF], &[INF, hi, INF]);
+        let friction = Coupling::new(vec![None, None, Some(0)], vec![0.0, 0.0, 0.5]);
+        lcp.with_coupling(friction.unwrap()).unwrap()
+    })
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn x_is_finite_whatever_overflows(lcp in overflowing()) {
+        for solver in all() {
+            let solution = solver.solve(&lcp, &Start::default(), &mut ());
+            let is_finite = solution.x.iter().all(|x| x.is_finite());
+            prop_assert!(is_finite, "{}: {} {:?}", solver.name(), solution.status, solution.x);
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(cases(150))]
 

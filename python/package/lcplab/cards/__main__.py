@@ -74,9 +74,14 @@ def _write(file: Path, found: list[tuple[str, Column]]) -> None:
 
 def _report(folder: Path, found: list[tuple[str, Column]]) -> int:
     folder.mkdir(parents=True, exist_ok=True)
-    _write(folder / "engines.json", found)
-    file = folder / "engines.toml"
-    file.write_text(REPORT.format(record=json.dumps(str(folder / "engines.json"))), encoding="utf-8")
+    record_file, file = folder / "engines.json", folder / "engines.toml"
+    for own in (record_file, file):
+        # The folder may come from a stranger, whose link could lead to any file of the user.
+        if own.is_symlink():
+            print(f"error: {own} is a symbolic link, and nothing is written through it: delete it", file=sys.stderr)
+            return 2
+    _write(record_file, found)
+    file.write_text(REPORT.format(record=json.dumps(str(record_file))), encoding="utf-8")
     return _lcplab.run(["lcplab", "report", str(file), "--out", str(folder), "--fresh"])
 
 

@@ -34,6 +34,19 @@ fn markup_becomes_html() {
 }
 
 #[test]
+fn a_picture_that_a_page_does_not_load_keeps_its_address() {
+    let link = "<a href=\"http://a.org/x.png\">http://a.org/x.png</a>";
+    let alone = text("a ![page *image*](http://a.org/x.png) b");
+    assert_eq!(alone, format!("<p>a page <em>image</em> ({link}) b</p>"));
+    // A link holds no other one, and a picture may hold one or stand in one.
+    let within = text("[![page](http://a.org/x.png)](http://b.org)");
+    assert_eq!(within, "<p><a href=\"http://b.org\">page (http://a.org/x.png)</a></p>");
+    let around = text("![[page](http://b.org)](http://a.org/x.png)");
+    assert_eq!(around, format!("<p><a href=\"http://b.org\">page</a> ({link})</p>"));
+    assert!(!text("![page](x.png \"title\")").contains("<img"));
+}
+
+#[test]
 fn signs_without_a_partner_are_signs() {
     assert_eq!(text("x* - y, 2 * 3 * 4, a[3]"), "<p>x* - y, 2 * 3 * 4, a[3]</p>");
     assert_eq!(text("\\*a\\* \\$5 C:\\dir"), "<p>*a* $5 C:\\dir</p>");
