@@ -85,7 +85,8 @@ impl Solve {
             self.tracing.check(false)?;
             self.proof.as_ref().map_or(Ok(()), |_| proof::check_model(model))?;
             let method = solver.map(|name| methods::by_name(name, model)).transpose()?;
-            let options = self.settings.options(method.as_slice())?;
+            let first = methods::by_name(methods::default_for(model), model)?;
+            let options = self.settings.options(&[method.unwrap_or(first)])?;
             let input = self.problem.display().to_string();
             let question = Question::new(&problem, Some(model), &input)?;
             let title = title(&problem);
@@ -104,7 +105,8 @@ impl Solve {
         // A trace shows one method.
         let traced = self.tracing.is_wanted().then(|| default_for(&problem.lcp));
         let entry = solver.or(traced).map(methods::entry).transpose()?;
-        let options = self.settings.options(entry.map(Method::Boxed).as_slice())?;
+        let first = methods::entry(default_for(&problem.lcp))?;
+        let options = self.settings.options(&[Method::Boxed(entry.unwrap_or(first))])?;
         let (stop, start) = (limits.stop(), Start::default());
         let mut trace = Convergence::of(&problem.lcp);
         let observer: &mut dyn Observer =

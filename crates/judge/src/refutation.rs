@@ -13,7 +13,9 @@ use lcplab_problem::exact::Point;
 /// Of larger problems only the vectors that are at hand are tried.
 const MOST_ROWS: usize = 150;
 
-/// The judge solves no more linear programs than this: well below a second.
+/// Problems with more choices of active rows, such as four contacts with friction, are not split into cases.
+const MOST_CHOICES: usize = 1 << 16;
+/// The judge solves no more linear programs than this.
 const MOST_PROGRAMS: usize = 500;
 
 /// Why no x solves a problem.
@@ -84,6 +86,9 @@ pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]]) -> Existence {
     if let Some(farkas) = refuting_vector(lcp, hints) {
         return Existence::None(Refutation::Vector(farkas));
     }
+    if choices(lcp).is_none_or(|count| count > MOST_CHOICES) {
+        return Existence::Unknown;
+    }
     match search(lcp, MOST_PROGRAMS) {
         Some(Search::Solution(point)) => Existence::Solution(point),
         Some(Search::None(tree)) => {
@@ -91,6 +96,15 @@ pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]]) -> Existence {
         }
         None => Existence::Unknown,
     }
+}
+
+/// The number of ways to choose a side for each row: at its lower bound, free, at its upper bound.
+fn choices(lcp: &Lcp) -> Option<usize> {
+    let sides = |i: usize| match lcp.is_coupled(i) {
+        true => 3,
+        false => 1 + [lcp.lo()[i], lcp.hi()[i]].iter().filter(|bound| bound.is_finite()).count(),
+    };
+    (0..lcp.len()).try_fold(1usize, |count, i| count.checked_mul(sides(i)))
 }
 
 /// The row with the largest |d_i|, of those that can be part of a proof.
