@@ -33,7 +33,7 @@
 //! be read as an equation. Numbers have twelve digits or so: the answer is no better. Dumps are only
 //! read, since a problem does not tell what H and Cq its A was made of.
 
-use super::delassus::Motion;
+use super::delassus::{Entry, Motion, is_symmetric};
 use super::words::Words;
 use super::{Format, Input};
 use lcplab_problem::error::{Error, Result};
@@ -76,9 +76,7 @@ fn read(input: &Input) -> Result<Problem> {
     jacobian.into_iter().for_each(|(i, c, value)| motion.jacobian[i].push((c, value)));
     let mut diagonal = vec![0.0; b.len()];
     compliance.into_iter().for_each(|(i, _, value)| diagonal[i] += f64::abs(value));
-    let Some((entries, free)) = motion.dual(&diagonal, &name, input.most())? else {
-        return Err(Error::invalid(name, "H", "is not positive definite"));
-    };
+    let (entries, free) = motion.dual(&diagonal, "H", &name, input.most())?;
     let b = free.iter().zip(&b).map(|(free, b)| free + b).collect();
     let Rows { lo, index, mu } = rows;
     let has_contacts = index.iter().any(Option::is_some);
@@ -89,8 +87,6 @@ fn read(input: &Input) -> Result<Problem> {
     problem.model = has_contacts.then_some(Model::AssociatedCone);
     Ok(problem)
 }
-
-type Entry = (usize, usize, f64);
 
 /// The entries of H, Cq and E, indices from 0, if they lie within the sizes of f and b.
 fn blocks(files: &[Option<Input>; 3], [k, n]: [usize; 2]) -> Result<[Vec<Entry>; 3]> {
@@ -129,15 +125,6 @@ fn blocks(files: &[Option<Input>; 3], [k, n]: [usize; 2]) -> Result<[Vec<Entry>;
         return fault(&files[2], "is not a diagonal");
     }
     Ok(blocks)
-}
-
-fn is_symmetric(entries: &[Entry]) -> bool {
-    let sorted = |key: fn(&Entry) -> Entry| {
-        let mut entries: Vec<Entry> = entries.iter().map(key).filter(|e| e.2 != 0.0).collect();
-        entries.sort_by(|a, b| a.partial_cmp(b).expect("finite numbers"));
-        entries
-    };
-    sorted(|e| *e) == sorted(|&(i, j, value)| (j, i, value))
 }
 
 /// The entries of a matrix, `row column value`.

@@ -2,7 +2,23 @@
 //! then the equations.
 
 use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::Problem;
+use lcplab_problem::file::{Entries, Parts, Problem};
+
+/// A problem whose first rows are those of one contact after the other, with a mu each; the rest are
+/// equations. There must be three rows for each mu.
+pub(super) fn coulomb(entries: Entries, b: Vec<f64>, mu: &[f64]) -> Parts {
+    let (n, friction) = (b.len(), 3 * mu.len());
+    let is_normal = |i: usize| i < friction && i.is_multiple_of(3);
+    let is_tangent = |i: usize| i < friction && !i.is_multiple_of(3);
+    Parts {
+        lo: Some((0..n).map(|i| if is_normal(i) { 0.0 } else { -f64::INFINITY }).collect()),
+        hi: None,
+        index: Some((0..n).map(|i| is_tangent(i).then_some(i - i % 3)).collect()),
+        mu: Some((0..n).map(|i| if is_tangent(i) { mu[i / 3] } else { 0.0 }).collect()),
+        entries,
+        b,
+    }
+}
 
 /// Rows in that order.
 pub(super) struct Arrangement {

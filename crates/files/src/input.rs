@@ -81,10 +81,10 @@ impl Input {
 /// `x_A.mtx` and beside `x.mtx`.
 pub(super) fn beside(path: &Path, main: &str, part: &str) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    let ending = path.extension().map(|ending| format!(".{}", ending.to_string_lossy()));
     let prefix = match stem.strip_suffix(main) {
         Some(prefix) if prefix.is_empty() || prefix.ends_with('_') => prefix.to_string(),
         _ => format!("{stem}_"),
     };
-    path.with_file_name(format!("{prefix}{part}.{ending}"))
+    path.with_file_name(format!("{prefix}{part}{}", ending.unwrap_or_default()))
 }

@@ -6,13 +6,14 @@
 //! | [`matrix_market`] | `.mtx`, several | yes | any | coupled rows | as `json`; a matrix in full is listed by columns |
 //! | [`npz`] | `.npz` | yes | any | coupled rows | as `json`; by rows unless `fortran_order` |
 //! | [`qps`] | `.qps`, `.mps` | yes | any | none | min ½ xᵀQx + cᵀx: A = Q, b = c; Q by one triangle |
-//! | [`siconos`] | `.dat` | yes | 0 and ∞ | Coulomb's law | w = M z + q; n first; dense blocks by columns |
+//! | [`siconos`] | `.dat` | yes | 0 and ∞, or finite | Coulomb's law | w = M z + q; n first; dense blocks by columns |
 //! | [`fclib`] | `.hdf5` | yes | equations | Coulomb's law | u = W r + q; n first; sparse by columns or rows |
 //! | [`chrono`] | `_Cq.dat`, several | no | equations | associated cone | A = Cq H⁻¹ Cqᵀ + E, b = Cq H⁻¹ f + b; n first |
 //!
 //! Each page says where the format is defined, how it is mapped to w = A x + b and what trips people
-//! up. None of them is guessed: what the page does not say is refused, with the file, the line or key,
-//! and the reason.
+//! up. None of them is guessed: a file is refused unless all that it holds is understood, with the file,
+//! the line or key, and the reason. What is known not to be part of the problem, such as an answer beside it, is
+//! reported as a warning.
 //!
 //! ```
 //! use lcplab_files as exchange;
@@ -41,6 +42,7 @@ mod contacts;
 mod delassus;
 pub mod disk;
 pub mod fclib;
+mod foreign;
 mod input;
 pub mod matrix_market;
 pub mod npz;
@@ -162,7 +164,7 @@ pub fn read_within(path: &Path, format: Option<&Format>, most: Memory) -> Result
     let found = main_file(path);
     let path = found.as_deref().unwrap_or(path);
     let format = format.or_else(|| Format::of(path)).unwrap_or(&JSON);
-    (format.read)(&Input::new(path, most))
+    (format.read)(&Input::new(path, most)).map_err(|error| foreign::explained(error, path, format))
 }
 
 /// Writes a problem, over several files where the format has several; returns what the reader of the

@@ -18,15 +18,16 @@
 //! Traps: indices begin with 1; an `array` is listed column by column; a `symmetric` file holds the
 //! lower triangle only, an entry above the diagonal is an error; infinite bounds are words, for which
 //! the format has none: `inf`, `Infinity` (SciPy) and the same with a sign are read, `inf` is written.
-//! Read are `real` and `integer`, `general` and `symmetric`; entries at the same place add up. Written
-//! is `general`, an `array` for a dense A, with the fewest digits that read back as the same bits.
+//! Read are `real` and `integer`, `general` and `symmetric`; entries at the same place add up.
+//! `complex` and `pattern` files, which have no real numbers, are refused. Written is `general`, an
+//! `array` for a dense A, with the fewest digits that read back as the same bits.
 
 use super::output::decimal;
 use super::table::{Table, by_rows, parts};
 use super::words::{Words, brief};
 use super::{Format, Input, MATRIX, Output};
 use lcplab_problem::Matrix;
-use lcplab_problem::error::Result;
+use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Problem};
 
 /// Matrix Market.
@@ -49,8 +50,12 @@ fn read(input: &Input) -> Result<Problem> {
         let file = input.companion(MATRIX, part);
         file.exists().then(|| table(&file)?.vector(&file.name())).transpose()
     };
-    let name = input.name();
-    let lcp = parts(table(input)?, vector, &name)?.into_lcp().map_err(|e| e.within(&name))?;
+    let (name, matrix, b) = (input.name(), table(input)?, input.companion(MATRIX, "b"));
+    if !b.exists() {
+        let reason = "is missing: a Matrix Market file holds one matrix, so b stands beside it";
+        return Err(Error::invalid(b.name(), "file", reason));
+    }
+    let lcp = parts(matrix, vector, &name)?.into_lcp().map_err(|e| e.within(&name))?;
     Ok(Problem::new(input.stem(), lcp))
 }
 

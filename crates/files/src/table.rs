@@ -23,6 +23,19 @@ impl Table {
         Err(Error::invalid(input, "A", format!("is {rows} × {cols}, b has {n} rows")))
     }
 
+    /// The entries that are not 0: row, column and value.
+    pub fn triplets(self) -> Vec<(usize, usize, f64)> {
+        let cols = self.cols;
+        let mut triplets: Vec<_> = match self.entries {
+            Entries::Sparse(triplets) => triplets,
+            Entries::Dense(values) => {
+                values.into_iter().enumerate().map(|(k, v)| (k / cols, k % cols, v)).collect()
+            }
+        };
+        triplets.retain(|(_, _, value)| *value != 0.0);
+        triplets
+    }
+
     /// The numbers, if it has one column.
     pub fn vector(self, input: &str) -> Result<Vec<f64>> {
         let Table { rows, cols, entries } = self;

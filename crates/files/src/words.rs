@@ -43,6 +43,12 @@ impl<'a> Words<'a> {
         self.clone().next().is_none()
     }
 
+    /// How many words are left.
+    pub fn count(&self) -> usize {
+        let mut rest = self.clone();
+        std::iter::from_fn(|| rest.next()).count()
+    }
+
     /// The next word as a number; `what` says what it is.
     pub fn number(&mut self, what: impl Display) -> Result<f64> {
         self.parse(what, "a number")
@@ -78,6 +84,13 @@ impl<'a> Words<'a> {
                 .parse()
                 .map_err(|_| self.fault(format!("{what} must be {kind}, is {:?}", brief(word)))),
         }
+    }
+
+    /// An error at the next word.
+    pub fn fault_ahead(&self, reason: impl Into<String>) -> Error {
+        let mut ahead = self.clone();
+        ahead.next();
+        ahead.fault(reason)
     }
 
     /// An error at the last word.

@@ -28,6 +28,25 @@ fn problems_are_converted_and_taken_in_every_format() {
     assert_eq!((&rows["rows"][0]["accepted"], compared.status.code()), (&1.into(), Some(0)));
 }
 
+/// The bounds of a relay problem, and contacts with their bodies: W = ½ I and b = (−4, −1, ½) give the
+/// impulse −2 b = (8, 2, −1), which sticks, for √5 is below ½ · 8.
+#[test]
+fn files_of_siconos_are_solved_as_the_problems_that_they_are() {
+    let folder = "crates/files/tests/problems/exchange/siconos";
+    for (name, expected) in
+        [("relay", vec![1.0, 0.0]), ("global_of_three_rows", vec![8.0, 2.0, -1.0])]
+    {
+        let solved = run(&["solve", &format!("{folder}/{name}.dat"), "--json"]);
+        assert_eq!(solved.status.code(), Some(0), "{name}: {}", err(&solved));
+        let answer: Value = serde_json::from_str(&out(&solved)).unwrap();
+        let x = answer["x"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap());
+        assert!(x.zip(&expected).all(|(x, expected)| (x - expected).abs() < 1e-6), "{answer}");
+    }
+    let refused = run(&["solve", &format!("{folder}/refused_rolling.dat")]);
+    assert_eq!((refused.status.code(), out(&refused).as_str()), (Some(2), ""));
+    assert!(err(&refused).contains("this seems to be contacts with rolling friction"));
+}
+
 #[test]
 fn what_a_format_cannot_carry_is_refused_or_named() {
     let folder = tempfile::tempdir().unwrap();

@@ -20,6 +20,8 @@
 //!
 //! A matrix is a group of `m` rows, `n` columns, `nz` and the arrays `p`, `i`, `x`: compressed columns
 //! for nz = −1, compressed rows for −2, else nz triplets. Names and texts are under `info/`.
+//! Known answers, under `solution/` and `guesses/`, are not part of the problem and are reported. A file
+//! with any other dataset, with two problems, or with rolling friction (`fclib_global_rolling`) is refused.
 //!
 //! Traps: W may be unsymmetric in its last digits and is taken as it stands, not symmetrised. Of
 //! triplets, `fclib.h` says that `p` holds rows and `i` columns, while Siconos hands them to CSparse,
@@ -30,6 +32,8 @@
 //! HDF5 is read and written in pure Rust (`hdf5-reader`, `hdf5-writer`) by the feature `fclib`, which is
 //! on unless `--no-default-features` takes it out; then both are refused. Written are local problems.
 
+#[cfg(feature = "fclib")]
+mod leftover;
 #[cfg(feature = "fclib")]
 mod reader;
 #[cfg(feature = "fclib")]

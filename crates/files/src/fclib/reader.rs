@@ -1,13 +1,18 @@
 //! FCLIB's problems read from HDF5.
 
+use std::cell::RefCell;
+use std::collections::HashSet;
+
 use hdf5_reader::messages::datatype::Datatype;
 use hdf5_reader::{Dataset, Hdf5File, OpenOptions};
 
+use super::leftover;
 use crate::Input;
 use crate::budget::Budget;
+use crate::contacts::coulomb;
 use crate::delassus::Motion;
 use lcplab_problem::error::{Error, Result};
-use lcplab_problem::file::{Entries, Parts, Problem};
+use lcplab_problem::file::{Entries, Problem};
 use lcplab_problem::friction::Model;
 use lcplab_problem::memory::Memory;
 
@@ -21,48 +26,44 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
     let file = Hdf5File::from_vec_with_options(input.bytes()?, options)
         .map_err(|cause| Error::invalid(&name, "file", cause.to_string()))?;
     let has = |group: &str| file.group(group).is_ok();
-    let file =
-        File { file: &file, input: &name, most: input.most(), budget: Budget::new(input.most()) };
-    let (kind, contents) = match (has("/fclib_local"), has("/fclib_global")) {
-        (true, _) => ("/fclib_local", file.local()?),
-        (false, true) => ("/fclib_global", file.global()?),
-        (false, false) => {
+    let file = File {
+        file: &file,
+        input: &name,
+        most: input.most(),
+        budget: Budget::new(input.most()),
+        read: RefCell::default(),
+    };
+    let (kind, contents) = match KINDS.map(has) {
+        [true, false, false] => (KINDS[0], file.local()?),
+        [false, true, false] => (KINDS[1], file.global()?),
+        [false, false, true] => {
+            let reason = "holds contacts with rolling friction, which are not read";
+            return Err(file.fault(KINDS[2], reason));
+        }
+        [false, false, false] => {
             let reason = "is missing, and so is fclib_global: no file of FCLIB";
             return Err(Error::invalid(&name, "fclib_local", reason));
         }
+        _ => return Err(file.fault("file", "holds several problems, of which one must be chosen")),
     };
-    let lcp = contents.parts(&name)?.into_lcp().map_err(|error| error.within(&name))?;
+    let beside = leftover::check(file.file, &file.read.borrow(), kind, &name)?;
+    let Contents { entries, b, mu } = contents;
+    let lcp = coulomb(entries, b, &mu).into_lcp().map_err(|error| error.within(&name))?;
     let title = file.read(&format!("{kind}/info/title"), Some(1), Dataset::read_string);
     let title = title.unwrap_or_else(|_| input.stem());
     let model = lcp.coupling().map(|_| Model::CoulombCone); // there may be no contacts
-    Ok(Problem { model, ..Problem::new(title, lcp) })
+    let warnings = beside.into_iter().collect();
+    Ok(Problem { model, warnings, ..Problem::new(title, lcp) })
 }
+
+/// The groups of the kinds of problems.
+const KINDS: [&str; 3] = ["/fclib_local", "/fclib_global", "/fclib_global_rolling"];
 
 /// A local problem, or what a global one comes to.
 struct Contents {
     entries: Entries,
     b: Vec<f64>,
     mu: Vec<f64>,
-}
-
-impl Contents {
-    fn parts(self, input: &str) -> Result<Parts> {
-        let (n, friction) = (self.b.len(), 3 * self.mu.len());
-        if friction > n {
-            let reason = format!("has {} contacts, there are {n} rows", self.mu.len());
-            return Err(Error::invalid(input, "mu", reason));
-        }
-        let is_normal = |i: usize| i < friction && i.is_multiple_of(3);
-        let is_tangent = |i: usize| i < friction && !i.is_multiple_of(3);
-        Ok(Parts {
-            lo: Some((0..n).map(|i| if is_normal(i) { 0.0 } else { -f64::INFINITY }).collect()),
-            hi: None,
-            index: Some((0..n).map(|i| is_tangent(i).then_some(i - i % 3)).collect()),
-            mu: Some((0..n).map(|i| if is_tangent(i) { self.mu[i / 3] } else { 0.0 }).collect()),
-            entries: self.entries,
-            b: self.b,
-        })
-    }
 }
 
 /// A sparse matrix.
@@ -78,6 +79,8 @@ struct File<'a> {
     input: &'a str,
     most: Memory,
     budget: Budget,
+    /// The paths of the datasets that were read.
+    read: RefCell<HashSet<String>>,
 }
 
 impl File<'_> {
@@ -121,10 +124,8 @@ impl File<'_> {
         }
         let mut motion = Motion { mass: m.entries, jacobian: vec![Vec::new(); bias.len()], force };
         columns.into_iter().for_each(|(c, row, value)| motion.jacobian[row].push((c, value)));
-        let dual = motion.dual(&vec![0.0; bias.len()], self.input, self.most)?;
-        let Some((entries, free)) = dual else {
-            return Err(self.fault("/fclib_global/M", "is not positive definite"));
-        };
+        let zeros = vec![0.0; bias.len()];
+        let (entries, free) = motion.dual(&zeros, "/fclib_global/M", self.input, self.most)?;
         let b = free.iter().zip(&bias).map(|(free, bias)| free + bias).collect();
         Ok(Contents { entries, b, mu })
     }
@@ -226,6 +227,7 @@ impl File<'_> {
         }
         let what = format!("{}: {path} of {found} numbers", self.input);
         self.budget.take(what, found, size_of::<f64>())?;
+        self.read.borrow_mut().insert(path.to_string());
         values(&dataset).map_err(fault)
     }
 

@@ -53,10 +53,14 @@ impl Outline {
     pub fn filled(self, file: &mut dyn Read) -> Result<Array, Reason> {
         let (count, entry) = self.size();
         let (size, mut bytes) = (count.saturating_mul(entry), Vec::new());
-        file.take(size as u64).read_to_end(&mut bytes).map_err(|cause| cause.to_string())?;
+        let most = (size as u64).saturating_add(1); // one byte too many shows that there are more
+        file.take(most).read_to_end(&mut bytes).map_err(|cause| cause.to_string())?;
         let Header { fortran_order, shape, .. } = self.head;
         if bytes.len() < size {
             return Err(format!("has {} bytes, the shape {shape:?} needs {size}", bytes.len()));
+        }
+        if bytes.len() > size {
+            return Err(format!("has more bytes than the shape {shape:?} needs, {size}"));
         }
         Ok(Array { shape, by_columns: fortran_order, values: self.kind.values(&bytes)? })
     }

@@ -7,6 +7,7 @@
 //! | `mus` | numbers, m | the coefficients of friction |
 //!
 //! A contact's rows are t1, t2, n, the normal last, and stay in that order. The law is Coulomb's with the cone.
+//! `lam0`, which may stand beside them, is where a solver begins.
 
 use std::collections::HashMap;
 
@@ -17,6 +18,9 @@ use lcplab_problem::friction::Model;
 
 /// The names of the arrays.
 pub(super) const ARRAYS: [&str; 3] = ["G", "g", "mus"];
+
+/// The name of the array with a first guess of the impulses.
+pub(super) const GUESS: &str = "lam0";
 
 /// The problem of these arrays.
 pub(super) fn problem(arrays: &HashMap<&str, Array>, name: String, input: &str) -> Result<Problem> {

@@ -12,7 +12,8 @@
 //! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](lcplab_problem::file): rows from 0, −1 for none |
 //!
 //! An archive with `G`, `g` and `mus` in their place is one of ContactBench, the benchmark of contact solvers in
-//! robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g.
+//! robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g; `lam0`, a first guess, is not part of the
+//! problem, and is reported.
 //!
 //! ```text
 //! numpy.savez("problem.npz", A=A, b=b)                              # NumPy
@@ -24,7 +25,8 @@
 //!
 //! Traps: `scipy.sparse.save_npz` writes the matrix alone, so that b is missing; `A.T` and what
 //! Fortran made are stored by columns, `fortran_order`, and are read so; half of a symmetric matrix
-//! (`scipy.sparse.tril`) is taken as it stands; arrays of objects are pickles and are refused.
+//! (`scipy.sparse.tril`) is taken as it stands; arrays of objects are pickles and are refused, and so is
+//! an archive with an array that is not named here.
 
 mod array;
 mod contact_bench;
@@ -60,42 +62,53 @@ pub const FORMAT: Format = Format {
 fn read(input: &Input) -> Result<Problem> {
     let name = input.name();
     let mut archive = Archive::open(input, &name)?;
-    let known = ["A", "b", "lo", "hi", "mu", "friction_index"];
-    let mut arrays = std::collections::HashMap::new();
-    for part in known.into_iter().chain(SPARSE).chain(contact_bench::ARRAYS) {
-        if let Some(array) = archive.array(part)? {
-            arrays.insert(part, array);
-        }
-    }
-    let others = |is_known: &dyn Fn(&str) -> bool| -> Vec<String> {
-        let unknown = |part: &&String| !is_known(part) && **part != "_is_array";
-        let names = archive.names();
-        let unknown = names.iter().filter(unknown);
-        unknown.map(|part| format!("{name}: unknown array {part:?} ignored")).collect()
-    };
-    if arrays.contains_key("G") && !arrays.contains_key("A") {
+    let names = archive.names();
+    let has = |part: &str| names.iter().any(|name| name == part);
+    if has("G") && !has("A") {
+        let arrays = archive.arrays(&contact_bench::ARRAYS)?;
         let problem = contact_bench::problem(&arrays, input.stem(), &name)?;
-        let warnings = others(&|part| contact_bench::ARRAYS.contains(&part));
-        return Ok(Problem { warnings, ..problem });
+        check_names(&names, &[&contact_bench::ARRAYS, &[contact_bench::GUESS]], &name)?;
+        let guess = has(contact_bench::GUESS).then(|| {
+            format!("{name}: not part of the problem: {}, a first guess", contact_bench::GUESS)
+        });
+        return Ok(Problem { warnings: guess.into_iter().collect(), ..problem });
     }
-    let table = match arrays.remove("A") {
-        Some(a) => a.table().map_err(|reason| Error::invalid(&name, "A", reason))?,
-        None => sparse(&arrays, &name)?,
+    let mut arrays = archive.arrays(&VECTORS)?;
+    let table = if has("A") {
+        check_names(&names, &[&["A"], &VECTORS], &name)?;
+        arrays.extend(archive.arrays(&["A"])?);
+        arrays["A"].table().map_err(|reason| Error::invalid(&name, "A", reason))?
+    } else {
+        arrays.extend(archive.arrays(&SPARSE)?);
+        sparse(&arrays, &names, &name)?
     };
     let vector = |part: &str| {
         let vector = arrays.get(part).map(Array::vector).transpose();
         vector.map_err(|reason| Error::invalid(&name, part, reason))
     };
     let lcp = parts(table, vector, &name)?.into_lcp().map_err(|error| error.within(&name))?;
-    let mut problem = Problem::new(input.stem(), lcp);
-    problem.warnings = others(&|part| known.contains(&part) || SPARSE.contains(&part));
-    Ok(problem)
+    Ok(Problem::new(input.stem(), lcp))
 }
+
+/// The arrays that stand beside the matrix.
+const VECTORS: [&str; 5] = ["b", "lo", "hi", "mu", "friction_index"];
 
 /// The arrays of a sparse matrix.
 const SPARSE: [&str; 7] = ["format", "shape", "data", "indices", "indptr", "row", "col"];
 
-fn sparse(arrays: &std::collections::HashMap<&str, Array>, input: &str) -> Result<Table> {
+/// Refuses an archive with an array that none of the `known` ones is.
+fn check_names(names: &[String], known: &[&[&str]], input: &str) -> Result<()> {
+    match names.iter().find(|name| known.iter().all(|known| !known.contains(&name.as_str()))) {
+        None => Ok(()),
+        Some(name) => {
+            let known = known.concat().join(", ");
+            let reason = format!("is not understood: the other arrays of this file may be {known}");
+            Err(Error::invalid(input, name.as_str(), reason))
+        }
+    }
+}
+
+fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
     let get = |part: &str| {
         arrays.get(part).ok_or_else(|| {
             let reason = "is missing: neither A nor a matrix as scipy.sparse stores it";
@@ -110,6 +123,9 @@ fn sparse(arrays: &std::collections::HashMap<&str, Array>, input: &str) -> Resul
         return fault("shape", "must be rows and columns".into());
     };
     let data = get("data")?.vector().map_err(|reason| Error::invalid(input, "data", reason))?;
+    let places = if format == "coo" { ["row", "col"] } else { ["indices", "indptr"] };
+    let matrix = ["format", "shape", "data", "_is_array"]; // the last one: a scipy.sparse array
+    check_names(names, &[&matrix, &places, &VECTORS], input)?;
     let (lines, across) = if format == "csc" { (cols, rows) } else { (rows, cols) };
     let (i, j) = match format.as_str() {
         "coo" => (whole("row")?, whole("col")?),
@@ -144,6 +160,9 @@ fn unpacked(starts: &[usize], lines: usize, count: usize, input: &str) -> Result
     Ok(starts.windows(2).enumerate().flat_map(line).collect())
 }
 
+/// Arrays by their names.
+type Arrays<'a> = std::collections::HashMap<&'a str, Array>;
+
 /// The archive of a file called `input`.
 struct Archive<'a> {
     input: &'a str,
@@ -167,6 +186,17 @@ impl<'a> Archive<'a> {
             .collect();
         names.sort();
         names
+    }
+
+    /// The arrays of these names that are there.
+    fn arrays<'b>(&mut self, parts: &[&'b str]) -> Result<Arrays<'b>> {
+        let mut arrays = Arrays::new();
+        for part in parts {
+            if let Some(array) = self.array(part)? {
+                arrays.insert(*part, array);
+            }
+        }
+        Ok(arrays)
     }
 
     /// The array of this name, if there is one.

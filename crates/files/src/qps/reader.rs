@@ -17,10 +17,14 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
 fn parse(text: &str, input: &str, stem: String) -> Result<Problem> {
     let mut program = Program { name: stem, ..Program::default() };
     let mut words = Words::new(text, input);
-    let mut section = String::new();
+    let (mut section, mut is_over) = (String::new(), false);
     while let Some(line) = words.line() {
         if line.starts_with('*') || line.trim().is_empty() {
             continue;
+        }
+        if is_over {
+            let reason = format!("not understood, after ENDATA: {:?}", brief(line.trim()));
+            return Err(words.fault(reason));
         }
         let fields: Vec<&str> = line.split_whitespace().collect();
         if line.starts_with(char::is_whitespace) {
@@ -28,13 +32,12 @@ fn parse(text: &str, input: &str, stem: String) -> Result<Problem> {
             continue;
         }
         section = fields[0].to_string();
-        match program.section(&fields) {
-            Ok(true) => return program.finish(input),
-            Ok(false) => {}
-            Err(reason) => return Err(words.fault(reason)),
-        }
+        is_over = program.section(&fields).map_err(|reason| words.fault(reason))?;
     }
-    Err(words.fault("the file ends before ENDATA"))
+    if !is_over {
+        return Err(words.fault("the file ends before ENDATA"));
+    }
+    program.finish(input)
 }
 
 /// A result whose error is the reason that a line cannot be used.
@@ -64,19 +67,20 @@ impl Program {
     /// A line that begins a section; true for the last one.
     fn section(&mut self, fields: &[&str]) -> Checked<bool> {
         match fields {
-            ["ENDATA", ..] => return Ok(true),
+            ["ENDATA"] => return Ok(true),
             ["NAME", name @ ..] if !name.is_empty() => self.name = name.join(" "),
-            ["NAME" | "ROWS" | "COLUMNS" | "RHS" | "BOUNDS" | "OBJSENSE", ..] => {}
-            ["QUADOBJ" | "QMATRIX", ..] if !self.q.is_empty() => {
+            ["NAME" | "ROWS" | "COLUMNS" | "RHS" | "BOUNDS" | "OBJSENSE"] => {}
+            ["OBJSENSE", _] => {}
+            ["QUADOBJ" | "QMATRIX"] if !self.q.is_empty() => {
                 return Err("Q has been given already".into());
             }
-            ["QUADOBJ", ..] => self.is_full = false,
-            ["QMATRIX", ..] => self.is_full = true,
-            ["RANGES", ..] => {} // of rows, of which there are none
-            _ => return Err(format!("there is no section {:?}", brief(fields[0]))),
+            ["QUADOBJ"] => self.is_full = false,
+            ["QMATRIX"] => self.is_full = true,
+            ["RANGES"] => {} // of rows, of which there are none
+            _ => return Err(format!("there is no section {:?}", brief(&fields.join(" ")))),
         }
         match fields {
-            ["OBJSENSE", sense, ..] => minimised(sense).map(|()| false),
+            ["OBJSENSE", sense] => minimised(sense).map(|()| false),
             _ => Ok(false),
         }
     }

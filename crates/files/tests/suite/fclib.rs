@@ -1,5 +1,6 @@
 use hdf5_writer::{DatasetBuilder, FilterDescription, Hdf5Builder, WriteOptions};
 use lcplab_files as exchange;
+use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Contact, Model};
 use lcplab_problem::memory::Memory;
 use proptest::prelude::*;
@@ -86,6 +87,104 @@ fn a_small_file_of_large_arrays_is_refused_before_they_are_unpacked() {
         format!("/fclib_local/W/i of 100000 numbers needs 11.2 MB; {limit}")
     );
     assert_eq!(read(1000, 3, 10_000_000), "/fclib_local/W/p: has 1000 numbers, must have 4");
+}
+
+/// A global problem of one contact whose M has these triplets, with other datasets beside it.
+fn global(mass: &[(i32, i32, f64)], others: &[&str]) -> Result<Problem, String> {
+    let mut file = Hdf5Builder::new();
+    let whole = |name: &str, values: &[i32]| {
+        DatasetBuilder::typed_data(
+            format!("fclib_global/{name}"),
+            vec![values.len() as u64],
+            values,
+        )
+    };
+    let real = |name: &str, values: &[f64]| {
+        DatasetBuilder::typed_data(
+            format!("fclib_global/{name}"),
+            vec![values.len() as u64],
+            values,
+        )
+    };
+    let unit = [(0, 0, 1.0), (1, 1, 1.0), (2, 2, 1.0)];
+    for (name, entries) in [("M", mass), ("H", &unit)] {
+        let part = |part: &str| format!("{name}/{part}");
+        let columns: Vec<i32> = entries.iter().map(|(_, j, _)| *j).collect();
+        let lines: Vec<i32> = entries.iter().map(|(i, _, _)| *i).collect();
+        let values: Vec<f64> = entries.iter().map(|(_, _, value)| *value).collect();
+        for (part, value) in [(part("m"), 3), (part("n"), 3), (part("nz"), entries.len() as i32)] {
+            file = file.dataset(whole(&part, &[value]).unwrap());
+        }
+        file = file.dataset(whole(&part("p"), &columns).unwrap());
+        file = file.dataset(whole(&part("i"), &lines).unwrap());
+        file = file.dataset(real(&part("x"), &values).unwrap());
+    }
+    file = file.dataset(whole("spacedim", &[3]).unwrap());
+    for (name, values) in [("f", &[0.0; 3][..]), ("w", &[-1.0, 0.0, 0.0]), ("mu", &[0.5])] {
+        file = file.dataset(real(&format!("vectors/{name}"), values).unwrap());
+    }
+    for name in others {
+        file = file.dataset(DatasetBuilder::typed_data(*name, vec![1], &[1.0f64]).unwrap());
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.hdf5");
+    let bytes = file.into_plan().unwrap().encode(WriteOptions::default()).unwrap();
+    std::fs::write(&path, bytes).unwrap();
+    let short = |error: lcplab_problem::error::Error| {
+        error.to_string().split_once("p.hdf5: ").unwrap().1.to_string()
+    };
+    exchange::read(&path, None).map_err(short)
+}
+
+const DIAGONAL: [(i32, i32, f64); 3] = [(0, 0, 2.0), (1, 1, 2.0), (2, 2, 4.0)];
+
+#[test]
+fn a_dataset_that_is_not_understood_is_refused() {
+    for other in ["fclib_global/vectors/mu_r", "fclib_global/V/m", "other/M/x", "extra"] {
+        let expected = format!("/{other}: is not understood");
+        assert_eq!(global(&DIAGONAL, &[other]).unwrap_err(), expected);
+    }
+    let several = global(&DIAGONAL, &["fclib_local/spacedim"]).unwrap_err();
+    assert!(several.contains("holds several problems"), "{several}");
+}
+
+#[test]
+fn answers_beside_a_problem_are_reported_and_remarks_are_not() {
+    let remarks = ["fclib_global/M/rank", "fclib_global/H/nzmax", "fclib_global/info/number"];
+    assert_eq!(global(&DIAGONAL, &remarks).unwrap().warnings, [""; 0]);
+    let warnings = global(&DIAGONAL, &["solution/r", "guesses/0/u"]).unwrap().warnings;
+    let expected = "p.hdf5: not part of the problem: guesses, solution";
+    assert!(warnings.len() == 1 && warnings[0].ends_with(expected), "{warnings:?}");
+}
+
+/// Of a matrix of which half is stored, a symmetric factorization of the other half would see the
+/// diagonal alone.
+#[test]
+fn one_triangle_of_a_matrix_is_not_taken_for_all_of_it() {
+    for (i, j) in [(0, 1), (1, 0)] {
+        let half = [&DIAGONAL[..], &[(i, j, 1.0)]].concat();
+        let message = global(&half, &[]).unwrap_err();
+        assert!(message.starts_with("/fclib_global/M: has entries on one side"), "{message}");
+    }
+    let all = [&DIAGONAL[..], &[(0, 1, 1.0), (1, 0, 1.0)]].concat();
+    let a = rows(global(&all, &[]).unwrap().lcp.matrix());
+    let expected = [2.0 / 3.0, -1.0 / 3.0, 0.25]; // [2 1; 1 2]⁻¹ ⊕ ¼
+    for (found, expected) in [a[0][0], a[0][1], a[2][2]].iter().zip(expected) {
+        assert!((found - expected).abs() <= f64::EPSILON, "{a:?}");
+    }
+}
+
+#[test]
+fn rolling_friction_is_refused_by_name() {
+    let mut file = Hdf5Builder::new();
+    let name = "fclib_global_rolling/spacedim";
+    file = file.dataset(DatasetBuilder::typed_data(name, vec![1], &[3i32]).unwrap());
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("p.hdf5");
+    let bytes = file.into_plan().unwrap().encode(WriteOptions::default()).unwrap();
+    std::fs::write(&path, bytes).unwrap();
+    let message = exchange::read(&path, None).unwrap_err().to_string();
+    assert!(message.contains("holds contacts with rolling friction"), "{message}");
 }
 
 #[test]

@@ -68,7 +68,18 @@ fn each_defect_has_its_line() {
             "p: line 3: row 1, column 2 lies above the diagonal of a symmetric file",
         ),
         (&file("symmetric\n2 3 0"), "p: line 2: 2 × 3 cannot be symmetric"),
-        (&file("general\n2 2 0\n"), "p: b: is missing"),
+        (
+            &file("general\n2 2 0\n"),
+            "p_b: file: is missing: a Matrix Market file holds one matrix, so b stands beside it",
+        ),
+        (
+            "%%MatrixMarket matrix coordinate pattern general\n1 1 1\n1 1",
+            "p: line 1: the field must be real or integer, is \"pattern\"",
+        ),
+        (
+            "%%MatrixMarket matrix array complex general\n1 1\n1 2",
+            "p: line 1: the field must be real or integer, is \"complex\"",
+        ),
     ];
     for (text, expected) in cases {
         assert_eq!(message("matrix-market", text), expected);

@@ -70,14 +70,13 @@ fn integers(values: &[i64]) -> Vec<u8> {
 
 /// [[2, 0], [1, 3]] as scipy.sparse stores it by rows, with b = (1, 2); some arrays in place of those.
 fn read(other: &[(&str, Vec<u8>)]) -> Result<Problem, String> {
-    let mut arrays = vec![
-        ("format", array("|S3", "()", b"csr")),
-        ("shape", integers(&[2, 2])),
-        ("indptr", integers(&[0, 1, 3])),
-        ("indices", integers(&[0, 0, 1])),
-        ("data", numbers(&[2.0, 1.0, 3.0])),
-        ("b", numbers(&[1.0, 2.0])),
-    ];
+    let by_entries = other.iter().any(|(name, _)| *name == "row");
+    let mut arrays = vec![("format", array("|S3", "()", b"csr")), ("shape", integers(&[2, 2]))];
+    if !by_entries {
+        arrays.push(("indptr", integers(&[0, 1, 3])));
+        arrays.push(("indices", integers(&[0, 0, 1])));
+    }
+    arrays.extend([("data", numbers(&[2.0, 1.0, 3.0])), ("b", numbers(&[1.0, 2.0]))]);
     arrays.retain(|(name, _)| other.iter().all(|(of, _)| of != name));
     arrays.extend_from_slice(other);
     archive(&arrays)
@@ -140,7 +139,22 @@ fn each_defect_of_an_array_has_its_message() {
         ("indices", numbers(&[0.0; 3]), "indices: must be a list of integers"),
         ("b", array("<f8", "(1, 2)", &[0; 16]), "b: must be a list, has the shape [1, 2]"),
         ("b", array("|S1", "(2,)", b"ab"), "b: must be numbers"),
-        ("A", numbers(&[1.0]), "A: must be a matrix, has the shape [1]"),
+        (
+            "A",
+            numbers(&[1.0]),
+            "data: is not understood: the other arrays of this file may be A, b, lo, hi, mu, friction_index",
+        ),
+        (
+            "low",
+            numbers(&[1.0]),
+            "low: is not understood: the other arrays of this file may be format, shape, data, _is_array, \
+             indices, indptr, b, lo, hi, mu, friction_index",
+        ),
+        (
+            "b",
+            [numbers(&[0.0; 2]), vec![0]].concat(),
+            "b: has more bytes than the shape [2] needs, 16",
+        ),
         (
             "friction_index",
             numbers(&[0.5, -1.0]),
@@ -167,8 +181,8 @@ fn each_defect_of_an_array_has_its_message() {
     ] {
         assert_eq!(read(&[(part, bytes)]).unwrap_err(), expected, "{part}");
     }
-    let problem = read(&[("colour", numbers(&[1.0]))]).unwrap();
-    assert!(problem.warnings[0].ends_with("p.npz: unknown array \"colour\" ignored"));
+    let dense = archive(&[("A", numbers(&[1.0])), ("b", numbers(&[1.0]))]);
+    assert_eq!(dense.unwrap_err(), "A: must be a matrix, has the shape [1]");
 }
 
 #[test]
@@ -190,6 +204,11 @@ fn a_contact_of_contact_bench_has_its_normal_last_and_coulombs_cone() {
         |x: &[f64]| judge_friction(&posed, x, &Demand::default()).verdict.is_solution();
     assert!(is_solution(&[1.0, 0.0, 2.0]) && !is_solution(&[2.0, 0.0, 1.0]));
     assert_eq!(problem.warnings, [""; 0]);
+    let guessed = [arrays(&[0.5]), vec![("lam0", numbers(&[0.0; 3]))]].concat();
+    let warnings = archive(&guessed).unwrap().warnings;
+    assert!(warnings[0].ends_with("p.npz: not part of the problem: lam0, a first guess"));
+    let soft = [arrays(&[0.5]), vec![("R", numbers(&[0.0; 3]))]].concat();
+    assert!(archive(&soft).unwrap_err().starts_with("R: is not understood: "));
     let refused = archive(&arrays(&[0.5, 0.5])).unwrap_err();
     assert_eq!(refused, "mus: has 2 contacts, g has 3 rows");
     assert_eq!(archive(&arrays(&[0.5])[..2]).unwrap_err(), "mus: is missing beside G");

@@ -63,6 +63,11 @@ fn each_defect_has_its_line() {
     assert_eq!(with(" FR bnd y", " BV bnd y"), "p: line 12: integers are not read");
     assert_eq!(with(" FR bnd y", " FR other y"), "p: line 12: a second set of bounds, \"other\"");
     assert_eq!(with("0.25", "much"), "p: line 11: must be a number, is \"much\"");
+    assert_eq!(
+        with("ENDATA\n", "ENDATA\n* a comment\n\n z z 3\n"),
+        "p: line 19: not understood, after ENDATA: \"z z 3\""
+    );
+    assert_eq!(with("BOUNDS", "BOUNDS 7"), "p: line 10: there is no section \"BOUNDS 7\"");
     assert_eq!(with("ENDATA\n", ""), "p: line 15: the file ends before ENDATA");
     assert_eq!(
         with(" y y 4", " y x -1"),

@@ -57,6 +57,28 @@ fn what_is_not_text_has_its_line() {
 }
 
 #[test]
+fn files_of_another_kind_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let message = |name: &str, bytes: &[u8]| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).unwrap();
+        let error = exchange::read(&path, None).unwrap_err().to_string();
+        error.split_once(": file: ").map(|(_, reason)| reason.to_string()).unwrap_or(error)
+    };
+    let matlab = b"MATLAB 5.0 MAT-file, Platform: GLNXA64\0\x01IM\xff\xff";
+    assert!(message("CVXQP1_S.mat", matlab).starts_with("is a MATLAB file, which is not read"));
+    let pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 5\n";
+    for name in ["p.hdf5", "p.dat", "p.npz", "p.json"] {
+        let reason = "is a pointer of Git LFS: the file itself was not fetched";
+        assert_eq!(message(name, pointer), reason, "{name}");
+    }
+    let hdf5 = std::fs::read(sample("fclib_local.hdf5")).unwrap();
+    assert!(message("p.dat", &hdf5).starts_with("is an HDF5 file"));
+    let archive = std::fs::read(sample("numpy.npz")).unwrap();
+    assert!(message("p.dat", &archive).starts_with("is an archive of arrays"));
+}
+
+#[test]
 fn json_keeps_everything() {
     let problem = Problem::new("pair", contacts(&[&[2.0, -1.0], &[0.0, 2.0]], &[-1.0, 1.0 / 3.0]));
     let back = again(&problem, "json");

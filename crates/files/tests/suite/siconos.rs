@@ -1,3 +1,4 @@
+use lcplab_files as exchange;
 use lcplab_judge::{Demand, judge};
 use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Contact, Model};
@@ -5,8 +6,21 @@ use lcplab_problem::{Coupling, Lcp, Matrix, library};
 use lcplab_solver::{Options, Start, by_name};
 use proptest::prelude::*;
 
-use super::{again, assert_same, frictions, message, parse, refusal, rows};
+use super::{again, assert_same, frictions, message, parse, refusal, rows, sample};
 use lcplab_testing::{INF, assert_proved, cases};
+
+/// The problem of a file of this name among the samples.
+fn sample_of(name: &str) -> Problem {
+    exchange::read(&sample(&format!("siconos/{name}.dat")), None).unwrap()
+}
+
+/// The text of such a file.
+fn text_of(name: &str) -> String {
+    std::fs::read_to_string(sample(&format!("siconos/{name}.dat"))).unwrap()
+}
+
+const BEGINS_LIKE_NONE: &str = "p: line 1: begins like none of Siconos' problems: an LCP, a relay \
+                                problem, a mixed LCP, or contacts";
 
 /// The portfolio problem of Cottle, Pang & Stone, column by column.
 const PORTFOLIO: &str = "4
@@ -79,23 +93,26 @@ fn blocks_are_read_and_each_is_listed_by_columns() {
 
 #[test]
 fn a_friction_problem_has_its_contacts_as_n_t1_t2() {
-    let text = "3\n1\n0\n3\n3\n3 3\n2 0 1\n0 3 0\n0 0 4\n-1 2 0\n0.5\n and what follows";
-    let problem = parse("siconos", text).unwrap();
+    let problem = sample_of("contacts");
     assert_eq!(rows(problem.lcp.matrix())[2], [1.0, 0.0, 4.0]);
     assert_eq!(problem.model, Some(Model::CoulombCone));
     let contacts = problem.friction().unwrap().unwrap().contacts().to_vec();
     assert_eq!(contacts, [Contact { rows: [0, 1, 2], mu: 0.5 }]);
-    assert!(problem.warnings[0].ends_with("what follows the problem is ignored"));
 }
 
 #[test]
 fn each_defect_has_its_line() {
     let cases = [
-        ("", "p: line 0: the file ends before the number of rows"),
+        ("", "p: file: has no numbers"),
+        ("only words", "p: file: has no numbers"),
         ("2 0 2 2 2 3", "p: line 1: 2 × 3 here, 2 × 2 before"),
-        ("1\n2\n1\n1", "p: line 4: storage 2 is not read: only 0, dense, and 1, blocks"),
+        (
+            "1\n2\n1\n1",
+            "p: line 4: storage 2 of M, a listing of a sparse matrix with six digits, is not read",
+        ),
         ("1 0 1 1 1 1 5", "p: line 1: the file ends before q[0]"),
-        ("2 4 0 8 8", "p: line 1: neither an LCP nor contacts in space: dimension 2"),
+        ("4 4 4 8 8", BEGINS_LIKE_NONE),
+        ("x 4 4 8 8", BEGINS_LIKE_NONE),
         ("3\n2\n0\n3\n3\n3 3\n1 0 0 0 1 0 0 0 1", "p: line 7: 2 contacts have not 3 rows"),
         ("1 0 1 1 1 1 5 x", "p: line 1: q[0] must be a number, is \"x\""),
     ];
@@ -108,9 +125,15 @@ fn each_defect_has_its_line() {
 }
 
 #[test]
-fn boxes_are_not_written() {
-    let boxed = library::by_name("manufactured").unwrap().generate(&[("boxed", 1.0)]).unwrap();
-    assert!(refusal(&boxed, "siconos").contains("has other bounds than 0 and inf"));
+fn only_the_bounds_of_an_lcp_or_of_a_relay_problem_are_written() {
+    let with = |lo: [f64; 2], hi: [f64; 2]| {
+        let a = Matrix::dense(2, &[1.0, 0.0, 0.0, 1.0]);
+        Problem::new("", Lcp::new(a, vec![0.0; 2], lo.to_vec(), hi.to_vec()).unwrap())
+    };
+    let relay = with([-1.0, 0.0], [1.0, 2.5]);
+    assert_same(&relay.lcp, &again(&relay, "siconos").lcp);
+    let message = refusal(&with([0.0, -1.0], [INF, 1.0]), "siconos");
+    assert!(message.starts_with("siconos: row 0: has an infinite bound"), "{message}");
 }
 
 #[test]
@@ -139,5 +162,167 @@ proptest! {
     #[test]
     fn every_bit_survives_the_round_trip(friction in frictions(0)) {
         assert_same(&friction.lcp, &again(&friction, "siconos").lcp);
+    }
+}
+
+/// M = [2 0.5; −1 1], q = (−3, 1), −1 ≤ x_0 ≤ 1, x_1 ≤ 2: x = (1, 0) where 2 + 0 − 3 < 0 and −1 + 0 + 1 = 0.
+#[test]
+fn a_relay_problem_keeps_its_bounds() {
+    let lcp = sample_of("relay").lcp;
+    assert_eq!(rows(lcp.matrix()), [[2.0, 0.5], [-1.0, 1.0]]);
+    assert_eq!((lcp.lo(), lcp.hi()), (&[-1.0, -INF][..], &[1.0, 2.0][..]));
+    assert_proved(&lcp, &[1.0, 0.0]);
+}
+
+/// The equations are the rows of blocks with the flag 0, or the first ones.
+#[test]
+fn equations_of_a_mixed_lcp_have_no_bounds() {
+    let lcp = sample_of("mixed").lcp;
+    assert_eq!(rows(lcp.matrix()), [[2.0, 0.0, -1.0], [0.0, 3.0, 1.0], [1.0, -1.0, 0.0]]);
+    assert_eq!((lcp.lo(), lcp.hi()), (&[0.0, 0.0, -INF][..], &[INF; 3][..]));
+    let lcp = sample_of("mixed_parts").lcp;
+    assert_eq!(rows(lcp.matrix()), [[4.0, -1.0, 0.5], [1.0, 2.0, 1.0], [-0.5, 1.0, 3.0]]);
+    assert_eq!((lcp.b(), lcp.lo()), (&[-3.0, 1.0, -2.0][..], &[-INF, 0.0, 0.0][..]));
+    assert_same(&lcp, &sample_of("mixed_both").lcp);
+}
+
+/// M = [2 1; 1 2] ⊕ 4 ⊕ 1 has the inverse [2 −1; −1 2]/3 ⊕ ¼ ⊕ 1, and H the columns e0 + e3, e1 and 2 e2.
+#[test]
+fn contacts_with_their_bodies_become_contacts_alone() {
+    let problem = sample_of("global");
+    let third = 1.0 / 3.0;
+    let expected = [[5.0 * third, -third, 0.0], [-third, 2.0 * third, 0.0], [0.0, 0.0, 1.0]];
+    assert_near(&rows(problem.lcp.matrix()).concat(), &expected.concat());
+    assert_near(problem.lcp.b(), &[-1.0, -2.0, 2.5]);
+    assert_eq!(problem.model, Some(Model::CoulombCone));
+    let contacts = problem.friction().unwrap().unwrap().contacts().to_vec();
+    assert_eq!(contacts, [Contact { rows: [0, 1, 2], mu: 0.5 }]);
+}
+
+#[track_caller]
+fn assert_near(found: &[f64], expected: &[f64]) {
+    let is_near = |(a, b): (&f64, &f64)| (a - b).abs() <= 4.0 * f64::EPSILON;
+    assert!(found.iter().zip(expected).all(is_near), "{found:?}");
+}
+
+/// Where M has as many rows as the contacts, the file begins like one of contacts alone.
+#[test]
+fn bodies_with_as_many_rows_as_contacts_are_not_taken_for_contacts_alone() {
+    let lcp = sample_of("global_of_three_rows").lcp;
+    assert_eq!(rows(lcp.matrix()), [[0.5, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.5]]);
+    assert_eq!(lcp.b(), [-4.0, -1.0, 0.5]);
+}
+
+/// M = [2 1; −1 1] ⊕ 1, whose inverse is [1 −1; 1 2]/3 ⊕ 1, and q = (0, 3, 0).
+#[test]
+fn bodies_may_have_an_unsymmetric_matrix() {
+    let lcp = sample_of("global_unsymmetric").lcp;
+    let third = 1.0 / 3.0;
+    let expected = [[third, -third, 0.0], [third, 2.0 * third, 0.0], [0.0, 0.0, 1.0]];
+    assert_near(&rows(lcp.matrix()).concat(), &expected.concat());
+    assert_near(lcp.b(), &[-1.0, 2.0, 0.0]);
+}
+
+#[test]
+fn a_matrix_without_inverse_or_half_of_one_is_refused() {
+    let with = |mass: &str| {
+        let text = text_of("global_of_three_rows");
+        message("siconos", &text.replacen("2 0 0\n0 2 0\n0 0 2", mass, 1))
+    };
+    assert_eq!(with("2 0 0\n0 0 0\n0 0 2"), "p: M: is not positive definite");
+    assert_eq!(with("2 0 0\n0 -2 0\n0 0 2"), "p: M: is not positive definite");
+    assert!(with("1 2 0\n3 6 0\n0 0 2").starts_with("p: M: is singular"));
+    assert!(
+        with("2 1 0\n0 2 0\n0 0 2").starts_with("p: M: has entries on one side of its diagonal")
+    );
+}
+
+/// Hilbert's matrix of ten rows has the condition 1.6e13: of its inverse few digits are known.
+#[test]
+fn a_badly_conditioned_matrix_of_bodies_is_refused() {
+    let hilbert: Vec<String> =
+        (0..100).map(|k| format!("{:?}", 1.0 / f64::from(k / 10 + k % 10 + 1))).collect();
+    let unit: Vec<&str> = (0..30).map(|k| if k % 11 == 0 { "1" } else { "0" }).collect();
+    let text = format!(
+        "3 1\n0 10 10 10 10\n{}\n0 10 3 10 3\n{}\n{}\n1 0 0\n0.5",
+        hilbert.join(" "),
+        unit.join(" "),
+        "1 ".repeat(10)
+    );
+    let message = message("siconos", &text);
+    assert!(message.starts_with("p: M: is singular, or so badly conditioned"), "{message}");
+}
+
+#[test]
+fn kinds_that_are_not_read_are_refused_by_name() {
+    for (name, expected) in [
+        ("plane", "line 1: this seems to be contacts in the plane (FC2D or GFC2D)"),
+        ("rolling", "line 1: this seems to be contacts with rolling friction (RFC3D or GRFC3D)"),
+        ("plasticity", "line 1: this seems to be a problem of plasticity"),
+        (
+            "plasticity_of_old",
+            "line 15: not understood: 2 numbers after mu; this seems to be contacts",
+        ),
+        ("cones", "line 10: this seems to be a problem over second-order cones (SOCLCP)"),
+        ("two_cones", "line 1: this seems to be a problem over second-order cones (SOCLCP)"),
+        ("generic", "line 1: this seems to be a generic mechanical problem (GMP)"),
+        ("rectangular", "line 12: M of this mixed LCP (MLCP) is 3 × 2"),
+        ("sparse", "line 5: storage 2 of M, a listing of a sparse matrix"),
+        ("three_more", "line 9: not understood: 3 numbers after q, with which an LCP ends"),
+        ("labels", "line 9: not understood: 6 numbers after q"),
+        ("answer_behind", "line 20: not understood: 2 numbers after a mixed LCP (MLCP)"),
+        ("two_mixed", "M[0][1]: is -1, but -0.5 in A to D of this mixed LCP (MLCP)"),
+    ] {
+        let message = message("siconos", &text_of(&format!("refused_{name}")));
+        assert!(message.starts_with(&format!("p: {expected}")), "{message}");
+    }
+}
+
+#[test]
+fn a_comment_behind_the_numbers_is_reported() {
+    let warnings = sample_of("lcp_blocks_comment").warnings;
+    let expected = "line 20: text taken as a comment: \"# two rows of Murty (1988)\"";
+    assert!(warnings.len() == 1 && warnings[0].ends_with(expected), "{warnings:?}");
+    for quiet in ["contacts", "contacts_blocks_flag", "global", "relay", "mixed_both"] {
+        assert_eq!(sample_of(quiet).warnings, [""; 0], "{quiet}");
+    }
+}
+
+/// The samples, and by how many numbers more or fewer each is still the whole of a problem: an LCP of
+/// two rows becomes a relay problem with four more, the flag may stand behind mu or not.
+const WHOLE: [(&str, &[isize]); 11] = [
+    ("lcp", &[0, 4]),
+    ("lcp_blocks_comment", &[0, 4]),
+    ("relay", &[-4, 0]),
+    ("mixed", &[0]),
+    ("mixed_parts", &[0]),
+    ("mixed_both", &[0]),
+    ("contacts", &[0]),
+    ("contacts_blocks_flag", &[-1, 0]),
+    ("global", &[-1, 0]),
+    ("global_of_three_rows", &[0]),
+    ("global_unsymmetric", &[0]),
+];
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    /// The law: all numbers of a file are understood, or it is refused.
+    #[test]
+    fn a_file_with_a_number_too_many_or_too_few_is_refused(
+        k in 0..WHOLE.len(),
+        change in -40isize..40,
+        number in prop_oneof![Just("7.5"), Just("0"), Just("3"), Just("nan"), Just("-inf")],
+    ) {
+        let (name, whole) = WHOLE[k];
+        let text = text_of(name);
+        let words: Vec<&str> = text.split('#').next().unwrap().split_whitespace().collect();
+        let kept = words.len().saturating_add_signed(change.min(0));
+        let mut changed = words[..kept].to_vec();
+        changed.extend(std::iter::repeat_n(number, change.max(0) as usize));
+        let is_read = parse("siconos", &changed.join(" ")).is_ok();
+        let is_flag = change == 1 && number == "0" && whole[0] == 0 && name.starts_with(['c', 'g']);
+        prop_assert!(!is_read || whole.contains(&change) || is_flag, "{name} {change} {number}");
+        prop_assert!(is_read || change != 0, "{name}");
     }
 }

@@ -6,6 +6,9 @@ use super::value::{as_number, brief};
 use crate::Matrix;
 use crate::error::Defects;
 
+/// The keys of an object that holds a matrix.
+const KEYS: [&str; 4] = ["dense", "rows", "cols", "triplets"];
+
 /// The entries of a matrix, as they are written.
 pub enum Entries {
     /// Row by row, n² of them.
@@ -17,12 +20,17 @@ pub enum Entries {
 impl Entries {
     /// The entries under the key `A` of an n × n matrix.
     pub fn read(a: &Value, n: usize, defects: &mut Defects) -> Self {
+        let keys = a.as_object().into_iter().flat_map(Map::keys);
+        for key in keys.filter(|key| !KEYS.contains(&key.as_str())) {
+            defects.add(format!("A.{key}"), "is unknown");
+        }
         match a {
             Value::Object(a) if a.contains_key("dense") && a.contains_key("triplets") => {
                 defects.add("A", "has both \"dense\" and \"triplets\"");
                 Entries::Dense(Vec::new())
             }
             Value::Object(a) if a.contains_key("dense") => {
+                check_sizes(a, n, defects);
                 Entries::Dense(dense(&a["dense"], n, defects))
             }
             Value::Object(a) if a.contains_key("triplets") => {
@@ -73,16 +81,20 @@ fn dense(value: &Value, n: usize, defects: &mut Defects) -> Vec<f64> {
 }
 
 fn sparse(a: &Map<String, Value>, n: usize, defects: &mut Defects) -> Vec<(usize, usize, f64)> {
+    for key in ["rows", "cols"].into_iter().filter(|key| !a.contains_key(*key)) {
+        defects.add(format!("A.{key}"), "is missing");
+    }
+    check_sizes(a, n, defects);
+    triplets(&a["triplets"], "A.triplets", (n, n), defects)
+}
+
+/// The numbers of rows and columns, where they are given.
+fn check_sizes(a: &Map<String, Value>, n: usize, defects: &mut Defects) {
     for key in ["rows", "cols"] {
-        match a.get(key).map(|value| (value, value.as_u64())) {
-            None => defects.add(format!("A.{key}"), "is missing"),
-            Some((_, Some(count))) if count == n as u64 => {}
-            Some((value, _)) => {
-                defects.add(format!("A.{key}"), format!("is {}, b has {n} rows", brief(value)));
-            }
+        if let Some(value) = a.get(key).filter(|value| value.as_u64() != Some(n as u64)) {
+            defects.add(format!("A.{key}"), format!("is {}, b has {n} rows", brief(value)));
         }
     }
-    triplets(&a["triplets"], "A.triplets", (n, n), defects)
 }
 
 /// The list under a key of a matrix with so many rows and columns.

@@ -30,7 +30,8 @@
 //! ```
 //!
 //! Other programs' files are read and written by the crate `lcplab-files`.
-//! Other keys are ignored with a warning; a key given twice is an error. Memory is bounded: n is checked against the length of b
+//! Other keys are ignored with a warning, which names the key that may have been meant; in `A` they are
+//! an error, and so is a key given twice. Memory is bounded: n is checked against the length of b
 //! before anything of that size is made, and a file that would take more than is allowed
 //! ([`Problem::read_within`]) is refused before it is parsed.
 
@@ -38,6 +39,7 @@ mod expected;
 mod matrix;
 mod motion;
 mod parts;
+mod similar;
 mod value;
 
 pub use expected::Expected;
@@ -50,6 +52,7 @@ use std::path::Path;
 use serde_json::{Map, Value, json};
 
 use parts::{frozen_at, model, scale};
+use similar::similar;
 use value::numbers;
 
 use super::friction::{FrictionProblem, Model};
@@ -157,7 +160,9 @@ impl Problem {
             if KEPT.contains(&key.as_str()) {
                 extra.insert(key.clone(), value.clone());
             } else if !READ.contains(&key.as_str()) {
-                warnings.push(format!("{input}: unknown key {key:?} ignored"));
+                let meant = similar(key).map(|known| format!("; did you mean {known:?}?"));
+                let meant = meant.unwrap_or_default();
+                warnings.push(format!("{input}: unknown key {key:?} ignored{meant}"));
             }
         }
         let name = object.get("name").and_then(Value::as_str).unwrap_or_default().to_string();

@@ -40,6 +40,42 @@ fn unknown_keys_are_warned_of_and_known_ones_kept() {
 }
 
 #[test]
+fn the_warning_of_a_misspelt_key_names_the_key_that_was_meant() {
+    let warning = |key: &str| {
+        let text = format!(r#"{{"A": {{"dense": [[1]]}}, "b": [0], "{key}": [0]}}"#);
+        Problem::parse(&text, "p.json").unwrap().warnings.concat()
+    };
+    for (key, meant) in [
+        ("low", "lo"),
+        ("lb", "lo"),
+        ("Upper", "hi"),
+        ("friction_indx", "friction_index"),
+        ("friction-index", "friction_index"),
+        ("findex", "friction_index"),
+        ("frozen_ta", "frozen_at"),
+        ("scal", "scale"),
+        ("Model", "model"),
+        ("motions", "motion"),
+        ("q", "b"),
+    ] {
+        let expected = format!("p.json: unknown key {key:?} ignored; did you mean {meant:?}?");
+        assert_eq!(warning(key), expected);
+    }
+    for key in ["x", "c", "note", "seed", "w", "comment", "units", "expectation"] {
+        assert_eq!(warning(key), format!("p.json: unknown key {key:?} ignored"));
+    }
+}
+
+#[test]
+fn unknown_keys_of_the_matrix_are_refused() {
+    let with = |a: &str| message(&format!(r#"{{"A": {a}, "b": [0]}}"#));
+    assert_eq!(with(r#"{"dense": [[1]], "offset": 1}"#), "p.json: A.offset: is unknown");
+    assert_eq!(with(r#"{"dense": [[1]], "rows": 2}"#), "p.json: A.rows: is 2, b has 1 rows");
+    let sparse = r#"{"rows": 1, "cols": 1, "triplets": [[0, 0, 1]], "symmetric": true}"#;
+    assert_eq!(with(sparse), "p.json: A.symmetric: is unknown");
+}
+
+#[test]
 fn the_schema_names_all_keys_that_are_read_and_no_other() {
     let all = serde_json::json!({
         "name": "all keys", "A": { "dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }, "b": [0, 0, 0],

@@ -1,0 +1,53 @@
+//! Which kind of problem a file of Siconos holds: no file says so, but the numbers before its first
+//! matrix do.
+
+use super::matrix::size_ahead;
+use crate::words::Words;
+use lcplab_problem::error::{Error, Result};
+
+/// The kinds that are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// An LCP or a relay problem: n, then the matrix.
+    Boxes,
+    /// A mixed LCP.
+    Mixed,
+    /// Contacts in space, with or without their bodies.
+    Contacts,
+}
+
+/// The kind of a file.
+///
+/// # Errors
+/// If it is none that is read; the message names the kind that it seems to be.
+pub(super) fn kind(words: &Words) -> Result<Kind> {
+    let mut ahead = words.clone();
+    let lead: Vec<usize> = std::iter::from_fn(|| ahead.next()?.parse().ok()).take(5).collect();
+    let has_matrix = |after| size_ahead(words, after).is_some();
+    let is_square = |after, n| size_ahead(words, after) == Some([n, n]);
+    let refused = |kind: &str| Err(refusal(words, kind));
+    match lead[..] {
+        [n, ..] if is_square(1, n) => Ok(Kind::Boxes),
+        [1, 0 | 1, _, _, 0] | [0, 1, _, _, ..] => Ok(Kind::Mixed),
+        [3, _, ..] if has_matrix(2) => Ok(Kind::Contacts),
+        [2, _, ..] if has_matrix(2) => refused("contacts in the plane (FC2D or GFC2D)"),
+        [5, _, ..] if has_matrix(2) => refused("contacts with rolling friction (RFC3D or GRFC3D)"),
+        [n, _, ..] if is_square(2, n) => refused("a problem over second-order cones (SOCLCP)"),
+        [3, _, 1 | 2, ..] if has_matrix(3) => refused("a problem of plasticity"),
+        _ if has_matrix(0) => refused("a generic mechanical problem (GMP), or a matrix alone"),
+        [n, 0..=2, m, ..] if n == m => Ok(Kind::Boxes), // with a defect, of which its reader knows more
+        _ => {
+            let reason = "begins like none of Siconos' problems: an LCP, a relay problem, a mixed \
+                          LCP, or contacts";
+            Err(words.fault_ahead(reason))
+        }
+    }
+}
+
+/// The refusal of a file of this kind.
+pub(super) fn refusal(words: &Words, kind: &str) -> Error {
+    words.fault_ahead(format!(
+        "this seems to be {kind}, which is not read: only LCPs, relay problems, mixed LCPs and \
+         contacts in space (FC3D, GFC3D) are"
+    ))
+}
