@@ -29,7 +29,7 @@
 mod exact;
 
 use super::neighbor;
-use super::residual::{Residual, cone, improves_on_zero, worst};
+use super::residual::{Residual, cone, improves_on_zero};
 use super::{Demand, Refusal, Verdict, distance, is_near};
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{ConeProblem, Contact};
@@ -90,7 +90,7 @@ fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     let contacts = problem.friction().contacts();
     let (w, all) = cone::residuals(problem, x);
     let residuals: Vec<f64> = all.iter().map(|own| own.relative).collect();
-    let (worst_row, scaled_residual) = worst(residuals.iter().copied());
+    let (worst_row, scaled_residual) = last_worst(&residuals);
     let outside = contacts.iter().map(|contact| {
         let [n, t1, t2] = contact.of(x);
         lcplab_problem::hypot(t1, t2) - contact.mu * n
@@ -107,6 +107,12 @@ fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
         verdict: verdict(problem, x, &all, (worst_row, scaled_residual), demand),
         rounded_by: None,
     }
+}
+
+/// The row with the largest residual, and that residual. Both tangents of a contact have that of their plane: t2 counts.
+fn last_worst(residuals: &[f64]) -> (usize, f64) {
+    let larger = |best: (usize, f64), (i, &r): (usize, &f64)| if r >= best.1 { (i, r) } else { best };
+    residuals.iter().enumerate().fold((0, 0.0), larger)
 }
 
 fn verdict(
