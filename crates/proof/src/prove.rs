@@ -150,10 +150,10 @@ fn solvable(lcp: &Lcp, answer: &[f64]) -> Result<Solvable, String> {
             lcp.len()
         ));
     }
-    if answer.iter().all(|x| x.is_finite()) {
-        if let Some(exact::Proof { x, null_direction, .. }) = exact::prove(lcp, answer) {
-            return Ok(Solvable::Yes(Solution { x, direction: null_direction }));
-        }
+    if answer.iter().all(|x| x.is_finite())
+        && let Some(exact::Proof { x, null_direction, .. }) = exact::prove(lcp, answer)
+    {
+        return Ok(Solvable::Yes(Solution { x, direction: null_direction }));
     }
     if let Some(sides) = pivot::sides(lcp) {
         let exact = Exact::new(lcp);
