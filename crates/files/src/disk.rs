@@ -27,7 +27,7 @@ pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<()> {
     written.map_err(|cause| Error::file(path, &plain(cause)))
 }
 
-/// Writes a file whose name the program chose into a folder, as [`write`] does, but never through a link.
+/// Writes a file whose name the program chose into a folder, as [`write`](write()) does, but never through a link.
 ///
 /// # Errors
 /// If a part of the name is a link, or the file cannot be written; then what was there before is still there.

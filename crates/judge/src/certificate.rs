@@ -21,7 +21,7 @@ pub struct Certificate {
     pub scaled_residual: f64,
     /// The row that has it.
     pub worst_row: usize,
-    /// The size of x below which a row is at rest: [`Lcp::scale`], 0 if the problem states none.
+    /// The size of x below which a row is at rest: [`Lcp::scale`](lcplab_problem::Lcp::scale), 0 if the problem states none.
     pub scale: f64,
     /// max_i of w_i⁺ (x_i − lo_i) and w_i⁻ (hi_i − x_i), over finite bounds.
     pub complementarity_gap: f64,

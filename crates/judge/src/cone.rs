@@ -111,7 +111,8 @@ fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
 
 /// The row with the largest residual, and that residual. Both tangents of a contact have that of their plane: t2 counts.
 fn last_worst(residuals: &[f64]) -> (usize, f64) {
-    let larger = |best: (usize, f64), (i, &r): (usize, &f64)| if r >= best.1 { (i, r) } else { best };
+    let larger =
+        |best: (usize, f64), (i, &r): (usize, &f64)| if r >= best.1 { (i, r) } else { best };
     residuals.iter().enumerate().fold((0, 0.0), larger)
 }
 
