@@ -160,7 +160,8 @@ fn solve_modelled<'py>(
     };
     let stop = Stop::default();
     let (answered, judged) = wait(py, &stop, || {
-        let observer = &mut stop.watch(&mut ());
+        let mut nobody = ();
+        let observer = &mut stop.watch(&mut nobody);
         match &method {
             Some(method) => {
                 let (solution, judged) =
