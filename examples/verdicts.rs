@@ -158,7 +158,7 @@ fn record(subject: &Subject, solvers: &[Box<dyn Solver>]) -> Value {
         if solution.status == Status::Solved {
             exact.clone_from(&solution.x);
         }
-        answers.push(Answer::judged(lcp, solver.name(), solution, &demand).to_json());
+        answers.push(Answer::judged(lcp, solver.name(), solution, &demand).to_json().into());
     }
     answers.extend(strange(lcp, &exact).map(|(name, x)| judged(lcp, name, &x, &demand)));
     // Without one where the singular values of A cannot be found.

@@ -6,6 +6,7 @@ use lcplab::lcp::Question;
 use lcplab::lcp::file::number;
 use lcplab::report::answer::{attempts_json, attempts_text, claim};
 use lcplab::report::friction::{Judged, solve as solve_and_judge, solve_by_default};
+use lcplab::report::motion_error::MotionError;
 use lcplab::solver::{Method, Options, Solution, Status};
 use serde_json::{Map, Value, json};
 
@@ -48,12 +49,18 @@ pub fn solve(
         object.insert("solver".into(), json!(solver));
         object.extend(attempts_json(&attempts));
         object.insert("message".into(), json!(message));
-        print_json(question, object, &judged)?;
+        print_json(question, object, &solution.x, &judged)?;
     } else {
         let status = if word == message { message } else { format!("{word}: {message}") };
         let solver = format!("solver     {solver}\n");
         let status = format!("status     {status}, {} iterations\n", solution.iterations);
-        print_text(question, title, &(solver + &status + &attempts_text(&attempts)), &judged)?;
+        print_text(
+            question,
+            title,
+            &(solver + &status + &attempts_text(&attempts)),
+            &solution.x,
+            &judged,
+        )?;
     }
     Ok((outcome(&judged.certificate.verdict, stopped), solution))
 }
@@ -68,23 +75,36 @@ pub fn judge(
 ) -> Result<Verdict> {
     let judged = Judged::of(question, x, demand);
     if json {
-        print_json(question, Map::new(), &judged)?;
+        print_json(question, Map::new(), x, &judged)?;
     } else {
-        print_text(question, title, "", &judged)?;
+        print_text(question, title, "", x, &judged)?;
     }
     Ok(judged.certificate.verdict)
 }
 
-fn print_json(question: &Question, mut object: Map<String, Value>, judged: &Judged) -> Result<()> {
+fn print_json(
+    question: &Question,
+    mut object: Map<String, Value>,
+    x: &[f64],
+    judged: &Judged,
+) -> Result<()> {
     object.insert("model".into(), json!(question.model().map(|model| model.to_string())));
     object.extend(judged.json());
+    object.extend(MotionError::json(question, x));
     print(&format!("{}\n", Value::Object(object)))
 }
 
-fn print_text(question: &Question, title: &str, claim: &str, judged: &Judged) -> Result<()> {
+fn print_text(
+    question: &Question,
+    title: &str,
+    claim: &str,
+    x: &[f64],
+    judged: &Judged,
+) -> Result<()> {
     let model = question.model().zip(question.friction()).map(|(model, friction)| {
         format!("model      {model}, {} contacts\n", friction.contacts().len())
     });
     let model = model.unwrap_or_default();
-    print(&format!("{title}\n{model}{claim}{}", judged.text()))
+    let motion = MotionError::text(question, x);
+    print(&format!("{title}\n{model}{claim}{}{motion}", judged.text()))
 }

@@ -10,7 +10,7 @@ use lcplab::lcp::file::{Problem, number, read_answers};
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{bound, certificate_json, certificate_text, verdict_json};
 use lcplab::report::friction::Judged as Judgement;
-use lcplab::report::motion_error::{MotionError, error_json};
+use lcplab::report::motion_error::MotionError;
 use lcplab::report::page::{Cell, Column, Table};
 use lcplab::report::text;
 use lcplab::solver::Settings;
@@ -18,7 +18,7 @@ use serde_json::{Map, Value, json};
 
 use super::friction;
 use super::limits::MemoryLimit;
-use super::problem::{bound_text, motion_text, rows, title};
+use super::problem::{bound_text, rows, title};
 use super::{Outcome, print, read_problem};
 
 /// Judge answers to a problem, whoever found them
@@ -125,14 +125,14 @@ impl Judge {
             if let Some(bound) = bound {
                 object.insert("error_bound".into(), number(printed_up(bound)));
             }
-            object.extend(MotionError::of(problem, x).map(|error| error_json(&error)));
+            object.extend(MotionError::json(question, x));
             print(&format!("{}\n", Value::Object(object)))?;
         } else {
             let text = title(problem)
                 + "\n"
                 + &certificate_text(&certificate, problem)
                 + &bound_text(bound);
-            let text = text + &motion_text(problem, x);
+            let text = text + &MotionError::text(question, x);
             print(&(text + &rows(problem, x, &certificate)))?;
         }
         Ok(self.fail_on.outcome(&certificate.verdict))

@@ -17,6 +17,7 @@ use lcplab::solver::{
     Answered, Method, Observer, Reason, Start, Status, default_for, solve_boxed_by_sequence,
 };
 use lcplab::trace::Convergence;
+use serde_json::Value;
 
 use super::friction;
 use super::limits::Limits;
@@ -81,14 +82,15 @@ impl Solve {
         if self.exact {
             demand.prove_up_to = Demand::EXACT_ROWS;
         }
-        if let Some(model) = model(self.model, solver, &problem) {
+        let (input, asked) =
+            (self.problem.display().to_string(), model(self.model, solver, &problem));
+        let question = Question::new(&problem, asked, &input)?;
+        if let Some(model) = question.model() {
             self.tracing.check(false)?;
             self.proof.as_ref().map_or(Ok(()), |_| proof::check_model(model))?;
             let method = solver.map(|name| methods::by_name(name, model)).transpose()?;
             let first = methods::by_name(methods::default_for(model), model)?;
             let options = self.settings.options(&[method.unwrap_or(first)])?;
-            let input = self.problem.display().to_string();
-            let question = Question::new(&problem, Some(model), &input)?;
             let title = title(&problem);
             let (outcome, solution) = friction::solve(
                 &question,
@@ -127,7 +129,9 @@ impl Solve {
         let answer = Answer::judged(&problem.lcp, solver, solution, &demand);
         let answer = answer.stopped(stopped).after(attempts);
         if self.json {
-            print(&format!("{}\n", answer.to_json()))?;
+            let mut object = answer.to_json();
+            object.extend(MotionError::json(&question, &answer.solution.x));
+            print(&format!("{}\n", Value::Object(object)))?;
         } else {
             let title = title(&problem);
             let iterations = answer.solution.iterations;
@@ -143,7 +147,7 @@ impl Solve {
             text += &attempts_text(&answer.attempts);
             text += &certificate_text(&answer.certificate, &problem);
             text += &bound_text(answer.error_bound);
-            text += &motion_text(&problem, &answer.solution.x);
+            text += &MotionError::text(&question, &answer.solution.x);
             text += &rows(&problem, &answer.solution.x, &answer.certificate);
             print(&text)?;
         }
@@ -220,15 +224,4 @@ pub fn rows(problem: &Problem, x: &[f64], certificate: &Certificate) -> String {
         );
     }
     text
-}
-
-/// How far the motion that x leads to is from the exact one, where the problem states its masses and rows.
-pub fn motion_text(problem: &Problem, x: &[f64]) -> String {
-    match MotionError::of(problem, x) {
-        None => String::new(),
-        Some(Ok(error)) => {
-            format!("  motion error     {:>10}  {}\n", upper_bound(error.bound), error.meaning())
-        }
-        Some(Err(why)) => format!("  motion error              –  {why}\n"),
-    }
 }

@@ -21,8 +21,8 @@ VERDICTS.  proved: scaled_residual <= tolerance, an exact solution within `dista
     not_a_solution (with the worst row and its r_i): otherwise, or if a certificate says there is none.
 ROUNDING.  The size of row i is the largest |x_j| of the rows that it is connected with through A or friction, of all
     rows if it is connected with none. An x that misses counts as proved if a solution differs in no entry by more than
-    64 2^-52 of that size; else the verdict is that of its rounded neighbor x' (key `rounded_by`: at least max|x - x'|), whose
-    entries within 16 2^-52 of that size of a bound (of x', in coupled rows) or of 0 are moved there.
+    64 2^-52 of that size; else the verdict is that of its rounded neighbor x', whose entries within 16 2^-52 of that size of a bound (of x', in
+    coupled rows) or of 0 are moved there. The key `rounded_by` is at least the distance from that solution or from x'.
 CERTIFICATES.  no_solution: d with d_i > 0 only where hi_i = inf, d_i < 0 only where lo_i = -inf, d_i = 0 in
     coupled rows; so d_i w_i >= 0 at every solution.  But max over the box of d.w = (A'd).x + b.d is < 0.
     case_split: no piece (below) holds a solution.     far_solution: a solution is within this of x (others may
@@ -538,14 +538,15 @@ def check_alone(p, tolerance, a, known, count):
     neighbor_fits = at_neighbor.scaled <= allowed[0] and (
         100 * at_neighbor.e2 <= p.start.e2 * (1 + 2 * SLACK) or p.start.scaled <= allowed[0])
     if good and a.rounded_by is not None:
-        if not neighbor_fits:
-            yield f"{a.verdict} by its rounded neighbor, whose scaled residual is {show(at_neighbor.scaled)}"
-        if not isinstance(a.rounded_by, Q) or a.rounded_by < distance(a.x, neighbor) * (1 - SLACK):
-            yield f"rounded_by is {show(distance(a.x, neighbor))}"
-    elif good and not fits:
         y = p.solution_near(a.x, a.distance) if a.verdict == PROVED and isinstance(a.distance, Q) else None
-        if y is None or not p.differs_by_rounding(a.x, y):
-            yield f"{a.verdict}, but its scaled residual is {show(at.scaled)}"
+        accepted = [neighbor] if neighbor_fits else []
+        accepted += [y] if y is not None and p.differs_by_rounding(a.x, y) else []
+        if not accepted:
+            yield f"{a.verdict} by rounding, but no solution is that close, and of its neighbor {show(at_neighbor.scaled)} is left"
+        elif not isinstance(a.rounded_by, Q) or all(a.rounded_by < distance(a.x, z) * (1 - SLACK) for z in accepted):
+            yield f"rounded_by is {show(min(distance(a.x, z) for z in accepted))}"
+    elif good and not fits:
+        yield f"{a.verdict}, but its scaled residual is {show(at.scaled)}"
     if a.status == "solved" and not good and at.scaled > tolerance * Q(1001, 1000):
         yield f"solved, but its scaled residual is {show(at.scaled)}"
     if a.verdict == WITHIN and a.rounded_by is None and not worth:
@@ -735,9 +736,10 @@ def self_test():
         ("h true", h, [answer(h, [1.001, 0.999], WITHIN, certificate={"far_solution": 0.0011})], yes, None),
         ("h", h, [answer(h, [1.001, 0.999], WITHIN, certificate={"far_solution": 0.0009})], None, "confirm far_solution"),
         ("h proved", h, [answer(h, [1.001, 0.999], PROVED, distance=0.0011)], None, "above 1e-6"),
-        ("i rounding", i, [answer(i, [0.5, 2e-17], PROVED, distance=2e-17)], yes, None),
+        ("i rounding", i, [answer(i, [0.5, 2e-17], PROVED, distance=2e-17, rounded_by=2e-17)], yes, None),
+        ("i untold", i, [answer(i, [0.5, 2e-17], PROVED, distance=2e-17)], yes, "but its scaled residual is"),
         ("i neighbor", i, [answer(i, [0.5, 2e-17], WITHIN, rounded_by=2e-17)], yes, None),
-        ("i too far", i, [answer(i, [0.5, 2e-13], PROVED, distance=2e-13)], yes, "but its scaled residual is"),
+        ("i too far", i, [answer(i, [0.5, 2e-13], PROVED, distance=2e-13, rounded_by=2e-13)], yes, "by rounding, but"),
         ("i refused", i, [answer(i, [0.5, 2e-17], NOT, "failed")], yes, "nothing proves"),
         ("malformed", g | {"b": [1]}, [], None, "malformed"),
         ("cone", f, [{"model": "coulomb-cone"}], None, None)]

@@ -37,7 +37,8 @@ pub struct Certificate {
     pub duality_gap: f64,
     /// The decision.
     pub verdict: Verdict,
-    /// max |x − x'| where the decision is that about the rounded neighbor x' of x; the residuals are those of x.
+    /// max |x − x'| where x itself misses the tolerance and the decision is about a point x' from which it differs by
+    /// rounding: an exact solution, or the rounded neighbor of x. The residuals are those of x.
     pub rounded_by: Option<f64>,
     /// What else was shown in exact arithmetic.
     pub evidence: Option<Evidence>,

@@ -53,7 +53,7 @@ pub struct ConeCertificate {
     pub cone_violation: f64,
     /// The decision; *proved* only where no contact slides.
     pub verdict: Verdict,
-    /// max |x − x'| where the decision is that about the rounded neighbor x' of x.
+    /// As in [`Certificate::rounded_by`](super::Certificate::rounded_by).
     pub rounded_by: Option<f64>,
 }
 
@@ -72,15 +72,15 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     if lcp.len() <= demand.prove_up_to {
         let bounds = neighbor::rounding_of(&neighbor::sizes(lcp, contacts, x));
         if let Some(distance) = exact::prove(problem, x, Some(&bounds)) {
-            return ConeCertificate { verdict: Verdict::Proved { distance }, ..certificate };
+            let (verdict, rounded_by) = (Verdict::Proved { distance }, Some(distance));
+            return ConeCertificate { verdict, rounded_by, ..certificate };
         }
     }
     let Some(neighbor) = neighbor::rounded(lcp, contacts, x) else { return certificate };
     let of_neighbor = judge_as_given(problem, &neighbor, demand).verdict;
-    match of_neighbor.from(distance(x, &neighbor)) {
-        Some((verdict, moved)) => {
-            ConeCertificate { verdict, rounded_by: Some(moved), ..certificate }
-        }
+    let moved = distance(x, &neighbor);
+    match of_neighbor.of_point_at(moved) {
+        Some(verdict) => ConeCertificate { verdict, rounded_by: Some(moved), ..certificate },
         None => certificate,
     }
 }

@@ -22,7 +22,7 @@ use lcplab_problem::exact::{Exact, Side};
 const TIE: f64 = 64.0 * f64::EPSILON;
 /// Of more tied rows all are taken to be where x_i − w_i/s_i says, or where x_i itself is.
 const MOST_TIES: usize = 4;
-/// So often the active set of a point that is no solution is tried too.
+/// From so many points that are no solutions their own active sets are tried, too.
 const MOST_STEPS: usize = 3;
 
 /// A solution that exists exactly, near the x it was read off from.
@@ -47,10 +47,13 @@ pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
     let inside: Vec<f64> = (0..x.len()).map(|i| lcp.project(i, x[i], x)).collect();
     let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
     let mut nearest: Option<Proof> = None;
-    let (mut sets, mut steps, mut next) = (active_sets(&Rows::at(lcp, x)), 0, 0);
+    let mut sets = active_sets(&Rows::at(lcp, x));
+    let mut steps = MOST_STEPS;
     if lcp.len() > Demand::EXACT_ROWS {
-        (steps, _) = (MOST_STEPS, sets.drain(1..));
+        sets.truncate(1);
+        steps = 0;
     }
+    let mut next = 0;
     while let Some(sides) = sets.get(next).cloned() {
         next += 1;
         let Some((point, null)) = exact.point(&sides, &inside) else { continue };
@@ -64,8 +67,8 @@ pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
             if distance <= TIE * size {
                 break;
             }
-        } else if steps < MOST_STEPS {
-            steps += 1;
+        } else if steps > 0 {
+            steps -= 1;
             let y: Vec<f64> = point.entries().iter().map(|x| x.to_f64().value()).collect();
             let of_point = y.iter().all(|y| y.is_finite()).then(|| sides_at(lcp, &y));
             sets.extend(of_point.filter(|set| !sets.contains(set)));

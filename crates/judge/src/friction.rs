@@ -46,7 +46,7 @@ pub struct FrictionCertificate {
     pub worst_row: usize,
     /// The decision; its row is one of x, t1 for a β and n for a γ of a polygon.
     pub verdict: Verdict,
-    /// max |x − x'| where the decision is that about the rounded neighbor x' of x; the residuals are those of x.
+    /// As in [`Certificate::rounded_by`]; the residuals are those of x.
     pub rounded_by: Option<f64>,
     /// What else was shown in exact arithmetic, of boxes and of polygons with four corners: of these in their own unknowns.
     pub evidence: Option<Evidence>,
@@ -122,10 +122,9 @@ fn judge_polyhedral(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fric
     let neighbor = neighbor::rounded(friction.lcp(), friction.contacts(), x);
     let Some(neighbor) = neighbor else { return certificate };
     let of_neighbor = judge_polyhedral_as_given(polyhedral, &neighbor, demand).verdict;
-    match of_neighbor.from(distance(x, &neighbor)) {
-        Some((verdict, moved)) => {
-            FrictionCertificate { verdict, rounded_by: Some(moved), ..certificate }
-        }
+    let moved = distance(x, &neighbor);
+    match of_neighbor.of_point_at(moved) {
+        Some(verdict) => FrictionCertificate { verdict, rounded_by: Some(moved), ..certificate },
         None => certificate,
     }
 }
@@ -144,18 +143,17 @@ fn judge_polyhedral_as_given(
     let is_exact = polyhedral.directions() == 4 && smooth.1 == 0.0;
     let (row, stray) = larger(smooth, friction_residual(polyhedral, &z));
     let verdict = match certificate.verdict {
-        Verdict::Proved { distance } if is_exact => {
-            match distance_from(polyhedral, x, &z, distance) {
-                distance if is_near(x, distance) => Verdict::Proved { distance },
-                _ if stray <= demand.tolerance => Verdict::WithinTolerance, // z* is near z, which has slips too
-                _ => Verdict::NotASolution { row, amount: stray, why: Refusal::Residual },
-            }
-        }
         _ if !(stray <= demand.tolerance) => {
             Verdict::NotASolution { row, amount: stray, why: Refusal::Residual }
         }
         Verdict::NotASolution { row, amount, why } => {
             Verdict::NotASolution { row: polyhedral.row(row), amount, why }
+        }
+        Verdict::Proved { distance } if is_exact => {
+            match distance_from(polyhedral, x, &z, distance) {
+                distance if is_near(x, distance) => Verdict::Proved { distance },
+                _ => Verdict::WithinTolerance, // z* is near z, which holds slips too
+            }
         }
         Verdict::Proved { .. } | Verdict::WithinTolerance => Verdict::WithinTolerance,
     };

@@ -93,14 +93,16 @@ pub fn judge(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
     if let Some(proof) = proof_within_rounding(lcp, x, demand) {
         return Certificate {
             verdict: Verdict::Proved { distance: proof.distance },
+            rounded_by: Some(proof.distance),
             evidence: proof.null_direction.map(Evidence::NotUnique),
             ..certificate
         };
     }
     let Some(neighbor) = neighbor::rounded(lcp, &[], x) else { return certificate };
     let of_neighbor = judge_as_given(lcp, &neighbor, demand);
-    match of_neighbor.verdict.from(distance(x, &neighbor)) {
-        Some((verdict, moved)) => {
+    let moved = distance(x, &neighbor);
+    match of_neighbor.verdict.of_point_at(moved) {
+        Some(verdict) => {
             let evidence = of_neighbor.evidence;
             Certificate { verdict, rounded_by: Some(moved), evidence, ..certificate }
         }

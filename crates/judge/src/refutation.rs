@@ -51,7 +51,7 @@ pub(super) enum Existence {
 /// let (lo, hi) = (vec![0.0, -f64::INFINITY], vec![f64::INFINITY; 2]);
 /// let lcp = Lcp::new(a, vec![-1.0, -0.5], lo, hi)?;
 /// let lcp = lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 1.0])?)?;
-/// assert_eq!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { pieces: 3 }));
+/// assert!(matches!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { .. })));
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub fn refutation(lcp: &Lcp, hints: &[&[f64]]) -> Option<Refutation> {

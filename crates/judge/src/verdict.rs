@@ -51,16 +51,16 @@ impl Verdict {
         }
     }
 
-    /// The verdict on an x that is `moved` away from the one that was accepted, and how far; none if that one was not.
-    pub(crate) fn from(self, moved: f64) -> Option<(Verdict, f64)> {
-        let verdict = match self {
+    /// The verdict on a point this far from the one that has this verdict; none if that one is rejected.
+    pub(crate) fn of_point_at(self, away: f64) -> Option<Verdict> {
+        match self {
             Verdict::Proved { distance } => {
-                Verdict::Proved { distance: crate::interval::add_up(distance, moved) }
+                let distance = crate::interval::add_up(distance, away);
+                Some(Verdict::Proved { distance })
             }
-            Verdict::WithinTolerance => Verdict::WithinTolerance,
-            Verdict::NotASolution { .. } => return None,
-        };
-        Some((verdict, moved))
+            Verdict::WithinTolerance => Some(Verdict::WithinTolerance),
+            Verdict::NotASolution { .. } => None,
+        }
     }
 
     /// The verdict once it is known that the problem has no solution: an x that misses already is
@@ -102,7 +102,7 @@ impl std::fmt::Display for Verdict {
             Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
                 write!(
                     f,
-                    "not a solution: the residual is small only beside the large terms of x; x = 0 comes as close"
+                    "not a solution: the residual is small only because the terms of x are large; x is not ten times closer to a solution than x = 0"
                 )
             }
             Verdict::NotASolution { why: Refusal::Impossible, .. } => {

@@ -59,18 +59,6 @@ pub struct Answered {
     pub attempts: Vec<Attempt>,
 }
 
-impl Answered {
-    /// The methods that failed, and how, in one sentence; none if the first one solved the problem.
-    pub fn history(&self) -> Option<String> {
-        let tried = |attempt: &Attempt| {
-            let Attempt { solver, status, iterations } = attempt;
-            format!("{solver} ({status}, {iterations} iterations)")
-        };
-        let all: Vec<String> = self.attempts.iter().map(tried).collect();
-        (!all.is_empty()).then(|| format!("tried without success: {}", all.join(", ")))
-    }
-}
-
 /// Solves a problem from 0 by the methods that suit it, one after the other, until one succeeds.
 pub fn solve(problem: &Posed, options: &Options, observer: &mut dyn Observer) -> Answered {
     match problem {

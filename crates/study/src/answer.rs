@@ -66,7 +66,7 @@ impl Answer {
     }
 
     /// The object that `solve --json` prints.
-    pub fn to_json(&self) -> Value {
+    pub fn to_json(&self) -> Map<String, Value> {
         let vector = |v: &[f64]| -> Value { v.iter().map(|&v| number(v)).collect() };
         let mut fields = Map::new();
         fields.insert("status".into(), json!(self.status_word()));
@@ -83,7 +83,7 @@ impl Answer {
         if let Some(bound) = self.error_bound {
             fields.insert("error_bound".into(), number(printed_up(bound)));
         }
-        Value::Object(fields)
+        fields
     }
 }
 
@@ -233,7 +233,7 @@ pub fn certificate_json(certificate: &Certificate) -> Map<String, Value> {
     object
 }
 
-/// The key `rounded_by`, where the verdict is that about the rounded neighbor of x.
+/// The key `rounded_by`, where the verdict is about a point from which x differs by rounding.
 pub fn rounding_json(rounded_by: Option<f64>) -> Option<(String, Value)> {
     rounded_by.map(|by| ("rounded_by".into(), number(printed_up(by))))
 }
@@ -242,7 +242,7 @@ pub fn rounding_json(rounded_by: Option<f64>) -> Option<(String, Value)> {
 pub fn rounding_text(rounded_by: Option<f64>) -> String {
     let line = |by| {
         format!(
-            "  rounding         {:>10}  moved by this much, entries near a bound or 0 lie on it; the verdict is about that x\n",
+            "  rounding         {:>10}  x differs by this much from the point that is accepted: rounding error\n",
             upper_bound(by)
         )
     };

@@ -7,11 +7,11 @@
 
 use serde_json::{Value, json};
 
-use lcplab_judge::motion_bound::{MotionBound, Unproved, motion_bound};
-use lcplab_judge::printed_up;
+use lcplab_judge::motion_bound::{MotionBound, motion_bound};
+use lcplab_judge::{printed_up, upper_bound};
 use lcplab_page::number::readable;
-use lcplab_problem::Gauss;
-use lcplab_problem::file::{Problem, number};
+use lcplab_problem::file::number;
+use lcplab_problem::{Gauss, Question};
 
 /// A bound on the error of the motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,21 +26,45 @@ pub struct MotionError {
 
 impl MotionError {
     /// The bound for an answer; none where the problem does not state its masses and rows, else why there is no bound.
-    pub fn of(problem: &Problem, x: &[f64]) -> Option<Result<MotionError, Unproved>> {
-        let gauss = problem.motion.as_ref()?;
-        let is_frozen = problem.lcp.has_coupled_rows();
-        let (lo, hi) = (0..x.len()).map(|i| problem.lcp.bounds(i, x)).unzip();
+    pub fn of(question: &Question, x: &[f64]) -> Option<Result<MotionError, String>> {
+        let gauss = question.problem().motion.as_ref()?;
+        let Some(lcp) = question.boxed() else {
+            let model = question.model().map(|model| model.to_string()).unwrap_or_default();
+            return Some(Err(format!("no bound is known for {model}")));
+        };
+        let (lo, hi) = (0..x.len()).map(|i| lcp.bounds(i, x)).unzip();
         let gauss = Gauss { lo, hi, ..gauss.clone() };
-        let found = motion_bound(&gauss, x);
-        Some(found.map(|MotionBound { energy_norm, motion, .. }| MotionError {
+        let error = |MotionBound { energy_norm, motion, .. }| MotionError {
             bound: energy_norm,
             effect: distance(&gauss, &motion),
-            is_frozen,
-        }))
+            is_frozen: lcp.has_coupled_rows(),
+        };
+        Some(motion_bound(&gauss, x).map(error).map_err(|why| why.to_string()))
+    }
+
+    /// The line of text that `solve` and `judge` print; nothing where the problem does not state its masses and rows.
+    pub fn text(question: &Question, x: &[f64]) -> String {
+        let (value, meaning) = match MotionError::of(question, x) {
+            None => return String::new(),
+            Some(Ok(error)) => (upper_bound(error.bound), error.meaning()),
+            Some(Err(why)) => ("–".into(), why),
+        };
+        format!("  motion error     {value:>10}  {meaning}\n")
+    }
+
+    /// The key `motion_error` of an answer.
+    pub fn json(question: &Question, x: &[f64]) -> Option<(String, Value)> {
+        let value = match MotionError::of(question, x)? {
+            Ok(MotionError { bound, effect, is_frozen }) => json!({
+                "bound": number(printed_up(bound)), "effect": number(effect), "frozen": is_frozen,
+            }),
+            Err(why) => json!({ "unproved": why }),
+        };
+        Some(("motion_error".into(), value))
     }
 
     /// What the bound means, as the end of a line.
-    pub fn meaning(&self) -> String {
+    fn meaning(&self) -> String {
         let part = readable(self.bound / self.effect, 2);
         let of_what = match self.effect {
             0.0 => "the constraints change nothing".to_string(),
@@ -59,15 +83,4 @@ fn distance(gauss: &Gauss, u: &[f64]) -> f64 {
         if i == j { product } else { 2.0 * product }
     };
     gauss.mass.iter().map(term).sum::<f64>().max(0.0).sqrt()
-}
-
-/// The key `motion_error` of an answer.
-pub fn error_json(error: &Result<MotionError, Unproved>) -> (String, Value) {
-    let value = match error {
-        Ok(MotionError { bound, effect, is_frozen }) => json!({
-            "bound": number(printed_up(*bound)), "effect": number(*effect), "frozen": is_frozen,
-        }),
-        Err(why) => json!({ "unproved": why.to_string() }),
-    };
-    ("motion_error".into(), value)
 }

@@ -26,6 +26,13 @@
 //! g_i(w) = (x_i − lo_i) w for w > 0,  (hi_i − x_i) |w| for w < 0;   at most w² / 2γ_i  for the best s_i
 //! ```
 //!
+//! **An x beyond its bounds.** The program says nothing of it, but of Πx, and u(x) − u(Πx) is linear
+//! in what lies beyond:
+//!
+//! ```text
+//! |u(x) − û|_M ≤ |M⁻¹Jᵀ(x − Πx)|_M + |u(Πx) − û|_M
+//! ```
+//!
 //! **A feasible u.** A contact that is pressed in, w < 0 = ∞ − hi, makes P infinite, and so does an
 //! equation that is missed by a rounding error. So u(x) is repaired: the rows that push are
 //! brought to w = 0 by the smallest motion that does it, u ← u + M⁻¹J_Fᵀ y, with y from a
@@ -62,7 +69,8 @@ const IMPROVEMENTS: i32 = 4;
 /// How far the motion that x leads to is from the exact one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionBound {
-    /// |u(x) − û|_M is at most this: √J at velocity level, where ½ |v|²_M is a kinetic energy.
+    /// |u(x) − û|_M is at most this: √J at velocity level, where ½ |v|²_M is a kinetic energy. x is
+    /// the answer itself, also where it is beyond its bounds.
     pub energy_norm: f64,
     /// No entry of u(x) − û is larger (m/s and rad/s, or m/s² and rad/s²).
     pub largest_entry: f64,
@@ -101,7 +109,8 @@ impl fmt::Display for Unproved {
     }
 }
 
-/// Bounds the distance of the motion of x, moved into its bounds, from the exact motion û.
+/// Bounds the distance of the motion u(x) = u* + M⁻¹Jᵀx from the exact motion û, for any x, within
+/// its bounds or not.
 ///
 /// # Errors
 /// If no motion was found that verifiably obeys all rows; says why.
@@ -127,14 +136,17 @@ impl fmt::Display for Unproved {
 /// // 0.5 N s too little: u(x) = −0.25 m/s, and |u(x) − 0|_M = √2 · 0.25.
 /// let bound = motion_bound(&gauss, &[4.0, 1.5]).unwrap();
 /// assert!((bound.energy_norm - 0.25 * 2f64.sqrt()).abs() < 1e-12);
+/// // One contact pulls with 2 N s, beyond its bound 0: u(x) = −2 m/s.
+/// let bound = motion_bound(&gauss, &[4.0, -2.0]).unwrap();
+/// assert!((bound.energy_norm - 2.0 * 2f64.sqrt()).abs() < 1e-12);
 /// ```
 pub fn motion_bound(gauss: &Gauss, x: &[f64]) -> Result<MotionBound, Unproved> {
     assert_eq!(x.len(), gauss.jacobian.len(), "x needs one entry a row");
     if !x.iter().all(|x| x.is_finite()) {
         return Err(Unproved::NotFinite);
     }
-    let x: Vec<f64> = (0..x.len()).map(|i| x[i].max(gauss.lo[i]).min(gauss.hi[i])).collect();
-    let problem = Scaled::new(gauss, &x)?;
+    let inside: Vec<f64> = (0..x.len()).map(|i| x[i].max(gauss.lo[i]).min(gauss.hi[i])).collect();
+    let problem = Scaled::new(gauss, &inside)?;
     let (mut best, mut row): (Option<(f64, Vec<f64>)>, usize) = (None, 0);
     for mut repair in [Repair::of_pushing(&problem), Repair::of_loaded(&problem)] {
         for attempt in 0..ATTEMPTS {
@@ -154,7 +166,11 @@ pub fn motion_bound(gauss: &Gauss, x: &[f64]) -> Result<MotionBound, Unproved> {
             }
         }
     }
-    let (energy_norm, motion) = best.ok_or(Unproved::NoRoom { row })?;
+    let (distance, motion) = best.ok_or(Unproved::NoRoom { row })?;
+    let energy_norm = add_up(problem.motion_beyond_bounds(x), distance);
+    if !energy_norm.is_finite() {
+        return Err(Unproved::NotFinite);
+    }
     let entry = |j| mul_up(energy_norm, problem.largest_motion(j));
     let largest_entry = (0..motion.len()).map(entry).fold(0.0, f64::max);
     Ok(MotionBound { energy_norm, largest_entry, motion: problem.unscaled(&motion) })

@@ -15,7 +15,7 @@ const MOST: usize = 2_000;
 
 pub(super) struct Scaled<'a> {
     pub(super) gauss: &'a Gauss,
-    /// The proposed x, within its bounds.
+    /// Πx: the proposed x, moved into its bounds.
     pub(super) x: &'a [f64],
     /// Jᵀx.
     impulse: Vec<Interval>,
@@ -150,6 +150,17 @@ impl<'a> Scaled<'a> {
         let force = self.mass.times(&moved);
         let force: Vec<Interval> = force.iter().zip(&self.impulse).map(|(&f, &i)| f - i).collect();
         self.mass.length_of(change, &force)
+    }
+
+    /// An upper bound on |M⁻¹Jᵀ(x − Πx)|_M, where Πx is the x of this problem.
+    pub(super) fn motion_beyond_bounds(&self, x: &[f64]) -> f64 {
+        let mut force = vec![Interval::ZERO; self.target.len()];
+        for (i, row) in self.jacobian.iter().enumerate().filter(|(i, _)| x[*i] != self.x[*i]) {
+            let beyond = Interval::from(x[i]) - self.x[i].into();
+            row.iter().for_each(|&(j, value)| force[j] = force[j] + Interval::from(value) * beyond);
+        }
+        let middles: Vec<f64> = force.iter().map(|f| f.middle()).collect();
+        self.mass.length_of(&self.mass.solve(&middles), &force)
     }
 
     /// An upper bound on √(M⁻¹)_jj, in the units of the problem: no entry j of a motion of length 1 is

@@ -20,8 +20,8 @@ mod pieces;
 mod point;
 
 pub use dyadic::rounded_up;
+pub use pieces::Pieces;
 pub use pieces::{MAX_PIECES, all_solutions};
-pub use pieces::{Pieces, Search};
 pub use point::Point;
 
 use super::Lcp;

@@ -20,23 +20,11 @@ pub const MAX_PIECES: usize = 1 << 16;
 /// The pieces of a problem.
 pub struct Pieces {
     exact: Exact,
-    /// The sides of each row, in the order in which they are tried.
+    /// The sides of each row.
     choices: Vec<Vec<Side>>,
     /// Free rows whose column of A depends on those of other free rows; their x is 0.
     dependent: Vec<usize>,
     count: usize,
-}
-
-/// What a search through all pieces has found.
-#[derive(Debug)]
-pub enum Search {
-    /// A solution.
-    Solution(Point),
-    /// None of so many pieces has a solution.
-    Nothing {
-        /// How many there are.
-        pieces: usize,
-    },
 }
 
 impl Pieces {
@@ -53,14 +41,6 @@ impl Pieces {
         Some(pieces)
     }
 
-    /// The same, tried in an order that begins with this piece.
-    pub fn beginning_with(mut self, sides: &[Side]) -> Self {
-        for (choices, first) in self.choices.iter_mut().zip(sides) {
-            choices.sort_by_key(|side| side != first);
-        }
-        self
-    }
-
     /// How many there are.
     pub fn count(&self) -> usize {
         self.count
@@ -74,15 +54,6 @@ impl Pieces {
             side
         };
         self.choices.iter().map(&mut digit).collect()
-    }
-
-    /// The first solution in the order of the pieces, or that there is none.
-    pub fn search(&self) -> Search {
-        let mut all = (0..self.count).map(|k| self.solutions(&self.piece(k)));
-        match all.find_map(|found| found.into_iter().next()) {
-            Some(solution) => Search::Solution(solution),
-            None => Search::Nothing { pieces: self.count },
-        }
     }
 
     /// The solutions in a piece: none, one, or the corners of a polyhedron.

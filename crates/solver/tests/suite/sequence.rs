@@ -39,7 +39,6 @@ fn a_game_on_which_lemke_ends_on_a_ray_is_solved_by_enumeration() {
         assert_eq!(answer.solution.status, Status::Solved, "{b:?} {c:?}");
         if answer.solver != "lemke" {
             assert_eq!(answer.attempts[0].solver, "lemke");
-            assert!(answer.history().unwrap().contains("lemke"));
         }
     }
 }

@@ -46,7 +46,7 @@ fn a_problem_without_solution_proves_nothing_of_any_x() {
     for x in [[1e9, 1e9], [0.0, 0.0], [1e4, 1e4], [3.0, 2.0]] {
         assert!(!judged(&lcp, &x).verdict.is_solution(), "{x:?}");
     }
-    assert_eq!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { pieces: 3 }));
+    assert!(matches!(refutation(&lcp, &[]), Some(Refutation::CaseSplit { .. })));
 }
 
 #[test]

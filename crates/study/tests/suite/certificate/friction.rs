@@ -50,7 +50,7 @@ fn no_speed_of_the_slip_hides_friction_that_is_missing() {
             Model::CoulombCone,
         ] {
             assert!(verdict(&problem, model, &[1.0, 0.5, 0.0]).is_solution(), "{model:?} {s} {v}");
-            for wrong in [0.0, -0.5, 0.499, 0.501] {
+            for wrong in [0.0, -0.5, 0.499, 0.501, 0.5 * (1.0 - 1e-7), 0.5 * (1.0 + 1e-7)] {
                 let verdict = verdict(&problem, model, &[1.0, wrong, 0.0]);
                 assert!(!verdict.is_solution(), "{model:?} {s} {v} {wrong}: {verdict}");
             }

@@ -73,6 +73,34 @@ fn doing_nothing_is_as_far_off_as_the_motion_it_does_not_stop() {
 }
 
 #[test]
+fn an_answer_beyond_its_bounds_is_as_far_off_as_its_own_motion() {
+    // One mass m on a row with bounds: x* = Π(−m u*), û = u* + x*/m, and |u(x) − û|_M = |x − x*|/√m for every x.
+    for (mass, target, lo, hi) in
+        [(1.0, 5.0, -1.0, 1.0), (4.0, -2.0, 0.0, 3.0), (0.25, 1.0, -2.0, 0.0)]
+    {
+        let gauss = Gauss {
+            mass: vec![(0, 0, mass)],
+            jacobian: vec![vec![(0, 1.0)]],
+            bias: vec![0.0],
+            compliance: vec![0.0],
+            target: vec![target],
+            lo: vec![lo],
+            hi: vec![hi],
+        };
+        let solution = (-mass * target).clamp(lo, hi);
+        for x in [-20.0, lo - 1e-6, lo, 0.5 * (lo + hi), hi, hi + 0.5, 1e9] {
+            let exact = (x - solution).abs() / mass.sqrt();
+            let inside = x.clamp(lo, hi);
+            let bound = motion_bound(&gauss, &[x]).unwrap().energy_norm;
+            let parts = (x - inside).abs() / mass.sqrt()
+                + motion_bound(&gauss, &[inside]).unwrap().energy_norm;
+            assert!(bound >= exact, "{bound} {exact}");
+            assert!(bound <= parts * (1.0 + 1e-9), "{bound} {parts}");
+        }
+    }
+}
+
+#[test]
 fn too_much_push_is_refuted_as_well() {
     // 3 N s too much lift the table at 1 m/s.
     let bound = motion_bound(&table(3), &[6.0 / 9.0; 9]).unwrap();

@@ -17,6 +17,7 @@ fn a_row_without_load_is_not_compared_with_its_own_rounding_error() {
     let certificate = judge(&lcp, &[0.5, 2e-17], &Demand::default());
     assert_eq!(certificate.verdict, Verdict::Proved { distance: 2e-17 });
     assert_eq!(certificate.scaled_residual, 1.0); // the residual is that of x as it is
+    assert_eq!(certificate.rounded_by, Some(2e-17));
     // Ten thousand times as much is no rounding error.
     assert!(!accepts(&lcp, &[0.5, 2e-13]));
     // Saddle-point equations x_1 = 0, x_0 + x_1 = 1.
