@@ -14,8 +14,8 @@ use super::limits::Limits;
 use super::problem::outcome;
 use super::{Outcome, print};
 
-/// Solves a friction problem by a method, or by the fallback sequence without one, has the answer judged and prints both;
-/// returns the solution too.
+/// Solves a friction problem by a method, or by the fallback sequence without one, has the answer
+/// judged and prints both; returns the solution too.
 pub fn solve(
     question: &Question,
     title: &str,

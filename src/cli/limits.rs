@@ -94,11 +94,12 @@ fn at_signals(mut act: impl FnMut() + Send + 'static) {
     }
 }
 
-/// Has a write beyond the size that files may have (`ulimit -f`) fail with a message, as on a full disk, instead of
-/// ending the program by SIGXFSZ with its temporary file left behind.
+/// Has a write beyond the size that files may have (`ulimit -f`) fail with a message, as on a full
+/// disk, instead of ending the program by SIGXFSZ with its temporary file left behind.
 #[cfg(unix)]
 pub fn outlive_file_size_limit() {
-    // A handler is enough; nobody looks at the flag. Where there can be none, the signal ends the program.
+    // A handler is enough; nobody looks at the flag. Where there can be none, the signal ends the
+    // program.
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 

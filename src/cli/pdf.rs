@@ -79,7 +79,8 @@ impl Browser {
     }
 }
 
-/// A folder of a name that nobody else knows, which goes when it is dropped: what the browser needs while it prints.
+/// A folder of a name that nobody else knows, which goes when it is dropped: what the browser needs
+/// while it prints.
 fn private_folder() -> Result<TempDir> {
     tempfile::tempdir().map_err(|cause| Error::file(&env::temp_dir(), &cause))
 }

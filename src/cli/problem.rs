@@ -48,8 +48,9 @@ A problem with friction rows is solved as it stands, as a coupled box, unless --
 pub struct Solve {
     /// The problem: JSON, or another format by its ending; - reads JSON from standard input
     problem: PathBuf,
-    /// The name of a solver [default: the methods that suit the problem, one after the other until one
-    /// solves it; for symmetric A dantzig first, lemke for any other, apgd or cone-pgs for cones]
+    /// The name of a solver [default: the methods that suit the problem, one after the other until
+    /// one solves it; for symmetric A dantzig first, lemke for any other, apgd or cone-pgs for
+    /// cones]
     #[arg(long)]
     solver: Option<String>,
     /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,

@@ -4,8 +4,8 @@
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Entries, Parts, Problem};
 
-/// A problem whose first rows are those of one contact after the other, with a mu each; the rest are
-/// equations. There must be three rows for each mu.
+/// A problem whose first rows are those of one contact after the other, with a mu each; the rest
+/// are equations. There must be three rows for each mu.
 pub(super) fn coulomb(entries: Entries, b: Vec<f64>, mu: &[f64]) -> Parts {
     let (n, friction) = (b.len(), 3 * mu.len());
     let is_normal = |i: usize| i < friction && i.is_multiple_of(3);

@@ -1,10 +1,10 @@
 //! From velocities to impulses: A = J M⁻¹ Jᵀ and J M⁻¹ f, where a file holds M, J and f.
 //!
-//! M is factored once, by sparse Cholesky where it is symmetric and by sparse LU where it is not, and
-//! each column of A is one solve, M y = J_iᵀ, and a product a row of J. A step of iterative refinement,
-//! y + M⁻¹ (J_iᵀ − M y), takes away most of the rounding of a solve and shows how much there was: an M
-//! so badly conditioned that few digits of A would be right is refused. Of a symmetric M the lower
-//! triangle of A is computed and mirrored, so A is symmetric to the last bit.
+//! M is factored once, by sparse Cholesky where it is symmetric and by sparse LU where it is not,
+//! and each column of A is one solve, M y = J_iᵀ, and a product a row of J. A step of iterative
+//! refinement, y + M⁻¹ (J_iᵀ − M y), takes away most of the rounding of a solve and shows how much
+//! there was: an M so badly conditioned that few digits of A would be right is refused. Of a
+//! symmetric M the lower triangle of A is computed and mirrored, so A is symmetric to the last bit.
 
 use faer::Mat;
 use faer::Side;
@@ -43,8 +43,9 @@ impl Motion {
     /// J M⁻¹ Jᵀ + diag(`compliance`), and J M⁻¹ f; messages call M `name`.
     ///
     /// # Errors
-    /// If M is symmetric and not positive definite, one triangle of a matrix, or too badly conditioned,
-    /// or if A, which a file need not be large to ask for, takes more memory than this.
+    /// If M is symmetric and not positive definite, one triangle of a matrix, or too badly
+    /// conditioned, or if A, which a file need not be large to ask for, takes more memory than
+    /// this.
     pub fn dual(
         &self,
         compliance: &[f64],

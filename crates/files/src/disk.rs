@@ -1,8 +1,8 @@
 //! Files are written whole or not at all.
 //!
-//! A path that the user named may be a symbolic link, and is followed. A name that the program chose inside a folder may
-//! not: the folder may come from a stranger, and a link in it can lead to any file of the reader. So such a name goes
-//! through [`inside`], [`write_in`] or [`make_in`].
+//! A path that the user named may be a symbolic link, and is followed. A name that the program
+//! chose inside a folder may not: the folder may come from a stranger, and a link in it can lead to
+//! any file of the reader. So such a name goes through [`inside`], [`write_in`] or [`make_in`].
 
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -12,8 +12,9 @@ use tempfile::Builder;
 
 use lcplab_problem::error::{Error, Result};
 
-/// Writes a file that the user named, with the folders above it, under a temporary name that is then changed: a reader,
-/// or an interrupted run, never finds half a file. A device or a pipe is written to directly, a link stays a link.
+/// Writes a file that the user named, with the folders above it, under a temporary name that is
+/// then changed: a reader, or an interrupted run, never finds half a file. A device or a pipe is
+/// written to directly, a link stays a link.
 ///
 /// # Errors
 /// If it cannot be written; then what was there before is still there.
@@ -27,10 +28,12 @@ pub fn write(path: &Path, text: impl AsRef<[u8]>) -> Result<()> {
     written.map_err(|cause| Error::file(path, &plain(cause)))
 }
 
-/// Writes a file whose name the program chose into a folder, as [`write`](write()) does, but never through a link.
+/// Writes a file whose name the program chose into a folder, as [`write`](write()) does, but never
+/// through a link.
 ///
 /// # Errors
-/// If a part of the name is a link, or the file cannot be written; then what was there before is still there.
+/// If a part of the name is a link, or the file cannot be written; then what was there before is
+/// still there.
 ///
 /// ```
 /// use lcplab_files::disk;
@@ -45,7 +48,8 @@ pub fn write_in(folder: &Path, name: impl AsRef<Path>, text: impl AsRef<[u8]>) -
     written.map_err(|cause| Error::file(&path, &plain(cause)))
 }
 
-/// The path of a file or folder whose name the program chose inside a folder; neither needs to exist.
+/// The path of a file or folder whose name the program chose inside a folder; neither needs to
+/// exist.
 ///
 /// # Errors
 /// If a part of the name is a symbolic link, or leads out of the folder.
@@ -67,7 +71,8 @@ pub fn inside(folder: &Path, name: impl AsRef<Path>) -> Result<PathBuf> {
     Ok(path)
 }
 
-/// Puts what `fill` writes into a file in the place of another one; a link at that place is replaced, not followed.
+/// Puts what `fill` writes into a file in the place of another one; a link at that place is
+/// replaced, not followed.
 fn replace(place: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let folder = folder_of(place);
     fs::create_dir_all(&folder)?;
@@ -82,7 +87,8 @@ fn followed(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
 }
 
-/// Makes a folder and sees whether files of these names can be put there, before hours are spent on what they shall hold.
+/// Makes a folder and sees whether files of these names can be put there, before hours are spent on
+/// what they shall hold.
 ///
 /// # Errors
 /// If they cannot.
@@ -105,7 +111,8 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// Has a file that the user named made by another program, under a temporary name that is then changed.
+/// Has a file that the user named made by another program, under a temporary name that is then
+/// changed.
 ///
 /// # Errors
 /// What `make` says; or if there is no such file then, or it cannot be renamed.
@@ -113,10 +120,12 @@ pub fn made_by(path: &Path, make: impl FnOnce(&Path) -> Result<()>) -> Result<()
     make_at(&followed(path), make)
 }
 
-/// The same for a file whose name the program chose inside a folder: see [`inside`]. Returns its path.
+/// The same for a file whose name the program chose inside a folder: see [`inside`]. Returns its
+/// path.
 ///
 /// # Errors
-/// If the name is a link; what `make` says; or if there is no such file then, or it cannot be renamed.
+/// If the name is a link; what `make` says; or if there is no such file then, or it cannot be
+/// renamed.
 pub fn make_in(
     folder: &Path,
     name: impl AsRef<Path>,

@@ -10,10 +10,10 @@
 //! | [`fclib`] | `.hdf5` | yes | equations | Coulomb's law | u = W r + q; n first; sparse by columns or rows |
 //! | [`chrono`] | `_Cq.dat`, several | no | equations | associated cone | A = Cq H⁻¹ Cqᵀ + E, b = Cq H⁻¹ f + b; n first |
 //!
-//! Each page says where the format is defined, how it is mapped to w = A x + b and what trips people
-//! up. None of them is guessed: a file is refused unless all that it holds is understood, with the file,
-//! the line or key, and the reason. What is known not to be part of the problem, such as an answer beside it, is
-//! reported as a warning.
+//! Each page says where the format is defined, how it is mapped to w = A x + b and what trips
+//! people up. None of them is guessed: a file is refused unless all that it holds is understood,
+//! with the file, the line or key, and the reason. What is known not to be part of the problem,
+//! such as an answer beside it, is reported as a warning.
 //!
 //! ```
 //! use lcplab_files as exchange;

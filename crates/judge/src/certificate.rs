@@ -21,7 +21,8 @@ pub struct Certificate {
     pub scaled_residual: f64,
     /// The row that has it.
     pub worst_row: usize,
-    /// The size of x below which a row is at rest: [`Lcp::scale`](lcplab_problem::Lcp::scale), 0 if the problem states none.
+    /// The size of x below which a row is at rest: [`Lcp::scale`](lcplab_problem::Lcp::scale), 0 if
+    /// the problem states none.
     pub scale: f64,
     /// max_i of w_i⁺ (x_i − lo_i) and w_i⁻ (hi_i − x_i), over finite bounds.
     pub complementarity_gap: f64,
@@ -32,13 +33,15 @@ pub struct Certificate {
     /// ½ xᵀAx + bᵀx.
     pub objective: f64,
     /// Objective minus dual objective: Σ_i w_i⁺ (x_i − lo_i) + w_i⁻ (hi_i − x_i), over finite
-    /// bounds. With A symmetric semidefinite it bounds the objective's error. NaN where it bounds nothing: x lies
-    /// outside its bounds, a w pushes it towards infinity by more than the tolerance, or no solution exists.
+    /// bounds. With A symmetric semidefinite it bounds the objective's error. NaN where it bounds
+    /// nothing: x lies outside its bounds, a w pushes it towards infinity by more than the
+    /// tolerance, or no solution exists.
     pub duality_gap: f64,
     /// The decision.
     pub verdict: Verdict,
-    /// max |x − x'| where x itself misses the tolerance and the decision is about a point x' from which it differs by
-    /// rounding: an exact solution, or the rounded neighbor of x. The residuals are those of x.
+    /// max |x − x'| where x itself misses the tolerance and the decision is about a point x' from
+    /// which it differs by rounding: an exact solution, or the rounded neighbor of x. The residuals
+    /// are those of x.
     pub rounded_by: Option<f64>,
     /// What else was shown in exact arithmetic.
     pub evidence: Option<Evidence>,

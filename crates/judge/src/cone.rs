@@ -1,9 +1,10 @@
 //! Is this x a solution of a friction problem with circular cones?
 //!
 //! The same judge as for boxed problems: the terms of w in compensated arithmetic, and two scaled
-//! residuals a contact, how far its normal and its tangents are from their own projected step, each beside
-//! its own terms ([`ConeProblem`]). Where no contact slides, an exact solution can be shown in rational arithmetic
-//! ([`exact`]); a sliding contact's friction is in general an irrational point of its disc, so there is no proof then.
+//! residuals a contact, how far its normal and its tangents are from their own projected step, each
+//! beside its own terms ([`ConeProblem`]). Where no contact slides, an exact solution can be shown
+//! in rational arithmetic ([`exact`]); a sliding contact's friction is in general an irrational
+//! point of its disc, so there is no proof then.
 //!
 //! ```
 //! use lcplab_judge::{Demand, judge_cone};
@@ -109,7 +110,8 @@ fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     }
 }
 
-/// The row with the largest residual, and that residual. Both tangents of a contact have that of their plane: t2 counts.
+/// The row with the largest residual, and that residual. Both tangents of a contact have that of
+/// their plane: t2 counts.
 fn last_worst(residuals: &[f64]) -> (usize, f64) {
     let larger =
         |best: (usize, f64), (i, &r): (usize, &f64)| if r >= best.1 { (i, r) } else { best };

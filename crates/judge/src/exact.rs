@@ -7,8 +7,9 @@
 //! bound, that of a coupled row with the x_k of the point itself, and every sign of w is decided exactly.
 //! Where the equations are singular, the unknowns that they leave open keep the value they have in x.
 //!
-//! A failed proof refutes nothing: the active set may have been misread where x_i − w_i/s_i lies within rounding of a
-//! bound. So the active sets that x itself shows, its ties among them, are tried too, and the nearest solution counts.
+//! A failed proof refutes nothing: the active set may have been misread where x_i − w_i/s_i lies
+//! within rounding of a bound. So the active sets that x itself shows, its ties among them, are
+//! tried too, and the nearest solution counts.
 
 use dashu_ratio::RBig;
 
@@ -18,7 +19,8 @@ use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{dyadic, rational};
 use lcplab_problem::exact::{Exact, Side};
 
-/// x_i − w_i/s_i this close to a bound, in parts of the terms that it is made of, may lie on either side of it.
+/// x_i − w_i/s_i this close to a bound, in parts of the terms that it is made of, may lie on either
+/// side of it.
 const TIE: f64 = 64.0 * f64::EPSILON;
 /// Of more tied rows all are taken to be where x_i − w_i/s_i says, or where x_i itself is.
 const MOST_TIES: usize = 4;
@@ -38,10 +40,11 @@ pub struct Proof {
     pub null_direction: Option<Vec<RBig>>,
 }
 
-/// Proves that an active set of x carries a solution of the problem, if one does; the nearest one found.
+/// Proves that an active set of x carries a solution of the problem, if one does; the nearest one
+/// found.
 ///
-/// Costs one exact linear solve where the first active set has a solution within rounding of x, some twenty at most; of a
-/// problem of more than 150 rows only the first active set is tried.
+/// Costs one exact linear solve where the first active set has a solution within rounding of x,
+/// some twenty at most; of a problem of more than 150 rows only the first active set is tried.
 pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
     let exact = Exact::new(lcp);
     let inside: Vec<f64> = (0..x.len()).map(|i| lcp.project(i, x[i], x)).collect();
@@ -91,8 +94,8 @@ pub(super) fn is_within(x: &[f64], solution: &[RBig], bounds: &[f64]) -> bool {
     })
 }
 
-/// The active sets that x may stand for: where Π(x − w/s) lies; then where x itself lies; then both sides of the rows
-/// in which x − w/s cannot be told from a bound.
+/// The active sets that x may stand for: where Π(x − w/s) lies; then where x itself lies; then both
+/// sides of the rows in which x − w/s cannot be told from a bound.
 fn active_sets(at: &Rows<'_>) -> Vec<Vec<Side>> {
     let first = sides(at);
     let own: Vec<Side> = (0..at.x.len()).map(|i| own_side(at, i)).collect();

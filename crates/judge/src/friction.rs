@@ -38,7 +38,8 @@ use lcplab_problem::friction::{Polyhedral, Posed};
 pub struct FrictionCertificate {
     /// w = A x + b of the friction problem.
     pub w: Vec<f64>,
-    /// The scaled residual of each row of x in the model's own problem: for polygons t1 has those of its β, n that of γ.
+    /// The scaled residual of each row of x in the model's own problem: for polygons t1 has those
+    /// of its β, n that of γ.
     pub residuals: Vec<f64>,
     /// The largest scaled residual of the model's own problem.
     pub scaled_residual: f64,
@@ -112,7 +113,8 @@ pub fn judge_friction(problem: &Posed, x: &[f64], demand: &Demand) -> FrictionCe
     }
 }
 
-/// The verdict on the unknowns z that x leads to; an x that misses by rounding alone is judged at its rounded neighbor.
+/// The verdict on the unknowns z that x leads to; an x that misses by rounding alone is judged at
+/// its rounded neighbor.
 fn judge_polyhedral(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> FrictionCertificate {
     let certificate = judge_polyhedral_as_given(polyhedral, x, demand);
     if certificate.verdict.is_solution() || !x.iter().all(|x| x.is_finite()) {

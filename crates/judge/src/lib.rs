@@ -78,9 +78,9 @@ const NEAR: f64 = 1e-6;
 
 /// Judges x for a problem; coupled rows have the bounds they have at this x.
 ///
-/// An x that misses is judged once more before it is rejected: it is accepted if an exact solution lies within rounding
-/// of it, or if its rounded neighbor is accepted, the point where entries that differ from a bound or 0 by rounding
-/// alone are moved there.
+/// An x that misses is judged once more before it is rejected: it is accepted if an exact solution
+/// lies within rounding of it, or if its rounded neighbor is accepted, the point where entries that
+/// differ from a bound or 0 by rounding alone are moved there.
 ///
 /// # Panics
 /// If x has not n entries.
@@ -149,7 +149,8 @@ fn at_zero(lcp: &Lcp) -> Vec<Residual> {
     Rows::at(lcp, &zero).residuals()
 }
 
-/// An exact solution from which x differs by rounding alone, in each entry beside the largest of its component.
+/// An exact solution from which x differs by rounding alone, in each entry beside the largest of
+/// its component.
 fn proof_within_rounding(lcp: &Lcp, x: &[f64], demand: &Demand) -> Option<exact::Proof> {
     if lcp.len() > demand.prove_up_to {
         return None;
@@ -161,8 +162,8 @@ fn proof_within_rounding(lcp: &Lcp, x: &[f64], demand: &Demand) -> Option<exact:
     exact::prove(lcp, x).filter(|proof| exact::is_within(x, &proof.x, &bounds))
 }
 
-/// Whether x may be this close to a solution: then no x_i is farther from its own step than by what these changes of x
-/// make of it. It spares an exact proof where it must fail.
+/// Whether x may be this close to a solution: then no x_i is farther from its own step than by what
+/// these changes of x make of it. It spares an exact proof where it must fail.
 fn may_be_rounding(lcp: &Lcp, x: &[f64], bounds: &[f64]) -> bool {
     let at = Rows::at(lcp, x);
     (0..x.len()).all(|i| {

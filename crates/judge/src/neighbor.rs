@@ -1,9 +1,10 @@
 //! The rounded neighbor of x: what x would be without the rounding error of its own digits.
 //!
-//! A row whose true terms are all 0, such as a joint without load, has nothing that its rounding error could be
-//! compared with: x_i = 2e-17 instead of 0 misses by all of its terms, although no solver can do better beside an
-//! x_j of 1. So an entry that lies within 16 · 2⁻⁵² of a bound or of 0, in parts of the largest entry that it is
-//! connected with, is moved there, and that point is judged.
+//! A row whose true terms are all 0, such as a joint without load, has nothing that its rounding
+//! error could be compared with: x_i = 2e-17 instead of 0 misses by all of its terms, although no
+//! solver can do better beside an x_j of 1. So an entry that lies within 16 · 2⁻⁵² of a bound or of
+//! 0, in parts of the largest entry that it is connected with, is moved there, and that point is
+//! judged.
 
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::Contact;
@@ -13,8 +14,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A solution this close to x, in the same measure, is x but for rounding.
 const SAME: f64 = 64.0 * f64::EPSILON;
 
-/// How large x is where a row is, row by row: the largest |x_j| of all rows that row i is connected with through A or
-/// friction; of all rows for a row that is connected with none.
+/// How large x is where a row is, row by row: the largest |x_j| of all rows that row i is connected
+/// with through A or friction; of all rows for a row that is connected with none.
 pub(crate) fn sizes(lcp: &Lcp, contacts: &[Contact], x: &[f64]) -> Vec<f64> {
     let mut parent: Vec<usize> = (0..x.len()).collect();
     let mut is_connected = vec![false; x.len()];
@@ -54,8 +55,8 @@ fn root(parent: &mut [usize], mut i: usize) -> usize {
     i
 }
 
-/// The rounded neighbor of x where it differs from x. `contacts` are those whose friction is a cone or a polygon; the
-/// bounds of coupled rows are those at the neighbor.
+/// The rounded neighbor of x where it differs from x. `contacts` are those whose friction is a cone
+/// or a polygon; the bounds of coupled rows are those at the neighbor.
 pub(crate) fn rounded(lcp: &Lcp, contacts: &[Contact], x: &[f64]) -> Option<Vec<f64>> {
     let sizes = sizes(lcp, contacts, x);
     let nearest = |i: usize, bounds: [f64; 2]| {
@@ -73,8 +74,8 @@ pub(crate) fn rounded(lcp: &Lcp, contacts: &[Contact], x: &[f64]) -> Option<Vec<
     (moved != x).then_some(moved)
 }
 
-/// The largest part of the size of its component by which an entry may differ, for x to be a solution but for
-/// rounding: |x_i − x*_i| ≤ this.
+/// The largest part of the size of its component by which an entry may differ, for x to be a
+/// solution but for rounding: |x_i − x*_i| ≤ this.
 pub(crate) fn rounding_of(sizes: &[f64]) -> Vec<f64> {
     sizes.iter().map(|size| SAME * size).collect()
 }

@@ -13,7 +13,8 @@ use lcplab_problem::exact::Point;
 /// Of larger problems only the vectors that are at hand are tried.
 const MOST_ROWS: usize = 150;
 
-/// Problems with more choices of active rows, such as four contacts with friction, are not split into cases.
+/// Problems with more choices of active rows, such as four contacts with friction, are not split
+/// into cases.
 const MOST_CHOICES: usize = 1 << 16;
 /// The judge solves no more linear programs than this.
 const MOST_PROGRAMS: usize = 500;

@@ -30,8 +30,8 @@ pub enum Verdict {
 pub enum Refusal {
     /// The residual is above the tolerance.
     Residual,
-    /// The residual is small compared with the terms of x, but the longest step that the rows ask of x is more than a
-    /// tenth of that at Π(0).
+    /// The residual is small compared with the terms of x, but the longest step that the rows ask
+    /// of x is more than a tenth of that at Π(0).
     NoBetterThanZero,
     /// The problem has no solution.
     Impossible,
@@ -51,7 +51,8 @@ impl Verdict {
         }
     }
 
-    /// The verdict on a point this far from the one that has this verdict; none if that one is rejected.
+    /// The verdict on a point this far from the one that has this verdict; none if that one is
+    /// rejected.
     pub(crate) fn of_point_at(self, away: f64) -> Option<Verdict> {
         match self {
             Verdict::Proved { distance } => {

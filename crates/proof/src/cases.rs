@@ -1,4 +1,5 @@
-//! Checks a case split that shows that no solution exists. The judge finds them: [`lcplab_judge::cases`].
+//! Checks a case split that shows that no solution exists. The judge finds them:
+//! [`lcplab_judge::cases`].
 
 use dashu_int::IBig;
 

@@ -7,10 +7,11 @@
 //! | polygons | `lemke`, sweeps by contact (`polygon-pgs`) |
 //! | cones | `apgd` where A is symmetric but for rounding, `cone-pgs` |
 //!
-//! Pivoting comes first because it ends at a solution with all its digits; it fails where rounding misleads it, on a ray
-//! of a matrix that is not copositive, and where friction limits change on the way. The next method fails elsewhere. Each
-//! has the iterations of the settings, Newton's method and the interior point at most 100, the enumeration its 65,536
-//! active sets. A solver that was named is never replaced.
+//! Pivoting comes first because it ends at a solution with all its digits; it fails where rounding
+//! misleads it, on a ray of a matrix that is not copositive, and where friction limits change on
+//! the way. The next method fails elsewhere. Each has the iterations of the settings, Newton's
+//! method and the interior point at most 100, the enumeration its 65,536 active sets. A solver that
+//! was named is never replaced.
 //!
 //! ```
 //! use lcplab_problem::friction::Posed;
@@ -129,7 +130,8 @@ fn within_budget(name: &str, options: &Options) -> Options {
     Options { settings, ..options.clone() }
 }
 
-/// The first answer that is a solution, a proof that there is none, or what an observer stopped; else the first.
+/// The first answer that is a solution, a proof that there is none, or what an observer stopped;
+/// else the first.
 fn first_success(
     names: &[&'static str],
     observer: &mut dyn Observer,

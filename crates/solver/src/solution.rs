@@ -21,8 +21,9 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// The solution with this x; w is recomputed. An x that overflowed is no answer, whatever the method says of it: it
-    /// becomes zero, moved into the bounds, with the status [`Status::NotFinite`].
+    /// The solution with this x; w is recomputed. An x that overflowed is no answer, whatever the
+    /// method says of it: it becomes zero, moved into the bounds, with the status
+    /// [`Status::NotFinite`].
     pub fn new(lcp: &Lcp, mut x: Vec<f64>, mut status: Status, iterations: usize) -> Self {
         if !x.iter().all(|x| x.is_finite()) {
             x.fill(0.0);
@@ -83,8 +84,8 @@ pub enum Status {
     Stopped,
     /// The iterates grow without bound; x is the last finite iterate.
     Diverged,
-    /// An iterate was not finite, since a number was beyond 1.8e308; x is the last finite iterate, or zero moved into the
-    /// bounds where the method keeps none.
+    /// An iterate was not finite, since a number was beyond 1.8e308; x is the last finite iterate,
+    /// or zero moved into the bounds where the method keeps none.
     NotFinite,
     /// Row `row` has a_ii ≤ 0, by which the method divides; x is the iterate before that.
     ZeroDiagonal {

@@ -87,7 +87,8 @@ impl Answer {
     }
 }
 
-/// The key `attempts`: the methods of a fallback sequence that were tried and did not solve the problem.
+/// The key `attempts`: the methods of a fallback sequence that were tried and did not solve the
+/// problem.
 pub fn attempts_json(attempts: &[Attempt]) -> Option<(String, Value)> {
     let object = |Attempt { solver, status, iterations }: &Attempt| {
         json!({

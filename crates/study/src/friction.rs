@@ -44,8 +44,8 @@ pub fn solve(
     (solution, judged)
 }
 
-/// Solves a problem under the model of the question by the methods that suit it, one after the other, and has the answer
-/// judged.
+/// Solves a problem under the model of the question by the methods that suit it, one after the
+/// other, and has the answer judged.
 pub fn solve_by_default(
     question: &Question,
     options: &Options,

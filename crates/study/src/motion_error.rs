@@ -1,9 +1,11 @@
-//! How far the motion that an answer leads to is from the exact motion, for problems that state their masses and rows.
+//! How far the motion that an answer leads to is from the exact motion, for problems that state
+//! their masses and rows.
 //!
-//! A relative residual is no physical tolerance. Where the file has the key `motion`, [Gauss's principle](Gauss) bounds the
-//! error of the motion itself: |u(x) − û|_M, u(x) = u* + M⁻¹Jᵀx, in the norm whose half square is an energy (of
-//! velocities). Beside it stands what the constraints change, |û − u*|_M. Where rows are coupled, û is the motion with
-//! the friction limits that x itself gives.
+//! A relative residual is no physical tolerance. Where the file has the key `motion`, [Gauss's
+//! principle](Gauss) bounds the error of the motion itself: |u(x) − û|_M, u(x) = u* + M⁻¹Jᵀx, in
+//! the norm whose half square is an energy (of velocities). Beside it stands what the constraints
+//! change, |û − u*|_M. Where rows are coupled, û is the motion with the friction limits that x
+//! itself gives.
 
 use serde_json::{Value, json};
 
@@ -25,7 +27,8 @@ pub struct MotionError {
 }
 
 impl MotionError {
-    /// The bound for an answer; none where the problem does not state its masses and rows, else why there is no bound.
+    /// The bound for an answer; none where the problem does not state its masses and rows, else why
+    /// there is no bound.
     pub fn of(question: &Question, x: &[f64]) -> Option<Result<MotionError, String>> {
         let gauss = question.problem().motion.as_ref()?;
         let Some(lcp) = question.boxed() else {
@@ -42,7 +45,8 @@ impl MotionError {
         Some(motion_bound(&gauss, x).map(error).map_err(|why| why.to_string()))
     }
 
-    /// The line of text that `solve` and `judge` print; nothing where the problem does not state its masses and rows.
+    /// The line of text that `solve` and `judge` print; nothing where the problem does not state
+    /// its masses and rows.
     pub fn text(question: &Question, x: &[f64]) -> String {
         let (value, meaning) = match MotionError::of(question, x) {
             None => return String::new(),

@@ -28,8 +28,8 @@ fn problems_are_converted_and_taken_in_every_format() {
     assert_eq!((&rows["rows"][0]["accepted"], compared.status.code()), (&1.into(), Some(0)));
 }
 
-/// The bounds of a relay problem, and contacts with their bodies: W = ½ I and b = (−4, −1, ½) give the
-/// impulse −2 b = (8, 2, −1), which sticks, for √5 is below ½ · 8.
+/// The bounds of a relay problem, and contacts with their bodies: W = ½ I and b = (−4, −1, ½) give
+/// the impulse −2 b = (8, 2, −1), which sticks, for √5 is below ½ · 8.
 #[test]
 fn files_of_siconos_are_solved_as_the_problems_that_they_are() {
     let folder = "crates/files/tests/problems/exchange/siconos";

@@ -1,5 +1,5 @@
-//! Folders that came from a stranger: where a name that lcplab chooses is a symbolic link there, nothing is written
-//! through it, whatever it leads to.
+//! Folders that came from a stranger: where a name that lcplab chooses is a symbolic link there,
+//! nothing is written through it, whatever it leads to.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,7 +14,8 @@ const PROVED: &str =
     "title = \"A\"\nlead = \"B\"\n[[section]]\nstudy = \"published\"\nproblems = [\"cps-1\"]\n";
 const GRID: &str =
     "family = \"stack\"\nmeasure = \"iterations\"\n[axes]\nsolver.name = [\"pgs\"]\n";
-/// What a link may lead to, from the folder above `out`: a file, a folder, nothing, the folder itself.
+/// What a link may lead to, from the folder above `out`: a file, a folder, nothing, the folder
+/// itself.
 const TARGETS: [&str; 4] = ["home/keys", "home", "home/new", ""];
 
 /// A command that writes into the folder `out`.

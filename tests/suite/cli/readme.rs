@@ -2,7 +2,8 @@
 
 use super::{out, run, run_with};
 
-/// The first lines of an output, without the number of iterations, which rounding on another processor may change.
+/// The first lines of an output, without the number of iterations, which rounding on another
+/// processor may change.
 fn lines(text: &str, count: usize) -> Vec<String> {
     let without_count = |line: &str| {
         let end = if line.starts_with("status") { line.rfind(", ") } else { None };

@@ -37,7 +37,8 @@ fn a_disk_that_fills_up_leaves_the_old_file_and_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
     let old = folder.path().join("old.json");
     fs::write(&old, "old").unwrap();
-    // A file of at most 1024 bytes stands for a disk that is full halfway; who wants more gets SIGXFSZ, too.
+    // A file of at most 1024 bytes stands for a disk that is full halfway; who wants more gets
+    // SIGXFSZ, too.
     let path = old.display();
     for trap in ["trap '' XFSZ; ", ""] {
         let line = format!("{trap}ulimit -f 1; exec lcplab generate stack --n 100 --out {path}");

@@ -43,7 +43,8 @@ pub(super) fn check(
     }
 }
 
-/// The paths of all datasets but those of answers, and the groups of answers; none if there are too many.
+/// The paths of all datasets but those of answers, and the groups of answers; none if there are too
+/// many.
 fn search(file: &Hdf5File) -> Hdf5Result<Option<(Vec<String>, Vec<String>)>> {
     let (mut datasets, mut answers) = (Vec::new(), Vec::new());
     let mut groups: Vec<(String, Group)> = vec![(String::new(), file.root_group()?)];

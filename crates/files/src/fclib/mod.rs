@@ -18,10 +18,11 @@
 //!             [Vᵀ R]        [s]                                                              [b]
 //! ```
 //!
-//! A matrix is a group of `m` rows, `n` columns, `nz` and the arrays `p`, `i`, `x`: compressed columns
-//! for nz = −1, compressed rows for −2, else nz triplets. Names and texts are under `info/`.
-//! Known answers, under `solution/` and `guesses/`, are not part of the problem and are reported. A file
-//! with any other dataset, with two problems, or with rolling friction (`fclib_global_rolling`) is refused.
+//! A matrix is a group of `m` rows, `n` columns, `nz` and the arrays `p`, `i`, `x`: compressed
+//! columns for nz = −1, compressed rows for −2, else nz triplets. Names and texts are under
+//! `info/`. Known answers, under `solution/` and `guesses/`, are not part of the problem and are
+//! reported. A file with any other dataset, with two problems, or with rolling friction
+//! (`fclib_global_rolling`) is refused.
 //!
 //! Traps: W may be unsymmetric in its last digits and is taken as it stands, not symmetrised. Of
 //! triplets, `fclib.h` says that `p` holds rows and `i` columns, while Siconos hands them to CSparse,

@@ -11,9 +11,9 @@
 //! | `lo`, `hi` | numbers, n | bounds; 0 and ∞ where they are absent |
 //! | `friction_index`, `mu` | integers and numbers, n | as in [`file`](lcplab_problem::file): rows from 0, −1 for none |
 //!
-//! An archive with `G`, `g` and `mus` in their place is one of ContactBench, the benchmark of contact solvers in
-//! robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g; `lam0`, a first guess, is not part of the
-//! problem, and is reported.
+//! An archive with `G`, `g` and `mus` in their place is one of ContactBench, the benchmark of
+//! contact solvers in robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g; `lam0`, a
+//! first guess, is not part of the problem, and is reported.
 //!
 //! ```text
 //! numpy.savez("problem.npz", A=A, b=b)                              # NumPy
@@ -25,8 +25,8 @@
 //!
 //! Traps: `scipy.sparse.save_npz` writes the matrix alone, so that b is missing; `A.T` and what
 //! Fortran made are stored by columns, `fortran_order`, and are read so; half of a symmetric matrix
-//! (`scipy.sparse.tril`) is taken as it stands; arrays of objects are pickles and are refused, and so is
-//! an archive with an array that is not named here.
+//! (`scipy.sparse.tril`) is taken as it stands; arrays of objects are pickles and are refused, and
+//! so is an archive with an array that is not named here.
 
 mod array;
 mod contact_bench;

@@ -25,24 +25,25 @@
 //!                                          for each block its index and its numbers, by columns
 //! ```
 //!
-//! Nothing in a file says which kind it is. It is told from the numbers before the first matrix and from
-//! how many follow it, and a file is refused unless all of its numbers are understood. Two things may
-//! follow a problem: one number 0 or 1 after mu, which older versions of Siconos wrote, and lines of
-//! text, which are taken as a comment and reported. An MLCP may hold its matrix in both ways, which
-//! must agree.
+//! Nothing in a file says which kind it is. It is told from the numbers before the first matrix and
+//! from how many follow it, and a file is refused unless all of its numbers are understood. Two
+//! things may follow a problem: one number 0 or 1 after mu, which older versions of Siconos wrote,
+//! and lines of text, which are taken as a comment and reported. An MLCP may hold its matrix in
+//! both ways, which must agree.
 //!
-//! M of a GFC3D must be symmetric and positive definite. It is factored by sparse Cholesky in double
-//! precision, each column of H is solved for with one step of iterative refinement, and what lcplab
-//! proves is about the A that comes out.
+//! M of a GFC3D must be symmetric and positive definite. It is factored by sparse Cholesky in
+//! double precision, each column of H is solved for with one step of iterative refinement, and what
+//! lcplab proves is about the A that comes out.
 //!
 //! Refused by name are contacts in the plane (FC2D, GFC2D), rolling friction (RFC3D, GRFC3D),
-//! plasticity, problems over second-order cones (SOCLCP), generic mechanical problems, mixed LCPs with
-//! more equations than unknowns, and storage 2, a listing of a sparse matrix with six digits.
+//! plasticity, problems over second-order cones (SOCLCP), generic mechanical problems, mixed LCPs
+//! with more equations than unknowns, and storage 2, a listing of a sparse matrix with six digits.
 //!
 //! Traps: dense matrices and blocks are listed *column by column*; read by rows, the portfolio
-//! problems of Cottle, Pang & Stone among Siconos' own tests have no solution. An affine variational
-//! inequality has the same numbers as an LCP. Written are dense matrices, in the fewest digits that
-//! read back as the same bits: an LCP, a relay problem if all bounds are finite, or contacts.
+//! problems of Cottle, Pang & Stone among Siconos' own tests have no solution. An affine
+//! variational inequality has the same numbers as an LCP. Written are dense matrices, in the fewest
+//! digits that read back as the same bits: an LCP, a relay problem if all bounds are finite, or
+//! contacts.
 
 mod kind;
 mod matrix;

@@ -49,8 +49,8 @@ fn split(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// Whether a line begins with a word and has more words than numbers: a name with numbers behind it is
-/// data.
+/// Whether a line begins with a word and has more words than numbers: a name with numbers behind it
+/// is data.
 fn is_comment(line: &str) -> bool {
     let is_number = |word: &str| word.parse::<f64>().is_ok();
     let count = line.split_whitespace().count();

@@ -165,7 +165,8 @@ proptest! {
     }
 }
 
-/// M = [2 0.5; −1 1], q = (−3, 1), −1 ≤ x_0 ≤ 1, x_1 ≤ 2: x = (1, 0) where 2 + 0 − 3 < 0 and −1 + 0 + 1 = 0.
+/// M = [2 0.5; −1 1], q = (−3, 1), −1 ≤ x_0 ≤ 1, x_1 ≤ 2: x = (1, 0) where 2 + 0 − 3 < 0 and −1 + 0
+/// + 1 = 0.
 #[test]
 fn a_relay_problem_keeps_its_bounds() {
     let lcp = sample_of("relay").lcp;
@@ -186,7 +187,8 @@ fn equations_of_a_mixed_lcp_have_no_bounds() {
     assert_same(&lcp, &sample_of("mixed_both").lcp);
 }
 
-/// M = [2 1; 1 2] ⊕ 4 ⊕ 1 has the inverse [2 −1; −1 2]/3 ⊕ ¼ ⊕ 1, and H the columns e0 + e3, e1 and 2 e2.
+/// M = [2 1; 1 2] ⊕ 4 ⊕ 1 has the inverse [2 −1; −1 2]/3 ⊕ ¼ ⊕ 1, and H the columns e0 + e3, e1 and
+/// 2 e2.
 #[test]
 fn contacts_with_their_bodies_become_contacts_alone() {
     let problem = sample_of("global");
@@ -288,8 +290,8 @@ fn a_comment_behind_the_numbers_is_reported() {
     }
 }
 
-/// The samples, and by how many numbers more or fewer each is still the whole of a problem: an LCP of
-/// two rows becomes a relay problem with four more, the flag may stand behind mu or not.
+/// The samples, and by how many numbers more or fewer each is still the whole of a problem: an LCP
+/// of two rows becomes a relay problem with four more, the flag may stand behind mu or not.
 const WHOLE: [(&str, &[isize]); 11] = [
     ("lcp", &[0, 4]),
     ("lcp_blocks_comment", &[0, 4]),

@@ -1,9 +1,10 @@
 //! That no solution exists, case by case: a tree of sides, with a vector at the end of each path.
 //!
-//! Each row of a solution is at its lower side (x_i = lo_i, w_i ≥ 0), free (w_i = 0) or at its upper side. A linear
-//! program in exact arithmetic says whether some x obeys all that the sides chosen so far ask for. If not, its multipliers
-//! show it; if so, the tree branches at the first row where that x is no solution. This is complete, also for coupled rows
-//! and for A that are not symmetric, and shares nothing with the solver `enumeration`.
+//! Each row of a solution is at its lower side (x_i = lo_i, w_i ≥ 0), free (w_i = 0) or at its
+//! upper side. A linear program in exact arithmetic says whether some x obeys all that the sides
+//! chosen so far ask for. If not, its multipliers show it; if so, the tree branches at the first
+//! row where that x is no solution. This is complete, also for coupled rows and for A that are not
+//! symmetric, and shares nothing with the solver `enumeration`.
 
 mod program;
 
@@ -24,7 +25,8 @@ pub type Sides = [Option<Side>];
 /// A case split.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Tree {
-    /// d, row by row, integers; the other entries are 0. It shows that no solution has the sides of the path.
+    /// d, row by row, integers; the other entries are 0. It shows that no solution has the sides of
+    /// the path.
     Leaf(Vec<(usize, IBig)>),
     /// A row and the trees of its sides: `None` for a side that it has not.
     Branch {
@@ -75,8 +77,9 @@ pub enum Search {
 
 /// Looks for a solution, or for a tree that shows that there is none; `None` where it gives up.
 ///
-/// A linear program says whether some x obeys all that the sides so far ask for. If not, its multipliers are the
-/// d of a leaf; if so, the tree branches at the first row where that x is no solution.
+/// A linear program says whether some x obeys all that the sides so far ask for. If not, its
+/// multipliers are the d of a leaf; if so, the tree branches at the first row where that x is no
+/// solution.
 pub fn search(lcp: &Lcp, most_programs: usize) -> Option<Search> {
     if lcp.len() > MOST_ROWS {
         return None;
@@ -132,7 +135,8 @@ impl Cases<'_> {
             && (w >= Dyadic::ZERO || hi.as_ref() == Some(point.scaled(i)))
     }
 
-    /// An x within its bounds that obeys what the sides ask of w, or the d that shows that there is none.
+    /// An x within its bounds that obeys what the sides ask of w, or the d that shows that there is
+    /// none.
     fn relaxed(&self, sides: &Sides) -> Result<Point, Vec<(usize, IBig)>> {
         let lcp = self.lcp;
         let n = lcp.len();

@@ -5,8 +5,9 @@
 //! sticks  w_n = w_t = 0      x_n ≥ 0 and |x_t| ≤ μ x_n, that is x_t1² + x_t2² ≤ μ² x_n²
 //! ```
 //!
-//! These are linear equations and polynomial inequalities with rational numbers, which are decided exactly. A contact
-//! with μ = 0 has x_t = 0, and its w_t may be anything. A sliding contact obeys √ of rationals: nothing is shown then.
+//! These are linear equations and polynomial inequalities with rational numbers, which are decided
+//! exactly. A contact with μ = 0 has x_t = 0, and its w_t may be anything. A sliding contact obeys
+//! √ of rationals: nothing is shown then.
 
 use dashu_ratio::RBig;
 
@@ -16,8 +17,8 @@ use lcplab_problem::exact::dyadic::{Dyadic, dyadic};
 use lcplab_problem::exact::{Exact, Point, Side};
 use lcplab_problem::friction::{ConeProblem, Contact, Law};
 
-/// The distance max |x − x*|, rounded up, of an exact solution x* in which each contact is open or sticks as in x.
-/// `bounds` are how far each entry may be from it, if there is such a demand.
+/// The distance max |x − x*|, rounded up, of an exact solution x* in which each contact is open or
+/// sticks as in x. `bounds` are how far each entry may be from it, if there is such a demand.
 pub fn prove(problem: &ConeProblem, x: &[f64], bounds: Option<&[f64]>) -> Option<f64> {
     let friction = problem.friction();
     let boxed = friction.coupled_box();
@@ -38,7 +39,8 @@ pub fn prove(problem: &ConeProblem, x: &[f64], bounds: Option<&[f64]>) -> Option
     (solves && is_close).then(|| point.distance(x))
 }
 
-/// A point and the problem that it may solve; all numbers carry the positive denominator of the point.
+/// A point and the problem that it may solve; all numbers carry the positive denominator of the
+/// point.
 struct Judged<'a> {
     exact: &'a Exact,
     point: &'a Point,

@@ -26,8 +26,8 @@
 //! g_i(w) = (x_i − lo_i) w for w > 0,  (hi_i − x_i) |w| for w < 0;   at most w² / 2γ_i  for the best s_i
 //! ```
 //!
-//! **An x beyond its bounds.** The program says nothing of it, but of Πx, and u(x) − u(Πx) is linear
-//! in what lies beyond:
+//! **An x beyond its bounds.** The program says nothing of it, but of Πx, and u(x) − u(Πx) is
+//! linear in what lies beyond:
 //!
 //! ```text
 //! |u(x) − û|_M ≤ |M⁻¹Jᵀ(x − Πx)|_M + |u(Πx) − û|_M

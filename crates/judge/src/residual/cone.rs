@@ -1,7 +1,7 @@
 //! Residuals of contacts with friction cones, under either law.
 //!
-//! The normal and the tangents have their own scale and terms, so that the slip of a light body under a heavy load is
-//! compared with its own terms:
+//! The normal and the tangents have their own scale and terms, so that the slip of a light body
+//! under a heavy load is compared with its own terms:
 //!
 //! ```text
 //! associated  x = Π_K(x − S⁻¹ w) in the metric of S = diag(s_n, c, c),   K = { |x_t| ≤ μ x_n }
@@ -10,8 +10,8 @@
 //! r_n = |x_n − its step| s_n / T_n,   r_t = |x_t − its step| c / T_t,   T_t = |(T_t1, T_t2)|
 //! ```
 //!
-//! c is s_t, the scale of the tangents' block of A, or T_t / R where that is larger, R = μ max(x_n, e_n): no step is
-//! longer than the disc may be wide.
+//! c is s_t, the scale of the tangents' block of A, or T_t / R where that is larger, R = μ max(x_n,
+//! e_n): no step is longer than the disc may be wide.
 
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::{ConeProblem, Contact, Law};
@@ -106,8 +106,8 @@ fn length(size: Wide, scale: Wide) -> Wide {
     if size.is_zero() { Wide::ZERO } else { size / scale.sqrt() }
 }
 
-/// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the largest |a_ij| of
-/// both rows; none if they are all 0.
+/// s_t: the largest absolute row sum of the contact's 2 × 2 block of tangents; where that is 0 the
+/// largest |a_ij| of both rows; none if they are all 0.
 fn tangential_scale(lcp: &Lcp, contact: &Contact) -> Option<Wide> {
     let a = lcp.matrix();
     let tangents = [contact.rows[1], contact.rows[2]];
@@ -130,8 +130,9 @@ fn in_disc(radius: Wide, [t1, t2]: [Wide; 2]) -> [Wide; 2] {
 /// The part of μ |v_t| by which v_n may exceed −μ |v_t| and be rounding.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n. Where v is outside of the opposite cone by no more than rounding,
-/// that is its tip: a contact that slides and carries nothing carries 0 and not 10⁻¹⁷.
+/// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n. Where v is outside of the opposite cone by
+/// no more than rounding, that is its tip: a contact that slides and carries nothing carries 0 and
+/// not 10⁻¹⁷.
 fn project(mu: Wide, [n, t1, t2]: [Wide; 3]) -> [Wide; 3] {
     let t = t1.hypot(t2);
     if n + mu * t <= Wide::from(ROUNDING) * (mu * t) {

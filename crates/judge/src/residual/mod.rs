@@ -7,8 +7,8 @@
 //! r_i = |x_i − Π_i(x_i − e_i w_i / T_i)| / e_i        0/0 = 0
 //! ```
 //!
-//! w is summed as if in twice the precision (Dot2 of Ogita, Rump & Oishi 2005). A row of a cone or of a polygon is
-//! measured with its contact: [`cone`], [`polygon`].
+//! w is summed as if in twice the precision (Dot2 of Ogita, Rump & Oishi 2005). A row of a cone or
+//! of a polygon is measured with its contact: [`cone`], [`polygon`].
 
 pub(crate) mod cone;
 pub(crate) mod polygon;
@@ -124,11 +124,11 @@ pub(crate) fn friction_reach(mu: f64, normal: Wide) -> Wide {
     }
 }
 
-/// Whether x is at least ten times nearer to a solution than Π(0): its longest step is at most a tenth of that of Π(0).
-/// Where Π(0) is within the tolerance itself, every x is.
+/// Whether x is at least ten times nearer to a solution than Π(0): its longest step is at most a
+/// tenth of that of Π(0). Where Π(0) is within the tolerance itself, every x is.
 ///
-/// The relative residual alone cannot tell: it becomes small for any x that is far enough away along a direction
-/// with A d = 0.
+/// The relative residual alone cannot tell: it becomes small for any x that is far enough away
+/// along a direction with A d = 0.
 pub(crate) fn improves_on_zero(
     residuals: &[Residual],
     at_zero: &[Residual],

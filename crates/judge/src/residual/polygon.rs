@@ -1,7 +1,7 @@
 //! Residuals of contacts whose friction is a polygon, each contact in its own units.
 //!
-//! The LCP of a polygon compares a β with the terms of a fast slip, and a γ, which is a speed, with impulses. Here what is
-//! left of μ x_n is compared with μ x_n, and a slip with its own terms.
+//! The LCP of a polygon compares a β with the terms of a fast slip, and a γ, which is a speed, with
+//! impulses. Here what is left of μ x_n is compared with μ x_n, and a slip with its own terms.
 
 use lcplab_problem::friction::Polyhedral;
 

@@ -1,7 +1,8 @@
 //! Floating-point numbers whose exponent has no limits.
 //!
-//! A row in units of 1e-300 or 1e300 is a row like others: products and sums of its numbers must not overflow or
-//! vanish on the way to a ratio. In the range of the doubles every operation gives the same bits as that of `f64`.
+//! A row in units of 1e-300 or 1e300 is a row like others: products and sums of its numbers must
+//! not overflow or vanish on the way to a ratio. In the range of the doubles every operation gives
+//! the same bits as that of `f64`.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -4,7 +4,8 @@
 //! *word*, **word**, `word`, [word](address), lists, tables, $x^2$, $$x^2$$ on a line of its own
 //! ```
 //!
-//! HTML is shown, not obeyed. A page loads nothing, so that a picture, ![words](address), is its words and a link.
+//! HTML is shown, not obeyed. A page loads nothing, so that a picture, ![words](address), is its
+//! words and a link.
 
 use math_core::{LatexToMathML, MathDisplay};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};

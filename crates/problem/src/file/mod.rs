@@ -29,11 +29,11 @@
 //!  "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}
 //! ```
 //!
-//! Other programs' files are read and written by the crate `lcplab-files`.
-//! Other keys are ignored with a warning, which names the key that may have been meant; in `A` they are
-//! an error, and so is a key given twice. Memory is bounded: n is checked against the length of b
-//! before anything of that size is made, and a file that would take more than is allowed
-//! ([`Problem::read_within`]) is refused before it is parsed.
+//! Other programs' files are read and written by the crate `lcplab-files`. Other keys are ignored
+//! with a warning, which names the key that may have been meant; in `A` they are an error, and so
+//! is a key given twice. Memory is bounded: n is checked against the length of b before anything of
+//! that size is made, and a file that would take more than is allowed ([`Problem::read_within`]) is
+//! refused before it is parsed.
 
 mod expected;
 mod matrix;

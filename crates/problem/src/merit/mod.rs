@@ -78,7 +78,8 @@ pub fn is_worth_something(lcp: &Lcp, x: &[f64], tolerance: f64) -> bool {
     is_nearer_than_nothing(lcp, x, &misses(lcp, x, &terms), tolerance)
 }
 
-/// The same by the misses of all rows at x in plain sums. What their rounding leaves open, compensated sums decide.
+/// The same by the misses of all rows at x in plain sums. What their rounding leaves open,
+/// compensated sums decide.
 fn is_nearer_than_nothing(lcp: &Lcp, x: &[f64], plain: &[Miss], tolerance: f64) -> bool {
     let of_nothing = misses_of_nothing(lcp, plain);
     let rounding = rounding(lcp.len());

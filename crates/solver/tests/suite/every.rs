@@ -179,7 +179,8 @@ fn of_any_size() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A symmetric problem of three rows with such numbers, whose last row may be friction of the first.
+/// A symmetric problem of three rows with such numbers, whose last row may be friction of the
+/// first.
 fn overflowing() -> impl Strategy<Value = Lcp> {
     let numbers = proptest::collection::vec(of_any_size(), 9);
     let bounds =

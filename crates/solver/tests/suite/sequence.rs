@@ -1,4 +1,5 @@
-//! The fallback sequence: a method that fails is followed by the next, and the answer says which were tried.
+//! The fallback sequence: a method that fails is followed by the next, and the answer says which
+//! were tried.
 
 use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Model, Posed};
@@ -17,7 +18,8 @@ fn the_first_method_that_solves_the_problem_answers() {
     assert!(answer.attempts.is_empty());
 }
 
-/// The equilibria of a bimatrix game with payoffs as losses: w = (B y − 1, Cᵀx − 1), no column of A on its own diagonal.
+/// The equilibria of a bimatrix game with payoffs as losses: w = (B y − 1, Cᵀx − 1), no column of A
+/// on its own diagonal.
 fn game(b: [[f64; 2]; 2], c: [[f64; 2]; 2]) -> Lcp {
     let a = [
         [0.0, 0.0, b[0][0], b[0][1]],
@@ -30,7 +32,8 @@ fn game(b: [[f64; 2]; 2], c: [[f64; 2]; 2]) -> Lcp {
 
 #[test]
 fn a_game_on_which_lemke_ends_on_a_ray_is_solved_by_enumeration() {
-    // Every bimatrix game has an equilibrium (Nash 1951), which solves this problem (Lemke & Howson 1964).
+    // Every bimatrix game has an equilibrium (Nash 1951), which solves this problem (Lemke & Howson
+    // 1964).
     for k in 0..50u32 {
         let payoff = |i: u32| f64::from((7 * k + 5 * i * i + 3 * i) % 6 + 1);
         let b = [[payoff(0), payoff(1)], [payoff(2), payoff(3)]];

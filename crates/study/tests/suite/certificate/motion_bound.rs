@@ -74,7 +74,8 @@ fn doing_nothing_is_as_far_off_as_the_motion_it_does_not_stop() {
 
 #[test]
 fn an_answer_beyond_its_bounds_is_as_far_off_as_its_own_motion() {
-    // One mass m on a row with bounds: x* = Π(−m u*), û = u* + x*/m, and |u(x) − û|_M = |x − x*|/√m for every x.
+    // One mass m on a row with bounds: x* = Π(−m u*), û = u* + x*/m, and |u(x) − û|_M = |x − x*|/√m
+    // for every x.
     for (mass, target, lo, hi) in
         [(1.0, 5.0, -1.0, 1.0), (4.0, -2.0, 0.0, 3.0), (0.25, 1.0, -2.0, 0.0)]
     {

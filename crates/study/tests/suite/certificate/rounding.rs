@@ -1,4 +1,5 @@
-//! Answers that differ from a solution by the rounding of their own digits are accepted, and no others with them.
+//! Answers that differ from a solution by the rounding of their own digits are accepted, and no
+//! others with them.
 
 use lcplab_judge::{Demand, Verdict, judge, judge_cone};
 use lcplab_problem::Lcp;
@@ -37,7 +38,8 @@ fn without_a_proof_the_rounded_neighbor_decides_and_says_how_far_it_is() {
 
 #[test]
 fn a_small_entry_of_a_component_of_its_own_is_not_rounding() {
-    // Two bodies that do not touch each other: x = (1, 1e-16), and 0 is not the answer of the second.
+    // Two bodies that do not touch each other: x = (1, 1e-16), and 0 is not the answer of the
+    // second.
     let lcp = contacts(&[&[1.0, 0.0], &[0.0, 1.0]], &[-1.0, -1e-16]);
     assert!(accepts(&lcp, &[1.0, 1e-16]));
     let lone = contacts(
@@ -142,7 +144,8 @@ fn a_sliding_contact_is_accepted_and_never_called_proved() {
     assert_eq!(verdict, Verdict::WithinTolerance);
 }
 
-/// The connected parts of a problem, as a list of rows each: through A and friction, found anew by flooding.
+/// The connected parts of a problem, as a list of rows each: through A and friction, found anew by
+/// flooding.
 fn component(lcp: &Lcp, i: usize) -> Vec<usize> {
     let mut found = vec![i];
     let mut next = 0;
