@@ -8,7 +8,7 @@ use lcplab_problem::memory::Memory;
 /// A solver's answer. There is no time in it: a solution is the same on every machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// The unknowns, n finite entries.
+    /// The unknowns, n entries; finite, unless a solver falsely claims otherwise.
     pub x: Vec<f64>,
     /// w = A x + b, recomputed from x when the solution was made.
     pub w: Vec<f64>,
@@ -21,11 +21,11 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// The solution with this x; w is recomputed. An x that overflowed is no answer, whatever the
-    /// method says of it: it becomes zero, moved into the bounds, with the status
-    /// [`Status::NotFinite`].
+    /// The solution with this x; w is recomputed. An x that overflowed becomes zero, moved into the
+    /// bounds, with the status [`Status::NotFinite`], unless the solver claims that it is a
+    /// solution: a claim is never rewritten, so that a false one can be found.
     pub fn new(lcp: &Lcp, mut x: Vec<f64>, mut status: Status, iterations: usize) -> Self {
-        if !x.iter().all(|x| x.is_finite()) {
+        if status != Status::Solved && !x.iter().all(|x| x.is_finite()) {
             x.fill(0.0);
             lcp.project_all(&mut x);
             status = Status::NotFinite;
