@@ -45,7 +45,8 @@ Example:
 It reports rank, condition number and degrees of freedom, and lists zero rows, dependent rows, rows that
 no forces satisfy, constraints without direction, drift, overlap, and sign errors in A. A scene is stepped for a second
 by its solver and exactly: what is missing is measured, each suspected cause is taken away to see whether that helps, and
-remedies are run. --solver and --sweeps do the same for a problem, or for the files of a folder in the order of their
+remedies are run. A solver or plug-in that leaves twice as much undone as plain Gauss-Seidel after as many sweeps is suspected
+itself, and known mistakes are tried on its answer. --solver and --sweeps do the same for a problem, or for the files of a folder in the order of their
 names. With an answer it does to
 the problem what solvers do wrong (sweeps that were stopped, the clamp after the sweep, b with the other sign,
 single precision, compliance, …) and says what gives the same x. INPUT is a problem

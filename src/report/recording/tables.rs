@@ -91,27 +91,31 @@ impl Tables {
 
     fn add_forces(&mut self, scene: &Scene, step: &Step, solve: &Solve) {
         let Solve { problem, solution, .. } = solve;
+        // With the friction that follows from a normal force and is no unknown.
+        let efforts = problem.efforts(&solution.x);
         for (i, row) in problem.assembly.rows.iter().enumerate() {
             let unit = problem.stage.unit(row.kind.is_angular());
-            let [x, w] = [solution.x[i], solution.w[i]].map(number);
+            let [x, w] = [efforts[i], solution.w[i]].map(number);
             self.add_force(scene, step, row, [problem.stage.name(), &x, unit, &w]);
         }
     }
 
-    /// A row with its stage, x, unit and w; of a contact also what touches where, and the row's direction.
+    /// A row with its stage, x, unit and w; of a contact also what touches, where if it was known at the beginning of the
+    /// step, and the row's direction.
     fn add_force(&mut self, scene: &Scene, step: &Step, row: &Row, of: [&str; 4]) {
-        let found = match row.id.source {
-            Source::Contact(id) => step.contacts.iter().find(|found| found.id == id),
+        let id = match row.id.source {
+            Source::Contact(id) => Some(id),
             Source::Constraint(_) => None,
         };
+        let found = id.and_then(|id| step.contacts.iter().find(|found| found.id == id));
         let numbers = |v: Vector3<f64>| [v.x, v.y, v.z].map(number);
         let nothing = || [const { String::new() }; 3];
         let [stage, x, unit, w] = of.map(String::from);
         let mut cells = vec![step.number.to_string(), stage, row.label(scene), x, unit, w];
-        let features = found.map(|found| found.id.features.map(|feature| feature.to_string()));
-        cells.push(features.map_or(String::new(), |features| features.join(" on ")));
+        cells.push(id.map_or(String::new(), |id| id.to_string()));
         cells.extend(found.map_or_else(nothing, |found| numbers(found.point)));
-        cells.extend(found.and_then(|_| row.direction()).map_or_else(nothing, numbers));
+        cells.extend(id.and_then(|_| row.direction()).map_or_else(nothing, numbers));
+        cells.extend(row.names(scene).map(String::from));
         record(&mut self.forces, cells);
     }
 }
@@ -161,7 +165,7 @@ const LAWS: [&str; 6] = [
     "internal torque (N m s)",
 ];
 
-const FORCES: [&str; 13] = [
+const FORCES: [&str; 15] = [
     "step",
     "stage",
     "row",
@@ -175,4 +179,6 @@ const FORCES: [&str; 13] = [
     "direction x",
     "direction y",
     "direction z",
+    "first body",
+    "second body",
 ];

@@ -59,3 +59,60 @@ fn which_formulation_holds_is_counted_from_the_runs() {
         assert!(answer.contains(&words), "{words}: {answer}");
     }
 }
+
+/// Projected Gauss-Seidel with friction, in which someone wrote the friction limit with μ twice.
+const MU_SQUARED: &str = "import json, sys
+for line in sys.stdin:
+    p = json.loads(line)
+    A, b, n = p['A']['dense'], p['b'], len(p['b'])
+    lo, hi = ([float(v) for v in p[key]] for key in ('lo', 'hi'))
+    index, mu = p.get('friction_index', [-1] * n), p.get('mu', [0.0] * n)
+    x = [0.0] * n
+    for sweep in range(p['max_iterations']):
+        for i in range(n):
+            if index[i] >= 0:
+                hi[i] = mu[i] * mu[i] * max(x[index[i]], 0.0)
+                lo[i] = -hi[i]
+            w = sum(a * v for a, v in zip(A[i], x)) + b[i]
+            x[i] = min(max(x[i] - w / A[i][i], lo[i]), hi[i])
+    print(json.dumps({'x': x, 'status': 'iteration_limit'}), flush=True)
+";
+
+#[test]
+fn a_plug_in_with_a_bug_is_suspected_and_not_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let [scene, plugin] = ["slide.toml", "eng.py"].map(|name| folder.path().join(name));
+    let text = "[step]\ndt = 0.01\ncount = 5\n[contact]\nfriction = 0.5\n\
+                [[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n\
+                [[bodies]]\nname = \"box\"\nshape = { box = [1, 1, 1] }\nmass = 1\nposition = [0, 0, 0.5]\nvelocity = [2, 0, 0]\n";
+    std::fs::write(&scene, text).unwrap();
+    std::fs::write(&plugin, MU_SQUARED).unwrap();
+    let command = format!("python3 '{}'", plugin.display());
+    let told = run(&["diagnose", scene.to_str().unwrap(), "--plugin", &command, "--sweeps", "200"]);
+    let words = out(&told).split_whitespace().collect::<Vec<_>>().join(" ");
+    let cause =
+        "Cause: suspect the solver: worse than plain projected Gauss-Seidel after as many sweeps";
+    assert!(words.contains(cause), "{words}");
+    assert!(!words.contains("tall column") && !words.contains("slow sweeps"), "{words}");
+    assert_eq!(told.status.code(), Some(0));
+}
+
+/// 6 pivots left 200 % of nothing: rounding was compared with rounding.
+#[test]
+fn a_motor_that_presses_against_a_wall_is_no_trouble() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("press.toml");
+    let text = "gravity = [0, 0, 0]\n[step]\ndt = 0.01\ncount = 30\n\
+                [[bodies]]\nname = \"wall\"\nfixed = true\nshape = { box = [0.2, 1, 1] }\nposition = [0.7, 0, 0]\n\
+                [[bodies]]\nname = \"block\"\nshape = { box = [1, 1, 1] }\nmass = 1\n\
+                [[constraints]]\nkind = \"slider\"\nbodies = [\"block\"]\naxis = [1, 0, 0]\n\
+                [[constraints]]\nkind = \"motor_translation\"\nbodies = [\"block\"]\naxis = [1, 0, 0]\nspeed = 1\neffort = 10\n";
+    std::fs::write(&scene, text).unwrap();
+    let told = run(&["diagnose", scene.to_str().unwrap(), "--step", "25"]);
+    let words = out(&told).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("dantzig solved it in") && words.contains("No cause for trouble was found"),
+        "{words}"
+    );
+    assert!(!words.contains("Cause:"), "{words}");
+}

@@ -45,7 +45,7 @@ fn every_end_of_a_motion_is_reached_and_told_with_its_row_or_body() {
             cause("pendulum", Scheme::Acceleration, |scene| scene.states[0].v.z = 1e200),
             "problem: b[0]: must be finite, is inf";
         Cause::NoSolution { .. } => cause("painleve", Scheme::Acceleration, |_| ()),
-            "no forces satisfy the sliding contact \"normal ground rod 0\": no solution exists";
+            "no forces satisfy the sliding contact \"normal ground rod 0 at face 0 on vertex 0\": no solution exists";
         Cause::Unsettled { change } => cause("pendulum", Scheme::Acceleration, midpoint),
             format!("the implicit midpoint does not settle, its rates change by {}", readable(*change, 2));
         Cause::Stopped(Some(_)) => stopped(), "interrupted";

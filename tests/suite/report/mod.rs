@@ -3,6 +3,7 @@ mod difference;
 mod families;
 mod file;
 mod force_path;
+mod forces;
 mod friction;
 mod grid;
 mod ledger;

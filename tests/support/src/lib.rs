@@ -1,5 +1,9 @@
 //! What the tests of several crates share.
 
+mod pile;
+
+pub use pile::pile;
+
 use std::ops::ControlFlow;
 
 use lcplab_judge::{Certificate, Demand, Verdict, judge};

@@ -49,7 +49,8 @@ pub struct Row {
     pub id: RowId,
     /// What it keeps.
     pub kind: Kind,
-    /// Its bodies by index; `None` is the world.
+    /// Its bodies by index; `None` is the world. Those of a contact come in the order of the scene, on whichever of them
+    /// its normal lies; those of a constraint as the scene lists them.
     pub bodies: Bodies,
     /// c (m or rad).
     pub c: f64,
@@ -90,8 +91,8 @@ impl Row {
         [first.unwrap_or_else(|| other(second)), second.unwrap_or_else(|| other(first))]
     }
 
-    /// The direction (world) in which a positive x pushes body 1, of rows that push along one; `None` of
-    /// those that only turn.
+    /// The direction (world) in which a positive x pushes the second of [`bodies`](Row::bodies), of rows that push along
+    /// one; `None` of those that only turn.
     pub fn direction(&self) -> Option<Vector3<f64>> {
         let [first, second] = self.parts.map(|part| part.map(|part| linear(&part.jacobian)));
         second.or(first.map(|pull| -pull)).filter(|push| push.norm() > 0.0)
@@ -102,12 +103,39 @@ impl Row {
         self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))
     }
 
-    /// The row in words, such as `normal ground box1 3`.
+    /// The row in words, such as `normal ground box1 0 at face 0 on vertex 3`: no other row of the scene has the same.
     pub fn label(&self, scene: &Scene) -> String {
-        let name = |body: Option<usize>| body.map_or("world", |k| scene.bodies[k].name.as_str());
-        let [first, second] = self.bodies.map(name);
-        format!("{} {first} {second} {}", self.kind.name(), self.id.component)
+        let [first, second] = self.names(scene);
+        let row = format!("{} {first} {second} {}", self.kind.name(), self.id.component);
+        match self.id.source {
+            Source::Contact(id) => format!("{row} at {id}"),
+            Source::Constraint(k) if shares_its_bodies(scene, k) => {
+                format!("{row} of {}", self.id.source)
+            }
+            Source::Constraint(_) => row,
+        }
     }
+
+    /// The names of its two bodies; the world's is `world`.
+    pub fn names<'a>(&self, scene: &'a Scene) -> [&'a str; 2] {
+        self.bodies.map(|body| body.map_or("world", |k| scene.bodies[k].name.as_str()))
+    }
+
+    /// The row as it is read from its other body.
+    fn turned(self) -> Self {
+        let ([first, second], [own, other]) = (self.bodies, self.parts);
+        Row { bodies: [second, first], parts: [other, own], ..self }
+    }
+}
+
+/// Whether another constraint of the scene joins the same two bodies.
+fn shares_its_bodies(scene: &Scene, constraint: usize) -> bool {
+    let pair = |k: usize| {
+        let [first, second] = scene.constraints[k].bodies();
+        [first.min(second), first.max(second)]
+    };
+    let own = pair(constraint);
+    (0..scene.constraints.len()).any(|k| k != constraint && pair(k) == own)
 }
 
 impl fmt::Display for Source {
@@ -152,7 +180,11 @@ pub(super) fn rows(
             if wanted {
                 places[component] = Some(rows.len());
                 let id = RowId { source, component };
-                rows.push(placed(row, id, bodies, blocks, pair, &places));
+                let row = placed(row, id, bodies, blocks, pair, &places);
+                // A contact whose normal lies on the second body of its pair has its bodies the other way round.
+                let is_turned =
+                    matches!(source, Source::Contact(id) if bodies != id.bodies.map(Some));
+                rows.push(if is_turned { row.turned() } else { row });
             }
         }
         Ok(())

@@ -17,8 +17,7 @@ impl Solve {
         }
         let rows = assembled.assembly.rows.iter().map(|row| {
             let unit = assembled.stage.unit(row.kind.is_angular());
-            let bodies = row.bodies.map(|body| body.map_or("world", |k| &*scene.bodies[k].name));
-            json!({ "label": row.label(scene), "kind": row.kind.name(), "unit": unit, "bodies": bodies })
+            json!({ "label": row.label(scene), "kind": row.kind.name(), "unit": unit, "bodies": row.names(scene) })
         });
         problem.extra.insert("rows".into(), rows.collect());
         let bodies = assembled.assembly.blocks.iter().map(|block| {

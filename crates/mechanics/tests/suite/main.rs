@@ -4,5 +4,6 @@ mod assembly;
 mod constraint;
 mod formulation;
 mod piles;
+mod rows;
 mod scene;
 mod simulation;

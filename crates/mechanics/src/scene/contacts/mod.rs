@@ -66,6 +66,13 @@ pub struct ContactId {
     pub features: [Feature; 2],
 }
 
+impl fmt::Display for ContactId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [first, second] = self.features;
+        write!(f, "{first} on {second}")
+    }
+}
+
 /// A contact point that was found.
 #[derive(Debug, Clone)]
 pub struct Found {

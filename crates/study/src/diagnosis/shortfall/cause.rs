@@ -5,6 +5,7 @@ use std::fmt;
 use lcplab_page::number::readable;
 
 use super::show::percent;
+use crate::diagnosis::Mistake;
 
 /// Significant digits in words.
 const DIGITS: usize = 2;
@@ -33,6 +34,26 @@ impl Without {
 /// Why sweeps come too slowly to the solution.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Slow {
+    /// The solver itself: after the same number of sweeps plain Gauss-Seidel leaves far less undone.
+    Solver {
+        /// The number of sweeps.
+        sweeps: usize,
+        /// What is missing in its answer.
+        with: f64,
+        /// What is missing in that of plain Gauss-Seidel, from the same start.
+        plain: f64,
+        /// Why it gave no answer, if it gave none.
+        refusal: Option<String>,
+        /// The known mistakes that give its answer, the nearest first.
+        mistakes: Vec<Mistake>,
+    },
+    /// Motors that do all that they may, against each other or against what blocks them; without them they do a hundredth.
+    Motors {
+        /// The pairs of bodies between which they act.
+        between: Vec<String>,
+        /// What a hundredth of their limits does.
+        without: Without,
+    },
     /// Bodies of unlike mass; without them all masses are equal.
     MassRatio {
         /// The heaviest body of the slowest pattern and its mass (kg).
@@ -67,6 +88,8 @@ impl Slow {
     /// A few words for the head of a line.
     pub fn name(&self) -> &'static str {
         match self {
+            Slow::Solver { .. } => "suspect the solver",
+            Slow::Motors { .. } => "strong motors",
             Slow::MassRatio { .. } => "mass ratio",
             Slow::Tall { .. } => "tall column or long chain",
             Slow::Order { .. } => "order of rows",
@@ -75,14 +98,17 @@ impl Slow {
         }
     }
 
-    /// The place among the causes by how easily they are taken away: a start, an order, masses, a height.
+    /// The place among the causes by how easily they are taken away: a solver, a start, an order, the limit of a motor,
+    /// masses, a height.
     pub fn ease(&self) -> usize {
         match self {
-            Slow::Stale { .. } => 0,
-            Slow::Order { .. } => 1,
-            Slow::MassRatio { .. } => 2,
-            Slow::Tall { .. } => 3,
-            Slow::Other => 4,
+            Slow::Solver { .. } => 0,
+            Slow::Stale { .. } => 1,
+            Slow::Order { .. } => 2,
+            Slow::Motors { .. } => 3,
+            Slow::MassRatio { .. } => 4,
+            Slow::Tall { .. } => 5,
+            Slow::Other => 6,
         }
     }
 }
@@ -98,6 +124,28 @@ impl fmt::Display for Slow {
             )
         };
         match self {
+            Slow::Solver { sweeps, with, plain, refusal, mistakes } => {
+                write!(
+                    f,
+                    "worse than plain projected Gauss-Seidel after as many sweeps: {} is missing, with plain \
+                     Gauss-Seidel {} after {sweeps} sweeps from the same start.",
+                    percent(*with),
+                    percent(*plain)
+                )?;
+                match (refusal, mistakes.first()) {
+                    (Some(refusal), _) => write!(f, " It gave no answer: {refusal}."),
+                    (None, Some(mistake)) => {
+                        write!(f, " Its answer is that of a known mistake: {}.", mistake.what)
+                    }
+                    (None, None) => write!(f, " None of the known mistakes gives its answer."),
+                }
+            }
+            Slow::Motors { between, without } => write!(
+                f,
+                "motors ({}) push with all the force that they may have against what blocks them. With a hundredth of it {}.",
+                between.join(", "),
+                saves(without)
+            ),
             Slow::MassRatio { heavy, light, without } => write!(
                 f,
                 "{} ({} kg) and {} ({} kg) move together in the slowest pattern. With equal masses {}.",

@@ -30,7 +30,7 @@ pub struct Course {
 /// Gauss-Seidel with and without relaxation, and what else goes row by row, from Π(0) on. Empty if no solution is known.
 pub fn courses(frame: &Frame, practice: &Practice) -> Vec<Course> {
     let lcp = &frame.lcp;
-    let Some(yard) = Yard::new(lcp, frame.weight(|_| 1.0)) else { return Vec::new() };
+    let Some(yard) = Yard::of(frame) else { return Vec::new() };
     let sweeps = (LONGER * practice.options.settings.max_iterations).clamp(LEAST, MOST);
     let mut settings = practice.options.settings.clone();
     (settings.max_iterations, settings.tolerance) = (sweeps, 0.0);

@@ -62,6 +62,10 @@ pub fn telling_step(notes: &[Note]) -> usize {
 pub struct Examination {
     /// Step by step.
     pub notes: Vec<Note>,
+    /// Why no run of exact answers is known to compare the motion with, if none is.
+    pub no_reference: Option<String>,
+    /// Why the answer of the step was not measured, if a problem was posed and it was not.
+    pub unmeasured: Option<String>,
     /// How long the motion was (s), if it was one.
     pub time: Option<f64>,
     /// The body that ends farthest below where exact answers leave it, and by how much (m).
@@ -85,25 +89,26 @@ impl Examination {
     pub fn causes(&self) -> Vec<&'static str> {
         let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
         let moving = self.moving.iter().map(Moving::name);
-        // A cold start has every step miss what a warm one does not, and energy that is fed in spoils all later steps: they
-        // come before what makes sweeps slow.
-        let is_first = |name: &&str| ["cold start", "Baumgarte's energy"].contains(name);
-        let first: Vec<&str> = moving.clone().filter(is_first).collect();
-        first.into_iter().chain(slow).chain(moving.filter(|name| !is_first(name))).collect()
+        // A solver that is worse than plain sweeps makes all else doubtful. A cold start has every step miss what a warm one
+        // does not, and energy that is fed in spoils all later steps: they come before what makes sweeps slow.
+        let place = |name: &str| match name {
+            "suspect the solver" => 0,
+            "cold start" | "Baumgarte's energy" => 1,
+            _ => 2,
+        };
+        let mut all: Vec<&str> = slow.chain(moving).collect();
+        all.sort_by_key(|name| place(name)); // stable: the strongest first
+        all
     }
 
     /// The first sentences.
     pub fn headline(&self) -> String {
-        let mut words = match &self.shortfall {
-            Some(found) => found.headline(),
-            None if self
-                .notes
-                .iter()
-                .all(|note| note.missing.is_none_or(|missing| missing == 0.0)) =>
-            {
+        let mut words = match (&self.shortfall, &self.unmeasured) {
+            (Some(found), _) => found.headline(),
+            (None, Some(reason)) => format!("What is missing was not measured: {reason}."),
+            (None, None) => {
                 "No LCP was solved in these steps, so that the solver plays no part.".into()
             }
-            None => "No solution is known to compare with.".into(),
         };
         let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > WORTH);
         if let (Some((body, depth)), Some(time)) = (deep, self.time) {
@@ -118,7 +123,7 @@ impl Examination {
 
     /// Puts it before what else a document says.
     pub fn open(&self, document: &mut Document) {
-        let is_well = self.causes().is_empty() && document.is_accepted && self.shortfall.is_some();
+        let is_well = self.causes().is_empty() && document.is_accepted && self.unmeasured.is_none();
         let rest = if is_well { HEALTHY_WORDS } else { &document.lead };
         document.lead = format!("{} {rest}", self.headline());
         let found = self.shortfall.as_ref();
@@ -156,6 +161,9 @@ impl Examination {
             lines.extend(found.pace());
         }
         lines.extend(self.shortfall.as_ref().and_then(Shortfall::advice));
+        if let Some(reason) = &self.no_reference {
+            lines.push(format!("Without a reference: {reason}; sinking, feedback, softness and friction were not examined."));
+        }
         if !self.innocent.is_empty() {
             lines.push(format!("Not the cause: {}.", self.innocent.join("; ")));
         }
@@ -272,6 +280,8 @@ impl Examination {
             "headline": self.headline(),
             "causes": self.causes(),
             "innocent": self.innocent,
+            "no_reference": self.no_reference,
+            "unmeasured": self.unmeasured,
             "seconds": self.time,
             "sunk": sunk,
             "solve": self.shortfall.as_ref().map(Shortfall::to_json),

@@ -1,13 +1,14 @@
 //! The examination of one solve.
 
 use lcplab_problem::{Lcp, merit};
-use lcplab_solver::{Entry, Group, Options, Order, Solver, Start, Status, by_name};
+use lcplab_solver::{Entry, Group, Options, Order, Pgs, Solution, Solver, Start, Status, by_name};
 
 use super::cause::{Moving, Slow, Without};
 use super::frame::{Body, Frame};
 use super::linear::{Linear, Slowest, Way};
 use super::remedy::{Remedy, remedies, sweeps_to};
 use super::yard::Yard;
+use crate::diagnosis::mistakes_after;
 
 /// Less than this part missing is nothing to speak of.
 pub const HEALTHY: f64 = 0.01;
@@ -23,6 +24,12 @@ const WORTH: f64 = 0.1;
 
 /// A cause that explains this part explains most of it.
 const MOST: f64 = 0.5;
+
+/// To see what strong motors do, they may do this part of what they did.
+const WEAK: f64 = 0.01;
+
+/// A solver that misses so many times as much as plain Gauss-Seidel after as many sweeps is to be suspected.
+const WORSE: f64 = 2.0;
 
 /// Sweeps are counted up to here, and up to so many multiplications.
 const MOST_SWEEPS: usize = 20_000;
@@ -114,6 +121,8 @@ pub struct Shortfall {
     pub residual: f64,
     /// What is missing, as a part of what the constraints have to do.
     pub missing: f64,
+    /// Whether the judge accepts the answer, so that nothing that counts is missing.
+    pub is_accepted: bool,
     /// The same by theory, of sweeps.
     pub predicted: Option<f64>,
     /// The whole weight that is carried, and that of each body and each pair; empty if that is not known.
@@ -139,39 +148,27 @@ pub struct Shortfall {
 /// Solves the problem of a frame as is the practice, from a start if there is one, and examines the answer. `None` if no
 /// solution is known to compare with, or A is not symmetric.
 pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Option<Shortfall> {
-    let own = start.map_or_else(Start::default, Start::at);
-    let solution = practice.solver().solve(&frame.lcp, &own, &mut ());
-    let (status, iterations) = (solution.status, solution.iterations);
-    let mut found = examine_answer(frame, practice, start, solution.x)?;
-    (found.status, found.iterations) = (status, iterations);
-    Some(found)
-}
-
-/// Examines an answer that is there.
-pub fn examine_answer(
-    frame: &Frame,
-    practice: &Practice,
-    from: Option<&[f64]>,
-    x: Vec<f64>,
-) -> Option<Shortfall> {
     let lcp = &frame.lcp;
-    let yard = Yard::new(lcp, frame.weight(|_| 1.0))?;
+    let own = start.map_or_else(Start::default, Start::at);
+    let Solution { x, status, iterations, .. } = practice.solver().solve(lcp, &own, &mut ());
+    let yard = Yard::of(frame)?;
     let linear = Linear::new(lcp, &yard);
     let zero = super::yard::start(lcp);
     let sweeps = practice.options.settings.max_iterations;
     let is_plain = practice.entry.name == "pgs" && practice.options.order == Order::Natural;
     let missing = yard.missing(&x);
     let predicted = (is_plain && sweeps <= MOST_SWEEPS)
-        .then(|| linear.missing(from.unwrap_or(&zero), Way::PLAIN, sweeps))
+        .then(|| linear.missing(start.unwrap_or(&zero), Way::PLAIN, sweeps))
         .flatten();
     let mut found = Shortfall {
         subject: frame.name.clone(),
         solver: practice.entry.name.into(),
-        iterations: sweeps,
+        iterations,
         unit: practice.unit(),
-        status: Status::Solved,
+        status,
         residual: merit::scaled_residual(lcp, &x),
         missing,
+        is_accepted: yard.is_accepted(&x),
         predicted,
         whole: None,
         bodies: Vec::new(),
@@ -185,9 +182,9 @@ pub fn examine_answer(
         x,
     };
     found.loads(frame, &yard.exact);
-    if yard.is_needed() && missing > HEALTHY {
+    if yard.is_needed() && found.is_short() {
         let case = Case { frame, practice, yard: &yard, linear: &linear };
-        case.explain(&mut found, from);
+        case.explain(&mut found, start);
         found.remedies = remedies(frame, practice, &yard, &linear);
     }
     Some(found)
@@ -277,6 +274,12 @@ impl Case<'_> {
     fn explain(&self, found: &mut Shortfall, from: Option<&[f64]>) {
         let lcp = &self.frame.lcp;
         let zero = super::yard::start(lcp);
+        if let Some((cause, is_all)) = self.solver(found, from) {
+            found.causes.push(cause);
+            if is_all {
+                return;
+            }
+        }
         found.slowest = self.linear.slowest(&zero, GOOD, self.most());
         let Some(slowest) = &found.slowest else { return };
         let (needed, is_done) = sweeps_to(lcp, self.yard, Order::Natural, GOOD, self.most());
@@ -288,6 +291,7 @@ impl Case<'_> {
         found.mover = mover.map(|k| self.frame.bodies[k].name.clone());
         let mut causes: Vec<(Without, Slow)> = Vec::new();
         causes.extend(self.masses_and_height([needed, found.missing], mover, &speed));
+        causes.extend(self.motors([needed, found.missing]));
         if self.practice.is_sweep() {
             causes.extend(self.order());
         }
@@ -305,10 +309,40 @@ impl Case<'_> {
             let (a, b) = (place(a), place(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        found.causes = causes.into_iter().map(|(_, cause)| cause).collect();
+        found.causes.extend(causes.into_iter().map(|(_, cause)| cause));
         if found.causes.is_empty() {
             found.causes.push(Slow::Other);
         }
+    }
+
+    /// The solver, if plain Gauss-Seidel does far better with the same number of sweeps; and whether that leaves nothing to
+    /// explain. Pivots and Newton's steps are no sweeps.
+    fn solver(&self, found: &Shortfall, from: Option<&[f64]>) -> Option<(Slow, bool)> {
+        let Practice { entry, options } = self.practice;
+        let is_like_sweeps =
+            matches!(entry.group, Group::Sweeps | Group::FirstOrder | Group::Plugin);
+        if !is_like_sweeps || entry.name == "pgs" {
+            return None;
+        }
+        let start = from.map_or_else(Start::default, Start::at);
+        let pgs = Pgs { settings: options.settings.clone(), ..Pgs::default() };
+        let plain = pgs.solve(&self.frame.lcp, &start, &mut ());
+        let left = self.yard.missing(&plain.x);
+        let is_worse = !(found.missing < WORSE * left || found.missing - left < HEALTHY);
+        is_worse.then(|| {
+            let refusal = match &found.status {
+                Status::NoAnswer { .. } | Status::OutsideClass { .. } => {
+                    Some(found.status.to_string())
+                }
+                _ => None,
+            };
+            let mistakes = match &refusal {
+                Some(_) => Vec::new(),
+                None => mistakes_after(&self.frame.lcp, &found.x, from),
+            };
+            let (sweeps, with) = (plain.iterations, found.missing);
+            (Slow::Solver { sweeps, with, plain: left, refusal, mistakes }, left <= HEALTHY)
+        })
     }
 
     /// What equal masses do, if masses are known, and then keeping pairs of bodies apart.
@@ -362,6 +396,18 @@ impl Case<'_> {
         let heavy = named(moving().max_by(by_mass));
         let light = named(moving().min_by(by_mass));
         (without, Slow::MassRatio { heavy, light, without })
+    }
+
+    /// What motors do that are at their limits.
+    fn motors(&self, [needed, missing]: [f64; 2]) -> Option<(Without, Slow)> {
+        let rows = self.yard.motors_at_limits();
+        if rows.is_empty() {
+            return None;
+        }
+        let weak = self.frame.with_efforts(&rows, WEAK)?;
+        let [fewer, without] = self.changed(&weak, self.frame.weight(|_| 1.0))?;
+        let without = Without { factor: needed / fewer, with: missing, without };
+        Some((without, Slow::Motors { between: self.frame.between(&rows), without }))
     }
 
     /// The other order. In the long run it is no faster (both ways a chain has the same eigenvalues): it counts in the first

@@ -47,6 +47,8 @@ pub struct Frame {
     pub is_of_forces: bool,
     /// What gravity adds to each velocity of the motion without constraints (m/s; m/s² where x are forces), if there is any.
     pub fall: Option<[f64; 3]>,
+    /// The speed (m/s; m/s² where x are forces) that the rounding of positions alone may ask for; 0 if that is not known.
+    pub position_rounding: f64,
 }
 
 impl Frame {
@@ -59,7 +61,8 @@ impl Frame {
         let pairs = pairs(problem);
         let unit = problem.extra.get("rows").and_then(|rows| rows.get(0)?.get("unit")?.as_str());
         let is_of_forces = matches!(unit, Some("N" | "N m"));
-        Frame { name: problem.name.clone(), lcp, pairs, motion, bodies, is_of_forces, fall }
+        let name = problem.name.clone();
+        Frame { name, lcp, pairs, motion, bodies, is_of_forces, fall, position_rounding: 0.0 }
     }
 
     /// The problem with other masses: M⁻¹ of body k times `mobility[k]`. A body with 0 is held: it does not move
@@ -137,9 +140,31 @@ impl Frame {
         self.with_rows(Matrix::sparse(self.lcp.len(), &entries), self.lcp.b().to_vec())
     }
 
+    /// The problem with the bounds of these rows times `part`.
+    pub fn with_efforts(&self, rows: &[usize], part: f64) -> Option<Lcp> {
+        let scaled = |bounds: &[f64]| {
+            let mut bounds = bounds.to_vec();
+            rows.iter().for_each(|&i| bounds[i] *= part);
+            bounds
+        };
+        let (lo, hi) = (scaled(self.lcp.lo()), scaled(self.lcp.hi()));
+        self.with(self.lcp.matrix().clone(), self.lcp.b().to_vec(), lo, hi)
+    }
+
+    /// The pairs of bodies between which these rows act.
+    pub fn between(&self, rows: &[usize]) -> Vec<String> {
+        let pairs = self.pairs.iter().filter(|pair| pair.rows.iter().any(|i| rows.contains(i)));
+        pairs.map(|pair| pair.name.clone()).collect()
+    }
+
     /// A problem with the bounds of this one.
     fn with_rows(&self, matrix: Matrix, b: Vec<f64>) -> Option<Lcp> {
-        let lcp = Lcp::new(matrix, b, self.lcp.lo().to_vec(), self.lcp.hi().to_vec());
+        self.with(matrix, b, self.lcp.lo().to_vec(), self.lcp.hi().to_vec())
+    }
+
+    /// A problem with the coupling and the scale of this one.
+    fn with(&self, matrix: Matrix, b: Vec<f64>, lo: Vec<f64>, hi: Vec<f64>) -> Option<Lcp> {
+        let lcp = Lcp::new(matrix, b, lo, hi);
         let lcp = lcp.and_then(|lcp| lcp.with_scale(self.lcp.scale())).ok()?;
         match self.lcp.coupling() {
             Some(coupling) => lcp.with_coupling(coupling.clone()).ok(),
@@ -242,6 +267,28 @@ impl Frame {
         let masses = self.bodies.iter().enumerate().map(|(k, body)| mass(k) * body.mass);
         self.fall.map_or(0.0, length) * masses.sum::<f64>().sqrt()
     }
+
+    /// γ of each row, 0 where that is not known.
+    pub fn yielding(&self) -> Vec<f64> {
+        let none = || vec![0.0; self.lcp.len()];
+        self.motion.as_ref().map_or_else(none, |motion| motion.compliance.clone())
+    }
+
+    /// Σ_j |J_ij u*_j| + |bias_i|: what is added up in each b_i, 0 where that is not known.
+    pub fn offset_terms(&self) -> Vec<f64> {
+        let Some(motion) = &self.motion else { return vec![0.0; self.lcp.len()] };
+        let term = |i: usize| {
+            let row = motion.jacobian[i].iter();
+            row.map(|&(column, j)| (j * motion.target[column]).abs()).sum::<f64>()
+                + motion.bias[i].abs()
+        };
+        (0..self.lcp.len()).map(term).collect()
+    }
+
+    /// The size of the motion that the rounding of positions may ask for.
+    pub fn rounding(&self) -> f64 {
+        self.position_rounding * self.bodies.iter().map(|body| body.mass).sum::<f64>().sqrt()
+    }
 }
 
 /// The bodies that a file names, with at least three columns each.
@@ -273,11 +320,14 @@ fn pairs(problem: &Problem) -> Vec<Pair> {
     let mut pairs: Vec<Pair> = Vec::new();
     for i in 0..problem.lcp.len() {
         let between = of(i, "bodies").and_then(|pair| {
-            Some(format!("{}–{}", pair.get(0)?.as_str()?, pair.get(1)?.as_str()?))
+            let (first, second) = (pair.get(0)?.as_str()?, pair.get(1)?.as_str()?);
+            // Either of the two may come first: all rows between them are one pair, named as its first row has it.
+            Some([format!("{first}–{second}"), format!("{second}–{first}")])
         });
         let normal = problem.lcp.coupling().and_then(|coupling| coupling.index(i));
-        let name = between.unwrap_or_else(|| label(normal.unwrap_or(i)));
-        match pairs.iter_mut().find(|pair| pair.name == name) {
+        let [name, turned] =
+            between.unwrap_or_else(|| [(); 2].map(|()| label(normal.unwrap_or(i))));
+        match pairs.iter_mut().find(|pair| [&name, &turned].contains(&&pair.name)) {
             Some(pair) => pair.rows.push(i),
             None => pairs.push(Pair { name, rows: vec![i] }),
         }

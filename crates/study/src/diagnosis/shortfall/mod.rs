@@ -25,7 +25,7 @@ mod yard;
 pub use cause::{Moving, Slow, Without};
 pub use course::{Course, courses};
 pub use examination::{Examination, Note};
-pub use examine::{GOOD, HEALTHY, Load, Practice, Shortfall, examine, examine_answer};
+pub use examine::{GOOD, HEALTHY, Load, Practice, Shortfall, examine};
 pub use frame::{Body, Frame, Pair};
 pub use linear::{Linear, Slowest, Way};
 pub use remedy::{Relief, Remedy};

@@ -12,7 +12,7 @@ use super::examine::{HEALTHY, Practice, examine};
 use super::frame::Frame;
 use super::relief::reliefs;
 use super::suspect::causes;
-use super::yard::Yard;
+use super::yard::{Yard, is_accepted};
 
 /// A run takes this long (s), or as long as the scene says if that is shorter.
 const TIME: f64 = 1.0;
@@ -41,6 +41,8 @@ pub(super) struct End {
     pub states: Vec<State>,
     /// The most energy above that of the start (J).
     pub gained: f64,
+    /// The most kinetic energy (J).
+    pub kinetic: f64,
     /// What is missing in its second half, on average over the steps that were compared.
     pub missing: f64,
     /// Sweeps, pivots or steps in a solve, on average.
@@ -67,8 +69,14 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
         return Ok(found);
     }
     found.time = Some(taken as f64 * scene.step.dt);
-    let exactly = end_of(&exact(scene), taken)?;
-    if went.end.is_compared && exactly.is_compared && exactly.steps == taken {
+    let reference = go(&exact(scene), taken, sparsely(taken))?;
+    let unaccepted = reference.first_unaccepted();
+    let exactly = reference.end;
+    if let Some(step) = unaccepted {
+        found.no_reference = Some(format!(
+            "the judge does not accept the answer of {EXACT} in step {step}, so that no run of exact answers is known"
+        ));
+    } else if went.end.is_compared && exactly.is_compared && exactly.steps == taken {
         // Exact answers are no measure of another scheme, nor where they let rows drift apart themselves.
         let is_alike = is_of_impulses(scene.step.scheme);
         if is_alike && exactly.error <= WORTH * scene.thinnest().unwrap_or(1.0) {
@@ -83,13 +91,27 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     let number = step.unwrap_or_else(|| telling_step(&found.notes) + 1);
     let solve = went.solves.get(number - 1).and_then(Option::as_ref);
     if let Some(solve) = solve.filter(|solve| solve.posing.is_none()) {
-        let frame = Frame::of(&solve.exported(scene, number));
+        let frame = frame(scene, solve, number);
         found.shortfall = examine(&frame, &practice, Some(&solve.start));
         found.clear_the_start();
         found.innocent.extend(redundancy(&solve.problem.lcp));
         (found.place, found.frame) = (number - 1, Some(frame));
     }
+    if found.shortfall.is_none() && went.solves.iter().any(Option::is_some) {
+        found.unmeasured = Some(unmeasured(solve, number));
+    }
     Ok(found)
+}
+
+/// Why the answer of a step is not compared with an exact one.
+fn unmeasured(solve: Option<&Solve>, step: usize) -> String {
+    match solve {
+        None => format!("step {step} was not taken, or posed no problem"),
+        Some(Solve { posing: Some(posing), .. }) => {
+            format!("exact answers are known of the coupled box, this is {}", posing.model)
+        }
+        Some(solve) => Yard::absence(&solve.problem.lcp).into(),
+    }
 }
 
 /// Redundant rows, which do no harm to a motion without friction.
@@ -113,7 +135,9 @@ fn steps(scene: &Scene) -> usize {
 pub fn exact(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.solver.name = EXACT.into();
-    scene.solver.max_iterations = lcplab_solver::Settings::default().max_iterations;
+    let usual = lcplab_solver::Settings::default();
+    scene.solver.max_iterations = usual.max_iterations;
+    scene.solver.tolerance = scene.solver.tolerance.min(usual.tolerance);
     if !scene.step.scheme.solves_lcps() {
         scene.step.scheme = Scheme::Velocity;
     }
@@ -132,15 +156,27 @@ struct Went {
     end: End,
 }
 
+impl Went {
+    /// The first step whose answer the judge does not accept, if there is one.
+    fn first_unaccepted(&self) -> Option<usize> {
+        let is_refused = |solve: &Solve| {
+            solve.posing.is_none() && !is_accepted(&solve.problem.lcp, &solve.solution.x)
+        };
+        self.solves.iter().position(|solve| solve.as_ref().is_some_and(is_refused)).map(|k| k + 1)
+    }
+}
+
 /// Takes so many steps; every `every`-th is compared with its exact answer.
 fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
     let mut simulation = Simulation::of(scene)?;
     let start = simulation.motion().energy();
-    let (mut notes, mut solves, mut gained, mut error) = (Vec::new(), Vec::new(), 0.0_f64, 0.0_f64);
+    let (mut notes, mut solves) = (Vec::new(), Vec::new());
+    let (mut gained, mut kinetic, mut error) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut is_compared = true;
     while notes.len() < count && is_compared {
         let Ok(step) = simulation.step() else { break };
         gained = gained.max(step.motion.energy() - start);
+        kinetic = kinetic.max(step.motion.kinetic);
         error = error.max(step.motion.drift).max(step.motion.penetration);
         let solve = main_solve(&step);
         is_compared = solve.is_none_or(|solve| solve.problem.lcp.len() <= LARGEST);
@@ -154,6 +190,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
     let end = End {
         states: simulation.states().to_vec(),
         gained,
+        kinetic,
         missing,
         iterations,
         error,
@@ -170,7 +207,21 @@ fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
 
 /// Where a run of so many steps ends.
 pub(super) fn end_of(scene: &Scene, count: usize) -> Result<End> {
-    Ok(go(scene, count, (count / COMPARED).max(1))?.end)
+    Ok(go(scene, count, sparsely(count))?.end)
+}
+
+/// How many steps lie between two that are compared, of a run of which only the end counts.
+fn sparsely(count: usize) -> usize {
+    (count / COMPARED).max(1)
+}
+
+/// The problem of a step with its bodies, and how far positions are rounded.
+fn frame(scene: &Scene, solve: &Solve, step: usize) -> Frame {
+    let farthest = scene.states.iter().map(|state| state.pose.p.norm()).fold(0.0, f64::max);
+    let dt = scene.step.dt;
+    let time = if solve.problem.stage == Stage::Acceleration { dt * dt } else { dt };
+    let position_rounding = f64::EPSILON * (farthest + scene.thinnest().unwrap_or(0.0)) / time;
+    Frame { position_rounding, ..Frame::of(&solve.exported(scene, step)) }
 }
 
 /// The solve of a step that carries: not those of blows and corrections.
@@ -199,9 +250,9 @@ fn note(scene: &Scene, step: &Step, solve: Option<&Solve>, every: usize) -> Note
     if lcp.len() > LARGEST || step.number % every != 1 % every || solve.posing.is_some() {
         return note;
     }
-    let frame = Frame::of(&solve.exported(scene, step.number));
-    if let Some(yard) = Yard::new(lcp, frame.weight(|_| 1.0)) {
-        note.missing = Some(yard.missing(x));
+    let frame = frame(scene, solve, step.number);
+    if let Some(yard) = Yard::of(&frame) {
+        note.missing = Some(yard.missing_in_answer(x));
         let error: Vec<f64> = yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
         let impulse = frame.impulse(&error, |_| true);
         note.uncarried = frame.bodies.iter().map(|body| frame.upward(&impulse, body)).sum();

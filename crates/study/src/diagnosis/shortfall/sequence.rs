@@ -34,6 +34,9 @@ pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examinatio
         let from = (problems.len() > 1).then(|| starts[worst].as_slice());
         let frame = Frame::of(problem);
         found.shortfall = examine(&frame, practice, from);
+        if found.shortfall.is_none() {
+            found.unmeasured = Some(Yard::absence(&frame.lcp).into());
+        }
         found.place = worst;
         found.moving = creep(&frame).into_iter().collect();
         found.frame = Some(frame);
@@ -43,8 +46,8 @@ pub fn examine_sequence(problems: &[Problem], practice: &Practice) -> Examinatio
 
 fn note(problem: &Problem, x: &[f64]) -> Note {
     let frame = Frame::of(problem);
-    let yard = Yard::new(&problem.lcp, frame.weight(|_| 1.0));
-    let missing = yard.as_ref().map(|yard| yard.missing(x));
+    let yard = Yard::of(&frame);
+    let missing = yard.as_ref().map(|yard| yard.missing_in_answer(x));
     let error = |yard: &Yard<'_>| yard.exact.iter().zip(x).map(|(exact, x)| exact - x).collect();
     let impulse = frame.impulse(&yard.as_ref().map_or_else(Vec::new, error), |_| true);
     let upward = |body| if impulse.is_empty() { 0.0 } else { frame.upward(&impulse, body) };
@@ -61,7 +64,7 @@ fn note(problem: &Problem, x: &[f64]) -> Note {
 }
 
 /// The names of the rows: the label, or the number where there is none, and how many rows with the same one came before:
-/// the corners of a box share one.
+/// files of other programs may give the corners of a box one label.
 fn names(problem: &Problem) -> Vec<(String, usize)> {
     let rows = problem.extra.get("rows").and_then(Value::as_array);
     let label = |i: usize| Some(rows?.get(i)?.get("label")?.as_str()?.to_string());

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::cause::Slow;
 use super::examine::{HEALTHY, Load, Shortfall};
 use super::remedy::Remedy;
+use crate::diagnosis::Mistake;
 
 /// Significant digits of what was measured.
 const DIGITS: usize = 2;
@@ -34,17 +35,20 @@ impl Shortfall {
         self.whole.as_ref().map_or(self.missing, Load::missing)
     }
 
-    /// Whether something is missing that is worth a word.
+    /// Whether something is missing that is worth a word; never in an answer that the judge accepts.
     pub fn is_short(&self) -> bool {
-        self.missing > HEALTHY || self.missing.is_nan()
+        !self.is_accepted && (self.missing > HEALTHY || self.missing.is_nan())
     }
 
     /// The first sentence.
     pub fn headline(&self) -> String {
+        if self.is_accepted {
+            return format!("{} solved it in {}.", self.solver, self.counted());
+        }
         let leave = if self.iterations == 1 { "leaves" } else { "leave" };
         let who = format!("{} of {} {leave}", self.counted(), self.solver);
         if !self.is_short() {
-            return format!("{who} nothing undone: {} is missing.", percent(self.missing));
+            return format!("{who} next to nothing undone: {} is missing.", percent(self.missing));
         }
         let what = match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
             _ if self.missing > 1.0 => {
@@ -168,13 +172,21 @@ impl Shortfall {
                 "predicted": remedy.predicted.map(number), "iterations": remedy.iterations,
                 "multiplications": number(remedy.work) })
         };
-        let cause = |cause: &Slow| json!({ "name": cause.name(), "message": cause.to_string() });
+        let mistake = |own: &Mistake| json!({ "what": own.what, "distance": number(own.distance) });
+        let cause = |cause: &Slow| {
+            let mut object = json!({ "name": cause.name(), "message": cause.to_string() });
+            if let Slow::Solver { mistakes, .. } = cause {
+                object["mistakes"] = mistakes.iter().map(mistake).collect();
+            }
+            object
+        };
         json!({
             "subject": self.subject,
             "solver": self.solver,
             "iterations": self.iterations,
             "residual": number(self.residual),
             "missing": number(self.missing),
+            "accepted": self.is_accepted,
             "predicted": self.predicted.map(number),
             "weight": self.whole.as_ref().map(load),
             "bodies": loads(&self.bodies),

@@ -24,6 +24,15 @@ pub(super) fn apart(one: &[State], other: &[State]) -> f64 {
     one.iter().zip(other).map(distance).fold(0.0, f64::max)
 }
 
+/// The energy (J) of which a part that is gained counts: the work of all weights over the thinnest body; without gravity the
+/// kinetic energy, or that of all bodies when they move by the thinnest one in the time of the run.
+fn energy_scale(scene: &Scene, size: f64, own: &End) -> f64 {
+    let mass: f64 = scene.bodies.iter().map(|body| body.mass.mass()).sum();
+    let weight = mass * scene.gravity.norm();
+    let speed = size / (own.steps as f64 * scene.step.dt);
+    if weight > 0.0 { weight * size } else { own.kinetic.max(0.5 * mass * speed * speed) }
+}
+
 /// What is left of a motion when what is suspected is taken away; each is a run of its own. Then what is innocent.
 pub(super) fn causes(
     scene: &Scene,
@@ -33,8 +42,6 @@ pub(super) fn causes(
 ) -> Result<(Vec<Moving>, Vec<String>)> {
     let mut innocent = Vec::new();
     let size = scene.thinnest().unwrap_or(1.0);
-    let weight: f64 =
-        scene.bodies.iter().map(|body| body.mass.mass()).sum::<f64>() * scene.gravity.norm();
     let mut found = Vec::new();
     if scene.contact.persistence == Persistence::None && own.missing > HEALTHY {
         let mut warm = scene.clone();
@@ -50,12 +57,13 @@ pub(super) fn causes(
         let mut plain = scene.clone();
         plain.step.baumgarte = 0.0;
         let plain = end_of(&plain, count)?;
-        let gains = own.gained > WORTH * weight * size;
+        let counts = WORTH * energy_scale(scene, size, own);
+        let gains = own.gained > counts;
         let (with, without) = (own.gained, plain.gained.max(0.0));
         if gains && without < TELLING * with {
             let exactly = exactly.gained.max(0.0);
             let cause = Moving::Feedback { with, without, exactly };
-            found.push((with / (WORTH * weight * size), cause));
+            found.push((with / counts, cause));
         }
         let errs = exactly.error > WORTH * size;
         let (with, without) = (own.error, plain.error);

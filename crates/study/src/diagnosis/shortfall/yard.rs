@@ -1,17 +1,30 @@
 //! How much of what the constraints have to do is missing in an x.
 //!
 //! ```text
-//! missing = ‖x − x*‖_A / max(‖Π(0) − x*‖_A, |M⁻¹F|_M),   ‖e‖_A² = eᵀ A e = |M⁻¹ Jᵀ e|_M²
+//! missing = ‖x − x*‖_A / max(‖Π(0) − x*‖_A, |M⁻¹F|_M, ‖x_D‖_A, ρ),   ‖e‖_A² = eᵀ A e = |M⁻¹ Jᵀ e|_M²
 //! ```
 //!
-//! with a solution x* and the weights F. It compares motions: forces that redundant rows share in one way or another count as
-//! one. Doing nothing misses all of it, 1, where bodies rest; where next to nothing is to be done, an error is beside what
-//! gravity does.
+//! with a solution x* that the judge accepts and the weights F. It compares motions: forces that redundant rows share in one
+//! way or another count as one. Doing nothing misses all of it, 1, where bodies rest; where next to nothing is to be done, an
+//! error is compared with what gravity does.
+//!
+//! Forces may cancel: a motor that presses a block against a wall changes no motion, and Π(0) − x* neither. So what motors
+//! at their limit and springs do by themselves, x_D, counts too, and what is left is compared with its rounding
+//!
+//! ```text
+//! ρ = 2²⁰ ε (|(Σ_j |a_ij x*_j| + |b_i| + Σ_j |J_ij u*_j| + |bias_i|) / √a_ii| + √m |p|/dt)
+//! ```
+//!
+//! with the place |p| of the farthest body in a scene, so that a hundredth is missing where the terms of a row are wrong by ten thousand units in the last place.
 
 use std::ops::ControlFlow;
 
-use lcplab_problem::{Lcp, merit};
-use lcplab_solver::{Iterate, Observer, Options, Settings, Solver, Start, Status, by_name};
+use lcplab_judge::{Demand, judge};
+use lcplab_problem::Lcp;
+use lcplab_solver::{Iterate, Observer, Options, Settings, Solver, Start, by_name};
+
+use super::examine::HEALTHY;
+use super::frame::Frame;
 
 /// A solution that is to serve as a yardstick has this scaled residual.
 const TOLERANCE: f64 = 1e-8;
@@ -23,6 +36,9 @@ const EFFORTS: [(&str, usize); 4] =
 /// The part of the diagonal's step below which a row that should be free is.
 const FREE: f64 = 1e-7;
 
+/// An error of so many units in the last place of the terms is all of it, where forces cancel.
+const ULPS: f64 = 1_048_576.0;
+
 /// A problem with a solution of it.
 #[derive(Debug, Clone)]
 pub struct Yard<'a> {
@@ -30,28 +46,104 @@ pub struct Yard<'a> {
     /// x*.
     pub exact: Vec<f64>,
     size: f64,
+    is_needed: bool,
 }
 
 impl<'a> Yard<'a> {
-    /// The yardstick of a problem with a symmetric A, where gravity does `weight`; `None` if no solution was found.
+    /// The yardstick of a problem with a symmetric A, where gravity does `weight`; `None` if no solution was found that the
+    /// judge accepts.
     pub fn new(lcp: &'a Lcp, weight: f64) -> Option<Self> {
+        let none = vec![0.0; lcp.len()];
+        Yard::beside(lcp, weight, &none, &none, 0.0)
+    }
+
+    /// The yardstick of a frame.
+    pub fn of(frame: &'a Frame) -> Option<Self> {
+        let terms = frame.offset_terms();
+        let weight = frame.weight(|_| 1.0);
+        Yard::beside(&frame.lcp, weight, &frame.yielding(), &terms, frame.rounding())
+    }
+
+    /// The same where rows yield (γ), beside these terms of b and this rounding of its own.
+    fn beside(
+        lcp: &'a Lcp,
+        weight: f64,
+        yielding: &[f64],
+        terms: &[f64],
+        rounding: f64,
+    ) -> Option<Self> {
         if !lcp.matrix().is_nearly_symmetric() {
             return None;
         }
         let exact = solution(lcp)?;
-        let yard = Yard { lcp, exact, size: 1.0 };
-        let size = yard.apart_in_full(&start(lcp), &yard.exact);
-        Some(Yard { size: if size > 0.0 { size.max(weight) } else { 0.0 }, ..yard })
+        let yard = Yard { lcp, exact, size: 1.0, is_needed: true };
+        let origin = vec![0.0; lcp.len()];
+        let loads = weight.max(yard.apart_in_full(&yard.driving(yielding), &origin));
+        let needed = yard.apart_in_full(&start(lcp), &yard.exact).max(loads);
+        let rounding = ULPS * (f64::EPSILON * yard.terms(terms) + rounding);
+        Some(Yard { size: needed.max(rounding), is_needed: needed > rounding, ..yard })
+    }
+
+    /// Why there is no yardstick for a problem.
+    pub fn absence(lcp: &Lcp) -> &'static str {
+        match lcp.matrix().is_nearly_symmetric() {
+            true => "no method tried finds an answer that the judge accepts",
+            false => "A is not symmetric",
+        }
+    }
+
+    /// The forces of motors at their limits and of springs, 0 in all other rows: to the rest of the rows they are loads.
+    fn driving(&self, yielding: &[f64]) -> Vec<f64> {
+        let motors = self.motors_at_limits();
+        let is_spring = |i: usize| {
+            let is_free = self.lcp.lo()[i].is_infinite() && self.lcp.hi()[i].is_infinite();
+            yielding[i] > 0.0 && is_free && !self.lcp.is_coupled(i)
+        };
+        let drives = |i: usize| motors.contains(&i) || is_spring(i);
+        (0..self.exact.len()).map(|i| if drives(i) { self.exact[i] } else { 0.0 }).collect()
+    }
+
+    /// The rows with a limit on either side that do all that they may.
+    pub fn motors_at_limits(&self) -> Vec<usize> {
+        let is_at_limit = |&i: &usize| {
+            let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.exact[i]);
+            let is_limited = lo < 0.0 && hi > 0.0 && lo.is_finite() && hi.is_finite();
+            !self.lcp.is_coupled(i) && is_limited && (x == lo || x == hi)
+        };
+        (0..self.exact.len()).filter(is_at_limit).collect()
+    }
+
+    /// The size of what is added up in the rows of x*, as a motion.
+    fn terms(&self, of_offsets: &[f64]) -> f64 {
+        let term = |i: usize| {
+            let row = self.lcp.matrix().row(i);
+            let own: f64 = row.iter().map(|(j, a)| (a * self.exact[j]).abs()).sum();
+            let size = own + self.lcp.b()[i].abs() + of_offsets[i];
+            let a = self.lcp.matrix().diagonal(i);
+            if a > 0.0 { size * size / a } else { 0.0 }
+        };
+        (0..self.exact.len()).map(term).sum::<f64>().sqrt()
+    }
+
+    /// Whether the judge accepts x. Nothing that counts is missing then.
+    pub fn is_accepted(&self, x: &[f64]) -> bool {
+        is_accepted(self.lcp, x)
     }
 
     /// Whether the constraints have something to do.
     pub fn is_needed(&self) -> bool {
-        self.size > 0.0
+        self.is_needed
     }
 
     /// What is missing in x, as a part of what was to be done.
     pub fn missing(&self, x: &[f64]) -> f64 {
         self.apart(x, &self.exact)
+    }
+
+    /// The same of an answer to the problem: nothing that counts is missing in one that the judge accepts.
+    pub fn missing_in_answer(&self, x: &[f64]) -> f64 {
+        let missing = self.missing(x);
+        if missing > HEALTHY && self.is_accepted(x) { 0.0 } else { missing }
     }
 
     /// How far two x are apart, on the same scale.
@@ -94,16 +186,21 @@ pub fn start(lcp: &Lcp) -> Vec<f64> {
     x
 }
 
-/// A solution, by whoever finds one with moderate effort: with friction some problems resist all of them.
+/// A solution that the judge accepts, by the first method that finds one with moderate effort: with friction some problems
+/// resist all of them.
 fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
     EFFORTS.into_iter().find_map(|(name, max_iterations)| {
         let settings = Settings { tolerance: TOLERANCE, max_iterations, ..Settings::default() };
         let solver = by_name(name, &Options { settings, ..Options::default() }).ok()?;
-        let solution = solver.solve(lcp, &Start::default(), &mut ());
-        let is_one = solution.status == Status::Solved
-            && merit::scaled_residual(lcp, &solution.x) <= TOLERANCE;
-        is_one.then_some(solution.x)
+        let x = solver.solve(lcp, &Start::default(), &mut ()).x;
+        is_accepted(lcp, &x).then_some(x)
     })
+}
+
+/// Whether the judge accepts x, without a proof.
+pub(super) fn is_accepted(lcp: &Lcp, x: &[f64]) -> bool {
+    let demand = Demand { tolerance: TOLERANCE, prove_up_to: 0 };
+    judge(lcp, x, &demand).verdict.is_solution()
 }
 
 /// Watches what is missing fall.

@@ -1,0 +1,169 @@
+//! A solver with a bug is suspected itself, and not the scene that it is tried on.
+
+use lcplab_mechanics::scene::Scene;
+use lcplab_problem::Lcp;
+use lcplab_solver::trace::Cost;
+use lcplab_solver::{
+    Class, Entry, Group, MatrixClass, Observer, Options, Solution, Solver, Start, Status, add,
+};
+use lcplab_study::diagnosis::shortfall::{Examination, Slow, examine_scene};
+
+/// What is wrong in a loop of projected Gauss-Seidel.
+#[derive(Debug, Clone, Copy)]
+enum Bug {
+    /// Nothing.
+    None,
+    /// Friction is limited by the normal forces of the first sweep.
+    FrozenAfterOneSweep,
+    /// What a sweep adds is clamped to the bounds, and not the sum.
+    ClampedIncrements,
+    /// The bound of friction is μ² times the normal force.
+    MuSquared,
+    /// Friction is left out.
+    NoFriction,
+    /// It gives no answer.
+    Silent,
+}
+
+/// A solver as someone may write it: so many sweeps, from x = 0.
+struct Own {
+    name: &'static str,
+    bug: Bug,
+    sweeps: usize,
+}
+
+impl Own {
+    /// The bounds of a row in a sweep; `first` is x after the first one.
+    fn bounds(&self, lcp: &Lcp, i: usize, x: &[f64], first: Option<&[f64]>) -> (f64, f64) {
+        let Some(coupling) = lcp.coupling() else { return (lcp.lo()[i], lcp.hi()[i]) };
+        let Some(normal) = coupling.index(i) else { return (lcp.lo()[i], lcp.hi()[i]) };
+        let mu = coupling.mu(i);
+        let bound = match (self.bug, first) {
+            (Bug::FrozenAfterOneSweep, Some(first)) => mu * first[normal].max(0.0),
+            (Bug::MuSquared, _) => mu * mu * x[normal].max(0.0),
+            (Bug::NoFriction, _) => 0.0,
+            _ => mu * x[normal].max(0.0),
+        };
+        (-bound, bound)
+    }
+}
+
+impl Solver for Own {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
+        let mut x = vec![0.0; lcp.len()];
+        if let Bug::Silent = self.bug {
+            let reason = "it says \"IndexError\"".into();
+            return Solution::new(lcp, x, Status::NoAnswer { reason }, 0);
+        }
+        let mut first: Option<Vec<f64>> = None;
+        for _ in 0..self.sweeps {
+            for i in 0..lcp.len() {
+                let (lo, hi) = self.bounds(lcp, i, &x, first.as_deref());
+                let change = -lcp.row_w(i, &x) / lcp.matrix().diagonal(i);
+                x[i] = match self.bug {
+                    Bug::ClampedIncrements => x[i] + change.max(lo).min(hi),
+                    _ => (x[i] + change).max(lo).min(hi),
+                };
+            }
+            first.get_or_insert_with(|| x.clone());
+        }
+        Solution::new(lcp, x, Status::IterationLimit, self.sweeps)
+    }
+}
+
+/// Adds a solver of this name, as a plug-in does.
+fn register(name: &'static str, bug: Bug) {
+    let build = move |options: &Options| -> Box<dyn Solver> {
+        Box::new(Own { name, bug, sweeps: options.settings.max_iterations })
+    };
+    add(Entry {
+        name,
+        method: "a solver with a bug",
+        class: Class::of(MatrixClass::General),
+        group: Group::Plugin,
+        cost: Cost::UNKNOWN,
+        source: "a test",
+        uses: &[],
+        build: Box::leak(Box::new(build)),
+    })
+    .unwrap();
+}
+
+/// Boxes on each other that someone pushes.
+fn pushed(boxes: usize, solver: &str, sweeps: usize) -> Examination {
+    let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
+    let cube = |k: usize| {
+        format!(
+            "[[bodies]]\nname = \"box{k}\"\nshape = {{ box = [1, 1, 1] }}\nmass = 1\nposition = [0, 0, {}]\n\
+             velocity = [{}, 0, 0]\n",
+            0.5 + k as f64,
+            k as f64 + 1.0
+        )
+    };
+    let head = format!(
+        "[step]\ndt = 0.01\ncount = 10\n[contact]\nfriction = 0.5\n\
+         [solver]\nname = {solver:?}\nmax_iterations = {sweeps}\n"
+    );
+    let text = head + ground + &(0..boxes).map(cube).collect::<String>();
+    examine_scene(&Scene::from_toml("pushed.toml", &text).unwrap(), None).unwrap()
+}
+
+/// The first cause, if it is the solver.
+fn suspected(found: &Examination) -> &Slow {
+    assert_eq!(found.causes().first(), Some(&"suspect the solver"), "{}", found.headline());
+    let cause = &found.shortfall.as_ref().unwrap().causes[0];
+    let words = cause.to_string();
+    assert!(
+        words.starts_with("worse than plain projected Gauss-Seidel after as many sweeps"),
+        "{words}"
+    );
+    cause
+}
+
+#[test]
+fn a_solver_that_is_worse_than_plain_sweeps_is_suspected_first_and_the_scene_is_not() {
+    for (name, bug) in [
+        ("frozen-bound", Bug::FrozenAfterOneSweep),
+        ("clamped-increments", Bug::ClampedIncrements),
+        ("mu-squared", Bug::MuSquared),
+    ] {
+        register(name, bug);
+        for sweeps in [200, 2000] {
+            let found = pushed(3, name, sweeps);
+            let Slow::Solver { with, plain, .. } = suspected(&found) else { panic!("{name}") };
+            assert!(*plain < 0.01 && *with > 2.0 * plain, "{name}: {with} {plain}");
+            assert_eq!(found.shortfall.as_ref().unwrap().causes.len(), 1, "{name}");
+        }
+    }
+}
+
+#[test]
+fn the_known_mistakes_are_tried_on_the_answer_of_a_suspected_solver() {
+    register("no-friction", Bug::NoFriction);
+    let found = pushed(2, "no-friction", 50);
+    let Slow::Solver { mistakes, .. } = suspected(&found) else { panic!() };
+    assert!(mistakes.iter().any(|own| own.what.contains("friction left out")), "{mistakes:?}");
+    assert!(found.to_json()["solve"]["causes"][0]["mistakes"].is_array());
+}
+
+#[test]
+fn a_solver_without_an_answer_is_suspected_with_its_reason() {
+    register("silent", Bug::Silent);
+    let found = pushed(2, "silent", 100);
+    let words = suspected(&found).to_string();
+    assert!(words.contains("It gave no answer:") && words.contains("IndexError"), "{words}");
+}
+
+#[test]
+fn a_solver_as_good_as_plain_sweeps_is_not_suspected() {
+    register("sound", Bug::None);
+    // Too few sweeps for a tall stack, by whoever does them.
+    let found = pushed(8, "sound", 10);
+    let causes = found.causes();
+    assert!(!causes.is_empty() && !causes.contains(&"suspect the solver"), "{causes:?}");
+    assert!(pushed(2, "sound", 2000).causes().is_empty());
+}
