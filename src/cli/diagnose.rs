@@ -3,27 +3,25 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use lcplab::certificate::{Demand, judge};
 use lcplab::diagnosis::shortfall::{
     Examination, Practice, examine_scene, examine_sequence, main_solve, practice,
 };
-use lcplab::diagnosis::{self, Diagnosis, Mistake, mistakes_after, problem, single_precision};
+use lcplab::diagnosis::{self, Diagnosis, find_mistakes, problem, single_precision};
 use lcplab::document::Document;
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::lcp::Question;
 use lcplab::lcp::exchange;
-use lcplab::lcp::file::{Problem, number, read_answers};
-use lcplab::lcp::friction::Model;
+use lcplab::lcp::file::{Problem, read_answers};
 use lcplab::memory::Memory;
-use lcplab::number::readable;
 use lcplab::report::methods;
 use lcplab::report::view::diagnosis_page;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::Options;
-use serde_json::json;
 
 use super::form::Writing;
+use super::mistake;
 use super::plugin::Plugins;
 use super::scene::Changes;
 use super::{Outcome, print, read_problem};
@@ -41,20 +39,26 @@ Example:
   lcplab generate fathi | lcplab diagnose - --format markdown
   lcplab diagnose problem.json answer.json  # which known mistake gives exactly this x?
   lcplab diagnose problem.json answer.json --last before.json   # or one that has to do with the last frame
+  lcplab diagnose --mistakes              # the mistakes that it knows
 
 It reports rank, condition number and degrees of freedom, and lists zero rows, dependent rows, rows that
 no forces satisfy, constraints without direction, drift, overlap, and sign errors in A. A scene is stepped for a second
 by its solver and exactly: what is missing is measured, each suspected cause is taken away to see whether that helps, and
-remedies are run. A solver or plug-in that leaves twice as much undone as plain Gauss-Seidel after as many sweeps is suspected
-itself, and known mistakes are tried on its answer. --solver and --sweeps do the same for a problem, or for the files of a folder in the order of their
-names. With an answer it does to
-the problem what solvers do wrong (sweeps that were stopped, the clamp after the sweep, b with the other sign,
-single precision, compliance, …) and says what gives the same x. INPUT is a problem
+remedies are run. A solver or plug-in that leaves twice as much undone as plain Gauss-Seidel after as many sweeps is
+suspected itself, and known mistakes are tried on its answer. --solver and --sweeps do the same for a problem, or for
+the files of a folder in the order of their names. With an answer it makes each of the mistakes that --mistakes lists,
+and names those that explain x at least a hundred times better than the exact solution does, at the precision of x; an
+answer that the judge accepts has none. INPUT is a problem
 file if its ending is one of `convert --list`, or -; a folder of such files; otherwise a scene. Exit code 0 if it can be
 solved, 1 if not, 2 for bad input.")]
 pub struct Diagnose {
     /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
     /// JSON from standard input, or a folder of problem files
+    #[arg(
+        required = false,
+        required_unless_present = "mistakes",
+        default_value_if("mistakes", "true", "")
+    )]
     input: String,
     /// An answer to a problem: a file with the key x. Which known mistake gives exactly this?
     #[arg(conflicts_with_all = ["step", "format", "out"])]
@@ -62,6 +66,9 @@ pub struct Diagnose {
     /// The answer of the frame before, from which a solve should start: a file with the key x
     #[arg(long, value_name = "ANSWER", requires = "answer")]
     last: Option<PathBuf>,
+    /// List the known mistakes, with what each computes and what to check
+    #[arg(long, conflicts_with_all = ["input", "solver", "max_iterations", "step", "format", "out", "plugin", "set"])]
+    mistakes: bool,
     /// The step of a scene at whose beginning it is examined, from 1 [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
@@ -84,6 +91,10 @@ pub struct Diagnose {
 
 impl Diagnose {
     pub fn run(&self) -> Result<Outcome> {
+        if self.mistakes {
+            print(&mistake::known(self.json))?;
+            return Ok(Outcome::Good);
+        }
         let is_problem = exchange::is_problem(Path::new(&self.input));
         if let Some(answer) = &self.answer {
             if !is_problem {
@@ -208,32 +219,20 @@ impl Diagnose {
         self.write(document, Some(&Examined { found, practice, scene: None }))
     }
 
-    /// What a wrong answer looks like.
+    /// Which known mistakes give an answer.
     fn mistake(&self, problem: &Problem, answer: &Path) -> Result<Outcome> {
-        if let Some(model) = problem.model.filter(|model| *model != Model::CoupledBox) {
-            let reason = format!("is {model}; mistakes are known of boxes alone");
-            return Err(Error::invalid(&self.input, "model", reason));
-        }
-        let lcp = &problem.lcp;
+        let question = Question::new(problem, None, &self.input)?;
+        let lcp = question.require_boxed("the known mistakes are", &self.input)?;
+        let read = |path: &PathBuf| read_answers(path, lcp.len(), Memory::default());
         let x = read_answers(answer, lcp.len(), Memory::default())?.x;
-        let verdict = judge(lcp, &x, &Demand::default()).verdict;
-        let last = self.last.as_ref().map(|last| read_answers(last, lcp.len(), Memory::default()));
-        let last = last.transpose()?.map(|last| last.x);
-        let found = mistakes_after(lcp, &x, last.as_deref());
+        let last = self.last.as_ref().map(read).transpose()?.map(|last| last.x);
+        let search = find_mistakes(lcp, &x, last.as_deref());
         let single = single_precision(lcp, &x);
-        if self.json {
-            let mistakes: Vec<_> = found
-                .iter()
-                .map(|own| json!({ "what": own.what, "distance": own.distance }))
-                .collect();
-            let single =
-                single.map(|[own, least]| json!({ "residual": number(own), "rounded_solution": number(least) }));
-            let object = json!({ "verdict": verdict.word(), "mistakes": mistakes, "single_precision": single });
-            print(&format!("{object:#}\n"))?;
-        } else {
-            print(&words(&verdict.to_string(), verdict.is_solution(), &found, single))?;
+        match self.json {
+            true => print(&format!("{:#}\n", mistake::to_json(&search, single)))?,
+            false => print(&mistake::words(&search, single))?,
         }
-        Ok(if verdict.is_solution() { Outcome::Good } else { Outcome::Refuted })
+        Ok(if search.verdict.is_solution() { Outcome::Good } else { Outcome::Refuted })
     }
 }
 
@@ -271,38 +270,4 @@ fn worst_problems(
         written.push((name, format!("step {}: {why}", step.number)));
     }
     Ok(written)
-}
-
-/// What was found, for people.
-fn words(verdict: &str, is_right: bool, found: &[Mistake], single: Option<[f64; 2]>) -> String {
-    let mut text = format!("{verdict}\n");
-    match found {
-        [] if is_right => {}
-        [] => text += "None of the known mistakes gives this x.\n",
-        [first, others @ ..] => {
-            let agrees = match first.distance {
-                0.0 => "exactly".into(),
-                distance => format!("to {} of its largest entry", readable(distance, 2)),
-            };
-            text += &format!("This x is that of {}, {agrees}.\n", first.what);
-            for other in others.iter().take(4) {
-                text += &format!(
-                    "  so near comes also: {} ({})\n",
-                    other.what,
-                    readable(other.distance, 2)
-                );
-            }
-        }
-    }
-    if let Some([own, least]) = single.filter(|_| !is_right) {
-        // A solution that single precision can hold says nothing of sums that it rounds.
-        let limit = 10.0 * least.max(f64::from(f32::EPSILON));
-        let word = if own <= limit { "as good as" } else { "worse than" };
-        text += &format!(
-            "Its scaled residual {} is {word} single precision can be: the solution rounded to it has {}.\n",
-            readable(own, 2),
-            readable(least, 2)
-        );
-    }
-    text
 }

@@ -15,6 +15,7 @@ mod lesson;
 mod library;
 mod limits;
 mod live;
+mod mistake;
 mod options;
 mod pdf;
 mod plugin;

@@ -4,6 +4,9 @@
 //! Ã = D A D,   D = diag(1/√s_i),   s_i = |a_ii|, or max_j |a_ij|, |a_ji| where a_ii = 0;   Ã = U Σ Vᵀ
 //! ```
 //!
+//! A is first multiplied by powers of two, which loses no digit, so that numbers near the ends of the range of doubles
+//! neither overflow nor lose digits on the way.
+//!
 //! The rank is the number of singular values above rounding, the condition number the quotient of the
 //! largest and the least of those. A column u of U with σ = 0 makes d = D u a vector with dᵀA = 0: the
 //! rows with d_i ≠ 0 depend on each other. D takes units and masses out of the decision. The d come as a
@@ -59,18 +62,8 @@ pub fn regularity(a: &Matrix) -> Option<Regularity> {
             dependencies: Vec::new(),
         });
     }
-    let A = Mat::from_fn(n, n, |i, j| a.entry(i, j));
-    let largest = |most: f64, entry: f64| most.max(entry.abs());
-    let size = |i: usize| (0..n).map(|j| A[(i, j)]).fold(0.0, largest);
-    let reach = |i: usize| (0..n).map(|j| A[(j, i)]).fold(size(i), largest);
-    let d: Vec<f64> = (0..n)
-        .map(|i| match A[(i, i)].abs() {
-            0.0 if reach(i) == 0.0 => 1.0,
-            0.0 => 1.0 / reach(i).sqrt(),
-            diagonal => 1.0 / diagonal.sqrt(),
-        })
-        .collect();
-    let svd = Mat::from_fn(n, n, |i, j| d[i] * A[(i, j)] * d[j]).svd().ok()?;
+    let (unit, d) = unit_diagonal(a);
+    let svd = unit.svd().ok()?;
     let (U, sigma) = (svd.U(), svd.S().column_vector());
     let rank = (0..n).filter(|&k| sigma[k] > RELATIVE_ZERO * sigma[0]).count();
     let null = (rank..n).map(|k| (0..n).map(|i| U[(i, k)]).collect()).collect();
@@ -81,22 +74,29 @@ pub fn regularity(a: &Matrix) -> Option<Regularity> {
     Some(Regularity {
         rank,
         condition: if rank == 0 { 1.0 } else { sigma[0] / sigma[rank - 1] },
-        zero_rows: (0..n).filter(|&i| size(i) == 0.0).collect(),
+        zero_rows: (0..n).filter(|&i| a.row(i).iter().all(|(_, a)| a == 0.0)).collect(),
         dependencies,
     })
 }
 
-/// The least eigenvalue of the scaled matrix: negative for no J M⁻¹ Jᵀ. `None` if A is not symmetric.
+/// The least eigenvalue of the scaled matrix: negative for no J M⁻¹ Jᵀ. `None` if A is not symmetric but for
+/// rounding, or has no rows.
 pub fn least_eigenvalue(lcp: &Lcp) -> Option<f64> {
-    let (a, n) = (lcp.matrix(), lcp.len());
-    if !a.is_symmetric() || n == 0 {
+    if lcp.is_empty() || !lcp.matrix().is_nearly_symmetric() {
         return None;
     }
-    let largest = (0..n).map(|i| a.diagonal(i).abs()).fold(f64::MIN_POSITIVE, f64::max);
-    let scale = |i: usize| a.diagonal(i).abs().max(1e-16 * largest).sqrt();
-    let scaled = Mat::from_fn(n, n, |i, j| a.entry(i, j) / (scale(i) * scale(j)));
-    let eigenvalues = scaled.self_adjoint_eigenvalues(faer::Side::Lower).ok()?;
-    eigenvalues.into_iter().reduce(f64::min)
+    let (unit, _) = unit_diagonal(lcp.matrix());
+    unit.self_adjoint_eigenvalues(faer::Side::Lower).ok()?.into_iter().reduce(f64::min)
+}
+
+/// Ã and the diagonal of D.
+fn unit_diagonal(a: &Matrix) -> (Mat<f64>, Vec<f64>) {
+    let (balanced, exponents) = a.balanced();
+    let rest = |(size, &k): (f64, &i32)| 1.0 / libm::scalbn(size, -2 * k).sqrt();
+    let rest: Vec<f64> = a.row_sizes().into_iter().zip(&exponents).map(rest).collect();
+    let unit = Mat::from_fn(a.len(), a.len(), |i, j| rest[i] * balanced.entry(i, j) * rest[j]);
+    let d = rest.iter().zip(&exponents).map(|(&rest, &k)| libm::scalbn(rest, -k)).collect();
+    (unit, d)
 }
 
 /// Gauss-Jordan elimination with complete pivoting: the same space, each vector with a 1 where the

@@ -22,7 +22,12 @@
 //! ρ_GS = ρ_J²,   ω* = 2 / (1 + √(1 − ρ_J²)),   ρ(ω*) = ω* − 1
 //! ```
 //!
-//! Where A is singular, G keeps the null vectors of A and ρ = 1; w does not feel them.
+//! Where A is singular, G keeps the null vectors of A and ρ = 1; w does not feel them. The *contraction* leaves them
+//! out: for symmetric A with A V = V Λ over the range (Λ without zeros) it is the spectral radius of Vᵀ G V.
+//!
+//! *Ostrowski and Reich* (1954, 1949): for symmetric A with a positive diagonal Gauss-Seidel contracts every error that
+//! w feels exactly if A is semidefinite. Multiplying rows and columns by S turns G into S⁻¹ G S, whose eigenvalues are
+//! the same; so G is computed from the [balanced](Matrix::balanced) A, and no unit decides.
 
 use nalgebra::DMatrix;
 
@@ -118,7 +123,7 @@ pub fn contraction(g: &DMatrix<f64>) -> f64 {
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
 pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Option<f64> {
-    let block = principal_submatrix(lcp.matrix(), free);
+    let (block, _) = principal_submatrix(lcp.matrix(), free).balanced();
     let relaxed = |omega: f64, order: Order| {
         let place = |row: usize| free.iter().position(|&other| other == row);
         ordered_iteration_matrix(&block, omega, order.rows(lcp).into_iter().filter_map(place))
@@ -131,7 +136,49 @@ pub fn rate(method: &str, options: &Options, lcp: &Lcp, free: &[usize]) -> Optio
         "jacobi" => jacobi_iteration_matrix(&block, options.damping.factor(&Metric::of(lcp).ok()?)),
         _ => return None,
     };
-    Some(contraction(&matrix)).filter(|rate| *rate < 1.0)
+    Some(contraction_of(&block, &matrix)).filter(|rate| *rate < 1.0)
+}
+
+/// What a sweep of Gauss-Seidel over all rows leaves of the error in the long run, null vectors of A aside, in
+/// whatever units the rows are. `None` where that is not below 1 or cannot be computed: then A is not symmetric and
+/// semidefinite with a positive diagonal.
+///
+/// ```
+/// use lcplab_problem::Matrix;
+/// use lcplab_solver::theory::gauss_seidel_rate;
+///
+/// let rate = |a: &[f64]| gauss_seidel_rate(&Matrix::dense(2, a));
+/// assert!((rate(&[2.0, 1.0, 1.0, 2.0]).unwrap() - 0.25).abs() < 1e-15); // a₁₂² / (a₁₁ a₂₂)
+/// assert!((rate(&[2e-200, 1.0, 1.0, 2e200]).unwrap() - 0.25).abs() < 1e-15);
+/// assert_eq!(rate(&[1.0, 2.0, 2.0, 1.0]), None); // indefinite
+/// ```
+pub fn gauss_seidel_rate(a: &Matrix) -> Option<f64> {
+    let (a, _) = a.balanced();
+    Some(contraction_of(&a, &sor_iteration_matrix(&a, 1.0))).filter(|rate| *rate < 1.0)
+}
+
+/// The contraction of the iteration matrix G of a balanced A.
+fn contraction_of(a: &Matrix, g: &DMatrix<f64>) -> f64 {
+    match range(a) {
+        Some(range) if !g.iter().any(|g| !g.is_finite()) => {
+            spectral_radius(&(range.transpose() * g * range))
+        }
+        _ => contraction(g),
+    }
+}
+
+/// Orthonormal columns that span the range of a symmetric A, which its null vectors are normal to.
+fn range(a: &Matrix) -> Option<DMatrix<f64>> {
+    if a.is_empty() || !a.is_nearly_symmetric() {
+        return None;
+    }
+    let full = faer::Mat::from_fn(a.len(), a.len(), |i, j| a.entry(i, j));
+    let found = full.self_adjoint_eigen(faer::Side::Lower).ok()?;
+    let (values, vectors) = (found.S().column_vector(), found.U());
+    let size = |k: usize| f64::abs(values[k]);
+    let largest = (0..a.len()).map(size).fold(0.0, f64::max);
+    let kept: Vec<usize> = (0..a.len()).filter(|&k| size(k) > RELATIVE_ZERO * largest).collect();
+    Some(DMatrix::from_fn(a.len(), kept.len(), |i, k| vectors[(i, kept[k])]))
 }
 
 /// The rows strictly between their bounds at x.
@@ -143,8 +190,11 @@ pub fn rows_inside(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
     (0..lcp.len()).filter(is_free).collect()
 }
 
-/// An eigenvalue this near to 1 is 1 but for rounding.
+/// An eigenvalue of G this near to 1 is 1 but for rounding.
 const NULL: f64 = 1e-9;
+
+/// An eigenvalue of A below this part of the largest is 0 but for rounding.
+const RELATIVE_ZERO: f64 = 1e-11;
 
 /// Young's ω* from the spectral radius of the undamped Jacobi matrix, for a consistently ordered A.
 /// NaN if Jacobi's method does not converge.

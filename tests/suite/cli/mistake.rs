@@ -1,6 +1,6 @@
 //! `diagnose PROBLEM ANSWER` from outside.
 
-use super::run;
+use super::{err, out, run};
 
 /// Three balls on each other: x = (4, 3, 1).
 const FIG7: &str = r#"{"A": {"dense": [[1, -1, 0], [-1, 2, -1], [0, -1, 2]]}, "b": [-1, -1, 1]}"#;
@@ -19,7 +19,14 @@ fn the_mistake_behind_an_answer_is_told_with_the_exit_code_of_the_judge() {
     let told = run(&["diagnose", &problem, &stopped]);
     let text = String::from_utf8(told.stdout).unwrap();
     assert_eq!(told.status.code(), Some(1));
-    assert!(text.contains("projected Gauss-Seidel, stopped after 2 sweeps, exactly"), "{text}");
+    assert!(text.contains("projected Gauss-Seidel, stopped after 2 sweeps (exactly)"), "{text}");
+    // Neither sweep meets a bound, and every number fits into 32 bits.
+    assert!(text.contains("3 known mistakes give this x, and nothing tells them apart"), "{text}");
+    assert!(
+        text.contains("Gauss-Seidel with the clamp after the sweep, stopped after 2"),
+        "{text}"
+    );
+    assert!(text.contains("up to 2000 sweeps of each method, up to 100 on each changed"), "{text}");
 
     let right = file("right.json", r#"{"x": [4, 3, 1]}"#);
     let told = run(&["diagnose", &problem, &right, "--json"]);
@@ -42,5 +49,53 @@ fn the_mistake_behind_an_answer_is_told_with_the_exit_code_of_the_judge() {
         "b": [-2, -2.6, -1.5], "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
     let told = run(&["diagnose", &file("polygon.json", polygon), &right]);
     assert_eq!(told.status.code(), Some(2));
-    assert!(String::from_utf8(told.stderr).unwrap().contains("polygon-4"));
+    assert!(err(&told).contains("is polygon-4, but the known mistakes are about boxes only"));
+}
+
+#[test]
+fn an_accepted_answer_is_accused_of_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_string()
+    };
+    let problem = file("problem.json", FIG7);
+    let told = run(&["diagnose", &problem, &file("right.json", r#"{"x": [4, 3, 1]}"#)]);
+    assert_eq!((told.status.code(), out(&told).lines().count()), (Some(0), 1), "{}", out(&told));
+    // Near the solution, but not accepted: no method that leads to it is to blame.
+    let near = file("near.json", r#"{"x": [4.0000123, 3.0000321, 1.0000213]}"#);
+    let told = run(&["diagnose", &problem, &near]);
+    assert_eq!(told.status.code(), Some(1));
+    assert!(out(&told).contains("No known mistake gives this x."), "{}", out(&told));
+    let object: serde_json::Value =
+        serde_json::from_slice(&run(&["diagnose", &problem, &near, "--json"]).stdout).unwrap();
+    assert_eq!(
+        (&object["conclusion"], &object["precision"]),
+        (&"compared".into(), &"8 significant digits".into())
+    );
+    assert_eq!(object["sweeps_compared"]["problem"], 2000);
+    let distance = object["solution_distance"].as_f64().unwrap();
+    assert!((distance / (3.21e-5 / 4.0) - 1.0).abs() < 1e-3, "{distance}");
+}
+
+#[test]
+fn the_list_of_known_mistakes_is_that_of_the_page() {
+    let told = run(&["diagnose", "--mistakes", "--json"]);
+    assert_eq!(told.status.code(), Some(0));
+    let list: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
+    let row = |own: &serde_json::Value| {
+        let cell = |key: &str| own[key].as_str().unwrap().to_string();
+        format!("| {} | {} | {} |", cell("name"), cell("computes"), cell("check"))
+    };
+    let known: Vec<String> = list["mistakes"].as_array().unwrap().iter().map(row).collect();
+    let page = include_str!("../../../docs/mistakes.md").lines();
+    let listed: Vec<&str> = page.filter(|line| line.starts_with("| ")).skip(2).collect();
+    assert_eq!(listed, known, "docs/mistakes.md has the rows of `diagnose --mistakes`");
+    let text = out(&run(&["diagnose", "--mistakes"]));
+    for own in list["mistakes"].as_array().unwrap() {
+        assert!(text.contains(own["name"].as_str().unwrap()), "{own}");
+    }
+    assert_eq!(run(&["diagnose"]).status.code(), Some(2));
+    assert_eq!(run(&["diagnose", "stack", "--mistakes"]).status.code(), Some(2));
 }

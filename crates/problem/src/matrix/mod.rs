@@ -6,6 +6,7 @@
 #[cfg(feature = "nalgebra")]
 use nalgebra::{DMatrix, DMatrixView};
 
+mod balance;
 mod sparse;
 
 pub use sparse::Sparse;

@@ -5,12 +5,15 @@ use std::ops::ControlFlow;
 
 use lcplab_problem::{Lcp, Matrix, merit};
 use lcplab_solver::theory::{
-    contraction, jacobi_iteration_matrix, optimal_omega, ordered_iteration_matrix,
-    principal_submatrix, sor_iteration_matrix, spectral_radius, sweeps_to,
+    contraction, gauss_seidel_rate, jacobi_iteration_matrix, optimal_omega,
+    ordered_iteration_matrix, principal_submatrix, rate, sor_iteration_matrix, spectral_radius,
+    sweeps_to,
 };
-use lcplab_solver::{Iterate, Observer, Pgs, Settings, Solver, Start, Status};
+use lcplab_solver::{Iterate, Observer, Options, Pgs, Settings, Solver, Start, Status};
+use nalgebra::DMatrix;
+use proptest::prelude::*;
 
-use lcplab_testing::{INF, boxed, stack, tridiagonal};
+use lcplab_testing::{INF, boxed, cases, stack, tridiagonal};
 
 fn jacobi(a: &Matrix) -> f64 {
     spectral_radius(&jacobi_iteration_matrix(a, 1.0))
@@ -167,4 +170,129 @@ fn null_vectors_do_not_slow_w_down() {
     assert_close(contraction(&regular), (PI / 10.0).cos(), 1e-12);
     let zero = jacobi_iteration_matrix(&Matrix::dense(1, &[0.0]), 1.0);
     assert!(contraction(&zero).is_nan() && spectral_radius(&zero).is_nan());
+}
+
+/// J Jᵀ + shift with J of small whole numbers; no entry on the diagonal is 0.
+fn gram(n: usize, columns: usize, shift: f64) -> impl Strategy<Value = DMatrix<f64>> {
+    let entries = proptest::collection::vec((-3..=3i32).prop_map(f64::from), n * columns);
+    entries.prop_map(move |j| {
+        let j = DMatrix::from_vec(n, columns, j);
+        let a = &j * j.transpose() + DMatrix::identity(n, n) * shift;
+        DMatrix::from_fn(n, n, |r, c| if r == c && a[(r, c)] == 0.0 { 1.0 } else { a[(r, c)] })
+    })
+}
+
+/// S A S with S = diag(2^k_i).
+fn in_units(a: &DMatrix<f64>, k: &[i32]) -> Matrix {
+    let scaled = |i: usize, j: usize| a[(i, j)] * 2f64.powi(k[i]) * 2f64.powi(k[j]);
+    Matrix::from(DMatrix::from_fn(a.nrows(), a.nrows(), scaled).as_view())
+}
+
+/// The errors that one sweep makes of all unit errors, written down from the sweep itself.
+fn swept_errors(a: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = a.nrows();
+    let mut errors = DMatrix::identity(n, n);
+    for column in 0..n {
+        for i in 0..n {
+            let w: f64 = (0..n).map(|j| a[(i, j)] * errors[(j, column)]).sum();
+            errors[(i, column)] -= w / a[(i, i)];
+        }
+    }
+    errors
+}
+
+/// ρ as the limit of |Gᵏ|^(1/k), Gelfand's formula, at k = 2²⁴, by squaring.
+fn radius_by_powers(mut g: DMatrix<f64>) -> f64 {
+    const SQUARINGS: i32 = 24;
+    let mut log = 0.0;
+    for step in 0..SQUARINGS {
+        let size = g.norm();
+        if size == 0.0 {
+            return 0.0;
+        }
+        log += size.ln() / 2f64.powi(step);
+        g /= size;
+        g = &g * &g;
+    }
+    (log + g.norm().ln() / 2f64.powi(SQUARINGS)).exp()
+}
+
+proptest! {
+    #![proptest_config(cases(200))]
+
+    #[test]
+    fn gauss_seidel_contracts_every_definite_matrix_alike_in_all_units(
+        a in (2..=6usize).prop_flat_map(|n| gram(n, n, 0.25)),
+        k in proptest::collection::vec(-500..=500i32, 6),
+    ) {
+        let plain = gauss_seidel_rate(&Matrix::from(a.as_view())).unwrap(); // Ostrowski and Reich: below 1
+        prop_assert_eq!(gauss_seidel_rate(&in_units(&a, &k)), Some(plain));
+        let expected = radius_by_powers(swept_errors(&a));
+        prop_assert!((plain - expected).abs() <= 1e-6, "{} for {}", plain, expected);
+    }
+
+    #[test]
+    fn gauss_seidel_contracts_what_w_feels_of_every_semidefinite_matrix(
+        a in (3..=6usize).prop_flat_map(|n| gram(n, n - 2, 0.0)),
+        k in proptest::collection::vec(-500..=500i32, 6),
+    ) {
+        let plain = gauss_seidel_rate(&Matrix::from(a.as_view())).unwrap();
+        prop_assert_eq!(gauss_seidel_rate(&in_units(&a, &k)), Some(plain));
+        // Of rows that depend on each other those of a basis move w; their errors are those of a definite matrix
+        // only if the others stay, so what w feels is measured in sweeps.
+        let (n, sweeps) = (a.nrows(), sweeps_to(1e-8, plain));
+        let mut error = DMatrix::from_fn(n, 1, |i, _| (1.0 + i as f64).sin());
+        let size = |error: &DMatrix<f64>| (&a * error).amax();
+        let (first, step) = (size(&error), swept_errors(&a));
+        let mut counted = 0;
+        while size(&error) > 1e-8 * first && counted < 1_000_000 {
+            error = &step * error;
+            counted += 1;
+        }
+        prop_assert!(f64::from(counted) <= 2.0 * sweeps + 10.0, "{} for {}", counted, sweeps);
+        prop_assert!(f64::from(counted) >= 0.5 * sweeps - 10.0, "{} for {}", counted, sweeps);
+    }
+
+    #[test]
+    fn no_rate_is_predicted_for_an_indefinite_matrix(
+        a in (2..=6usize).prop_flat_map(|n| gram(n, n, 0.25)), beyond in 1.01..3.0f64,
+        k in proptest::collection::vec(-500..=500i32, 6),
+    ) {
+        // |a_01| beyond √(a_00 a_11) makes it so.
+        let mut a = a;
+        a[(0, 1)] = beyond * (a[(0, 0)] * a[(1, 1)]).sqrt();
+        a[(1, 0)] = a[(0, 1)];
+        prop_assert_eq!(gauss_seidel_rate(&in_units(&a, &k)), None);
+    }
+}
+
+#[test]
+fn the_rate_of_two_rows_is_the_square_of_their_correlation_in_any_unit() {
+    // ρ = a₁₂² / (a₁₁ a₂₂), in units that spread over 10³⁰, and where 1/a₁₁ is beyond all doubles.
+    for (a, b, c) in
+        [(1.0, 0.5, 1.0), (1e30, 5e14, 1.0), (1e-310, 5e-156, 1.0), (1e-300, 5e-76, 1e150)]
+    {
+        let expected = (b / a.sqrt() / c.sqrt()).powi(2);
+        let found = gauss_seidel_rate(&Matrix::dense(2, &[a, b, b, c])).unwrap();
+        assert_close(found, expected, 1e-10); // 1e-310 has 44 bits
+    }
+    assert_eq!(gauss_seidel_rate(&Matrix::dense(1, &[1e-310])), Some(0.0));
+    // Of the registered methods too: four rows in units 10⁵ apart. In one unit LAPACK finds 0.2901.
+    let correlation = [
+        [1.0, 0.25, 0.5, 0.125],
+        [0.25, 1.0, 0.5, 0.25],
+        [0.5, 0.5, 1.0, 0.25],
+        [0.125, 0.25, 0.25, 1.0],
+    ];
+    let in_units = |i: usize, j: usize| correlation[i][j] * 10f64.powi(30 - 5 * (i + j) as i32);
+    let a = DMatrix::from_fn(4, 4, in_units);
+    let lcp =
+        Lcp::new(Matrix::from(a.as_view()), vec![-1.0; 4], vec![0.0; 4], vec![INF; 4]).unwrap();
+    let expected =
+        radius_by_powers(swept_errors(&DMatrix::from_fn(4, 4, |i, j| correlation[i][j])));
+    assert_close(expected, 0.2901, 5e-5);
+    for method in ["pgs", "sor"] {
+        let found = rate(method, &Options::default(), &lcp, &[0, 1, 2, 3]).unwrap();
+        assert_close(found, expected, 1e-6);
+    }
 }

@@ -21,6 +21,15 @@ pub enum Cause {
         /// The row.
         row: String,
     },
+    /// A row whose entry on the diagonal of A is so small that hardly any impulse moves it.
+    ImmovableRow {
+        /// The row.
+        row: String,
+        /// a_ii, the inverse effective mass.
+        diagonal: f64,
+        /// The impulse that the row asks for by itself; ∞ where no double is as large.
+        impulse: f64,
+    },
     /// Rows that no forces satisfy together.
     Impossible {
         /// The rows; none are named where it takes all of them.
@@ -95,6 +104,7 @@ impl Cause {
             Cause::Impossible { proof, .. } => *proof != Proof::Rounding,
             Cause::NoDirection { .. } | Cause::Failed { .. } => true,
             Cause::ZeroRow { .. }
+            | Cause::ImmovableRow { .. }
             | Cause::Indefinite { .. }
             | Cause::Redundant { .. }
             | Cause::Slow { .. }
@@ -109,7 +119,9 @@ impl Cause {
     pub fn rows(&self) -> &[String] {
         match self {
             Cause::Impossible { rows, .. } | Cause::Redundant { rows, .. } => rows,
-            Cause::ZeroRow { row } | Cause::Apart { row, .. } => std::slice::from_ref(row),
+            Cause::ZeroRow { row } | Cause::ImmovableRow { row, .. } | Cause::Apart { row, .. } => {
+                std::slice::from_ref(row)
+            }
             Cause::NoDirection { .. }
             | Cause::IllConditioned { .. }
             | Cause::Slow { .. }
@@ -125,6 +137,7 @@ impl Cause {
         match self {
             Cause::NoDirection { .. } => "no direction",
             Cause::ZeroRow { .. } => "zero row",
+            Cause::ImmovableRow { .. } => "immovable row",
             Cause::Impossible { .. } => "impossible",
             Cause::Redundant { .. } => "over-constrained",
             Cause::Apart { .. } => "drift",
@@ -150,6 +163,20 @@ impl fmt::Display for Cause {
                 "row {row} acts on nothing that can move, so that a sweep would divide by a zero on the \
                  diagonal; take the row out, or let one of its bodies move."
             ),
+            Cause::ImmovableRow { row, diagonal, impulse } => {
+                let asks = if impulse.is_finite() {
+                    format!("an impulse of about {}", readable(*impulse, 2))
+                } else {
+                    "an impulse larger than any double, which no solver can return".into()
+                };
+                write!(
+                    f,
+                    "row {row} has {} on the diagonal of A, its inverse effective mass, so that hardly any \
+                     impulse moves it, and by itself it asks for {asks}; check the masses, the units and the \
+                     Jacobian of this row, or take the row out.",
+                    readable(*diagonal, 2)
+                )
+            }
             Cause::Impossible { rows, proof: Proof::Vector } => write!(
                 f,
                 "no forces satisfy these rows together, proved in exact arithmetic, so that sweeps would raise \

@@ -14,7 +14,7 @@ use lcplab_solver::{Dantzig, Solver, Start, Status};
 /// Problems up to this size are proved exactly.
 const PROVED: usize = 150;
 
-/// A dᵀb below this part of what its terms could be counts as zero.
+/// A dᵀb below this part of what its terms could be, each row in its own unit, counts as zero.
 const ROUNDING: f64 = 1e-9;
 
 /// The rows that contradict each other, and how that is known. `is_box` says that friction rows, if there
@@ -43,7 +43,7 @@ pub(super) fn rows(
             None => {}
         }
     }
-    let seems = falling.iter().find(|d| is_free(lcp, d) && contradicts(d, lcp.b()))?;
+    let seems = falling.iter().find(|d| is_free(lcp, d) && contradicts(lcp, d))?;
     Some((support(seems), Proof::Rounding))
 }
 
@@ -60,10 +60,12 @@ fn is_free(lcp: &Lcp, d: &[f64]) -> bool {
     (0..d.len()).all(|i| d[i] == 0.0 || free(i))
 }
 
-fn contradicts(d: &[f64], b: &[f64]) -> bool {
-    let sum: f64 = d.iter().zip(b).map(|(d, b)| d * b).sum();
-    let size = b.iter().fold(0.0_f64, |most, b| most.max(b.abs()));
-    sum.abs() > ROUNDING * size * d.iter().map(|d| d.abs()).sum::<f64>()
+fn contradicts(lcp: &Lcp, d: &[f64]) -> bool {
+    let units: Vec<f64> = lcp.matrix().row_sizes().iter().map(|size| size.sqrt()).collect();
+    let sum: f64 = d.iter().zip(lcp.b()).map(|(d, b)| d * b).sum();
+    let size = lcp.b().iter().zip(&units).fold(0.0_f64, |most, (b, unit)| most.max(b.abs() / unit));
+    let weight: f64 = d.iter().zip(&units).map(|(d, unit)| d.abs() * unit).sum();
+    sum.abs() > ROUNDING * size * weight
 }
 
 fn support(d: &[f64]) -> Vec<usize> {

@@ -4,7 +4,8 @@
 //! [`problem`] look for the reason before anything is solved: rank, condition and dependent rows
 //! ([`regularity`]), rows that contradict each other ([`refutation`](lcplab_judge::refutation())),
 //! bodies that are not where they should be, constraints without direction. K&M "Debugging" and
-//! "Bad Constraints". Of an answer that is wrong, [`mistakes`] says which known mistake gives exactly that.
+//! "Bad Constraints". Of an answer that is wrong, [`find_mistakes`] says which known mistakes give
+//! exactly that.
 //!
 //! ```
 //! use lcplab_study::diagnosis::{Cause, Proof, scene};
@@ -19,6 +20,7 @@
 mod cause;
 mod contradiction;
 mod freedom;
+mod immovable;
 mod mistake;
 pub mod shortfall;
 mod show;
@@ -27,7 +29,10 @@ mod situation;
 
 pub use cause::{Cause, Proof};
 pub use freedom::Freedoms;
-pub use mistake::{Mistake, mistakes, mistakes_after, single_precision};
+pub use mistake::{
+    Conclusion, Mistake, MistakeKind, MistakeSearch, Precision, SweepLimits, find_mistakes,
+    single_precision,
+};
 #[cfg(feature = "mechanics")]
 pub use situation::scene;
 
@@ -115,13 +120,14 @@ fn impossible_polygons(problem: &Problem) -> Option<Cause> {
     Some(Cause::Impossible { rows: Vec::new(), proof })
 }
 
-/// How many sweeps theory foretells, if they are many.
+/// The number of sweeps that theory predicts, if they are many. Of a matrix that Gauss-Seidel does not contract theory
+/// predicts none, and no number is given.
 fn slow(lcp: &Lcp) -> Option<Cause> {
     let a = lcp.matrix();
     if a.len() > SWEPT || (0..a.len()).any(|i| a.diagonal(i) <= 0.0) {
         return None;
     }
-    let radius = theory::contraction(&theory::sor_iteration_matrix(a, 1.0));
+    let radius = theory::gauss_seidel_rate(a)?;
     let sweeps = theory::sweeps_to(1e-8, radius);
     (sweeps > MANY_SWEEPS).then_some(Cause::Slow { radius, sweeps })
 }
@@ -160,6 +166,8 @@ impl Diagnosis {
         for &row in found.iter().flat_map(|found| &found.zero_rows) {
             self.causes.push(Cause::ZeroRow { row: self.labels[row].clone() });
         }
+        let labels = &self.labels;
+        self.causes.extend(immovable::immovable_rows(lcp, |row| labels[row].clone()));
         let dependencies = found.as_ref().map_or(&[][..], |found| &found.dependencies);
         let impossible = contradiction::rows(lcp, dependencies, is_box);
         if let Some((rows, proof)) = impossible {

@@ -184,6 +184,8 @@ fn every_cause_is_one_sentence() {
     let causes = [
         Cause::NoDirection { constraint: "constraints[0]: the two points coincide".into() },
         Cause::ZeroRow { row: "1".into() },
+        Cause::ImmovableRow { row: "1".into(), diagonal: 1e-20, impulse: 1e20 },
+        Cause::ImmovableRow { row: "1".into(), diagonal: 1e-310, impulse: INF },
         Cause::Impossible { rows: rows(), proof: Proof::Vector },
         Cause::Impossible { rows: Vec::new(), proof: Proof::CaseSplit { pieces: 6 } },
         Cause::Impossible { rows: rows(), proof: Proof::Rounding },
@@ -362,5 +364,110 @@ fn of_shipped_scenes_those_are_called_impossible_that_have_no_solution() {
             step.solves.iter().all(|solve| solve.judged(&Demand::default()).verdict.is_solution())
         });
         assert_eq!(found.is_sound(), is_solved, "{}: {:?}", shipped.name, found.causes);
+    }
+}
+
+/// The causes that are found in an LCP with bounds 0 and ∞.
+fn causes(rows: &[&[f64]], b: &[f64]) -> Vec<Cause> {
+    of_lcp(contacts(rows, b)).causes
+}
+
+#[test]
+fn a_row_that_hardly_any_impulse_moves_is_named_with_the_impulse() {
+    let row =
+        |row: &str, diagonal, impulse| Cause::ImmovableRow { row: row.into(), diagonal, impulse };
+    let [found] = causes(&[&[1.0, 0.0], &[0.0, 1e-20]], &[-1.0, -1.0]).try_into().unwrap();
+    assert_eq!(found, row("1", 1e-20, 1e20));
+    assert!(!found.is_fatal() && found.to_string().contains("10²⁰"), "{found}");
+    assert!(!found.to_string().contains("pivoting"), "{found}");
+    // By itself too; and b / a may be beyond all doubles.
+    assert_eq!(causes(&[&[1e-20]], &[-1.0]), [row("0", 1e-20, 1e20)]);
+    assert_eq!(causes(&[&[1e-310]], &[-1.0]), [row("0", 1e-310, INF)]);
+    assert_eq!(causes(&[&[1.0, 0.0], &[0.0, 1e-310]], &[-1.0, -1.0]), [row("1", 1e-310, INF)]);
+    // A contact that separates asks for nothing, and a motor for its effort at most.
+    assert_eq!(causes(&[&[1.0, 0.0], &[0.0, 1e-20]], &[-1.0, 1.0]), []);
+    let motor = boxed(&[&[1.0, 0.0], &[0.0, 1e-20]], &[-1.0; 2], &[0.0; 2], &[INF, 10.0]);
+    assert_eq!(of_lcp(motor).causes, []);
+    // Units alone: the second row counts in units 10¹⁰ times smaller.
+    assert_eq!(causes(&[&[1.0, 5e-11], &[5e-11, 1e-20]], &[-1.0, -1e-10]), []);
+}
+
+#[test]
+fn no_number_of_sweeps_is_given_that_is_none() {
+    let scales = [(1e-310, 1e-310), (1e-300, 1e150), (1e30, 1e-30), (5e9, 1.0)];
+    for (first, second) in scales {
+        let beside = 0.5 * f64::sqrt(first) * f64::sqrt(second);
+        let b = [-first.sqrt(), -second.sqrt()];
+        let found = of_lcp(contacts(&[&[first, beside], &[beside, second]], &b));
+        assert_eq!((names(&found), found.is_unique), (vec![], true), "{first}, {second}");
+    }
+}
+
+#[test]
+fn the_smallest_numbers_are_called_indefinite_exactly_where_they_are() {
+    const LEAST: f64 = 5e-324; // whole multiples of it are exact
+    for (p, q, r) in
+        (1..=9).flat_map(|p| (0..=9).flat_map(move |q| (1..=9).map(move |r| (p, q, r))))
+    {
+        let [first, beside, second] = [p, q, r].map(|k: i32| f64::from(k) * LEAST);
+        let found = of_lcp(equations(&[&[first, beside], &[beside, second]], &[0.0, 0.0]));
+        let is_indefinite =
+            found.causes.iter().any(|cause| matches!(cause, Cause::Indefinite { .. }));
+        assert_eq!(is_indefinite, q * q > p * r, "{p}, {q}, {r}: {:?}", found.causes);
+        assert_eq!(found.is_unique, q * q < p * r, "{p}, {q}, {r}");
+    }
+}
+
+/// A random J Jᵀ + shift, b = J u, and the same in units 2^-k_i.
+fn in_units(n: usize, columns: usize, shift: f64, numbers: &[i32], k: &[i32]) -> [Lcp; 2] {
+    let j = |r: usize, c: usize| f64::from(numbers[r * columns + c]);
+    let product = |r: usize, s: usize| (0..columns).map(|c| j(r, c) * j(s, c)).sum::<f64>();
+    let entry = |r: usize, s: usize| product(r, s) + if r == s { shift } else { 0.0 };
+    let b = |r: usize| (0..columns).map(|c| j(r, c) * (c as f64 - 0.5)).sum::<f64>();
+    let power = |exponent: i32| 2f64.powi(exponent);
+    let problem = |k: &dyn Fn(usize) -> i32| {
+        let scaled = |e: usize| entry(e / n, e % n) * power(k(e / n)) * power(k(e % n));
+        let a: Vec<f64> = (0..n * n).map(scaled).collect();
+        let b = (0..n).map(|r| b(r) * power(k(r))).collect();
+        Lcp::new(Matrix::dense(n, &a), b, vec![0.0; n], vec![INF; n]).unwrap()
+    };
+    [problem(&|_| 0), problem(&|i| k[i])]
+}
+
+proptest! {
+    #![proptest_config(cases(100))]
+
+    #[test]
+    fn the_diagnosis_of_a_definite_problem_is_the_same_in_all_units(
+        n in 2..=5usize, numbers in prop::collection::vec(-3_i32..=3, 25),
+        k in prop::collection::vec(-500_i32..=500, 5), shift in prop::sample::select(vec![1e-9, 1e-3, 0.5]),
+    ) {
+        let [plain, scaled] = in_units(n, n, shift, &numbers, &k).map(of_lcp);
+        prop_assert_eq!(&plain.causes, &scaled.causes);
+        prop_assert_eq!(plain.is_unique, scaled.is_unique);
+        prop_assert!(!names(&plain).contains(&"indefinite"));
+        let is_finite = |cause: &Cause| match cause {
+            Cause::Slow { radius, sweeps } => *radius < 1.0 && sweeps.is_finite(),
+            _ => true,
+        };
+        prop_assert!(plain.causes.iter().all(is_finite));
+    }
+
+    #[test]
+    fn an_indefinite_problem_is_never_called_definite(
+        n in 2..=5usize, numbers in prop::collection::vec(-3_i32..=3, 25),
+        k in prop::collection::vec(-500_i32..=500, 5), beyond in 1.001..4.0f64,
+    ) {
+        let [plain, _] = in_units(n, n, 0.5, &numbers, &k);
+        let diagonal = |i: usize| plain.matrix().diagonal(i);
+        let beside = beyond * (diagonal(0) * diagonal(1)).sqrt();
+        let entry = |r: usize, s: usize| if r + s == 1 { beside } else { plain.matrix().entry(r, s) };
+        let scaled = |e: usize| entry(e / n, e % n) * 2f64.powi(k[e / n]) * 2f64.powi(k[e % n]);
+        let a: Vec<f64> = (0..n * n).map(scaled).collect();
+        let lcp = Lcp::new(Matrix::dense(n, &a), vec![0.0; n], vec![-INF; n], vec![INF; n]);
+        let found = of_lcp(lcp.unwrap());
+        prop_assert!(!found.is_unique);
+        prop_assert!(names(&found).contains(&"indefinite"), "{:?}", found.causes);
+        prop_assert!(!names(&found).contains(&"slow"));
     }
 }

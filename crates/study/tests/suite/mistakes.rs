@@ -1,9 +1,21 @@
-//! Which known mistake gives exactly this x? Each mistake is made here by a program of its own.
+//! Which known mistakes give exactly this x? Each mistake is made here by a program of its own.
+
+mod chance;
+mod plain;
+mod planted;
 
 use lcplab_problem::library;
 use lcplab_problem::{Coupling, Lcp, Matrix};
 use lcplab_solver::{Dantzig, Solver, Start};
-use lcplab_study::diagnosis::{mistakes, mistakes_after, single_precision};
+use lcplab_study::diagnosis::{
+    Conclusion, Mistake, MistakeKind, Precision, find_mistakes, single_precision,
+};
+
+use lcplab_testing::{boxed, contacts};
+
+fn mistakes(lcp: &Lcp, x: &[f64]) -> Vec<Mistake> {
+    find_mistakes(lcp, x, None).mistakes
+}
 
 /// A column of eight, with unequal masses and pushes.
 fn column() -> Lcp {
@@ -129,17 +141,25 @@ fn friction_that_was_forgotten_or_has_no_limit_is_named() {
 #[test]
 fn single_precision_is_seen_and_is_the_yardstick() {
     let lcp = column();
-    let mut x = [0.0_f32; 8];
-    for _ in 0..30 {
-        for i in 0..8 {
-            let row = (0..8).filter(|&j| lcp.matrix().entry(i, j) != 0.0 || i == j);
+    let sweeps = |count: usize| -> Vec<f64> {
+        let mut x = [0.0_f32; 8];
+        for i in (0..count).flat_map(|_| 0..8) {
+            let row = (0..8).filter(|&j| lcp.matrix().entry(i, j) != 0.0);
             let w =
                 row.fold(lcp.b()[i] as f32, |sum, j| sum + lcp.matrix().entry(i, j) as f32 * x[j]);
             x[i] = (x[i] - w / lcp.matrix().diagonal(i) as f32).max(0.0);
         }
-    }
-    let x = x.map(f64::from);
-    assert!(first(&lcp, &x).starts_with("projected Gauss-Seidel in single precision"));
+        x.map(f64::from).to_vec()
+    };
+    // The same sweeps in double precision are as near, as far as 32 bits can tell.
+    let found = mistakes(&lcp, &sweeps(10));
+    assert_eq!(
+        found[0].what,
+        "projected Gauss-Seidel in single precision, stopped after 10 sweeps"
+    );
+    assert!(found.iter().any(|own| own.what == "projected Gauss-Seidel, stopped after 10 sweeps"));
+    // Converged, they are the solution but for the last bits.
+    assert_eq!(mistakes(&lcp, &sweeps(300)), []);
     let rounded: Vec<f64> = exact(&lcp).iter().map(|&x| f64::from(x as f32)).collect();
     let [own, least] = single_precision(&lcp, &rounded).unwrap();
     assert_eq!(own, least);
@@ -185,7 +205,7 @@ fn mistakes_that_have_to_do_with_the_last_frame_are_named() {
     let last: Vec<f64> =
         exact(&lcp).iter().enumerate().map(|(i, x)| x * (1.0 + 0.1 * i as f64)).collect();
     let first = |x: &[f64], last: &[f64]| {
-        let found = mistakes_after(&lcp, x, Some(last));
+        let found = find_mistakes(&lcp, x, Some(last)).mistakes;
         assert!(found[0].distance < 1e-12, "{found:?}");
         found[0].what.clone()
     };
@@ -214,7 +234,91 @@ fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
     let lcp = Lcp::new(matrix, vec![-2.0, -3.0], vec![0.0, free[0]], vec![free[1]; 2]).unwrap();
     let lcp =
         lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap()).unwrap();
-    let found = mistakes_after(&lcp, &[2.0, 2.0], Some(&[4.0, 2.0]));
+    let found = find_mistakes(&lcp, &[2.0, 2.0], Some(&[4.0, 2.0])).mistakes;
     assert_eq!(found[0].what, "friction limited by the last normal forces, solved");
     assert_eq!(found[0].distance, 0.0);
+}
+
+#[test]
+fn whatever_is_near_a_solution_is_not_a_mistake_that_leads_to_it() {
+    // x = (1, 1) is the solution; Gauss-Seidel and Jacobi all come as near on their way.
+    let lcp = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-3.0, -3.0]);
+    let found = find_mistakes(&lcp, &[1.000_000_3, 0.999_999_8], None);
+    assert_eq!(found.mistakes, []);
+    let Conclusion::Compared { solution_distance } = found.conclusion else { panic!("{found:?}") };
+    assert!((solution_distance / 3e-7 - 1.0).abs() < 1e-5, "{solution_distance}");
+}
+
+#[test]
+fn a_negative_factor_of_b_is_none() {
+    // With −b the solution is 0, not the negative of the solution.
+    let lcp = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-3.0, -3.0]);
+    assert_eq!(mistakes(&lcp, &[-1.0, -1.0]), []);
+}
+
+#[test]
+fn a_factor_that_fits_any_answer_explains_none() {
+    let one = contacts(&[&[1.0]], &[-2.0]);
+    assert_eq!(mistakes(&one, &[2.04]), []);
+    // So does one contact that presses among others that do not.
+    let two = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-2.0, 7.0]);
+    assert_eq!(mistakes(&two, &[1.02, 0.0]), []);
+    // Of two numbers one is left to explain.
+    let both = contacts(&[&[2.0, 1.0], &[1.0, 2.0]], &[-3.0, -2.0]); // (4, 1)/3
+    let found = mistakes(&both, &[1.02 * 4.0 / 3.0, 1.02 / 3.0]);
+    assert_eq!(found[0].kind, MistakeKind::FactorOfB, "{found:?}");
+}
+
+#[test]
+fn mistakes_that_are_as_near_are_all_named() {
+    // One sweep of Gauss-Seidel meets no bound: clamped in the sweep or after it, it is the same.
+    let lcp =
+        contacts(&[&[2.0, 1.0, 0.0], &[1.0, 2.0, 1.0], &[0.0, 1.0, 2.0]], &[-2.0, -3.0, -1.0]);
+    let found = mistakes(&lcp, &[1.0, 1.0, 0.0]);
+    let kinds: Vec<MistakeKind> = found.iter().map(|own| own.kind).collect();
+    for kind in [MistakeKind::StoppedSweeps, MistakeKind::LateClamp, MistakeKind::SinglePrecision] {
+        assert!(kinds.contains(&kind), "{found:?}");
+    }
+}
+
+#[test]
+fn an_answer_is_as_precise_as_its_digits() {
+    assert_eq!(Precision::of(&[1.0 / 3.0, 2.0]), Precision::Double);
+    assert_eq!(Precision::of(&[f64::from(0.1_f32), 2.0]), Precision::Single);
+    assert_eq!(Precision::of(&[0.25, 1250.0, 0.0]), Precision::Decimal { digits: 3, decimals: 2 });
+    assert_eq!(Precision::of(&[1.25e-9, 3e4]), Precision::Decimal { digits: 3, decimals: 11 });
+    assert_eq!(Precision::of(&[0.0, 0.0]), Precision::Double);
+    // Half a unit of the last place of a format that may have written them.
+    let printed = Precision::of(&[0.333, 12.345]);
+    assert!((printed.half_unit(12.345) / 0.0005 - 1.0).abs() < 1e-12);
+    assert!((printed.half_unit(0.333) / 0.0005 - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_solution_printed_with_few_digits_is_no_mistake() {
+    let lcp = column();
+    for decimals in [2, 3, 6] {
+        let unit = 10f64.powi(decimals);
+        let printed: Vec<f64> = exact(&lcp).iter().map(|x| (x * unit).round() / unit).collect();
+        let found = find_mistakes(&lcp, &printed, None);
+        assert!(matches!(found.conclusion, Conclusion::RoundedSolution { .. }), "{found:?}");
+    }
+}
+
+#[test]
+fn of_many_solutions_the_one_beside_x_is_compared() {
+    // Two copies of a contact: every x₀ + x₁ = 1 solves it. Sweeps end at (1, 0).
+    let lcp = contacts(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -1.0]);
+    let found = find_mistakes(&lcp, &[0.3, 0.700_002], None);
+    let Conclusion::Compared { solution_distance } = found.conclusion else { panic!("{found:?}") };
+    assert!(solution_distance < 1e-5 && found.mistakes.is_empty(), "{found:?}");
+}
+
+#[test]
+fn without_a_solution_nothing_is_named() {
+    let lcp = contacts(&[&[1.0, -1.0], &[-1.0, 1.0]], &[-1.0, -1.0]); // walls that close in
+    let found = find_mistakes(&lcp, &[1.0, 2.0], None);
+    assert_eq!((found.conclusion, found.mistakes), (Conclusion::NoSolutionKnown, vec![]));
+    let bounded = boxed(&[&[1.0]], &[-1.0], &[0.0], &[2.0]);
+    assert_eq!(find_mistakes(&bounded, &[1.0], None).conclusion, Conclusion::Accepted);
 }

@@ -1,0 +1,293 @@
+//! Which known mistakes give exactly this x?
+//!
+//! Solvers that answer wrongly mostly do so in one of a few ways. Each of these is done here to the same problem, and its
+//! answer is compared with the x in question. The exact solution nearest to x is compared too: whatever is near a
+//! solution is near everything that leads to it. Only a mistake that explains x at least a hundred times better than the
+//! solution does, in more numbers than were fitted to x, is named; mistakes that explain it equally well are all named.
+//!
+//! ```
+//! use lcplab_problem::{Lcp, Matrix};
+//! use lcplab_study::diagnosis::find_mistakes;
+//!
+//! // Three balls on each other; after two sweeps x = (2, 1.5, 0.25).
+//! let a = Matrix::dense(3, &[1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 2.0]);
+//! let lcp = Lcp::new(a, vec![-1.0, -1.0, 1.0], vec![0.0; 3], vec![f64::INFINITY; 3])?;
+//! let found = find_mistakes(&lcp, &[2.0, 1.5, 0.25], None);
+//! assert_eq!(found.mistakes[0].what, "projected Gauss-Seidel, stopped after 2 sweeps");
+//! assert_eq!(found.mistakes[0].distance, 0.0);
+//! // The solution (4, 3, 1) but for a thousandth in one entry: nobody's mistake.
+//! assert!(find_mistakes(&lcp, &[4.001, 3.0, 1.0], None).mistakes.is_empty());
+//! # Ok::<(), lcplab_problem::error::Error>(())
+//! ```
+
+mod changed;
+mod comparison;
+mod kind;
+mod nearest;
+mod precision;
+mod sweeps;
+
+pub use kind::MistakeKind;
+pub use precision::Precision;
+pub use sweeps::SweepLimits;
+
+use lcplab_judge::{Demand, Verdict, judge};
+use lcplab_problem::number::readable;
+use lcplab_problem::{Lcp, merit};
+use lcplab_solver::Start;
+
+use changed::{Changed, changed_problems, compliant, with_factor, with_last_normals};
+use comparison::{Agreement, Comparison};
+use nearest::{distance, nearest_solution, solution};
+use sweeps::{Swept, gauss_seidel, methods, single_precision_sweep, sweep};
+
+/// In problems with more rows no mistakes are looked for.
+const LARGEST: usize = 500;
+
+/// A mistake whose answer is this x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mistake {
+    /// Which of the known mistakes it is.
+    pub kind: MistakeKind,
+    /// What was done, with numbers.
+    pub what: String,
+    /// max |x − y| for the y that it gives, beside the largest entry of x and of the solution.
+    pub distance: f64,
+}
+
+/// What came of the search for the mistakes behind an answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MistakeSearch {
+    /// What the judge says of x.
+    pub verdict: Verdict,
+    /// How precisely x is known.
+    pub precision: Precision,
+    /// How the search ended.
+    pub conclusion: Conclusion,
+    /// The mistakes that give this x, all equally well as far as x has digits; the nearest first, at equal distance the
+    /// simplest.
+    pub mistakes: Vec<Mistake>,
+    /// How many sweeps were compared with x; 0 where nothing was compared.
+    pub limits: SweepLimits,
+}
+
+/// How a search for mistakes ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Conclusion {
+    /// The judge accepts x, so that there is no mistake to look for.
+    Accepted,
+    /// An entry of x is not a finite number.
+    NotFinite {
+        /// Its row.
+        row: usize,
+    },
+    /// The problem has more rows than this.
+    TooManyRows {
+        /// The most rows.
+        limit: usize,
+    },
+    /// No solution of the problem is known, so that nothing says whether x is near one.
+    NoSolutionKnown,
+    /// Rounded to the digits of x, an exact solution is x.
+    RoundedSolution {
+        /// max |x − s| beside the largest entry of both.
+        distance: f64,
+    },
+    /// Every known mistake was compared with x.
+    Compared {
+        /// max |x − s| for the nearest known solution s, beside the largest entry of both.
+        solution_distance: f64,
+    },
+}
+
+/// The known mistakes that give this x. `last` is the answer of the frame before, where it is known: from it sweeps
+/// start, or should have started, and friction may still be limited by its normal forces.
+///
+/// # Panics
+/// If x or the last answer has not an entry a row.
+pub fn find_mistakes(lcp: &Lcp, x: &[f64], last: Option<&[f64]>) -> MistakeSearch {
+    assert_eq!(x.len(), lcp.len(), "an entry a row");
+    assert!(last.is_none_or(|last| last.len() == lcp.len()), "an entry a row");
+    let mut search = MistakeSearch {
+        verdict: judge(lcp, x, &Demand::default()).verdict,
+        precision: Precision::of(x),
+        conclusion: Conclusion::Accepted,
+        mistakes: Vec::new(),
+        limits: SweepLimits::default(),
+    };
+    if search.verdict.is_solution() {
+        return search;
+    }
+    if let Some(row) = x.iter().position(|x| !x.is_finite()) {
+        search.conclusion = Conclusion::NotFinite { row };
+        return search;
+    }
+    if lcp.len() > LARGEST {
+        search.conclusion = Conclusion::TooManyRows { limit: LARGEST };
+        return search;
+    }
+    let limits = SweepLimits::of(lcp);
+    let mut attempts = Attempts { lcp, x, limits, found: Vec::new(), last_iterates: Vec::new() };
+    attempts.unchanged(last);
+    let Some(solution) = nearest_solution(lcp, x, &attempts.last_iterates) else {
+        search.conclusion = Conclusion::NoSolutionKnown;
+        return search;
+    };
+    let comparison = Comparison::new(x, &solution, search.precision);
+    let solution_distance = comparison.solution_distance();
+    if comparison.is_rounded_solution() {
+        search.conclusion = Conclusion::RoundedSolution { distance: solution_distance };
+        return search;
+    }
+    attempts.changed(last);
+    attempts.fitted(&solution);
+    search.conclusion = Conclusion::Compared { solution_distance };
+    search.limits = limits;
+    search.mistakes = explanations(&comparison, attempts.found);
+    search
+}
+
+/// How near single precision can come: the scaled residuals of x and of the solution rounded to it, if a solver finds one.
+pub fn single_precision(lcp: &Lcp, x: &[f64]) -> Option<[f64; 2]> {
+    let rounded: Vec<f64> = solution(lcp)?.iter().map(|&x| f64::from(x as f32)).collect();
+    Some([merit::scaled_residual(lcp, x), merit::scaled_residual(lcp, &rounded)])
+}
+
+/// The answer of a mistake.
+struct Attempt {
+    kind: MistakeKind,
+    what: String,
+    y: Vec<f64>,
+    /// The number of sweeps; 1 where none were done.
+    sweeps: usize,
+    /// How many numbers of it were fitted to x.
+    fitted: usize,
+}
+
+/// The attempts that explain x, the nearest first, and all that are as near.
+fn explanations(comparison: &Comparison<'_>, attempts: Vec<Attempt>) -> Vec<Mistake> {
+    let count = attempts.len();
+    let agreement = |attempt: Attempt| {
+        let agreement = comparison.agreement(&attempt.y, attempt.fitted)?;
+        agreement.is_no_chance(count * attempt.sweeps).then_some((attempt, agreement))
+    };
+    let mut found: Vec<(Attempt, Agreement)> = attempts.into_iter().filter_map(agreement).collect();
+    found.sort_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance)); // stable: the simplest first
+    let nearest = found.first().map(|(_, agreement)| *agreement);
+    found.retain(|(_, own)| nearest.is_some_and(|nearest| own.is_as_near_as(&nearest)));
+    let mistake = |(attempt, agreement): (Attempt, Agreement)| Mistake {
+        kind: attempt.kind,
+        what: attempt.what,
+        distance: comparison.relative(agreement.distance),
+    };
+    found.into_iter().map(mistake).collect()
+}
+
+/// All that is tried on a problem.
+struct Attempts<'a> {
+    lcp: &'a Lcp,
+    x: &'a [f64],
+    limits: SweepLimits,
+    found: Vec<Attempt>,
+    /// Where sweeps from 0 on the problem itself end: at a solution, if they converge.
+    last_iterates: Vec<Vec<f64>>,
+}
+
+impl Attempts<'_> {
+    /// The problem as it is: nothing done, or sweeps stopped.
+    fn unchanged(&mut self, last: Option<&[f64]>) {
+        let most = self.limits.of_problem;
+        if let Some(last) = last {
+            let what = "the last answer: nothing was done";
+            self.add(MistakeKind::NothingDone, what.into(), last.to_vec());
+            for (kind, name, solver) in methods(most) {
+                let swept = sweep(&*solver, self.lcp, &Start::at(last), self.x);
+                self.stopped(kind, &format!("{name} from the last answer"), swept);
+            }
+        }
+        let mut start = vec![0.0; self.lcp.len()];
+        self.lcp.project_all(&mut start);
+        let moved = if start.iter().all(|&x| x == 0.0) { "" } else { " moved into its bounds" };
+        let what = format!("the start, x = 0{moved}: nothing was done");
+        self.add(MistakeKind::NothingDone, what, start);
+        let cold = if last.is_some() { " from 0 (a missing warm start)" } else { "" };
+        for (kind, name, solver) in methods(most) {
+            let kind = match kind {
+                MistakeKind::StoppedSweeps if last.is_some() => MistakeKind::MissingWarmStart,
+                kind => kind,
+            };
+            let swept = sweep(&*solver, self.lcp, &Start::default(), self.x);
+            self.last_iterates.push(swept.last.clone());
+            self.stopped(kind, &format!("{name}{cold}"), swept);
+        }
+        let swept = single_precision_sweep(self.lcp, most, self.x);
+        let name = "projected Gauss-Seidel in single precision";
+        self.stopped(MistakeKind::SinglePrecision, name, swept);
+    }
+
+    /// Changed problems, solved, or swept from 0.
+    fn changed(&mut self, last: Option<&[f64]>) {
+        // A change that does not change the sweeps is no explanation of them.
+        let distances = self.found.iter().map(|own| distance(self.x, &own.y));
+        let nearest = distances.fold(f64::INFINITY, f64::min);
+        for changed in changed_problems(self.lcp) {
+            self.solved(changed.kind, &changed.what, &changed.lcp);
+            self.swept(&changed, nearest, "", &Start::default());
+        }
+        let Some(last) = last else { return };
+        if let Some(changed) = with_last_normals(self.lcp, last) {
+            self.solved(changed.kind, &changed.what, &changed.lcp);
+            self.swept(&changed, nearest, " from the last answer", &Start::at(last));
+            self.swept(&changed, nearest, " from 0", &Start::default());
+        }
+    }
+
+    /// Changed problems with a number that is fitted to x.
+    fn fitted(&mut self, solution: &[f64]) {
+        let compliant = compliant(self.lcp, self.x).map(|(softness, lcp)| {
+            let what = format!("compliance (CFM) {} on the diagonal of A", readable(softness, 4));
+            (MistakeKind::Compliance, what, lcp)
+        });
+        let scaled = with_factor(self.lcp, self.x, solution).map(|(factor, lcp)| {
+            let what = format!("b times {} (a time step, a unit?)", readable(factor, 6));
+            (MistakeKind::FactorOfB, what, lcp)
+        });
+        for (kind, what, lcp) in compliant.into_iter().chain(scaled) {
+            self.solved(kind, &what, &lcp);
+            if let Some(own) = self.found.last_mut().filter(|own| own.kind == kind) {
+                own.fitted = 1;
+            }
+        }
+    }
+
+    fn add(&mut self, kind: MistakeKind, what: String, y: Vec<f64>) {
+        self.found.push(Attempt { kind, what, y, sweeps: 1, fitted: 0 });
+    }
+
+    /// The solution of a changed problem, if a solver finds it.
+    fn solved(&mut self, kind: MistakeKind, what: &str, changed: &Lcp) {
+        if let Some(y) = solution(changed) {
+            self.add(kind, format!("{what}, solved"), y);
+        }
+    }
+
+    /// Gauss-Seidel on a changed problem, where it comes nearer to x than this.
+    fn swept(&mut self, changed: &Changed, nearest: f64, from: &str, start: &Start) {
+        let solver = gauss_seidel(self.limits.of_changed);
+        let swept = sweep(&solver, &changed.lcp, start, self.x);
+        if distance(self.x, &swept.nearest) < nearest {
+            let name = format!("{}, projected Gauss-Seidel{from}", changed.what);
+            self.stopped(changed.kind, &name, swept);
+        }
+    }
+
+    /// Sweeps that were stopped where they come nearest to x.
+    fn stopped(&mut self, kind: MistakeKind, name: &str, swept: Swept) {
+        let Swept { sweeps, nearest: y, .. } = swept;
+        if sweeps > 0 {
+            let plural = if sweeps == 1 { "" } else { "s" };
+            let what = format!("{name}, stopped after {sweeps} sweep{plural}");
+            self.found.push(Attempt { kind, what, y, sweeps, fitted: 0 });
+        }
+    }
+}

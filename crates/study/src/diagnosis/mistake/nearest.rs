@@ -1,0 +1,90 @@
+//! The exact solution nearest to an answer: what every mistake is compared with.
+//!
+//! The active sets of the answer itself, of solvers and of sweeps are each solved in exact arithmetic; where the
+//! equations leave an x open, it stays as it is in the answer. So of many solutions the one beside the answer is found.
+
+use lcplab_problem::exact::{Exact, Side};
+use lcplab_problem::{Lcp, merit};
+use lcplab_solver::{Options, Settings, Solver, Start, Status, by_name, default_for};
+
+/// With more rows the solutions of solvers are taken as they are.
+const EXACT_ROWS: usize = 50;
+/// With more rows not all active sets are tried.
+const ENUMERATED_ROWS: usize = 8;
+
+/// The solution nearest to x, of those that these points and solvers lead to; `None` if they lead to none.
+pub(super) fn nearest_solution(lcp: &Lcp, x: &[f64], points: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let tolerance = Settings::default().tolerance;
+    let points: Vec<Vec<f64>> =
+        any_solution(lcp).into_iter().chain(points.iter().cloned()).collect();
+    let mut all = exact_solutions(lcp, x, &points);
+    all.extend(points.into_iter().filter(|y| merit::is_solution(lcp, y, tolerance)));
+    all.into_iter().min_by(|y, z| distance(x, y).total_cmp(&distance(x, z)))
+}
+
+/// max |x − y|; ∞ where that is not a number.
+pub(super) fn distance(x: &[f64], y: &[f64]) -> f64 {
+    // f64::max would pass over what is not a number.
+    let largest = |most: f64, apart: f64| if apart <= most { most } else { apart };
+    let distance = x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, largest);
+    if distance.is_nan() { f64::INFINITY } else { distance }
+}
+
+/// The solution that the usual solver of a problem finds.
+pub(super) fn solution(lcp: &Lcp) -> Option<Vec<f64>> {
+    solved_by(default_for(lcp), lcp)
+}
+
+fn solved_by(name: &str, lcp: &Lcp) -> Option<Vec<f64>> {
+    let solver: Box<dyn Solver> = by_name(name, &Options::default()).ok()?;
+    let solution = solver.solve(lcp, &Start::default(), &mut ());
+    (solution.status == Status::Solved).then_some(solution.x)
+}
+
+/// The solution that the usual solver finds, or another one where it finds none.
+fn any_solution(lcp: &Lcp) -> Option<Vec<f64>> {
+    let enumerated =
+        || if lcp.len() <= ENUMERATED_ROWS { solved_by("enumeration", lcp) } else { None };
+    solution(lcp).or_else(|| solved_by("lemke", lcp)).or_else(enumerated)
+}
+
+/// The solutions that the active sets of x and of these points carry.
+fn exact_solutions(lcp: &Lcp, x: &[f64], points: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    if lcp.len() > EXACT_ROWS {
+        return Vec::new();
+    }
+    let exact = Exact::new(lcp);
+    let mut inside = x.to_vec();
+    lcp.project_all(&mut inside);
+    let mut tried: Vec<Vec<Side>> = Vec::new();
+    let mut found = Vec::new();
+    for point in std::iter::once(x).chain(points.iter().map(Vec::as_slice)) {
+        let sides = sides(lcp, point);
+        if tried.contains(&sides) {
+            continue;
+        }
+        let solution = exact.point(&sides, &inside).map(|(point, _)| point);
+        let solution = solution.filter(|point| exact.is_solved_by(point));
+        found.extend(solution.map(|point| {
+            point.entries().iter().map(|entry| entry.to_f64().value()).collect::<Vec<f64>>()
+        }));
+        tried.push(sides);
+    }
+    found
+}
+
+/// Where Π(x − w/s) lies, row by row.
+fn sides(lcp: &Lcp, x: &[f64]) -> Vec<Side> {
+    let side = |i: usize| {
+        let (lo, hi) = lcp.bounds(i, x);
+        let scale = merit::row_scale(lcp, i);
+        let target = x[i] - lcp.row_w(i, x) / if scale == 0.0 { 1.0 } else { scale };
+        match target {
+            _ if lo == hi => Side::Lower,
+            target if target <= lo => Side::Lower,
+            target if target >= hi => Side::Upper,
+            _ => Side::Free,
+        }
+    };
+    (0..lcp.len()).map(side).collect()
+}

@@ -1,0 +1,63 @@
+//! How many digits an answer carries.
+//!
+//! An answer printed with three decimals agrees with everything that rounds to it. So before an answer is compared, its
+//! own numbers say how precisely they are known: whether they all have few decimal digits, all fit into 32 bits, or
+//! neither.
+
+/// Numbers with more decimal digits than this were not rounded to decimals.
+const MOST_DIGITS: i32 = 14;
+
+/// How precisely the numbers of an answer are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Precision {
+    /// To a double's last digit.
+    Double,
+    /// All numbers are 32-bit numbers.
+    Single,
+    /// All numbers have few decimal digits.
+    Decimal {
+        /// The most significant digits of a number.
+        digits: i32,
+        /// The most digits after the decimal point.
+        decimals: i32,
+    },
+}
+
+impl Precision {
+    /// The precision of these numbers; zeros, which any rounding gives, say nothing.
+    pub fn of(x: &[f64]) -> Precision {
+        let numbers = || x.iter().filter(|x| x.is_finite() && **x != 0.0);
+        let digits = numbers().map(|x| decimal(*x).0).max();
+        let decimals =
+            numbers().map(|x| decimal(*x)).map(|(digits, first)| digits - 1 - first).max();
+        match (digits, decimals) {
+            (Some(digits), Some(decimals)) if digits <= MOST_DIGITS => {
+                Precision::Decimal { digits, decimals: decimals.max(0) }
+            }
+            (Some(_), _) if numbers().all(|&x| f64::from(x as f32) == x) => Precision::Single,
+            _ => Precision::Double,
+        }
+    }
+
+    /// How far the number that was rounded may lie from the number x.
+    pub fn half_unit(self, x: f64) -> f64 {
+        let power = |exponent: i32| 0.5 * libm::exp10(f64::from(exponent));
+        match self {
+            Precision::Double => 0.5 * f64::EPSILON * x.abs(),
+            Precision::Single => 0.5 * f64::from(f32::EPSILON) * x.abs(),
+            // Either count may be that of the format; the coarser one is safe.
+            Precision::Decimal { decimals, .. } if x == 0.0 => power(-decimals),
+            Precision::Decimal { digits, decimals } => {
+                power(-decimals).max(power(decimal(x).1 - digits + 1))
+            }
+        }
+    }
+}
+
+/// How many significant decimal digits a number has, and the power of ten of the first.
+fn decimal(x: f64) -> (i32, i32) {
+    let shortest = format!("{:e}", x.abs());
+    let (mantissa, exponent) = shortest.split_once('e').unwrap_or((&shortest, "0"));
+    let digits = mantissa.chars().filter(char::is_ascii_digit).count();
+    (digits as i32, exponent.parse().unwrap_or(0))
+}

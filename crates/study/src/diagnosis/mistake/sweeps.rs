@@ -1,0 +1,132 @@
+//! Sweeps, stopped where they come nearest to an answer.
+
+use std::ops::ControlFlow;
+
+use lcplab_problem::Lcp;
+use lcplab_solver::{
+    Code6, Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings, Solver, Start,
+};
+
+use super::MistakeKind;
+use super::nearest::distance;
+
+/// The most sweeps of a method that are compared, if that takes no more multiplications than this.
+const SWEEPS: usize = 2000;
+const MULTIPLICATIONS: usize = 200_000_000;
+/// The most sweeps on a changed problem.
+const SWEEPS_OF_CHANGED: usize = 100;
+
+/// How many sweeps are compared with an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SweepLimits {
+    /// Of each method, on the problem itself.
+    pub of_problem: usize,
+    /// Of projected Gauss-Seidel, on each changed problem.
+    pub of_changed: usize,
+}
+
+impl SweepLimits {
+    pub(super) fn of(lcp: &Lcp) -> Self {
+        let of_problem = SWEEPS.min(MULTIPLICATIONS / (1 + lcp.matrix().stored()));
+        SweepLimits { of_problem, of_changed: of_problem.min(SWEEPS_OF_CHANGED) }
+    }
+}
+
+/// The iterate that came nearest to x.
+struct Nearest<'a> {
+    x: &'a [f64],
+    sweeps: usize,
+    iterate: Vec<f64>,
+    distance: f64,
+}
+
+impl<'a> Nearest<'a> {
+    fn to(x: &'a [f64]) -> Self {
+        Nearest { x, sweeps: 0, iterate: Vec::new(), distance: f64::INFINITY }
+    }
+
+    fn look_at(&mut self, sweeps: usize, iterate: &[f64]) {
+        let distance = distance(self.x, iterate);
+        if distance < self.distance && sweeps > 0 {
+            (self.sweeps, self.distance) = (sweeps, distance);
+            self.iterate = iterate.to_vec();
+        }
+    }
+}
+
+impl Observer for Nearest<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        self.look_at(iterate.iteration, iterate.x);
+        ControlFlow::Continue(())
+    }
+}
+
+/// Sweeps that were done.
+pub(super) struct Swept {
+    /// How many sweeps lead nearest to the answer; 0 if none was done.
+    pub sweeps: usize,
+    /// x after these.
+    pub nearest: Vec<f64>,
+    /// x after all sweeps.
+    pub last: Vec<f64>,
+}
+
+/// The sweeps of a solver from a start.
+pub(super) fn sweep(solver: &dyn Solver, lcp: &Lcp, start: &Start, x: &[f64]) -> Swept {
+    let mut nearest = Nearest::to(x);
+    let last = solver.solve(lcp, start, &mut nearest).x;
+    Swept { sweeps: nearest.sweeps, nearest: nearest.iterate, last }
+}
+
+/// Projected Gauss-Seidel in 32-bit numbers from 0.
+pub(super) fn single_precision_sweep(lcp: &Lcp, most: usize, x: &[f64]) -> Swept {
+    let (n, a) = (lcp.len(), lcp.matrix());
+    let single = |v: &[f64]| -> Vec<f32> { v.iter().map(|&v| v as f32).collect() };
+    let b = single(lcp.b());
+    let mut wide = vec![0.0; n];
+    lcp.project_all(&mut wide);
+    let mut narrow = single(&wide);
+    let mut nearest = Nearest::to(x);
+    for sweeps in 1..=most {
+        for i in 0..n {
+            let w = a.row(i).iter().fold(b[i], |sum, (j, a)| sum + a as f32 * narrow[j]);
+            let value = f64::from(narrow[i] - w / a.diagonal(i) as f32);
+            narrow[i] = lcp.project(i, value, &wide) as f32;
+            wide[i] = f64::from(narrow[i]);
+        }
+        nearest.look_at(sweeps, &wide);
+    }
+    Swept { sweeps: nearest.sweeps, nearest: nearest.iterate, last: wide }
+}
+
+/// Projected Gauss-Seidel, row after row.
+pub(super) fn gauss_seidel(most: usize) -> Pgs {
+    Pgs { omega: 1.0, order: Order::Natural, settings: settings(most) }
+}
+
+/// The methods whose sweeps are compared: what each is when it is stopped, its name, and the method.
+pub(super) fn methods(most: usize) -> [(MistakeKind, &'static str, Box<dyn Solver>); 6] {
+    use MistakeKind::{Jacobi as AllAtOnce, LateClamp, StoppedSweeps};
+    let pgs = |order| Box::new(Pgs { order, ..gauss_seidel(most) });
+    let jacobi = Jacobi { damping: Damping::Factor(1.0), settings: settings(most) };
+    [
+        (StoppedSweeps, "projected Gauss-Seidel", pgs(Order::Natural)),
+        (
+            StoppedSweeps,
+            "projected Gauss-Seidel from the last row to the first",
+            pgs(Order::Reverse),
+        ),
+        (StoppedSweeps, "projected Gauss-Seidel there and back", pgs(Order::Symmetric)),
+        (StoppedSweeps, "projected Gauss-Seidel color by color", pgs(Order::Coloured)),
+        (AllAtOnce, "Jacobi instead of Gauss-Seidel", Box::new(jacobi)),
+        (
+            LateClamp,
+            "Gauss-Seidel with the clamp after the sweep",
+            Box::new(Code6 { settings: settings(most) }),
+        ),
+    ]
+}
+
+fn settings(most: usize) -> Settings {
+    Settings { tolerance: 0.0, max_iterations: most, ..Settings::default() }
+}

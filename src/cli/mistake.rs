@@ -1,0 +1,143 @@
+//! The mistakes behind an answer, in words and as JSON.
+
+use lcplab::diagnosis::{Conclusion, Mistake, MistakeKind, MistakeSearch, Precision};
+use lcplab::lcp::file::number;
+use lcplab::number::readable;
+use serde_json::{Value, json};
+
+/// Answers with at most this many digits may be those of mistakes that nobody compared.
+const FEW_DIGITS: i32 = 3;
+
+/// The list of known mistakes.
+pub fn known(as_json: bool) -> String {
+    if as_json {
+        let entry = |kind: &MistakeKind| json!({ "name": kind.name(), "computes": kind.computes(), "check": kind.check() });
+        let all: Vec<Value> = MistakeKind::ALL.iter().map(entry).collect();
+        return format!("{:#}\n", json!({ "mistakes": all }));
+    }
+    let entry = |kind: &MistakeKind| {
+        format!("{}\n  {}\n  {}\n", kind.name(), kind.computes(), kind.check())
+    };
+    MistakeKind::ALL.iter().map(entry).collect()
+}
+
+/// What was found, for people.
+pub fn words(search: &MistakeSearch, single: Option<[f64; 2]>) -> String {
+    let verdict = format!("{}\n", search.verdict);
+    let share = |distance: f64| format!("{} of the largest entry", readable(distance, 2));
+    let conclusion = match search.conclusion {
+        Conclusion::Accepted => return verdict,
+        Conclusion::NotFinite { row } => {
+            return format!(
+                "{verdict}No mistake was looked for: entry {row} of x is not a finite number.\n"
+            );
+        }
+        Conclusion::TooManyRows { limit } => {
+            format!("No mistake was looked for: the problem has more than {limit} rows.\n")
+        }
+        Conclusion::NoSolutionKnown => {
+            "No mistake is named: no solution of the problem was found with which x could \
+             be compared.\n"
+                .into()
+        }
+        Conclusion::RoundedSolution { distance } => format!(
+            "No mistake is named: an exact solution, rounded to the digits of x ({}), is x; the difference is {}.\n",
+            precision(search.precision),
+            share(distance)
+        ),
+        Conclusion::Compared { solution_distance } => {
+            let solution = format!(
+                "The nearest exact solution differs from x by {}.\n",
+                share(solution_distance)
+            );
+            found(&search.mistakes) + &few_digits(search) + &solution + &limits(search)
+        }
+    };
+    verdict + &conclusion + &single.map_or_else(String::new, single_precision)
+}
+
+/// The mistakes that give x.
+fn found(mistakes: &[Mistake]) -> String {
+    let agrees = |mistake: &Mistake| match mistake.distance {
+        0.0 => "exactly".to_string(),
+        distance => format!("to {} of the largest entry", readable(distance, 2)),
+    };
+    match mistakes {
+        [] => "No known mistake gives this x.\n".into(),
+        [only] => format!("A known mistake gives this x, {}: {}.\n", agrees(only), only.what),
+        all => {
+            let line = |mistake: &Mistake| format!("  {} ({})\n", mistake.what, agrees(mistake));
+            let lines: String = all.iter().map(line).collect();
+            format!(
+                "{} known mistakes give this x, and nothing tells them apart:\n{lines}",
+                all.len()
+            )
+        }
+    }
+}
+
+/// That an answer of few digits may have other reasons.
+fn few_digits(search: &MistakeSearch) -> String {
+    match search.precision {
+        Precision::Decimal { digits, .. }
+            if digits <= FEW_DIGITS && !search.mistakes.is_empty() =>
+        {
+            format!("x has only {}: other mistakes may give it too.\n", precision(search.precision))
+        }
+        _ => String::new(),
+    }
+}
+
+/// How many sweeps were compared.
+fn limits(search: &MistakeSearch) -> String {
+    format!(
+        "Compared: up to {} sweeps of each method, up to {} on each changed problem; `lcplab diagnose --mistakes` \
+         lists the known mistakes.\n",
+        search.limits.of_problem, search.limits.of_changed
+    )
+}
+
+fn precision(precision: Precision) -> String {
+    match precision {
+        Precision::Double => "double precision".into(),
+        Precision::Single => "single precision".into(),
+        Precision::Decimal { digits: 1, .. } => "1 significant digit".into(),
+        Precision::Decimal { digits, .. } => format!("{digits} significant digits"),
+    }
+}
+
+/// Whether single precision is reason enough for the residual.
+fn single_precision([own, least]: [f64; 2]) -> String {
+    // A solution that single precision can hold says nothing of sums that it rounds.
+    let limit = 10.0 * least.max(f64::from(f32::EPSILON));
+    let word = if own <= limit { "as good as" } else { "worse than" };
+    format!(
+        "Its scaled residual {} is {word} single precision can be: the solution rounded to it has {}.\n",
+        readable(own, 2),
+        readable(least, 2)
+    )
+}
+
+/// What was found, for machines.
+pub fn to_json(search: &MistakeSearch, single: Option<[f64; 2]>) -> Value {
+    let mistake = |own: &Mistake| json!({ "kind": own.kind.name(), "what": own.what, "distance": own.distance });
+    let (conclusion, solution_distance) = match search.conclusion {
+        Conclusion::Accepted => ("accepted", None),
+        Conclusion::NotFinite { .. } => ("not finite", None),
+        Conclusion::TooManyRows { .. } => ("too many rows", None),
+        Conclusion::NoSolutionKnown => ("no solution known", None),
+        Conclusion::RoundedSolution { distance } => ("rounded solution", Some(distance)),
+        Conclusion::Compared { solution_distance } => ("compared", Some(solution_distance)),
+    };
+    json!({
+        "verdict": search.verdict.word(),
+        "conclusion": conclusion,
+        "precision": precision(search.precision),
+        "solution_distance": solution_distance,
+        "sweeps_compared": { "problem": search.limits.of_problem, "changed": search.limits.of_changed },
+        "mistakes": search.mistakes.iter().map(mistake).collect::<Vec<_>>(),
+        "single_precision": single.map(|[own, least]| {
+            json!({ "residual": number(own), "rounded_solution": number(least) })
+        }),
+    })
+}
