@@ -21,7 +21,7 @@ use crate::file;
 use crate::lcp::file::number;
 use crate::memory::Memory;
 use crate::scene::Scene;
-use crate::simulation::{Failure, Laws, Motion, Simulation, Step, carried};
+use crate::simulation::{Failure, Laws, Motion, Simulation, Step, Warnings, carried};
 use crate::solver::Status;
 
 /// What stands in place of the work where nobody wrote down what acted.
@@ -53,8 +53,8 @@ pub struct Record {
     laws: Laws,
     books: Option<Books>,
     conflict: Vec<String>,
-    /// The first step in which a body went through another one, and both names.
-    passed: Option<(usize, [String; 2])>,
+    /// What happened in the steps although every problem was solved.
+    warnings: Warnings,
     /// The first answer that the judge did not accept.
     refused: Option<Refused>,
     failure: Option<String>,
@@ -85,7 +85,7 @@ impl Record {
             laws: Laws::default(),
             books: Some(Books::default()),
             conflict: Vec::new(),
-            passed: None,
+            warnings: Warnings::default(),
             refused: None,
             failure: None,
             proof: None,
@@ -129,10 +129,7 @@ impl Record {
                 self.conflict = solve.conflict(&self.scene);
             }
         }
-        if let (None, Some(pair)) = (&self.passed, step.passed.first()) {
-            self.passed =
-                Some((step.number, pair.map(|body| self.scene.bodies[body].name.clone())));
-        }
+        self.warnings.add(&self.scene, step);
         if let Some(part) = carried(&self.scene, &self.last, &step.motion)
             && self.least_carried.is_none_or(|(_, least)| part < least)
         {
@@ -213,13 +210,20 @@ impl Record {
                 "internal_torque": number(self.laws.internal_torque),
             },
             "conflict": self.conflict,
-            "first_passage": self.passed.as_ref().map(|(step, bodies)| json!({ "step": step, "bodies": bodies })),
+            "first_passage": self.first_passage(),
             "first_refused": self.refused.as_ref().map(Refused::to_json),
             "notes": self.notes(),
+            "warnings": self.warnings.to_json(),
             "states": self.states_json(),
             "failure": self.failure,
             "certificate": self.proof,
         })
+    }
+
+    /// The first step in which a body went through another one, and both names.
+    fn first_passage(&self) -> Option<Value> {
+        let passage = self.warnings.as_slice().iter().find(|own| own.word == "passed_through")?;
+        Some(json!({ "step": passage.step, "bodies": passage.bodies }))
     }
 
     /// Who gave the answers, or would have, had a step posed a problem; nobody where the scheme poses none.

@@ -9,6 +9,8 @@ use crate::scene::{Resting, Scene, Scheme};
 
 /// Bodies whose end is printed.
 const SHOWN: usize = 12;
+/// Warnings that are printed.
+const WARNINGS: usize = 5;
 /// Friction that is so many percent too strong is worth a word.
 const MUCH: f64 = 1.0;
 /// A drift or an overlap beyond this part of the scene's size is worth a word.
@@ -66,11 +68,13 @@ impl Record {
         for note in self.notes() {
             text += &format!("note         {note}\n");
         }
-        if let Some((step, [one, other])) = &self.passed {
-            text += &format!(
-                "passed       {one:?} went through {other:?}, or the other way round, in step {step}: shorten dt, \
-                 or let contact.margin cover a step's way\n"
-            );
+        let warnings = self.warnings.as_slice();
+        for warning in warnings.iter().take(WARNINGS) {
+            text += &format!("warning      {warning}\n");
+        }
+        if warnings.len() > WARNINGS {
+            let more = warnings.len() - WARNINGS;
+            text += &format!("warning      and {more} more: see --json or results.json\n");
         }
         if let Some(refused) = &self.refused {
             text += &format!("refused      {refused}\n");

@@ -175,3 +175,69 @@ fn a_body_that_is_far_beyond_the_picture_is_no_panic() {
     assert!(matches!(output.status.code(), Some(0 | 1)), "{}", err(&output));
     assert!(page.join("index.html").exists());
 }
+
+const TWO_BALLS_AND_A_WALL: &str = "
+    gravity = [0, 0, 0]
+    step = { dt = 0.01, count = 20 }
+    contact = { restitution = 1 }
+    bodies = [
+        { name = \"wall\", fixed = true, shape = { box = [1, 6, 6] }, position = [1.6, 0, 0] },
+        { name = \"ball1\", shape = { sphere = 0.1 }, mass = 1, position = [0.78, 0, 0], velocity = [2, 0, 0] },
+        { name = \"ball2\", shape = { sphere = 0.1 }, mass = 1, position = [0.99, 0, 0] },
+    ]
+";
+
+const BALL_AND_THIN_PLATE: &str = "
+    step = { dt = 0.0166666, count = 60 }
+    contact = { margin = 0.05 }
+    bodies = [
+        { name = \"plate\", fixed = true, shape = { box = [2, 2, 0.05] } },
+        { name = \"ball\", shape = { sphere = 0.05 }, mass = 1, position = [0, 0, 1], velocity = [0, 0, -20] },
+    ]
+";
+
+#[test]
+fn energy_and_overlaps_that_no_residual_shows_are_warnings_of_simulate_and_diagnose() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases = [
+        (TWO_BALLS_AND_A_WALL, "gap_closed_within_step", ["ball2", "wall"], "lost 1 J in step 1"),
+        (BALL_AND_THIN_PLATE, "passed_through", ["ball", "plate"], "passed through"),
+    ];
+    for (scene, kind, bodies, words) in cases {
+        let path = folder.path().join("mine.toml");
+        std::fs::write(&path, scene).unwrap();
+        let path = path.to_str().unwrap();
+        let out_folder = folder.path().join(kind);
+        let output = run(&["simulate", path, "--out", out_folder.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(0));
+        let text = out(&output);
+        let warning = text.lines().find(|line| line.starts_with("warning")).unwrap();
+        assert!(warning.contains(words), "{warning}");
+        let results = std::fs::read_to_string(out_folder.join("results.json")).unwrap();
+        let results: Value = serde_json::from_str(&results).unwrap();
+        let warning = &results["warnings"][0];
+        assert_eq!((&warning["kind"], &warning["bodies"]), (&kind.into(), &bodies.into()));
+        assert!(warning["step"].as_u64().unwrap() >= 1, "{warning}");
+        assert!(warning["message"].as_str().unwrap().contains(words), "{warning}");
+        let diagnosis = out(&run(&["diagnose", path]));
+        let diagnosis = diagnosis.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(diagnosis.contains("Warning: ") && diagnosis.contains(words), "{diagnosis}");
+        let json: Value = serde_json::from_str(&out(&run(&["diagnose", path, "--json"]))).unwrap();
+        assert!(json["examination"]["warnings"][0].as_str().unwrap().contains(words));
+    }
+}
+
+#[test]
+fn a_healthy_scene_has_no_warning() {
+    let summary: Value = serde_json::from_str(&out(&run(&["simulate", "stack", "--json"]))).unwrap();
+    assert_eq!(summary["warnings"], serde_json::json!([]));
+    assert!(summary["first_passage"].is_null());
+}
+
+#[test]
+fn a_mass_that_is_too_small_is_one_message() {
+    let output = run(&["simulate", "stack", "--set", "generate.mass=1e-308"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = err(&output);
+    assert!(message.contains("mass 1e-308 kg is too small"), "{message}");
+}

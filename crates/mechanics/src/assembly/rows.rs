@@ -12,8 +12,8 @@ use crate::scene::{ContactId, Found, Resting, Scene};
 /// Which inequalities enter, contacts and limits alike; equations always do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Entering<'a> {
-    /// Contacts within the margin and all limits: the velocity level, where gaps may close within
-    /// the step.
+    /// Contacts within the margin up to which they were looked for, and all limits: the velocity
+    /// level, where gaps may close within the step.
     Near,
     /// Those that [touch](crate::scene::Resting): impacts.
     Touching,
@@ -163,7 +163,7 @@ pub(super) fn rows(
     let state = |body: Option<usize>| body.map_or(&State::WORLD, |k| &states[k]);
     let resting = scene.resting();
     let mut rows = Vec::new();
-    let mut add = |source: Source, constraint: &dyn Constraint| {
+    let mut add = |source: Source, constraint: &dyn Constraint, margin: f64| {
         let bodies = constraint.bodies();
         let pair = bodies.map(state);
         let own = constraint.rows(pair).map_err(|cause| Undefined { source, bodies, cause })?;
@@ -171,9 +171,12 @@ pub(super) fn rows(
         let mut places = vec![None; own.len()];
         for (component, row) in own.iter().enumerate() {
             let wanted = match row.bounds {
-                Bounds::Unilateral => {
-                    enters(row, pair, RowId { source, component }, scene, resting, entering)
-                }
+                Bounds::Unilateral => match entering {
+                    Entering::Near => row.c <= margin || row.c.is_nan(), // what is not finite is named later
+                    Entering::Touching => row.c <= resting.gap,
+                    Entering::Resting => rests(row, pair, resting, scene.step.alpha),
+                    Entering::Only(chosen) => chosen.contains(&RowId { source, component }),
+                },
                 Bounds::Friction { normal, .. } => places[normal].is_some(),
                 Bounds::Bilateral | Bounds::Effort(_) => true,
             };
@@ -190,34 +193,18 @@ pub(super) fn rows(
         Ok(())
     };
     for (k, constraint) in scene.constraints.iter().enumerate() {
-        add(Source::Constraint(k), constraint.as_ref())?;
+        add(Source::Constraint(k), constraint.as_ref(), f64::INFINITY)?;
     }
     for found in contacts {
-        add(Source::Contact(found.id), &found.contact)?;
+        add(Source::Contact(found.id), &found.contact, found.margin)?;
     }
     Ok(rows)
 }
 
-/// Whether an inequality enters.
-fn enters(
-    row: &constraint::Row,
-    states: [&State; 2],
-    id: RowId,
-    scene: &Scene,
-    resting: Resting,
-    entering: Entering,
-) -> bool {
-    let touches = row.c <= resting.gap;
-    match entering {
-        Entering::Near => {
-            matches!(id.source, Source::Constraint(_)) || row.c <= scene.contact.margin
-        }
-        Entering::Touching => touches,
-        Entering::Resting => {
-            touches && rate(row, states) <= resting.speed + scene.step.alpha * (-row.c).max(0.0)
-        }
-        Entering::Only(chosen) => chosen.contains(&id),
-    }
+/// Whether an inequality touches and does not part faster than one at rest may, or than α (1/s)
+/// pushes an overlap apart.
+fn rests(row: &constraint::Row, states: [&State; 2], resting: Resting, alpha: f64) -> bool {
+    row.c <= resting.gap && rate(row, states) <= resting.speed + alpha * (-row.c).max(0.0)
 }
 
 /// J u of a constraint's row.

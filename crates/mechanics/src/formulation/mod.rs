@@ -27,7 +27,7 @@ use crate::assembly::{Assembly, Row};
 use crate::body::State;
 use crate::constraint::Bounds;
 use crate::scene::Scene;
-use lcplab_problem::error::Result;
+use lcplab_problem::error::{Error, Result};
 use lcplab_problem::{Coupling, Gauss, Lcp, file};
 
 /// What an LCP decides within a step.
@@ -203,7 +203,12 @@ impl Problem {
             (lo[t], hi[t], index[t]) = (0.0, 0.0, None);
         }
         let b = offsets(&assembly, &target, &bias);
-        let lcp = Lcp::new(delassus::matrix(&assembly, &compliance, &slides), b, lo, hi)?;
+        let a = delassus::matrix(&assembly, &compliance, &slides);
+        let finite = |i: &usize| b[*i].is_finite() && a.diagonal(*i).is_finite();
+        if let Some(i) = (0..rows.len()).find(|i| !finite(i)) {
+            return Err(overflow(scene, &rows[i]));
+        }
+        let lcp = Lcp::new(a, b, lo, hi)?;
         let lcp = lcp.with_coupling(Coupling::new(index, mu)?)?;
         let lcp = lcp.with_scale(stage.scale(scene))?;
         Ok(Problem { stage, dt, lcp, assembly, target, bias, compliance, slides })
@@ -279,6 +284,13 @@ impl Problem {
             hi: self.lcp.hi().to_vec(),
         }
     }
+}
+
+/// What is said of a row whose numbers are not finite, instead of a list of them.
+fn overflow(scene: &Scene, row: &Row) -> Error {
+    let reason = "its entries of A and b are too large for numbers of 64 bits: masses, sizes, speeds, forces and dt \
+                  do not fit each other";
+    Error::invalid(&*scene.name, row.label(scene), reason)
 }
 
 /// b = J target + bias.

@@ -10,14 +10,16 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::description::{self, Capsule, Description, Part, Rotation};
 use super::joints::Site;
-use super::settings::{not_negative, positive, within_one};
-use super::{Scene, friction, generate};
+use super::settings::within_one;
+use super::{Scene, friction, generate, range};
 use crate::body::{Body, Mass, Placed, Polytope, Pose, Shape, State, inertia};
 use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::memory::Memory;
 
 /// The mass of a body whose own cannot be used: one that causes no further defects.
 const STAND_IN: Mass = Mass::Point { mass: 1.0 };
+/// Its shape.
+const SHAPE_STAND_IN: Shape = Shape::Sphere { radius: 1.0 };
 
 pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     let mut defects = Defects::default();
@@ -26,7 +28,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     whole.contact.check(&mut defects);
     friction::check(&mut defects, &whole.step, &whole.contact);
     whole.solver.check(&mut defects);
-    finite(&mut defects, "gravity", &whole.gravity);
+    range::vector(&mut defects, "gravity", &whole.gravity);
     let mut scene = Scene {
         name: stem(name),
         title: whole.title.clone(),
@@ -134,7 +136,7 @@ fn stem(name: &str) -> String {
 
 fn build_friction(defects: &mut Defects, place: &str, body: &description::Body, usual: f64) -> f64 {
     if let Some(friction) = body.friction {
-        not_negative(defects, format!("{place}.friction"), friction);
+        range::coefficient(defects, format!("{place}.friction"), friction);
     }
     body.friction.unwrap_or(usual)
 }
@@ -145,7 +147,7 @@ fn build_force(defects: &mut Defects, place: &str, body: &description::Body) {
     let given = [("force", body.force), ("torque", body.torque)];
     for (field, value) in given.into_iter().chain(body.force_at.map(|point| ("force_at", point))) {
         let place = format!("{place}.{field}");
-        finite(defects, &place, &value);
+        range::vector(defects, &place, &value);
         if body.fixed && value != [0.0; 3] {
             defects.add(place, "a fixed body has none");
         } else if is_point && field != "force" && value != [0.0; 3] {
@@ -171,43 +173,53 @@ fn leaning(defects: &mut Defects, whole: &Description) -> Vector3<f64> {
 /// differ for hulls and compounds only.
 fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -> (Shape, Pose) {
     let place = format!("{place}.shape");
+    let mut is_length =
+        |field: &str, value: f64| range::length(defects, format!("{place}{field}"), value);
     let shape = match shape {
-        description::Shape::Point => Shape::Point,
+        description::Shape::Point => Some(Shape::Point),
         description::Shape::Sphere(radius) => {
-            positive(defects, place, *radius);
-            Shape::Sphere { radius: *radius }
+            is_length("", *radius).then_some(Shape::Sphere { radius: *radius })
         }
-        description::Shape::Box(edges) => {
-            for &edge in edges {
-                positive(defects, place.as_str(), edge);
-            }
-            Shape::Box { half: Vector3::from(*edges) / 2.0 }
-        }
+        description::Shape::Box(edges) => edges
+            .iter()
+            .all(|&edge| is_length("", edge))
+            .then(|| Shape::Box { half: Vector3::from(*edges) / 2.0 }),
         description::Shape::Capsule(Capsule { length, radius }) => {
-            positive(defects, format!("{place}.capsule.length"), *length);
-            positive(defects, format!("{place}.capsule.radius"), *radius);
-            Shape::Capsule { half_length: length / 2.0, radius: *radius }
+            let fits =
+                [is_length(".capsule.length", *length), is_length(".capsule.radius", *radius)];
+            let capsule = Shape::Capsule { half_length: length / 2.0, radius: *radius };
+            (fits == [true; 2]).then_some(capsule)
         }
         description::Shape::Cylinder(Capsule { length, radius }) => {
-            positive(defects, format!("{place}.cylinder.length"), *length);
-            positive(defects, format!("{place}.cylinder.radius"), *radius);
-            return build_hull(defects, &place, &prism(*length, *radius));
+            let fits =
+                [is_length(".cylinder.length", *length), is_length(".cylinder.radius", *radius)];
+            if fits == [true; 2] {
+                return build_hull(defects, &place, &prism(*length, *radius));
+            }
+            None
         }
         description::Shape::Hull(points) => return build_hull(defects, &place, points),
         description::Shape::Compound(parts) => return build_compound(defects, &place, parts),
         description::Shape::Plane(normal) => {
-            Shape::Plane { normal: direction(defects, &place, normal) }
+            Some(Shape::Plane { normal: direction(defects, &place, normal) })
         }
     };
-    (shape, State::WORLD.pose)
+    (shape.unwrap_or(SHAPE_STAND_IN), State::WORLD.pose)
 }
 
 fn build_hull(defects: &mut Defects, place: &str, points: &[[f64; 3]]) -> (Shape, Pose) {
     let points: Vec<_> = points.iter().copied().map(Vector3::from).collect();
+    let extent = points.iter().map(|point| point.amax()).fold(0.0, f64::max);
+    if extent > 0.0
+        && extent.is_finite()
+        && !range::length(defects, format!("{place}.hull"), extent)
+    {
+        return (SHAPE_STAND_IN, State::WORLD.pose);
+    }
     let Some(hull) = Polytope::hull(&points) else {
         let reason = format!("{} points that span no volume", points.len());
         defects.add(format!("{place}.hull"), reason);
-        return (Shape::Sphere { radius: 1.0 }, State::WORLD.pose); // causes no further defects
+        return (SHAPE_STAND_IN, State::WORLD.pose);
     };
     let frame = inertia::principal_frame(&hull);
     (Shape::Hull(Arc::new(hull.seen_from(&frame))), frame)
@@ -215,9 +227,10 @@ fn build_hull(defects: &mut Defects, place: &str, points: &[[f64; 3]]) -> (Shape
 
 fn build_compound(defects: &mut Defects, place: &str, parts: &[Part]) -> (Shape, Pose) {
     let mut placed = Vec::with_capacity(parts.len());
+    let mut are_near = true;
     for (k, part) in parts.iter().enumerate() {
         let place = format!("{place}.compound[{k}]");
-        finite(defects, &format!("{place}.position"), &part.position);
+        are_near &= range::offset(defects, &format!("{place}.position"), &part.position);
         let q = part.rotation.map_or(Some(UnitQuaternion::identity()), |rotation| turn(&rotation));
         if q.is_none() {
             let reason = "is not a rotation: it must be finite and not 0";
@@ -235,9 +248,8 @@ fn build_compound(defects: &mut Defects, place: &str, parts: &[Part]) -> (Shape,
         defects.add(format!("{place}.compound"), "has no parts");
     }
     let weighs = placed.iter().all(|part| inertia::volume(&part.shape).is_some_and(|v| v > 0.0));
-    let is_finite = placed.iter().all(|part| part.pose.p.iter().all(|x| x.is_finite()));
-    if placed.is_empty() || !weighs || !is_finite {
-        return (Shape::Sphere { radius: 1.0 }, State::WORLD.pose); // causes no further defects
+    if placed.is_empty() || !weighs || !are_near {
+        return (SHAPE_STAND_IN, State::WORLD.pose);
     }
     let frame = inertia::principal_frame_of_parts(&placed);
     for part in &mut placed {
@@ -283,7 +295,7 @@ fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shap
     }
     let Some(mass) = weigh(defects, place, body, shape) else { return STAND_IN };
     let homogeneous = match body.shape {
-        description::Shape::Cylinder(Capsule { length, radius }) => {
+        description::Shape::Cylinder(Capsule { length, radius }) if *shape != SHAPE_STAND_IN => {
             let (along, square) = (0.5 * mass * radius * radius, mass * length * length / 12.0);
             Some(Vector3::new(0.5 * along + square, 0.5 * along + square, along))
         }
@@ -297,7 +309,9 @@ fn build_mass(defects: &mut Defects, place: &str, body: &description::Body, shap
         }
         (Some(homogeneous), given) => {
             let moments = given.map_or(homogeneous, Vector3::from);
-            check_moments(defects, &format!("{place}.inertia"), &moments);
+            if given.is_some() {
+                check_moments(defects, &format!("{place}.inertia"), &body.name, &moments);
+            }
             Mass::Rigid { mass, moments }
         }
     }
@@ -319,21 +333,28 @@ fn weigh(
         (None, None, _) => ("mass", Err("is missing: give mass or density, or fixed = true")),
     };
     let place = format!("{place}.{field}");
+    let what = format!("body {:?}: mass", body.name);
     match mass {
-        Ok(mass) => positive(defects, place, mass),
-        Err(reason) => defects.add(place, reason),
+        Ok(mass) => range::divisor(defects, place, [&what, "kg"], mass).then_some(mass),
+        Err(reason) => {
+            defects.add(place, reason);
+            None
+        }
     }
-    mass.ok().filter(|mass| *mass > 0.0 && mass.is_finite())
 }
 
-/// No moment of a body exceeds the sum of the other two.
-fn check_moments(defects: &mut Defects, place: &str, moments: &Vector3<f64>) {
+/// Moments that are given: positive, and none exceeds the sum of the other two.
+fn check_moments(defects: &mut Defects, place: &str, body: &str, moments: &Vector3<f64>) {
+    let what = format!("body {body:?}: moment of inertia");
     for &moment in moments {
-        positive(defects, place, moment);
         let rest = moments.sum() - moment;
+        if !range::divisor(defects, place, [&what, "kg m²"], moment) {
+            return;
+        }
         if moment > rest * (1.0 + 1e-12) {
             let reason = format!("the moment {moment} exceeds the sum {rest} of the other two");
             defects.add(place, reason);
+            return;
         }
     }
 }
@@ -355,12 +376,12 @@ fn build_state(
     body: &description::Body,
     frame: &Pose,
 ) -> State {
-    finite(defects, &format!("{place}.position"), &body.position);
+    range::vector(defects, &format!("{place}.position"), &body.position);
     let point = body.shape == description::Shape::Point;
     let motions = [("velocity", &body.velocity), ("angular_velocity", &body.angular_velocity)];
     for (field, motion) in motions {
         let place = format!("{place}.{field}");
-        finite(defects, &place, motion);
+        range::vector(defects, &place, motion);
         if point && field == "angular_velocity" && *motion != [0.0; 3] {
             defects.add(place, "a point does not turn");
         }
@@ -408,10 +429,4 @@ pub(super) fn direction(defects: &mut Defects, place: &str, vector: &[f64; 3]) -
         return Vector3::z();
     }
     vector / norm
-}
-
-pub(super) fn finite(defects: &mut Defects, place: &str, numbers: &[f64; 3]) {
-    if let Some(bad) = numbers.iter().find(|x| !x.is_finite()) {
-        defects.add(place, format!("must be finite, has {bad}"));
-    }
 }

@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::Scene;
-use super::build::{direction, finite};
+use super::build::direction;
 use super::description;
 use super::settings::{not_negative, positive};
+use super::{Scene, range};
 use crate::body::{Mass, Shape, State};
 use crate::constraint::{ALL, Bodies, Constraint, Field, Joint, Placement};
 use lcplab_problem::error::Defects;
@@ -149,10 +149,10 @@ impl Site<'_> {
         let written = self.written;
         self.check_numbers(defects);
         if let Some(point) = &written.point {
-            finite(defects, &self.at(Field::Point), point);
+            range::vector(defects, &self.at(Field::Point), point);
         }
         for point in written.points.iter().flatten() {
-            finite(defects, &self.at(Field::Points), point);
+            range::vector(defects, &self.at(Field::Points), point);
         }
         let mut unit = |field, axis: &[f64; 3]| direction(defects, &self.at(field), axis);
         Placement {

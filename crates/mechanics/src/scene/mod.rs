@@ -14,13 +14,14 @@ mod friction;
 pub mod generate;
 mod joints;
 mod notes;
-mod resting;
+mod range;
+pub(crate) mod resting;
 mod saved;
 mod scheme;
 mod settings;
 pub mod source;
 
-pub use contacts::{ContactId, Detector, Feature, Found, contacts};
+pub use contacts::{ContactId, Detector, Feature, Found, Passage, Reach, contacts, step_contacts};
 pub use description::Description;
 pub use file::schema;
 pub use resting::Resting;

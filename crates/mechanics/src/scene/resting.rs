@@ -51,7 +51,7 @@ impl Resting {
 }
 
 /// The thickness of a shape (m), if it has one.
-pub(super) fn size(shape: &Shape) -> Option<f64> {
+pub(crate) fn size(shape: &Shape) -> Option<f64> {
     match shape {
         Shape::Point | Shape::Plane { .. } => None,
         Shape::Sphere { radius } | Shape::Capsule { radius, .. } => Some(2.0 * radius),

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::range;
 use super::scheme::{Feedback, Integrator, Penalty, Scheme, Soft, Xpbd};
 use crate::body::Gyroscopic;
 use lcplab_problem::error::Defects;
@@ -107,8 +108,9 @@ pub enum Sliding {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Contacts {
-    /// Velocity level: contacts with a gap up to this (m) enter the LCP.
-    pub margin: f64,
+    /// Velocity level: contacts with a gap up to this (m) enter the LCP. Without it, what the two
+    /// bodies can approach each other in a step, and at least 0.05 m.
+    pub margin: Option<f64>,
     /// The coefficient of friction of bodies that do not state their own.
     pub friction: f64,
     /// The coefficient of restitution e, 0 to 1.
@@ -140,7 +142,7 @@ pub struct Contacts {
 impl Default for Contacts {
     fn default() -> Self {
         Contacts {
-            margin: 0.05,
+            margin: None,
             friction: 0.0,
             restitution: 0.0,
             bounce_speed: 0.1,
@@ -220,7 +222,7 @@ impl Step {
     }
 
     pub(super) fn check(&self, defects: &mut Defects) {
-        positive(defects, "step.dt", self.dt);
+        range::divisor(defects, "step.dt", ["step", "s"], self.dt);
         within_one(defects, "step.baumgarte", self.baumgarte);
         not_negative(defects, "step.alpha", self.alpha);
         for (place, least, count) in
@@ -239,8 +241,8 @@ impl Step {
 
 impl Contacts {
     pub(super) fn check(&self, defects: &mut Defects) {
-        not_negative(defects, "contact.margin", self.margin);
-        not_negative(defects, "contact.friction", self.friction);
+        not_negative(defects, "contact.margin", self.margin.unwrap_or(0.0));
+        range::coefficient(defects, "contact.friction", self.friction);
         within_one(defects, "contact.restitution", self.restitution);
         not_negative(defects, "contact.bounce_speed", self.bounce_speed);
         not_negative(defects, "contact.slop", self.slop);

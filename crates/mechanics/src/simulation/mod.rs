@@ -11,7 +11,9 @@ mod answering;
 mod conflict;
 mod correction;
 mod exported;
+mod impact_energy;
 mod integrator;
+mod interpenetration;
 mod laws;
 mod ledger;
 mod motion;
@@ -22,20 +24,25 @@ mod solving;
 mod stated;
 pub mod stepper;
 mod sweep;
+mod warnings;
 
 pub use acts::{Act, Push};
+pub use impact_energy::{ImpactCause, ImpactEnergy};
+pub use interpenetration::{DEEP, Interpenetration, InterpenetrationKind, LASTING, NOTABLE};
 pub use laws::Laws;
 pub use ledger::Ledger;
 pub use motion::{Motion, carried};
 pub use record::{Cause, Failure, Recording, Solve, Step};
 pub use stated::{options, problem_of, solver};
 pub use stepper::Stepper;
+pub use warnings::{Amount, Warning, Warnings};
 
 use std::ops::ControlFlow;
 
 use crate::body::State;
-use crate::scene::{Scene, contacts};
+use crate::scene::{Detector, Passage, Scene, step_contacts};
 use answering::Solvers;
+use interpenetration::Overlaps;
 use lcplab_solver::{Apgd, ConeSolver, Observer, Solver, Status, Stop};
 use solving::{Memory, Solving};
 
@@ -61,6 +68,8 @@ pub struct Simulation {
     states: Vec<State>,
     steps: usize,
     previous: Memory,
+    detector: Detector,
+    overlaps: Overlaps,
     unfinished: Vec<Solve>,
 }
 
@@ -70,6 +79,9 @@ impl Simulation {
     pub fn new(scene: Scene, solver: Box<dyn Solver>) -> Self {
         let states = scene.states.clone();
         let cone_solver = Box::new(Apgd { settings: answering::settings(&scene) });
+        let mut detector = Detector::new(&scene);
+        let mut overlaps = Overlaps::default();
+        overlaps.update(&scene, &states, detector.find(&scene, &states, 0.0));
         Simulation {
             scene,
             solver,
@@ -77,6 +89,8 @@ impl Simulation {
             states,
             steps: 0,
             previous: Memory::new(),
+            detector,
+            overlaps,
             unfinished: Vec::new(),
         }
     }
@@ -151,7 +165,7 @@ impl Simulation {
     /// As [`step`](Simulation::step), or [`Cause::Stopped`] if the observer stops a solve.
     pub fn observed_step(&mut self, observer: &mut dyn Observer) -> Result<Step, Failure> {
         let failure = |cause| Failure { step: self.steps + 1, time: self.time(), cause };
-        let found = contacts(&self.scene, &self.states, scheme::reach(&self.scene));
+        let found = step_contacts(&self.scene, &self.states);
         let mut solving = Solving {
             scene: &self.scene,
             solvers: Solvers {
@@ -189,17 +203,25 @@ impl Simulation {
             |acts: &Vec<Act>| Ledger::of(&self.scene, &self.states, &solves, acts, &states);
         let ledger = acts.as_ref().map(account);
         let laws = Laws::of(&self.states, &solves, ledger.as_ref());
-        let passed = path::passages(&self.scene, &self.states, &states, &found, self.scene.step.dt);
+        let impact_energy =
+            ImpactEnergy::of(&self.scene, &self.states, &solves, acts.as_deref());
+        let passages = self.detector.passages(&self.scene, &self.states, &states);
+        let of_passage =
+            |passage: &Passage| Interpenetration::passed(&self.scene, &states, passage);
+        let mut interpenetrations: Vec<_> = passages.iter().map(of_passage).collect();
+        let overlapping = self.detector.find(&self.scene, &states, 0.0);
+        interpenetrations.extend(self.overlaps.update(&self.scene, &states, overlapping));
+        let motion = Motion::overlapping(&self.scene, &states, self.steps + 1, overlapping);
         self.previous = answers;
         self.states.clone_from(&states);
         self.steps += 1;
-        let motion = self.motion();
         let number = self.steps;
         Ok(Step {
             number,
             solves,
             contacts: found,
-            passed,
+            interpenetrations,
+            impact_energy,
             states,
             motion,
             acts,

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::body::State;
 use crate::constraint::{Bounds, Row};
-use crate::scene::{Scene, contacts};
+use crate::scene::{Found, Scene, contacts};
 
 /// Energy, momentum and errors at one instant.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,9 +32,18 @@ pub struct Motion {
 impl Motion {
     /// The measures of a scene whose bodies have these states after so many steps.
     pub fn of(scene: &Scene, states: &[State], step: usize) -> Self {
+        Motion::overlapping(scene, states, step, &contacts(scene, states, 0.0))
+    }
+
+    /// The same where the overlapping contacts are known.
+    pub(super) fn overlapping(
+        scene: &Scene,
+        states: &[State],
+        step: usize,
+        overlapping: &[Found],
+    ) -> Self {
         let bodies = || scene.bodies.iter().map(|body| &body.mass).zip(states);
-        let deepest =
-            contacts(scene, states, 0.0).iter().map(|found| -found.gap).fold(0.0, f64::max);
+        let deepest = overlapping.iter().map(|found| -found.gap).fold(0.0, f64::max);
         Motion {
             step,
             time: step as f64 * scene.step.dt,

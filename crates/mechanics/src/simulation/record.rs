@@ -5,7 +5,7 @@ use std::fmt;
 use nalgebra::Vector3;
 
 use super::acts::Impulses;
-use super::{Act, Laws, Ledger, Motion};
+use super::{Act, ImpactEnergy, Interpenetration, Laws, Ledger, Motion};
 use crate::assembly::{Row, Undefined};
 use crate::body::State;
 use crate::formulation::{Posing, Problem};
@@ -25,8 +25,13 @@ pub struct Step {
     pub solves: Vec<Solve>,
     /// The contacts at its beginning.
     pub contacts: Vec<Found>,
-    /// The pairs of bodies of which one went through the other, by a step that is too long for it.
-    pub passed: Vec<[usize; 2]>,
+    /// Bodies that went through each other, and overlaps that became deep or last; each overlap is
+    /// named once.
+    pub interpenetrations: Vec<Interpenetration>,
+    /// Energy that impacts changed against the coefficient of restitution; `None` where the scheme
+    /// does not write down impulses at fixed poses: XPBD, the soft step, the penalty method,
+    /// integrators with stages.
+    pub impact_energy: Option<Vec<ImpactEnergy>>,
     /// The states at its end.
     pub states: Vec<State>,
     /// Energy, momentum and errors at its end.

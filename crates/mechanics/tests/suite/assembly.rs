@@ -2,12 +2,12 @@
 
 use lcplab_mechanics::assembly::{Assembly, Entering, RowId, Source};
 use lcplab_mechanics::constraint::Bounds;
-use lcplab_mechanics::scene::{Scene, contacts};
+use lcplab_mechanics::scene::{Scene, step_contacts};
 use nalgebra::DMatrix;
 
 fn assembled(name: &str, entering: Entering) -> (Scene, Assembly) {
     let scene = Scene::load(name).unwrap();
-    let found = contacts(&scene, &scene.states, scene.contact.margin);
+    let found = step_contacts(&scene, &scene.states);
     let assembly = Assembly::new(&scene, &scene.states, &found, entering).unwrap();
     (scene, assembly)
 }

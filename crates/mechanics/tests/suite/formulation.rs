@@ -3,13 +3,13 @@
 use lcplab_mechanics::assembly::{Assembly, Entering};
 use lcplab_mechanics::formulation::{Problem, Stage};
 use lcplab_mechanics::scene::catalogue::SHIPPED;
-use lcplab_mechanics::scene::{Scene, contacts};
+use lcplab_mechanics::scene::{Scene, step_contacts};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_problem::file::Problem as File;
 use nalgebra::{DMatrix, DVector};
 
 fn problem(scene: &Scene) -> Problem {
-    let found = contacts(scene, &scene.states, scene.contact.margin);
+    let found = step_contacts(scene, &scene.states);
     let assembly = Assembly::new(scene, &scene.states, &found, Entering::Near).unwrap();
     Problem::velocity(scene, assembly).unwrap()
 }

@@ -5,7 +5,7 @@ use lcplab_judge::{Demand, judge};
 use lcplab_mechanics::assembly::{Assembly, Entering};
 use lcplab_mechanics::body::Mass;
 use lcplab_mechanics::formulation::Problem;
-use lcplab_mechanics::scene::{Scene, contacts};
+use lcplab_mechanics::scene::{Scene, step_contacts};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_problem::Lcp;
 use lcplab_solver::{Fallback, Options, Settings, Solution, Start, Status, by_name};
@@ -74,7 +74,7 @@ fn last(scene: Scene, copies: Copies) -> Lcp {
         simulation.step().unwrap();
     }
     let (scene, states) = (simulation.scene(), simulation.states());
-    let mut found = contacts(scene, states, scene.contact.margin);
+    let mut found = step_contacts(scene, states);
     let shift = match copies {
         Copies::None => None,
         Copies::Exact => Some(0.0),

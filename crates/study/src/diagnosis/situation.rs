@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use lcplab_mechanics::assembly::{Assembly, Entering, Row};
 use lcplab_mechanics::constraint::Bounds;
 use lcplab_mechanics::formulation::{Problem, Slide};
-use lcplab_mechanics::scene::{Scene, Scheme, contacts};
+use lcplab_mechanics::scene::{Scene, Scheme, step_contacts};
 use lcplab_mechanics::simulation::Simulation;
 use lcplab_page::document::notation::plain;
 use lcplab_problem::error::Result;
@@ -35,11 +35,8 @@ pub fn scene(scene: &Scene, step: usize) -> Result<Diagnosis> {
     }
     let states = simulation.states();
     let is_force = scene.step.scheme == Scheme::Acceleration;
-    let (reach, entering) = match is_force {
-        true => (scene.resting().gap, Entering::Resting),
-        false => (scene.contact.margin, Entering::Near),
-    };
-    let touching = contacts(scene, states, reach);
+    let entering = if is_force { Entering::Resting } else { Entering::Near };
+    let touching = step_contacts(scene, states);
     let assembly = match Assembly::new(scene, states, &touching, entering) {
         Ok(assembly) => assembly,
         Err(undefined) => {

@@ -39,12 +39,15 @@ pub(super) struct Broad {
 }
 
 impl Broad {
-    /// The pairs [lower, higher] of those that `may` touch and come within `margin` (m), ascending.
+    /// The pairs [lower, higher] of those that `may` touch and come within their `margin` (m),
+    /// ascending. The `half` margins (m) of two solids are together no less than the margin of
+    /// both.
     pub fn search(
         &mut self,
         solids: &[Option<Solid>],
         half_spaces: &[HalfSpace],
-        margin: f64,
+        half: impl Fn(usize) -> f64,
+        margin: impl Fn([usize; 2]) -> f64,
         may: impl Fn([usize; 2]) -> bool,
     ) {
         let Broad { boxes, tree, workspace, pairs } = self;
@@ -58,10 +61,13 @@ impl Broad {
         };
         for (k, solid) in solids.iter().enumerate() {
             let Some(solid) = solid else { continue };
-            let around = bounds(solid, margin / 2.0);
+            let own = half(k);
+            let around = bounds(solid, own);
             boxes.push((k, around));
-            for plane in half_spaces.iter().filter(|plane| plane.reaches(&around, margin / 2.0)) {
-                add(plane.solid, k);
+            for plane in half_spaces {
+                if plane.reaches(&around, margin([plane.solid, k]) - own) {
+                    add(plane.solid, k);
+                }
             }
         }
         if boxes.len() <= FEW {

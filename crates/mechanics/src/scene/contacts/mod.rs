@@ -21,7 +21,9 @@ mod crossing;
 mod nearest;
 mod overlap;
 mod pair;
+mod passage;
 mod plane;
+mod reach;
 mod reduce;
 mod separation;
 mod solid;
@@ -34,6 +36,9 @@ use super::{Manifold, Scene};
 use crate::body::{Mass, Shape, State};
 use crate::constraint::{Contact, Normal};
 use broad::{Broad, HalfSpace};
+pub use passage::Passage;
+pub use reach::Reach;
+use reach::Site;
 use solid::Solid;
 
 /// A feature of a body, by its index in the body's polytope.
@@ -82,6 +87,8 @@ pub struct Found {
     pub contact: Contact,
     /// The gap c (m), negative where the bodies overlap.
     pub gap: f64,
+    /// The gap (m) up to which contacts of its bodies were looked for.
+    pub margin: f64,
     /// The unit normal (world), from the constraint's body 0 to its body 1.
     pub normal: Vector3<f64>,
     /// The touching point on the constraint's body 1 (m, world).
@@ -121,6 +128,28 @@ pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<Found> {
     detector.found
 }
 
+/// The contact points that matter to a step from these states: those with a gap up to the scene's
+/// margin or, where it states none, up to what the bodies can approach each other in the step; at
+/// acceleration level those that touch. One entry of `states` a body.
+///
+/// ```
+/// use lcplab_mechanics::scene::{Scene, step_contacts};
+///
+/// let mut scene = Scene::load("sphere_plane")?;
+/// scene.states[1].pose.p.z += 0.3;
+/// assert!(step_contacts(&scene, &scene.states).is_empty());
+/// scene.states[1].v.z = -100.0; // it falls 1 m in a step of 10 ms
+/// assert_eq!(step_contacts(&scene, &scene.states).len(), 1);
+/// # Ok::<(), lcplab_problem::error::Error>(())
+/// ```
+pub fn step_contacts(scene: &Scene, states: &[State]) -> Vec<Found> {
+    let mut detector = Detector::new(scene);
+    let reach = Reach::of_step(scene);
+    detector.find_pairs(scene, states, reach);
+    detector.find_points(scene, states, reach);
+    detector.found
+}
+
 /// Whose part a solid is.
 #[derive(Debug, Clone, Copy)]
 struct Owner {
@@ -147,6 +176,8 @@ pub struct Detector {
     solids: Vec<Option<Solid>>,
     /// Whose part each is.
     owners: Vec<Owner>,
+    /// How far (m) the farthest vertex of each body is from its centre.
+    arms: Vec<f64>,
     half_spaces: Vec<HalfSpace>,
     /// The pairs that a constraint joins, ascending.
     joined: Vec<[usize; 2]>,
@@ -163,11 +194,14 @@ impl Detector {
         joined.sort_unstable();
         let mut solids: Vec<Option<Solid>> = Vec::with_capacity(scene.bodies.len());
         let mut owners = Vec::with_capacity(scene.bodies.len());
+        let mut arms = Vec::with_capacity(scene.bodies.len());
         let mut parts = Vec::new();
         for (k, body) in scene.bodies.iter().enumerate() {
             if k == 0 || scene.bodies[k - 1].shape != body.shape {
                 parts = solid::parts(&body.shape); // else those of the body before, shared
             }
+            let of_parts = parts.iter().flatten().map(solid::Round::arm);
+            arms.push(of_parts.fold(0.0, f64::max));
             let mut before = [0; 3];
             for part in &parts {
                 let solid = part.clone().map(Solid::new);
@@ -177,15 +211,15 @@ impl Detector {
                 solids.push(solid);
             }
         }
-        let (half_spaces, touches, found) = Default::default();
-        Detector { solids, owners, half_spaces, joined, broad: Broad::default(), touches, found }
+        let (half_spaces, broad, touches, found) = Default::default();
+        Detector { solids, owners, arms, half_spaces, joined, broad, touches, found }
     }
 
     /// All contact points with a gap up to `margin` (m), of the scene that it was made for. One entry
     /// of `states` a body.
     pub fn find(&mut self, scene: &Scene, states: &[State], margin: f64) -> &[Found] {
-        self.find_pairs(scene, states, margin);
-        self.find_points(scene, states, margin);
+        self.find_pairs(scene, states, Reach::Gap(margin));
+        self.find_points(scene, states, Reach::Gap(margin));
         &self.found
     }
 
@@ -200,6 +234,7 @@ impl Detector {
         solids
             + self.solids.capacity() * size_of::<Option<Solid>>()
             + self.owners.capacity() * size_of::<Owner>()
+            + self.arms.capacity() * size_of::<f64>()
             + self.joined.capacity() * size_of::<[usize; 2]>()
             + self.broad.bytes()
             + self.touches.capacity() * size_of::<Touch>()
@@ -207,7 +242,21 @@ impl Detector {
     }
 
     /// The first half of [`find`](Detector::find): the pairs of bodies that are near each other.
-    pub fn find_pairs(&mut self, scene: &Scene, states: &[State], margin: f64) {
+    pub fn find_pairs(&mut self, scene: &Scene, states: &[State], reach: Reach) {
+        let half = |site: Site| reach.of_body(scene, states, site);
+        let margin = |pair: [Site; 2]| reach.of_pair(scene, states, pair);
+        self.near_pairs(scene, states, half, margin);
+    }
+
+    /// The pairs of parts within the margins (m) of their bodies; `half` margins as for
+    /// [`Broad::search`](broad::Broad::search).
+    fn near_pairs(
+        &mut self,
+        scene: &Scene,
+        states: &[State],
+        half: impl Fn(Site) -> f64,
+        margin: impl Fn([Site; 2]) -> f64,
+    ) {
         self.half_spaces.clear();
         for (k, (solid, owner)) in self.solids.iter_mut().zip(&self.owners).enumerate() {
             let pose = &states[owner.body].pose;
@@ -220,7 +269,11 @@ impl Detector {
                 (None, _) => {}
             }
         }
-        let (joined, owners) = (&self.joined, &self.owners);
+        let Detector { solids, owners, arms, half_spaces, joined, broad, .. } = self;
+        let (owners, arms, joined) = (&*owners, &*arms, &*joined);
+        let site = |solid: usize| Site { body: owners[solid].body, arm: arms[owners[solid].body] };
+        let half = |solid: usize| half(site(solid));
+        let margin = |pair: [usize; 2]| margin(pair.map(site));
         let may_touch = |solids: [usize; 2]| {
             let pair = solids.map(|k| owners[k].body);
             let [a, b] = pair.map(|k| &scene.bodies[k]);
@@ -228,19 +281,21 @@ impl Detector {
             let points_only = a.shape == Shape::Point && b.shape == Shape::Point;
             pair[0] != pair[1] && moves && !points_only && joined.binary_search(&pair).is_err()
         };
-        self.broad.search(&self.solids, &self.half_spaces, margin, may_touch);
+        broad.search(solids, half_spaces, half, margin, may_touch);
     }
 
     /// The second half: where the pairs touch.
-    pub fn find_points(&mut self, scene: &Scene, states: &[State], margin: f64) {
+    pub fn find_points(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         self.found.clear();
         for &pair in self.broad.pairs() {
             self.touches.clear();
             let owners = pair.map(|k| self.owners[k]);
+            let sites = owners.map(|owner| Site { body: owner.body, arm: self.arms[owner.body] });
+            let margin = reach.of_pair(scene, states, sites);
             touches(scene, states, &self.solids, owners, pair, margin, &mut self.touches);
             let first = self.found.len();
             let radii = pair.map(|k| self.solids[k].as_ref().map_or(0.0, |solid| solid.radius));
-            let of = |touch| point(scene, states, owners, radii, touch);
+            let of = |touch| point(scene, states, owners, radii, margin, touch);
             let points = self.touches.iter().filter_map(of);
             self.found.extend(points.filter(|found| found.gap <= margin));
             if scene.contact.manifold == Manifold::Four {
@@ -288,6 +343,7 @@ fn point(
     states: &[State],
     owners: [Owner; 2],
     radii: [f64; 2],
+    margin: f64,
     touch: &Touch,
 ) -> Option<Found> {
     let pair = owners.map(|owner| owner.body);
@@ -315,5 +371,5 @@ fn point(
     let point = states[k1].pose.point(&contact.anchors[1]) - contact.radii[1] * normal;
     let [f0, f1] = touch.names();
     let id = ContactId { bodies: pair, features: [owners[0].name(f0), owners[1].name(f1)] };
-    Some(Found { id, contact, gap, normal, point })
+    Some(Found { id, contact, gap, margin, normal, point })
 }

@@ -46,6 +46,11 @@ impl Round {
         Round { polytope, parallels, radius, size }
     }
 
+    /// How far (m) its farthest vertex is from the body's centre.
+    pub fn arm(&self) -> f64 {
+        self.polytope.vertices.iter().map(|vertex| vertex.norm()).fold(0.0, f64::max)
+    }
+
     /// As a part of another body, in that one's axes.
     fn placed(self, pose: &Pose) -> Self {
         Round { polytope: Arc::new(self.polytope.seen_from(&pose.inverse())), ..self }

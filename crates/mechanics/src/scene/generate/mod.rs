@@ -40,7 +40,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::description::{Body, Constraint, Description, Shape};
-use super::settings::positive;
+use super::range;
 use lcplab_problem::error::Defects;
 
 /// More bodies than this are refused: a typing error should not fill the memory.
@@ -121,15 +121,15 @@ pub(super) fn expand(description: &Description, defects: &mut Defects) -> Descri
     for (k, generator) in description.generate.iter().enumerate() {
         let (place, structure) = (format!("generate[{k}]"), generator.structure());
         let bodies = structure.bodies();
-        let mut numbers = structure.numbers();
-        for &(field, value) in &numbers {
-            positive(defects, format!("{place}.{field}"), value);
+        let count = defects.len();
+        for (field, value) in structure.numbers() {
+            check(defects, &place, field, value);
         }
-        numbers.retain(|&(_, value)| !(value > 0.0 && value.is_finite()));
+        let are_sound = defects.len() == count;
         if bodies > MOST_BODIES {
             let reason = format!("makes {bodies} bodies, at most {MOST_BODIES} are allowed");
             defects.add(place, reason);
-        } else if numbers.is_empty() {
+        } else if are_sound {
             match structure.fault() {
                 Some((field, reason)) => defects.add(format!("{place}.{field}"), reason),
                 None => structure.add_to(&mut whole),
@@ -137,6 +137,22 @@ pub(super) fn expand(description: &Description, defects: &mut Defects) -> Descri
         }
     }
     whole
+}
+
+/// A number of a structure: positive, and within what can be computed with.
+fn check(defects: &mut Defects, place: &str, field: &str, value: f64) {
+    let unit = match field {
+        "mass" => "kg",
+        "density" => "kg/m³",
+        "stiffness" => "N/m",
+        "damping" => "N s/m",
+        "lean" => "degrees",
+        _ => {
+            range::length(defects, format!("{place}.{field}"), value);
+            return;
+        }
+    };
+    range::divisor(defects, format!("{place}.{field}"), [field, unit], value);
 }
 
 fn point(name: String, mass: f64, position: [f64; 3]) -> Body {

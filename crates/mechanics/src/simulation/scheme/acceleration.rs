@@ -20,7 +20,7 @@ use crate::assembly::{Assembly, Entering, Row, RowId};
 use crate::body::State;
 use crate::constraint::Bounds;
 use crate::formulation::{Problem, Slide};
-use crate::scene::{Found, Integrator, Scene, Step, contacts};
+use crate::scene::{Found, Integrator, Scene, Step, step_contacts};
 use crate::simulation::integrator::{self, Rate};
 use crate::simulation::solving::Solving;
 use crate::simulation::{Act, Cause, Solve};
@@ -60,7 +60,7 @@ fn parts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<Vec
             (states, _) = part(solving, &states, &found, theta * left)?;
             left *= 1.0 - theta;
         }
-        found = contacts(solving.scene, &states, super::reach(solving.scene));
+        found = step_contacts(solving.scene, &states);
         states = impacts(solving, &states, &found)?;
     }
     Ok(part(solving, &states, &found, left)?.0)

@@ -34,14 +34,6 @@ pub(super) fn step(
     }
 }
 
-/// How near (m) contacts must be to matter to a step.
-pub(super) fn reach(scene: &Scene) -> f64 {
-    match scene.step.scheme {
-        Scheme::Acceleration => scene.resting().gap,
-        _ => scene.contact.margin,
-    }
-}
-
 /// The states that the last answer leads to: its impulses, then a move for dt.
 fn moved(solving: &mut Solving, states: &[State], dt: f64) -> Vec<State> {
     solving.note_answer();

@@ -25,7 +25,7 @@ mod sweeper;
 use super::{Cause, DIVERGED, Failure};
 use crate::assembly::{Assembly, Entering};
 use crate::body::State;
-use crate::scene::{Detector, Found, Scene};
+use crate::scene::{Detector, Found, Reach, Scene};
 use impulses::Impulses;
 use lcplab_problem::error::{Error, Result};
 use lcplab_solver::Status;
@@ -192,10 +192,10 @@ impl Stepper {
 
     fn advance(&mut self, done: &mut dyn FnMut(Part)) -> std::result::Result<(), Cause> {
         let Stepper { scene, states, next, detector, masses, rows, sweeper, impulses, .. } = self;
-        let margin = scene.contact.margin;
-        detector.find_pairs(scene, states, margin);
+        let reach = Reach::of_step(scene);
+        detector.find_pairs(scene, states, reach);
         done(Part::Pairs);
-        detector.find_points(scene, states, margin);
+        detector.find_points(scene, states, reach);
         done(Part::Points);
         masses.turn(scene, states);
         rows.fill(scene, states, detector.found(), masses)?;

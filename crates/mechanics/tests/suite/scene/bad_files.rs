@@ -1,6 +1,8 @@
 //! Every message about a broken scene names the file, the line and the field.
 
-use lcplab_mechanics::scene::Scene;
+use lcplab_mechanics::scene::{Scene, Scheme};
+use lcplab_mechanics::simulation::Simulation;
+use lcplab_problem::error::Error;
 
 fn message(text: &str) -> String {
     Scene::from_toml("bad.toml", text).unwrap_err().to_string()
@@ -173,6 +175,117 @@ fn impossible_bodies_are_refused() {
     ];
     for (text, expected) in cases {
         assert_eq!(message(&text), format!("bad.toml: {expected}"));
+    }
+}
+
+#[test]
+fn a_mass_that_is_too_small_to_divide_by_is_one_defect_that_names_the_body() {
+    assert_eq!(
+        message(&BALL.replace("mass = 1", "mass = 1e-308")),
+        "bad.toml: line 4: bodies[0].mass: body \"ball\": mass 1e-308 kg is too small, at least 1e-150 kg"
+    );
+    let light = message(&BALL.replace("mass = 1", "density = 1e-308"));
+    let start = "bad.toml: line 4: bodies[0].density: body \"ball\": mass 4.18879";
+    assert!(
+        light.starts_with(start) && light.ends_with("is too small, at least 1e-150 kg"),
+        "{light}"
+    );
+    assert_eq!(
+        message(&format!("{BALL}inertia = [1e300, 1e300, 1e300]\n")),
+        "bad.toml: line 5: bodies[0].inertia: body \"ball\": moment of inertia 1e300 kg m² is too large, \
+         at most 1e150 kg m²"
+    );
+}
+
+/// Every number of a scene from one end of the doubles to the other: either one defect, in the file
+/// or in the first step, or a motion whose every number is finite.
+#[test]
+fn numbers_at_the_ends_of_the_doubles_are_one_defect_or_a_finite_motion() {
+    let text = |[key, value]: [&str; 2]| {
+        let given =
+            |own: &str, usual: &str| if own == key { value.into() } else { usual.to_string() };
+        let shape = match key {
+            "box" => format!("{{ box = [{value}, {value}, {value}] }}"),
+            "hull" => format!(
+                "{{ hull = [[0, 0, 0], [{value}, 0, 0], [0, {value}, 0], [0, 0, {value}]] }}"
+            ),
+            "capsule" => format!("{{ capsule = {{ length = 1, radius = {value} }} }}"),
+            "cylinder" => format!("{{ cylinder = {{ length = {value}, radius = 0.5 }} }}"),
+            "part" => format!(
+                "{{ compound = [{{ shape = {{ sphere = 0.1 }}, position = [{value}, 0, 0] }}, \
+                               {{ shape = {{ sphere = 0.1 }} }}] }}"
+            ),
+            _ => format!("{{ sphere = {} }}", given("sphere", "0.5")),
+        };
+        let mass = match key {
+            "density" => format!("density = {value}"),
+            "inertia" => format!("mass = 1\ninertia = [{value}, {value}, {value}]"),
+            _ => format!("mass = {}", given("mass", "1")),
+        };
+        format!(
+            "gravity = [0, 0, -{}]\nstep.dt = {}\n[contact]\nfriction = {}\nrestitution = 0.5\n\
+             [[bodies]]\nname = \"ground\"\nfixed = true\nshape = {{ plane = [0, 0, 1] }}\n\
+             [[bodies]]\nname = \"other\"\nshape = {{ sphere = 0.5 }}\nmass = 1\nposition = [0, 0, 0.5]\n\
+             [[bodies]]\nname = \"own\"\nshape = {shape}\n{mass}\nposition = [0, 0, {}]\n\
+             velocity = [0, 0, -{}]\nangular_velocity = [{}, 0, 0]\nforce = [{}, 0, 0]\n",
+            given("gravity", "9.81"),
+            given("dt", "0.01"),
+            given("friction", "0.5"),
+            given("position", "1.5"),
+            given("velocity", "1"),
+            given("angular_velocity", "0"),
+            given("force", "0"),
+        )
+    };
+    let keys = [
+        "mass",
+        "density",
+        "inertia",
+        "sphere",
+        "box",
+        "hull",
+        "capsule",
+        "cylinder",
+        "part",
+        "gravity",
+        "dt",
+        "friction",
+        "position",
+        "velocity",
+        "angular_velocity",
+        "force",
+    ];
+    let mut exponents: Vec<i32> = (-320..=300).step_by(20).collect();
+    exponents.extend([-308, -149, -151, -61, -59, 59, 61, 149, 151, 308]);
+    for key in keys {
+        for exponent in &exponents {
+            let value = format!("1e{exponent}");
+            let scene = match Scene::from_toml("end.toml", &text([key, &value])) {
+                Ok(scene) => scene,
+                Err(Error::Invalid { defects, .. }) => {
+                    assert_eq!(defects.len(), 1, "{key} = {value}: {defects:?}");
+                    continue;
+                }
+                Err(error) => panic!("{key} = {value}: {error}"),
+            };
+            for scheme in Scheme::LEVELS {
+                let mut simulation = Simulation::of(&scene.at_level(scheme)).unwrap();
+                for _ in 0..3 {
+                    match simulation.step() {
+                        Ok(step) => {
+                            let all =
+                                step.states.iter().all(lcplab_mechanics::body::State::is_finite);
+                            assert!(all && step.motion.energy().is_finite(), "{key} = {value}");
+                        }
+                        Err(failure) => {
+                            let text = failure.to_string();
+                            assert_eq!(text.lines().count(), 1, "{key} = {value}: {text}");
+                            break;
+                        }
+                    }
+                }
+            }
+        }
     }
 }
 

@@ -102,7 +102,7 @@ impl Units {
         scene.step.dt *= self.second;
         scene.step.alpha /= self.second;
         let contact = &mut scene.contact;
-        for length in [&mut contact.margin, &mut contact.slop] {
+        for length in [contact.margin.get_or_insert(0.05), &mut contact.slop] {
             *length *= self.metre;
         }
         for speed in [&mut contact.bounce_speed, &mut contact.sticking_speed] {

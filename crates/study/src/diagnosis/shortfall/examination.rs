@@ -27,7 +27,7 @@ const HEALTHY_WORDS: &str = "No cause for trouble was found.";
 
 /// What is not looked for.
 const NOT_EXAMINED: &str =
-    "flicker of contacts, closed loops, restitution against rest, tunnelling, spin";
+    "flicker of contacts, closed loops, restitution against rest, spin";
 
 /// One step or one file of a sequence.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,6 +70,9 @@ pub struct Examination {
     pub time: Option<f64>,
     /// The body that ends farthest below where exact answers leave it, and by how much (m).
     pub sunk: Option<(String, f64)>,
+    /// What happened in the steps although every problem was solved: bodies that overlap or went
+    /// through each other, impacts whose energy is not what the coefficient of restitution says.
+    pub warnings: Vec<String>,
     /// What moves bodies though every problem be solved, the strongest first.
     pub moving: Vec<Moving>,
     /// The step that was examined, and how; none where no solution is known.
@@ -123,7 +126,10 @@ impl Examination {
 
     /// Puts it before what else a document says.
     pub fn open(&self, document: &mut Document) {
-        let is_well = self.causes().is_empty() && document.is_accepted && self.unmeasured.is_none();
+        let is_well = self.causes().is_empty()
+            && self.warnings.is_empty()
+            && document.is_accepted
+            && self.unmeasured.is_none();
         let rest = if is_well { HEALTHY_WORDS } else { &document.lead };
         document.lead = format!("{} {rest}", self.headline());
         let found = self.shortfall.as_ref();
@@ -164,6 +170,7 @@ impl Examination {
         if let Some(reason) = &self.no_reference {
             lines.push(format!("Without a reference: {reason}; sinking, feedback, softness and friction were not examined."));
         }
+        lines.extend(self.warnings.iter().map(|warning| format!("Warning: {warning}")));
         if !self.innocent.is_empty() {
             lines.push(format!("Not the cause: {}.", self.innocent.join("; ")));
         }
@@ -284,6 +291,7 @@ impl Examination {
             "unmeasured": self.unmeasured,
             "seconds": self.time,
             "sunk": sunk,
+            "warnings": self.warnings,
             "solve": self.shortfall.as_ref().map(Shortfall::to_json),
             "remedies": self.reliefs.iter().map(relief).collect::<Vec<_>>(),
             "steps": self.notes.iter().map(note).collect::<Vec<_>>(),

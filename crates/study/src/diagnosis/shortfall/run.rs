@@ -3,7 +3,7 @@
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_mechanics::simulation::{self, Simulation, Solve, Step};
+use lcplab_mechanics::simulation::{self, Simulation, Solve, Step, Warnings};
 use lcplab_problem::error::Result;
 use lcplab_problem::{Lcp, merit};
 
@@ -64,7 +64,8 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     let count = steps(scene);
     let went = go(scene, count, 1)?;
     let taken = went.notes.len();
-    let mut found = Examination { notes: went.notes, ..Examination::default() };
+    let mut found =
+        Examination { notes: went.notes, warnings: went.warnings, ..Examination::default() };
     if taken == 0 {
         return Ok(found);
     }
@@ -153,6 +154,7 @@ pub(super) fn is_of_impulses(scheme: Scheme) -> bool {
 struct Went {
     notes: Vec<Note>,
     solves: Vec<Option<Solve>>,
+    warnings: Vec<String>,
     end: End,
 }
 
@@ -173,11 +175,13 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
     let (mut notes, mut solves) = (Vec::new(), Vec::new());
     let (mut gained, mut kinetic, mut error) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut is_compared = true;
+    let mut warnings = Warnings::default();
     while notes.len() < count && is_compared {
         let Ok(step) = simulation.step() else { break };
         gained = gained.max(step.motion.energy() - start);
         kinetic = kinetic.max(step.motion.kinetic);
         error = error.max(step.motion.drift).max(step.motion.penetration);
+        warnings.add(scene, &step);
         let solve = main_solve(&step);
         is_compared = solve.is_none_or(|solve| solve.problem.lcp.len() <= LARGEST);
         notes.push(note(scene, &step, solve, every));
@@ -197,7 +201,8 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
         steps: notes.len(),
         is_compared,
     };
-    Ok(Went { notes, solves, end })
+    let warnings = warnings.as_slice().iter().map(ToString::to_string).collect();
+    Ok(Went { notes, solves, warnings, end })
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {

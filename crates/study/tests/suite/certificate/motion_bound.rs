@@ -1,7 +1,7 @@
 use lcplab_judge::motion_bound::{Unproved, motion_bound};
 use lcplab_mechanics::assembly::{Assembly, Entering};
 use lcplab_mechanics::formulation::Problem;
-use lcplab_mechanics::scene::{Scene, contacts};
+use lcplab_mechanics::scene::{Scene, step_contacts};
 use lcplab_problem::Gauss;
 use lcplab_solver::{Options, Start, by_name};
 use proptest::prelude::*;
@@ -177,7 +177,7 @@ fn bad_numbers_are_refused() {
 #[test]
 fn every_sweep_tightens_the_bound_of_a_stack() {
     let scene = Scene::load("stack").unwrap();
-    let found = contacts(&scene, &scene.states, scene.contact.margin);
+    let found = step_contacts(&scene, &scene.states);
     let assembly = Assembly::new(&scene, &scene.states, &found, Entering::Near).unwrap();
     let problem = Problem::velocity(&scene, assembly).unwrap();
     let bound = |tolerance: f64| {

@@ -1,0 +1,364 @@
+//! The energy of a step's impacts, where it is not what the coefficient of restitution says.
+//!
+//! A normal impulse X that takes the approach of a contact from v to v⁺ does the work ½ X (v + v⁺).
+//! Newton's law, v⁺ = −e v, makes that ½ (1 − e) X v: 0 at e = 1, and a loss below. A step at
+//! velocity level applies the law to the contacts that approach at its beginning. A contact that
+//! closes only because of another impact in the same step has v⁺ = −c/dt over a gap c, or v⁺ = 0:
+//! the step takes its approach for plastic, whatever e is. And friction that opposes the slip after
+//! an impact may do work on the slip before it (Kane 1984).
+//!
+//! So energy that changes at e = 1, or that impacts add at any e, is measured: for each group of
+//! bodies that push each other, from the rows of the impulses that were applied. v is the relative
+//! velocity, so that the work of a fixed body that moves, such as a bat, does not count. Energy
+//! that goes into friction, joints, limits, springs or motors is in rows of their own, and that of
+//! gravity's integration in none. What is slower than the speed at which contacts bounce is plastic
+//! by choice, and its kinetic energy ½ v²/A_ii is not missed.
+
+use std::collections::BTreeMap;
+
+use super::interpenetration::{faster_first, thickness};
+use super::{Act, Solve};
+use crate::assembly::{Assembly, Row, Source};
+use crate::body::{State, angular, linear};
+use crate::constraint::{Bounds, Kind};
+use crate::formulation::{Problem, Stage};
+use crate::scene::{ContactId, Scene, Scheme};
+use lcplab_problem::number::readable;
+
+/// Energies below this part of the kinetic energy and of the work of all impulses are rounding.
+const ROUNDING: f64 = 1e-11;
+/// A solver's answer may be off by so many times its tolerance.
+const INEXACT: f64 = 10.0;
+/// Energy from overlaps that are pushed apart counts from this part of the weights' work over the
+/// thinner body on, and from this part of the kinetic energy of both bodies.
+const NOTABLE: f64 = 1e-2;
+/// A gap of up to this part of the thinner body is rounding: the bodies touch.
+const TOUCHING: f64 = 1e-9;
+/// Significant digits in messages.
+const DIGITS: usize = 3;
+
+/// Energy that the impacts of a group of bodies changed against the coefficient of restitution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImpactEnergy {
+    /// What the impacts of the group added (J), negative where they took it.
+    pub energy: f64,
+    /// The contact with the largest part in it.
+    pub contact: ContactId,
+    /// Its bodies, the one that moves, or moves faster, first.
+    pub bodies: [usize; 2],
+    /// Its gap at the beginning of the step (m), negative for an overlap.
+    pub gap: f64,
+    /// Why.
+    pub cause: ImpactCause,
+}
+
+/// Why the energy of impacts is not what the coefficient of restitution says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ImpactCause {
+    /// Another impact closed a gap within the same step: the contact did not bounce.
+    GapClosed,
+    /// The bodies touched, and only another impact in the same step pressed them together: the
+    /// contact did not bounce.
+    NotBounced,
+    /// Friction opposed the slip after the impact, and did work on the slip before it.
+    Friction,
+    /// The answer of the solver does not fulfil the contact's row.
+    Inexact,
+    /// The feedback of errors pushed an overlap apart, at this speed (m/s).
+    PushedApart(f64),
+}
+
+impl ImpactEnergy {
+    /// The energies to report of a step; `None` where the scheme does not write down impulses at
+    /// fixed poses.
+    pub(super) fn of(
+        scene: &Scene,
+        states: &[State],
+        solves: &[Solve],
+        acts: Option<&[Act]>,
+    ) -> Option<Vec<ImpactEnergy>> {
+        if matches!(scene.step.scheme, Scheme::Xpbd | Scheme::Soft | Scheme::Penalty) {
+            return None;
+        }
+        let mut found = Vec::new();
+        for act in acts? {
+            let Act::Answer(k) = act else { continue };
+            let Solve { problem, solution, .. } = &solves[*k];
+            if matches!(problem.stage, Stage::Velocity | Stage::Impact | Stage::Restitution) {
+                let impulses = Impulses::of(scene, states, problem, &solution.x);
+                found.extend(impulses.of_bounces());
+                found.extend(impulses.of_corrections());
+            }
+        }
+        Some(found)
+    }
+
+    /// The cause in one word, for files.
+    pub fn word(&self) -> &'static str {
+        match self.cause {
+            ImpactCause::GapClosed => "gap_closed_within_step",
+            ImpactCause::NotBounced => "closed_by_another_impact",
+            ImpactCause::Friction => "friction",
+            ImpactCause::Inexact => "inexact_answer",
+            ImpactCause::PushedApart(_) => "overlap_pushed_apart",
+        }
+    }
+
+    /// What happened in the step of this number, why, and what helps.
+    pub fn message(&self, scene: &Scene, step: usize) -> String {
+        let [body, other] = self.bodies.map(|body| &scene.bodies[body].name);
+        let joules = readable(self.energy.abs(), DIGITS);
+        let gap = readable(self.gap.abs(), DIGITS);
+        let what = match self.energy < 0.0 {
+            true => format!(
+                "impacts lost {joules} J in step {step}, where restitution 1 keeps all of it"
+            ),
+            false => format!("impacts added {joules} J in step {step}"),
+        };
+        let separate = match scene.step.scheme {
+            Scheme::Acceleration => "",
+            _ => ", or the scheme acceleration, which divides a step at its impacts",
+        };
+        match self.cause {
+            ImpactCause::GapClosed => format!(
+                "{what}: {other:?} pushes {body:?}, which is {gap} m away, because another impact closed this gap within \
+                 the step. A smaller step.dt lets one impact happen after the other{separate}."
+            ),
+            ImpactCause::NotBounced => format!(
+                "{what}: {body:?} and {other:?} were pressed together by another impact of the same step and did not \
+                 bounce. A small gap between bodies that touch, or a smaller step.dt, lets one impact happen after \
+                 the other."
+            ),
+            ImpactCause::Friction => format!(
+                "{what}: friction between {body:?} and {other:?} opposed the slip after the impact, but the slip before \
+                 it had the other direction. A smaller contact.restitution or contact.friction avoids this."
+            ),
+            ImpactCause::Inexact => format!(
+                "{what}: the solver's answer for the contact of {body:?} and {other:?} is not exact. A smaller \
+                 solver.tolerance or a larger solver.max_iterations makes it so."
+            ),
+            ImpactCause::PushedApart(speed) => format!(
+                "step.baumgarte added {joules} J in step {step}: it pushed {body:?} and {other:?}, which overlapped by {gap} \
+                 m, apart at {} m/s. A smaller step.baumgarte adds less, the scheme split-impulse nothing.",
+                readable(speed, DIGITS)
+            ),
+        }
+    }
+}
+
+/// The impulses of a solve that were applied, and their contacts.
+struct Impulses<'a> {
+    scene: &'a Scene,
+    states: &'a [State],
+    problem: &'a Problem,
+    /// The velocities after them.
+    next: Vec<f64>,
+    contacts: Vec<Contact>,
+    /// The group of each block: bodies that push each other.
+    groups: Vec<usize>,
+}
+
+/// A contact with an impulse.
+struct Contact {
+    id: ContactId,
+    /// The place of its normal row.
+    normal: usize,
+    group: usize,
+    /// Whether the pair keeps all energy, e = 1.
+    is_elastic: bool,
+    is_bounced: bool,
+    /// The work of the normal impulse without that of feedback, and that of friction (J).
+    work: f64,
+    friction: f64,
+    /// The work of feedback that pushes an overlap apart (J), and its speed (m/s).
+    pushed: f64,
+    speed: f64,
+    /// The part of the work that a row which is not fulfilled has (J).
+    inexact: f64,
+    /// The size of what the work is a difference of (J).
+    size: f64,
+    /// The kinetic energy (J) that the contact may lose because what is slow does not bounce.
+    slow: f64,
+}
+
+impl<'a> Impulses<'a> {
+    fn of(scene: &'a Scene, states: &'a [State], problem: &'a Problem, x: &[f64]) -> Self {
+        let efforts = problem.efforts(x);
+        let next = problem.next_velocity(x, problem.dt);
+        let assembly = &problem.assembly;
+        let after = relative(assembly, &next);
+        let free = relative(assembly, &problem.target);
+        let groups = groups(assembly, &efforts);
+        let mut contacts: Vec<Contact> = Vec::new();
+        for (i, row) in assembly.rows.iter().enumerate() {
+            let (Source::Contact(id), impulse) = (row.id.source, efforts[i]) else { continue };
+            let work = 0.5 * impulse * (row.velocity + after[i]);
+            let size = 0.5 * impulse.abs() * (row.velocity.abs() + after[i].abs());
+            if let (Bounds::Friction { normal, .. }, Some(contact)) =
+                (row.bounds, contacts.last_mut())
+                && contact.normal == normal
+            {
+                contact.friction += work;
+                contact.size += size;
+            }
+            let Some(part) = row.parts().next().filter(|_| row.kind == Kind::Normal) else {
+                continue;
+            };
+            if impulse == 0.0 {
+                continue;
+            }
+            let e = scene.restitution(row.bodies);
+            let feedback = problem.bias[i] - row.drift;
+            let is_bounced = problem.stage == Stage::Restitution
+                && e > 0.0
+                && row.velocity < 0.0
+                && problem.bias[i] == e * row.velocity + row.drift;
+            let pushes = !is_bounced && row.c < 0.0 && feedback < 0.0;
+            let pushed = if pushes { -0.5 * impulse * feedback } else { 0.0 };
+            let slow = slow(scene, row, free[i]);
+            let is_slow = !is_bounced && row.velocity > -slow;
+            contacts.push(Contact {
+                id,
+                normal: i,
+                group: groups[part.block],
+                is_elastic: e == 1.0,
+                is_bounced,
+                work: work - pushed,
+                friction: 0.0,
+                pushed,
+                speed: -feedback,
+                inexact: 0.5 * impulse * (after[i] + feedback),
+                size,
+                slow: match is_slow {
+                    true => 0.5 * slow * slow / problem.lcp.matrix().diagonal(i),
+                    false => 0.0,
+                },
+            });
+        }
+        Impulses { scene, states, problem, next, contacts, groups }
+    }
+
+    /// The groups in which something bounced, and whose energy changed at e = 1 or rose.
+    fn of_bounces(&self) -> Vec<ImpactEnergy> {
+        let groups = (0..self.groups.len()).filter(|&group| {
+            self.contacts.iter().any(|contact| contact.group == group && contact.is_bounced)
+        });
+        groups.filter_map(|group| self.of_group(group)).collect()
+    }
+
+    fn of_group(&self, group: usize) -> Option<ImpactEnergy> {
+        let own = || self.contacts.iter().filter(|contact| contact.group == group);
+        let sum = |of: &dyn Fn(&Contact) -> f64| own().map(of).sum::<f64>();
+        let size = sum(&|contact| contact.size);
+        let inexact = sum(&|contact| contact.inexact.abs());
+        let tolerated = inexact.min(INEXACT * self.scene.solver.tolerance * size);
+        let rounding = ROUNDING * size.max(self.kinetic(|_| true));
+        let least = rounding + tolerated + sum(&|contact| contact.slow);
+        let normal = |contact: &Contact| if contact.is_elastic { contact.work } else { 0.0 };
+        let all = |contact: &Contact| contact.work + contact.friction;
+        let (elastic, total) = (sum(&normal), sum(&all));
+        if elastic.abs() > least {
+            return self.report(own(), elastic, &normal);
+        }
+        if total > least { self.report(own(), total, &all) } else { None }
+    }
+
+    /// A report of an energy, with the pair that has the largest part in it, and its first contact.
+    fn report<'c>(
+        &self,
+        contacts: impl Iterator<Item = &'c Contact>,
+        energy: f64,
+        part: &dyn Fn(&Contact) -> f64,
+    ) -> Option<ImpactEnergy> {
+        let mut pairs: BTreeMap<[usize; 2], Vec<&Contact>> = BTreeMap::new();
+        contacts.for_each(|contact| pairs.entry(contact.id.bodies).or_default().push(contact));
+        let of_pair =
+            |pair: &[&Contact]| pair.iter().map(|c| part(c)).sum::<f64>() * energy.signum();
+        let pair = pairs.into_values().max_by(|a, b| of_pair(a).total_cmp(&of_pair(b)))?;
+        let of = |contact: &Contact| part(contact) * energy.signum();
+        let contact = pair.into_iter().max_by(|a, b| of(a).total_cmp(&of(b)))?;
+        let gap = self.problem.assembly.rows[contact.normal].c;
+        let cause = match contact {
+            _ if contact.friction > contact.work.abs() => ImpactCause::Friction,
+            _ if contact.is_bounced || contact.inexact.abs() > 0.5 * of(contact) => {
+                ImpactCause::Inexact
+            }
+            _ if gap > TOUCHING * thickness(self.scene, contact.id.bodies) => {
+                ImpactCause::GapClosed
+            }
+            _ => ImpactCause::NotBounced,
+        };
+        Some(self.found(contact, energy, cause))
+    }
+
+    /// The pairs to which feedback that pushes overlaps apart added much.
+    fn of_corrections(&self) -> Vec<ImpactEnergy> {
+        let mut pairs: BTreeMap<[usize; 2], (f64, &Contact)> = BTreeMap::new();
+        for contact in self.contacts.iter().filter(|contact| contact.pushed > 0.0) {
+            let (sum, fastest) = pairs.entry(contact.id.bodies).or_insert((0.0, contact));
+            *sum += contact.pushed;
+            if contact.speed > fastest.speed {
+                *fastest = contact;
+            }
+        }
+        let is_much = |bodies: [usize; 2], energy: f64| {
+            let mass: f64 = bodies.map(|body| self.scene.bodies[body].mass.mass()).iter().sum();
+            let weight = mass * self.scene.gravity.norm() * thickness(self.scene, bodies);
+            energy > NOTABLE * weight
+                && energy > NOTABLE * self.kinetic(|body| bodies.contains(&body))
+        };
+        let pairs = pairs.into_iter().filter(|(bodies, (energy, _))| is_much(*bodies, *energy));
+        let report = |(_, (energy, contact)): (_, (f64, &Contact))| {
+            self.found(contact, energy, ImpactCause::PushedApart(contact.speed))
+        };
+        pairs.map(report).collect()
+    }
+
+    fn found(&self, contact: &Contact, energy: f64, cause: ImpactCause) -> ImpactEnergy {
+        let bodies = faster_first(self.scene, self.states, contact.id.bodies);
+        let gap = self.problem.assembly.rows[contact.normal].c;
+        ImpactEnergy { energy, contact: contact.id, bodies, gap, cause }
+    }
+
+    /// The kinetic energy (J) of some bodies after the impulses.
+    fn kinetic(&self, is_counted: impl Fn(usize) -> bool) -> f64 {
+        let blocks = self.problem.assembly.blocks.iter();
+        let of = |block: &crate::assembly::Block| {
+            let u = block.gather(&self.next);
+            let omega = angular(&u);
+            0.5 * (block.mass * linear(&u).norm_squared() + omega.dot(&(block.inertia * omega)))
+        };
+        blocks.filter(|block| is_counted(block.body)).map(of).sum()
+    }
+}
+
+/// J u of each row (m/s), fixed bodies that move included.
+fn relative(assembly: &Assembly, u: &[f64]) -> Vec<f64> {
+    let own = assembly.push_forward(u).into_iter().zip(&assembly.rows);
+    own.map(|(speed, row)| speed + row.drift).collect()
+}
+
+/// The approach (m/s) up to which a contact does not bounce, or that forces alone give it within
+/// the step; `free` is its velocity after them.
+fn slow(scene: &Scene, row: &Row, free: f64) -> f64 {
+    let least = match scene.step.scheme {
+        Scheme::Acceleration => scene.contact.bounce_speed.max(scene.resting().bounce),
+        _ => scene.contact.bounce_speed,
+    };
+    least + (row.velocity - free).max(0.0)
+}
+
+/// The group of each block: those that impulses connect.
+fn groups(assembly: &Assembly, efforts: &[f64]) -> Vec<usize> {
+    let mut groups: Vec<usize> = (0..assembly.blocks.len()).collect();
+    for (row, _) in assembly.rows.iter().zip(efforts).filter(|(_, effort)| **effort != 0.0) {
+        let of: Vec<usize> = row.parts().map(|part| groups[part.block]).collect();
+        if let [a, b] = of[..] {
+            groups
+                .iter_mut()
+                .filter(|group| **group == a.max(b))
+                .for_each(|group| *group = a.min(b));
+        }
+    }
+    groups
+}
