@@ -4,7 +4,7 @@ const NAMES = ["coupled-box", "polygon", "coulomb-cone"], CLASSES = ["box", "pol
 const toPlane = ([x, y]) => [210 + x / SPAN * 420 * 0.55, 210 - y / SPAN * 420 * 0.55];
 const fromPlane = (px, py) => [(px - 210) / 420 * SPAN / 0.55, (210 - py) / 420 * SPAN / 0.55];
 
-let state = stateOf(USUAL), ask, answers, paths;
+let state = USUAL, ask, answers, paths;
 const radians = () => state.angle * Math.PI / 180;
 const wanted = () => [state.size * Math.cos(radians()), state.size * Math.sin(radians())];
 
@@ -82,7 +82,5 @@ opened.then((answering) => {
   ask = answering;
   for (const id of SLIDERS) find(`#${id}`).addEventListener("input", (event) => change({ [id]: Number(event.target.value) }));
   find("#directions").addEventListener("change", (event) => change({ directions: Number(event.target.value) }));
-  addEventListener("hashchange", () => { state = stateOf(USUAL); draw(); });
-  draw();
-  document.documentElement.dataset.ready = "yes";
+  follow(USUAL, {}, draw);
 });

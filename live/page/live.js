@@ -23,16 +23,61 @@ const opened = (async () => {
   };
 })();
 
-// What a page shows stands in its address, so that it can be sent to others.
-function stateOf(usual) {
-  const state = { ...usual };
-  for (const [key, text] of new URLSearchParams(location.hash.slice(1) || document.documentElement.dataset.state)) {
-    if (!(key in usual)) continue;
-    const value = typeof usual[key] === "number" ? Number(text) : Array.isArray(usual[key]) ? text.split(",").map(Number)
-      : typeof usual[key] === "boolean" ? text === "true" : text;
-    if (![value].flat().some(Number.isNaN)) state[key] = value;
+// The value that the text of a key stands for, undefined where it stands for none; and what it may
+// be, in words.
+const numeral = (text) => (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN);
+const between = (low, high) => (text) => [numeral(text)].find((v) => v >= low && v <= high);
+const within = (low, high) => ({ words: `a number from ${low} to ${high}`, value: between(low, high) });
+const integer = (low, high) => ({ words: `a whole number from ${low} to ${high}`, value: (text) => [between(low, high)(text)].find(Number.isInteger) });
+const count = { words: "a whole number", value: (text) => [numeral(text)].find((v) => Number.isInteger(v) && v >= 0) };
+const list = (most, low, high) => ({
+  words: `a list of 1 to ${most} numbers from ${low} to ${high}`,
+  value: (text) => [text.split(",").map(between(low, high))].find((values) => values.length <= most && !values.includes(undefined)),
+});
+const anything = { words: "a text", value: (text) => text };
+// The rule of a key that has a control of its own: what the control can be set to.
+function ruleOf(key, usual) {
+  const { type, min, max, options } = find(`#${key}`);
+  if (type === "checkbox") return { words: "true or false", value: (text) => [true, false].find((own) => String(own) === text) };
+  if (type === "range") return within(Number(min), Number(max));
+  const names = [...options].map((option) => option.value), typed = (name) => (typeof usual === "number" ? Number(name) : name);
+  return { words: `one of ${names.join(", ")}`, value: (text) => names.filter((name) => name === text).map(typed)[0] };
+}
+
+// What a page shows stands in its address, so that it can be sent to others. An address that means
+// nothing is answered by a sentence and by the page's usual state. `own` are the rules of the keys
+// without a control.
+function stateOf(usual, own) {
+  const given = {}, address = location.hash.slice(1) || document.documentElement.dataset.state || "";
+  for (const [key, text] of new URLSearchParams(address)) {
+    if (!Object.hasOwn(usual, key)) return { reason: `The address has the key ${brief(key)}, which this page does not know` };
+    if (Object.hasOwn(given, key)) return { reason: `The address gives ${key} twice` };
+    const { words, value } = own[key] ?? ruleOf(key, usual[key]);
+    given[key] = value(text);
+    if (given[key] === undefined) return { reason: `The address says ${key} = ${brief(text)}, which is not ${words}` };
   }
-  return state;
+  return { given };
+}
+const brief = (text) => (text === "" ? "nothing" : text.length > 40 ? `${text.slice(0, 40)}…` : text);
+// Shows the state of the address by `show`, now and whenever another address is typed. `show` may
+// change a value that does not go with the others, such as a step beyond the last one.
+function follow(usual, own, show) {
+  const begin = () => {
+    let { given = {}, reason } = stateOf(usual, own);
+    state = { ...usual, ...given };
+    show();
+    const changed = Object.keys(given).find((key) => String(state[key]) !== String(given[key]));
+    if (changed) {
+      reason = `The address says ${changed} = ${given[changed]}, which does not go with the rest of it`;
+      state = { ...usual };
+      show();
+    }
+    find("#address").hidden = !reason;
+    find("#address").textContent = reason ? `${reason}, so the page begins as it does without an address.` : "";
+  };
+  addEventListener("hashchange", begin);
+  begin();
+  document.documentElement.dataset.ready = "yes";
 }
 let keeping; // browsers allow few changes of the address a second, and dragging makes many
 function keep(state, usual) {

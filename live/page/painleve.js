@@ -6,7 +6,7 @@ const fromMap = (px, py) => [(px - 40) / 370 * MOST_MU, (390 - py) / 370 * 90];
 const radians = (degrees) => degrees * Math.PI / 180;
 const critical = (theta) => (4 + Math.tan(radians(theta)) ** 2) / (3 * Math.tan(radians(theta)));
 
-let state = stateOf(USUAL), ask, rod, frames, timer;
+let state = USUAL, ask, rod, frames, timer;
 
 function solve() {
   const { mu, theta, omega } = state;
@@ -126,7 +126,5 @@ opened.then((answering) => {
     timer = setInterval(() => { state.step < frames.length - 1 ? (state.step += 1) : stop(); drawFrame(); }, 25);
     drawFrame();
   });
-  addEventListener("hashchange", () => { state = stateOf(USUAL); draw(); });
-  draw();
-  document.documentElement.dataset.ready = "yes";
+  follow(USUAL, { step: integer(0, FRAMES) }, () => { stop(); draw(); });
 });

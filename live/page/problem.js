@@ -7,7 +7,7 @@ const EXAMPLES = {
 };
 const USUAL = { example: Object.keys(EXAMPLES)[0], solver: "", step: 0, lines: 0, problem: "" };
 
-let state = stateOf(USUAL), ask, problem, solved, timer;
+let state = USUAL, ask, problem, solved, timer;
 const compact = (value) => JSON.stringify(value, null, 1).replace(/\n\s*/g, " ").replace(/\[ /g, "[").replace(/ \]/g, "]");
 
 const ten = (power) => `10${[...String(power)].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"["0123456789-".indexOf(c)]).join("")}`;
@@ -24,9 +24,7 @@ function solve() {
   state.step = Math.min(state.step, solved.steps.length - 1);
   find("#x").value = JSON.stringify(solved.answer.x);
   find("#judge").textContent = solved.judge;
-  const menu = find("#solver");
-  if (menu.options.length === 0) menu.innerHTML = svg("option", { value: "" }, "what suits it") + solved.solvers.map(([name, method]) => svg("option", { value: name, title: method.replace(/["<>&]/g, " ") }, name)).join("");
-  menu.value = state.solver;
+  find("#solver").value = state.solver;
 }
 
 // Residuals over the steps, on a logarithmic axis; 0 lies on the lowest line.
@@ -49,7 +47,7 @@ function drawChart() {
 function drawRows() {
   if (solved.error) { find("#rows").innerHTML = ""; return; }
   const { x, w, event } = solved.steps[state.step];
-  const label = (i) => problem.rows?.[i]?.label?.replace(/[<>&"]/g, " ") ?? i;
+  const label = (i) => String(problem.rows?.[i]?.label ?? i).replace(/[<>&"]/g, " ");
   const rows = x.map((v, i) => svg("tr", {}, svg("th", {}, label(i)) + svg("td", {}, short(v, 6)) + svg("td", {}, short(w[i], 6))));
   find("#rows").innerHTML = svg("caption", {}, event) + svg("tr", {}, "<th>row</th><th>x</th><th>w</th>") + rows.join("");
 }
@@ -147,7 +145,7 @@ opened.then((answering) => {
   find("#less").addEventListener("click", () => show(state.lines - 1));
   find("#more").addEventListener("click", () => show(state.lines + 1));
   find("#whole").addEventListener("click", () => show(Infinity));
-  addEventListener("hashchange", () => { state = stateOf(USUAL); begin(); });
-  begin();
-  document.documentElement.dataset.ready = "yes";
+  const { solvers } = ask({ ask: "solve", problem: EXAMPLES[USUAL.example] });
+  find("#solver").innerHTML = svg("option", { value: "" }, "what suits it") + solvers.map(([name, method]) => svg("option", { value: name, title: method.replace(/["<>&]/g, " ") }, name)).join("");
+  follow(USUAL, { step: count, lines: count, problem: anything }, begin);
 });

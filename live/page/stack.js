@@ -1,7 +1,8 @@
 const USUAL = { masses: [1, 1, 1, 1, 1], solver: "pgs", omega: 1.3, sweeps: 10, backward: false, warm: false, at: 0 };
 const SWEEPS = ["pgs", "jacobi", "sor"], DT = 0.01, SIZE = 0.2, MOST = 8;
+const OWN = { masses: list(MOST, 0.1, 1000), sweeps: integer(1, 60), at: count };
 
-let state = stateOf(USUAL), ask, problem, exact, trace, moves, film, timer;
+let state = USUAL, ask, problem, exact, trace, moves, film, timer;
 const isSweep = () => SWEEPS.includes(state.solver);
 
 function solve() {
@@ -148,7 +149,5 @@ opened.then((answering) => {
   find("#sweep").addEventListener("click", () => { stop(); change({ at: moves.findIndex(({ step }, k) => k > state.at && step > moves[state.at].step) }); });
   find("#all").addEventListener("click", () => { stop(); change({ at: moves.length - 1 }); });
   find("#motion").addEventListener("click", play);
-  addEventListener("hashchange", () => { stop(); state = stateOf(USUAL); draw(); });
-  draw();
-  document.documentElement.dataset.ready = "yes";
+  follow(USUAL, OWN, () => { stop(); draw(); });
 });

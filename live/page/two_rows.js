@@ -1,4 +1,5 @@
 const USUAL = { a00: 2, a01: -1, a10: -1, a11: 2, symmetric: true, b0: -1, b1: -2, bounds: "contacts", solver: "pgs", omega: 1.3, x0: 0, x1: 0, step: 0 };
+const OWN = { x0: within(-4, 4), x1: within(-4, 4), step: count };
 const SLIDERS = ["a00", "a01", "a10", "a11", "b0", "b1", "omega"];
 const SWEEPS = ["pgs", "jacobi", "sor"];
 const SPAN = 5, MIDDLE = [1.5, 1.5]; // the plane of x is this wide, around this point
@@ -6,7 +7,7 @@ const toPlane = ([x, y]) => [(x - MIDDLE[0]) / SPAN * 420 + 210, 210 - (y - MIDD
 const fromPlane = (px, py) => [(px - 210) / 420 * SPAN + MIDDLE[0], (210 - py) / 420 * SPAN + MIDDLE[1]];
 const toCones = ([x, y]) => [210 + x * 42, 210 - y * 42];
 
-let state = stateOf(USUAL), ask, trace, timer;
+let state = USUAL, ask, trace, timer;
 
 function problem() {
   const bounds = { contacts: { lo: [0, 0], hi: ["inf", "inf"] }, box: { lo: [0, 0], hi: [2, 2] }, free: { lo: ["-inf", "-inf"], hi: ["inf", "inf"] } };
@@ -215,7 +216,5 @@ opened.then((answering) => {
     timer = setInterval(() => (state.step < trace.steps.length - 1 ? change({ step: state.step + 1 }) : (stop(), draw())), 350);
     draw();
   });
-  addEventListener("hashchange", () => { state = stateOf(USUAL); draw(); });
-  change({});
-  document.documentElement.dataset.ready = "yes";
+  follow(USUAL, OWN, () => { stop(); change({}); });
 });

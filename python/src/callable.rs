@@ -9,11 +9,11 @@ use lcplab::solver::{
     Solver, Start, Status,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::{PyKeyboardInterrupt, PyTypeError};
+use pyo3::exceptions::{PyException, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::{arrays, refused};
+use crate::{arrays, refused, waiting};
 
 /// `solver(A, b, lo, hi, **settings)`, which returns x, or yields iterates of which the last one is x, or returns
 /// `None` where it found nothing.
@@ -76,7 +76,7 @@ impl Solver for Callable {
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         let first = start.point(lcp);
         let begun = Iterate { iteration: 0, x: &first, event: Event::Start };
-        if observer.observe(&begun).is_break() {
+        if waiting::is_interrupted() || observer.observe(&begun).is_break() {
             return Solution::new(lcp, first, Status::Stopped, 0);
         }
         let mut told = Told { lcp, observer, x: first, iterations: 0, is_stopped: false };
@@ -164,18 +164,24 @@ impl Callable {
     }
 }
 
-/// A list of numbers, whatever holds it.
+/// A list of real numbers, whatever holds it.
 fn numbers(x: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
-    match x.extract::<PyReadonlyArray1<'_, f64>>() {
-        Ok(array) => Ok(array.as_array().to_vec()),
-        Err(_) => x.extract::<Vec<f64>>(),
+    if let Ok(array) = x.extract::<PyReadonlyArray1<'_, f64>>() {
+        return Ok(array.as_array().to_vec());
     }
+    // The numbers of a complex array would lose their imaginary parts one by one.
+    let array = x.py().import("numpy")?.call_method1("asarray", (x,))?;
+    if array.getattr("dtype")?.getattr("kind")?.extract::<char>()? == 'c' {
+        return Err(PyTypeError::new_err("x is complex, must be real"));
+    }
+    x.extract::<Vec<f64>>()
 }
 
-/// An exception in a line. One that ends the program is kept for who waits.
+/// An exception in a line. One that is no error of the function but ends what called it, as Ctrl-C
+/// and `sys.exit` do, is kept for who waits.
 fn reason(py: Python<'_>, error: &PyErr) -> String {
-    if error.is_instance_of::<PyKeyboardInterrupt>(py) {
-        crate::waiting::interrupt(error.clone_ref(py));
+    if !error.is_instance_of::<PyException>(py) {
+        waiting::interrupt(error.clone_ref(py));
     }
     error.to_string()
 }

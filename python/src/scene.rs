@@ -10,6 +10,7 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
 use crate::problem::Problem;
+use crate::waiting::quickly;
 use crate::{callable, refused};
 
 /// A scene that is stepped.
@@ -96,7 +97,7 @@ impl Scene {
             self.simulation.solve_by((entry.build)(&options));
         }
         let simulation = &mut self.simulation;
-        let step = py.detach(|| simulation.step());
+        let step = quickly(py, || simulation.step())?;
         py.check_signals()?;
         let step = step.map_err(|failure| PyRuntimeError::new_err(failure.to_string()))?;
         let step = Rc::new(step);

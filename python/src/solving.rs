@@ -22,7 +22,7 @@ use pyo3::types::PyDict;
 use serde_json::Value;
 
 use crate::problem::Problem;
-use crate::waiting::wait;
+use crate::waiting::{quickly, wait};
 use crate::{callable, refused};
 
 /// Smaller problems are solved before anyone could have waited.
@@ -90,7 +90,7 @@ pub fn solve<'py>(
     let stop = Stop::default();
     let work = || answered(lcp, entry.as_ref(), &options, &demand, trace, &stop);
     let (answer, records) = match lcp.len() <= QUICK_ROWS && !trace {
-        true => py.detach(work),
+        true => quickly(py, work)?,
         false => wait(py, &stop, work)?,
     };
     let certificate = &answer.certificate;

@@ -11,16 +11,27 @@ use pyo3::prelude::*;
 /// How often it is looked whether someone wants to stop.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// A Ctrl-C that came while a function of the user's ran.
+/// What a function of the user's raised to end more than itself: KeyboardInterrupt, SystemExit.
 static INTERRUPT: Mutex<Option<PyErr>> = Mutex::new(None);
 
-/// Notes that the user wants to stop.
+/// Notes that a function of the user's ends what called it.
 pub fn interrupt(error: PyErr) {
     *INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
 }
 
+/// Whether what is under way is to end.
+pub fn is_interrupted() -> bool {
+    INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+}
+
 fn interrupted() -> Option<PyErr> {
     INTERRUPT.lock().unwrap_or_else(PoisonError::into_inner).take()
+}
+
+/// Does short work without the interpreter; returns what a function of the user's raised to end it.
+pub fn quickly<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let result = py.detach(work);
+    interrupted().map_or(Ok(result), Err)
 }
 
 /// Does the work on another thread, without the interpreter, until it is done or the user stops it.
@@ -44,7 +55,8 @@ pub fn wait<T: Send>(py: Python<'_>, stop: &Stop, work: impl FnOnce() -> T + Sen
             worker.join()
         })
     });
-    match (asked.or_else(interrupted), result) {
+    let late = interrupted();
+    match (asked.or(late), result) {
         (Some(error), _) => Err(error),
         (None, Ok(result)) => Ok(result),
         (None, Err(_)) => {

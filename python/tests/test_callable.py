@@ -60,6 +60,43 @@ def test_an_exception_is_a_failure_with_its_message(function, words):
     assert row["claimed"] == 0 and words in row["trouble"]
 
 
+@pytest.mark.parametrize("end", [KeyboardInterrupt, SystemExit, GeneratorExit])
+def test_what_ends_more_than_a_function_passes_through(end):
+    called = []
+
+    def ends(A, b, lo, hi, **settings):
+        called.append(len(b))
+        raise end(3)
+
+    def ends_later(A, b, lo, hi, **settings):
+        yield np.zeros(len(b))
+        raise end(3)
+
+    large = lcplab.Problem.generate("stack", n=300)
+    for solve in (
+        lambda f: lcplab.solve(P, solver=f),
+        lambda f: lcplab.solve(P, solver=f, trace=True),
+        lambda f: lcplab.solve(large, solver=f),
+        lambda f: lcplab.compare([P, large], [f, "pgs"]),
+        lambda f: lcplab.hunt(f, n=2, evaluations=10_000),
+        lambda f: lcplab.Scene.load("fig7").step(f),
+        lambda f: assert_solves(f, [P]),
+    ):
+        for function in (ends, ends_later):
+            with pytest.raises(end):
+                solve(function)
+            assert lcplab.solve(P, solver="dantzig"), "nothing of it is left for the next call"
+    # What was not under way yet is not begun any more, so that no more than one call a thread was
+    # made.
+    assert len(called) < 50
+
+
+def test_an_answer_with_imaginary_parts_is_no_answer():
+    for x in (np.array([0.5 + 1j, 0]), [np.complex128(0.5 + 1j), 0.0]):
+        r = lcplab.solve(P, solver=lambda A, b, lo, hi, **s: x)
+        assert r.status == "failed" and "x is complex, must be real" in r.message
+
+
 def test_none_is_no_claim():
     assert lcplab.solve(P, solver=lambda A, b, lo, hi, **s: None).status == "iteration_limit"
 

@@ -379,6 +379,17 @@ def test_the_command_writes_a_record_that_the_report_draws(tmp_path, capfd):
     assert "✓  stops after" in capfd.readouterr().out
 
 
+@pytest.mark.parametrize("name", ["engines.json", "engines.toml", "index.html"])
+def test_nothing_is_written_through_a_link_in_a_folder(tmp_path, capfd, name):
+    out, keys = tmp_path / "page", tmp_path / "keys"
+    out.mkdir()
+    keys.write_text("keys", encoding="utf-8")
+    (out / name).symlink_to(keys)
+    assert main(["--engine", "lcplab", "--phenomenon", "free_fall", "--report", str(out)]) == 2
+    assert keys.read_text(encoding="utf-8") == "keys"
+    assert "is a symbolic link" in capfd.readouterr().err
+
+
 def test_mujocos_own_forces_solve_the_problem_that_it_poses():
     pytest.importorskip("mujoco")
     found = frames("mujoco")

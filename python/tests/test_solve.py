@@ -71,6 +71,48 @@ def test_defects_are_input_errors_with_the_words_of_the_command_line(arguments, 
     assert issubclass(lcplab.InputError, ValueError)
 
 
+def test_the_arrays_of_a_result_stay_what_was_judged():
+    r = lcplab.solve(A, B, solver="pgs", trace=True)
+    step = lcplab.Scene.load("fig7").step()
+    for array in (r.x, r.w, step.x, *r.trace.values()):
+        with pytest.raises(ValueError, match="read-only"):
+            array[:] = 5
+    for name in ("x", "w"):
+        with pytest.raises(AttributeError):
+            setattr(r, name, np.zeros(2))
+    own = r.x.copy()
+    own[:] = 5
+    assert r and r.x[0] != 5 and lcplab.judge(A, B, r.x)
+
+
+@pytest.mark.parametrize("name", ["A", "b", "lo", "hi", "mu", "friction_index"])
+def test_imaginary_parts_are_refused_and_not_dropped(name):
+    given = {"A": A, "b": B, "lo": [0.0, -np.inf], "hi": [np.inf, np.inf], "friction_index": [-1, 0], "mu": [0.0, 0.5]}
+    if name not in ("mu", "friction_index"):
+        del given["friction_index"], given["mu"]
+    given[name] = np.asarray(given[name]).astype(complex) + (1j if name != "hi" else 0)
+    with pytest.raises(lcplab.InputError, match=f"{name}: is complex, must be real"):
+        lcplab.Problem(**given)
+
+
+def test_an_x_and_a_sparse_matrix_with_imaginary_parts_are_refused():
+    from scipy import sparse
+
+    with pytest.raises(lcplab.InputError, match="x: is complex"):
+        lcplab.judge(A, B, np.array([0.5 + 1j, 0]))
+    with pytest.raises(lcplab.InputError, match="x: is complex"):
+        lcplab.prove(lcplab.Problem(A, B), np.array([0.5 + 1j, 0]))
+    with pytest.raises(lcplab.InputError, match="A: is complex"):
+        lcplab.solve(sparse.csr_array(A * 1j), B)
+
+
+def test_a_row_that_is_no_whole_number_is_refused():
+    for index in ([-1, 0.5], [-1, np.nan], [-1, np.inf]):
+        with pytest.raises(lcplab.InputError, match=r"friction_index\[1\]: must be a row or -1"):
+            lcplab.Problem(A, B, friction_index=index, mu=[0, 0.5])
+    assert lcplab.Problem(A, B, friction_index=[-1.0, 0.0], mu=[0, 0.5]).friction_index.tolist() == [-1, 0]
+
+
 def test_an_unknown_solver_is_answered_with_the_known_ones():
     with pytest.raises(lcplab.InputError, match="there is no solver named \"gauss\"; there are pgs"):
         lcplab.solve(A, B, solver="gauss")

@@ -7,14 +7,14 @@ use serde_json::{Value, json};
 
 use super::driver::Page;
 
-fn page(name: &str) -> Page {
+pub fn page(name: &str) -> Page {
     let folder = std::env::var("LCPLAB_LIVE")
         .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/live").into());
     Page(std::fs::read_to_string(Path::new(&folder).join(format!("{name}.html"))).unwrap())
 }
 
 /// Waits until the module answers, and listens to what is asked of it.
-const READY: &str = "
+pub const READY: &str = "
 while (document.documentElement.dataset.ready !== 'yes') await wait(10);
 window.asked = [];
 const set = (name, value) => { const node = find(name); if (node.type === 'checkbox') node.checked = value; else node.value = value;

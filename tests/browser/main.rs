@@ -4,6 +4,7 @@
 //! cargo test --test browser
 //! ```
 
+mod address;
 mod driver;
 mod layout;
 mod lesson;

@@ -59,17 +59,15 @@ class Problem:
         scale: float | None = None,
         name: str = "",
     ) -> None:
-        right = vector(b)
+        right = vector(b, "b")
         self._inner = _lcplab.Problem.of(
             _entries(A),
             {
                 "b": right,
-                "lo": _bound(lo, len(right)),
-                "hi": _bound(hi, len(right)),
-                "friction_index": None
-                if friction_index is None
-                else np.ascontiguousarray(friction_index, dtype=np.int64),
-                "mu": None if mu is None else vector(mu),
+                "lo": _bound(lo, len(right), "lo"),
+                "hi": _bound(hi, len(right), "hi"),
+                "friction_index": None if friction_index is None else _rows(friction_index),
+                "mu": None if mu is None else vector(mu, "mu"),
                 "model": model,
                 "scale": scale,
                 "name": name,
@@ -209,15 +207,38 @@ def _single(given: Any) -> Problem:
     return Problem(*given)
 
 
-def vector(values: ArrayLike) -> Array:
-    return np.ascontiguousarray(values, dtype=np.float64)
+def read_only(array: Array) -> Array:
+    """The array, which raises a ValueError where it is written to."""
+    array.flags.writeable = False
+    return array
 
 
-def _bound(values: ArrayLike | None, n: int) -> Array | None:
+def vector(values: ArrayLike, name: str) -> Array:
+    """Contiguous real numbers."""
+    return np.ascontiguousarray(_real(values, name))
+
+
+def _real(values: ArrayLike, name: str) -> Array:
+    # NumPy would drop imaginary parts with a warning.
+    array = np.asarray(values)
+    if np.iscomplexobj(array):
+        raise _lcplab.InputError(f"problem: {name}: is complex, must be real; its real part is {name}.real")
+    return np.asarray(array, dtype=np.float64)
+
+
+def _rows(friction_index: ArrayLike) -> NDArray[np.int64]:
+    # NumPy would cut 0.5 to row 0.
+    index = _real(friction_index, "friction_index")
+    for i in np.flatnonzero(~np.isfinite(index) | (np.floor(index) != index)):
+        raise _lcplab.InputError(f"problem: friction_index[{i}]: must be a row or -1, is {index.flat[i]}")
+    return np.ascontiguousarray(index, dtype=np.int64)
+
+
+def _bound(values: ArrayLike | None, n: int, name: str) -> Array | None:
     if values is None:
         return None
-    bound = np.asarray(values, dtype=np.float64)
-    return np.full(n, bound) if bound.ndim == 0 else vector(bound)
+    bound = _real(values, name)
+    return np.full(n, bound) if bound.ndim == 0 else vector(bound, name)
 
 
 def _entries(A: Any) -> _lcplab.Entries:
@@ -227,5 +248,5 @@ def _entries(A: Any) -> _lcplab.Entries:
         if rows != cols:
             raise _lcplab.InputError(f"problem: A: is {rows} × {cols}, must be square")
         index = [np.ascontiguousarray(k, dtype=np.int64) for k in (sparse.row, sparse.col)]
-        return rows, index[0], index[1], vector(sparse.data)
-    return np.asarray(A, dtype=np.float64)
+        return rows, index[0], index[1], vector(sparse.data, "A")
+    return _real(A, "A")

@@ -56,7 +56,7 @@ def prove(problem: Problem, x: ArrayLike | None = None, *, kind: str | None = No
     >>> prove(Problem([[2, -1], [-1, 2]], [-1, 2]))
     <lcplab.Proof unique: exactly one solution exists>
     """
-    proof, missing = _lcplab.prove(problem._inner, None if x is None else vector(x), kind)
+    proof, missing = _lcplab.prove(problem._inner, None if x is None else vector(x, "x"), kind)
     text, claim = proof if proof is not None else (None, "nothing")
     return Proof(text, claim, dict(missing))
 

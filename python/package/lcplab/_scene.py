@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from lcplab import _lcplab
-from lcplab._problem import Array, Problem
+from lcplab._problem import Array, Problem, read_only
 from lcplab._solve import Solver
 
 
@@ -21,7 +21,7 @@ class Step:
         self.number: int = taken.number
         self.solvers: list[str] = taken.solvers
         self.statuses: list[str] = taken.statuses
-        self.x: Array | None = taken.x
+        self.x: Array | None = None if taken.x is None else read_only(taken.x)
 
     @cached_property
     def _judged(self) -> list[tuple[str, bool]]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lcplab import _lcplab
-from lcplab._problem import Array, Problem, problem_of, vector
+from lcplab._problem import Array, Problem, problem_of, read_only, vector
 
 #: A name that :func:`solvers` lists, or a function of ``A, b, lo, hi`` and keywords.
 Solver = Union[str, Callable[..., Any]]
@@ -56,8 +56,6 @@ class Result(Verdict):
 
     Attributes
     ----------
-    x, w : (n,) ndarray
-        The answer, and ``A x + b``.
     status : str
         What the solver says: ``"solved"``, ``"infeasible"``, ``"iteration_limit"`` or ``"failed"``.
     message : str
@@ -70,13 +68,23 @@ class Result(Verdict):
 
     def __init__(self, told: dict[str, Any]) -> None:
         super().__init__(told["is_solution"], json.loads(told["certificate"]))
-        self.x: Array = told["x"]
-        self.w: Array = told["w"]
+        self._x, self._w = read_only(told["x"]), read_only(told["w"])
         self.status: str = told["status"]
         self.message: str = told["message"]
         self.solver: str = told["solver"]
         self.iterations: int = told["iterations"]
-        self.trace: dict[str, Array] | None = told.get("trace")
+        trace: dict[str, Array] | None = told.get("trace")
+        self.trace = None if trace is None else {name: read_only(column) for name, column in trace.items()}
+
+    @property
+    def x(self) -> Array:
+        """The answer, read-only, since the verdict is about it; ``x.copy()`` can be changed."""
+        return self._x
+
+    @property
+    def w(self) -> Array:
+        """``A x + b``, read-only."""
+        return self._w
 
     def __repr__(self) -> str:
         return (
@@ -167,7 +175,7 @@ def judge(
     if x is None:
         raise TypeError("judge needs x")
     problem = problem_of(A, b, lo, hi, friction_index, mu)
-    is_solution, told = _lcplab.judge(problem._inner, vector(x), tolerance, model)
+    is_solution, told = _lcplab.judge(problem._inner, vector(x, "x"), tolerance, model)
     return Verdict(is_solution, json.loads(told))
 
 

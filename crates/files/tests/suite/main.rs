@@ -2,6 +2,7 @@
 //! written reads back as the same bits, and bad files are refused with place and reason.
 
 mod chrono;
+mod disk;
 #[cfg(feature = "fclib")]
 mod fclib;
 mod hostile;
