@@ -14,9 +14,11 @@ $ pip install ./python        # needs a Rust toolchain; brings the command lcpla
 
 The package needs NumPy alone; SciPy's sparse arrays are taken where they are. A function `f(A, b, lo, hi, **settings)` is a
 solver wherever a solver is named: it returns x, or yields its iterates, or returns None where it found nothing; `settings`
-are `tolerance`, `max_iterations`, with friction `friction_index` and `mu`, and in scenes `start`. An exception in it is a
-failed row with its message, but for those that end more than a function, such as KeyboardInterrupt and SystemExit: they end
-the call that asked it. [Examples](../python/examples) and a [notebook](../notebooks/python/quickstart.ipynb) show
+are `tolerance`, `max_iterations`, with friction `friction_index` and `mu`, and in scenes `start`. A function that has a
+parameter named `model` also gets friction cones: `model` is then `"coupled-box"`, `"associated-cone"` or `"coulomb-cone"`.
+It may raise NotImplementedError for a problem that it is not made for. Any other exception is a failed row with its
+message, but for those that end more than a function, such as KeyboardInterrupt and SystemExit: they end the call that
+asked it. [Examples](../python/examples) and a [notebook](../notebooks/python/quickstart.ipynb) show
 it at work.
 
 This page is written by `python python/reference.py` from the docstrings.

@@ -3,13 +3,16 @@
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
+use lcplab::error::Error;
 use lcplab::lcp::Lcp;
+use lcplab::lcp::friction::{ConeProblem, Law, Model};
+use lcplab::report::methods::{self as library, why_none_takes};
 use lcplab::solver::{
-    Class, Cost, Entry, Event, Group, Iterate, MatrixClass, Observer, Options, Settings, Solution,
-    Solver, Start, Status,
+    Class, ConeEntry, ConeSolver, Cost, Entry, Event, Group, Iterate, MatrixClass, Method,
+    Observer, Options, Settings, Solution, Solver, Start, Status,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::{PyException, PyTypeError};
+use pyo3::exceptions::{PyException, PyNotImplementedError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -17,80 +20,207 @@ use crate::{arrays, refused, waiting};
 
 /// `solver(A, b, lo, hi, **settings)`, which returns x, or yields iterates of which the last one is x, or returns
 /// `None` where it found nothing.
+#[derive(Clone, Copy)]
 struct Callable {
     name: &'static str,
-    function: Py<PyAny>,
+    function: &'static Py<PyAny>,
+    /// Whether it has a parameter `model`: then it gets friction cones too.
+    takes_models: bool,
+}
+
+/// A function with the settings of a solve.
+struct Set {
+    callable: Callable,
     settings: Settings,
 }
 
-/// Functions as solvers, by their addresses.
-type Known = HashMap<usize, (Py<PyAny>, Entry)>;
+/// A function as a solver: for boxes, and for cones if it has a parameter `model`.
+#[derive(Clone, Copy)]
+struct Function {
+    boxed: Entry,
+    cone: Option<ConeEntry>,
+}
 
-/// Those that were used. They are kept, and so is their place.
-static KNOWN: Mutex<Option<Known>> = Mutex::new(None);
+/// Functions as solvers, by their addresses. They are kept, and so is their place.
+static KNOWN: Mutex<Option<HashMap<usize, Function>>> = Mutex::new(None);
 
-/// A solver by its name, or a function as one.
+/// The methods of a solver by its name, or of a function: for boxes, and for cones if it has a parameter `model`.
+pub fn methods(solver: &Bound<'_, PyAny>) -> PyResult<Vec<Method>> {
+    if let Ok(name) = solver.extract::<String>() {
+        return library::named(&name).map_err(refused);
+    }
+    Ok(known(solver)?.methods())
+}
+
+/// The method of a solver by its name, or of a function, for a model of friction, or for LCPs without any.
+pub fn method(solver: &Bound<'_, PyAny>, model: Option<Model>) -> PyResult<Method> {
+    if let Ok(name) = solver.extract::<String>() {
+        let named = match model {
+            Some(model) => library::by_name(&name, model),
+            None => library::entry(&name).map(Method::Boxed),
+        };
+        return named.map_err(refused);
+    }
+    let function = known(solver)?;
+    let methods = function.methods();
+    if let Some(method) = methods.iter().find(|method| method.takes(model)) {
+        return Ok(*method);
+    }
+    let reason = why_none_takes(&methods, model).unwrap_or_default();
+    let reason = format!("{reason}; a function that has a parameter named model gets friction cones");
+    Err(refused(Error::invalid(format!("solver {}", function.boxed.name), "model", reason)))
+}
+
+/// A solver for LCPs by its name, or a function as one.
 pub fn entry(solver: &Bound<'_, PyAny>) -> PyResult<Entry> {
     if let Ok(name) = solver.extract::<String>() {
-        return lcplab::report::methods::entry(&name).map_err(refused);
+        return library::entry(&name).map_err(refused);
     }
+    Ok(known(solver)?.boxed)
+}
+
+/// The function, which is kept from its first use on.
+fn known(solver: &Bound<'_, PyAny>) -> PyResult<Function> {
     if !solver.is_callable() {
         return Err(PyTypeError::new_err("a solver is a name or a function of A, b, lo, hi"));
     }
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let known = known.get_or_insert_with(HashMap::new);
-    if let Some((_, entry)) = known.get(&(solver.as_ptr() as usize)) {
-        return Ok(*entry);
-    }
-    let made = made(solver)?;
-    known.insert(solver.as_ptr() as usize, (solver.clone().unbind(), made));
-    Ok(made)
+    let address = solver.as_ptr() as usize;
+    Ok(*known.entry(address).or_insert_with(|| Callable::new(solver).into_function()))
 }
 
-fn made(function: &Bound<'_, PyAny>) -> PyResult<Entry> {
-    let name = function.getattr("__name__").and_then(|name| name.extract::<String>());
-    let name: &'static str =
-        Box::leak(name.unwrap_or_else(|_| "my_solver".into()).into_boxed_str());
-    let function = function.clone().unbind();
-    let build = move |options: &Options| -> Box<dyn Solver> {
-        let function = Python::attach(|py| function.clone_ref(py));
-        Box::new(Callable { name, function, settings: options.settings.clone() })
+/// Whether a function has a parameter of this name; a keyword that only its `**settings` would take does not count, since
+/// such a function need not look at it.
+fn has_parameter(function: &Bound<'_, PyAny>, name: &str) -> bool {
+    let parameters = || {
+        let inspect = function.py().import("inspect")?;
+        let signature = inspect.call_method1("signature", (function,))?;
+        let parameters = signature.getattr("parameters")?;
+        if !parameters.contains(name)? {
+            return Ok(false);
+        }
+        let kind = parameters.get_item(name)?.getattr("kind")?;
+        let parameter = inspect.getattr("Parameter")?;
+        let takes_keyword =
+            [parameter.getattr("POSITIONAL_OR_KEYWORD")?, parameter.getattr("KEYWORD_ONLY")?];
+        PyResult::Ok(takes_keyword.iter().any(|other| kind.is(other)))
     };
-    Ok(Entry {
-        name,
-        method: "a function in Python",
-        class: Class { divides_by_diagonal: true, ..Class::of(MatrixClass::General) },
-        group: Group::Plugin,
-        cost: Cost::UNKNOWN,
-        source: "a function in Python",
-        uses: &[],
-        build: Box::leak(Box::new(build)),
-    })
+    parameters().unwrap_or(false) // a function in C may have no signature
 }
 
-impl Solver for Callable {
+impl Function {
+    fn methods(self) -> Vec<Method> {
+        let boxed = std::iter::once(Method::Boxed(self.boxed));
+        boxed.chain(self.cone.map(Method::Cone)).collect()
+    }
+}
+
+impl Callable {
+    fn new(function: &Bound<'_, PyAny>) -> Self {
+        let name = function.getattr("__name__").and_then(|name| name.extract::<String>());
+        let name = name.unwrap_or_else(|_| "my_solver".into());
+        Callable {
+            name: Box::leak(name.into_boxed_str()),
+            function: Box::leak(Box::new(function.clone().unbind())),
+            takes_models: has_parameter(function, "model"),
+        }
+    }
+
+    fn into_function(self) -> Function {
+        let cone = self.takes_models.then(|| self.cone_entry());
+        Function { boxed: self.entry(), cone }
+    }
+
+    fn entry(self) -> Entry {
+        let build = move |options: &Options| -> Box<dyn Solver> {
+            Box::new(Set { callable: self, settings: options.settings.clone() })
+        };
+        Entry {
+            name: self.name,
+            method: "a function in Python",
+            class: Class { divides_by_diagonal: true, ..Class::of(MatrixClass::General) },
+            group: Group::Plugin,
+            cost: Cost::UNKNOWN,
+            source: "a function in Python",
+            uses: &[],
+            build: Box::leak(Box::new(build)),
+        }
+    }
+
+    fn cone_entry(self) -> ConeEntry {
+        let build = move |settings: &Settings| -> Box<dyn ConeSolver> {
+            Box::new(Set { callable: self, settings: settings.clone() })
+        };
+        ConeEntry {
+            name: self.name,
+            method: "a function in Python",
+            class: Class { divides_by_diagonal: true, ..Class::of(MatrixClass::General) },
+            laws: &[Law::Associated, Law::Coulomb],
+            group: Group::Plugin,
+            source: "a function in Python",
+            build: Box::leak(Box::new(build)),
+        }
+    }
+}
+
+impl Solver for Set {
     fn name(&self) -> &'static str {
-        self.name
+        self.callable.name
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        let first = start.point(lcp);
+        let model = lcp.coupling().map(|_| Model::CoupledBox);
+        self.answered(lcp, model, start.point(lcp), start, observer)
+    }
+}
+
+impl ConeSolver for Set {
+    fn name(&self) -> &'static str {
+        self.callable.name
+    }
+
+    fn solve(
+        &self,
+        problem: &ConeProblem,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        let model = match problem.law() {
+            Law::Associated => Model::AssociatedCone,
+            Law::Coulomb => Model::CoulombCone,
+        };
+        let told = problem.friction().coupled_box();
+        self.answered(&told, Some(model), start.point(problem), start, observer)
+    }
+}
+
+impl Set {
+    /// The function's answer as a solution, from the start `first`.
+    fn answered(
+        &self,
+        lcp: &Lcp,
+        model: Option<Model>,
+        first: Vec<f64>,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
         let begun = Iterate { iteration: 0, x: &first, event: Event::Start };
         if waiting::is_interrupted() || observer.observe(&begun).is_break() {
             return Solution::new(lcp, first, Status::Stopped, 0);
         }
         let mut told = Told { lcp, observer, x: first, iterations: 0, is_stopped: false };
-        let outcome = Python::attach(|py| match self.answer(py, lcp, start, &mut told) {
-            Ok(found) => Ok(found),
-            Err(error) => Err(reason(py, &error)),
-        });
-        let status = match outcome {
-            Err(reason) => Status::NoAnswer { reason },
+        let status = Python::attach(|py| match self.answer(py, lcp, model, start, &mut told) {
             Ok(_) if told.is_stopped => Status::Stopped,
             Ok(true) => Status::Solved,
             Ok(false) => Status::IterationLimit,
-        };
-        Solution::new(lcp, told.x, status, told.iterations)
+            Err(error) if error.is_instance_of::<PyNotImplementedError>(py) => {
+                Status::OutsideClass { reason: "the function raises NotImplementedError" }
+            }
+            Err(error) => Status::NoAnswer { reason: reason(py, &error) },
+        });
+        // A function has no word of its own for "solved".
+        Solution::new(lcp, told.x, status, told.iterations).with_implied_claim(true)
     }
 }
 
@@ -124,12 +254,13 @@ impl Told<'_> {
     }
 }
 
-impl Callable {
-    /// Asks the function; whether it found something.
+impl Set {
+    /// Asks the function; whether it ended with an x. One that would yield more iterates than it may has not.
     fn answer(
         &self,
         py: Python<'_>,
         lcp: &Lcp,
+        model: Option<Model>,
         start: &Start<'_>,
         told: &mut Told<'_>,
     ) -> PyResult<bool> {
@@ -142,11 +273,14 @@ impl Callable {
             settings.set_item("friction_index", index)?;
             settings.set_item("mu", mu)?;
         }
+        if let Some(model) = model.filter(|_| self.callable.takes_models) {
+            settings.set_item("model", model.to_string())?;
+        }
         if let Some(x) = start.x {
             settings.set_item("start", vector(x))?;
         }
         let arguments = (a, vector(lcp.b()), vector(lcp.lo()), vector(lcp.hi()));
-        let answer = self.function.bind(py).call(arguments, Some(&settings))?;
+        let answer = self.callable.function.bind(py).call(arguments, Some(&settings))?;
         if answer.is_none() {
             return Ok(false);
         }
@@ -155,8 +289,12 @@ impl Callable {
             return Ok(true);
         }
         for x in answer.try_iter()? {
-            told.hear(&x?)?;
-            if told.is_stopped || told.iterations >= self.settings.max_iterations {
+            let x = x?;
+            if told.iterations >= self.settings.max_iterations {
+                return Ok(false);
+            }
+            told.hear(&x)?;
+            if told.is_stopped {
                 break;
             }
         }

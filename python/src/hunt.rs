@@ -2,8 +2,10 @@
 
 use std::time::Duration;
 
-use lcplab::hunt::{Finding, Measure, Search, Trial};
+use lcplab::hunt::{Finding, Friction, Given, Measure, Search, Trial};
+use lcplab::lcp::friction::Model;
 use lcplab::solver::{MatrixClass, Stop};
+use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -27,11 +29,13 @@ pub struct Quarry {
     #[pyo3(item("at_least"))]
     at_least: Option<f64>,
     #[pyo3(item("within"))]
-    within: String,
+    within: Option<String>,
+    #[pyo3(item("model"))]
+    model: Option<String>,
     #[pyo3(item("seconds"))]
     seconds: Option<f64>,
-    #[pyo3(item("with_friction"))]
-    with_friction: bool,
+    #[pyo3(item("friction"))]
+    friction: String,
 }
 
 /// What was found, or how many problems were tried in vain.
@@ -48,14 +52,30 @@ pub fn hunt<'py>(
         .measure
         .parse()
         .map_err(|reason: String| PyValueError::new_err(format!("measure: {reason}")))?;
-    let within = MatrixClass::by_word(&quarry.within).map_err(refused)?;
+    let within = quarry.within.as_deref().map(MatrixClass::by_word).transpose().map_err(refused)?;
+    let model = quarry.model.as_deref().map(str::parse::<Model>).transpose().map_err(refused)?;
+    let start: Vec<_> = start
+        .iter()
+        .enumerate()
+        .map(|(k, problem)| match problem.0.name.as_str() {
+            "" => (format!("problem {k}"), problem.0.clone()),
+            name => (name.to_string(), problem.0.clone()),
+        })
+        .collect();
+    let start = Given::new(&start, within, model).map_err(refused)?;
     let trial = Trial {
         measure,
-        solver: callable::entry(&solver)?,
-        rival: rival.map(|rival| callable::entry(&rival)).transpose()?,
+        solver: callable::method(&solver, start.model)?,
+        rival: rival.map(|rival| callable::method(&rival, start.model)).transpose()?,
         options: given.options()?,
-        within,
-        with_friction: quarry.with_friction,
+        model: start.model,
+        within: start.within,
+        friction: match quarry.friction.as_str() {
+            "only" => Friction::Only,
+            "never" => Friction::Never,
+            _ => Friction::Any,
+        },
+        allows_single_tangents: start.has_single_tangents,
         best_omega: true,
     };
     trial.validate().map_err(refused)?;
@@ -64,9 +84,9 @@ pub fn hunt<'py>(
         evaluations: quarry.evaluations,
         seed: quarry.seed,
         at_least: quarry.at_least,
-        from: start.iter().map(|problem| problem.0.lcp.clone()).collect(),
+        from: start.problems,
     };
-    search.validate().map_err(refused)?;
+    search.validate(&trial).map_err(refused)?;
     let limit = quarry.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let stop = limit.map_or_else(Stop::default, Stop::after);
     let (searched, finding) = wait(py, &stop, || {
@@ -76,11 +96,18 @@ pub fn hunt<'py>(
     })?;
     let told = PyDict::new(py);
     told.set_item("evaluations", searched.evaluations)?;
+    told.set_item("solved", searched.solved)?;
+    told.set_item("useless", searched.useless(trial.solver.name()))?;
+    told.set_item("notes", start.notes)?;
     if let (Some(catch), Some(finding)) = (searched.catch, finding) {
         told.set_item("value", catch.value)?;
         told.set_item("evaluation", catch.evaluation)?;
         told.set_item("words", finding.words.clone())?;
         told.set_item("equations", finding.equations())?;
+        told.set_item("answers", finding.answers())?;
+        let vector = |x: &[f64]| PyArray1::from_slice(py, x);
+        told.set_item("x", finding.answer.as_deref().map(vector))?;
+        told.set_item("right_x", finding.right.as_ref().map(|right| vector(&right.x)))?;
         told.set_item("problem", Bound::new(py, Problem(finding.problem))?)?;
     }
     Ok(told)

@@ -3,8 +3,10 @@
 use std::rc::Rc;
 
 use lcplab::certificate::Demand;
+use lcplab::lcp::friction::Model;
 use lcplab::scene::{Description, Scene as Described, Scheme};
 use lcplab::simulation::{self, Simulation, Step};
+use lcplab::solver::Method;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -92,9 +94,23 @@ impl Scene {
     /// Takes one step, by this solver if one is named.
     fn step(&mut self, py: Python<'_>, solver: Option<Bound<'_, PyAny>>) -> PyResult<Taken> {
         if let Some(solver) = solver {
-            let entry = callable::entry(&solver)?;
-            let options = simulation::options(self.simulation.scene());
-            self.simulation.solve_by((entry.build)(&options));
+            let scene = self.simulation.scene();
+            let options = simulation::options(scene);
+            let cone = match scene.contact.model {
+                model @ (Model::AssociatedCone | Model::CoulombCone) => {
+                    Some(callable::method(&solver, Some(model))?)
+                }
+                _ => None,
+            };
+            match cone {
+                Some(Method::Cone(entry)) => {
+                    self.simulation.solve_cones_by((entry.build)(&options.settings));
+                }
+                _ => {
+                    let entry = callable::entry(&solver)?;
+                    self.simulation.solve_by((entry.build)(&options));
+                }
+            }
         }
         let simulation = &mut self.simulation;
         let step = quickly(py, || simulation.step())?;

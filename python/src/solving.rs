@@ -9,7 +9,7 @@ use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{Answer, attempts_json, certificate_json, claim};
 use lcplab::report::friction::{self, Judged};
-use lcplab::report::study::families;
+use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::{methods, text, view};
 use lcplab::solver::{
     Answered, Entry, Method, Observer, Options, Settings, Solution, Start, Stop, default_for,
@@ -144,20 +144,7 @@ fn solve_modelled<'py>(
     options: &Options,
     demand: &Demand,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let method = match solver {
-        Some(solver) if solver.extract::<String>().is_err() => {
-            let method = Method::Boxed(callable::entry(&solver)?);
-            if !method.takes(Some(model)) {
-                let reason = format!("a function of A, b, lo, hi does not solve {model}");
-                return Err(refused(Error::invalid("options", "solver", reason)));
-            }
-            Some(method)
-        }
-        Some(solver) => {
-            Some(methods::by_name(&solver.extract::<String>()?, model).map_err(refused)?)
-        }
-        None => None,
-    };
+    let method = solver.map(|solver| callable::method(&solver, Some(model))).transpose()?;
     let stop = Stop::default();
     let (answered, judged) = wait(py, &stop, || {
         let mut nobody = ();
@@ -265,13 +252,11 @@ pub fn compare(
     let mut chosen = Vec::new();
     let usual = if solvers.is_empty() { methods::USUAL.as_slice() } else { &[] };
     for name in usual {
-        chosen.extend(methods::named(name).map_err(refused)?);
+        let contender = Contender::named(name).map_err(refused)?;
+        chosen.push(Contender { is_named: false, ..contender });
     }
     for solver in &solvers {
-        match solver.extract::<String>() {
-            Ok(name) => chosen.extend(methods::named(&name).map_err(refused)?),
-            Err(_) => chosen.push(Method::Boxed(callable::entry(solver)?)),
-        }
+        chosen.push(Contender { methods: callable::methods(solver)?, is_named: true });
     }
     let models = models
         .iter()
@@ -285,7 +270,7 @@ pub fn compare(
     let (options, stop) = (given.options()?, Stop::default());
     let rows = wait(py, &stop, || {
         let limits = families::Limits { stop: &stop, each: None, tick: &|| () };
-        families::run_on(&problems, &models, &chosen, &options, &limits)
+        families::run_on(&problems, Models::Stated(&models), &chosen, &options, &limits)
     })?;
     let table = text::table(&view::families_table(&rows));
     let json = serde_json::to_string(&rows).unwrap_or_default();

@@ -136,6 +136,100 @@ def test_other_projects_can_ask_whether_a_solver_solves():
         assert_honest(clamps_late)
 
 
+C = lcplab.Problem(
+    np.eye(3), [-2, -3, -3], friction_index=[-1, 0, 0], mu=[0, 0.5, 0.5], model="coulomb-cone"
+)
+
+
+def slides(A, b, lo, hi, model=None, friction_index=None, mu=None, **settings):
+    """The answer to one contact on a diagonal A that slides: x_n = -b_n / a_n, friction of mu x_n against the push."""
+    if model != "coulomb-cone" or len(b) != 3:
+        raise NotImplementedError
+    x = np.zeros(3)
+    x[0] = max(-b[0] / A[0, 0], 0)
+    x[1:] = -b[1:] / np.linalg.norm(b[1:]) * mu[1] * x[0]
+    return x
+
+
+def test_a_function_that_names_the_model_gets_friction_cones():
+    r = lcplab.solve(C, solver=slides)
+    assert r and r.solver == "slides"
+    np.testing.assert_allclose(r.x, [2, 0.5**0.5, 0.5**0.5])
+    row = lcplab.compare(C, [slides]).rows[0]
+    assert (row["model"], row["claimed"], row["accepted"]) == ("coulomb-cone", 1, 1)
+    box = lcplab.compare(P, [slides]).rows[0]
+    assert (box["outside"], box["claimed"]) == (1, 0)
+
+
+def test_a_function_for_boxes_never_gets_a_cone_and_a_row_says_so():
+    called = []
+
+    def boxes(A, b, lo, hi, **settings):
+        called.append(settings)
+        return np.zeros(len(b))
+
+    rows = lcplab.compare(C, [boxes, "cone-pgs"]).rows
+    assert [row["solver"] for row in rows] == ["boxes", "cone-pgs"]
+    assert rows[0]["trouble"] == "not asked: it does not say that it takes coulomb-cone" and rows[0]["outside"] == 1
+    with pytest.raises(lcplab.InputError, match="a parameter named model"):
+        lcplab.solve(C, solver=boxes)
+    with pytest.raises(lcplab.InputError, match="a parameter named model"):
+        lcplab.hunt(boxes, model="coulomb-cone", evaluations=10)
+    assert called == []
+
+
+def test_the_hunt_shows_the_wrong_x_and_the_right_one_under_the_model():
+    def box(A, b, lo, hi, model=None, friction_index=None, mu=None, max_iterations=0, **settings):
+        x = np.zeros(len(b))
+        for _ in range(200):
+            for i, k in enumerate(friction_index):
+                low, high = (lo[i], hi[i]) if k < 0 else (-mu[i] * x[k], mu[i] * x[k])
+                x[i] = np.clip(x[i] - (A[i] @ x + b[i]) / A[i, i], low, high)
+        return x
+
+    found = lcplab.hunt(box, model="coulomb-cone", evaluations=2000)
+    assert found.problem.model == "coulomb-cone" and not lcplab.judge(found.problem, x=found.x)
+    assert lcplab.judge(found.problem, x=found.right_x)
+    assert "x of box" in str(found)
+
+
+def test_a_solver_that_solves_nothing_is_not_honest():
+    for options in ({}, {"friction": True}, {"model": "coulomb-cone"}):
+        def fails(A, b, lo, hi, model=None, **settings):
+            raise ValueError("no licence")
+
+        with pytest.raises(AssertionError, match="fails solves none of .*ValueError: no licence"):
+            assert_honest(fails, evaluations=100, **options)
+
+
+def test_single_precision_is_honest_within_its_own_tolerance():
+    def single(A, b, lo, hi, friction_index=None, mu=None, **settings):
+        A, b, lo, hi = (v.astype(np.float32) for v in (A, b, lo, hi))
+        x = np.zeros(len(b), dtype=np.float32)
+        for _ in range(2000):
+            before = x.copy()
+            for i in range(len(b)):
+                k = -1 if friction_index is None else friction_index[i]
+                low, high = (lo[i], hi[i]) if k < 0 else (-np.float32(mu[i]) * x[k], np.float32(mu[i]) * x[k])
+                x[i] = np.clip(x[i] - (A[i] @ x + b[i]) / A[i, i], low, high)
+            yield x.astype(float)
+            if (x == before).all():
+                return
+
+    assert_honest(single, evaluations=300, tolerance=1e-5, friction=True)
+
+
+def test_an_x_that_has_not_converged_is_no_lie():
+    def ten(A, b, lo, hi, **settings):
+        x = np.zeros(len(b))
+        for _ in range(10):
+            for i in range(len(b)):
+                x[i] = np.clip(x[i] - (A[i] @ x + b[i]) / A[i, i], lo[i], hi[i])
+        return x
+
+    assert_honest(ten, evaluations=1000)
+
+
 def test_ctrl_c_stops_a_hunt():
     import os, signal, subprocess, sys, textwrap, time
 

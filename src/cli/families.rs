@@ -6,11 +6,13 @@ use std::time::Duration;
 use clap::Args;
 use indicatif::ProgressStyle;
 use lcplab::error::{Error, Result};
+use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
 use lcplab::plugin::Plugin;
-use lcplab::report::study::{families, problems};
+use lcplab::report::study::families::{self, Contender, Models, Requirement, Row};
+use lcplab::report::study::problems;
 use lcplab::report::{methods, text, view};
 use lcplab::solver::Method;
 
@@ -27,14 +29,16 @@ Example:
   lcplab compare-solvers pushed-rod --model coulomb-cone --model polygon-16
   lcplab compare-solvers problem.mtx          # a problem file, any format of `convert --list`
   lcplab compare-solvers set --plugin \"python3 mine.py\" --profile mine     # of `problems --export set`
-  lcplab compare-solvers pd --plugin \"python3 mine.py\"       # a solver of yours beside eight of ours
+  lcplab compare-solvers pd --plugin \"python3 mine.py\"       # your solver and eight of ours
+  lcplab compare-solvers dumps --plugin \"python3 mine.py\" --require-accepted mine      # for CI
 
 Without names all families run, by eight solvers, one of each kind; --all runs all solvers. clarabel is the
 reference. Families with friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and
 -16, associated-cone and coulomb-cone, each by the solvers that can handle it; files under the model that they state, the
-coupled box where they state none. Exit code 1 if the judge
-refutes a solver's claim, a solver claims a solution where none exists, or an expected failure does not
-occur.")]
+coupled box where they state none. A solver that you name has a row, with the reason, for a problem that it
+is not made for. Exit code 1 if the judge rejects a solver's claim, a solver claims a solution where none
+exists, an expected failure does not occur, a solver that you name solves nothing at all, or
+--require-accepted is not met.")]
 pub struct CompareSolvers {
     /// Families that `problems` lists, problem files, folders of them or patterns; all families without one
     families: Vec<String>,
@@ -57,6 +61,10 @@ pub struct CompareSolvers {
     /// every problem
     #[arg(long, value_name = "NAME")]
     profile: Option<PathBuf>,
+    /// Exit with 1 unless the judge accepts this solver's answer to every problem that may have a
+    /// solution, or to at least COUNT problems; repeatable
+    #[arg(long, value_name = "NAME[:COUNT]")]
+    require_accepted: Vec<Requirement>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -79,11 +87,15 @@ impl CompareSolvers {
                 "none of these families has friction",
             ));
         }
-        for (name, reason) in problems.iter().filter_map(only_boxed) {
+        self.check_models(&problems)?;
+        for (name, reason) in problems.iter().filter(|_| self.model.is_empty()).filter_map(only_boxed) {
             say(&format!("note: {name}: compared as a coupled box alone, for it {reason}"));
         }
         let plugins = self.plugins.start()?;
-        let methods = self.methods(&plugins)?;
+        let contenders = self.contenders(&plugins)?;
+        self.check_requirements(&contenders)?;
+        let methods: Vec<Method> =
+            contenders.iter().flat_map(|contender| &contender.methods).copied().collect();
         let options = self.settings.options(&methods)?;
         let stop = limits.stop();
         let (library, files): (Vec<_>, Vec<_>) =
@@ -92,12 +104,12 @@ impl CompareSolvers {
             .unwrap_or_else(|_| ProgressStyle::default_spinner());
         let progress = bar(0, "").with_style(style);
         let all = families::Limits { stop, each: self.each()?, tick: &|| progress.inc(1) };
-        let run = |problems: &[(String, Vec<Problem>)], models: &[Model]| {
-            let models = if self.model.is_empty() { models } else { &self.model };
-            families::run_on(problems, models, &methods, &options, &all)
+        let run = |problems: &[(String, Vec<Problem>)], models: Models<'_>| {
+            let models = if self.model.is_empty() { models } else { Models::Stated(&self.model) };
+            families::run_on(problems, models, &contenders, &options, &all)
         };
-        let mut rows = run(&library, &Model::ALL);
-        rows.extend(run(&files, &[])); // a file says under which model it is a problem
+        let mut rows = run(&library, Models::Usual(&Model::ALL));
+        rows.extend(run(&files, Models::Stated(&[]))); // a file says under which model it is a problem
         rows.retain(|row| row.problems > 0); // a file may not say at what to freeze a box
         let stopped = stop.reason();
         limits.over();
@@ -112,8 +124,13 @@ impl CompareSolvers {
             }
             None => {}
         }
+        let failures = match stopped {
+            None => self.failures(&rows, &contenders),
+            Some(_) => Vec::new(),
+        };
         if self.json {
-            print(&format!("{}\n", serde_json::json!({ "rows": rows })))?;
+            let object = serde_json::json!({ "rows": rows, "failures": failures });
+            print(&format!("{object}\n"))?;
         } else {
             print(&text::table(&view::families_table(&rows)))?;
             let is_one = rows.windows(2).all(|pair| pair[0].family == pair[1].family);
@@ -121,11 +138,49 @@ impl CompareSolvers {
                 print(&text::table(&view::solvers_table(&rows)))?;
             }
         }
-        let wrong = rows.iter().any(families::Row::is_wrong);
+        failures.iter().for_each(|failure| say(&format!("failed: {failure}")));
         Ok(match stopped {
             Some(reason) => Outcome::Stopped(reason),
-            None if wrong => Outcome::Refuted,
-            None => Outcome::Good,
+            None if failures.is_empty() && !rows.iter().any(Row::is_wrong) => Outcome::Good,
+            None => Outcome::Refuted,
+        })
+    }
+
+    /// Named solvers that solve nothing, and requirements that are not met, in a sentence each.
+    fn failures(&self, rows: &[Row], contenders: &[Contender]) -> Vec<String> {
+        let shortfalls = self.require_accepted.iter().filter_map(|demand| demand.shortfall(rows));
+        families::useless(rows, contenders).into_iter().chain(shortfalls).collect()
+    }
+
+    /// Says which problems cannot be stated under a model that was asked for.
+    ///
+    /// # Errors
+    /// If a problem cannot be stated under the model that its own file names.
+    fn check_models(&self, problems: &[(String, Vec<Problem>)]) -> Result<()> {
+        for (name, problem) in problems.iter().flat_map(|(name, all)| all.iter().map(move |p| (name, p))) {
+            let own = problem.model.iter().filter(|_| self.model.is_empty());
+            // Tangents that are no pairs are a coupled box and nothing else.
+            let is_open = |model: &&Model| **model != Model::CoupledBox;
+            for model in own.filter(is_open) {
+                Question::new(problem, Some(*model), name)?;
+            }
+            for model in self.model.iter().filter(is_open) {
+                if let Err(error) = Question::new(problem, Some(*model), name) {
+                    say(&format!("note: left out under {model}: {error}"));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether each solver that something is required of takes part.
+    fn check_requirements(&self, contenders: &[Contender]) -> Result<()> {
+        let is_missing = |demand: &&Requirement| {
+            contenders.iter().all(|contender| contender.name() != demand.solver)
+        };
+        self.require_accepted.iter().find(is_missing).map_or(Ok(()), |demand| {
+            let reason = format!("{} is not among the solvers of this comparison", demand.solver);
+            Err(Error::invalid("options", "--require-accepted", reason))
         })
     }
 
@@ -168,20 +223,19 @@ impl CompareSolvers {
         }
     }
 
-    /// The methods of these names, of boxes and of cones, and the plug-ins.
-    fn methods(&self, plugins: &[Plugin]) -> Result<Vec<Method>> {
-        let named = self.solver.iter().map(String::as_str);
-        let names: Vec<&str> = match (self.all, self.solver.as_slice()) {
-            (true, _) => Vec::new(),
-            (false, []) => methods::USUAL.to_vec(),
-            (false, _) => named.collect(),
+    /// The solvers that take part: those that were named, or the usual ones, and the plug-ins.
+    fn contenders(&self, plugins: &[Plugin]) -> Result<Vec<Contender>> {
+        let usual = |name: &&str| Ok(Contender { is_named: false, ..Contender::named(name)? });
+        let mut contenders = match (self.all, self.solver.as_slice()) {
+            (true, _) => Contender::unnamed(methods::all()),
+            (false, []) => methods::USUAL.iter().map(usual).collect::<Result<_>>()?,
+            (false, _) => Vec::new(),
         };
-        let plugins = plugins.iter().map(|plugin| -> &str { plugin.name() });
-        let mut found = if self.all { methods::all() } else { Vec::new() };
-        for name in names.into_iter().chain(plugins) {
-            found.extend(methods::named(name)?);
+        let named = self.solver.iter().map(String::as_str);
+        for name in named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })) {
+            contenders.push(Contender::named(name)?);
         }
-        Ok(found)
+        Ok(contenders)
     }
 }
 

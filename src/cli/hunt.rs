@@ -3,14 +3,16 @@
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::hunt::{Hunt, KINDS, Record, Tally};
+use lcplab::lcp::friction::Model;
+use lcplab::report::methods;
 use lcplab::report::page::{Cell, Column, Table};
 use lcplab::report::text;
-use lcplab::solver::{ALL, Options, Settings, Solver, entry};
+use lcplab::solver::{ALL, Method, Options, Settings, Solver, Stop};
 
 use super::limits::Limits;
 use super::plugin::Plugins;
-use super::search::Quarry;
-use super::{Outcome, bar, print};
+use super::search::{Quarry, Target};
+use super::{Outcome, bar, print, say};
 
 /// Give random hostile problems to the solvers and look for claims that are not true, or search for the
 /// smallest problem that breaks one
@@ -22,11 +24,13 @@ Example:
   lcplab hunt --plugin \"python3 mine.py\" --problems 1000
   lcplab hunt --plugin \"python3 mine.py\" --measure lie --out bug.json
   lcplab hunt --plugin \"python3 mine.py\" --measure lie --from dump.json    # makes a problem of yours smaller
+  lcplab hunt --plugin \"python3 mine.py\" --measure lie --model coulomb-cone  # a solver of friction cones
   lcplab hunt --measure ratio murty:block-pivoting --n 8
 
 Without --measure it prints a table of what was claimed of so many problems. With it, it climbs from
-random problems by small changes, makes the best one as small as it can, and prints it with its exact
-solution and a test. The same seed finds the same. Exit code 1 if a solver's claim is false.")]
+random problems by small changes, makes the best one as small as it can, and prints it with the solver's
+x, the right x and a test. The same seed finds the same. Exit code 1 if a solver's claim is false, or if a
+solver that you name solves no problem at all.")]
 pub struct Challenge {
     /// How many problems
     #[arg(long, default_value_t = 10_000)]
@@ -37,6 +41,10 @@ pub struct Challenge {
     /// Only this solver (repeatable), and the plug-ins [default: all solvers]
     #[arg(long)]
     solver: Vec<String>,
+    /// Problems with friction under this model, and its judge: frozen-box, coupled-box, polygon-4 (or 8,
+    /// 12, …), associated-cone, coulomb-cone [default: with --from the files']
+    #[arg(long)]
+    model: Option<Model>,
     /// Most sweeps or pivots: enough for an answer, few enough for many problems
     #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]
     max_iterations: usize,
@@ -63,45 +71,82 @@ impl Challenge {
         let names: Vec<&str> =
             named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
         if self.quarry.is_given() {
-            return self.quarry.hunt(
-                &names,
+            let target = Target {
+                names: &names,
+                model: self.model,
                 options,
-                self.seed,
-                self.json,
-                self.plugins.first(),
-                limits,
-            );
+                seed: self.seed,
+                command: self.plugins.first(),
+            };
+            return self.quarry.hunt(target, self.json, limits);
         }
-        let solvers: Vec<Box<dyn Solver>> = match names.as_slice() {
-            [] => ALL.iter().map(|entry| (entry.build)(&options)).collect(),
-            names => {
-                let build = |name: &&str| Ok((entry(name)?.build)(&options));
-                names.iter().map(build).collect::<Result<_>>()?
-            }
-        };
-        let hunt = Hunt { problems: self.problems, seed: self.seed, tolerance };
         let progress = bar(self.problems as u64, "problems");
         let stop = limits.stop();
-        let mut record = hunt.until(stop, &solvers, &|| progress.inc(1));
-        if names.is_empty() && stop.reason().is_none() {
-            let contacts = self.problems.div_ceil(KINDS.len()); // as many as problems of a kind
-            record = record.with_cones(self.seed, contacts, &options.settings);
-        }
+        let record = self.record(&names, &options, stop, &|| progress.inc(1))?;
         let stopped = stop.reason().filter(|_| record.problems < self.problems);
         limits.over();
         progress.finish_and_clear();
         print(&if self.json { json(&record)? } else { self.words(&record) })?;
-        Ok(match stopped {
-            _ if !record.is_honest() => Outcome::Refuted,
-            Some(reason) => Outcome::Stopped(reason),
-            None => Outcome::Good,
+        let useless: Vec<&Tally> = record
+            .tallies
+            .iter()
+            .filter(|tally| names.contains(&&*tally.solver) && tally.right() == 0)
+            .collect();
+        if let Some(reason) = stopped.filter(|_| record.is_honest()) {
+            return Ok(Outcome::Stopped(reason));
+        }
+        for tally in &useless {
+            let problems = record.problems;
+            say(&format!("failed: {} solves none of {problems} problems", tally.solver));
+        }
+        Ok(match record.is_honest() && useless.is_empty() {
+            true => Outcome::Good,
+            false => Outcome::Refuted,
         })
+    }
+
+    /// What the solvers of these names, or all, claim of the problems.
+    fn record(
+        &self,
+        names: &[&str],
+        options: &Options,
+        stop: &Stop,
+        tick: &(dyn Fn() + Sync),
+    ) -> Result<Record> {
+        let hunt =
+            Hunt { problems: self.problems, seed: self.seed, tolerance: self.tolerance };
+        if let Some(model) = self.model {
+            let methods: Vec<Method> = match names {
+                [] => methods::all().into_iter().filter(|m| m.takes(Some(model))).collect(),
+                names => {
+                    let named = names.iter().map(|name| methods::by_name(name, model));
+                    named.collect::<Result<_>>()?
+                }
+            };
+            return Ok(hunt.under(model, stop, &methods, options, tick));
+        }
+        let solvers: Vec<Box<dyn Solver>> = match names {
+            [] => ALL.iter().map(|entry| (entry.build)(options)).collect(),
+            names => {
+                let build = |name: &&str| Ok((methods::entry(name)?.build)(options));
+                names.iter().map(build).collect::<Result<_>>()?
+            }
+        };
+        let record = hunt.until(stop, &solvers, tick);
+        if !names.is_empty() || stop.reason().is_some() {
+            return Ok(record);
+        }
+        let contacts = self.problems.div_ceil(KINDS.len()); // as many as problems of a kind
+        Ok(record.with_cones(self.seed, contacts, &options.settings))
     }
 
     fn words(&self, record: &Record) -> String {
         let mut words = text::table(&table(record));
-        words +=
-            &format!("{} problems of {} kinds, seed {}", record.problems, KINDS.len(), self.seed);
+        let kinds = match self.model {
+            Some(model) => format!("with friction under {model}"),
+            None => format!("of {} kinds", KINDS.len()),
+        };
+        words += &format!("{} problems {kinds}, seed {}", record.problems, self.seed);
         if record.contacts > 0 {
             words += &format!(", and {} contacts with a cone", record.contacts);
         }

@@ -6,17 +6,18 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::hunt::{Catch, Finding, Measure, Search, Trial};
-use lcplab::lcp::Lcp;
+use lcplab::hunt::{Catch, Finding, Friction, Given, Measure, Search, Trial};
+use lcplab::lcp::file::{Problem, number};
+use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::number::readable;
 use lcplab::report::methods;
 use lcplab::report::study::problems;
-use lcplab::solver::{Entry, MatrixClass, Options};
-use serde_json::json;
+use lcplab::solver::{Group, MatrixClass, Method, Options};
+use serde_json::{Value, json};
 
 use super::limits::Limits;
-use super::{Outcome, bar, print};
+use super::{Outcome, bar, print, say, warn};
 
 /// What to look for, and where.
 #[derive(Debug, Args)]
@@ -29,10 +30,11 @@ pub struct Quarry {
     /// Rows of the problem
     #[arg(long, value_name = "LEAST..MOST", default_value = "1..6", value_parser = rows, requires = "measure")]
     n: RangeInclusive<usize>,
-    /// Only matrices of this class [default: any; with --from semidefinite if those are]
+    /// Only matrices of this class; every problem that is reported is in it, in exact arithmetic
+    /// [default: definite; with --from the narrowest class that those problems are in]
     #[arg(long, value_enum, requires = "measure")]
     class: Option<Class>,
-    /// Only problems with friction
+    /// Only problems with friction: contacts with a normal and two tangents each
     #[arg(long, requires = "measure")]
     friction: bool,
     /// Begin with these problems: a file, a folder or a pattern (repeatable). What they show is made smaller, whatever
@@ -51,6 +53,20 @@ pub struct Quarry {
     /// Write the problem to this file
     #[arg(long, value_name = "FILE", requires = "measure")]
     out: Option<PathBuf>,
+}
+
+/// The solvers to search for, and the options that a search shares with a table of claims.
+pub struct Target<'a> {
+    /// The solvers that were named, and the plug-ins.
+    pub names: &'a [&'a str],
+    /// The friction model that was asked for.
+    pub model: Option<Model>,
+    /// The options of the solvers.
+    pub options: Options,
+    /// The seed of the random numbers.
+    pub seed: u64,
+    /// The command of the first plug-in.
+    pub command: Option<&'a str>,
 }
 
 /// Classes of matrices that can be decided.
@@ -83,39 +99,46 @@ impl Quarry {
         !self.measure.is_empty()
     }
 
-    /// Searches for what breaks the one solver that is named, or the first of a ratio; `command` is a plug-in's.
-    pub fn hunt(
-        &self,
-        names: &[&str],
-        options: Options,
-        seed: u64,
-        json: bool,
-        command: Option<&str>,
-        limits: &Limits,
-    ) -> Result<Outcome> {
-        let from = self.given()?;
-        let trial = self.trial(names, options, &from)?;
+    /// Searches for what breaks the one solver that is named, or the first of a ratio.
+    pub fn hunt(&self, target: Target<'_>, json: bool, limits: &Limits) -> Result<Outcome> {
+        let Target { names, model, options, seed, command } = target;
+        let given = Given::new(&self.problems()?, self.class.map(Class::into), model)?;
+        given.notes.iter().for_each(|note| say(&format!("note: {note}")));
+        let trial = self.trial(names, options, &given)?;
         let search = Search {
             rows: self.n.clone(),
             evaluations: self.evaluations,
             seed,
             at_least: self.at_least,
-            from,
+            from: given.problems,
         };
-        search.validate()?;
+        search.validate(&trial)?;
         let progress = bar(self.evaluations as u64, "problems");
         let stop = limits.stop();
         let searched = search.run(&trial, stop, &|tried| progress.inc(tried as u64));
         let stopped = stop.reason();
         limits.over();
         progress.finish_and_clear();
+        let name = trial.solver.name();
+        let useless = searched.useless(name);
         let Some(catch) = searched.catch else {
-            let tried = searched.evaluations;
+            let (tried, solved) = (searched.evaluations, searched.solved);
             print(&match json {
-                true => format!("{}\n", json!({ "found": false, "evaluations": tried })),
-                false => format!("nothing found in {tried} problems, seed {seed}\n"),
+                true => {
+                    let object =
+                        json!({ "found": false, "evaluations": tried, "solved": solved });
+                    format!("{object}\n")
+                }
+                false => format!(
+                    "nothing found in {tried} problems, seed {seed}; {name} solves {solved} of them\n"
+                ),
             })?;
-            return Ok(stopped.map_or(Outcome::Good, Outcome::Stopped));
+            useless.iter().for_each(|reason| say(&format!("failed: {reason}")));
+            return Ok(match stopped {
+                Some(reason) => Outcome::Stopped(reason),
+                None if useless.is_some() => Outcome::Refuted,
+                None => Outcome::Good,
+            });
         };
         let mut finding = Finding::of(&catch, &trial, seed);
         if let Some(path) = &self.out {
@@ -129,7 +152,7 @@ impl Quarry {
         }
         print(&match json {
             true => in_json(&catch, &finding, seed),
-            false => self.text(&catch, &finding, trial.measure, seed),
+            false => self.text(&catch, &finding, &trial, seed),
         })?;
         Ok(match stopped {
             _ if trial.measure == Measure::Lie => Outcome::Refuted,
@@ -138,18 +161,19 @@ impl Quarry {
         })
     }
 
-    /// The problems to begin with.
-    fn given(&self) -> Result<Vec<Lcp>> {
+    /// The problems to begin with, under their names.
+    fn problems(&self) -> Result<Vec<(String, Problem)>> {
         let mut given = Vec::new();
         for name in &self.from {
-            for (_, problems) in problems::named(name, 1, Memory::default())? {
-                given.extend(problems.into_iter().map(|problem| problem.lcp));
+            for (name, problems) in problems::named(name, 1, Memory::default())? {
+                problems.iter().for_each(warn);
+                given.extend(problems.into_iter().map(|problem| (name.clone(), problem)));
             }
         }
         Ok(given)
     }
 
-    fn trial(&self, names: &[&str], mut options: Options, from: &[Lcp]) -> Result<Trial> {
+    fn trial(&self, names: &[&str], mut options: Options, given: &Given) -> Result<Trial> {
         let wrong = |reason: &str| Error::invalid("options", "--measure", reason);
         let measure: Measure = self.measure[0].parse().map_err(|reason: String| wrong(&reason))?;
         let pair = self.measure.get(1).map(|pair| {
@@ -157,25 +181,33 @@ impl Quarry {
         });
         options.omega = self.omega.unwrap_or(options.omega);
         options.validate()?;
-        let (solver, rival): (Entry, _) = match (pair.transpose()?, names) {
-            (Some((a, b)), _) => (methods::entry(a)?, Some(methods::entry(b)?)),
-            (None, [name]) => (methods::entry(name)?, None),
+        let method = |name: &str| match given.model {
+            Some(model) => methods::by_name(name, model),
+            None => methods::entry(name).map(Method::Boxed),
+        };
+        let (solver, rival) = match (pair.transpose()?, names) {
+            (Some((a, b)), _) => (method(a)?, Some(method(b)?)),
+            (None, [name]) => (method(name)?, None),
             (None, _) => return Err(wrong("one solver is hunted: --solver NAME, or one --plugin")),
         };
-        let within = match self.class {
-            Some(class) => class.into(),
-            None if from.is_empty() => MatrixClass::General,
-            None => Trial::class_of(from),
+        let trial = Trial {
+            measure,
+            solver,
+            rival,
+            options,
+            model: given.model,
+            within: given.within,
+            friction: if self.friction { Friction::Only } else { Friction::Any },
+            allows_single_tangents: given.has_single_tangents,
+            best_omega: self.omega.is_none(),
         };
-        let best_omega = self.omega.is_none();
-        let with_friction = self.friction;
-        let trial = Trial { measure, solver, rival, options, within, with_friction, best_omega };
         trial.validate()?;
         Ok(trial)
     }
 
-    fn text(&self, catch: &Catch, finding: &Finding, measure: Measure, seed: u64) -> String {
+    fn text(&self, catch: &Catch, finding: &Finding, trial: &Trial, seed: u64) -> String {
         let Catch { evaluation, shrinking, rows_at_first, value, value_at_first, .. } = catch;
+        let measure = trial.measure;
         let mut text = format!(
             "{measure} found by evaluation {evaluation} of seed {seed}, with {rows_at_first} rows; made smaller \
              in {shrinking} more\n"
@@ -184,15 +216,25 @@ impl Quarry {
         text += &format!("measure {value}, before that {at_first}\n\n");
         text += &format!("{}\n\n", finding.words);
         text += &finding.equations();
+        text += &format!("\n{}", finding.answers());
         match &self.out {
             Some(path) => text += &format!("\nproblem    {}\n", path.display()),
             None => text += &format!("\n{}\n", finding.problem.to_json()),
         }
-        text + "\n" + &finding.test
+        text += "\n";
+        text += &match trial.solver.group() {
+            Group::Plugin => {
+                format!("test       {}   # exit code 1 until it is fixed\n", finding.test)
+            }
+            _ => format!("{}\n", finding.test),
+        };
+        text
     }
 }
 
 fn in_json(catch: &Catch, finding: &Finding, seed: u64) -> String {
+    let vector = |x: &[f64]| -> Value { x.iter().map(|&x| number(x)).collect() };
+    let right = finding.right.as_ref();
     let object = json!({
         "found": true,
         "seed": seed,
@@ -202,6 +244,9 @@ fn in_json(catch: &Catch, finding: &Finding, seed: u64) -> String {
         "rows_at_first": catch.rows_at_first,
         "shrinking": catch.shrinking,
         "words": finding.words,
+        "x": finding.answer.as_deref().map(vector),
+        "right_x": right.map(|right| vector(&right.x)),
+        "right_x_source": right.map(|right| &right.source),
         "problem": finding.problem.to_json(),
         "test": finding.test,
     });

@@ -33,7 +33,8 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
         &[
             &["number"],
             &["answer", "aside", "attempt", "card", "clarabel", "motion_error"],
-            &["families", "friction", "methods", "profiles", "tasks"],
+            &["methods"],
+            &["families", "friction", "profiles", "tasks"],
             &["comparison", "hunt"],
             &["explain", "diagnosis"],
         ],

@@ -11,6 +11,9 @@
 //! x. One that hangs, crashes or writes what nobody can read is ended, with [`Status::NoAnswer`] and the
 //! reason, and begins anew with the next problem.
 //!
+//! A plug-in gets boxes. It gets friction cones only if its answer to the first problem names them under the key
+//! `models`: then the key `model` of a problem says which law holds.
+//!
 //! `docs/plugins.md` has the protocol key by key.
 
 pub mod group;
@@ -25,9 +28,10 @@ use serde_json::{Map, Value};
 
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Error, Result};
+use lcplab_problem::friction::{ConeProblem, Law, Model};
 use lcplab_solver::{
-    Class, Cost, Entry, Event, Group, Iterate, MatrixClass, Observer, Options, Settings, Solution,
-    Solver, Start, Status, add,
+    Class, ConeEntry, ConeSolver, Cost, Entry, Event, Group, Iterate, MatrixClass, Observer,
+    Options, Settings, Solution, Solver, Start, Status, add, add_cone,
 };
 
 use self::message::Answer;
@@ -87,7 +91,8 @@ impl Plugin {
         Plugin::declared(&name, &Declaration { time_limit, ..Declaration::of(command) })
     }
 
-    /// Starts a program and adds it to the [registry](lcplab_solver::entry).
+    /// Starts a program and adds it to the [registry](lcplab_solver::entry); also to the
+    /// [solvers of cones](lcplab_solver::added_cones) if its first answer names their models.
     ///
     /// # Errors
     /// If the command, the class, the limit or the name cannot be used, or the program does not answer a problem of
@@ -115,18 +120,19 @@ impl Plugin {
         let class = Class { divides_by_diagonal: true, ..Class::of(matrix?) };
         let (settings, process) = (settings.clone(), Mutex::new(None));
         let program = Arc::new(Program { words, settings, time_limit: limit, process });
-        if let Err(reason) = program.greet() {
-            return Err(Error::invalid(format!("plug-in {name}"), "start", reason));
-        }
+        let laws = program
+            .greet()
+            .map_err(|reason| Error::invalid(format!("plug-in {name}"), "start", reason))?;
         let name: &'static str = Box::leak(name.to_string().into_boxed_str());
         let runs = Arc::clone(&program);
-        let build = move |options: &Options| -> Box<dyn Solver> {
-            Box::new(Outside {
-                name,
-                program: Arc::clone(&runs),
-                settings: options.settings.clone(),
-            })
+        let outside = move |settings: &Settings| Outside {
+            name,
+            program: Arc::clone(&runs),
+            settings: settings.clone(),
         };
+        let runs = outside.clone();
+        let build =
+            move |options: &Options| -> Box<dyn Solver> { Box::new(runs(&options.settings)) };
         add(Entry {
             name,
             method: "a plug-in",
@@ -137,6 +143,19 @@ impl Plugin {
             uses: &[],
             build: Box::leak(Box::new(build)),
         })?;
+        if !laws.is_empty() {
+            let build =
+                move |settings: &Settings| -> Box<dyn ConeSolver> { Box::new(outside(settings)) };
+            add_cone(ConeEntry {
+                name,
+                method: "a plug-in",
+                class,
+                laws: laws.leak(),
+                group: Group::Plugin,
+                source: "a plug-in",
+                build: Box::leak(Box::new(build)),
+            })?;
+        }
         Ok(Plugin { name, program })
     }
 
@@ -178,23 +197,26 @@ struct Program {
 }
 
 impl Program {
-    /// One problem of one row, so that what follows is not late because the program has to begin.
-    fn greet(&self) -> std::result::Result<(), String> {
+    /// One problem of one row, so that what follows is not late because the program has to begin. The answer says which
+    /// laws of friction cones the program takes.
+    fn greet(&self) -> std::result::Result<Vec<Law>, String> {
         let one = [1.0];
         let lcp =
             Lcp::new(lcplab_problem::Matrix::dense(1, &one), vec![-1.0], vec![0.0], vec![2.0])
                 .map_err(|error| error.to_string())?;
-        self.ask(&lcp, &Start::default(), &Settings::default()).map(|_| ())
+        let answer = self.ask(&lcp, None, &Start::default(), &Settings::default())?;
+        Ok(answer.laws)
     }
 
     /// The answer to a problem, or why there is none. A process without an answer is ended.
     fn ask(
         &self,
         lcp: &Lcp,
+        model: Option<Model>,
         start: &Start<'_>,
         settings: &Settings,
     ) -> std::result::Result<Answer, String> {
-        let request = message::request(lcp, start, settings, &self.settings, self.time_limit);
+        let request = message::request(lcp, model, start, settings, &self.settings, self.time_limit);
         let mut process = self.process.lock().unwrap_or_else(PoisonError::into_inner);
         let longest = message::longest(lcp.len());
         let ask = |mut running: Process| match running.ask(&request, longest, self.time_limit) {
@@ -229,12 +251,47 @@ impl Solver for Outside {
     }
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
-        let first = start.point(lcp);
+        let model = lcp.coupling().map(|_| Model::CoupledBox);
+        self.answered(lcp, model, start.point(lcp), start, observer)
+    }
+}
+
+impl ConeSolver for Outside {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn solve(
+        &self,
+        problem: &ConeProblem,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
+        let model = match problem.law() {
+            Law::Associated => Model::AssociatedCone,
+            Law::Coulomb => Model::CoulombCone,
+        };
+        // friction_index and mu tell the contacts, as in a problem file; the model says what they mean.
+        let told = problem.friction().coupled_box();
+        self.answered(&told, Some(model), start.point(problem), start, observer)
+    }
+}
+
+impl Outside {
+    /// The program's answer as a solution, from the start `first`.
+    fn answered(
+        &self,
+        lcp: &Lcp,
+        model: Option<Model>,
+        first: Vec<f64>,
+        start: &Start<'_>,
+        observer: &mut dyn Observer,
+    ) -> Solution {
         let started = Iterate { iteration: 0, x: &first, event: Event::Start };
         if observer.observe(&started).is_break() {
             return Solution::new(lcp, first, Status::Stopped, 0);
         }
-        let answer = match self.program.ask(lcp, start, &self.settings) {
+        let answer = match self.program.ask(lcp, model, start, &self.settings) {
             Ok(answer) => answer,
             Err(reason) => return Solution::new(lcp, first, Status::NoAnswer { reason }, 0),
         };
@@ -246,5 +303,6 @@ impl Solver for Outside {
         }
         let x = answer.x.unwrap_or(first);
         Solution::new(lcp, x, answer.status, answer.iterations)
+            .with_implied_claim(answer.is_claim_implied)
     }
 }

@@ -5,6 +5,7 @@ use std::time::Duration;
 use serde_json::{Map, Value, json};
 
 use lcplab_problem::file::{Problem, as_number};
+use lcplab_problem::friction::{Law, Model};
 use lcplab_problem::{Lcp, json as strict};
 use lcplab_solver::{Settings, Start, Status};
 
@@ -19,15 +20,18 @@ const SHORT: usize = 1 << 16;
 /// And never longer than this.
 const LONG: usize = 1 << 30;
 
-/// A problem file in one line, with what is demanded of an answer, and the plug-in's own settings.
+/// A problem file in one line, with what is demanded of an answer, and the plug-in's own settings. The `model` says what
+/// `friction_index` and `mu` mean.
 pub(super) fn request(
     lcp: &Lcp,
+    model: Option<Model>,
     start: &Start<'_>,
     settings: &Settings,
     own: &Map<String, Value>,
     time_limit: Duration,
 ) -> String {
-    let mut object = match Problem::new("", lcp.clone()).to_json() {
+    let problem = Problem { model, ..Problem::new("", lcp.clone()) };
+    let mut object = match problem.to_json() {
         Value::Object(object) => object,
         _ => Map::new(),
     };
@@ -60,8 +64,12 @@ pub(super) struct Answer {
     /// `None` where it claims nothing and gives none.
     pub x: Option<Vec<f64>>,
     pub status: Status,
+    /// Whether it gives x and no status.
+    pub is_claim_implied: bool,
     pub iterates: Vec<Vec<f64>>,
     pub iterations: usize,
+    /// The laws of friction cones that it says it takes.
+    pub laws: Vec<Law>,
 }
 
 impl Answer {
@@ -74,8 +82,9 @@ impl Answer {
             Err(cause) => return Err(format!("its answer is not JSON ({cause}): {}", brief(text))),
         };
         let x = object.get("x").map(|x| numbers(x, "x", n)).transpose()?;
-        let word = match object.get("status") {
-            None | Some(Value::Null) => "solved",
+        let stated = object.get("status").filter(|status| !status.is_null());
+        let word = match stated {
+            None => "solved",
             Some(Value::String(word)) => word,
             Some(other) => {
                 return Err(format!("its status is no word: {}", brief(&other.to_string())));
@@ -110,8 +119,30 @@ impl Answer {
         };
         let counted = object.get("iterations").and_then(Value::as_u64);
         let iterations = counted.map_or(iterates.len(), |count| count as usize);
-        Ok(Answer { x, status, iterates, iterations })
+        let laws = object.get("models").map_or(Ok(Vec::new()), laws)?;
+        let is_claim_implied = stated.is_none();
+        Ok(Answer { x, status, is_claim_implied, iterates, iterations, laws })
     }
+}
+
+/// The laws of the cones among these models of friction. A plug-in gets boxes whatever it says.
+fn laws(models: &Value) -> Result<Vec<Law>, String> {
+    let list = models.as_array().ok_or("\"models\" is no list of words")?;
+    let mut laws = Vec::new();
+    for word in list {
+        let model = word.as_str().ok_or("\"models\" is no list of words")?;
+        match model.parse().map_err(|error| format!("its \"models\": {error}"))? {
+            Model::FrozenBox | Model::CoupledBox => {}
+            Model::AssociatedCone => laws.push(Law::Associated),
+            Model::CoulombCone => laws.push(Law::Coulomb),
+            Model::Polyhedral { .. } => {
+                return Err(format!(
+                    "its \"models\" name {model}: a plug-in gets boxes, associated-cone and coulomb-cone"
+                ));
+            }
+        }
+    }
+    Ok(laws)
 }
 
 /// n finite numbers.

@@ -3,9 +3,10 @@
 //! They differ from the others in the feasible set alone: the nearest point of a cone takes the place
 //! of the nearest point of an interval. Under [`Law::Associated`] both are descent methods for the same
 //! convex problem, under [`Law::Coulomb`] one freezes the De Saxcé shift and one carries it along.
-//!
 
-use super::{Apgd, Class, ConePgs, MatrixClass, Observer, Settings, Solution, Start};
+use std::sync::{PoisonError, RwLock};
+
+use super::{Apgd, Class, ConePgs, Group, MatrixClass, Observer, Settings, Solution, Start};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::friction::{ConeProblem, Law};
 
@@ -27,7 +28,7 @@ pub trait ConeSolver: Send + Sync {
 }
 
 /// A cone solver in the list.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct ConeEntry {
     /// The name to choose it by.
     pub name: &'static str,
@@ -37,10 +38,26 @@ pub struct ConeEntry {
     pub class: Class,
     /// Under which laws.
     pub laws: &'static [Law],
+    /// What kind of method it is.
+    pub group: Group,
     /// Where it comes from.
     pub source: &'static str,
     /// Makes one.
-    pub build: fn(&Settings) -> Box<dyn ConeSolver>,
+    pub build: &'static ConeBuild,
+}
+
+/// Makes a cone solver with these settings.
+pub type ConeBuild = dyn Fn(&Settings) -> Box<dyn ConeSolver> + Send + Sync;
+
+impl std::fmt::Debug for ConeEntry {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ConeEntry { name, class, laws, .. } = self;
+        f.debug_struct("ConeEntry")
+            .field("name", name)
+            .field("class", class)
+            .field("laws", laws)
+            .finish()
+    }
 }
 
 /// Both laws.
@@ -53,18 +70,42 @@ pub const CONES: &[ConeEntry] = &[
         method: "projected Gauss-Seidel by contacts, iterative",
         class: Class::of(MatrixClass::Semidefinite),
         laws: BOTH,
+        group: Group::Sweeps,
         source: "De Saxcé & Feng 1991; Tasora & Anitescu 2011",
-        build: |settings| Box::new(ConePgs { settings: settings.clone() }),
+        build: &|settings| Box::new(ConePgs { settings: settings.clone() }),
     },
     ConeEntry {
         name: "apgd",
         method: "accelerated projected gradients with restart, shift frozen, iterative",
         class: Class::of(MatrixClass::Semidefinite).with_positive_diagonal(),
         laws: BOTH,
+        group: Group::FirstOrder,
         source: "Mazhar, Heyn, Negrut & Tasora 2015; Acary, Cadoux, Lemaréchal & Malick 2011",
-        build: |settings| Box::new(Apgd { settings: settings.clone() }),
+        build: &|settings| Box::new(Apgd { settings: settings.clone() }),
     },
 ];
+
+/// What was added to the list while the program ran.
+static ADDED: RwLock<Vec<ConeEntry>> = RwLock::new(Vec::new());
+
+/// Adds a cone solver, so that it can be named wherever one is; it stays until the program ends.
+///
+/// # Errors
+/// If there is one of this name.
+pub fn add_cone(entry: ConeEntry) -> Result<()> {
+    let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
+    if CONES.iter().chain(&*added).any(|known| known.name == entry.name) {
+        let reason = format!("there is a cone solver named {:?} already", entry.name);
+        return Err(Error::invalid("solvers", "name", reason));
+    }
+    added.push(entry);
+    Ok(())
+}
+
+/// The cone solvers that were added.
+pub fn added_cones() -> Vec<ConeEntry> {
+    ADDED.read().unwrap_or_else(PoisonError::into_inner).clone()
+}
 
 /// The cone solver of this name.
 ///

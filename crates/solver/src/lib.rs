@@ -46,10 +46,10 @@ pub mod trace;
 mod warm;
 
 pub use class::{Class, MatrixClass};
-pub use cone::{CONES, ConeEntry, ConeSolver, cone_by_name};
+pub use cone::{CONES, ConeBuild, ConeEntry, ConeSolver, add_cone, added_cones, cone_by_name};
 pub use gradient::{Admm, AndersonPgs, Apgd, Mprgp, Nncg, Spectral};
 pub use lcplab_problem::exact::all_solutions;
-pub use method::{Method, methods, solve_polyhedral};
+pub use method::{Method, methods, nameable, solve_polyhedral};
 pub use newton::{Equations, InteriorPoint, Newton};
 pub use observer::{Centring, Event, Iterate, Leaving, Move, Observer, Part, RowUpdate, Tableau};
 pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};

@@ -6,8 +6,8 @@
 //! the models that it fits.
 
 use super::{
-    ALL, CONES, Choice, Class, ConeEntry, Entry, MatrixClass, Observer, Options, Solution, Solver,
-    Start, Status,
+    ALL, CONES, Choice, Class, ConeEntry, Entry, Group, MatrixClass, Observer, Options, Solution,
+    Solver, Start, Status, added, added_cones,
 };
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{Law, Model, Polyhedral, Posed};
@@ -27,6 +27,12 @@ pub fn methods() -> Vec<Method> {
     boxed.chain(CONES.iter().copied().map(Method::Cone)).collect()
 }
 
+/// All methods that have a name: the registered ones and those that were added.
+pub fn nameable() -> Vec<Method> {
+    let boxed = added().into_iter().copied().map(Method::Boxed);
+    methods().into_iter().chain(boxed).chain(added_cones().into_iter().map(Method::Cone)).collect()
+}
+
 impl Method {
     /// Its name, unique among the methods that take a model.
     pub fn name(&self) -> &'static str {
@@ -43,22 +49,72 @@ impl Method {
         }
     }
 
+    /// What kind of method it is.
+    pub fn group(&self) -> Group {
+        match self {
+            Method::Boxed(entry) => entry.group,
+            Method::Cone(entry) => entry.group,
+        }
+    }
+
     /// Whether it is made for a model of friction, or for LCPs without any.
     pub fn takes(&self, model: Option<Model>) -> bool {
+        self.refusal(model).is_none()
+    }
+
+    /// Why it is not made for a model of friction, or for LCPs without any; `None` if it is.
+    ///
+    /// ```
+    /// use lcplab_problem::friction::Model;
+    /// use lcplab_solver::{Method, entry};
+    ///
+    /// let pgs = Method::Boxed(*entry("pgs")?);
+    /// assert_eq!(pgs.refusal(Some(Model::CoupledBox)), None);
+    /// assert_eq!(
+    ///     pgs.refusal(Some(Model::CoulombCone)).unwrap(),
+    ///     "it is made for boxes, not for coulomb-cone"
+    /// );
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    pub fn refusal(&self, model: Option<Model>) -> Option<String> {
         match (self, model) {
-            (Method::Boxed(_), None | Some(Model::FrozenBox)) => true,
-            (Method::Boxed(entry), Some(Model::CoupledBox)) => entry.class.coupling,
-            (Method::Boxed(entry), Some(Model::Polyhedral { .. })) => {
+            (Method::Boxed(entry), Some(model @ (Model::AssociatedCone | Model::CoulombCone))) => {
+                Some(match entry.group {
+                    Group::Plugin => format!("it does not say that it takes {model}"),
+                    _ => format!("it is made for boxes, not for {model}"),
+                })
+            }
+            (Method::Boxed(entry), Some(model @ Model::Polyhedral { .. })) => {
                 let Class { matrix, divides_by_diagonal, .. } = entry.class;
-                !divides_by_diagonal
-                    && matches!(matrix, MatrixClass::CopositivePlus | MatrixClass::General)
+                if divides_by_diagonal {
+                    Some(match entry.group {
+                        Group::Plugin => format!("plug-ins and functions do not take {model}"),
+                        _ => format!("it divides by the diagonal, and {model} has zeros there"),
+                    })
+                } else if !matches!(matrix, MatrixClass::CopositivePlus | MatrixClass::General) {
+                    Some(format!("it is made for A {matrix}, and {model} makes A unsymmetric"))
+                } else {
+                    None
+                }
             }
-            (Method::Cone(entry), Some(Model::AssociatedCone)) => {
-                entry.laws.contains(&Law::Associated)
+            (Method::Boxed(entry), Some(Model::CoupledBox)) => {
+                let reason = "it takes no bounds that depend on another row's x, as coupled-box has";
+                (!entry.class.coupling).then(|| reason.into())
             }
-            (Method::Cone(entry), Some(Model::CoulombCone)) => entry.laws.contains(&Law::Coulomb),
-            (Method::Boxed(_), Some(Model::AssociatedCone | Model::CoulombCone))
-            | (Method::Cone(_), _) => false,
+            (Method::Boxed(_), None | Some(Model::FrozenBox)) => None,
+            (Method::Cone(entry), Some(model @ (Model::AssociatedCone | Model::CoulombCone))) => {
+                let law = match model {
+                    Model::AssociatedCone => Law::Associated,
+                    _ => Law::Coulomb,
+                };
+                (!entry.laws.contains(&law)).then(|| format!("it is not made for {model}"))
+            }
+            (Method::Cone(_), Some(model)) => {
+                Some(format!("it is made for friction cones, not for {model}"))
+            }
+            (Method::Cone(_), None) => {
+                Some("it is made for friction cones, and the problem has none".into())
+            }
         }
     }
 
@@ -117,7 +173,7 @@ pub fn solve_polyhedral(
 /// The impulses x of a solution z, and the rows of x that its status means. `Solved` is claimed for
 /// the z that x leads back to, which is all that a judge of x can see.
 fn impulses(polyhedral: &Polyhedral, solution: Solution, tolerance: f64) -> Solution {
-    let Solution { x: z, status, iterations, .. } = solution;
+    let Solution { x: z, status, iterations, is_claim_implied, .. } = solution;
     let x = polyhedral.x(&z);
     let status = match status {
         Status::Solved if !polyhedral.is_solution(&x, tolerance) => Status::Inaccurate,
@@ -129,4 +185,5 @@ fn impulses(polyhedral: &Polyhedral, solution: Solution, tolerance: f64) -> Solu
         status => status,
     };
     Solution::new(polyhedral.friction().lcp(), x, status, iterations)
+        .with_implied_claim(is_claim_implied)
 }

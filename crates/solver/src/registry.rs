@@ -4,7 +4,7 @@
 use std::sync::{PoisonError, RwLock};
 
 pub use super::sweep::SPECIMENS;
-use super::{Class, Cost, Damping, Order, Settings, Solver, gradient, newton, pivot, sweep};
+use super::{CONES, Class, Cost, Damping, Order, Settings, Solver, gradient, newton, pivot, sweep};
 use lcplab_problem::Lcp;
 use lcplab_problem::error::{Defects, Error, Result};
 
@@ -206,8 +206,8 @@ static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
 /// If there is one of this name.
 pub fn add(entry: Entry) -> Result<&'static Entry> {
     let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
-    let known = ALL.iter().chain(SPECIMENS).chain(added.iter().copied());
-    if known.into_iter().any(|known| known.name == entry.name) {
+    let known = ALL.iter().chain(SPECIMENS).chain(added.iter().copied()).map(|known| known.name);
+    if known.chain(CONES.iter().map(|known| known.name)).any(|known| known == entry.name) {
         let reason = format!("there is a solver named {:?} already", entry.name);
         return Err(Error::invalid("solvers", "name", reason));
     }

@@ -18,6 +18,9 @@ pub struct Solution {
     pub iterations: usize,
     /// What else than the method itself had a part in it; none by default.
     pub fallback: Option<Fallback>,
+    /// Whether *solved* is only implied: a plug-in or a function gave x and no status. Such an x may be the last
+    /// iterate of a solver that ran out of sweeps.
+    pub is_claim_implied: bool,
 }
 
 impl Solution {
@@ -30,12 +33,17 @@ impl Solution {
             lcp.project_all(&mut x);
             status = Status::NotFinite;
         }
-        Solution { w: lcp.w(&x), x, status, iterations, fallback: None }
+        Solution { w: lcp.w(&x), x, status, iterations, fallback: None, is_claim_implied: false }
     }
 
     /// The same, with the part that something else had in it.
     pub fn with_fallback(self, fallback: Option<Fallback>) -> Self {
         Solution { fallback, ..self }
+    }
+
+    /// The same, where *solved* is implied by an x without a status.
+    pub fn with_implied_claim(self, is_claim_implied: bool) -> Self {
+        Solution { is_claim_implied, ..self }
     }
 }
 

@@ -36,8 +36,9 @@ pub const CONE_QP: ConeEntry = ConeEntry {
     method: "the reference: clarabel's interior point for the cone QP, iterative",
     class: Class::of(MatrixClass::Semidefinite),
     laws: &[Law::Associated],
+    group: Group::Newton,
     source: SOURCE,
-    build: |settings| Box::new(Clarabel { settings: settings.clone() }),
+    build: &|settings| Box::new(Clarabel { settings: settings.clone() }),
 };
 
 /// Clarabel behind the traits of solvers.

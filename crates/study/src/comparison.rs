@@ -35,6 +35,18 @@ pub struct Comparison {
     pub thinnest: f64,
     /// One run a level and solver, levels first.
     pub runs: Vec<Run>,
+    /// Solvers that were named and did not take part.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOut>,
+}
+
+/// A solver that was named and is not made for the scene.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct LeftOut {
+    /// The solver.
+    pub solver: String,
+    /// Why.
+    pub reason: String,
 }
 
 /// A scene with one solver at one level.
@@ -211,17 +223,23 @@ fn of_runs(scene: &Scene, steps: usize, ended: Vec<(Run, Timing)>) -> (Compariso
         tolerance: scene.solver.tolerance,
         thinnest: scene.thinnest().unwrap_or(1.0),
         runs,
+        left_out: Vec::new(),
     };
     (comparison, timings)
 }
 
-/// Who steps the scene by which scheme. The coupled box is what every boxed solver gets.
+/// Why a method does not step a scene with this friction model; `None` if it does. The coupled box is what every boxed
+/// solver gets.
+pub fn refusal(method: &Method, model: Model) -> Option<String> {
+    match method {
+        Method::Boxed(_) if model == Model::CoupledBox => None,
+        method => method.refusal(Some(model)),
+    }
+}
+
+/// Who steps the scene by which scheme.
 pub fn contenders(scene: &Scene, schemes: &[Scheme], methods: &[Method]) -> Vec<(Scheme, Method)> {
-    let model = scene.contact.model;
-    let takes = |method: &&Method| match method {
-        Method::Boxed(_) if model == Model::CoupledBox => true,
-        method => method.takes(Some(model)),
-    };
+    let takes = |method: &&Method| refusal(method, scene.contact.model).is_none();
     let of = |scheme: Scheme| -> Vec<Method> {
         match scheme.solves_lcps() {
             true => methods.iter().filter(takes).copied().collect(),

@@ -10,12 +10,14 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::answer::labelled;
-use lcplab_judge::{Demand, FrictionCertificate, Verdict, judge_friction};
+use crate::methods::{named, why_none_takes};
+use lcplab_judge::{Demand, FrictionCertificate, judge_friction};
 use lcplab_problem::Complementarity;
+use lcplab_problem::error::{Error, Result};
 use lcplab_problem::file::{Expected, Problem};
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_problem::library::Family;
-use lcplab_solver::trace::{Provenance, Work};
+use lcplab_solver::trace::{NO_ITERATES, Provenance, Work};
 use lcplab_solver::{Group, Iterate, Method, Observer, Options, Reason, Solution, Status, Stop};
 
 /// A solver on the problems of one family.
@@ -72,18 +74,136 @@ pub const KNOWN_FAILURES: &[(&str, &str, &str)] = &[
     ("pgs", "cps-2", "the diagonal is 0: a sweep divides by it"),
 ];
 
+/// Why nobody solves a problem that has no solution.
+const NO_SOLUTION: &str = "no solution exists";
+
 impl Row {
     /// Whether something is claimed that is not so, or a known failure has not happened.
     pub fn is_wrong(&self) -> bool {
         let came_off = self.known_failure.is_some() && self.claimed > 0;
         self.refuted_claims > 0 || self.false_claims > 0 || came_off
     }
+
+    /// Problems that the solver claims to have solved, and has.
+    pub fn solved(&self) -> usize {
+        self.claimed.saturating_sub(self.refuted_claims.max(self.false_claims))
+    }
+
+    /// Problems that may have a solution.
+    pub fn solvable(&self) -> usize {
+        if self.known_failure.as_deref() == Some(NO_SOLUTION) { 0 } else { self.problems }
+    }
+}
+
+/// A solver in a comparison: its methods for boxes, for cones or for both.
+#[derive(Debug, Clone)]
+pub struct Contender {
+    /// Its methods, which share a name.
+    pub methods: Vec<Method>,
+    /// Whether someone asked for it: then it has a row, with the reason, also where it is not made for the problem.
+    pub is_named: bool,
+}
+
+impl Contender {
+    /// The solver that someone asked for by this name.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn named(name: &str) -> Result<Self> {
+        Ok(Contender { methods: named(name)?, is_named: true })
+    }
+
+    /// Methods that take part in what they are made for, and are not mentioned elsewhere.
+    pub fn unnamed(methods: impl IntoIterator<Item = Method>) -> Vec<Self> {
+        let one = |method| Contender { methods: vec![method], is_named: false };
+        methods.into_iter().map(one).collect()
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        self.methods.first().map_or("", Method::name)
+    }
+}
+
+/// Why a named solver was of no use in a comparison, a sentence each: it has not solved a single problem that it might
+/// have solved.
+///
+/// A solver that always fails, or that is made for none of the problems, makes no false claim either: a comparison that
+/// only counts false claims would pass it.
+pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
+    let sentence = |contender: &Contender| {
+        let name = contender.name();
+        let own = || rows.iter().filter(|row| row.solver == name && row.known_failure.is_none());
+        let problems: usize = own().map(|row| row.problems).sum();
+        if problems == 0 || own().any(|row| row.solved() > 0) {
+            return None;
+        }
+        let why = own().find_map(|row| row.trouble.as_deref()).unwrap_or("it claims nothing");
+        Some(format!("{name} solves none of {}; the first: {why}", counted(problems)))
+    };
+    contenders.iter().filter(|contender| contender.is_named).filter_map(sentence).collect()
+}
+
+/// What someone demands of a solver in a comparison.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Requirement {
+    /// The solver.
+    pub solver: String,
+    /// How many of its answers the judge must accept at least; all those to problems that may have a solution without it.
+    pub at_least: Option<usize>,
+}
+
+impl std::str::FromStr for Requirement {
+    type Err = Error;
+
+    /// `NAME`, or `NAME:COUNT`.
+    fn from_str(text: &str) -> Result<Self> {
+        let Some((solver, count)) = text.rsplit_once(':') else {
+            return Ok(Requirement { solver: text.into(), at_least: None });
+        };
+        let count = count.parse().map_err(|_| {
+            Error::invalid(text, "count", format!("{count:?} is no whole number of problems"))
+        })?;
+        Ok(Requirement { solver: solver.into(), at_least: Some(count) })
+    }
+}
+
+impl Requirement {
+    /// How the rows fail it, in a sentence; `None` if they meet it.
+    pub fn shortfall(&self, rows: &[Row]) -> Option<String> {
+        let own = || rows.iter().filter(|row| row.solver == self.solver && row.solvable() > 0);
+        let accepted: usize = own().map(|row| row.accepted).sum();
+        let problems: usize = own().map(Row::solvable).sum();
+        let demanded = self.at_least.unwrap_or(problems.max(1));
+        if accepted >= demanded {
+            return None;
+        }
+        let missing = own().find(|row| row.accepted < row.problems);
+        let example = missing.map_or(String::new(), |row| {
+            let why = row.trouble.as_deref().unwrap_or("its answer is not accepted");
+            format!("; {}: {why}", row.family)
+        });
+        let solver = &self.solver;
+        Some(format!(
+            "{accepted} of {} by {solver} are accepted, {demanded} are required{example}",
+            match problems {
+                1 => "1 answer".into(),
+                count => format!("{count} answers"),
+            }
+        ))
+    }
+}
+
+fn counted(problems: usize) -> String {
+    if problems == 1 { "1 problem".into() } else { format!("{problems} problems") }
 }
 
 /// What a family is solved as: its problems under one model of friction, or without any.
 struct Posing<'a> {
     family: &'a str,
     model: Option<Model>,
+    /// Whether someone asked for the model, or the problem states it.
+    is_stated: bool,
     problems: Vec<(&'a Problem, Posed)>,
 }
 
@@ -97,9 +217,28 @@ pub fn run(
     seeds: u32,
     stop: &Stop,
 ) -> Vec<Row> {
-    let named = |family: &&dyn Family| (family.name().to_string(), instances(*family, seeds));
-    let problems: Vec<_> = families.iter().map(named).collect();
-    run_on(&problems, models, methods, options, &Limits { stop, each: None, tick: &|| () })
+    let of_family = |family: &&dyn Family| (family.name().to_string(), instances(*family, seeds));
+    let problems: Vec<_> = families.iter().map(of_family).collect();
+    let contenders = Contender::unnamed(methods.iter().copied());
+    let limits = Limits { stop, each: None, tick: &|| () };
+    run_on(&problems, Models::Usual(models), &contenders, options, &limits)
+}
+
+/// Under which models the problems with friction are solved.
+#[derive(Debug, Clone, Copy)]
+pub enum Models<'a> {
+    /// Under each of these, which nobody asked for: a solver takes part under those that it is made for.
+    Usual(&'a [Model]),
+    /// Under each of these, which were asked for; under the one that the first of the problems states if there are none.
+    Stated(&'a [Model]),
+}
+
+impl<'a> Models<'a> {
+    fn list(self) -> &'a [Model] {
+        match self {
+            Models::Usual(list) | Models::Stated(list) => list,
+        }
+    }
 }
 
 /// When to stop, and who is told how far it is.
@@ -112,35 +251,72 @@ pub struct Limits<'a> {
     pub tick: &'a (dyn Fn() + Sync),
 }
 
-/// Runs each method on the problems of each name that it takes; on problems with friction under each
-/// of the models, or, if there are none, under the one that the first of them states.
+/// Runs each method on the problems of each name that it takes; on problems with friction under each of the models.
+///
+/// A solver that was named has a row with the reason where none of its methods takes the model that was asked for or
+/// that the problem states, or none of the usual ones.
 ///
 /// Plug-ins run one after another and beside nothing else: each has one process, and waiting for it would count as time.
 pub fn run_on(
     problems: &[(String, Vec<Problem>)],
-    models: &[Model],
-    methods: &[Method],
+    models: Models<'_>,
+    contenders: &[Contender],
     options: &Options,
     limits: &Limits<'_>,
 ) -> Vec<Row> {
     let posings: Vec<Posing> =
         problems.iter().flat_map(|(family, problems)| posings(family, problems, models)).collect();
-    let pairs: Vec<(&Posing, &Method)> = posings
+    let parts: Vec<Participation> = posings
         .iter()
-        .flat_map(|posing| methods.iter().map(move |method| (posing, method)))
-        .filter(|(posing, method)| method.takes(posing.model))
+        .flat_map(|posing| contenders.iter().map(move |contender| (posing, contender)))
+        .flat_map(|(posing, contender)| participations(posing, contender, &posings))
         .collect();
-    let row = |(posing, method): &(&Posing, &Method)| attempt(posing, method, options, limits);
-    let is_plugin = |(_, method): &(&Posing, &Method)| match method {
-        Method::Boxed(entry) => entry.group == Group::Plugin,
-        Method::Cone(_) => false,
+    let row = |part: &Participation| match part {
+        Participation::Solves(posing, method) => attempt(posing, method, options, limits),
+        Participation::LeftOut(posing, solver, reason) => Some(posing.left_out(solver, reason)),
     };
-    let own = |pair: &(&Posing, &Method)| if is_plugin(pair) { None } else { row(pair) };
-    let mut rows: Vec<Option<Row>> = pairs.par_iter().map(own).collect();
-    for (place, pair) in rows.iter_mut().zip(&pairs).filter(|(_, pair)| is_plugin(pair)) {
-        *place = row(pair);
+    let own = |part: &Participation| if part.is_plugin() { None } else { row(part) };
+    let mut rows: Vec<Option<Row>> = parts.par_iter().map(own).collect();
+    for (place, part) in rows.iter_mut().zip(&parts).filter(|(_, part)| part.is_plugin()) {
+        *place = row(part);
     }
     rows.into_iter().flatten().collect()
+}
+
+/// What a row of a comparison is made from.
+enum Participation<'a> {
+    /// A method that takes the model.
+    Solves(&'a Posing<'a>, Method),
+    /// A solver that was named and does not, with the reason.
+    LeftOut(&'a Posing<'a>, &'static str, String),
+}
+
+impl Participation<'_> {
+    fn is_plugin(&self) -> bool {
+        matches!(self, Participation::Solves(_, method) if method.group() == Group::Plugin)
+    }
+}
+
+/// The rows of a solver under one posing: one for each method that takes it, or else, where it was named, the reason
+/// why none does. Under models that nobody asked for the reason is due only if the solver takes none of them, and then
+/// once.
+fn participations<'a>(
+    posing: &'a Posing<'a>,
+    contender: &Contender,
+    all: &[Posing<'_>],
+) -> Vec<Participation<'a>> {
+    let Some(reason) = why_none_takes(&contender.methods, posing.model) else {
+        let taking = contender.methods.iter().filter(|method| method.takes(posing.model));
+        return taking.map(|method| Participation::Solves(posing, *method)).collect();
+    };
+    let mut same = all.iter().filter(|other| other.family == posing.family);
+    let is_first = same.clone().next().is_some_and(|first| first.model == posing.model);
+    let refuses = |other: &Posing<'_>| why_none_takes(&contender.methods, other.model).is_some();
+    let is_due = posing.is_stated || is_first && same.all(refuses);
+    match contender.is_named && is_due {
+        true => vec![Participation::LeftOut(posing, contender.name(), reason)],
+        false => Vec::new(),
+    }
 }
 
 /// The problems of a family: one a seed, or one where the family has none.
@@ -154,18 +330,21 @@ pub fn instances(family: &dyn Family, seeds: u32) -> Vec<Problem> {
     }
 }
 
-fn posings<'a>(family: &'a str, problems: &'a [Problem], models: &[Model]) -> Vec<Posing<'a>> {
-    let posed = |model: Option<Model>| {
+fn posings<'a>(family: &'a str, problems: &'a [Problem], models: Models<'_>) -> Vec<Posing<'a>> {
+    let posed = |model: Option<Model>, is_stated: bool| {
         let problems = problems.iter().filter_map(|problem| Some((problem, pose(problem, model)?)));
-        Posing { family, model, problems: problems.collect() }
+        Posing { family, model, is_stated, problems: problems.collect() }
     };
-    if let Some(first) = problems.iter().find(|problem| problem.friction().is_some()) {
-        let own = [first.model.unwrap_or_default()];
-        let models = if models.is_empty() { &own } else { models };
-        models.iter().map(|&model| posed(Some(model))).collect()
-    } else {
-        vec![posed(None)]
-    }
+    let Some(first) = problems.iter().find(|problem| problem.friction().is_some()) else {
+        return vec![posed(None, true)];
+    };
+    let own = [first.model.unwrap_or_default()];
+    let (list, is_stated) = match models {
+        Models::Usual(list) if !list.is_empty() => (list, false),
+        models if models.list().is_empty() => (&own[..], true),
+        models => (models.list(), true),
+    };
+    list.iter().map(|&model| posed(Some(model), is_stated)).collect()
 }
 
 /// The problem under the model; `None` if it cannot be stated so. Friction rows that are not two
@@ -178,6 +357,44 @@ fn pose(problem: &Problem, model: Option<Model>) -> Option<Posed> {
     }
 }
 
+impl Posing<'_> {
+    /// The row of a solver before it has solved anything.
+    fn row(&self, solver: &str) -> Row {
+        Row {
+            family: self.family.to_string(),
+            model: self.model.map(|model| model.to_string()),
+            solver: solver.to_string(),
+            problems: self.problems.len(),
+            outside: 0,
+            claimed: 0,
+            proved: 0,
+            accepted: 0,
+            refuted_claims: 0,
+            false_claims: 0,
+            iterations: 0,
+            multiplications: Some(0.0),
+            worst_residual: None,
+            fingerprint: String::new(),
+            fallbacks: 0,
+            fallback: None,
+            trouble: None,
+            known_failure: None,
+            seconds: 0.0,
+        }
+    }
+
+    /// The row of a solver that is not made for the problems, and was not asked.
+    fn left_out(&self, solver: &str, reason: &str) -> Row {
+        Row {
+            outside: self.problems.len(),
+            multiplications: None,
+            fingerprint: format!("{NO_ITERATES:016x}"),
+            trouble: Some(format!("not asked: {reason}")),
+            ..self.row(solver)
+        }
+    }
+}
+
 /// The row of a method, unless it is time to stop before it is done.
 fn attempt(
     posing: &Posing,
@@ -185,31 +402,12 @@ fn attempt(
     options: &Options,
     limits: &Limits<'_>,
 ) -> Option<Row> {
-    let Posing { family, model, problems } = posing;
+    let Posing { family, problems, .. } = posing;
     let known = KNOWN_FAILURES.iter().find(|(s, f, _)| *s == method.name() && f == family);
     let unsolvable = !problems.is_empty() && problems.iter().all(|(p, _)| has_no_solution(p));
-    let known = known.map(|(_, _, why)| *why).or(unsolvable.then_some("no solution exists"));
-    let mut row = Row {
-        family: family.to_string(),
-        model: model.map(|model| model.to_string()),
-        solver: method.name().to_string(),
-        problems: problems.len(),
-        outside: 0,
-        claimed: 0,
-        proved: 0,
-        accepted: 0,
-        refuted_claims: 0,
-        false_claims: 0,
-        iterations: 0,
-        multiplications: Some(0.0),
-        worst_residual: None,
-        fingerprint: String::new(),
-        fallbacks: 0,
-        fallback: None,
-        trouble: None,
-        known_failure: known.map(str::to_string),
-        seconds: 0.0,
-    };
+    let known = known.map(|(_, _, why)| *why).or(unsolvable.then_some(NO_SOLUTION));
+    let mut row = posing.row(method.name());
+    row.known_failure = known.map(str::to_string);
     for (problem, posed) in problems {
         limits.stop.reason().is_none().then_some(())?;
         let lcp = match posed {
@@ -269,10 +467,14 @@ impl Row {
     fn add(&mut self, solution: &Solution, certificate: &FrictionCertificate, problem: &Problem) {
         let unsolvable = has_no_solution(problem);
         let status = &solution.status;
-        let (claims, holds) = (*status == Status::Solved, certificate.verdict.is_solution());
-        self.outside += usize::from(matches!(status, Status::OutsideClass { .. }));
+        let is_outside = matches!(status, Status::OutsideClass { .. });
+        // Without an answer x is the start, which the solver has no part in.
+        let answers = !is_outside && !matches!(status, Status::NoAnswer { .. });
+        let holds = answers && certificate.verdict.is_solution();
+        let claims = *status == Status::Solved;
+        self.outside += usize::from(is_outside);
         self.claimed += usize::from(claims);
-        self.proved += usize::from(matches!(certificate.verdict, Verdict::Proved { .. }));
+        self.proved += usize::from(holds && certificate.verdict.distance().is_some());
         self.accepted += usize::from(holds);
         self.refuted_claims += usize::from(claims && !holds);
         self.false_claims += usize::from(claims && unsolvable);

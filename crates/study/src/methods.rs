@@ -24,7 +24,7 @@ pub fn all() -> Vec<Method> {
 
 /// All methods that have a name.
 fn nameable() -> impl Iterator<Item = Method> {
-    all().into_iter().chain(added().into_iter().copied().map(Method::Boxed))
+    lcplab_solver::nameable().into_iter().chain(REFERENCE)
 }
 
 /// The solver of this name for LCPs as they stand; the specimens and what was added count too.
@@ -35,19 +35,51 @@ pub fn entry(name: &str) -> Result<Entry> {
     let added = added();
     let reference: Vec<Entry> = REFERENCE.into_iter().filter_map(boxed).collect();
     let entries = || ALL.iter().chain(&reference).chain(SPECIMENS).chain(added.iter().copied());
-    let found = entries().find(|entry| entry.name == name).copied();
-    found.ok_or_else(|| unknown("solver", name, entries().map(|entry| entry.name)))
+    if let Some(found) = entries().find(|entry| entry.name == name) {
+        return Ok(*found);
+    }
+    Err(match refusal(name, None) {
+        Some(reason) => Error::invalid(format!("solver {name}"), "model", reason),
+        None => unknown("solver", name, entries().map(|entry| entry.name)),
+    })
 }
 
 /// The method of this name for a model of friction.
 ///
 /// # Errors
-/// If there is none.
+/// If there is none of this name, or it is not made for the model; the error says why.
 pub fn by_name(name: &str, model: Model) -> Result<Method> {
     let taking = || nameable().filter(|method| method.takes(Some(model)));
-    let found = taking().find(|method| method.name() == name);
-    let kind = "solver for this model of friction";
-    found.ok_or_else(|| unknown(kind, name, taking().map(|method| method.name())))
+    if let Some(found) = taking().find(|method| method.name() == name) {
+        return Ok(found);
+    }
+    let names = distinct(taking().map(|method| method.name()));
+    Err(match refusal(name, Some(model)) {
+        Some(reason) => {
+            let reason = format!("{reason}; these solve it: {}", names.join(", "));
+            Error::invalid(format!("solver {name}"), "model", reason)
+        }
+        None => {
+            let kind = "solver for this model of friction";
+            Error::Unknown { kind, name: name.to_string(), known: names }
+        }
+    })
+}
+
+/// Why the methods of this name are not made for a model; `None` if there is no such name, or one of them is.
+fn refusal(name: &str, model: Option<Model>) -> Option<String> {
+    let specimens = SPECIMENS.iter().copied().map(Method::Boxed);
+    let named: Vec<Method> =
+        nameable().chain(specimens).filter(|method| method.name() == name).collect();
+    why_none_takes(&named, model)
+}
+
+/// Why none of these methods is made for a model; `None` if one of them is.
+pub fn why_none_takes(methods: &[Method], model: Option<Model>) -> Option<String> {
+    let refusals: Vec<String> =
+        methods.iter().map_while(|method| method.refusal(model)).collect();
+    let all_refuse = !methods.is_empty() && refusals.len() == methods.len();
+    all_refuse.then(|| refusals.into_iter().next()).flatten()
 }
 
 /// The method to take where none is named.
@@ -80,11 +112,15 @@ fn boxed(method: Method) -> Option<Entry> {
 }
 
 fn unknown(kind: &'static str, name: &str, known: impl Iterator<Item = &'static str>) -> Error {
-    let mut names: Vec<String> = Vec::new();
-    for known in known.map(str::to_string) {
-        if !names.contains(&known) {
-            names.push(known);
+    Error::Unknown { kind, name: name.to_string(), known: distinct(known) }
+}
+
+fn distinct(names: impl Iterator<Item = &'static str>) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    for name in names.map(str::to_string) {
+        if !found.contains(&name) {
+            found.push(name);
         }
     }
-    Error::Unknown { kind, name: name.to_string(), known: names }
+    found
 }

@@ -113,7 +113,8 @@ def compare(
     problems : Problem, str, tuple, or an iterable or mapping of them
         Problems, names of files, ``(A, b)`` or ``(A, b, lo, hi)``.
     solvers : iterable of str or callable
-        As in :func:`solve`; without it one of each kind. An exception in a function is a row with its message.
+        As in :func:`solve`; without it one of each kind. An exception in a function is a row with its message, and a
+        solver that does not take the friction model of a problem is a row with the reason, under ``trouble``.
     models : sequence of str
         Under which models of friction the problems with friction are solved; without it under their own.
 

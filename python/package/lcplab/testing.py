@@ -53,10 +53,56 @@ def assert_solves(
         raise AssertionError("\n".join(failures))
 
 
-def assert_honest(solver: Solver, *, evaluations: int = 2000, seed: int = 1) -> None:
-    """Raise an AssertionError with the smallest problem on which a solver claims what is not true, if one is found."""
-    from lcplab import hunt
+def assert_honest(
+    solver: Solver,
+    *,
+    evaluations: int = 2000,
+    seed: int = 1,
+    tolerance: float = 1e-8,
+    max_iterations: int = 2000,
+    friction: bool = False,
+    model: str | None = None,
+) -> None:
+    """Raise an AssertionError with the smallest problem on which a solver claims what is not true, if one is found.
 
-    found = hunt(solver, "lie", evaluations=evaluations, seed=seed, within="definite")
-    if found is not None:
-        raise AssertionError(str(found))
+    A solver that solves none of the problems fails too: one that always raises makes no false claim either.
+
+    Parameters
+    ----------
+    solver : str or callable
+        As in :func:`lcplab.solve`.
+    evaluations : int
+        How many problems are tried. The same seed and number try the same.
+    tolerance : float
+        The largest scaled residual that counts as solved; 1e-5 suits single precision.
+    friction : bool
+        Problems with friction as well, as many again: contacts with a normal and two tangents each.
+    model : str, optional
+        The friction model of those problems, such as ``"coulomb-cone"``; then all of them have friction.
+
+    Examples
+    --------
+    >>> from lcplab.testing import assert_honest
+    >>> assert_honest("dantzig", evaluations=200, friction=True)
+    >>> assert_honest("cone-pgs", evaluations=200, model="coulomb-cone")
+    """
+    from lcplab._hunt import Finding, search
+    from lcplab._solve import settings
+
+    kinds = ["only"] if model is not None else ["never", "only"] if friction else ["never"]
+    for kind in kinds:
+        told = search(
+            solver,
+            "lie",
+            (1, 6),
+            evaluations=evaluations,
+            seed=seed,
+            within="definite",
+            friction=kind,
+            model=model,
+            settings=settings(tolerance, max_iterations, None),
+        )
+        if "problem" in told:
+            raise AssertionError(str(Finding(told)))
+        if told["useless"]:
+            raise AssertionError(told["useless"])

@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::error::Result;
 use lcplab::file;
+use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
-use lcplab::report::study::comparison::{self, Sample};
+use lcplab::report::study::comparison::{self, LeftOut, Sample};
 use lcplab::report::study::film::{self, Actor};
-use lcplab::report::{text, view, write};
+use lcplab::report::{methods, text, view, write};
 use lcplab::scene::Scheme;
 use lcplab::solver::{self, Method};
 use serde_json::json;
@@ -25,12 +26,12 @@ Example:
 
 By default all solvers step the scene, at the velocity and at the acceleration level; --solver and --scheme
 select one. Schemes that solve no LCP have one row. Only solvers that can handle the friction model run,
-and only levels that know it.
+and only levels that know it; a solver that you name and that cannot has a row with the reason.
 With --out the folder gets a page with a film of the solvers side by side, the table and the plots.
 The film shows one solver of each set with the same motion, or those named by --show:
   lcplab compare stack --show pgs:5 --show dantzig --out stack-report   # five sweeps beside exact
-Exit code 1 if the judge refutes a solver's claim, 2 for bad input; a solver that admits failure is a row of
-the table.")]
+Exit code 1 if the judge rejects a solver's claim or if none of the solvers that you name takes part, 2 for
+bad input; a solver that admits failure is a row of the table.")]
 pub struct Compare {
     #[command(flatten)]
     scene: SceneArgs,
@@ -53,17 +54,23 @@ impl Compare {
         let plugins = self.scene.plugins.start()?;
         let scene = self.scene.load(self.scene.solver.as_deref())?;
         let steps = self.steps.unwrap_or(scene.step.count);
-        let mut solvers = match &self.scene.solver {
-            Some(name) => vec![self.scene.method(name, &scene)?],
-            None => solver::methods(),
-        };
-        for plugin in &plugins {
-            solvers.push(self.scene.method(plugin.name(), &scene)?);
-        }
         let schemes = match self.scene.scheme {
             Some(scheme) => vec![scheme],
             None => Scheme::LEVELS.to_vec(),
         };
+        let named = self.scene.solver.as_deref().into_iter();
+        let named: Vec<&str> =
+            named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
+        let (mut solvers, mut left_out) = match self.scene.solver {
+            Some(_) => (Vec::new(), Vec::new()),
+            None => (solver::methods(), Vec::new()),
+        };
+        for name in &named {
+            match takes_part(name, &schemes, scene.contact.model)? {
+                Ok(method) => solvers.push(method),
+                Err(reason) => left_out.push(LeftOut { solver: name.to_string(), reason }),
+            }
+        }
         let contenders = comparison::contenders(&scene, &schemes, &solvers);
         let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
         self.scene.check(&running, &scene)?;
@@ -77,7 +84,7 @@ impl Compare {
         }
         let progress = bar(contenders.len() as u64, &scene.name);
         let stop = limits.stop();
-        let (comparison, timings) = comparison::compare_families(
+        let (mut comparison, timings) = comparison::compare_families(
             &scene,
             &schemes,
             &solvers,
@@ -85,12 +92,14 @@ impl Compare {
             &|| progress.inc(1),
             stop,
         )?;
+        comparison.left_out = left_out;
         let is_whole = comparison.runs.len() == contenders.len()
             && comparison.runs.iter().all(|run| run.steps == steps);
         let stopped = stop.reason().filter(|_| !is_whole);
         limits.over();
         progress.finish_and_clear();
-        let written = self.out.as_ref().map(|folder| {
+        let has_runs = !comparison.runs.is_empty();
+        let written = self.out.as_ref().filter(|_| has_runs).map(|folder| {
             let actors = match shown.is_empty() {
                 true => film::alike(&contenders, &view::alike(&comparison.runs)),
                 false => shown.into_iter().map(|actor| (actor.name(), actor)).collect(),
@@ -111,10 +120,31 @@ impl Compare {
             say(&page?.display().to_string());
         }
         let refuted = comparison.runs.iter().any(|run| run.refuted_claims > 0);
+        let all_left_out = !named.is_empty() && comparison.left_out.len() == named.len();
         Ok(match stopped {
             Some(reason) => Outcome::Stopped(reason),
-            None if refuted => Outcome::Refuted,
+            None if refuted || all_left_out => Outcome::Refuted,
             None => Outcome::Good,
         })
     }
+}
+
+/// The method of a solver that was named, or why it takes no part.
+///
+/// # Errors
+/// If there is no solver of this name.
+fn takes_part(
+    name: &str,
+    schemes: &[Scheme],
+    model: Model,
+) -> Result<std::result::Result<Method, String>> {
+    let methods = methods::named(name)?;
+    if let [scheme] = schemes
+        && !scheme.solves_lcps()
+    {
+        return Ok(Err(format!("the scheme {} solves no LCP", scheme.name())));
+    }
+    let taking = methods.iter().find(|method| comparison::refusal(method, model).is_none());
+    let reason = || methods.iter().find_map(|method| comparison::refusal(method, model));
+    Ok(taking.copied().ok_or_else(|| reason().unwrap_or_default()))
 }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
-use super::families::{self, Limits, Row};
+use super::families::{self, Contender, Limits, Models, Row};
 use super::problems;
 use crate::error::Result;
 use crate::lcp::friction::Model;
@@ -71,7 +71,8 @@ impl Study for Plan {
             }
         };
         let limits = Limits { stop: &Stop::default(), each: None, tick: &|| () };
-        let mut rows = families::run_on(&problems, &models, &methods, &options, &limits);
+        let (models, contenders) = (Models::Usual(&models), Contender::unnamed(methods));
+        let mut rows = families::run_on(&problems, models, &contenders, &options, &limits);
         let times = rows.iter_mut().map(|row| Times {
             family: row.family.clone(),
             model: row.model.clone().unwrap_or_default(),

@@ -6,7 +6,7 @@ use crate::film::Film;
 use crate::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
-use crate::report::study::comparison::{Comparison, HELD, Plan, Run, Sample, Timing};
+use crate::report::study::comparison::{Comparison, HELD, LeftOut, Plan, Run, Sample, Timing};
 
 impl View for Plan {
     const TITLE: &'static str = "Solvers and levels on the same scenes";
@@ -95,7 +95,8 @@ pub fn table(comparison: &Comparison) -> Table {
         Column::numbers("penetration", "m"),
         Column::numbers("carried", "% of the weight"),
     ];
-    let trouble = comparison.runs.iter().any(|run| run.trouble.is_some());
+    let left_out = &comparison.left_out;
+    let trouble = !left_out.is_empty() || comparison.runs.iter().any(|run| run.trouble.is_some());
     if trouble {
         columns.push(Column::words("trouble"));
     }
@@ -105,6 +106,12 @@ pub fn table(comparison: &Comparison) -> Table {
         for (row, run) in rows.iter_mut().zip(&comparison.runs) {
             row.push(Cell::text(run.trouble.clone().unwrap_or_default()));
         }
+    }
+    for LeftOut { solver, reason } in left_out {
+        let mut row = vec![Cell::text("–"); columns.len()];
+        row[1] = Cell::text(solver);
+        *row.last_mut().expect("columns") = Cell::text(format!("not asked: {reason}"));
+        rows.push(row);
     }
     Table {
         title: format!("{scene}: {steps} steps of {dt} s"),
@@ -122,6 +129,9 @@ pub fn table(comparison: &Comparison) -> Table {
 /// Which formulation holds the scene, and by how many solvers.
 pub fn answer(comparison: &Comparison) -> String {
     let Comparison { runs, steps, thinnest, .. } = comparison;
+    if runs.is_empty() {
+        return "None of the solvers that were named is made for this scene.".into();
+    }
     let of_scheme = runs.chunk_by(|a, b| a.scheme == b.scheme);
     let holds = |run: &&Run| run.holds(*steps, *thinnest);
     let counted = |runs: &[Run]| {

@@ -58,10 +58,60 @@ fn what_leaves_nothing_to_compare_is_the_option_that_was_given() {
     };
     let error = "error: options: --model: none of these problems can be stated under this model";
     assert_eq!(told(&["--model", "coulomb-cone"]), error);
-    assert_eq!(
-        told(&["--solver", "cone-pgs"]),
-        "error: options: --solver: takes none of these problems"
-    );
+}
+
+#[test]
+fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
+    let compare = |arguments: &[&str]| {
+        let output = run(&[&["compare-solvers", "--json"], arguments].concat());
+        let table: Value = serde_json::from_str(&out(&output)).unwrap();
+        (table["rows"].as_array().unwrap().clone(), output.status.code(), err(&output))
+    };
+    let (rows, code, told) = compare(&["stack", "--solver", "cone-pgs"]);
+    let reason = "not asked: it is made for friction cones, and the problem has none";
+    let row = &rows[0];
+    assert_eq!((rows.len(), &row["solver"], &row["trouble"]), (1, &"cone-pgs".into(), &reason.into()));
+    assert_eq!((&row["outside"], &row["claimed"]), (&row["problems"], &0.into()));
+    assert_eq!(code, Some(1));
+    assert!(told.contains("failed: cone-pgs solves none of"), "{told}");
+    // Beside one that takes part it is a row all the same, and still solves nothing.
+    let (rows, code, _) = compare(&["stack", "--solver", "cone-pgs", "--solver", "dantzig"]);
+    assert_eq!((rows.len(), code), (2, Some(1)));
+    // Under a model that was asked for the reason is due under that model; under the usual ones a solver is not
+    // expected under all of them.
+    let cones = ["pushed-mass", "--model", "coulomb-cone"];
+    let named = ["--solver", "pgs", "--solver", "cone-pgs"];
+    let (rows, code, _) = compare(&[&cones[..], &named[..]].concat());
+    let left_out = rows.iter().find(|row| row["solver"] == "pgs").unwrap();
+    assert_eq!(left_out["trouble"], "not asked: it is made for boxes, not for coulomb-cone");
+    assert_eq!(code, Some(1));
+    let (rows, code, _) = compare(&[&["pushed-mass"], &named[..]].concat());
+    let models: Vec<&Value> =
+        rows.iter().filter(|row| row["solver"] == "pgs").map(|row| &row["model"]).collect();
+    assert_eq!((models, code), (vec![&"frozen-box".into(), &"coupled-box".into()], Some(0)));
+}
+
+#[test]
+fn a_requirement_is_met_or_the_exit_code_is_1() {
+    let compare = |arguments: &[&str]| {
+        let output = run(&[&["compare-solvers", "--solver", "dantzig", "--json"], arguments].concat());
+        (output.status.code(), err(&output))
+    };
+    let required = |families: &[&str], demand: &str| {
+        compare(&[families, &["--require-accepted", demand]].concat())
+    };
+    assert_eq!(required(&["pd", "stack"], "dantzig").0, Some(0));
+    // `wedged` has no solution, and none is required; murty's matrix is not symmetric.
+    assert_eq!(required(&["pd", "wedged"], "dantzig").0, Some(0));
+    let (code, told) = required(&["pd", "murty"], "dantzig");
+    assert_eq!(code, Some(1));
+    assert!(told.contains("by dantzig are accepted") && told.contains("; murty: "), "{told}");
+    assert_eq!(required(&["pd", "murty"], "dantzig:1").0, Some(0));
+    assert_eq!(required(&["pd", "murty"], "dantzig:99").0, Some(1));
+    let (code, told) = required(&["pd"], "lemke");
+    let reason = "error: options: --require-accepted: lemke is not among the solvers of this comparison\n";
+    assert_eq!((code, told.as_str()), (Some(2), reason));
+    assert_eq!(required(&["pd"], "dantzig:many").0, Some(2));
 }
 
 #[test]

@@ -60,6 +60,166 @@ fn a_folder_of_problems_shows_which_claims_are_wrong_and_in_which_row() {
     assert_eq!(code, Some(1));
 }
 
+/// A solver of friction cones, of the documentation too.
+const CONES: &str =
+    concat!("python3 '", env!("CARGO_MANIFEST_DIR"), "/examples/plugins/cones.py'");
+
+/// A mass of 1, pressed with 2 and pushed with 3 along both tangents, µ = ½: friction takes 1 of it, along (1, 1)/√2.
+const CONE: &str = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, -3],
+    "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}"#;
+
+/// A file of this text, and its folder.
+fn file(text: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("problem.json");
+    std::fs::write(&path, text).unwrap();
+    let path = path.to_str().unwrap().to_string();
+    (folder, path)
+}
+
+#[test]
+fn a_plug_in_for_cones_solves_a_cone_and_is_compared() {
+    let (_folder, cone) = file(CONE);
+    let (answer, code) = told(&["solve", &cone, "--plugin", CONES]);
+    assert_eq!((&answer["solver"], &answer["model"], code), (&"cones".into(), &"coulomb-cone".into(), Some(0)));
+    let x: Vec<f64> = answer["x"].as_array().unwrap().iter().filter_map(Value::as_f64).collect();
+    for (x, exact) in x.iter().zip([2.0, 0.5f64.sqrt(), 0.5f64.sqrt()]) {
+        assert!((x - exact).abs() < 1e-9, "{answer}");
+    }
+    let compare = ["compare-solvers", &cone, "--solver", "cone-pgs", "--plugin", CONES];
+    let (table, code) = told(&[&compare[..], &["--require-accepted", "cones"]].concat());
+    let rows = table["rows"].as_array().unwrap();
+    let solved: Vec<_> = rows.iter().map(|row| (&row["solver"], &row["accepted"])).collect();
+    assert_eq!(solved, [(&"cone-pgs".into(), &1.into()), (&"cones".into(), &1.into())]);
+    assert_eq!(code, Some(0));
+    let simulated = told(&["simulate", "sliding", "--steps", "3", "--model", "coulomb-cone", "--plugin", CONES]);
+    assert_eq!((&simulated.0["solver"], simulated.1), (&"cones".into(), Some(0)), "{}", simulated.0);
+}
+
+#[test]
+fn a_plug_in_for_boxes_never_gets_a_cone_and_says_so() {
+    let (_folder, cone) = file(CONE);
+    let reason = "it does not say that it takes coulomb-cone";
+    let output = run(&["solve", &cone, "--plugin", SWEEPS]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).starts_with(&format!("error: solver sweeps: model: {reason}")), "{}", err(&output));
+    let (table, code) = told(&["compare-solvers", &cone, "--solver", "cone-pgs", "--plugin", SWEEPS]);
+    let row = &table["rows"][1];
+    assert_eq!(row["solver"], "sweeps");
+    assert_eq!(row["trouble"], format!("not asked: {reason}"));
+    assert_eq!((&row["claimed"], &row["accepted"], code), (&0.into(), &0.into(), Some(1)));
+    let (table, code) = told(&["compare", "sliding", "--steps", "1", "--model", "coulomb-cone", "--scheme", "velocity",
+        "--solver", "cone-pgs", "--plugin", SWEEPS]);
+    assert_eq!(table["comparison"]["left_out"], serde_json::json!([{ "solver": "sweeps", "reason": reason }]));
+    assert_eq!((table["comparison"]["runs"].as_array().map(Vec::len), code), (Some(1), Some(0)));
+    let alone = run(&["compare", "sliding", "--steps", "1", "--model", "coulomb-cone", "--solver", "pgs"]);
+    assert_eq!(alone.status.code(), Some(1), "{}", err(&alone));
+    assert!(out(&alone).contains("not asked: it is made for boxes, not for coulomb-cone"), "{}", out(&alone));
+}
+
+#[test]
+fn a_solver_of_cones_is_hunted_under_its_model() {
+    let model = ["--model", "coulomb-cone"];
+    let search = ["hunt", "--measure", "lie", "--evaluations", "300"];
+    let (found, code) = told(&[&search[..], &model, &["--plugin", CONES]].concat());
+    assert_eq!((&found["found"], code), (&Value::Bool(false), Some(0)), "{found}");
+    assert!(found["solved"].as_u64().unwrap() > 50, "{found}");
+    let table = run(&[&["hunt", "--problems", "40", "--plugin", CONES], &model[..]].concat());
+    assert_eq!(table.status.code(), Some(0), "{}", out(&table));
+    assert!(out(&table).contains("40 problems with friction under coulomb-cone"), "{}", out(&table));
+    // A file states its model, and the hunt keeps to it.
+    let (_folder, cone) = file(CONE);
+    let output = run(&[&search[..], &["--from", &cone, "--plugin", SWEEPS]].concat());
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("it does not say that it takes coulomb-cone"), "{}", err(&output));
+}
+
+/// A plug-in of these lines, and its folder.
+fn script(name: &str, answer: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(format!("{name}.py"));
+    let lines = format!(
+        "import json, sys\nfor line in sys.stdin:\n    p = json.loads(line)\n    n = len(p['b'])\n    {answer}\n"
+    );
+    std::fs::write(&path, lines).unwrap();
+    let command = format!("python3 '{}'", path.display());
+    (folder, command)
+}
+
+#[test]
+fn a_plug_in_that_solves_nothing_passes_no_gate() {
+    for (name, answer, reason) in [
+        ("idle", "print('{\"status\": \"iteration_limit\"}', flush=True)", "iteration limit"),
+        ("dies", "print('{\"x\": [1]}' if n == 1 else [][1], flush=True)", "IndexError"),
+    ] {
+        let (_folder, command) = script(name, answer);
+        let compare = ["compare-solvers", "pd", "stack", "--solver", "dantzig", "--plugin", &command];
+        let output = run(&compare);
+        assert_eq!(output.status.code(), Some(1), "{name}");
+        let failed = err(&output);
+        assert!(failed.contains(&format!("failed: {name} solves none of")), "{failed}");
+        assert!(failed.contains(reason), "{failed}");
+        let hunt = ["hunt", "--plugin", &command, "--measure", "lie", "--n", "2..4", "--evaluations", "60"];
+        let output = run(&hunt);
+        assert_eq!(output.status.code(), Some(1), "{name}: {}", out(&output));
+        assert!(err(&output).contains(&format!("failed: {name} solves none of 60")), "{}", err(&output));
+        let table = run(&["hunt", "--plugin", &command, "--problems", "5", "--model", "coupled-box"]);
+        assert_eq!(table.status.code(), Some(1), "{name}: {}", out(&table));
+    }
+}
+
+#[test]
+fn what_is_found_shows_the_plug_ins_own_answer_and_the_right_one() {
+    // Gauss-Seidel whose friction reaches 1/√2 as far as it should.
+    let answer = "
+    index, mu = p.get('friction_index', [-1] * n), p.get('mu', [0] * n)
+    lo, hi = ([float(v) for v in p[key]] for key in ('lo', 'hi'))
+    x = [0.0] * n
+    for sweep in range(60):
+        for i in range(n):
+            if index[i] >= 0:
+                hi[i] = mu[i] * x[index[i]] / 2**0.5
+                lo[i] = -hi[i]
+            w = sum(a * v for a, v in zip(p['A']['dense'][i], x)) + p['b'][i]
+            x[i] = min(max(x[i] - w / p['A']['dense'][i][i], lo[i]), hi[i])
+    print(json.dumps({'x': x}), flush=True)";
+    let (folder, command) = script("root", answer);
+    let file = folder.path().join("bug.json");
+    let hunt = ["hunt", "--plugin", &command, "--measure", "lie", "--friction", "--out", file.to_str().unwrap()];
+    let (found, code) = told(&hunt);
+    assert_eq!((&found["found"], code), (&Value::Bool(true), Some(1)));
+    let vector = |value: &Value| -> Vec<f64> {
+        value.as_array().unwrap().iter().filter_map(Value::as_f64).collect()
+    };
+    let (own, right) = (vector(&found["x"]), vector(&found["right_x"]));
+    assert_eq!((own.len(), right.len()), (3, 3));
+    let mu = found["problem"]["mu"][1].as_f64().unwrap();
+    let strength = |x: &[f64]| x[1].abs().max(x[2].abs()) / (mu * x[0]);
+    assert!((strength(&own) * 2f64.sqrt() - 1.0).abs() < 1e-6, "{found:#}");
+    assert!((strength(&right) - 1.0).abs() < 1e-9, "{found:#}");
+    let told_file: Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    assert_eq!(vector(&told_file["hunt"]["x"]), own);
+    assert_eq!(vector(&told_file["hunt"]["right_x"]), right);
+    let test = found["test"].as_str().unwrap();
+    assert!(test.starts_with("lcplab solve ") && test.trim() == test, "{test:?}");
+    assert!(!test.contains("  ") && !test.contains('\n'), "{test:?}");
+    let text = out(&run(&hunt));
+    assert!(text.contains("x of root") && text.contains("right x"), "{text}");
+    assert_eq!(run(&["solve", file.to_str().unwrap()]).status.code(), Some(0));
+}
+
+#[test]
+fn a_start_that_is_not_of_the_class_is_refused() {
+    let (_folder, path) = file(r#"{"A": {"dense": [[1, 2], [2, 1]]}, "b": [-1, -1]}"#);
+    let hunt = ["hunt", "--solver", "pgs", "--measure", "lie", "--from", &path, "--evaluations", "20"];
+    let output = run(&[&hunt[..], &["--class", "semidefinite"]].concat());
+    assert_eq!(output.status.code(), Some(2));
+    let reason = format!("error: start: {path}: A is not symmetric positive semidefinite, even allowing for rounding\n");
+    assert_eq!(err(&output), reason);
+    let output = run(&hunt);
+    assert!(err(&output).contains("the search keeps to no class"), "{}", err(&output));
+}
+
 #[test]
 fn the_hunt_finds_what_a_plug_in_says_that_is_not_true() {
     let output = run(&["hunt", "--problems", "18", "--plugin", SWEEPS]);
@@ -91,7 +251,10 @@ fn a_search_that_cannot_be_made_is_bad_usage() {
     for (options, reason) in [
         (&["--measure", "lie"][..], "one solver is hunted"),
         (&["--measure", "luck", "--solver", "pgs"], "must be lie, failure"),
-        (&["--measure", "ratio", "--solver", "pgs"], "needs a rival"),
+        (&["--measure", "ratio", "--solver", "pgs"], "needs a second solver"),
+        (&["--measure", "lie", "--solver", "pgs", "--friction", "--n", "2"], "has 3 rows"),
+        (&["--measure", "lie", "--solver", "cone-pgs"], "made for friction cones"),
+        (&["--measure", "error", "--solver", "apgd", "--model", "coulomb-cone"], "needs the exact"),
         (&["--measure", "ratio", "pgs"], "of two solvers, A:B"),
         (&["--measure", "lie", "--solver", "pgs", "--n", "0..3"], "must lie within"),
         (&["--n", "3"], "--measure"),

@@ -105,6 +105,11 @@ impl Simulation {
         self.solver = solver;
     }
 
+    /// From now on its problems with friction cones are solved by this one.
+    pub fn solve_cones_by(&mut self, cone_solver: Box<dyn ConeSolver>) {
+        self.cone_solver = cone_solver;
+    }
+
     /// The scene; its states are those at the start.
     pub fn scene(&self) -> &Scene {
         &self.scene

@@ -1,7 +1,7 @@
 //! A simulation as its scene states it: which solver, with which settings.
 
 use lcplab_problem::error::{Error, Result};
-use lcplab_solver::{Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name, methods};
+use lcplab_solver::{Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name, nameable};
 
 use super::{Simulation, Step};
 use crate::formulation::Problem;
@@ -54,7 +54,7 @@ impl Simulation {
         let model = scene.contact.model;
         let is_stated =
             |method: &Method| method.takes(Some(model)) && method.name() == scene.solver.name;
-        match methods().into_iter().find(is_stated) {
+        match nameable().into_iter().find(is_stated) {
             Some(method @ Method::Cone(_)) => Ok(Simulation::by(scene, &method)),
             _ => Ok(Simulation::new(scene.clone(), solver(scene)?)),
         }

@@ -3,9 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use lcplab_judge::{Demand, judge_cone};
 use lcplab_plugin::Plugin;
+use lcplab_problem::friction::{ConeProblem, Law};
 use lcplab_problem::library;
-use lcplab_solver::Status;
+use lcplab_solver::{Settings, Start, Status, added_cones};
+use lcplab_testing::pushed_mass;
 
 use super::{LONG, pushed, solve, start};
 
@@ -47,4 +50,25 @@ fn forty_lines_of_c_plus_plus_are_a_solver() {
         .expect("a C++ compiler");
     assert!(compiler.status.success(), "{}", String::from_utf8_lossy(&compiler.stderr));
     solves(&Plugin::start(&program.display().to_string(), LONG.as_secs_f64()).unwrap());
+}
+
+#[test]
+fn sixty_lines_of_python_are_a_solver_of_friction_cones() {
+    let plugin = start(&example("cones.py"), LONG);
+    let entry = added_cones().into_iter().find(|entry| entry.name == plugin.name()).unwrap();
+    let solver = (entry.build)(&Settings::default());
+    // A unit mass, pressed with 2 and pushed with 3, µ = ½: friction takes 1 of the push, along it.
+    for degrees in [0.0_f64, 10.0, -45.0, 90.0, 200.0] {
+        let problem = ConeProblem::new(pushed_mass(2.0, 3.0, degrees), Law::Coulomb);
+        let solution = solver.solve(&problem, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved);
+        assert!(judge_cone(&problem, &solution.x, &Demand::default()).verdict.is_solution());
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        for (x, exact) in solution.x.iter().zip([2.0, cos, sin]) {
+            assert!((x - exact).abs() < 1e-9, "{degrees}: {:?}", solution.x);
+        }
+    }
+    // Boxes are not its business, and it says so.
+    let (solution, _) = solve(&plugin, &pushed_mass(2.0, 3.0, 30.0).coupled_box());
+    assert!(matches!(solution.status, Status::OutsideClass { .. }));
 }

@@ -3,10 +3,91 @@
 use std::time::Duration;
 
 use lcplab_plugin::{Declaration, Plugin};
-use lcplab_solver::{MatrixClass, Options, Settings, Start, Status, by_name, entry};
-use lcplab_testing::Iterates;
+use lcplab_problem::friction::{ConeProblem, Law};
+use lcplab_solver::{
+    ConeEntry, MatrixClass, Options, Settings, Start, Status, added_cones, by_name, entry,
+};
+use lcplab_testing::{Iterates, pushed_mass};
+use serde_json::Value;
 
 use super::{LONG, Script, pushed, solve};
+
+/// A script that names models in its first answer and keeps the problem that comes after it.
+fn naming(name: &str, models: &str) -> Script {
+    let lines = format!(
+        "import json, sys\nfor k, line in enumerate(sys.stdin):\n    p = json.loads(line)\n    \
+         if k: open(sys.argv[0] + '.json', 'w').write(line)\n    \
+         print(json.dumps({{'x': [1] + [0] * (len(p['b']) - 1), 'models': {models}}}), flush=True)\n"
+    );
+    Script::new(name, &lines)
+}
+
+fn cone_entry(name: &str) -> Option<ConeEntry> {
+    added_cones().into_iter().find(|entry| entry.name == name)
+}
+
+#[test]
+fn a_plug_in_that_names_a_cone_gets_its_model_and_its_contacts() {
+    let script = naming("cones", "['coulomb-cone', 'coupled-box']");
+    let plugin = script.start(LONG);
+    let entry = cone_entry(plugin.name()).expect("a solver of cones");
+    assert_eq!(entry.laws, [Law::Coulomb]);
+    let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 30.0), Law::Coulomb);
+    let solution =
+        (entry.build)(&Settings::default()).solve(&problem, &Start::default(), &mut ());
+    assert_eq!((solution.x, solution.status), (vec![1.0, 0.0, 0.0], Status::Solved));
+    let told = std::fs::read_to_string(script.path("cones.py.json")).unwrap();
+    let told: Value = serde_json::from_str(&told).unwrap();
+    assert_eq!(told["model"], "coulomb-cone");
+    assert_eq!(told["friction_index"], serde_json::json!([-1, 0, 0]));
+    assert_eq!(told["mu"], serde_json::json!([0.0, 0.5, 0.5]));
+    assert_eq!(told["lo"], serde_json::json!([0.0, "-inf", "-inf"]));
+}
+
+#[test]
+fn a_plug_in_that_names_no_cone_gets_none() {
+    let script = naming("boxes", "['coupled-box']");
+    let silent = Script::answering("silent", "print('{\"x\": [0, 0]}', flush=True)");
+    for plugin in [script.start(LONG), silent.start(LONG)] {
+        assert!(cone_entry(plugin.name()).is_none(), "{}", plugin.name());
+        assert!(entry(plugin.name()).is_ok());
+    }
+}
+
+#[test]
+fn coupled_rows_come_with_the_model_that_bounds_them() {
+    let script = naming("coupled", "[]");
+    let plugin = script.start(LONG);
+    solve(&plugin, &pushed_mass(2.0, 3.0, 30.0).coupled_box());
+    let told = std::fs::read_to_string(script.path("coupled.py.json")).unwrap();
+    assert_eq!(serde_json::from_str::<Value>(&told).unwrap()["model"], "coupled-box");
+}
+
+#[test]
+fn models_that_a_plug_in_cannot_get_are_refused_at_the_start() {
+    let refusal = |name: &str, models: &str| {
+        let script = naming(name, models);
+        let command = format!("python3 '{}'", script.path(&format!("{name}.py")).display());
+        Plugin::start(&command, LONG.as_secs_f64()).unwrap_err().to_string()
+    };
+    let polygon = refusal("polygons", "['polygon-8']");
+    let reason = "name polygon-8: a plug-in gets boxes, associated-cone and coulomb-cone";
+    assert!(polygon.starts_with("plug-in polygons: start: its \"models\"") && polygon.ends_with(reason));
+    let unknown = refusal("unknown", "['cone']");
+    assert!(unknown.contains("there is no model of friction named \"cone\""), "{unknown}");
+    assert!(refusal("word", "'coulomb-cone'").ends_with("\"models\" is no list of words"));
+}
+
+#[test]
+fn an_x_without_a_status_is_a_claim_that_is_only_implied() {
+    let implied = |name: &str, answer: &str| {
+        let script = Script::answering(name, &format!("print('{answer}', flush=True)"));
+        solve(&script.start(LONG), &pushed()).0.is_claim_implied
+    };
+    assert!(implied("bare", r#"{"x": [0.5, 0]}"#));
+    assert!(implied("null", r#"{"x": [0.5, 0], "status": null}"#));
+    assert!(!implied("stated", r#"{"x": [0.5, 0], "status": "solved"}"#));
+}
 
 #[test]
 fn a_plug_in_is_told_the_problem_and_what_is_demanded() {

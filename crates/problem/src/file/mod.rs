@@ -19,6 +19,7 @@
 //! | `rows` | optional, an object a row: its `label`, `kind`, `unit` and the names of its two `bodies` |
 //! | `bodies`, `gravity` | optional, beside `motion`: for each body that moves its `name`, its `first` column of M and their `count`; what gravity adds to each velocity in `target` |
 //! | `name`, `source`, `dt`, `expected` | optional, kept as they are |
+//! | `hunt` | optional, kept: what a search for a wrong answer found, the `solver`, its `x` and the `right_x` |
 //!
 //! A *friction problem* is a file with friction rows in pairs: the tangents t1, t2 of a contact have the
 //! same μ and are bounded by the same row n. The exported steps of scenes are such files. A unit mass
@@ -75,7 +76,7 @@ pub struct Problem {
     pub frozen_at: Option<Vec<f64>>,
     /// The bodies and rows that A and b were made from, if the file says so; it is bounded as the problem is.
     pub motion: Option<Gauss>,
-    /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `bodies`, `gravity`, `expected`.
+    /// Keys that are kept but not interpreted: `source`, `dt`, `rows`, `bodies`, `gravity`, `expected`, `hunt`.
     pub extra: Map<String, Value>,
     /// What was ignored while reading.
     pub warnings: Vec<String>,
@@ -89,7 +90,7 @@ pub struct Problem {
 /// ```
 pub const SCHEMA: &str = include_str!("schema.json");
 
-const KEPT: [&str; 6] = ["source", "dt", "rows", "bodies", "gravity", "expected"];
+const KEPT: [&str; 7] = ["source", "dt", "rows", "bodies", "gravity", "expected", "hunt"];
 const READ: [&str; 11] =
     ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale", "motion"];
 

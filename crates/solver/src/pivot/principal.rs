@@ -59,7 +59,7 @@ impl Point {
     /// The solution with this x.
     pub(crate) fn solution(self, status: Status, iterations: usize) -> Solution {
         let w = self.terms.iter().map(RowTerms::w).collect();
-        Solution { x: self.x, w, status, iterations, fallback: None }
+        Solution { x: self.x, w, status, iterations, fallback: None, is_claim_implied: false }
     }
 }
 

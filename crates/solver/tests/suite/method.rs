@@ -42,6 +42,20 @@ fn a_model_is_taken_by_the_methods_whose_theory_holds_for_it() {
 }
 
 #[test]
+fn a_method_that_does_not_take_a_model_says_why() {
+    let why = |name: &str, model: Option<Model>| method(name).refusal(model).unwrap();
+    let polygon = Some(Model::Polyhedral { directions: 8 });
+    assert_eq!(why("pgs", polygon), "it divides by the diagonal, and polygon-8 has zeros there");
+    let definite = why("dantzig", polygon);
+    assert!(definite.starts_with("it is made for A symmetric positive"), "{definite}");
+    assert_eq!(why("lemke", Some(Model::CoulombCone)), "it is made for boxes, not for coulomb-cone");
+    let none = "it is made for friction cones, and the problem has none";
+    assert_eq!(why("cone-pgs", None), none);
+    let boxes = why("cone-pgs", Some(Model::CoupledBox));
+    assert_eq!(boxes, "it is made for friction cones, not for coupled-box");
+}
+
+#[test]
 fn friction_along_the_slip_is_no_solution_however_small_the_load() {
     // Pressed with 1e-9 and pushed with 3: friction of 5e-10 is a rounding error of the slip, and counts.
     let problem = pushed_mass(1e-9, 3.0, 0.0);

@@ -3,19 +3,26 @@
 //! Half of them keep a symmetric semidefinite A what it is: A ← T A Tᵀ, other units, more on the diagonal.
 
 use super::numbers::{Numbers, Random};
+use lcplab_problem::Lcp;
 
 /// Tries to make a problem; bounds of rows that carry friction stay.
 const TRIES: usize = 20;
 
 impl Numbers {
-    /// The problem after one to three changes, with a number of rows within `rows`.
-    pub fn changed(&self, random: &mut Random, rows: (usize, usize)) -> Numbers {
+    /// The problem after one to three changes, with a number of rows within `rows`, if it is one that the search is about;
+    /// the same problem where no such change was found.
+    pub fn changed(
+        &self,
+        random: &mut Random,
+        rows: (usize, usize),
+        is_fair: &dyn Fn(&Lcp) -> bool,
+    ) -> Numbers {
         for _ in 0..TRIES {
             let mut changed = self.clone();
             for _ in 0..random.whole(1, 3) {
                 changed.change(random, rows);
             }
-            if changed.clone().lcp().is_ok() {
+            if changed.clone().lcp().is_ok_and(|lcp| is_fair(&lcp)) {
                 return changed;
             }
         }

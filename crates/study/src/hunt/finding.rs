@@ -3,13 +3,16 @@
 use dashu_ratio::RBig;
 use serde_json::json;
 
-use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
-use lcplab_problem::file::{Expected, Problem};
+use lcplab_problem::file::{Expected, Problem, number};
+use lcplab_problem::friction::{Contact, Model};
 use lcplab_problem::number::readable;
-use lcplab_solver::{Group, MatrixClass};
+use lcplab_problem::{Lcp, Question};
+use lcplab_solver::{Group, MatrixClass, Settings, Solution, Status};
 
 use super::measure::{Measure, Trial};
+use super::posing::frozen_at;
+use super::right::RightAnswer;
 use super::search::Catch;
 use crate::card::{Card, class_of};
 
@@ -19,16 +22,26 @@ const SHOWN: usize = 3;
 const LONGEST: usize = 24;
 /// Problems with more rows are not written as equations.
 const WRITTEN_ROWS: usize = 8;
+/// Digits of the answers that are printed.
+const DIGITS: usize = 7;
 
 /// A problem that breaks a solver, explained.
 #[derive(Debug, Clone)]
 pub struct Finding {
-    /// The problem, with its exact solutions where all pieces could be tried.
+    /// The problem under its friction model, with its exact solutions where all pieces could be tried, and with both answers
+    /// under the key `hunt`.
     pub problem: Problem,
     /// What happens on it, what it is like, and what is true.
     pub words: String,
-    /// A test in Rust that fails while it happens; of a plug-in, a command whose exit code is 1 while it does.
+    /// The x of the solver; `None` where it gave none.
+    pub answer: Option<Vec<f64>>,
+    /// A right x to compare it with; `None` where none exists or none was found.
+    pub right: Option<RightAnswer>,
+    /// A test in Rust that fails while it happens; of a plug-in, a command whose exit code is 1 while it does. It ends
+    /// without a newline.
     pub test: String,
+    /// The name of the solver.
+    solver: &'static str,
 }
 
 impl Finding {
@@ -36,26 +49,69 @@ impl Finding {
     pub fn of(catch: &Catch, trial: &Trial, seed: u64) -> Finding {
         let lcp = &catch.lcp;
         let measure = trial.measure;
-        let solutions = all_solutions(lcp);
-        let title = format!(
-            "{measure} of {}, seed {seed}, evaluation {}",
-            trial.solver.name, catch.evaluation
-        );
-        let mut problem = Problem::new(title, lcp.clone());
+        let solver = trial.solver.name();
+        let title = format!("{measure} of {solver}, seed {seed}, evaluation {}", catch.evaluation);
+        let mut problem = Problem { model: trial.model, ..Problem::new(title, lcp.clone()) };
+        problem.frozen_at = (trial.model == Some(Model::FrozenBox)).then(|| frozen_at(lcp));
         problem.extra.insert("source".into(), json!("found by lcplab hunt"));
-        if let Some(solutions) = &solutions {
+        let posed = Question::new(&problem, None, "hunt").expect("a problem that was posed");
+        let exact = posed.boxed().and_then(all_solutions);
+        if let Some(solutions) = &exact {
             let expected = Expected { solutions: solutions.clone(), complete: true };
             problem.extra.insert("expected".into(), expected.json());
         }
+        let solution = trial.answer(lcp).expect("a problem that was posed");
+        let answer = given(&solution).then(|| solution.x.clone());
+        let right =
+            RightAnswer::of(posed.posed(), trial.model, exact.as_deref(), answer.as_deref());
+        let vector = |x: &[f64]| -> serde_json::Value { x.iter().map(|&x| number(x)).collect() };
+        problem.extra.insert(
+            "hunt".into(),
+            json!({
+                "solver": solver,
+                "x": answer.as_deref().map(vector),
+                "right_x": right.as_ref().map(|right| vector(&right.x)),
+            }),
+        );
         let is_unique =
             matches!(class_of(lcp.matrix()), Some(MatrixClass::Definite | MatrixClass::P))
-                && lcp.coupling().is_none();
-        let truth = solutions.as_deref().map(|all| truth(all, is_unique)).unwrap_or_default();
-        let (happens, card) = (trial.words(lcp), Card::of(lcp).words());
-        let words = format!("{happens}. The problem has {card}.{truth}");
-        let test = test(&problem, trial, catch, solutions.as_deref().unwrap_or_default());
-        Finding { problem, words, test }
+                && posed.boxed().is_some_and(|lcp| lcp.coupling().is_none());
+        let truth = exact.as_deref().map(|all| truth(all, is_unique)).unwrap_or_default();
+        let (happens, card) = (trial.words(lcp, &solution), Card::of(lcp).words());
+        let model = trial.model.map_or(String::new(), |model| format!(" under {model}"));
+        let words = format!("{happens}. The problem{model} has {card}.{truth}");
+        let test = test(&problem, trial, catch, right.as_ref());
+        Finding { problem, words, answer, right, test, solver }
     }
+
+    /// The solver's own x beside the right one, row by row; nothing where neither is there.
+    pub fn answers(&self) -> String {
+        let rows = self.problem.lcp.len();
+        if self.answer.is_none() && self.right.is_none() {
+            return String::new();
+        }
+        let column = |x: Option<&[f64]>, i: usize| {
+            x.map_or("–".to_string(), |x| readable(x[i], DIGITS))
+        };
+        let (own, right) = (self.answer.as_deref(), self.right.as_ref());
+        let title = format!("x of {}", self.solver);
+        let width = title.chars().count().max(15);
+        let mut text = format!("  row  {title:>width$}  {:>15}\n", "right x");
+        for i in 0..rows.min(Self::PRINTED_ROWS) {
+            let right = column(right.map(|right| &*right.x), i);
+            text += &format!("{i:>5}  {:>width$}  {right:>15}\n", column(own, i));
+        }
+        if rows > Self::PRINTED_ROWS {
+            text += &format!("       and {} more rows\n", rows - Self::PRINTED_ROWS);
+        }
+        match right {
+            Some(right) => text + &format!("  right x: {}\n", right.source),
+            None => text,
+        }
+    }
+
+    /// Rows of the answers that are printed at most.
+    const PRINTED_ROWS: usize = 40;
 
     /// The problem as equations, row by row; nothing of a large one.
     pub fn equations(&self) -> String {
@@ -63,12 +119,21 @@ impl Finding {
         if lcp.len() > WRITTEN_ROWS {
             return String::new();
         }
-        (0..lcp.len()).map(|i| format!("  {}\n", row(lcp, i))).collect()
+        (0..lcp.len()).map(|i| format!("  {}\n", row(&self.problem, i))).collect()
     }
 }
 
+/// Whether the solution has an x of the solver's: else it is the start.
+fn given(solution: &Solution) -> bool {
+    !matches!(
+        solution.status,
+        Status::NoAnswer { .. } | Status::OutsideClass { .. } | Status::TooLarge { .. }
+    )
+}
+
 /// w_1 = 2 x_0 − x_1 + 3 and the bounds of x_1.
-fn row(lcp: &Lcp, i: usize) -> String {
+fn row(problem: &Problem, i: usize) -> String {
+    let lcp = &problem.lcp;
     let mut sum = String::new();
     let mut add = |value: f64, of: &str| {
         let sign = match (value < 0.0, sum.is_empty()) {
@@ -89,7 +154,7 @@ fn row(lcp: &Lcp, i: usize) -> String {
         add(lcp.b()[i], "");
     }
     let bounds = match lcp.coupled_to(i) {
-        Some((k, mu)) => format!("|x_{i}| ≤ {} x_{k}", short(mu)),
+        Some((k, mu)) => friction_bound(problem, i, k, mu),
         None => match (lcp.lo()[i], lcp.hi()[i]) {
             (lo, hi) if lo == hi => format!("x_{i} = {}", short(lo)),
             (f64::NEG_INFINITY, f64::INFINITY) => format!("x_{i} free"),
@@ -99,6 +164,27 @@ fn row(lcp: &Lcp, i: usize) -> String {
         },
     };
     format!("w_{i} = {sum},   {bounds}")
+}
+
+/// How friction row i is bounded by the normal x_k under the problem's model.
+fn friction_bound(problem: &Problem, i: usize, k: usize, mu: f64) -> String {
+    let own = |contact: &&Contact| contact.rows.contains(&i);
+    let plane = problem.lcp.contacts().iter().find(own).map_or(format!("x_{i}"), |contact| {
+        let [_, t1, t2] = contact.rows;
+        format!("(x_{t1}, x_{t2})")
+    });
+    let mu_text = short(mu);
+    match problem.model {
+        None | Some(Model::CoupledBox) => format!("|x_{i}| ≤ {mu_text} x_{k}"),
+        Some(Model::FrozenBox) => {
+            let x = problem.frozen_at.as_ref().map_or(0.0, |x| x[k]);
+            format!("|x_{i}| ≤ {}", short(mu * x))
+        }
+        Some(Model::AssociatedCone | Model::CoulombCone) => format!("|{plane}| ≤ {mu_text} x_{k}"),
+        Some(Model::Polyhedral { directions }) => {
+            format!("{plane} in a polygon with {directions} corners at {mu_text} x_{k}")
+        }
+    }
 }
 
 /// The shortest text that is read as this number.
@@ -128,25 +214,28 @@ fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
 }
 
 /// A test that fails as long as the solver does what was found; of a plug-in, a command.
-fn test(problem: &Problem, trial: &Trial, catch: &Catch, solutions: &[Vec<RBig>]) -> String {
-    if trial.solver.group == Group::Plugin {
-        let most = trial.options.settings.max_iterations;
+fn test(
+    problem: &Problem,
+    trial: &Trial,
+    catch: &Catch,
+    right: Option<&RightAnswer>,
+) -> String {
+    let Settings { max_iterations: most, tolerance, .. } = trial.options.settings;
+    let is_usual = tolerance == Settings::default().tolerance;
+    if trial.solver.group() == Group::Plugin {
+        let tolerance = if is_usual { String::new() } else { format!(" --tolerance {tolerance:e}") };
         return format!(
-            "test       lcplab solve PROBLEM --plugin \"COMMAND\" --max-iterations {most}   # exit code 1 until it is mended\n"
+            "lcplab solve PROBLEM --plugin \"COMMAND\" --max-iterations {most}{tolerance}"
         );
     }
     let demand = match trial.measure {
-        Measure::Lie => "let verdict = judge(&lcp, &solution.x, &Demand::default()).verdict;\n    \
+        Measure::Lie => "let demand = Demand { tolerance: settings.tolerance, ..Demand::default() };\n    \
+             let verdict = judge_friction(question.posed(), &solution.x, &demand).verdict;\n    \
              assert!(solution.status != Status::Solved || verdict.is_solution(), \"{verdict}\");"
             .to_string(),
         Measure::Failure => "assert_eq!(solution.status, Status::Solved);".to_string(),
         Measure::Error => {
-            let exact: Vec<f64> = solutions
-                .iter()
-                .flatten()
-                .take(catch.lcp.len())
-                .map(|x| x.to_f64().value())
-                .collect();
+            let exact = right.map(|right| &*right.x).unwrap_or_default();
             format!(
                 "let exact = {exact:?}; // the exact solution, rounded\n    \
                  let size = exact.iter().fold(0.0, |most: f64, x| most.max(x.abs()));\n    \
@@ -157,20 +246,26 @@ fn test(problem: &Problem, trial: &Trial, catch: &Catch, solutions: &[Vec<RBig>]
         }
         Measure::Iterations => format!("assert!(solution.iterations < {});", catch.iterations),
         Measure::Ratio => {
-            let (name, ratio) = (trial.rival.map_or("", |rival| rival.name), catch.value);
+            let (name, ratio) = (trial.rival.map_or("", |rival| rival.name()), catch.value);
             let fewer = format!("assert!(solution.iterations < {});", catch.iterations);
             format!("{fewer} // {ratio:.0} times those of {name}")
         }
     };
-    let (name, most) = (trial.solver.name, trial.options.settings.max_iterations);
+    let name = trial.solver.name();
     let word = name.replace('-', "_");
+    let tolerance = if is_usual { String::new() } else { format!("tolerance: {tolerance:e}, ") };
+    let method = match trial.model {
+        Some(_) => format!("methods::by_name(\"{name}\", question.model().unwrap()).unwrap()"),
+        None => format!("Method::Boxed(methods::entry(\"{name}\").unwrap())"),
+    };
     format!(
         "#[test]\nfn {}_of_{word}() {{\n    let text = r#\"{}\"#;\n    \
-         let lcp = Problem::parse(text, \"hunt\").unwrap().lcp;\n    \
-         let settings = Settings {{ max_iterations: {most}, ..Settings::default() }};\n    \
-         let options = Options {{ settings, ..Options::default() }};\n    \
-         let solver = by_name(\"{name}\", &options).unwrap();\n    \
-         let solution = solver.solve(&lcp, &Start::default(), &mut ());\n    {demand}\n}}\n",
+         let problem = Problem::parse(text, \"hunt\").unwrap();\n    \
+         let question = Question::new(&problem, None, \"hunt\").unwrap();\n    \
+         let settings = Settings {{ {tolerance}max_iterations: {most}, ..Settings::default() }};\n    \
+         let options = Options {{ settings: settings.clone(), ..Options::default() }};\n    \
+         let method = {method};\n    \
+         let solution = method.solve(question.posed(), &options, &mut ());\n    {demand}\n}}",
         trial.measure,
         problem.to_json(),
     )

@@ -3,16 +3,18 @@
 use std::fmt;
 use std::str::FromStr;
 
-use lcplab_judge::regularity::least_eigenvalue;
-use lcplab_judge::{Demand, Evidence, Verdict, judge};
+use lcplab_judge::{Demand, Evidence, Verdict, judge, judge_friction};
 use lcplab_problem::error::{Error, Result};
 use lcplab_problem::exact::all_solutions;
+use lcplab_problem::friction::{FrictionProblem, Model, Posed};
 use lcplab_problem::number::readable;
 use lcplab_problem::{Lcp, merit};
-use lcplab_solver::{Choice, Entry, MatrixClass, Options, Solution, Start, Status};
+use lcplab_solver::{Choice, MatrixClass, Method, Options, Solution, Status};
 
+use super::membership::is_of;
+use super::posing::pose;
+use super::sweeps;
 use super::truth::{Claim, Lie, Truth};
-use crate::card::class_of;
 
 /// Up to so many rows a claim that the judge accepts is held against all pieces of the problem.
 const TRUTH_ROWS: usize = 5;
@@ -79,17 +81,34 @@ pub struct Trial {
     /// What is looked for.
     pub measure: Measure,
     /// The solver.
-    pub solver: Entry,
+    pub solver: Method,
     /// The one that it is compared with, for [`Measure::Ratio`].
-    pub rival: Option<Entry>,
+    pub rival: Option<Method>,
     /// The options of both.
     pub options: Options,
+    /// The friction model under which problems are solved and answers judged: only problems with friction then. Without
+    /// it they are LCPs, friction rows being coupled rows.
+    pub model: Option<Model>,
     /// The class that the matrix must belong to, whatever the solver is made for.
     pub within: MatrixClass,
-    /// Whether only problems with friction are looked at.
-    pub with_friction: bool,
+    /// Whether problems with friction are looked at.
+    pub friction: Friction,
+    /// Whether friction rows need not be the two tangents of a contact with one μ.
+    pub allows_single_tangents: bool,
     /// Whether a rival that has an ω is given the best one for each problem.
     pub best_omega: bool,
+}
+
+/// Whether a search looks at problems with friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Friction {
+    /// At problems with and without.
+    #[default]
+    Any,
+    /// At no others.
+    Only,
+    /// At none.
+    Never,
 }
 
 /// How a solver does on a problem.
@@ -99,73 +118,139 @@ pub struct Score {
     pub value: f64,
     /// Whether a [lie](Measure::Lie) or a [failure](Measure::Failure) was found.
     pub is_found: bool,
+    /// Whether the solver's claim is right: an answer that the judge accepts, or that none exists.
+    pub is_right: bool,
     /// What it took.
     pub iterations: usize,
 }
 
-impl Trial {
-    /// The class to keep to where problems are given: semidefinite if they are, any otherwise.
-    pub fn class_of(given: &[Lcp]) -> MatrixClass {
-        match given.iter().all(|lcp| is_of(MatrixClass::Semidefinite, lcp)) {
-            true => MatrixClass::Semidefinite,
-            false => MatrixClass::General,
+/// Why a problem is not one of those that a search is about.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Unfair {
+    /// It has no friction, or has some, against what was asked for.
+    Friction(Friction),
+    /// Its friction rows are not the two tangents of contacts, for this reason.
+    NoPairs(String),
+    /// A is not shown to be of the class.
+    Class(MatrixClass),
+    /// This solver is not made for it.
+    Solver(&'static str),
+}
+
+impl fmt::Display for Unfair {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unfair::Friction(Friction::Never) => write!(f, "it has friction rows"),
+            Unfair::Friction(_) => write!(f, "it has no friction rows"),
+            Unfair::NoPairs(reason) => write!(f, "{reason}"),
+            Unfair::Class(class) => write!(f, "A is not shown to be {class}"),
+            Unfair::Solver(name) => write!(f, "{name} is not made for such a problem"),
         }
     }
+}
 
+impl Trial {
     /// Checks that the measure has what it needs.
     ///
     /// # Errors
-    /// If it lacks a rival, or has one that it does not need.
+    /// If it lacks a rival, has one that it does not need, needs exact solutions that the friction model does not have, or
+    /// a solver is not made for the model.
     pub fn validate(&self) -> Result<()> {
+        let wrong = |reason: String| Err(Error::invalid("search", "measure", reason));
         match (self.measure, &self.rival) {
-            (Measure::Ratio, None) => {
-                Err(Error::invalid("options", "--measure", "ratio needs a rival: ratio A:B"))
-            }
-            (Measure::Ratio, Some(_)) | (_, None) => Ok(()),
-            _ => Err(Error::invalid("options", "--measure", "only ratio has a rival")),
+            (Measure::Ratio, None) => return wrong("ratio needs a second solver: ratio A:B".into()),
+            (Measure::Ratio, Some(_)) | (_, None) => {}
+            _ => return wrong("only ratio compares with a second solver".into()),
         }
+        match self.model {
+            Some(model @ (Model::Polyhedral { .. } | Model::AssociatedCone | Model::CoulombCone))
+                if self.measure == Measure::Error =>
+            {
+                wrong(format!("error needs the exact solution, which {model} does not have"))
+            }
+            model => self.methods().find_map(|method| Some((method, method.refusal(model)?))).map_or(
+                Ok(()),
+                |(method, reason)| {
+                    Err(Error::invalid(format!("solver {}", method.name()), "model", reason))
+                },
+            ),
+        }
+    }
+
+    /// The solver, and its rival.
+    fn methods(&self) -> impl Iterator<Item = &Method> {
+        std::iter::once(&self.solver).chain(&self.rival)
+    }
+
+    /// Whether only problems with friction are looked at.
+    pub(super) fn needs_friction(&self) -> bool {
+        self.friction == Friction::Only || self.model.is_some()
     }
 
     /// The measure of a problem, with at most so many iterations; cold starts.
     pub fn score(&self, lcp: &Lcp, most: usize) -> Score {
-        let solution = self.solve(&self.solver, lcp, most);
+        let Ok(posed) = pose(lcp, self.model) else {
+            return Score { value: 0.0, is_found: false, is_right: false, iterations: 0 };
+        };
+        let solution = self.solve(&self.solver, &posed, most);
         let iterations = solution.iterations;
-        let (value, is_found) = match self.measure {
-            Measure::Lie => self.lie(lcp, &solution),
-            Measure::Failure => self.failure(lcp, &solution),
-            _ if !self.is_solved(lcp, &solution) => (0.0, false),
-            Measure::Iterations => (iterations as f64, false),
-            Measure::Error => (self.error(lcp, &solution), false),
-            Measure::Ratio => {
-                let rival = self.rival_iterations(lcp, iterations).map(|k| k.max(1) as f64);
+        let claim = match self.measure {
+            Measure::Lie => Some(self.claim(&posed, &solution)),
+            _ => None,
+        };
+        let is_right = match &claim {
+            Some(claim) => claim.is_right(),
+            None => self.is_solved(&posed, &solution),
+        };
+        let (value, is_found) = match (self.measure, &claim) {
+            (Measure::Lie, claim) => claim.as_ref().map_or((0.0, false), |claim| lie(&posed, claim, &solution)),
+            (Measure::Failure, _) => self.failure(lcp, &posed, &solution, is_right),
+            _ if !is_right => (0.0, false),
+            (Measure::Iterations, _) => (iterations as f64, false),
+            (Measure::Error, _) => (self.error(&posed, &solution), false),
+            (Measure::Ratio, _) => {
+                let rival = self.rival_iterations(&posed, iterations).map(|k| k.max(1) as f64);
                 (rival.map_or(0.0, |rival| iterations as f64 / rival), false)
             }
         };
-        Score { value, is_found, iterations }
+        Score { value, is_found, is_right, iterations }
     }
 
-    /// What the solver does on the problem, in a sentence.
-    pub fn words(&self, lcp: &Lcp) -> String {
-        let most = self.options.settings.max_iterations;
-        let solution = self.solve(&self.solver, lcp, most);
-        let name = self.solver.name;
+    /// The solver's answer to a problem.
+    ///
+    /// # Errors
+    /// If the problem cannot be stated under the model.
+    pub fn answer(&self, lcp: &Lcp) -> Result<Solution> {
+        let posed = pose(lcp, self.model)?;
+        Ok(self.solve(&self.solver, &posed, self.options.settings.max_iterations))
+    }
+
+    /// What the solver does on the problem, in a sentence; `solution` is its [answer](Trial::answer).
+    pub fn words(&self, lcp: &Lcp, solution: &Solution) -> String {
+        let name = self.solver.name();
+        let Ok(posed) = pose(lcp, self.model) else { return format!("{name} is not asked") };
         match self.measure {
-            Measure::Lie => match self.claim(lcp, &solution) {
+            Measure::Lie => match self.claim(&posed, solution) {
+                Claim::Lie(lie) if solution.is_claim_implied => format!(
+                    "{name} says: {lie}. (It gives x and no status, which counts as \"solved\" where plain projected \
+                     Gauss-Seidel comes nearer in half as many sweeps)"
+                ),
                 Claim::Lie(lie) => format!("{name} says: {lie}"),
                 _ => format!("{name}: {}", solution.status),
             },
+            Measure::Failure if solution.status == Status::Solved => {
+                format!("{name} finds no solution: the judge does not accept its x")
+            }
             Measure::Failure => format!("{name} finds no solution: {}", solution.status),
             Measure::Iterations => format!("{name} takes {} iterations", solution.iterations),
             Measure::Error => {
-                let error = self.error(lcp, &solution);
-                format!(
-                    "{name} is accepted, and {} of max |x| from an exact solution",
-                    readable(error, 2)
-                )
+                let error = readable(self.error(&posed, solution), 2);
+                format!("{name} is accepted, and {error} of max |x| from an exact solution")
             }
             Measure::Ratio => {
-                let rival = self.rival_iterations(lcp, most).unwrap_or_default();
-                let other = self.rival.map_or("", |rival| rival.name);
+                let most = self.options.settings.max_iterations;
+                let rival = self.rival_iterations(&posed, most).unwrap_or_default();
+                let other = self.rival.map_or("", |rival| rival.name());
                 let omega = self.omega_words();
                 format!("{name} takes {} iterations, {other}{omega} {rival}", solution.iterations)
             }
@@ -179,65 +264,90 @@ impl Trial {
         }
     }
 
-    fn solve(&self, entry: &Entry, lcp: &Lcp, most: usize) -> Solution {
-        self.solve_with(entry, lcp, most, self.options.omega)
+    fn solve(&self, method: &Method, posed: &Posed, most: usize) -> Solution {
+        self.solve_with(method, posed, most, self.options.omega)
     }
 
-    fn solve_with(&self, entry: &Entry, lcp: &Lcp, most: usize, omega: f64) -> Solution {
+    fn solve_with(&self, method: &Method, posed: &Posed, most: usize, omega: f64) -> Solution {
         let mut options = Options { omega, ..self.options.clone() };
         options.settings.max_iterations = most;
-        (entry.build)(&options).solve(lcp, &Start::default(), &mut ())
+        method.solve(posed, &options, &mut ())
     }
 
-    fn is_solved(&self, lcp: &Lcp, solution: &Solution) -> bool {
+    fn is_solved(&self, posed: &Posed, solution: &Solution) -> bool {
         let tolerance = self.options.settings.tolerance;
-        solution.status == Status::Solved && merit::is_solution(lcp, &solution.x, tolerance)
+        solution.status == Status::Solved
+            && match posed {
+                Posed::Boxed(lcp) => merit::is_solution(lcp, &solution.x, tolerance),
+                _ => {
+                    let demand = Demand { tolerance, prove_up_to: 0 };
+                    judge_friction(posed, &solution.x, &demand).verdict.is_solution()
+                }
+            }
     }
 
     /// The claim, held against the truth where that can be had quickly.
-    fn claim(&self, lcp: &Lcp, solution: &Solution) -> Claim {
-        let mut claim = Claim::of(lcp, solution, self.options.settings.tolerance);
+    fn claim(&self, posed: &Posed, solution: &Solution) -> Claim {
+        let mut claim = Claim::under(posed, solution, self.options.settings.tolerance);
         let is_proved = matches!(claim, Claim::Proved); // by a solution that was checked
-        if lcp.len() <= TRUTH_ROWS && !is_proved {
+        if let Posed::Boxed(lcp) = posed
+            && lcp.len() <= TRUTH_ROWS
+            && !is_proved
+        {
             claim.weigh(Truth::of(lcp, std::iter::once(&claim)));
         }
         claim
     }
 
-    fn lie(&self, lcp: &Lcp, solution: &Solution) -> (f64, bool) {
-        match self.claim(lcp, solution) {
-            Claim::Lie(Lie::Refuted { amount, .. }) => (amount, true),
-            Claim::Lie(_) => (1.0, true),
-            // As near to a lie as its residual: what climbs is what is nearly refused.
-            Claim::Proved | Claim::Within => (merit::scaled_residual(lcp, &solution.x), false),
-            _ => (0.0, false),
-        }
-    }
-
-    fn failure(&self, lcp: &Lcp, solution: &Solution) -> (f64, bool) {
+    fn failure(
+        &self,
+        lcp: &Lcp,
+        posed: &Posed,
+        solution: &Solution,
+        is_solved: bool,
+    ) -> (f64, bool) {
         if matches!(solution.status, Status::OutsideClass { .. }) {
             return (0.0, false);
         }
         let part = solution.iterations as f64 / self.options.settings.max_iterations.max(1) as f64;
-        let fails = solution.status != Status::Solved
+        let is_claim = solution.status == Status::Solved && !solution.is_claim_implied;
+        let fails = !is_solved
+            && !is_claim
             && is_in_class(&self.solver, lcp)
-            && all_solutions(lcp).is_some_and(|solutions| !solutions.is_empty());
+            && has_solution(lcp, posed);
         (if fails { 1.0 + part } else { part.min(1.0) }, fails)
     }
 
-    /// Whether the problem may be laid to the solver: it is of the class that was asked for, and where a long way is
-    /// looked for the solver, and its rival, are made for it.
+    /// Whether the problem may be laid to the solver.
     pub(super) fn is_fair(&self, lcp: &Lcp) -> bool {
-        let all = || std::iter::once(&self.solver).chain(&self.rival);
+        self.unfair(lcp).is_none()
+    }
+
+    /// Why the problem may not be laid to the solver: it is not of the class or kind that was asked for, or, where a long
+    /// way is looked for, the solver or its rival is not made for it.
+    pub fn unfair(&self, lcp: &Lcp) -> Option<Unfair> {
+        let has_friction = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
+        let is_barred = has_friction && self.friction == Friction::Never;
+        if is_barred || self.needs_friction() && !has_friction {
+            return Some(Unfair::Friction(self.friction));
+        }
+        if has_friction
+            && !self.allows_single_tangents
+            && let Err(error) = FrictionProblem::of(lcp)
+        {
+            return Some(Unfair::NoPairs(error.to_string()));
+        }
+        if !is_of(self.within, lcp) {
+            return Some(Unfair::Class(self.within));
+        }
         let must_suit = matches!(self.measure, Measure::Iterations | Measure::Ratio);
-        let has_friction = lcp.coupling().is_some();
-        (has_friction || !self.with_friction)
-            && is_of(self.within, lcp)
-            && (!must_suit || all().all(|entry| is_in_class(entry, lcp)))
+        let unsuited = self.methods().find(|method| must_suit && !is_in_class(method, lcp));
+        unsuited.map(|method| Unfair::Solver(method.name()))
     }
 
     /// How far the accepted answer is from the exact solution beside it, in parts of max |x|.
-    fn error(&self, lcp: &Lcp, solution: &Solution) -> f64 {
+    fn error(&self, posed: &Posed, solution: &Solution) -> f64 {
+        let Posed::Boxed(lcp) = posed else { return 0.0 };
         let tolerance = self.options.settings.tolerance;
         let certificate = judge(lcp, &solution.x, &Demand { tolerance, prove_up_to: lcp.len() });
         let distance = match (&certificate.verdict, &certificate.evidence) {
@@ -250,13 +360,13 @@ impl Trial {
     }
 
     /// The least iterations of the rival, if it solves the problem within so many.
-    fn rival_iterations(&self, lcp: &Lcp, most: usize) -> Option<usize> {
+    fn rival_iterations(&self, posed: &Posed, most: usize) -> Option<usize> {
         let rival = self.rival.as_ref()?;
         let mut best = None;
         for omega in self.omegas() {
             let most = best.unwrap_or(most);
-            let solution = self.solve_with(rival, lcp, most, omega);
-            if self.is_solved(lcp, &solution) && solution.iterations <= most {
+            let solution = self.solve_with(rival, posed, most, omega);
+            if self.is_solved(posed, &solution) && solution.iterations <= most {
                 best = Some(solution.iterations);
             }
         }
@@ -265,7 +375,7 @@ impl Trial {
 
     /// The relaxation factors that the rival is tried with, the slowest to grow beyond its best first.
     fn omegas(&self) -> Vec<f64> {
-        let has_omega = self.rival.is_some_and(|rival| rival.uses.contains(&Choice::Omega));
+        let has_omega = self.rival.is_some_and(|rival| rival.uses().contains(&Choice::Omega));
         if self.best_omega && has_omega {
             (0..=OMEGAS).rev().map(|k| 2.0 - libm::exp2(-0.5 * f64::from(k))).collect()
         } else {
@@ -274,35 +384,37 @@ impl Trial {
     }
 }
 
-/// Whether A is semidefinite but for rounding, as J M⁻¹ Jᵀ of an engine.
-fn is_nearly_semidefinite(lcp: &Lcp) -> bool {
-    const ROUNDING: f64 = 1e-12;
-    least_eigenvalue(lcp).is_some_and(|least| least >= -ROUNDING)
+/// How false a claim is, and whether it is.
+fn lie(posed: &Posed, claim: &Claim, solution: &Solution) -> (f64, bool) {
+    match claim {
+        Claim::Lie(Lie::Refuted { amount, .. }) => (*amount, true),
+        Claim::Lie(_) => (1.0, true),
+        // As near to a lie as its residual: what climbs is what is nearly refused.
+        Claim::Proved | Claim::Within => (sweeps::residual(posed, &solution.x), false),
+        _ => (0.0, false),
+    }
 }
 
-/// Whether the solver is made for the problem, as far as that can be decided. Every problem has bounds: one that
+/// Whether the problem is known to have a solution: by exact arithmetic, or, with friction, because A is definite.
+fn has_solution(lcp: &Lcp, posed: &Posed) -> bool {
+    match posed {
+        Posed::Boxed(lcp) => all_solutions(lcp).is_some_and(|solutions| !solutions.is_empty()),
+        // Acary, Cadoux, Lemaréchal & Malick 2011; Stewart & Trinkle 1996.
+        Posed::Polyhedral(_) | Posed::Cone(_) => is_of(MatrixClass::Definite, lcp),
+    }
+}
+
+/// Whether the method is made for the problem, as far as that can be decided. Every problem has bounds: one that
 /// does not heed them fails.
-fn is_in_class(entry: &Entry, lcp: &Lcp) -> bool {
-    let class = entry.class;
+fn is_in_class(method: &Method, lcp: &Lcp) -> bool {
+    let class = match method {
+        Method::Boxed(entry) => entry.class,
+        Method::Cone(entry) => entry.class,
+    };
     let has_diagonal = || (0..lcp.len()).all(|i| lcp.matrix().diagonal(i) > 0.0);
     let is_free = |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite();
     let rows = class.coupling || lcp.coupling().is_none();
     let free = class.free_rows || !(0..lcp.len()).any(|i| is_free(i) && !lcp.is_coupled(i));
     let diagonal = !class.divides_by_diagonal || has_diagonal();
     rows && free && diagonal && is_of(class.matrix, lcp)
-}
-
-/// Whether A is of a class, as far as that can be decided.
-fn is_of(class: MatrixClass, lcp: &Lcp) -> bool {
-    use MatrixClass::{CopositivePlus, Definite, General, P, P0, POrSemidefinite, Semidefinite};
-    let of = || class_of(lcp.matrix());
-    match class {
-        General => true,
-        Definite => of() == Some(Definite),
-        P => matches!(of(), Some(P | Definite)),
-        Semidefinite | CopositivePlus => {
-            matches!(of(), Some(Definite | Semidefinite)) || is_nearly_semidefinite(lcp)
-        }
-        P0 | POrSemidefinite => matches!(of(), Some(P | Definite | Semidefinite)),
-    }
 }

@@ -14,7 +14,10 @@
 //! have such a neighbour: a solver may take that for a solution, the judge may not
 //! ([`Claim::Refused`]).
 //!
-//! Cones have closed forms instead: [`cone`].
+//! Cones have closed forms instead: [`cone`]. Under a friction model the judge of that model decides.
+//!
+//! An x without a status, as a plug-in may give it, counts as *solved* only where a solver that merely ran out of sweeps
+//! would have come nearer: [`Claim::under`].
 //!
 //! ```
 //! use lcplab_solver::{Options, by_name};
@@ -29,22 +32,31 @@
 //! Problem k of a seed is the same in every hunt, on any number of threads: [`problem`].
 //!
 //! A [`Search`] goes on from there: it climbs from random problems towards one that breaks a solver
-//! ([`Measure`]) and makes that as small as it can; a [`Finding`] explains it.
+//! ([`Measure`]) and makes that as small as it can; a [`Finding`] explains it. What a search begins with, and all that it
+//! reports, is of the class of matrices and under the friction model that were asked for: [`Given`].
 
 mod change;
 pub mod cone;
 mod finding;
+mod given;
 mod measure;
+mod membership;
 mod numbers;
+mod posing;
 mod problem;
+mod right;
 mod search;
 mod shrink;
+mod sweeps;
 mod tally;
 mod truth;
 
 pub use finding::Finding;
-pub use measure::{Measure, Score, Trial};
-pub use problem::{KINDS, Kind, problem};
+pub use given::Given;
+pub use measure::{Friction, Measure, Score, Trial, Unfair};
+pub use posing::{frozen_at, pose};
+pub use problem::{KINDS, Kind, contact_problem, problem};
+pub use right::RightAnswer;
 pub use search::{Catch, Search, Searched};
 pub use tally::{Record, Tally};
 pub use truth::{Claim, Lie, Truth};
@@ -52,7 +64,8 @@ pub use truth::{Claim, Lie, Truth};
 use rayon::prelude::*;
 
 use lcplab_problem::Lcp;
-use lcplab_solver::{Solver, Start, Stop};
+use lcplab_problem::friction::Model;
+use lcplab_solver::{Method, Options, Solver, Start, Stop};
 
 /// So many problems of a seed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +92,7 @@ impl Hunt {
         solvers: &[Box<dyn Solver>],
         tick: &(dyn Fn() + Sync),
     ) -> Record {
-        let empty = || Record::empty(solvers);
+        let empty = || Record::empty(solvers.iter().map(|solver| solver.name()));
         let one = |k: usize| {
             if stop.reason().is_some() {
                 return empty();
@@ -87,7 +100,34 @@ impl Hunt {
             let (lcp, start) = problem(self.seed, k);
             let claims = claims(&lcp, start.as_deref(), solvers, self.tolerance);
             tick();
-            Record::of(k, &claims)
+            Record::of(k, KINDS[k % KINDS.len()].name, &claims)
+        };
+        (0..self.problems).into_par_iter().map(one).reduce(empty, Record::and)
+    }
+
+    /// What methods claim of problems with friction ([`contact_problem`]) under a model, and whether the judge of that
+    /// model agrees, until it is time to stop.
+    pub fn under(
+        &self,
+        model: Model,
+        stop: &Stop,
+        methods: &[Method],
+        options: &Options,
+        tick: &(dyn Fn() + Sync),
+    ) -> Record {
+        let empty = || Record::empty(methods.iter().map(Method::name));
+        let one = |k: usize| {
+            let posed = pose(&contact_problem(self.seed, k), Some(model));
+            let Some(posed) = posed.ok().filter(|_| stop.reason().is_none()) else {
+                return empty();
+            };
+            let claim = |method: &Method| {
+                let solution = method.solve(&posed, options, &mut ());
+                (method.name(), Claim::under(&posed, &solution, self.tolerance))
+            };
+            let claims: Vec<(&'static str, Claim)> = methods.iter().map(claim).collect();
+            tick();
+            Record::of(k, "friction", &claims)
         };
         (0..self.problems).into_par_iter().map(one).reduce(empty, Record::and)
     }

@@ -4,8 +4,12 @@
 //! Most entries are small whole numbers, so that sums cancel exactly: ties are ties, a dependent row is
 //! dependent, and a problem without solution misses one by more than rounding.
 
+use std::ops::RangeInclusive;
+
+use super::cone;
 use super::numbers::{Numbers, Random, dot, gram};
 use lcplab_problem::Lcp;
+use lcplab_solver::MatrixClass;
 
 /// A kind of problem.
 #[derive(Debug, Clone, Copy)]
@@ -123,7 +127,54 @@ pub fn problem(seed: u64, k: usize) -> (Lcp, Option<Vec<f64>>) {
     (lcp, if is_cold { None } else { Some(start) })
 }
 
+/// Problem k of a seed with friction in pairs of tangents and A definite, for a friction model: in turns a contact with a
+/// cone that has a closed form, in units far apart ([`cone::contact`]), and a few contacts of small whole numbers.
+pub fn contact_problem(seed: u64, k: usize) -> Lcp {
+    if k.is_multiple_of(2) {
+        return cone::contact(seed, k).problem.friction().coupled_box();
+    }
+    let random = &mut Random::new(seed, k);
+    let numbers = whole(random, 3..=7, Some(1.0)).with_contacts(random, 2);
+    numbers.lcp().expect("finite numbers, tangents after normals")
+}
+
+/// What a class of matrices asks to be added to the diagonal of JJᵀ; `None` if nothing.
+pub(super) fn own(class: MatrixClass) -> Option<f64> {
+    matches!(class, MatrixClass::Definite | MatrixClass::P).then_some(1.0)
+}
+
+/// JJᵀ of whole numbers, with `own` on the diagonal; without it 1 for half of the problems.
+pub(super) fn whole(
+    random: &mut Random,
+    rows: RangeInclusive<usize>,
+    own: Option<f64>,
+) -> Numbers {
+    let n = random.whole(*rows.start() as i64, *rows.end() as i64) as usize;
+    let columns = random.whole(1, n as i64 + 1) as usize;
+    let j: Vec<Vec<f64>> =
+        (0..n).map(|_| (0..columns).map(|_| random.number(2)).collect()).collect();
+    let (mut a, usual) = (gram(&j), random.whole(0, 1) as f64);
+    (0..n).for_each(|i| a[i][i] += own.unwrap_or(usual));
+    Numbers::new(a, (0..n).map(|_| random.number(3)).collect())
+}
+
 impl Numbers {
+    /// The same rows as contacts with friction, each a normal and so many tangents with one μ; rows that are left are
+    /// contacts without.
+    pub(super) fn with_contacts(mut self, random: &mut Random, tangents: usize) -> Numbers {
+        let (n, rows) = (self.len(), 1 + tangents);
+        let contacts = random.whole(1, (n / rows).max(1) as i64) as usize;
+        let (mut index, mut mu) = (vec![None; n], vec![0.0; n]);
+        for normal in (0..contacts).map(|c| c * rows).filter(|normal| normal + tangents < n) {
+            let own = random.one_of(&[0.25, 0.5, 1.0, 4.0]);
+            for row in normal + 1..=normal + tangents {
+                (index[row], mu[row], self.lo[row]) = (Some(normal), own, f64::NEG_INFINITY);
+            }
+        }
+        self.friction = Some((index, mu));
+        self
+    }
+
     /// Other bounds for half of the rows.
     fn bounded(mut self, random: &mut Random) -> Numbers {
         for i in 0..self.b.len() {
@@ -247,7 +298,7 @@ fn contacts_of(random: &mut Random, most: i64) -> Numbers {
 }
 
 /// Up to so many contacts with so many tangents each.
-pub(super) fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
+fn friction(random: &mut Random, most: i64, tangents: usize) -> Numbers {
     let points = random.whole(1, most) as usize;
     let rows = 1 + tangents;
     let n = rows * points;

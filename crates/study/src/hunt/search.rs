@@ -1,7 +1,7 @@
 //! The search for a problem that breaks a solver: random starts, a climb from each, and the best of all made small.
 //!
-//! A start is a problem of the [kinds](super::KINDS), of a family of the library, or JJᵀ of small whole
-//! numbers. A climb makes small random changes and keeps what measures no less, until nothing has come of
+//! A start is a problem of the [kinds](super::KINDS) or of a family of the library, if the search is about such problems,
+//! or JJᵀ of small whole numbers, + I where it must be definite. A climb makes small random changes and keeps what measures no less, until nothing has come of
 //! it for long. Climbs run side by side in rounds of a fixed size, each with random numbers of its own, so that the
 //! same seed and budget find the same problem on any number of threads; a time limit only ends it sooner.
 
@@ -16,7 +16,7 @@ use lcplab_problem::library;
 use lcplab_solver::Stop;
 
 use super::measure::{Measure, Score, Trial};
-use super::numbers::{Numbers, Random, gram};
+use super::numbers::{Numbers, Random};
 use super::problem;
 
 /// Climbs side by side, however many threads there are.
@@ -73,6 +73,18 @@ pub struct Searched {
     pub catch: Option<Catch>,
     /// Problems tried before the shrinking.
     pub evaluations: usize,
+    /// How many of them the solver answered rightly.
+    pub solved: usize,
+    /// What the solver says of the first problem, where it has answered none rightly.
+    pub trouble: Option<String>,
+}
+
+impl Searched {
+    /// Why the search says nothing of the solver: it has answered no problem at all rightly.
+    pub fn useless(&self, solver: &str) -> Option<String> {
+        let trouble = self.trouble.as_ref().filter(|_| self.catch.is_none() && self.evaluations > 0)?;
+        Some(format!("{solver} solves none of {} problems; the first: {trouble}", self.evaluations))
+    }
 }
 
 /// The best of a climb.
@@ -82,6 +94,8 @@ struct Climb {
     /// The evaluation that found it, within the climb, and all of them.
     at: usize,
     used: usize,
+    /// How many of them the solver answered rightly.
+    solved: usize,
 }
 
 impl Score {
@@ -94,23 +108,33 @@ impl Search {
     /// Whether it can be begun.
     ///
     /// # Errors
-    /// If the rows are none, or more than exact arithmetic can follow.
-    pub fn validate(&self) -> Result<()> {
+    /// If the rows are none, more than exact arithmetic can follow, or too few for a contact with friction; or if a problem
+    /// to begin with is not one that the search is about.
+    pub fn validate(&self, trial: &Trial) -> Result<()> {
         let (least, most) = (*self.rows.start(), *self.rows.end());
         let mut defects = Defects::default();
         if least == 0 || least > most || most > 60 {
-            defects.add("--n", format!("must lie within 1..60, is {least}..{most}"));
+            defects.add("n", format!("must lie within 1..60, is {least}..{most}"));
+        } else if trial.needs_friction() && most < contact_rows(trial) {
+            let rows = contact_rows(trial);
+            let reason = format!("a contact with friction has {rows} rows, the most is {most}");
+            defects.add("n", reason);
         }
         if self.evaluations == 0 {
-            defects.add("--evaluations", "must be at least 1, is 0");
+            defects.add("evaluations", "must be at least 1, is 0");
         }
-        defects.into_result("options")
+        for (k, lcp) in self.from.iter().enumerate() {
+            if let Some(reason) = trial.unfair(lcp) {
+                defects.add(format!("problem {} to begin with", k + 1), reason.to_string());
+            }
+        }
+        defects.into_result("search")
     }
 
     /// Searches; `tick` hears how many more problems were tried.
     pub fn run(&self, trial: &Trial, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> Searched {
-        let (mut evaluations, mut round) = (0, 0);
-        let mut best = self.given(trial, &mut evaluations, stop);
+        let (mut evaluations, mut solved, mut round) = (0, 0, 0);
+        let mut best = self.given(trial, &mut evaluations, &mut solved, stop);
         let mut is_over = best.as_ref().is_some_and(|(climb, _)| self.ends(trial, &climb.score));
         while evaluations < self.evaluations && !is_over && stop.reason().is_none() {
             let left = self.evaluations - evaluations;
@@ -130,6 +154,7 @@ impl Search {
             for climb in (0..ROUND).into_par_iter().map(climb).collect::<Vec<Climb>>() {
                 let at = evaluations + climb.at;
                 evaluations += climb.used;
+                solved += climb.solved;
                 is_over = self.ends(trial, &climb.score);
                 if best.as_ref().is_none_or(|(best, _)| climb.score.is_above(&best.score)) {
                     best = Some((climb, at));
@@ -144,18 +169,39 @@ impl Search {
             climb.score.value > 0.0 && trial.measure.is_found(climb.score.is_found)
         });
         let catch = found.map(|(climb, at)| self.shrunk(trial, &climb, at, stop));
-        Searched { catch, evaluations }
+        let trouble = (solved == 0).then(|| self.first_trouble(trial)).flatten();
+        Searched { catch, evaluations, solved, trouble }
+    }
+
+    /// What the solver says of the first problem.
+    fn first_trouble(&self, trial: &Trial) -> Option<String> {
+        let first = || self.start(trial, 0, &mut self.random(0)).lcp().ok();
+        let lcp = self.from.first().cloned().or_else(first)?;
+        Some(trial.answer(&lcp).ok()?.status.to_string())
+    }
+
+    /// The random numbers of a climb.
+    fn random(&self, climb: usize) -> Random {
+        Random::new(self.seed ^ 0x5eed, climb)
     }
 
     /// The one of the given problems that measures most.
-    fn given(&self, trial: &Trial, tried: &mut usize, stop: &Stop) -> Option<(Climb, usize)> {
+    fn given(
+        &self,
+        trial: &Trial,
+        tried: &mut usize,
+        solved: &mut usize,
+        stop: &Stop,
+    ) -> Option<(Climb, usize)> {
         let mut best: Option<(Climb, usize)> = None;
         for lcp in self.from.iter().take_while(|_| stop.reason().is_none()) {
             *tried += 1;
-            let score = trial.score(lcp, trial.options.settings.max_iterations);
-            let is_better = best.as_ref().is_none_or(|(best, _)| score.is_above(&best.score));
-            if is_better && trial.is_fair(lcp) {
-                best = Some((Climb { numbers: Numbers::of(lcp), score, at: 0, used: 1 }, *tried));
+            let numbers = Numbers::of(lcp);
+            let Ok(lcp) = numbers.clone().lcp() else { continue };
+            let score = trial.score(&lcp, trial.options.settings.max_iterations);
+            *solved += usize::from(score.is_right);
+            if best.as_ref().is_none_or(|(best, _)| score.is_above(&best.score)) {
+                best = Some((Climb { numbers, score, at: 0, used: 1, solved: 0 }, *tried));
             }
         }
         best
@@ -177,18 +223,20 @@ impl Search {
         most: usize,
         is_too_late: &dyn Fn() -> bool,
     ) -> Climb {
-        let random = &mut Random::new(self.seed ^ 0x5eed, k);
+        let random = &mut self.random(k);
         let rows = (*self.rows.start(), *self.rows.end());
-        let numbers = from.cloned().unwrap_or_else(|| self.start(trial, k, random));
-        let score = Score { value: -1.0, is_found: false, iterations: 0 };
-        let mut candidate = numbers.clone();
-        let mut climb = Climb { numbers, score, at: 0, used: 0 };
+        let mut candidate = from.cloned().unwrap_or_else(|| self.start(trial, k, random));
+        let score = Score { value: -1.0, is_found: false, is_right: false, iterations: 0 };
+        let mut climb = Climb { numbers: candidate.clone(), score, at: 0, used: 0, solved: 0 };
         let mut gained = 0;
         while climb.used < most && climb.used - gained < PATIENCE && !is_too_late() {
             climb.used += 1;
-            if let Ok(lcp) = candidate.clone().lcp() {
+            if let Ok(lcp) = candidate.clone().lcp()
+                && trial.is_fair(&lcp)
+            {
                 let score = trial.score(&lcp, most_iterations(trial, &climb.score));
-                if !climb.score.is_above(&score) && trial.is_fair(&lcp) {
+                climb.solved += usize::from(score.is_right);
+                if !climb.score.is_above(&score) {
                     if score.is_above(&climb.score) {
                         (gained, climb.at) = (climb.used, climb.used);
                     }
@@ -198,25 +246,30 @@ impl Search {
                     break;
                 }
             }
-            candidate = climb.numbers.changed(random, rows);
+            candidate = climb.numbers.changed(random, rows, &|lcp| trial.is_fair(lcp));
         }
         climb
     }
 
-    /// The problem where climb k begins.
+    /// The problem where climb k begins: one that the search is about, if its class has such starts at all.
     fn start(&self, trial: &Trial, k: usize, random: &mut Random) -> Numbers {
-        if trial.with_friction {
-            let tangents = 1 + k % 2;
-            let contacts = (*self.rows.end() / (1 + tangents)).max(1);
-            return problem::friction(random, contacts as i64, tangents);
+        let rows = self.rows.clone();
+        if trial.needs_friction() {
+            let tangents = contact_rows(trial) - 1;
+            let least = (*rows.start()).max(1 + tangents);
+            let numbers = problem::whole(random, least..=*rows.end(), problem::own(trial.within));
+            return numbers.with_contacts(random, tangents);
         }
-        let of_size = |lcp: &Lcp| self.rows.contains(&lcp.len());
+        let of_size = |lcp: &Lcp| rows.contains(&lcp.len()) && trial.is_fair(lcp);
         let found = match k % 3 {
             0 => Some(super::problem(self.seed, k / 3).0).filter(of_size),
-            1 => family(random, self.rows.clone()).filter(of_size),
+            1 => family(random, rows.clone()).filter(of_size),
             _ => None,
         };
-        found.map_or_else(|| whole(random, self.rows.clone()), |lcp| Numbers::of(&lcp))
+        found.map_or_else(
+            || problem::whole(random, rows, problem::own(trial.within)),
+            |lcp| Numbers::of(&lcp),
+        )
     }
 
     /// The smallest problem that shows what the climb found.
@@ -226,10 +279,10 @@ impl Search {
         let rows = *self.rows.start()..=climb.numbers.len();
         let (mut smallest, mut score) = (climb.numbers.clone(), climb.score);
         let shows = |numbers: &Numbers, before: &Score| -> Option<Score> {
-            let lcp = numbers.clone().lcp().ok()?;
+            let lcp = numbers.clone().lcp().ok().filter(|lcp| trial.is_fair(lcp))?;
             let score = trial.score(&lcp, most_iterations(trial, before));
             let holds = score.value >= goal && trial.measure.is_found(score.is_found);
-            (holds && trial.is_fair(&lcp)).then_some(score)
+            holds.then_some(score)
         };
         let (mut tried, mut failed, mut at) = (0, 0, 0);
         let mut simpler = smallest.simpler();
@@ -280,13 +333,7 @@ fn family(random: &mut Random, rows: RangeInclusive<usize>) -> Option<Lcp> {
     family.generate(&values).ok().map(|problem| problem.lcp)
 }
 
-/// JJᵀ of whole numbers, with something on the diagonal for half of them.
-fn whole(random: &mut Random, rows: RangeInclusive<usize>) -> Numbers {
-    let n = random.whole(*rows.start() as i64, *rows.end() as i64) as usize;
-    let columns = random.whole(1, n as i64 + 1) as usize;
-    let j: Vec<Vec<f64>> =
-        (0..n).map(|_| (0..columns).map(|_| random.number(2)).collect()).collect();
-    let (mut a, own) = (gram(&j), random.whole(0, 1) as f64);
-    (0..n).for_each(|i| a[i][i] += own);
-    Numbers::new(a, (0..n).map(|_| random.number(3)).collect())
+/// The rows of a contact with friction: its normal and two tangents, or one where that is allowed.
+fn contact_rows(trial: &Trial) -> usize {
+    if trial.allows_single_tangents { 2 } else { 3 }
 }

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::{Claim, KINDS, Lie, cone};
-use lcplab_solver::{Settings, Solver};
+use super::{Claim, Lie, cone};
+use lcplab_solver::Settings;
 
 /// At most this many lies of a solver are kept; all are counted.
 const KEPT: usize = 20;
@@ -44,19 +44,19 @@ pub struct Tally {
 
 impl Record {
     /// Of no problem.
-    pub(super) fn empty(solvers: &[Box<dyn Solver>]) -> Record {
-        let tally =
-            |solver: &dyn Solver| Tally { solver: solver.name().to_string(), ..Tally::default() };
-        Record {
-            problems: 0,
-            contacts: 0,
-            tallies: solvers.iter().map(|solver| tally(solver.as_ref())).collect(),
-        }
+    pub(super) fn empty(solvers: impl Iterator<Item = &'static str>) -> Record {
+        let tally = |name: &str| Tally { solver: name.to_string(), ..Tally::default() };
+        Record { problems: 0, contacts: 0, tallies: solvers.map(tally).collect() }
     }
 
-    /// Of one problem.
-    pub(super) fn of(number: usize, claims: &[(&'static str, Claim)]) -> Record {
-        let tally = |(solver, claim): &(&'static str, Claim)| Tally::of(number, solver, claim);
+    /// Of one problem of a kind.
+    pub(super) fn of(
+        number: usize,
+        kind: &'static str,
+        claims: &[(&'static str, Claim)],
+    ) -> Record {
+        let tally =
+            |(solver, claim): &(&'static str, Claim)| Tally::of(number, kind, solver, claim);
         Record { problems: 1, contacts: 0, tallies: claims.iter().map(tally).collect() }
     }
 
@@ -85,7 +85,12 @@ impl Record {
 }
 
 impl Tally {
-    fn of(number: usize, solver: &str, claim: &Claim) -> Tally {
+    /// How many problems the solver answered rightly.
+    pub fn right(&self) -> usize {
+        self.proved + self.within + self.refused + self.impossible
+    }
+
+    fn of(number: usize, kind: &'static str, solver: &str, claim: &Claim) -> Tally {
         let mut tally = Tally { solver: solver.to_string(), ..Tally::default() };
         match claim {
             Claim::Proved => tally.proved = 1,
@@ -94,14 +99,14 @@ impl Tally {
             Claim::Impossible => tally.impossible = 1,
             Claim::Unsolved => tally.unsolved = 1,
             Claim::Outside => tally.outside = 1,
-            Claim::Lie(lie) => tally.add_lie(number, *lie),
+            Claim::Lie(lie) => tally.add_lie(number, kind, *lie),
         }
         tally
     }
 
-    fn add_lie(&mut self, number: usize, lie: Lie) {
+    fn add_lie(&mut self, number: usize, kind: &'static str, lie: Lie) {
         self.lied = 1;
-        self.lies.push((number, KINDS[number % KINDS.len()].name, lie.to_string()));
+        self.lies.push((number, kind, lie.to_string()));
     }
 
     pub(super) fn and(mut self, other: Tally) -> Tally {

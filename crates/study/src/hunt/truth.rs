@@ -1,10 +1,13 @@
 //! What a solver claims of a problem, what the judge says of it, and what is true.
 
-use lcplab_judge::{Certificate, Demand, Refusal, Verdict, judge, refutation};
+use lcplab_judge::{Demand, Refusal, Verdict, judge, judge_friction, refutation};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::all_solutions;
+use lcplab_problem::friction::Posed;
 use lcplab_problem::number::readable;
 use lcplab_solver::{Solution, Status};
+
+use super::sweeps::residual_left;
 
 /// What exact arithmetic knows of a problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,17 +94,46 @@ impl Truth {
 }
 
 impl Claim {
-    /// The claim of a solution, as far as the judge can see.
+    /// The claim of a solution to an LCP, as far as the judge can see.
     pub fn of(lcp: &Lcp, solution: &Solution, tolerance: f64) -> Claim {
-        let demand = Demand { tolerance, prove_up_to: lcp.len() };
+        Claim::under(&Posed::Boxed(lcp.clone()), solution, tolerance)
+    }
+
+    /// The claim of a solution under a friction model, as far as the judge can see.
+    ///
+    /// An x without a status that the judge rejects is no claim where it may be the last iterate of a solver that ran out
+    /// of sweeps: where plain projected Gauss-Seidel, too, has no smaller residual after half as many.
+    pub fn under(posed: &Posed, solution: &Solution, tolerance: f64) -> Claim {
+        match Claim::stated(posed, solution, tolerance) {
+            Claim::Lie(Lie::Refuted { amount, .. })
+                if solution.is_claim_implied
+                    && amount <= residual_left(posed, solution, tolerance) =>
+            {
+                Claim::Unsolved
+            }
+            claim => claim,
+        }
+    }
+
+    /// The claim, taken at its word.
+    fn stated(posed: &Posed, solution: &Solution, tolerance: f64) -> Claim {
         match &solution.status {
             Status::Solved if solution.x.iter().any(|x| !x.is_finite()) => {
                 Claim::Lie(Lie::NotFinite)
             }
-            Status::Solved => Claim::judged(&judge(lcp, &solution.x, &demand)),
-            Status::NoSolution if refutation(lcp, &[]).is_some() => Claim::Impossible,
-            Status::NoSolution => Claim::Lie(Lie::DeniedASolution),
-            Status::Ray { direction, .. } if refutation(lcp, &[direction]).is_some() => {
+            Status::Solved => {
+                let demand = Demand { tolerance, prove_up_to: posed_rows(posed) };
+                Claim::judged(match posed {
+                    Posed::Boxed(lcp) => judge(lcp, &solution.x, &demand).verdict,
+                    _ => judge_friction(posed, &solution.x, &demand).verdict,
+                })
+            }
+            Status::NoSolution => match refuted(posed, &[]) {
+                Some(true) => Claim::Impossible,
+                Some(false) => Claim::Lie(Lie::DeniedASolution),
+                None => Claim::Unsolved,
+            },
+            Status::Ray { direction, .. } if refuted(posed, &[direction]) == Some(true) => {
                 Claim::Impossible
             }
             Status::OutsideClass { .. } => Claim::Outside,
@@ -110,8 +142,8 @@ impl Claim {
     }
 
     /// *Solved*, and what the judge says of it.
-    fn judged(certificate: &Certificate) -> Claim {
-        match certificate.verdict {
+    fn judged(verdict: Verdict) -> Claim {
+        match verdict {
             Verdict::Proved { .. } => Claim::Proved,
             Verdict::WithinTolerance => Claim::Within,
             Verdict::NotASolution { why: Refusal::Impossible, .. } => Claim::Refused,
@@ -124,6 +156,11 @@ impl Claim {
         }
     }
 
+    /// Whether the solver has answered the problem: with a solution, or rightly with the word that there is none.
+    pub fn is_right(&self) -> bool {
+        matches!(self, Claim::Proved | Claim::Within | Claim::Refused | Claim::Impossible)
+    }
+
     /// Holds a claim, and the judge's verdict on it, against the truth.
     pub(super) fn weigh(&mut self, truth: Truth) {
         match (truth, &self) {
@@ -132,5 +169,21 @@ impl Claim {
             (Truth::Solvable, Claim::Impossible) => *self = Claim::Lie(Lie::DeniedASolution),
             _ => {}
         }
+    }
+}
+
+/// Whether the judge proves that there is no solution; `None` of cones and rounded polygons, of which it proves nothing.
+fn refuted(posed: &Posed, hints: &[&[f64]]) -> Option<bool> {
+    match posed {
+        Posed::Boxed(lcp) => Some(refutation(lcp, hints).is_some()),
+        Posed::Polyhedral(_) | Posed::Cone(_) => None,
+    }
+}
+
+fn posed_rows(posed: &Posed) -> usize {
+    match posed {
+        Posed::Boxed(lcp) => lcp.len(),
+        Posed::Polyhedral(polygon) => polygon.lcp().len(),
+        Posed::Cone(cone) => cone.friction().lcp().len(),
     }
 }

@@ -6,6 +6,7 @@ mod explain;
 mod extremes;
 mod healthy;
 mod hunt;
+mod hunting;
 mod mistakes;
 mod outputs;
 mod proofs;

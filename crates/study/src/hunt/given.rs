@@ -1,0 +1,142 @@
+//! The problems that a search is given to begin with: which class and which friction model it keeps to, and what has to
+//! be changed in them first.
+
+use lcplab_problem::Lcp;
+use lcplab_problem::error::{Defects, Result};
+use lcplab_problem::file::Problem;
+use lcplab_problem::friction::{FrictionProblem, Model};
+use lcplab_solver::MatrixClass;
+
+use super::membership::{is_of, made_definite};
+use super::posing::pose;
+
+/// Problems to begin with, all of a class and under a model.
+#[derive(Debug, Clone)]
+pub struct Given {
+    /// The problems, changed as the notes say.
+    pub problems: Vec<Lcp>,
+    /// The class of matrices that the search keeps to.
+    pub within: MatrixClass,
+    /// The friction model that the search keeps to.
+    pub model: Option<Model>,
+    /// Whether a contact may have one tangent: only where a given one has.
+    pub has_single_tangents: bool,
+    /// What was changed, a sentence each.
+    pub notes: Vec<String>,
+}
+
+impl Given {
+    /// Prepares problems, each with the name that messages use, for a search within a class and under a model.
+    ///
+    /// Without `within` the search keeps to positive definite matrices if there are no problems, and else to the narrowest
+    /// of definite, semidefinite and general that all of them are in. A matrix that is semidefinite but for rounding is
+    /// made exactly definite, and a note says so. Without `model` the search keeps to the model that the problems state.
+    ///
+    /// # Errors
+    /// Lists each problem that is not in the class, cannot be stated under the model, or states another one than the
+    /// first.
+    ///
+    /// ```
+    /// use lcplab_problem::file::Problem;
+    /// use lcplab_solver::MatrixClass;
+    /// use lcplab_study::hunt::Given;
+    ///
+    /// let text = r#"{"A": {"dense": [[1, 2], [2, 1]]}, "b": [-1, -1]}"#; // eigenvalues 3 and −1
+    /// let given = [("mine.json".to_string(), Problem::parse(text, "mine.json")?)];
+    /// let refused = Given::new(&given, Some(MatrixClass::Semidefinite), None).unwrap_err();
+    /// assert_eq!(
+    ///     refused.to_string(),
+    ///     "start: mine.json: A is not symmetric positive semidefinite, even allowing for rounding"
+    /// );
+    /// # Ok::<(), lcplab_problem::error::Error>(())
+    /// ```
+    pub fn new(
+        problems: &[(String, Problem)],
+        within: Option<MatrixClass>,
+        model: Option<Model>,
+    ) -> Result<Given> {
+        let stated = problems.iter().find_map(|(_, problem)| problem.model);
+        let asked = model.or(stated);
+        let mut defects = Defects::default();
+        for (name, problem) in problems {
+            if model.is_none() && problem.model != stated {
+                let word = |model: Option<Model>| {
+                    model.map_or("no friction model".to_string(), |model| model.to_string())
+                };
+                let reason = format!(
+                    "states {}, another one {}; name the model that the search is to use",
+                    word(problem.model),
+                    word(stated)
+                );
+                defects.add(name.as_str(), reason);
+            } else if let Err(error) = pose(&problem.lcp, asked) {
+                defects.add(name.as_str(), error.to_string());
+            }
+        }
+        defects.into_result("start")?;
+        let has_pairs = |lcp: &Lcp| lcp.coupling().is_none() || FrictionProblem::of(lcp).is_ok();
+        let mut given = Given {
+            problems: Vec::new(),
+            within: within.unwrap_or(MatrixClass::Definite),
+            model: asked,
+            has_single_tangents: problems.iter().any(|(_, problem)| !has_pairs(&problem.lcp)),
+            notes: Vec::new(),
+        };
+        match within {
+            Some(class) => given.keep_to(class, problems)?,
+            None => given.find_class(problems),
+        }
+        Ok(given)
+    }
+
+    /// Takes the problems into a class that was asked for.
+    fn keep_to(&mut self, class: MatrixClass, problems: &[(String, Problem)]) -> Result<()> {
+        let mut defects = Defects::default();
+        for (name, problem) in problems {
+            match self.repaired(class, name, &problem.lcp) {
+                Some(lcp) => self.problems.push(lcp),
+                None => defects.add(name.as_str(), outside(class)),
+            }
+        }
+        defects.into_result("start")
+    }
+
+    /// Takes the problems into the narrowest class that all of them are in.
+    fn find_class(&mut self, problems: &[(String, Problem)]) {
+        use MatrixClass::{Definite, General, Semidefinite};
+        for (name, problem) in problems {
+            let lcp = &problem.lcp;
+            let repaired = match is_of(Semidefinite, lcp) {
+                true => Some(lcp.clone()),
+                false => self.repaired(Definite, name, lcp),
+            };
+            if repaired.is_none() {
+                self.within = General;
+                self.notes = vec![format!("{name}: {}; the search keeps to no class", outside(Semidefinite))];
+                self.problems = problems.iter().map(|(_, problem)| problem.lcp.clone()).collect();
+                return;
+            }
+            self.problems.extend(repaired);
+        }
+        let are_definite = self.problems.iter().all(|lcp| is_of(Definite, lcp));
+        self.within = if are_definite { Definite } else { Semidefinite };
+    }
+
+    /// A problem of the class: this one, or one whose A differs from its A by rounding.
+    fn repaired(&mut self, class: MatrixClass, name: &str, lcp: &Lcp) -> Option<Lcp> {
+        if is_of(class, lcp) {
+            return Some(lcp.clone());
+        }
+        let (lcp, part) = made_definite(lcp)?;
+        self.notes.push(format!(
+            "{name}: A is {class} only up to rounding; the search uses its symmetric part with the diagonal \
+             enlarged by {part:e} of itself, which is exactly positive definite"
+        ));
+        Some(lcp)
+    }
+}
+
+/// What is said of a problem that is not in a class.
+fn outside(class: MatrixClass) -> String {
+    format!("A is not {class}, even allowing for rounding")
+}

@@ -1,0 +1,72 @@
+//! Whether a matrix belongs to a class, as it stands: in rational arithmetic, the entries being binary fractions.
+
+use lcplab_judge::error_bound::is_definite;
+use lcplab_judge::regularity::least_eigenvalue;
+use lcplab_problem::{Lcp, Matrix};
+use lcplab_solver::MatrixClass;
+
+use crate::card::class_of;
+
+/// Above this many rows a verified factorization in floating point is tried before exact arithmetic.
+const QUICK_ROWS: usize = 12;
+/// A semidefinite A may have a least eigenvalue (scaled to a unit diagonal) as negative as this by rounding.
+const ROUNDING: f64 = 1e-12;
+/// By this part the diagonal is enlarged until A is definite, the least first.
+const ENLARGED: [f64; 4] = [1e-15, 1e-13, 1e-12, 1e-11];
+
+/// Whether A is shown to belong to a class. No for a matrix that is too large to decide.
+///
+/// [`MatrixClass::CopositivePlus`], [`MatrixClass::P0`] and [`MatrixClass::POrSemidefinite`] are shown by the classes
+/// within them that can be decided: definite, semidefinite, P.
+pub(super) fn is_of(class: MatrixClass, lcp: &Lcp) -> bool {
+    use MatrixClass::{CopositivePlus, Definite, General, P, P0, POrSemidefinite, Semidefinite};
+    if class == General || (lcp.len() > QUICK_ROWS && is_definite(lcp)) {
+        return true; // a definite matrix is in all classes
+    }
+    let of = class_of(lcp.matrix());
+    match class {
+        General => true,
+        Definite => of == Some(Definite),
+        P => matches!(of, Some(P | Definite)),
+        Semidefinite | CopositivePlus => matches!(of, Some(Definite | Semidefinite)),
+        P0 | POrSemidefinite => matches!(of, Some(P | Definite | Semidefinite)),
+    }
+}
+
+/// A problem whose A is semidefinite but for rounding, as an engine's J M⁻¹ Jᵀ, made exactly definite: its symmetric
+/// part, with the diagonal enlarged by a part of itself, which is returned too. `None` if A is farther from semidefinite
+/// than rounding explains.
+pub(super) fn made_definite(lcp: &Lcp) -> Option<(Lcp, f64)> {
+    let n = lcp.len();
+    let a = lcp.matrix();
+    if !a.is_nearly_symmetric() {
+        return None;
+    }
+    let symmetric = |i: usize, j: usize| 0.5 * a.entry(i, j) + 0.5 * a.entry(j, i);
+    let with_diagonal = |part: f64| {
+        let entry = |k: usize| match (k / n, k % n) {
+            (i, j) if i == j => a.diagonal(i) + part * a.diagonal(i),
+            (i, j) => symmetric(i, j),
+        };
+        let entries: Vec<f64> = (0..n * n).map(entry).collect();
+        with_matrix(lcp, Matrix::dense(n, &entries))
+    };
+    let least = least_eigenvalue(&with_diagonal(0.0)?)?;
+    if least < -ROUNDING {
+        return None;
+    }
+    ENLARGED.into_iter().find_map(|part| {
+        let lcp = with_diagonal(part)?;
+        is_of(MatrixClass::Definite, &lcp).then_some((lcp, part))
+    })
+}
+
+/// The problem with another A.
+fn with_matrix(lcp: &Lcp, matrix: Matrix) -> Option<Lcp> {
+    let (b, lo, hi) = (lcp.b().to_vec(), lcp.lo().to_vec(), lcp.hi().to_vec());
+    let new = Lcp::new(matrix, b, lo, hi).ok()?.with_scale(lcp.scale()).ok()?;
+    match lcp.coupling() {
+        Some(coupling) => new.with_coupling(coupling.clone()).ok(),
+        None => Some(new),
+    }
+}

@@ -1,0 +1,84 @@
+//! A right answer, to be shown beside a wrong one.
+
+use dashu_ratio::RBig;
+
+use lcplab_judge::{Demand, judge_friction};
+use lcplab_problem::exact::all_solutions;
+use lcplab_problem::friction::{Model, Posed};
+use lcplab_solver::{Method, Options, Settings};
+
+use crate::methods;
+
+/// Solvers that are asked where exact arithmetic has no answer, the most accurate ones first.
+const ASKED: [&str; 7] =
+    ["dantzig", "lemke", "block-pivoting", "newton", "cone-pgs", "apgd", "clarabel"];
+/// The residuals that are asked of them, one after the other.
+const TOLERANCES: [f64; 2] = [1e-12, 1e-9];
+
+/// A right answer, and where it comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RightAnswer {
+    /// x, one number a row.
+    pub x: Vec<f64>,
+    /// How it was found, in a few words.
+    pub source: String,
+}
+
+impl RightAnswer {
+    /// The right answer nearest to `own`: an exact solution, rounded, where all of them are known (`exact`) or can be
+    /// found, else one that the judge accepts from a solver of the library. `None` if there is no solution, or none is
+    /// found.
+    pub fn of(
+        posed: &Posed,
+        model: Option<Model>,
+        exact: Option<&[Vec<RBig>]>,
+        own: Option<&[f64]>,
+    ) -> Option<RightAnswer> {
+        let solutions: Option<Vec<Vec<f64>>> = match (posed, exact) {
+            (_, Some(exact)) => Some(exact.iter().map(|x| rounded(x)).collect()),
+            // The directions of more corners are rounded numbers.
+            (Posed::Polyhedral(polygon), None) if polygon.directions() == 4 => {
+                let all = all_solutions(polygon.lcp());
+                all.map(|all| all.iter().map(|z| polygon.x(&rounded(z))).collect())
+            }
+            _ => None,
+        };
+        let Some(solutions) = solutions else { return by_a_solver(posed, model) };
+        let distance = |x: &Vec<f64>| own.map_or(0.0, |own| distance(x, own));
+        let nearest = solutions.into_iter().min_by(|x, y| distance(x).total_cmp(&distance(y)))?;
+        Some(RightAnswer { x: nearest, source: "exact, rounded".into() })
+    }
+}
+
+/// The first answer of a solver of the library that the judge accepts.
+fn by_a_solver(posed: &Posed, model: Option<Model>) -> Option<RightAnswer> {
+    let methods: Vec<Method> = ASKED
+        .iter()
+        .filter_map(|name| methods::named(name).ok())
+        .flatten()
+        .filter(|method| method.takes(model))
+        .collect();
+    TOLERANCES.iter().find_map(|&tolerance| {
+        let settings =
+            Settings { tolerance, max_iterations: 100_000, ..Settings::default() };
+        let options = Options { settings, ..Options::default() };
+        let demand = Demand { tolerance, ..Demand::default() };
+        methods.iter().find_map(|method| {
+            let x = method.solve(posed, &options, &mut ()).x;
+            let is_right = judge_friction(posed, &x, &demand).verdict.is_solution();
+            is_right.then(|| RightAnswer {
+                x,
+                source: format!("by {}, accepted by the judge", method.name()),
+            })
+        })
+    })
+}
+
+fn rounded(x: &[RBig]) -> Vec<f64> {
+    x.iter().map(|x| x.to_f64().value()).collect()
+}
+
+/// max_i |x_i − y_i|.
+fn distance(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}

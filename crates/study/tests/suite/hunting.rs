@@ -1,0 +1,468 @@
+//! What a search reports is true: the problem is of the class that was asked for, a right solver is never accused, and the
+//! answer that is shown is the solver's own.
+
+use dashu_ratio::RBig;
+use lcplab_problem::exact::all_solutions;
+use lcplab_problem::file::Problem;
+use lcplab_problem::friction::{Law, Model};
+use lcplab_problem::{Lcp, Matrix};
+use lcplab_solver::{
+    ConeEntry, ConeSolver, Entry, Group, MatrixClass, Method, Observer, Options, Settings,
+    Solution, Solver, Start, Status, Stop, entry,
+};
+use lcplab_study::hunt::{Catch, Finding, Friction, Given, Measure, Search, Searched, Trial};
+use lcplab_testing::boxed;
+
+/// A solver that returns x and no status, as most plug-ins do: projected Gauss-Seidel with one mistake, or none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Sweeps {
+    /// As it should be.
+    Right,
+    /// All rows from the x of the sweep before: slower by half.
+    Jacobi,
+    /// µ² in place of µ.
+    MuSquared,
+    /// Friction bounds from the x after the first sweep.
+    FirstBound,
+    /// Each increment clamped at the bounds, in place of their sum.
+    ClampedIncrements,
+    /// Friction bounds from the row after the normal.
+    NextIndex,
+    /// µ / √2 in place of µ.
+    OverRootTwo,
+}
+
+const BUGS: [Sweeps; 5] = [
+    Sweeps::MuSquared,
+    Sweeps::FirstBound,
+    Sweeps::ClampedIncrements,
+    Sweeps::NextIndex,
+    Sweeps::OverRootTwo,
+];
+
+impl Sweeps {
+    /// x after so many sweeps.
+    fn swept(self, lcp: &Lcp, sweeps: usize) -> Vec<f64> {
+        let n = lcp.len();
+        let (mut x, mut first) = (vec![0.0; n], vec![0.0; n]);
+        for sweep in 0..sweeps {
+            let before = x.clone();
+            for i in 0..n {
+                let (lo, hi) = self.bounds(lcp, i, if sweep == 0 { &x } else { &first }, &x);
+                let read = if self == Sweeps::Jacobi { &before } else { &x };
+                let step = -lcp.row_w(i, read) / lcp.matrix().diagonal(i);
+                x[i] = match self {
+                    Sweeps::ClampedIncrements => x[i] + step.max(lo).min(hi),
+                    _ => (x[i] + step).max(lo).min(hi),
+                };
+            }
+            if sweep == 0 {
+                first.clone_from(&x);
+            }
+        }
+        x
+    }
+
+    fn bounds(self, lcp: &Lcp, i: usize, first: &[f64], x: &[f64]) -> (f64, f64) {
+        let Some((k, mu)) = lcp.coupled_to(i) else { return (lcp.lo()[i], lcp.hi()[i]) };
+        let most = match self {
+            Sweeps::MuSquared => mu * mu * x[k].max(0.0),
+            Sweeps::FirstBound => mu * first[k].max(0.0),
+            Sweeps::NextIndex => mu * x[k + 1].max(0.0),
+            Sweeps::OverRootTwo => mu / 2f64.sqrt() * x[k].max(0.0),
+            Sweeps::Right | Sweeps::Jacobi | Sweeps::ClampedIncrements => mu * x[k].max(0.0),
+        };
+        (-most, most)
+    }
+}
+
+/// A solver that does so many sweeps and returns x without a status; `says` how many it did, or nothing.
+struct Engine {
+    sweeps: Sweeps,
+    count: usize,
+    says: bool,
+}
+
+impl Solver for Engine {
+    fn name(&self) -> &'static str {
+        "engine"
+    }
+
+    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
+        let x = self.sweeps.swept(lcp, self.count);
+        let status = match x.iter().all(|x| x.is_finite()) {
+            true => Status::Solved,
+            false => return Solution::new(lcp, vec![0.0; lcp.len()], Status::NotFinite, 1),
+        };
+        let iterations = if self.says { self.count } else { 1 };
+        Solution::new(lcp, x, status, iterations).with_implied_claim(true)
+    }
+}
+
+/// The first exact solution, rounded, without a status; nothing where there is none.
+struct Exact;
+
+impl Solver for Exact {
+    fn name(&self) -> &'static str {
+        "exact"
+    }
+
+    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
+        match all_solutions(lcp).and_then(|all| all.into_iter().next()) {
+            Some(x) => {
+                let x = x.iter().map(|x| x.to_f64().value()).collect();
+                Solution::new(lcp, x, Status::Solved, 1).with_implied_claim(true)
+            }
+            None => Solution::new(lcp, vec![0.0; lcp.len()], Status::IterationLimit, 1),
+        }
+    }
+}
+
+fn method(name: &'static str, build: impl Fn() -> Box<dyn Solver> + Send + Sync + 'static) -> Method {
+    let build = move |_: &Options| build();
+    let pgs = *entry("pgs").unwrap();
+    Method::Boxed(Entry { name, build: Box::leak(Box::new(build)), group: Group::Plugin, ..pgs })
+}
+
+fn engine(sweeps: Sweeps, count: usize, says: bool) -> Method {
+    method("engine", move || Box::new(Engine { sweeps, count, says }))
+}
+
+fn trial(solver: Method, within: MatrixClass, with_friction: bool) -> Trial {
+    Trial {
+        measure: Measure::Lie,
+        solver,
+        rival: None,
+        options: Options::default(),
+        model: None,
+        within,
+        friction: if with_friction { Friction::Only } else { Friction::Any },
+        allows_single_tangents: false,
+        best_omega: true,
+    }
+}
+
+fn searched(trial: &Trial, seed: u64, evaluations: usize) -> Searched {
+    let search = Search { rows: 1..=6, evaluations, seed, at_least: None, from: Vec::new() };
+    search.validate(trial).unwrap();
+    search.run(trial, &Stop::default(), &|_| ())
+}
+
+/// max |x − Π(x − w)| by the definition of a solution.
+fn natural_residual(lcp: &Lcp, x: &[f64]) -> f64 {
+    let n = lcp.len();
+    let row = |i: usize| {
+        let w = (0..n).map(|j| lcp.matrix().entry(i, j) * x[j]).sum::<f64>() + lcp.b()[i];
+        let (lo, hi) = match lcp.coupled_to(i) {
+            Some((k, mu)) => (-mu * x[k].max(0.0), mu * x[k].max(0.0)),
+            None => (lcp.lo()[i], lcp.hi()[i]),
+        };
+        (x[i] - (x[i] - w).max(lo).min(hi)).abs()
+    };
+    (0..n).map(row).fold(0.0, f64::max)
+}
+
+/// A in rational numbers.
+fn rational(lcp: &Lcp) -> Vec<Vec<RBig>> {
+    let n = lcp.len();
+    let entry = |i, j| RBig::try_from(lcp.matrix().entry(i, j)).unwrap();
+    (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
+}
+
+/// The signs of LDLᵀ with the largest diagonal entry as the next pivot: whether a symmetric A is semidefinite, and
+/// whether it is definite.
+fn definiteness(mut a: Vec<Vec<RBig>>) -> (bool, bool) {
+    let n = a.len();
+    let is_symmetric = (0..n).all(|i| (0..i).all(|j| a[i][j] == a[j][i]));
+    let mut left: Vec<usize> = (0..n).collect();
+    while is_symmetric && !left.is_empty() {
+        let at = (0..left.len()).max_by(|&p, &q| a[left[p]][left[p]].cmp(&a[left[q]][left[q]]));
+        let k = left.remove(at.unwrap());
+        if a[k][k] <= RBig::ZERO {
+            let is_zero = |i: usize| left.iter().chain([&k]).all(|&j| a[i][j] == RBig::ZERO);
+            return (is_zero(k) && left.iter().all(|&i| is_zero(i)), false);
+        }
+        for &i in &left {
+            for &j in &left {
+                a[i][j] = &a[i][j] - &a[i][k] * &a[k][j] / &a[k][k];
+            }
+        }
+    }
+    (is_symmetric, is_symmetric)
+}
+
+/// The determinant by expansion along the first row.
+fn determinant(a: &[Vec<RBig>]) -> RBig {
+    let Some((first, below)) = a.split_first() else { return RBig::ONE };
+    let mut sum = RBig::ZERO;
+    for (j, entry) in first.iter().enumerate() {
+        let without =
+            |row: &Vec<RBig>| row.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, a)| a.clone()).collect();
+        let minor: Vec<Vec<RBig>> = below.iter().map(without).collect();
+        let term = entry * determinant(&minor);
+        sum = if j % 2 == 0 { sum + term } else { sum - term };
+    }
+    sum
+}
+
+fn is_p(a: &[Vec<RBig>]) -> bool {
+    let n = a.len();
+    (1..1usize << n).all(|chosen| {
+        let rows: Vec<usize> = (0..n).filter(|i| chosen >> i & 1 == 1).collect();
+        let of = |i: &usize| rows.iter().map(|&j| a[*i][j].clone()).collect();
+        determinant(&rows.iter().map(of).collect::<Vec<Vec<RBig>>>()) > RBig::ZERO
+    })
+}
+
+#[test]
+fn a_thousand_hunts_report_problems_of_their_class_alone() {
+    use MatrixClass::{Definite, General, P, Semidefinite};
+    let mut reported = 0;
+    for k in 0..1000_u64 {
+        let class = [Definite, Semidefinite, P, General][k as usize % 4];
+        let with_friction = k / 4 % 2 == 0;
+        let bug = BUGS[k as usize % BUGS.len()];
+        let trial = trial(engine(bug, 30, k % 3 == 0), class, with_friction);
+        let Some(Catch { lcp, .. }) = searched(&trial, k, 40).catch else { continue };
+        reported += 1;
+        let a = rational(&lcp);
+        let is_in_class = match class {
+            Definite => definiteness(a).1,
+            Semidefinite => definiteness(a).0,
+            P => is_p(&a),
+            _ => true,
+        };
+        assert!(is_in_class, "{k}: {class} {lcp:?}");
+        assert!(!with_friction || lcp.contacts().len() == 1, "{k}: {lcp:?}");
+        let tangents = (0..lcp.len()).filter(|&i| lcp.is_coupled(i)).count();
+        assert_eq!(tangents, 2 * lcp.contacts().len(), "{k}: {lcp:?}");
+    }
+    assert!(reported > 500, "{reported}");
+}
+
+#[test]
+fn a_right_solver_without_a_status_is_never_accused() {
+    let exact = || method("exact", || Box::new(Exact));
+    for (class, seeds) in [
+        (MatrixClass::Definite, 60),
+        (MatrixClass::Semidefinite, 40),
+        (MatrixClass::P, 40),
+        (MatrixClass::General, 40),
+    ] {
+        for seed in 0..seeds {
+            let trial = trial(exact(), class, seed % 2 == 0);
+            let Searched { catch, solved, .. } = searched(&trial, seed, 60);
+            assert!(catch.is_none(), "{class}, seed {seed}: {:?}", catch.unwrap().lcp);
+            assert!(solved > 10, "{class}, seed {seed}: {solved}");
+        }
+    }
+}
+
+#[test]
+fn a_solver_that_runs_out_of_sweeps_is_not_accused_of_a_false_claim() {
+    for seed in 0..40 {
+        for (sweeps, count, says) in [
+            (Sweeps::Right, 10, false),
+            (Sweeps::Right, 1000, false),
+            (Sweeps::Right, 3, true),
+            (Sweeps::Right, 50, true),
+            (Sweeps::Jacobi, 10, true),
+        ] {
+            let trial = trial(engine(sweeps, count, says), MatrixClass::Definite, seed % 2 == 0);
+            let catch = searched(&trial, seed, 60).catch;
+            assert!(catch.is_none(), "{sweeps:?} {count} {seed}: {:?}", catch.unwrap().lcp);
+        }
+    }
+}
+
+#[test]
+fn a_planted_bug_is_found_with_its_own_answer_and_the_right_one() {
+    for bug in BUGS {
+        for says in [false, true] {
+            let trial = trial(engine(bug, 200, says), MatrixClass::Definite, true);
+            let catch = searched(&trial, 1, 2000).catch.unwrap_or_else(|| panic!("{bug:?}"));
+            let finding = Finding::of(&catch, &trial, 1);
+            let lcp = &finding.problem.lcp;
+            let own = bug.swept(lcp, 200);
+            assert_eq!(finding.answer.as_ref(), Some(&own), "{bug:?}");
+            let right = &finding.right.as_ref().expect("a solution").x;
+            assert!(natural_residual(lcp, right) < 1e-9, "{bug:?}: {right:?} {lcp:?}");
+            let apart = own.iter().zip(right).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+            let size = right.iter().fold(1e-300, |most: f64, x| most.max(x.abs()));
+            assert!(apart > 1e-3 * size, "{bug:?}: {own:?} {right:?}");
+            assert_eq!(lcp.len(), 3, "{bug:?}: {lcp:?}");
+            let told = &finding.problem.to_json()["hunt"];
+            assert_eq!(told["solver"], "engine");
+            assert_eq!(told["x"].as_array().unwrap().len(), 3);
+            assert!(finding.answers().contains("x of engine"), "{}", finding.answers());
+            assert!(finding.test.starts_with("lcplab solve PROBLEM") && !finding.test.ends_with('\n'));
+        }
+    }
+}
+
+#[test]
+fn every_problem_of_the_default_class_has_a_solution() {
+    for seed in 0..100 {
+        let bug = BUGS[seed as usize % BUGS.len()];
+        let trial = trial(engine(bug, 30, true), MatrixClass::Definite, seed % 2 == 0);
+        if let Some(catch) = searched(&trial, seed, 60).catch {
+            assert_ne!(all_solutions(&catch.lcp).map(|all| all.len()), Some(0), "{:?}", catch.lcp);
+        }
+    }
+}
+
+/// Gauss-Seidel for cones that lets friction reach into the corners of a square.
+struct Square;
+
+impl ConeSolver for Square {
+    fn name(&self) -> &'static str {
+        "square"
+    }
+
+    fn solve(
+        &self,
+        problem: &lcplab_problem::friction::ConeProblem,
+        _: &Start<'_>,
+        _: &mut dyn Observer,
+    ) -> Solution {
+        let lcp = problem.friction().coupled_box();
+        let x = Sweeps::Right.swept(&lcp, 200);
+        Solution::new(&lcp, x, Status::Solved, 200).with_implied_claim(true)
+    }
+}
+
+fn under_cones(solver: Method) -> Trial {
+    Trial { model: Some(Model::CoulombCone), ..trial(solver, MatrixClass::Definite, false) }
+}
+
+fn square() -> Method {
+    Method::Cone(ConeEntry {
+        name: "square",
+        method: "a box for a cone",
+        class: entry("pgs").unwrap().class,
+        laws: &[Law::Coulomb],
+        group: Group::Plugin,
+        source: "a test",
+        build: &|_: &Settings| Box::new(Square),
+    })
+}
+
+#[test]
+fn a_solver_of_cones_is_examined_under_the_cone() {
+    let trial = under_cones(square());
+    let catch = searched(&trial, 1, 2000).catch.expect("a box is no cone");
+    let finding = Finding::of(&catch, &trial, 1);
+    assert_eq!(finding.problem.model, Some(Model::CoulombCone));
+    let lcp = &finding.problem.lcp;
+    let contact = lcp.contacts()[0];
+    let strength = |x: &[f64]| {
+        let [n, t1, t2] = contact.of(x);
+        t1.hypot(t2) / (contact.mu * n)
+    };
+    assert!(strength(finding.answer.as_ref().unwrap()) > 1.001, "{finding:?}");
+    assert!(strength(&finding.right.as_ref().unwrap().x) < 1.0 + 1e-9, "{finding:?}");
+    assert!(finding.equations().contains("|(x_1, x_2)| ≤"), "{}", finding.equations());
+    assert!(finding.words.contains("under coulomb-cone"), "{}", finding.words);
+    let honest = lcplab_study::methods::by_name("cone-pgs", Model::CoulombCone).unwrap();
+    let Searched { catch, solved, .. } = searched(&under_cones(honest), 1, 300);
+    assert!(catch.is_none() && solved > 100, "{solved} {catch:?}");
+}
+
+#[test]
+fn every_model_can_be_hunted_under() {
+    for (name, model) in [
+        ("pgs", Model::FrozenBox),
+        ("pgs", Model::CoupledBox),
+        ("lemke", Model::Polyhedral { directions: 4 }),
+        ("lemke", Model::Polyhedral { directions: 8 }),
+        ("cone-pgs", Model::AssociatedCone),
+        ("cone-pgs", Model::CoulombCone),
+    ] {
+        let solver = lcplab_study::methods::by_name(name, model).unwrap();
+        let trial =
+            Trial { model: Some(model), ..trial(solver, MatrixClass::Definite, false) };
+        trial.validate().unwrap();
+        let Searched { catch, solved, .. } = searched(&trial, 3, 100);
+        assert!(catch.is_none() && solved > 20, "{model}: {solved} {catch:?}");
+    }
+    let boxes = Trial { model: Some(Model::CoulombCone), ..trial(engine(Sweeps::Right, 9, true), MatrixClass::Definite, true) };
+    let reason = boxes.validate().unwrap_err().to_string();
+    assert_eq!(reason, "solver engine: model: it does not say that it takes coulomb-cone");
+}
+
+fn given(lcp: &Lcp, within: Option<MatrixClass>) -> Result<Given, String> {
+    let problems = [("mine.json".to_string(), Problem::new("mine", lcp.clone()))];
+    Given::new(&problems, within, None).map_err(|error| error.to_string())
+}
+
+#[test]
+fn a_start_outside_the_class_is_refused_and_one_beside_it_is_repaired_with_words() {
+    let indefinite = boxed(&[&[-1e-6, 0.0], &[0.0, 3e22]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
+    let refused = given(&indefinite, Some(MatrixClass::Semidefinite)).unwrap_err();
+    assert_eq!(refused, "start: mine.json: A is not symmetric positive semidefinite, even allowing for rounding");
+    let free = given(&indefinite, None).unwrap();
+    assert_eq!((free.within, free.notes.len()), (MatrixClass::General, 1));
+    assert!(free.notes[0].ends_with("the search keeps to no class"), "{:?}", free.notes);
+    // 0.1 · 0.1 < 0.01 in binary: J Jᵀ of J = (0.1, 0.3) has a determinant that is not 0.
+    let (p, q) = (0.1_f64, 0.3_f64);
+    let rounded = boxed(&[&[p * p, p * q], &[p * q, q * q]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
+    assert!(!definiteness(rational(&rounded)).1);
+    let repaired = given(&rounded, Some(MatrixClass::Definite)).unwrap();
+    assert!(definiteness(rational(&repaired.problems[0])).1);
+    assert!(repaired.notes[0].contains("only up to rounding"), "{:?}", repaired.notes);
+    // What is exactly singular stays as it is.
+    let copies = boxed(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
+    let kept = given(&copies, None).unwrap();
+    assert_eq!((kept.within, kept.notes.len()), (MatrixClass::Semidefinite, 0));
+    let identity = Matrix::dense(1, &[1.0]);
+    let one = Lcp::new(identity, vec![-1.0], vec![0.0], vec![f64::INFINITY]).unwrap();
+    assert_eq!(given(&one, None).unwrap().within, MatrixClass::Definite);
+}
+
+#[test]
+fn a_hunt_from_an_identity_with_friction_keeps_to_its_class() {
+    // Shrinking took this start to A = diag(−1e-6, 3e22), "semidefinite" beside its largest entry.
+    let text = r#"{"A": {"dense": [[1,0,0],[0,1,0],[0,0,1]]}, "b": [-2,-3,-3],
+                   "friction_index": [-1,0,0], "mu": [0,0.5,0.5]}"#;
+    let problem = Problem::parse(text, "tiny_box.json").unwrap();
+    for bug in BUGS.into_iter().chain([Sweeps::Right]) {
+        let given = [("tiny_box.json".to_string(), problem.clone())];
+        let given = Given::new(&given, Some(MatrixClass::Semidefinite), None).unwrap();
+        let trial = trial(engine(bug, 100, true), given.within, false);
+        let search =
+            Search { rows: 1..=6, evaluations: 400, seed: 1, at_least: None, from: given.problems };
+        search.validate(&trial).unwrap();
+        let catch = search.run(&trial, &Stop::default(), &|_| ()).catch;
+        assert_eq!(catch.is_some(), bug != Sweeps::Right, "{bug:?} {catch:?}");
+        if let Some(catch) = catch {
+            assert!(definiteness(rational(&catch.lcp)).0, "{:?}", catch.lcp);
+        }
+    }
+}
+
+/// Ends every problem without an answer.
+struct Dead;
+
+impl Solver for Dead {
+    fn name(&self) -> &'static str {
+        "dead"
+    }
+
+    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
+        let reason = "IndexError: list index out of range".into();
+        Solution::new(lcp, vec![0.0; lcp.len()], Status::NoAnswer { reason }, 0)
+    }
+}
+
+#[test]
+fn a_solver_that_solves_nothing_is_not_passed_for_want_of_false_claims() {
+    let dead = trial(method("dead", || Box::new(Dead)), MatrixClass::Definite, false);
+    let searched = searched(&dead, 1, 200);
+    assert_eq!((searched.catch.is_none(), searched.solved), (true, 0));
+    assert_eq!(
+        searched.useless("dead").unwrap(),
+        "dead solves none of 200 problems; the first: no answer: IndexError: list index out of range"
+    );
+    let alive = trial(engine(Sweeps::Right, 100, true), MatrixClass::Definite, false);
+    assert_eq!(self::searched(&alive, 1, 200).useless("engine"), None);
+}
