@@ -34,16 +34,16 @@ fn whole(words: &mut Words, equations: usize, n: usize) -> Result<Parts> {
         }
         ends.push(end);
     }
-    let mut lo = Vec::new();
-    for pair in ends.windows(2) {
-        let bound = match words.whole("the flag of a block")? {
+    let mut bounds = Vec::new(); // of each block
+    for _ in 1..ends.len() {
+        bounds.push(match words.whole("the flag of a block")? {
             0 => -f64::INFINITY,
             1 => 0.0,
             flag => return Err(words.fault(format!("the flag of a block is 0 or 1, not {flag}"))),
-        };
-        lo.resize(pair[1].min(n), bound);
+        });
     }
-    let free = lo.iter().filter(|lo| **lo != 0.0).count();
+    let blocks = || ends.windows(2).map(|pair| pair[1] - pair[0]).zip(&bounds);
+    let free: usize = blocks().filter(|(_, lo)| **lo < 0.0).map(|(rows, _)| rows).sum();
     if ends[0] != 0 || ends[ends.len() - 1] != n || free != equations {
         let reason = format!("blocks with {free} equations, not {equations} of {n} rows");
         return Err(words.fault(reason));
@@ -56,7 +56,8 @@ fn whole(words: &mut Words, equations: usize, n: usize) -> Result<Parts> {
         );
         return Err(words.fault(reason));
     }
-    let b = words.numbers(n, "q")?;
+    let b = words.numbers(n, "q")?; // so there are n numbers, and room for n bounds
+    let lo = blocks().flat_map(|(rows, lo)| std::iter::repeat_n(*lo, rows)).collect();
     Ok(Parts { entries, b, lo: Some(lo), hi: None, index: None, mu: None })
 }
 

@@ -129,6 +129,11 @@ fn global(
     most: Memory,
 ) -> Result<Parts> {
     let (k, n) = (mass.rows, 3 * contacts);
+    if mass.cols != k {
+        return Err(
+            words.fault(format!("M is {k} × {}: the matrix of bodies is square", mass.cols))
+        );
+    }
     let columns = matrix::read(words, "H")?;
     let force = words.numbers(k, "q")?;
     let bias = words.numbers(n, "b")?;
@@ -143,7 +148,7 @@ fn global(
     Ok(coulomb(entries, b, &mu))
 }
 
-/// The number 0 or 1 that older versions of Siconos wrote after mu; it says nothing of the problem.
+/// The number 0 or 1 after mu that many of Siconos' own files end with; Siconos itself leaves it unread.
 fn flag(words: &mut Words, contacts: usize) -> Result<()> {
     let left = words.count();
     let is_flag = || matches!(words.clone().next(), Some("0" | "1"));

@@ -63,6 +63,14 @@ fn sizes_are_not_believed() {
     assert!(message("matrix-market", &entries).contains("the file ends before row of entry 1"));
     let dense = format!("{huge} 0 {huge} {huge} {huge} {huge} 1");
     assert!(message("siconos", &dense).contains("the file ends before M[1]"));
+    let mixed =
+        format!("1 0 0 {huge} 0 {huge} 1 1 {huge} {huge} 1 1 1 {huge} {huge} 2 1 0 1 0 0 5");
+    assert!(message("siconos", &mixed).contains("the file ends before block 0, number 1"));
+    let parts = format!("0 1 {huge} 0 1 2 3");
+    assert!(message("siconos", &parts).contains("fewer numbers than A, B, C, D, a and b have"));
+    let columns = "3000000000000000000";
+    let bodies = format!("3 {huge} 0 0 0 0 0 0 0 {columns} 0 {columns}");
+    assert!(message("siconos", &bodies).contains("the file ends before b[0]"));
     let blocks = format!("{huge} 1 {huge} {huge} 1 1 1 {huge} {huge} 2 1 0 1 0 0 5");
     assert!(message("siconos", &blocks).contains("the file ends before block 0, number 1"));
 }
