@@ -8,7 +8,7 @@ use std::time::Instant;
 use lcplab::error::Result;
 use lcplab::file;
 use lcplab::lcp::file::Problem;
-use lcplab::lcp::library;
+use lcplab::lcp::{Question, library};
 use lcplab::proof::{Found, prove};
 use lcplab::report::answer::first_answer;
 use lcplab::scene::catalogue::SHIPPED;
@@ -26,7 +26,8 @@ fn main() -> Result<()> {
             return Ok(());
         }
         let start = Instant::now();
-        let Found { proof, missing } = prove(problem, &first_answer(&problem.lcp));
+        let question = Question::new(problem, None, &problem.name)?;
+        let Found { proof, missing } = prove(&question, &first_answer(&problem.lcp));
         let kind = proof.as_ref().map_or("none", |proof| proof.claim.kind().name());
         let coupled = problem.lcp.has_coupled_rows();
         *kinds.entry((if coupled { "coupled" } else { "not coupled" }, kind)).or_default() += 1;

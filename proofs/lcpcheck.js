@@ -1,8 +1,11 @@
 // Checks proofs about linear complementarity problems. Written from docs/proofs.md alone; calculates with BigInt.
 //
-//     node lcpcheck.js PROBLEM PROOF    prints what it proves, or why it is refused
-//     node lcpcheck.js FOLDER           every *.proof.json of a folder, about the problem of its hash in another *.json
+//     node lcpcheck.js PROBLEM PROOF [MODEL]   prints what it proves, or why it is refused; MODEL is
+//                                              the friction model to ask about, if not the problem's
+//     node lcpcheck.js FOLDER                  every *.proof.json of a folder, about the problem of
+//                                              its hash in another *.json
 //
+// Exit code: 0 if every proof proves its claim, 1 if one is refused, 2 if a problem cannot be read.
 // In a page: lcpcheck(problemText, proofText) returns { holds, says }.
 "use strict";
 
@@ -10,35 +13,87 @@ const lcpcheck = (() => {
   class Refused extends Error {}
   const need = (holds, reason) => { if (!holds) throw new Refused(reason); };
 
-  // ---- JSON, in which no object has a key twice
+  // ---- JSON (RFC 8259) in which no object has a key twice; a number keeps its text, for an index
+  class Numeral { constructor(text) { this.text = text; this.value = Number(text); } }
   function read(text) {
-    const value = JSON.parse(text);
-    const open = [];
-    const tokens = /"(?:[^"\\]|\\.)*"(\s*:)?|[{}\[\]]/g;
-    for (const [token, colon] of text.matchAll(tokens)) {
-      if (token === "{" || token === "[") open.push(new Set());
-      else if (token === "}" || token === "]") open.pop();
-      else if (colon !== undefined) {
-        const key = JSON.parse(token.slice(0, token.length - colon.length));
-        need(!open.at(-1).has(key), "a key twice");
-        open.at(-1).add(key);
+    let at = 0, depth = 0;
+    const token = (pattern) => {
+      pattern.lastIndex = at;
+      const found = pattern.exec(text);
+      if (found !== null) at = pattern.lastIndex;
+      return found === null ? null : found[0];
+    };
+    const next = () => { token(/[ \t\n\r]*/y); return text[at]; };
+    const take = (character) => { need(next() === character, "no JSON"); at += 1; };
+    const string = () => {
+      const start = at;
+      need(text[at] === '"', "no JSON");
+      for (at += 1; at < text.length && text[at] !== '"'; at += 1) if (text[at] === "\\") at += 1;
+      at += 1;
+      const value = JSON.parse(text.slice(start, at));
+      need(!/\p{Surrogate}/u.test(value), "half of a surrogate pair");
+      return value;
+    };
+    // The members between two brackets.
+    const members = (open, close, member) => {
+      take(open);
+      need((depth += 1) <= 127, "more than 127 brackets within each other");
+      for (let isFirst = true; next() !== close; isFirst = false) {
+        if (!isFirst) take(",");
+        next();
+        member();
       }
-    }
-    return value;
+      at += 1;
+      depth -= 1;
+    };
+    const value = () => {
+      const first = next();
+      if (first === '"') return string();
+      if (first === "[") {
+        const list = [];
+        members("[", "]", () => list.push(value()));
+        return list;
+      }
+      if (first === "{") {
+        const object = Object.create(null);
+        members("{", "}", () => {
+          const key = string();
+          need(!has(object, key), "a key twice");
+          take(":");
+          object[key] = value();
+        });
+        return object;
+      }
+      const word = token(/true|false|null/y);
+      if (word !== null) return JSON.parse(word);
+      const numeral = token(/-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?/y);
+      need(numeral !== null && Number.isFinite(Number(numeral)), "no JSON, or a number that is not finite");
+      return new Numeral(numeral);
+    };
+    const whole = value();
+    need(next() === undefined, "no JSON");
+    return whole;
   }
   const has = (object, key) => Object.prototype.hasOwnProperty.call(object, key);
-  const isObject = (v) => typeof v === "object" && v !== null && !Array.isArray(v);
+  const isObject = (v) => typeof v === "object" && v !== null && !Array.isArray(v) && !(v instanceof Numeral);
   const hasKeys = (v, keys) =>
     isObject(v) && Object.keys(v).length === keys.length && keys.every((key) => has(v, key));
   const number = (v) => {
-    need(typeof v === "number" && Number.isFinite(v), "a number");
-    return v + 0;
+    need(v instanceof Numeral, "a number");
+    return v.value + 0;
+  };
+  const size = (v) => {
+    need(number(v) >= 0, "a number that is not negative");
+    return number(v);
+  };
+  const index = (v, n) => {
+    need(v instanceof Numeral && /^(0|[1-9][0-9]*)$/.test(v.text) && v.value < n, "an index");
+    return v.value;
   };
   const list = (v, n) => {
-    need(Array.isArray(v) && v.length === n, "a list of another length");
+    need(Array.isArray(v) && (n === undefined || v.length === n), "a list of another length");
     return v;
   };
-  const isRow = (v, n) => Number.isInteger(v) && v >= 0 && v < n;
   function integer(v) {
     need(typeof v === "string" && /^(0|-?[1-9a-f][0-9a-f]*)$/.test(v), "an integer");
     return v[0] === "-" ? -BigInt("0x" + v.slice(1)) : BigInt("0x" + v);
@@ -104,58 +159,93 @@ const lcpcheck = (() => {
   }
 
   // ---- the problem
-  // Puts triplets into the rows of a matrix with so many columns, by rising column, without zeros.
-  function place(triplets, rows, columns) {
-    need(Array.isArray(triplets), "a list of triplets");
-    const seen = new Set();
-    for (const triplet of triplets) {
-      const [i, j, v] = list(triplet, 3);
-      need(isRow(i, rows.length) && isRow(j, columns) && !seen.has(i * columns + j), "a triplet");
-      seen.add(i * columns + j);
-      if (number(v) !== 0) rows[i].push([j, v]);
-    }
-    rows.forEach((row) => row.sort((p, q) => p[0] - q[0]));
-    return rows;
+  // The binary64 nearest to the sum of several: exact, and rounded once.
+  function sum(values) {
+    const [terms, s] = whole(values), m = terms.reduce((sum, m) => sum + m, 0n), all = abs(m);
+    // the exponent of the last binary digit that is kept
+    const last = Math.max(all.toString(2).length - 53 - Number(s), -1074);
+    const cut = BigInt(last) + s;
+    if (cut <= 0n) return Number(m) * 2 ** -Number(s);
+    const kept = all >> cut, rest = all - (kept << cut), half = 1n << (cut - 1n);
+    const isUp = rest > half || (rest === half && (kept & 1n) === 1n);
+    return Number(isUp ? kept + 1n : kept) * 2 ** last * (m < 0n ? -1 : 1);
   }
-  const empty = (n) => Array.from({ length: n }, () => []);
+  // The rows of a matrix by rising column, without zeros; and whether no place is there twice.
+  function place(triplets, rows, columns) {
+    const places = Array.from({ length: rows }, () => new Map());
+    for (const triplet of list(triplets)) {
+      const [i, j, v] = list(triplet, 3), row = places[index(i, rows)], column = index(j, columns);
+      row.set(column, [...(row.get(column) ?? []), number(v)]);
+    }
+    const total = (values) => (values.length === 1 ? values[0] : sum(values));
+    const matrix = places.map((row) => [...row].map(([j, values]) => [j, total(values)])
+      .filter(([, v]) => v !== 0).sort((p, q) => p[0] - q[0]));
+    need(matrix.every((row) => row.every(([, v]) => Number.isFinite(v))), "a sum that is not finite");
+    return [matrix, places.reduce((sum, row) => sum + row.size, 0) === triplets.length];
+  }
 
   // The key motion: M, J, bias, compliance, u*.
   function bodies(data, n) {
     need(hasKeys(data, ["mass", "jacobian", "bias", "compliance", "target"]), "the keys of motion");
-    need(Array.isArray(data.target), "u*");
-    const target = data.target.map(number), k = target.length;
-    const bias = list(data.bias, n).map(number), soft = list(data.compliance, n).map(number);
-    need(soft.every((v) => v >= 0), "a negative compliance");
-    const mass = place(data.mass, empty(k), k), jacobian = place(data.jacobian, empty(n), k);
-    need(data.mass.every(([i, j]) => i <= j), "an entry below the diagonal");
+    const target = list(data.target).map(number), k = target.length;
+    const bias = list(data.bias, n).map(number), soft = list(data.compliance, n).map(size);
+    const [mass, isOnce] = place(data.mass, k, k), [jacobian, too] = place(data.jacobian, n, k);
+    need(isOnce && too, "two triplets at one place");
+    need(data.mass.every(([i, j]) => i.value <= j.value), "an entry below the diagonal");
     return { mass, jacobian, bias, soft, target };
   }
 
-  function problem(data) {
-    need(isObject(data) && Array.isArray(data.b) && isObject(data.A), "A and b");
-    const b = data.b.map(number), n = b.length, rows = empty(n);
+  const BOXES = ["coupled-box", "frozen-box"], MODELS = [...BOXES, "associated-cone", "coulomb-cone"];
+  for (let k = 4; k <= 256; k += 4) MODELS.push(`polygon-${k}`);
+
+  // A problem, under another friction model than the one that it states if one is asked for.
+  function problem(data, asked) {
+    need(isObject(data) && isObject(data.A) && has(data.A, "dense") !== has(data.A, "triplets"), "A and b");
+    const b = list(data.b).map(number), n = b.length;
+    let rows;
     if (has(data.A, "dense")) {
-      list(data.A.dense, n).forEach((row, i) =>
-        list(row, n).forEach((v, j) => { if (number(v) !== 0) rows[i].push([j, v]); }));
+      const row = (row) => list(row, n).map((v, j) => [j, number(v)]).filter(([, v]) => v !== 0);
+      rows = list(data.A.dense, n).map(row);
     } else {
-      need(data.A.rows === n && data.A.cols === n, "A has another size");
-      place(data.A.triplets, rows, n);
+      need(index(data.A.rows, n + 1) === n && index(data.A.cols, n + 1) === n, "A has another size");
+      [rows] = place(data.A.triplets, n, n);
     }
-    const vector = (key, other) => (has(data, key) ? list(data[key], n) : b.map((_, i) => other(i)));
-    const owner = vector("friction_index", () => -1);
-    need(owner.every(Number.isInteger), "friction_index");
-    const bound = (v) => (v === "inf" ? Infinity : v === "-inf" ? -Infinity : number(v));
-    const lo = vector("lo", (i) => (owner[i] < 0 ? 0 : "-inf")).map(bound), hi = vector("hi", () => "inf").map(bound);
-    const mu = vector("mu", () => 0).map((v, i) => (owner[i] < 0 ? 0 : number(v)));
+    const vector = (key, read, other) => (has(data, key) ? list(data[key], n).map(read) : b.map((_, i) => other(i)));
+    need(has(data, "friction_index") === has(data, "mu"), "friction_index and mu belong together");
+    let owner = vector("friction_index", (k) => (k instanceof Numeral && k.text === "-1" ? -1 : index(k, n)), () => -1);
+    let mu = vector("mu", number, () => 0).map((v, i) => (owner[i] < 0 ? 0 : v));
+    const words = new Map([["inf", Infinity], ["+inf", Infinity], ["-inf", -Infinity]]);
+    const bound = (v) => words.get(v) ?? number(v);
+    const lo = vector("lo", bound, (i) => (owner[i] < 0 ? 0 : -Infinity)), hi = vector("hi", bound, () => Infinity);
     const scale = has(data, "scale") ? number(data.scale) : 0;
     need(scale > 0 || !has(data, "scale"), "scale");
-    need(has(data, "mu") || owner.every((k) => k < 0), "mu");
     for (let i = 0; i < n; i++) {
       need(lo[i] <= hi[i] && lo[i] < Infinity && hi[i] > -Infinity, `the bounds of row ${i}`);
       const k = owner[i];
       if (k < 0) continue;
-      need(k < n && owner[k] < 0 && lo[k] >= 0 && mu[i] >= 0, `the friction of row ${i}`);
+      need(owner[k] < 0 && lo[k] >= 0 && mu[i] >= 0, `the friction of row ${i}`);
       need(lo[i] === -Infinity && hi[i] === Infinity, `the bounds of row ${i}`);
+    }
+    const frozen = vector("frozen_at", number, () => 0);
+    const stated = has(data, "model") ? [data.model] : [], model = asked ?? stated[0] ?? "coupled-box";
+    need([model, ...stated].every((name) => MODELS.includes(name)), "a model that is not known");
+    if (asked !== undefined || has(data, "model")) {
+      const normals = new Set(owner.filter((k) => k >= 0));
+      need(normals.size > 0, "a friction model without friction");
+      for (const k of normals) {
+        const tangents = mu.filter((_, i) => owner[i] === k);
+        need(tangents.length === 2 && tangents[0] === tangents[1], `the contact of row ${k}`);
+        need(lo[k] === 0 && hi[k] === Infinity, `the contact of row ${k}`);
+      }
+    }
+    if (model === "frozen-box") {
+      need(has(data, "frozen_at"), "frozen_at");
+      owner.forEach((k, i) => {
+        if (k < 0) return;
+        hi[i] = mu[i] * Math.max(frozen[k], 0);
+        lo[i] = -hi[i];
+      });
+      [owner, mu] = [owner.map(() => -1), mu.map(() => 0)];
     }
     const [values, sa] = whole(rows.flatMap((row) => row.map(([, v]) => v)));
     let next = 0;
@@ -168,12 +258,14 @@ const lcpcheck = (() => {
     const motion = has(data, "motion") ? bodies(data.motion, n) : null;
     const sizeOf = (matrix) => matrix.reduce((sum, row) => sum + 4 + 12 * row.length, 0);
     const size = 17 + 12 + sizeOf(rows) + 36 * n + 4 + (motion === null ? 0
-      : 4 + sizeOf(motion.mass) + sizeOf(motion.jacobian) + 16 * n + 8 * motion.target.length);
+      : 4 + sizeOf(motion.mass) + sizeOf(motion.jacobian) + 16 * n + 8 * motion.target.length)
+      + (model === "coupled-box" ? 0 : 4 + model.length);
     const bytes = new Uint8Array(size), view = new DataView(bytes.buffer);
     let at = 17;
     const put4 = (v) => { view.setUint32(at, v); at += 4; };
     const put8 = (v) => { view.setFloat64(at, v + 0); at += 8; };
-    bytes.set(Array.from("lcplab problem 1\n", (c) => c.charCodeAt(0)));
+    const ascii = (text) => Array.from(text, (c) => c.charCodeAt(0));
+    bytes.set(ascii("lcplab problem 1\n"));
     put4(n);
     put8(scale);
     const putRow = (row) => {
@@ -189,7 +281,11 @@ const lcpcheck = (() => {
       [motion.mass, motion.jacobian].forEach((matrix) => matrix.forEach(putRow));
       [motion.bias, motion.soft, motion.target].forEach((vector) => vector.forEach(put8));
     }
-    return { n, A, B, M, L, U, owner, sa, sb, sl, sm, motion, least: parts(scale), hash: sha256(bytes) };
+    if (model !== "coupled-box") {
+      put4(model.length);
+      bytes.set(ascii(model), at);
+    }
+    return { n, A, B, M, L, U, owner, sa, sb, sl, sm, motion, model, least: parts(scale), hash: sha256(bytes) };
   }
 
   // x times D, and D, from a point of a proof.
@@ -266,8 +362,8 @@ const lcpcheck = (() => {
   function tree(p, data, sides) {
     need(isObject(data), "a tree");
     if (hasKeys(data, ["d"])) return leaf(p, data.d, sides);
-    const i = data.row;
-    need(isRow(i, p.n) && !sides.has(i), "a branch");
+    const i = index(data.row, p.n);
+    need(!sides.has(i) && sides.size < 100, "a branch");
     const ways = ["free"];
     if (p.owner[i] >= 0 || p.L[i] !== null) ways.push("lo");
     if (p.owner[i] >= 0 || p.U[i] !== null) ways.push("hi");
@@ -309,7 +405,7 @@ const lcpcheck = (() => {
   const plus = (a, b) => fraction(a[0] * b[1] + b[0] * a[1], a[1] * b[1]);
   const times = (a, b) => fraction(a[0] * b[0], a[1] * b[1]);
   const over = (a, b) => fraction(a[0] * b[1], a[1] * b[0]);
-  const negative = ([p, q]) => [-p, q], size = ([p, q]) => [abs(p), q];
+  const negative = ([p, q]) => [-p, q], absolute = ([p, q]) => [abs(p), q];
   const less = (a, b) => a[0] * b[1] < b[0] * a[1];
   const larger = (a, b) => (less(a, b) ? b : a), smaller = (a, b) => (less(a, b) ? a : b);
   const binary = ([m, e]) => (e >= 0 ? [m << BigInt(e), 1n] : fraction(m, 1n << BigInt(-e)));
@@ -324,7 +420,7 @@ const lcpcheck = (() => {
       const ends = [p.L[i], p.U[i]].filter((v) => v !== null).reduce((most, v) => max(most, abs(v)), 0n);
       return {
         w: terms.reduce(plus, zero),
-        T: larger(terms.map(size).reduce(plus, zero), times(s, least)),
+        T: larger(terms.map(absolute).reduce(plus, zero), times(s, least)),
         s: s[0] === 0n ? [1n, 1n] : s,
         R: ends === 0n ? null : larger(fraction(ends, 1n << p.sl), least),
       };
@@ -340,65 +436,72 @@ const lcpcheck = (() => {
         const reach = times(mu, larger(x[k], unit(rows[k], rows[k].R)));
         R = reach[0] === 0n ? null : reach;
         const near = times(hi, [1n, 1n << 50n]);
-        own = [lo, hi].find((v) => !less(near, size(plus(own, negative(v))))) ?? own;
+        own = [lo, hi].find((v) => !less(near, absolute(plus(own, negative(v))))) ?? own;
       }
       const e = unit(row, R), step = row.T[0] === 0n ? zero : over(times(e, row.w), row.T);
       let target = plus(own, negative(step));
       if (lo !== null) target = larger(target, lo);
       if (hi !== null) target = smaller(target, hi);
-      const miss = size(plus(own, negative(target)));
+      const miss = absolute(plus(own, negative(target)));
       need(e[0] > 0n || miss[0] === 0n, "the residual is not finite");
       return miss[0] === 0n ? worst : larger(worst, over(miss, e));
     }, zero);
   }
 
-  // 2 (P + D) of an answer and a motion.
-  function gap(p, answer, data) {
+  // S and G of an answer and a motion.
+  function squares(p, answer, data) {
     const exact = (v) => binary(parts(v)), zero = [0n, 1n], minus = (a, b) => plus(a, negative(b));
     const { mass, jacobian, bias, soft, target } = p.motion, k = target.length, x = answer.map(exact);
     need(hasKeys(data, ["denominator", "numerators"]), "a motion");
     const D = integer(data.denominator);
     need(D > 0n, "a denominator");
     const v = list(data.numerators, k).map((N) => fraction(integer(N), D));
-    const moved = v.map((v, j) => minus(v, exact(target[j]))), f = Array(k).fill(zero);
-    const add = (j, term) => { f[j] = plus(f[j], term); };
+    const moved = v.map((v, j) => minus(v, exact(target[j])));
+    const beyond = Array(k).fill(zero), within = Array(k).fill(zero);
+    const add = (f, j, term) => { f[j] = plus(f[j], term); };
     mass.forEach((row, i) => row.forEach(([j, m]) => {
-      add(i, times(exact(m), moved[j]));
-      if (i !== j) add(j, times(exact(m), moved[i]));
+      add(within, i, times(exact(m), moved[j]));
+      if (i !== j) add(within, j, times(exact(m), moved[i]));
     }));
-    let sum = zero;
+    let S = zero, G = zero;
     jacobian.forEach((row, i) => {
       let [lo, hi] = [p.L[i], p.U[i]].map((end) => (end === null ? null : fraction(end, 1n << p.sl)));
       if (p.owner[i] >= 0) {
         hi = times(fraction(p.M[i], 1n << p.sm), larger(x[p.owner[i]], zero));
         lo = negative(hi);
       }
-      need((lo === null || !less(x[i], lo)) && (hi === null || !less(hi, x[i])), `the answer of row ${i} is beyond a bound`);
+      let inside = x[i];
+      if (lo !== null) inside = larger(inside, lo);
+      if (hi !== null) inside = smaller(inside, hi);
       const give = exact(soft[i]);
-      const w = row.reduce((w, [j, a]) => plus(w, times(exact(a), v[j])), plus(exact(bias[i]), times(give, x[i])));
+      const w = row.reduce((w, [j, a]) => plus(w, times(exact(a), v[j])), plus(exact(bias[i]), times(give, inside)));
       const end = w[0] > 0n ? lo : hi, costs = [];
-      if (end !== null) costs.push(size(times(minus(x[i], end), w)));
+      if (end !== null) costs.push(absolute(times(minus(inside, end), w)));
       if (give[0] > 0n) costs.push(over(times(w, w), times([2n, 1n], give)));
       need(costs.length > 0 || w[0] === 0n, `the motion breaks row ${i}`);
-      if (w[0] !== 0n) sum = plus(sum, times([2n, 1n], costs.reduce(smaller)));
-      row.forEach(([j, a]) => add(j, negative(times(exact(a), x[i]))));
+      if (w[0] !== 0n) G = plus(G, times([2n, 1n], costs.reduce(smaller)));
+      row.forEach(([j, a]) => {
+        add(within, j, negative(times(exact(a), inside)));
+        add(beyond, j, times(exact(a), minus(x[i], inside)));
+      });
     });
-    // M = L D L'; f becomes its L^-1 f
+    // M = L D L'; both vectors become their L^-1 f
     const left = mass.map((row) => new Map(row.map(([j, m]) => [j, exact(m)])));
     left.forEach((row, c) => {
       const pivot = row.get(c) ?? zero;
       need(pivot[0] > 0n, "the mass matrix is not positive definite");
-      sum = plus(sum, over(times(f[c], f[c]), pivot));
+      S = plus(S, over(times(beyond[c], beyond[c]), pivot));
+      G = plus(G, over(times(within[c], within[c]), pivot));
       for (const [r, value] of row) {
         if (r === c) continue;
         const factor = over(value, pivot);
-        add(r, negative(times(factor, f[c])));
+        for (const f of [beyond, within]) add(f, r, negative(times(factor, f[c])));
         for (const [s, other] of row) {
           if (s >= r) left[r].set(s, minus(left[r].get(s) ?? zero, times(factor, other)));
         }
       }
     });
-    return sum;
+    return [S, G];
   }
 
   const KEYS = {
@@ -410,9 +513,19 @@ const lcpcheck = (() => {
   function check(p, proof) {
     need(isObject(proof) && proof.format === "lcplab-proof-1", "another format");
     const known = typeof proof.kind === "string" && has(KEYS, proof.kind) ? KEYS[proof.kind] : [];
-    need(known.some((keys) => hasKeys(proof, ["format", "problem", "kind", ...keys])), "the keys of its kind");
+    const common = ["format", "problem", "kind", ...(has(proof, "model") ? ["model"] : [])];
+    need(known.some((keys) => hasKeys(proof, [...common, ...keys])), "the keys of its kind");
+    const model = has(proof, "model") ? proof.model : "coupled-box";
+    need(model === p.model, `it is about another model than the problem's, ${p.model}`);
     need(proof.problem === p.hash, "it is about another problem");
     const answer = has(proof, "answer") ? list(proof.answer, p.n).map(number) : null;
+    need(BOXES.includes(model) || (proof.kind === "no-solution" && hasKeys(proof.tree, ["d"])),
+      `of ${model} only no-solution by a leaf alone is a proof`);
+    const under = has(proof, "model") ? `, under the friction model ${model}` : "";
+    return says(p, proof, answer) + under;
+  }
+
+  function says(p, proof, answer) {
     if (proof.kind === "no-solution") {
       tree(p, proof.tree, new Map());
       return "no solution exists";
@@ -421,16 +534,17 @@ const lcpcheck = (() => {
       need(hasKeys(proof.residual, ["numerator", "denominator"]), "a fraction");
       const [r, s] = [integer(proof.residual.numerator), integer(proof.residual.denominator)];
       const own = residual(p, answer);
-      need(s > 0n && r * own[1] === s * own[0], "the residual is another");
+      need(r >= 0n && s > 0n && r * own[1] === s * own[0], "the residual is another");
       return "the scaled residual of the answer is the fraction that it states";
     }
     if (proof.kind === "motion" || proof.kind === "frozen-motion") {
       const isFrozen = proof.kind !== "motion";
       need(isFrozen === p.owner.some((k) => k >= 0), "the kind for rows that are coupled is another");
       need(p.motion !== null, "the problem says nothing of bodies");
-      const bound = binary(parts(number(proof.bound)));
-      need(bound[0] >= 0n && !less(times(bound, bound), gap(p, answer, proof.motion)), "the motion shows a larger bound only");
-      return `the motion of the answer is within ${proof.bound} of the exact one${isFrozen ? ", with frozen friction" : ""}`;
+      const bound = binary(parts(size(proof.bound))), [S, G] = squares(p, answer, proof.motion);
+      const rest = plus(times(bound, bound), negative(plus(S, G))), product = times([4n, 1n], times(S, G));
+      need(rest[0] >= 0n && !less(times(rest, rest), product), "the motion shows a larger bound only");
+      return `the motion of the answer is within ${proof.bound.value} of the exact one${isFrozen ? ", with frozen friction" : ""}`;
     }
     const [x, D] = solution(p, proof.x);
     if (proof.kind === "unique") {
@@ -443,9 +557,9 @@ const lcpcheck = (() => {
       return "two different solutions exist";
     }
     if (answer === null) return "a solution exists";
-    const [values, s] = whole([number(proof.distance), ...answer]), [distance, ...near] = values;
+    const [values, s] = whole([size(proof.distance), ...answer]), [distance, ...near] = values;
     need(near.every((v, i) => abs(v * D - (x[i] << s)) <= distance * D), "the answer is farther away");
-    return `a solution exists within ${proof.distance} of the answer`;
+    return `a solution exists within ${proof.distance.value} of the answer`;
   }
 
   const checked = (p, proofText) => {
@@ -455,7 +569,7 @@ const lcpcheck = (() => {
       return { holds: false, says: error.message };
     }
   };
-  const lcpcheck = (problemText, proofText) => checked(problem(read(problemText)), proofText);
+  const lcpcheck = (problemText, proofText, model) => checked(problem(read(problemText), model), proofText);
   // The same for many proofs: about the problem of its hash each.
   lcpcheck.all = (problemTexts, proofTexts) => {
     const problems = new Map(problemTexts.map((text) => problem(read(text))).map((p) => [p.hash, p]));
@@ -466,13 +580,22 @@ const lcpcheck = (() => {
   return lcpcheck;
 })();
 
+if (typeof module !== "undefined") module.exports = lcpcheck;
 if (typeof process !== "undefined" && typeof require !== "undefined" && require.main === module) {
   const fs = require("fs"), path = require("path"), given = process.argv.slice(2);
   const names = given.length === 1 ? fs.readdirSync(given[0]).sort().map((name) => path.join(given[0], name)) : null;
   const proofs = names === null ? [given[1]] : names.filter((name) => name.endsWith(".proof.json"));
   const problems = names === null ? [given[0]] : names.filter((name) => name.endsWith(".json") && !proofs.includes(name));
-  const text = (name) => fs.readFileSync(name, "utf8");
-  const found = lcpcheck.all(problems.map(text), proofs.map(text));
-  found.forEach(({ holds, says }, k) => console.log(`${proofs[k]}: ${holds ? "proved" : "refused"}: ${says}`));
-  process.exitCode = found.every(({ holds }) => holds) ? 0 : 1;
+  const decoder = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
+  const text = (name) => decoder.decode(fs.readFileSync(name));
+  const readable = (name) => { try { return text(name); } catch { return ""; } };
+  try {
+    const found = names === null ? [lcpcheck(text(problems[0]), readable(proofs[0]), given[2])]
+      : lcpcheck.all(problems.map(text), proofs.map(readable));
+    found.forEach(({ holds, says }, k) => console.log(`${proofs[k]}: ${holds ? "proved" : "refused"}: ${says}`));
+    process.exitCode = found.every(({ holds }) => holds) ? 0 : 1;
+  } catch (error) {
+    console.log(`${problems.join(", ")}: cannot be read: ${error.message}`);
+    process.exitCode = 2;
+  }
 }

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Checks proofs about linear complementarity problems. Written from docs/proofs.md alone; calculates with integers.
 
-    lcpcheck.py PROBLEM PROOF      one proof: prints what it proves, or why it is refused
-    lcpcheck.py FOLDER             every *.proof.json of a folder, about the problem of its hash in another *.json
+    lcpcheck.py PROBLEM PROOF [MODEL]   one proof: prints what it proves, or why it is refused; MODEL is
+                                        the friction model to ask about, if not the problem's
+    lcpcheck.py FOLDER                  every *.proof.json of a folder, about the problem of its hash in
+                                        another *.json
 
 Exit code: 0 if every proof proves its claim, 1 if one is refused, 2 if a problem cannot be read.
 """
@@ -12,6 +14,8 @@ from itertools import combinations
 from pathlib import Path
 
 INF, INTEGER = float("inf"), re.compile(r"0|-?[1-9a-f][0-9a-f]*")
+BOXES = ("coupled-box", "frozen-box")
+MODELS = {*BOXES, "associated-cone", "coulomb-cone", *(f"polygon-{k}" for k in range(4, 257, 4))}
 KEYS = {"solution": [{"x"}, {"x", "answer", "distance"}], "unique": [{"x", "by"}], "not-unique": [{"x", "y"}],
         "no-solution": [{"tree"}], "within": [{"answer", "residual"}],
         "motion": [{"answer", "motion", "bound"}], "frozen-motion": [{"answer", "motion", "bound"}]}
@@ -27,8 +31,18 @@ def need(holds, reason):
 
 
 def number(v):
-    need(type(v) in (int, float) and abs(v) < INF, "a number")
+    need(type(v) in (int, float), "a number")
     return float(v) + 0.0
+
+
+def size(v):
+    need(number(v) >= 0, "a number that is not negative")
+    return number(v)
+
+
+def index(v, n):
+    need(type(v) is int and 0 <= v < n, "an index")
+    return v
 
 
 def integer(v):
@@ -36,8 +50,8 @@ def integer(v):
     return int(v, 16)
 
 
-def entries(v, n):
-    need(type(v) is list and len(v) == n, "a list of another length")
+def entries(v, n=None):
+    need(type(v) is list and n in (None, len(v)), "a list of another length")
     return v
 
 
@@ -53,19 +67,40 @@ def only_once(pairs):
     return dict(pairs)
 
 
-def read(path):
-    return json.loads(path.read_text(encoding="utf-8"), object_pairs_hook=only_once)
+def finite(text):
+    need(abs(float(text)) < INF, "a number that is not finite")
+    return float(text)
+
+
+def whole_number(text):
+    return int(text) if finite(text) or text == "0" else -0.0   # "-0" is a number, but no index
+
+
+def depth(v):
+    inner = v.values() if type(v) is dict else v if type(v) is list else None
+    return 0 if inner is None else 1 + max(map(depth, inner), default=0)
+
+
+def read(text):
+    value = json.loads(text, object_pairs_hook=only_once, parse_float=finite,
+                       parse_int=whole_number, parse_constant=finite)
+    need(depth(value) <= 127, "more than 127 brackets within each other")
+    json.dumps(value, ensure_ascii=False).encode()              # half of a surrogate pair is no text
+    return value
 
 
 def sparse(triplets, rows, columns):
-    """The rows of a matrix, each {column: value} by rising column, without zeros."""
-    need(all(type(i) is type(j) is int and 0 <= i < rows and 0 <= j < columns for i, j, _ in triplets), "a triplet")
-    need(len({(i, j) for i, j, _ in triplets}) == len(triplets), "two triplets at one place")
+    """The rows of a matrix, each {column: value} by rising column, without zeros; and whether no place is there twice."""
+    places = {}
+    for triplet in entries(triplets):
+        i, j, v = entries(triplet, 3)
+        places.setdefault((index(i, rows), index(j, columns)), []).append(number(v))
     matrix = [{} for _ in range(rows)]
-    for i, j, v in sorted(triplets):
-        if number(v):
-            matrix[i][j] = number(v)
-    return matrix
+    for (i, j), values in sorted(places.items()):
+        v = values[0] if len(values) == 1 else float(sum(map(Q, values)))
+        if v:
+            matrix[i][j] = v
+    return matrix, len(places) == len(triplets)
 
 
 def packed(matrix):
@@ -73,30 +108,48 @@ def packed(matrix):
 
 
 class Problem:
-    def __init__(self, data):
-        b, a = [number(v) for v in data["b"]], data["A"]
+    def __init__(self, data, model=None):
+        need(type(data) is dict and type(data["A"]) is dict and ("dense" in data["A"]) != ("triplets" in data["A"]), "A")
+        b, a = [number(v) for v in entries(data["b"])], data["A"]
         n = self.n = len(b)
         if "dense" in a:
-            triplets = [(i, j, v) for i, row in enumerate(entries(a["dense"], n)) for j, v in enumerate(entries(row, n))]
+            triplets = [[i, j, v] for i, row in enumerate(entries(a["dense"], n)) for j, v in enumerate(entries(row, n))]
         else:
-            need(a["rows"] == a["cols"] == n, "A has another size")
+            need(index(a["rows"], n + 1) == index(a["cols"], n + 1) == n, "A has another size")
             triplets = a["triplets"]
-        rows = sparse(triplets, n, n)
-        index, mu = entries(data.get("friction_index", [-1] * n), n), entries(data.get("mu", [0] * n), n)
-        self.owner = [k if k >= 0 else None for k in index]
-        bound = lambda v: {"inf": INF, "-inf": -INF}[v] if type(v) is str else number(v)
-        self.lo = [bound(v) for v in entries(data.get("lo", [0 if k is None else "-inf" for k in self.owner]), n)]
-        self.hi = [bound(v) for v in entries(data.get("hi", ["inf"] * n), n)]
+        rows, _ = sparse(triplets, n, n)
+        need(("friction_index" in data) == ("mu" in data), "friction_index and mu belong together")
+        mu = [number(v) for v in entries(data.get("mu", [0] * n), n)]
+        self.owner = [None if type(k) is int and k == -1 else index(k, n) for k in entries(data.get("friction_index", [-1] * n), n)]
+        mu = [0.0 if k is None else m for k, m in zip(self.owner, mu)]
+        bound = lambda v: {"inf": INF, "+inf": INF, "-inf": -INF}[v] if type(v) is str else number(v)
+        lo = [bound(v) for v in entries(data.get("lo", [0 if k is None else "-inf" for k in self.owner]), n)]
+        hi = [bound(v) for v in entries(data.get("hi", ["inf"] * n), n)]
         self.scale = number(data.get("scale", 0))
         need(self.scale > 0 or "scale" not in data, "scale")
-        need("mu" in data or all(k is None for k in self.owner), "mu")
-        mu = [0.0 if k is None else number(m) for k, m in zip(self.owner, mu)]
         for i, k in enumerate(self.owner):
-            need(self.lo[i] <= self.hi[i] and self.lo[i] < INF and self.hi[i] > -INF, f"the bounds of row {i}")
-            need(k is None or type(k) is int and k < n and self.owner[k] is None and self.lo[k] >= 0 and mu[i] >= 0
-                 and (self.lo[i], self.hi[i]) == (-INF, INF), f"the friction of row {i}")
+            need(lo[i] <= hi[i] and lo[i] < INF and hi[i] > -INF, f"the bounds of row {i}")
+            need(k is None or self.owner[k] is None and lo[k] >= 0 and mu[i] >= 0
+                 and (lo[i], hi[i]) == (-INF, INF), f"the friction of row {i}")
+        frozen = [number(v) for v in entries(data.get("frozen_at", [0] * n), n)]
+        self.model = data.get("model", "coupled-box") if model is None else model
+        for name in (self.model, data.get("model", self.model)):
+            need(type(name) is str and name in MODELS, "a model that is not known")
+        if model is not None or "model" in data:
+            normals = [k for k in self.owner if k is not None]
+            need(normals, "a friction model without friction")
+            for k in normals:
+                tangents = [m for m, own in zip(mu, self.owner) if own == k]
+                need(len(tangents) == 2 and tangents[0] == tangents[1] and (lo[k], hi[k]) == (0, INF), f"the contact of row {k}")
+        if self.model == "frozen-box":
+            need("frozen_at" in data, "frozen_at")
+            for i, k in enumerate(self.owner):
+                if k is not None:
+                    hi[i] = mu[i] * max(frozen[k], 0.0)
+                    lo[i] = 0.0 - hi[i]
+            self.owner, mu = [None] * n, [0.0] * n
         # All numbers times 2^s are integers; None for an infinite bound.
-        both = self.lo + self.hi
+        both = lo + hi
         ints, self.s = whole([v for row in rows for v in row.values()] + b + mu + [v if abs(v) < INF else 0.0 for v in both])
         ints = iter(ints)
         self.A = [[(j, next(ints)) for j in row] for row in rows]
@@ -104,18 +157,19 @@ class Problem:
         ends = [v if abs(end) < INF else None for v, end in zip(ints, both)]
         self.ends = list(zip(ends[:n], ends[n:]))
         h = hashlib.sha256(b"lcplab problem 1\n" + struct.pack(">Id", n, self.scale) + packed(rows))
-        h.update(struct.pack(f">{3 * n}d", *b, *self.lo, *self.hi))
+        h.update(struct.pack(f">{3 * n}d", *b, *lo, *hi))
         h.update(b"".join(struct.pack(">Id", 0 if k is None else k + 1, m) for k, m in zip(self.owner, mu)))
         h.update(self.bodies(data["motion"]) if "motion" in data else bytes(4))
+        h.update(b"" if self.model == "coupled-box" else struct.pack(">I", len(self.model)) + self.model.encode())
         self.hash = h.hexdigest()
 
     def bodies(self, data):
         """Reads the key motion; its canonical bytes."""
         need(type(data) is dict and set(data) == {"mass", "jacobian", "bias", "compliance", "target"}, "motion")
-        target, k = [number(v) for v in data["target"]], len(data["target"])
+        target, k = [number(v) for v in entries(data["target"])], len(data["target"])
         bias, soft = ([number(v) for v in entries(data[key], self.n)] for key in ("bias", "compliance"))
-        mass, jacobian = sparse(data["mass"], k, k), sparse(data["jacobian"], self.n, k)
-        need(all(v >= 0 for v in soft) and all(j >= i for i, j, _ in data["mass"]), "compliance and mass")
+        (mass, is_once), (jacobian, too) = sparse(data["mass"], k, k), sparse(data["jacobian"], self.n, k)
+        need(is_once and too and all(v >= 0 for v in soft) and all(j >= i for i, j, _ in data["mass"]), "mass, jacobian or compliance")
         self.motion = [[{j: Q(v) for j, v in row.items()} for row in matrix] for matrix in (mass, jacobian)]
         self.motion += [[Q(v) for v in values] for values in (bias, soft, target)]
         return struct.pack(">II", 1, k) + packed(mass) + packed(jacobian) + struct.pack(f">{2 * self.n + k}d", *bias, *soft, *target)
@@ -167,7 +221,7 @@ class Problem:
         if set(data) == {"d"}:
             return self.leaf(data["d"], sides)
         i = data.get("row")
-        need(type(i) is int and 0 <= i < self.n and i not in sides, "a branch")
+        need(index(i, self.n) not in sides and len(sides) < 100, "a branch")
         there = {"free"} | {side for side, end in zip(("lo", "hi"), self.ends[i]) if end is not None or self.owner[i] is not None}
         need(set(data) == {"row"} | there, f"the sides of row {i}")
         for side in there:
@@ -225,40 +279,45 @@ class Problem:
             worst = max(worst, abs(own - target) / e if own != target else Q(0))
         return worst
 
-    def gap(self, x, data):
-        """2 (P + D) of an answer and a motion, as a fraction."""
+    def squares(self, x, data):
+        """S and G of an answer and a motion, as fractions."""
         mass, jacobian, bias, soft, target = self.motion
         need(type(data) is dict and set(data) == {"denominator", "numerators"}, "a motion")
-        d, x, gap = integer(data["denominator"]), [Q(v) for v in x], Q(0)
+        d, x, gaps = integer(data["denominator"]), [Q(v) for v in x], Q(0)
         need(d > 0, "a denominator")
         v = [Q(integer(p), d) for p in entries(data["numerators"], len(target))]
-        f, rows = [Q(0)] * len(v), [dict(row) for row in mass]
+        rows, beyond, within = [dict(row) for row in mass], [Q(0)] * len(v), [Q(0)] * len(v)
         for i, row in enumerate(mass):
             for j, m in row.items():
-                f[i] += m * (v[j] - target[j])
-                f[j] += m * (v[i] - target[i]) if i != j else 0
+                within[i] += m * (v[j] - target[j])
+                within[j] += m * (v[i] - target[i]) if i != j else 0
         for i, (row, k) in enumerate(zip(jacobian, self.owner)):
             lo, hi = (None if end is None else Q(end, 1 << self.s) for end in self.ends[i])
             if k is not None:
                 hi = Q(self.mu[i], 1 << self.s) * max(x[k], 0)
                 lo = -hi
-            need((lo is None or lo <= x[i]) and (hi is None or x[i] <= hi), f"the answer of row {i} is beyond a bound")
-            w = sum([a * v[j] for j, a in row.items()]) + bias[i] + soft[i] * x[i]
+            p = x[i] if lo is None else max(x[i], lo)
+            p = p if hi is None else min(p, hi)
+            w = sum([a * v[j] for j, a in row.items()]) + bias[i] + soft[i] * p
             end = lo if w > 0 else hi
-            costs = [abs((x[i] - end) * w)] if end is not None else []
+            costs = [abs((p - end) * w)] if end is not None else []
             costs += [w * w / (2 * soft[i])] if soft[i] else []
             need(costs or w == 0, f"the motion breaks row {i}")
-            gap += 2 * min(costs) if w else 0
+            gaps += min(costs) if w else 0
             for j, a in row.items():
-                f[j] -= a * x[i]
-        for c, row in enumerate(rows):          # M = L D L', and f becomes its L^-1 f
+                within[j] -= a * p
+                beyond[j] += a * (x[i] - p)
+        S, G = Q(0), 2 * gaps
+        for c, row in enumerate(rows):          # M = L D L', and both vectors become their L^-1 f
             need(row.get(c, 0) > 0, "the mass matrix is not positive definite")
-            gap += f[c] ** 2 / row[c]
+            S += beyond[c] ** 2 / row[c]
+            G += within[c] ** 2 / row[c]
             for r in (r for r in row if r > c):
-                f[r] -= row[r] / row[c] * f[c]
+                beyond[r] -= row[r] / row[c] * beyond[c]
+                within[r] -= row[r] / row[c] * within[c]
                 for s in (s for s in row if s >= r):
                     rows[r][s] = rows[r].get(s, 0) - row[r] / row[c] * row[s]
-        return gap
+        return S, G
 
 
 def positive(m):
@@ -279,8 +338,11 @@ def check(problem, proof):
     """What a proof proves of a problem; Refused if it proves nothing."""
     need(type(proof) is dict and proof.get("format") == "lcplab-proof-1", "another format")
     kind = proof.get("kind")
-    need(type(kind) is str and set(proof) - {"format", "problem", "kind"} in KEYS.get(kind, []), "the keys of its kind")
+    need(type(kind) is str and set(proof) - {"format", "problem", "model", "kind"} in KEYS.get(kind, []), "the keys of its kind")
+    need(proof.get("model", "coupled-box") == problem.model, f"it is about another model than the problem's, {problem.model}")
     need(proof.get("problem") == problem.hash, "it is about another problem")
+    need(problem.model in BOXES or kind == "no-solution" and type(proof["tree"]) is dict and set(proof["tree"]) == {"d"},
+         f"of {problem.model} only no-solution by a leaf alone is a proof")
     answer = [number(v) for v in entries(proof["answer"], problem.n)] if "answer" in proof else None
     if kind == "no-solution":
         problem.tree(proof["tree"], {})
@@ -289,13 +351,14 @@ def check(problem, proof):
         given, own = proof["residual"], problem.residual(answer)
         need(type(given) is dict and set(given) == {"numerator", "denominator"}, "a fraction")
         p, q = integer(given["numerator"]), integer(given["denominator"])
-        need(q > 0 and p * own.denominator == q * own.numerator, "the residual is another")
+        need(p >= 0 and q > 0 and p * own.denominator == q * own.numerator, "the residual is another")
         return "the scaled residual of the answer is the fraction that it states"
     if kind in ("motion", "frozen-motion"):
         need((kind == "motion") == all(k is None for k in problem.owner), "the kind for rows that are coupled is another")
         need(hasattr(problem, "motion"), "the problem says nothing of bodies")
-        bound = number(proof["bound"])
-        need(bound >= 0 and problem.gap(answer, proof["motion"]) <= Q(bound) ** 2, "the motion shows a larger bound only")
+        bound, (S, G) = size(proof["bound"]), problem.squares(answer, proof["motion"])
+        rest = Q(bound) ** 2 - S - G
+        need(rest >= 0 and 4 * S * G <= rest ** 2, "the motion shows a larger bound only")
         return f"the motion of the answer is within {bound} of the exact one" + ", with frozen friction" * (kind != "motion")
     X, D = problem.solution(proof["x"])
     if kind == "unique":
@@ -307,7 +370,7 @@ def check(problem, proof):
         return "two different solutions exist"
     if answer is None:
         return "a solution exists"
-    distance, (near, s) = number(proof["distance"]), whole(answer)
+    distance, (near, s) = size(proof["distance"]), whole(answer)
     p, q = distance.as_integer_ratio()
     need(all(abs(v * D - (x << s)) * q <= p * D << s for v, x in zip(near, X)), "the answer is farther away")
     return f"a solution exists within {distance} of the answer"
@@ -321,25 +384,26 @@ def main(arguments):
     if folder is not None and folder.is_dir():
         proofs = sorted(folder.glob("*.proof.json"))
         paths = sorted(set(folder.glob("*.json")) - set(proofs))
-    elif len(arguments) == 2:
-        paths, proofs = [[Path(argument)] for argument in arguments]
+    elif len(arguments) in (2, 3):
+        paths, proofs = [[Path(argument)] for argument in arguments[:2]]
     else:
         print(__doc__)
         return 2
     problems, refused = {}, 0
     for path in paths:
         try:
-            problem = Problem(read(path))
+            problem = Problem(read(path.read_text(encoding="utf-8")), *arguments[2:])
             problems[problem.hash] = problem
         except WRONG as error:
             print(f"{path}: cannot be read: {error!r}")
             return 2
     for path in proofs:
         try:
-            proof = read(path)
+            proof = read(path.read_text(encoding="utf-8"))
             need(type(proof) is dict and type(proof.get("problem")) is str, "it is about no problem")
             need(proof["problem"] in problems, "it is about another problem")
-            print(f"{path}: proved: {check(problems[proof['problem']], proof)}")
+            under = f", under the friction model {proof['model']}" if "model" in proof else ""
+            print(f"{path}: proved: {check(problems[proof['problem']], proof)}{under}")
         except WRONG as error:
             refused += 1
             print(f"{path}: refused: {error}")

@@ -2,9 +2,8 @@
 
 use lcplab_judge::{Demand, judge};
 use lcplab_page::document::Block;
-use lcplab_problem::Lcp;
 use lcplab_problem::file::Problem;
-use lcplab_problem::friction::Model;
+use lcplab_problem::{Lcp, Question};
 use lcplab_proof::prove;
 use lcplab_solver::{ALL, Options, Start, by_name, default_for};
 use lcplab_study::answer::{Answer as Judged, certificate_text};
@@ -50,8 +49,8 @@ impl Solve {
     /// The answer as `solve --json` prints it, the steps, the derivation where the method is one of those that are
     /// derived, and the list of methods.
     pub fn answer(self) -> Answer {
-        let problem = read(self.problem)?;
-        let lcp = &problem.lcp;
+        let question = read(self.problem)?;
+        let (problem, lcp) = (question.problem(), boxed(&question)?);
         let name = self.solver.as_deref().unwrap_or_else(|| default_for(lcp));
         let solver = by_name(name, &Options::default()).map_err(|error| error.to_string())?;
         let mut steps = Steps::of(lcp, name, MOST_STEPS);
@@ -59,13 +58,14 @@ impl Solve {
         if steps.steps.is_empty() {
             steps.keep(&solution.x, "no step was taken".into());
         }
-        let derived = Method::NAMES.contains(&name).then(|| derived(&problem, name)).transpose()?;
+        let derived =
+            Method::NAMES.contains(&name).then(|| derived(&question, name)).transpose()?;
         let answer = Judged::judged(lcp, solver.name(), solution, &Demand::default());
         Ok(json!({
             "name": problem.name,
             "warnings": problem.warnings,
             "answer": answer.to_json(),
-            "judge": certificate_text(&answer.certificate, &problem),
+            "judge": certificate_text(&answer.certificate, problem),
             "steps": steps.steps,
             "derivation": derived,
             "solvers": ALL.iter().map(|entry| [entry.name, entry.method]).collect::<Vec<_>>(),
@@ -76,12 +76,13 @@ impl Solve {
 impl Judge {
     /// The verdict with its numbers.
     pub fn answer(self) -> Answer {
-        let problem = read(self.problem)?;
-        fits(&problem.lcp, &self.x)?;
-        let certificate = judge(&problem.lcp, &self.x, &Demand::default());
+        let question = read(self.problem)?;
+        let lcp = boxed(&question)?;
+        fits(lcp, &self.x)?;
+        let certificate = judge(lcp, &self.x, &Demand::default());
         Ok(json!({
             "verdict": certificate.verdict.word(),
-            "text": certificate_text(&certificate, &problem),
+            "text": certificate_text(&certificate, question.problem()),
         }))
     }
 }
@@ -89,32 +90,37 @@ impl Judge {
 impl Prove {
     /// What is proved, as a sentence and as a proof file, and why nothing stronger is.
     pub fn answer(self) -> Answer {
-        let problem = read(self.problem)?;
-        fits(&problem.lcp, &self.x)?;
-        let found = prove(&problem, &self.x);
+        let question = read(self.problem)?;
+        fits(&question.problem().lcp, &self.x)?;
+        let found = prove(&question, &self.x);
         let missing: Vec<[String; 2]> =
             found.missing.into_iter().map(|(kind, why)| [kind.name().to_string(), why]).collect();
         let proof = found.proof.map(|proof| {
-            json!({ "kind": proof.claim.kind().name(), "sentence": proof.claim.sentence(), "file": proof.to_json() })
+            json!({ "kind": proof.claim.kind().name(), "sentence": proof.sentence(), "file": proof.to_json() })
         });
         Ok(json!({ "proof": proof, "missing": missing }))
     }
 }
 
-/// A problem that this page can treat.
-fn read(problem: Map<String, Value>) -> Result<Problem, String> {
+/// A problem that this page can treat, under the model that it states.
+fn read(problem: Map<String, Value>) -> Result<Question, String> {
     let text = Value::Object(problem).to_string();
     let problem = Problem::parse(&text, "problem").map_err(|error| error.to_string())?;
-    match problem.model {
-        Some(Model::CoupledBox) | None => {}
-        Some(model) => {
-            return Err(format!("model {model}: this page solves boxes; lcplab solve does more"));
-        }
+    let n = problem.lcp.len();
+    if n > MOST_ROWS {
+        return Err(format!("{n} rows, at most {MOST_ROWS} are treated here"));
     }
-    match problem.lcp.len() {
-        n if n > MOST_ROWS => Err(format!("{n} rows, at most {MOST_ROWS} are treated here")),
-        _ => Ok(problem),
-    }
+    let question = Question::new(&problem, None, "problem").map_err(|error| error.to_string())?;
+    boxed(&question)?;
+    Ok(question)
+}
+
+/// The LCP that is solved here.
+fn boxed(question: &Question) -> Result<&Lcp, String> {
+    question.boxed().ok_or_else(|| {
+        let model = question.model().unwrap_or_default();
+        format!("model {model}: this page solves boxes; lcplab solve does more")
+    })
 }
 
 fn fits(lcp: &Lcp, x: &[f64]) -> Result<(), String> {
@@ -123,9 +129,9 @@ fn fits(lcp: &Lcp, x: &[f64]) -> Result<(), String> {
 }
 
 /// Sections with a heading and pieces of text each.
-fn derived(problem: &Problem, solver: &str) -> Answer {
+fn derived(question: &Question, solver: &str) -> Answer {
     let document = Method::named(solver)
-        .and_then(|method| derivation(problem, &method))
+        .and_then(|method| derivation(question, &method))
         .map_err(|error| error.to_string())?;
     let section = |section: &lcplab_page::document::Section| {
         let blocks: Vec<String> = section.blocks.iter().map(Block::text).collect();

@@ -192,7 +192,8 @@ mod study {
         let problem = lcplab_problem::file::Problem::parse(FIG7, "fig7").unwrap();
         let proof =
             lcplab_proof::Proof::parse(&found["proof"]["file"].to_string(), "proof").unwrap();
-        assert_eq!(lcplab_proof::check(&problem, &proof), Ok(()));
+        let question = lcplab_problem::Question::new(&problem, None, "fig7").unwrap();
+        assert_eq!(lcplab_proof::check(&question, &proof), Ok(()));
         assert_eq!(found["proof"]["kind"], "unique");
     }
 

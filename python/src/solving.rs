@@ -130,7 +130,11 @@ fn told<'py>(
 }
 
 /// The problem under the friction model that is asked for, or that it states.
-fn question(problem: &Problem, model: Option<String>, solver: Option<&str>) -> PyResult<Question> {
+pub fn question(
+    problem: &Problem,
+    model: Option<String>,
+    solver: Option<&str>,
+) -> PyResult<Question> {
     let asked = model.map(|model| model.parse()).transpose().map_err(refused)?;
     let model = friction::model(asked, solver, &problem.0);
     Question::new(&problem.0, model, "problem").map_err(refused)
@@ -229,11 +233,13 @@ pub fn explain(
     problem: &Problem,
     solver: Option<String>,
     given: SolverSettings,
+    model: Option<String>,
 ) -> PyResult<[String; 3]> {
     let name = solver.unwrap_or_else(|| default_for(&problem.0.lcp).into());
     let options = given.options()?;
+    let question = question(problem, model, None)?;
     let written = py.detach(|| {
-        let document = explained(&problem.0, &Explained::with(&name, options)?)?;
+        let document = explained(&question, &Explained::with(&name, options)?)?;
         let form = |format| document.written(format);
         Ok([form(Format::Text)?, form(Format::Markdown)?, form(Format::Html)?])
     });

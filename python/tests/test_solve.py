@@ -229,3 +229,18 @@ def test_a_proof_of_a_scene_is_that_of_the_command_line_and_convinces_both_check
     subprocess.run([sys.executable, checker, path, proved], check=True, capture_output=True)
     with pytest.raises(lcplab.InputError, match="2 entries, the problem has 12 rows"):
         lcplab.prove(problem, [0, 0])
+
+
+def test_a_cone_is_proved_and_explained_as_what_it_is():
+    cone = lcplab.Problem(
+        np.eye(3), [-2, -3, -3], friction_index=[-1, 0, 0], mu=[0, 0.5, 0.5], model="coulomb-cone"
+    )
+    with pytest.raises(lcplab.InputError, match='is coulomb-cone.*model="coupled-box"'):
+        lcplab.prove(cone)
+    with pytest.raises(lcplab.InputError, match="is coulomb-cone"):
+        lcplab.prove(cone, kind="within")
+    proof = lcplab.prove(cone, model="coupled-box")
+    assert proof.data["model"] == "coupled-box" and "coupled-box" in proof.claim
+    assert "model" in lcplab.check(cone, proof) and lcplab.check(cone, proof, model="coupled-box") is None
+    assert "(0.707107, 0.707107)" in str(lcplab.explain(cone))
+    assert "x = (2, 1, 1)" in str(lcplab.explain(cone, model="coupled-box"))

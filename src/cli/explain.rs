@@ -8,8 +8,8 @@ use lcplab::document::{Document, Section};
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
 use lcplab::film::{Frame, Strip};
-use lcplab::lcp::exchange;
 use lcplab::lcp::friction::Model;
+use lcplab::lcp::{Question, exchange};
 use lcplab::memory::Memory;
 use lcplab::plot::Figure;
 use lcplab::report::page::Picture;
@@ -32,7 +32,8 @@ Example:
 
 Written are, as a page after a picture, states, masses, forces, each row's c, J and J'u, the way from Newton's law to A and b, and
 every row, move or tableau of the solver, with units; at most 12 rows of each. A name that ends
-as those of problem files do (.json, .mtx, …: `convert --list`), or -, is a problem and starts at A and b. Exit code 1 if the judge refutes an answer or a step
+as those of problem files do (.json, .mtx, …: `convert --list`), or -, is a problem and starts at A and b. Friction cones
+are solved by a solver that is not followed; the coupled box is derived beside them. Exit code 1 if the judge refutes an answer or a step
 cannot be taken, 2 for bad input.")]
 pub struct Explain {
     /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
@@ -49,7 +50,7 @@ pub struct Explain {
     renamed: super::scene::Renamed,
     #[command(flatten)]
     changes: super::scene::Changes,
-    /// The model of friction of a scene [default: the scene's]
+    /// Friction model [default: that of the scene or the file]
     #[arg(long)]
     model: Option<Model>,
     /// The first step of a scene that is explained, counted from 1; those before are only taken
@@ -118,7 +119,6 @@ impl Explain {
     fn of_problem(&self) -> Result<Document> {
         for (option, given) in [
             ("--scheme", self.scheme.is_some()),
-            ("--model", self.model.is_some()),
             ("--set", !self.changes.is_empty()),
             ("--from", self.from.is_some()),
             ("--steps", self.steps.is_some()),
@@ -132,8 +132,9 @@ impl Explain {
             }
         }
         let read = read_problem(Path::new(&self.input), Memory::default())?;
+        let question = Question::new(&read, self.model, &self.input)?;
         let name = self.solver.as_deref().unwrap_or_else(|| default_for(&read.lcp));
-        problem(&read, &self.method(name, Options::default())?)
+        problem(&question, &self.method(name, Options::default())?)
     }
 
     fn of_scene(&self) -> Result<Document> {

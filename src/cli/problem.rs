@@ -102,7 +102,7 @@ impl Solve {
                 self.json,
                 limits,
             )?;
-            self.prove(&problem, &solution.x)?;
+            self.prove(&question, &solution.x)?;
             return Ok(outcome);
         }
         // A trace shows one method.
@@ -126,7 +126,7 @@ impl Solve {
         let stopped = stop.reason().filter(|_| solution.status == Status::Stopped);
         limits.over();
         self.tracing.write(&problem.lcp, solver, &options, &solution, &trace.records)?;
-        self.prove(&problem, &solution.x)?;
+        self.prove(&question, &solution.x)?;
         let answer = Answer::judged(&problem.lcp, solver, solution, &demand);
         let answer = answer.stopped(stopped).after(attempts);
         if self.json {
@@ -158,8 +158,8 @@ impl Solve {
 
 impl Solve {
     /// Writes the proof, if one is asked for.
-    fn prove(&self, problem: &Problem, x: &[f64]) -> Result<()> {
-        self.proof.as_ref().map_or(Ok(()), |path| proof::write(path, problem, x))
+    fn prove(&self, question: &Question, x: &[f64]) -> Result<()> {
+        self.proof.as_ref().map_or(Ok(()), |path| proof::write(path, question, x))
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::lcp::Question;
 use lcplab::lcp::file::{Problem, read_answer};
 use lcplab::lcp::friction::Model;
 use lcplab::page::{self, Block, Page, Section};
@@ -27,13 +28,17 @@ Example:
   lcplab prove tower.json --kind motion                  # how far the answer's motion is from the exact one
 
 The strongest kind that holds is written: no-solution, unique, not-unique, solution, motion, within; which
-stronger ones do not hold, and why, is printed. docs/proofs.md says what each proves, and of what. Exit code 1 if not
-even the residual of the answer is finite.")]
+stronger ones do not hold, and why, is printed. docs/proofs.md says what each proves, and of what. Proofs are about
+boxes: of a problem whose friction model is a polygon or a cone, only no-solution can be proved. Exit code 1 if there is
+no proof of a box, as of an answer whose residual is not finite; 2 if there is none of another model, and for bad input.")]
 pub struct Prove {
     /// A problem file, or - for standard input
     problem: PathBuf,
     /// An answer to begin with, a JSON object with x; without it the problem is solved first
     answer: Option<PathBuf>,
+    /// Friction model to prove something of [default: the file's]
+    #[arg(long)]
+    model: Option<Model>,
     /// Prove this kind: one of those below, or frozen-motion, which takes the friction limits of the answer
     #[arg(long)]
     kind: Option<Kind>,
@@ -49,13 +54,17 @@ pub struct Prove {
 #[command(after_help = "\
 Example:
   lcplab check problem.json proof.json
+  lcplab check cone.json proof.json --model coupled-box     # a proof of prove --model coupled-box
 
-Exit code 1 if the proof proves nothing of this problem.")]
+Exit code 1 if the proof proves nothing of this problem; 2 if it is no proof file.")]
 pub struct Check {
     /// A problem file
     problem: PathBuf,
     /// A proof file, as prove writes it
     proof: PathBuf,
+    /// Friction model that the proof must be about [default: the file's]
+    #[arg(long)]
+    model: Option<Model>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -67,14 +76,21 @@ impl Prove {
     pub fn run(&self) -> Result<Outcome> {
         let memory = self.memory.max_memory;
         let problem = read_problem(&self.problem, memory)?;
+        let input = self.problem.display().to_string();
+        let question = Question::new(&problem, self.model, &input)?;
         let answer = match &self.answer {
             Some(path) => read_answer(path, problem.lcp.len(), memory)?,
-            None => first_answer(&problem.lcp),
+            None => first_answer(question.boxed().unwrap_or(&problem.lcp)),
         };
-        let Found { proof, missing } = match self.kind {
-            None => prove(&problem, &answer),
-            Some(kind) => prove_kind(&problem, &answer, kind),
+        let found = match self.kind {
+            None => prove(&question, &answer),
+            Some(kind) => prove_kind(&question, &answer, kind),
         };
+        if let Some(reason) = found.refusal(&question) {
+            let reason = format!("{reason}; --model coupled-box asks about the coupled box");
+            return Err(Error::invalid(input, "model", reason));
+        }
+        let Found { proof, missing } = found;
         for (kind, reason) in &missing {
             say(&format!("not {kind}: {reason}"));
         }
@@ -83,9 +99,9 @@ impl Prove {
         match &self.out {
             Some(path) => {
                 let is_page = path.extension().is_some_and(|ending| ending == "html");
-                let page = || page_of(&problem, &proof, &missing, &text).render();
+                let page = || page_of(&question, &proof, &missing, &text).render();
                 file::write(path, if is_page { page()? } else { text.clone() })?;
-                print(&format!("{}: {}\n", proof.claim.kind(), proof.claim.sentence()))?;
+                print(&format!("{}: {}\n", proof.claim.kind(), proof.sentence()))?;
             }
             None => print(&text)?,
         }
@@ -94,14 +110,13 @@ impl Prove {
 }
 
 /// A page with the proof, which checks it where the reader asks it to.
-fn page_of(problem: &Problem, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
+fn page_of(question: &Question, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
+    // What the page's checker reads is the problem under the model that was asked for.
+    let problem = &Problem { model: question.model(), ..question.problem().clone() };
     let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
     let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
-    let claim = page::Proof {
-        claim: proof.claim.sentence(),
-        text: text.to_string(),
-        ..page::Proof::default()
-    };
+    let claim =
+        page::Proof { claim: proof.sentence(), text: text.to_string(), ..page::Proof::default() };
     let claim = Block::Proofs { problem: problem.to_json().to_string(), proofs: vec![claim] };
     let how = "The button runs a checker of this page's own, in whole numbers; it shares no code with lcplab, and its \
                source is the end of this file. The problem and the proof stand in the page.";
@@ -130,11 +145,12 @@ impl Check {
     pub fn run(&self) -> Result<Outcome> {
         let memory = self.memory.max_memory;
         let problem = read_problem(&self.problem, memory)?;
+        let question = Question::new(&problem, self.model, &self.problem.display().to_string())?;
         let input = self.proof.display().to_string();
         let bytes = lcplab::lcp::disk::read(&self.proof, memory)?;
         let proof = Proof::parse(&bytes, &input)?;
-        let verdict = check(&problem, &proof);
-        let (kind, claim) = (proof.claim.kind().name(), proof.claim.sentence());
+        let verdict = check(&question, &proof);
+        let (kind, claim) = (proof.claim.kind().name(), proof.sentence());
         if self.json {
             let holds = verdict.is_ok();
             let reason = verdict.as_ref().err();
@@ -150,20 +166,21 @@ impl Check {
     }
 }
 
-/// What `solve --proof` asks of the model of friction: that its problem is the file's own.
+/// What `solve --proof` asks of the friction model: that it is a box, of which there can be a proof
+/// with an answer.
 pub fn check_model(model: Model) -> Result<()> {
     match model {
-        Model::CoupledBox => Ok(()),
-        model => {
-            let reason = format!("proofs are about coupled boxes, not about {model}");
+        Model::CoupledBox | Model::FrozenBox => Ok(()),
+        Model::Polyhedral { .. } | Model::AssociatedCone | Model::CoulombCone => {
+            let reason = format!("proofs of answers are about boxes, not about {model}");
             Err(Error::invalid("options", "--proof", reason))
         }
     }
 }
 
 /// Writes the strongest proof that begins with this answer.
-pub fn write(path: &Path, problem: &Problem, answer: &[f64]) -> Result<()> {
-    match prove(problem, answer).proof {
+pub fn write(path: &Path, question: &Question, answer: &[f64]) -> Result<()> {
+    match prove(question, answer).proof {
         Some(proof) => file::write(path, format!("{}\n", proof.to_json())),
         None => {
             say("warning: no proof is written, for the residual of the answer is not finite");

@@ -11,6 +11,7 @@ use super::view::attempt::anchor;
 use super::view::{Document, FILES};
 use crate::error::Result;
 use crate::file;
+use crate::lcp::Question;
 use crate::lcp::file::Problem;
 use crate::proof::{Kind, prove, prove_kind};
 
@@ -83,7 +84,7 @@ impl Proofs {
         }
         progress.set_length(judged.iter().map(|(_, own)| own.answers.len() as u64).sum());
         let prove = |(section, judged): (String, Judged)| proved(section, judged, progress);
-        let all: Vec<Proved> = judged.into_par_iter().map(prove).collect();
+        let all: Vec<Proved> = judged.into_par_iter().map(prove).collect::<Result<_>>()?;
         let mut proofs = Proofs::default();
         let (mut files, mut bytes) = (0, 0);
         for own in all {
@@ -139,18 +140,19 @@ const WORDS: &str = "Proofs of what these rows say of single problems, in exact 
                      of this page's own, which shares no code with lcplab; \
                      `python3 proofs/lcpcheck.py` of lcplab's repository checks the folder `proofs` beside this page.";
 
-fn proved(section: String, judged: Judged, progress: &ProgressBar) -> Proved {
+fn proved(section: String, judged: Judged, progress: &ProgressBar) -> Result<Proved> {
     let Judged { problem, answers } = judged;
+    let question = Question::new(&problem, None, &problem.name)?;
     let name = anchor(&format!("{section} {}", problem.name));
     let mut proofs = Vec::new();
     for (k, row) in answers.into_iter().enumerate() {
         // An exact solution near the answer says more of a row than that there is only one.
-        let found = prove_kind(&problem, &row.answer, Kind::Solution).proof;
-        if let Some(proof) = found.or_else(|| prove(&problem, &row.answer).proof) {
+        let found = prove_kind(&question, &row.answer, Kind::Solution).proof;
+        if let Some(proof) = found.or_else(|| prove(&question, &row.answer).proof) {
             let id = format!("{name}-{}", k + 1);
             let shown = page::Proof {
                 about: row.begins.join(", "),
-                claim: proof.claim.sentence(),
+                claim: proof.sentence(),
                 text: format!("{}\n", proof.to_json()),
                 file: format!("{FOLDER}/{id}.proof.json"),
                 id,
@@ -160,7 +162,7 @@ fn proved(section: String, judged: Judged, progress: &ProgressBar) -> Proved {
         progress.inc(1);
     }
     let problem = format!("{}\n", problem.to_json());
-    Proved { section, name, problem, proofs }
+    Ok(Proved { section, name, problem, proofs })
 }
 
 /// The verdict in a row becomes a link.

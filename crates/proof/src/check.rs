@@ -2,29 +2,42 @@
 
 use dashu_ratio::RBig;
 
-use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point};
-use lcplab_problem::file::Problem;
+use lcplab_problem::friction::Model;
+use lcplab_problem::{Gauss, Lcp, Question};
 
-use crate::claim::{Bounded, Claim, Entry, Near, Proof, Reason, Vector};
-use crate::{cases, hash, minors, motion, residual};
+use crate::claim::{Bounded, Claim, Entry, Kind, Near, Proof, Reason, Tree, Vector};
+use crate::hash::{model, rows};
+use crate::motion::{NO_BODIES, Squares};
+use crate::{cases, hash, minors, residual};
 
 /// With more rows a proof by definiteness is refused: checking it takes minutes.
 pub const MOST_ROWS_OF_DEFINITE: usize = 500;
 /// With more rows not all principal minors are looked at.
 pub const MOST_ROWS_OF_P: usize = 12;
 
-/// Holds a proof against a problem.
+/// Checks a proof of a problem under its friction model.
 ///
 /// # Errors
 /// Why it proves nothing of this problem.
-pub fn check(problem: &Problem, proof: &Proof) -> Result<(), String> {
-    let lcp = &problem.lcp;
-    if proof.problem != hash(problem) {
+pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {
+    let (own, other) = (model(question), proof.model.unwrap_or_default());
+    if own != other {
+        return Err(format!("the proof is about the model {other}, the problem's model is {own}"));
+    }
+    if proof.problem != hash(question) {
         return Err("the proof is about another problem".into());
     }
-    match &proof.claim {
+    match question.boxed() {
+        Some(lcp) => of_boxes(lcp, question.problem().motion.as_ref(), &proof.claim),
+        None => of_any_model(rows(question), own, &proof.claim),
+    }
+}
+
+/// What holds for boxes, coupled or frozen.
+fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), String> {
+    match claim {
         Claim::Solution { x, near } => {
             let point = solution(lcp, x)?;
             near.as_ref().map_or(Ok(()), |near| is_near(&point, near))
@@ -44,7 +57,7 @@ pub fn check(problem: &Problem, proof: &Proof) -> Result<(), String> {
         Claim::NoSolution { tree } => cases::check(lcp, tree),
         Claim::Motion(_) if lcp.has_coupled_rows() => Err("rows are coupled".into()),
         Claim::FrozenMotion(_) if !lcp.has_coupled_rows() => Err("no rows are coupled".into()),
-        Claim::Motion(bounded) | Claim::FrozenMotion(bounded) => is_bounded(problem, bounded),
+        Claim::Motion(bounded) | Claim::FrozenMotion(bounded) => is_bounded(lcp, bodies, bounded),
         Claim::Within { answer, residual } => {
             has_rows(lcp, answer.len())?;
             match residual::scaled(lcp, answer) {
@@ -59,6 +72,23 @@ pub fn check(problem: &Problem, proof: &Proof) -> Result<(), String> {
             }
         }
     }
+}
+
+/// What holds under every friction model: that there is no solution, where one vector alone shows
+/// it.
+fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
+    match claim {
+        Claim::NoSolution { tree: tree @ Tree::Leaf(_) } => cases::check(rows, tree),
+        Claim::NoSolution { tree: Tree::Branch { .. } } => {
+            Err(format!("the cases of a tree are sides of boxes, the problem's model is {model}"))
+        }
+        claim => Err(about_boxes(claim.kind(), model)),
+    }
+}
+
+/// Why there is no proof of a kind under a model that is no box.
+pub fn about_boxes(kind: Kind, model: Model) -> String {
+    format!("proofs of the kind {kind} are about boxes, the problem's model is {model}")
 }
 
 fn has_rows(lcp: &Lcp, entries: usize) -> Result<(), String> {
@@ -117,17 +147,14 @@ fn is_near(point: &Point, near: &Near) -> Result<(), String> {
     }
 }
 
-/// Whether 2 (P + D) is at most the bound's square.
-fn is_bounded(problem: &Problem, bounded: &Bounded) -> Result<(), String> {
-    let data = problem.motion.as_ref().ok_or("the problem has no key motion")?;
-    has_rows(&problem.lcp, bounded.answer.len())?;
+fn is_bounded(lcp: &Lcp, bodies: Option<&Gauss>, bounded: &Bounded) -> Result<(), String> {
+    let data = bodies.ok_or(NO_BODIES)?;
+    has_rows(lcp, bounded.answer.len())?;
     if bounded.motion.numerators.len() != data.target.len() {
         return Err(format!("the motion must have {} entries", data.target.len()));
     }
-    let exact = |value: f64| rational(&dyadic(value));
-    let x: Vec<RBig> = bounded.answer.iter().map(|&x| exact(x)).collect();
-    let gap = motion::gap(&problem.lcp, data, &x, &bounded.motion.entries())?;
-    match bounded.bound >= 0.0 && gap <= exact(bounded.bound) * exact(bounded.bound) {
+    let x: Vec<RBig> = bounded.answer.iter().map(|&x| rational(&dyadic(x))).collect();
+    match Squares::of(lcp, data, &x, &bounded.motion.entries())?.prove(bounded.bound) {
         true => Ok(()),
         false => Err("the motion shows a larger bound only".into()),
     }

@@ -10,14 +10,29 @@ use dashu_ratio::RBig;
 use lcplab_judge::cases::Tree;
 use lcplab_judge::upper_bound;
 use lcplab_problem::error::Error;
+use lcplab_problem::friction::Model;
 
 /// A claim about the problem with this hash.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
     /// The [hash](crate::hash) of the problem.
     pub problem: String,
+    /// The friction model of the problem; none stands for the coupled box, also of problems without
+    /// friction.
+    pub model: Option<Model>,
     /// What is claimed of it.
     pub claim: Claim,
+}
+
+impl Proof {
+    /// What is claimed, in a sentence that names the friction model if the proof does.
+    pub fn sentence(&self) -> String {
+        let claim = self.claim.sentence();
+        match self.model {
+            Some(model) => format!("{claim}, under the friction model {model}"),
+            None => claim,
+        }
+    }
 }
 
 /// What is claimed, with what shows it.
@@ -77,7 +92,7 @@ impl Claim {
     }
 
     /// The claim in a sentence.
-    pub fn sentence(&self) -> String {
+    fn sentence(&self) -> String {
         match self {
             Claim::Solution { near: Some(near), .. } if near.distance == 0.0 => {
                 "the answer is an exact solution".into()
@@ -177,11 +192,11 @@ impl FromStr for Kind {
 /// An answer, and what shows how far its motion is from the exact one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounded {
-    /// The answer, within its bounds.
+    /// The answer.
     pub answer: Vec<f64>,
     /// A motion that obeys all rows.
     pub motion: Motion,
-    /// |u(answer) − û|_M is at most this.
+    /// |u(answer) − û|_M is at most this; finite, not negative.
     pub bound: f64,
 }
 
@@ -224,7 +239,7 @@ pub fn over_one_denominator(x: &[RBig]) -> (Vec<IBig>, IBig) {
 pub struct Near {
     /// The answer.
     pub answer: Vec<f64>,
-    /// No entry is farther from the solution's.
+    /// No entry is farther from the solution's; finite, not negative.
     pub distance: f64,
 }
 
@@ -257,7 +272,7 @@ pub enum Entry {
     Hi,
 }
 
-/// A fraction of integers; the denominator is positive.
+/// A fraction of integers that is not negative; the denominator is positive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fraction {
     /// Above the line.

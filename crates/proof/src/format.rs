@@ -5,14 +5,17 @@ use serde_json::{Map, Value, json};
 
 use lcplab_judge::cases::Tree;
 use lcplab_problem::error::{Error, Result};
+use lcplab_problem::friction::Model;
 use lcplab_problem::json::parse;
 
 use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Vector};
 
 /// The key `format`.
 const FORMAT: &str = "lcplab-proof-1";
-/// A tree is no deeper than the rows of a problem that is split into cases.
-const DEPTH: usize = 100;
+/// The keys of every kind; `model` may be left out.
+const COMMON: [&str; 4] = ["format", "problem", "model", "kind"];
+/// No path through a tree has more branches.
+const MOST_BRANCHES: usize = 100;
 
 impl Proof {
     /// The proof as JSON.
@@ -20,6 +23,8 @@ impl Proof {
         let mut object = Map::new();
         object.insert("format".into(), json!(FORMAT));
         object.insert("problem".into(), json!(self.problem));
+        let model = self.model.map(|model| json!(model.to_string()));
+        object.extend(model.map(|model| ("model".to_string(), model)));
         object.insert("kind".into(), json!(self.claim.kind().name()));
         let own = match &self.claim {
             Claim::Solution { x, near: None } => vec![("x", point(x))],
@@ -126,13 +131,16 @@ fn read(value: &Value) -> Read<Proof> {
     if problem.len() != 64 || !problem.bytes().all(|b| b"0123456789abcdef".contains(&b)) {
         return wrong("problem", "must be 64 hexadecimal digits");
     }
-    let own =
-        |keys: &[&str]| only(object, &[&["format", "problem", "kind"], keys].concat(), "file");
+    let model = match object.get("model") {
+        None => None,
+        Some(_) => Some(text("model")?.parse().map_err(|_| unknown_model())?),
+    };
+    let own = |keys: &[&str]| only(object, &[&COMMON, keys].concat(), "file");
     let claim = match text("kind")? {
         "solution" if object.contains_key("answer") || object.contains_key("distance") => {
             own(&["x", "answer", "distance"])?;
             let near =
-                Near { answer: numbers(object, "answer")?, distance: number(object, "distance")? };
+                Near { answer: numbers(object, "answer")?, distance: size(object, "distance")? };
             Claim::Solution { x: read_point(object, "x")?, near: Some(near) }
         }
         "solution" => {
@@ -154,7 +162,7 @@ fn read(value: &Value) -> Read<Proof> {
         }
         "no-solution" => {
             own(&["tree"])?;
-            Claim::NoSolution { tree: read_tree(object.get("tree"), DEPTH)? }
+            Claim::NoSolution { tree: read_tree(object.get("tree"), MOST_BRANCHES)? }
         }
         "motion" => Claim::Motion(read_bounded(object)?),
         "frozen-motion" => Claim::FrozenMotion(read_bounded(object)?),
@@ -163,18 +171,23 @@ fn read(value: &Value) -> Read<Proof> {
             let residual = part(object, "residual")?;
             only(residual, &["numerator", "denominator"], "residual")?;
             let residual = Fraction {
-                numerator: integer(residual.get("numerator"), "residual")?,
+                numerator: not_negative(residual.get("numerator"), "residual")?,
                 denominator: positive(residual.get("denominator"), "residual")?,
             };
             Claim::Within { answer: numbers(object, "answer")?, residual }
         }
         kind => return wrong("kind", format!("is {kind:?}, which is unknown")),
     };
-    Ok(Proof { problem: problem.to_string(), claim })
+    Ok(Proof { problem: problem.to_string(), model, claim })
+}
+
+fn unknown_model() -> (String, String) {
+    let names = Model::ALL.map(|model| model.to_string()).join(", ");
+    ("model".into(), format!("must be one of {names}, or another polygon"))
 }
 
 fn read_bounded(object: &Map<String, Value>) -> Read<Bounded> {
-    only(object, &["format", "problem", "kind", "answer", "motion", "bound"], "file")?;
+    only(object, &[&COMMON[..], &["answer", "motion", "bound"]].concat(), "file")?;
     let motion = part(object, "motion")?;
     only(motion, &["denominator", "numerators"], "motion")?;
     let Some(Value::Array(numerators)) = motion.get("numerators") else {
@@ -185,7 +198,7 @@ fn read_bounded(object: &Map<String, Value>) -> Read<Bounded> {
         denominator: positive(motion.get("denominator"), "motion")?,
         numerators: numerators.collect::<Read<_>>()?,
     };
-    Ok(Bounded { answer: numbers(object, "answer")?, motion, bound: number(object, "bound")? })
+    Ok(Bounded { answer: numbers(object, "answer")?, motion, bound: size(object, "bound")? })
 }
 
 /// That an object has no other keys.
@@ -220,26 +233,28 @@ fn read_point(object: &Map<String, Value>, key: &str) -> Read<Vector> {
     })
 }
 
-fn read_tree(value: Option<&Value>, depth: usize) -> Read<Tree> {
+/// A tree with at most this number of branches on a path.
+fn read_tree(value: Option<&Value>, left: usize) -> Read<Tree> {
     let Some(Value::Object(object)) = value else { return wrong("tree", "must be an object") };
-    if depth == 0 {
-        return wrong("tree", format!("has more than {DEPTH} branches on a way"));
-    }
     if object.contains_key("d") {
         only(object, &["d"], "tree")?;
         let entry = |(row, d): (&String, &Value)| Ok((index(row)?, integer(Some(d), "tree")?));
         return Ok(Tree::Leaf(part(object, "d")?.iter().map(entry).collect::<Read<_>>()?));
     }
     only(object, &["row", "lo", "free", "hi"], "tree")?;
-    let Some(row) = object.get("row").and_then(Value::as_u64) else {
+    let row = object.get("row").and_then(Value::as_u64);
+    let Some(row) = row.and_then(|row| usize::try_from(row).ok()) else {
         return wrong("tree", "must have a row or a d");
     };
+    let Some(left) = left.checked_sub(1) else {
+        return wrong("tree", format!("has more than {MOST_BRANCHES} branches on a path"));
+    };
     let side = |key: &str| -> Read<Option<Box<Tree>>> {
-        let tree = object.get(key).map(|tree| read_tree(Some(tree), depth - 1));
+        let tree = object.get(key).map(|tree| read_tree(Some(tree), left));
         Ok(tree.transpose()?.map(Box::new))
     };
-    let free = Box::new(read_tree(object.get("free"), depth - 1)?);
-    Ok(Tree::Branch { row: row as usize, lo: side("lo")?, free, hi: side("hi")? })
+    let free = Box::new(read_tree(object.get("free"), left)?);
+    Ok(Tree::Branch { row, lo: side("lo")?, free, hi: side("hi")? })
 }
 
 /// A row as a key.
@@ -266,10 +281,18 @@ fn positive(value: Option<&Value>, key: &str) -> Read<IBig> {
     }
 }
 
-fn number(object: &Map<String, Value>, key: &str) -> Read<f64> {
+fn not_negative(value: Option<&Value>, key: &str) -> Read<IBig> {
+    match integer(value, key)? {
+        integer if integer >= IBig::ZERO => Ok(integer),
+        _ => wrong(key, "must not be negative"),
+    }
+}
+
+/// A number that is not negative; −0 is 0.
+fn size(object: &Map<String, Value>, key: &str) -> Read<f64> {
     match object.get(key).and_then(Value::as_f64) {
-        Some(number) if number.is_finite() => Ok(number),
-        _ => wrong(key, "must be a finite number"),
+        Some(number) if number.is_finite() && number >= 0.0 => Ok(number + 0.0),
+        _ => wrong(key, "must be a finite number that is not negative"),
     }
 }
 

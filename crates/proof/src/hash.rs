@@ -2,11 +2,34 @@
 
 use sha2::{Digest, Sha256};
 
-use lcplab_problem::file::Problem;
+use lcplab_problem::friction::Model;
+use lcplab_problem::{Lcp, Question};
 
-/// The numbers of a problem in the one order and form that `docs/proofs.md` states.
-pub fn canonical_bytes(problem: &Problem) -> Vec<u8> {
-    let lcp = &problem.lcp;
+/// The friction model of a question: without one, friction rows are coupled boxes.
+pub(crate) fn model(question: &Question) -> Model {
+    question.model().unwrap_or_default()
+}
+
+/// The rows that a proof is about: of a cone or a polygon, those of the file.
+pub(crate) fn rows(question: &Question) -> &Lcp {
+    question.boxed().unwrap_or(&question.problem().lcp)
+}
+
+/// The numbers of a problem, and its model if that is not the coupled box, in the one order and
+/// form that `docs/proofs.md` states.
+pub fn canonical_bytes(question: &Question) -> Vec<u8> {
+    let mut bytes = numbers(question);
+    let model = model(question);
+    if model != Model::CoupledBox {
+        let name = model.to_string();
+        integer(&mut bytes, name.len());
+        bytes.extend(name.into_bytes());
+    }
+    bytes
+}
+
+fn numbers(question: &Question) -> Vec<u8> {
+    let lcp = rows(question);
     let n = lcp.len();
     let mut bytes = b"lcplab problem 1\n".to_vec();
     integer(&mut bytes, n);
@@ -22,7 +45,7 @@ pub fn canonical_bytes(problem: &Problem) -> Vec<u8> {
         integer(&mut bytes, k);
         number(&mut bytes, mu);
     }
-    let Some(motion) = &problem.motion else {
+    let Some(motion) = &question.problem().motion else {
         integer(&mut bytes, 0);
         return bytes;
     };
@@ -60,6 +83,6 @@ fn number(bytes: &mut Vec<u8>, value: f64) {
 }
 
 /// SHA-256 of the canonical bytes, in hexadecimal digits.
-pub fn hash(problem: &Problem) -> String {
-    Sha256::digest(canonical_bytes(problem)).iter().map(|byte| format!("{byte:02x}")).collect()
+pub fn hash(question: &Question) -> String {
+    Sha256::digest(canonical_bytes(question)).iter().map(|byte| format!("{byte:02x}")).collect()
 }

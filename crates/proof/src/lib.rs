@@ -1,25 +1,27 @@
 //! Proofs about a problem as files: an exact solution, that it is the only one or not, that there is none,
 //! what a floating-point answer misses, how far its motion is from the exact one.
 //!
-//! [`prove`] finds the strongest [`Claim`] that it can prove, [`Proof::to_json`] writes it, and [`check`] holds a
-//! proof against the problem in exact arithmetic. The format, and why each check proves its claim, stand in
-//! `docs/proofs.md`; `proofs/lcpcheck.py` checks the same files and shares no code with this crate.
+//! [`prove`] finds the strongest [`Claim`] that it can prove of a problem under its friction model,
+//! [`Proof::to_json`] writes it, and [`check`] checks a proof of the problem in exact arithmetic.
+//! The format, and why each check proves its claim, stand in `docs/proofs.md`; `proofs/lcpcheck.py`
+//! checks the same files and shares no code with this crate.
 //!
 //! ```
 //! use lcplab_problem::file::Problem;
-//! use lcplab_problem::{Lcp, Matrix};
+//! use lcplab_problem::{Lcp, Matrix, Question};
 //! use lcplab_proof::{Kind, Proof, check, prove};
 //!
 //! // w = (2 x_0 − x_1 − 1, 2 x_1 − x_0 + 2): x = (½, 0) and no other.
 //! let a = Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]);
 //! let lcp = Lcp::new(a, vec![-1.0, 2.0], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 //! let problem = Problem::new("two contacts", lcp);
-//! let found = prove(&problem, &[0.5, 0.0]);
+//! let question = Question::new(&problem, None, "two.json")?;
+//! let found = prove(&question, &[0.5, 0.0]);
 //! let proof = found.proof.expect("a proof");
 //! assert_eq!(proof.claim.kind(), Kind::Unique);
 //!
 //! let read = Proof::parse(&proof.to_json().to_string(), "proof.json")?;
-//! assert_eq!(check(&problem, &read), Ok(()));
+//! assert_eq!(check(&question, &read), Ok(()));
 //! # Ok::<(), lcplab_problem::error::Error>(())
 //! ```
 

@@ -1,11 +1,14 @@
 //! How far the motion of an answer is from the exact one, by Gauss's principle in fractions.
 //!
 //! ```text
-//! 2 (P(v) + D(x)) = fᵀM⁻¹f + 2 Σ g_i,    f = M (v − u*) − Jᵀx,    w = J v + bias + γ x
-//! g_i = |w_i| times the room that x_i has to lo_i where w_i > 0, to hi_i where w_i < 0;   at most w_i² / 2γ_i
+//! |u(x) − û|_M ≤ √S + √G,   S = |M⁻¹Jᵀ(x − p)|²_M,   G = 2 (P(v) + D(p)) = fᵀM⁻¹f + 2 Σ g_i
+//! p = Πx,   f = M (v − u*) − Jᵀp,   w = J v + bias + γ p
+//! g_i = |w_i| times the room that p_i has to lo_i where w_i > 0, to hi_i where w_i < 0;
+//!       at most w_i² / 2γ_i
 //! ```
 //!
-//! `docs/proofs.md` shows that no motion û of least P is farther from u(x) than the root of it.
+//! √G bounds the motion of p, the answer moved into its bounds, and √S is the motion that lies
+//! between the answer and p. `docs/proofs.md` shows both.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +19,6 @@ use lcplab_judge::motion_bound::{Unproved, motion_bound};
 use lcplab_problem::exact::dyadic::{dyadic, integers, rational};
 use lcplab_problem::exact::modular::{rank_profile, solve};
 use lcplab_problem::exact::rounded_up;
-use lcplab_problem::file::Problem;
 use lcplab_problem::{Gauss, Lcp};
 
 use crate::claim::{Bounded, Motion};
@@ -25,29 +27,65 @@ use crate::claim::{Bounded, Motion};
 const MOST_EQUATIONS: usize = 500;
 /// What is left of an equation that follows from others, beside its length.
 const DEPENDENT: f64 = 1e-9;
+/// Why nothing is said of the motion.
+pub const NO_BODIES: &str = "the problem has no key motion";
 
 fn exact(value: f64) -> RBig {
     rational(&dyadic(value))
 }
 
-/// 2 (P(v) + D(x)), with the bounds of coupled rows at this x.
-///
-/// # Errors
-/// If x is beyond a bound, M is not positive definite, or P(v) is infinite.
-pub fn gap(lcp: &Lcp, data: &Gauss, x: &[RBig], v: &[RBig]) -> Result<RBig, String> {
-    let mut force = vec![RBig::ZERO; v.len()];
-    for &(i, j, mass) in &data.mass {
-        force[i] += exact(mass) * (&v[j] - exact(data.target[j]));
-        if i != j {
-            force[j] += exact(mass) * (&v[i] - exact(data.target[i]));
+/// The squares of the two parts of the bound.
+pub struct Squares {
+    /// S, of the motion between the answer and p.
+    beyond: RBig,
+    /// G, the bound on the motion of p.
+    within: RBig,
+}
+
+impl Squares {
+    /// Those of an answer x and a motion v, with the bounds that coupled rows have at this x.
+    ///
+    /// # Errors
+    /// If M is not positive definite, or P(v) is infinite.
+    pub fn of(lcp: &Lcp, data: &Gauss, x: &[RBig], v: &[RBig]) -> Result<Squares, String> {
+        let p: Vec<RBig> = (0..x.len()).map(|i| moved_into(bounds(lcp, x, i), &x[i])).collect();
+        let mut beyond = vec![RBig::ZERO; v.len()];
+        let mut within = vec![RBig::ZERO; v.len()];
+        for &(i, j, mass) in &data.mass {
+            within[i] += exact(mass) * (&v[j] - exact(data.target[j]));
+            if i != j {
+                within[j] += exact(mass) * (&v[i] - exact(data.target[i]));
+            }
         }
+        let mut rows = RBig::ZERO;
+        for (i, row) in data.jacobian.iter().enumerate() {
+            for &(j, value) in row {
+                beyond[j] += exact(value) * (&x[i] - &p[i]);
+                within[j] -= exact(value) * &p[i];
+            }
+            rows += row_gap(bounds(lcp, x, i), data, &p[i], v, i)?;
+        }
+        let within = square(data, within)? + RBig::from(2) * rows;
+        Ok(Squares { beyond: square(data, beyond)?, within })
     }
-    let mut rows = RBig::ZERO;
-    for (i, row) in data.jacobian.iter().enumerate() {
-        row.iter().for_each(|&(j, value)| force[j] -= exact(value) * &x[i]);
-        rows += row_gap(lcp, data, x, v, i)?;
+
+    /// Whether √S + √G ≤ bound, without a root: 4 S G ≤ (bound² − S − G)², and that is not
+    /// negative.
+    pub fn prove(&self, bound: f64) -> bool {
+        let rest = exact(bound) * exact(bound) - &self.beyond - &self.within;
+        let product = RBig::from(4) * &self.beyond * &self.within;
+        bound >= 0.0 && rest >= RBig::ZERO && product <= &rest * &rest
     }
-    Ok(square(data, force)? + RBig::from(2) * rows)
+
+    /// A bound that they prove, the least floating-point number but for a few; not finite if there
+    /// is none.
+    fn bound(&self) -> f64 {
+        let mut bound = rounded_up(&self.beyond).sqrt() + rounded_up(&self.within).sqrt();
+        while bound.is_finite() && !self.prove(bound) {
+            bound = bound.next_up();
+        }
+        bound
+    }
 }
 
 /// (J v + bias)_i.
@@ -55,17 +93,34 @@ fn speed(data: &Gauss, v: &[RBig], i: usize) -> RBig {
     data.jacobian[i].iter().fold(exact(data.bias[i]), |sum, &(j, value)| sum + exact(value) * &v[j])
 }
 
-/// g_i.
-fn row_gap(lcp: &Lcp, data: &Gauss, x: &[RBig], v: &[RBig], i: usize) -> Result<RBig, String> {
-    let (lo, hi) = bounds(lcp, x, i);
-    if lo.as_ref().is_some_and(|lo| x[i] < *lo) || hi.as_ref().is_some_and(|hi| x[i] > *hi) {
-        return Err(format!("the answer is beyond a bound in row {i}"));
+/// A row's bounds, as far as they are finite.
+type Bounds = (Option<RBig>, Option<RBig>);
+
+/// The bounds of row i at x.
+fn bounds(lcp: &Lcp, x: &[RBig], i: usize) -> Bounds {
+    let own = |bound: f64| bound.is_finite().then(|| exact(bound));
+    match lcp.coupled_to(i) {
+        Some((k, mu)) => {
+            let reach = exact(mu) * x[k].clone().max(RBig::ZERO);
+            (Some(-reach.clone()), Some(reach))
+        }
+        None => (own(lcp.lo()[i]), own(lcp.hi()[i])),
     }
+}
+
+/// The nearest number between these bounds.
+fn moved_into((lo, hi): Bounds, x: &RBig) -> RBig {
+    let above = lo.map_or(x.clone(), |lo| lo.max(x.clone()));
+    hi.map_or(above.clone(), |hi| hi.min(above))
+}
+
+/// g_i of a p_i between these bounds.
+fn row_gap((lo, hi): Bounds, data: &Gauss, p: &RBig, v: &[RBig], i: usize) -> Result<RBig, String> {
     let compliance = exact(data.compliance[i]);
-    let w = speed(data, v, i) + &compliance * &x[i];
+    let w = speed(data, v, i) + &compliance * p;
     let room = match w > RBig::ZERO {
-        true => lo.map(|lo| &x[i] - lo),
-        false => hi.map(|hi| hi - &x[i]),
+        true => lo.map(|lo| p - lo),
+        false => hi.map(|hi| hi - p),
     };
     let size = if w < RBig::ZERO { -w.clone() } else { w.clone() };
     let hard = room.map(|room| room * &size);
@@ -75,18 +130,6 @@ fn row_gap(lcp: &Lcp, data: &Gauss, x: &[RBig], v: &[RBig], i: usize) -> Result<
         (Some(hard), Some(soft)) => Ok(hard.min(soft)),
         (Some(gap), None) | (None, Some(gap)) => Ok(gap),
         (None, None) => Err(format!("the motion breaks row {i}")),
-    }
-}
-
-/// The bounds of row i at x.
-fn bounds(lcp: &Lcp, x: &[RBig], i: usize) -> (Option<RBig>, Option<RBig>) {
-    let own = |bound: f64| bound.is_finite().then(|| exact(bound));
-    match lcp.coupled_to(i) {
-        Some((k, mu)) => {
-            let reach = exact(mu) * x[k].clone().max(RBig::ZERO);
-            (Some(-reach.clone()), Some(reach))
-        }
-        None => (own(lcp.lo()[i]), own(lcp.hi()[i])),
     }
 }
 
@@ -114,50 +157,28 @@ fn square(data: &Gauss, mut f: Vec<RBig>) -> Result<RBig, String> {
     Ok(sum)
 }
 
-/// A bound on the motion of an answer, moved into its bounds, and what shows it.
+/// A bound on the motion of an answer, and what shows it.
 ///
 /// # Errors
 /// Why there is none.
-pub fn search(problem: &Problem, answer: &[f64]) -> Result<Bounded, String> {
-    let data = problem.motion.as_ref().ok_or("the problem has no key motion")?;
+pub fn search(lcp: &Lcp, data: Option<&Gauss>, answer: &[f64]) -> Result<Bounded, String> {
+    let data = data.ok_or(NO_BODIES)?;
     if !answer.iter().all(|x| x.is_finite()) {
         return Err("the answer is not finite".into());
     }
-    let lcp = &problem.lcp;
-    let x = within_bounds(lcp, answer);
-    let exact_x: Vec<RBig> = x.iter().map(|&x| exact(x)).collect();
-    let (lo, hi) = (0..lcp.len()).map(|i| lcp.bounds(i, &x)).unzip();
+    let (lo, hi) = (0..lcp.len()).map(|i| lcp.bounds(i, answer)).unzip();
     let frozen = Gauss { lo, hi, ..data.clone() };
-    let start = match motion_bound(&frozen, &x) {
-        Err(Unproved::DependentEquations) => motion_bound(&relaxed(&frozen, &x), &x),
+    let start = match motion_bound(&frozen, answer) {
+        Err(Unproved::DependentEquations) => motion_bound(&relaxed(&frozen, answer), answer),
         other => other,
     };
     let motion = obeying_equations(&frozen, &start.map_err(|reason| reason.to_string())?.motion)?;
-    let v = motion.entries();
-    let gap = gap(lcp, data, &exact_x, &v)?;
-    let mut bound = rounded_up(&gap).sqrt();
-    if !bound.is_finite() {
-        return Err("the bound is not finite".into());
+    let x: Vec<RBig> = answer.iter().map(|&x| exact(x)).collect();
+    let bound = Squares::of(lcp, data, &x, &motion.entries())?.bound();
+    match bound.is_finite() {
+        true => Ok(Bounded { answer: answer.to_vec(), motion, bound }),
+        false => Err("the bound is not finite".into()),
     }
-    while exact(bound) * exact(bound) < gap {
-        bound = bound.next_up();
-    }
-    Ok(Bounded { answer: x, motion, bound })
-}
-
-/// The nearest numbers within the exact bounds.
-fn within_bounds(lcp: &Lcp, answer: &[f64]) -> Vec<f64> {
-    let mut x = answer.to_vec();
-    lcp.project_all(&mut x);
-    for i in 0..x.len() {
-        let Some((k, mu)) = lcp.coupled_to(i) else { continue };
-        // μ x_k is rounded in `project_all`, here it is not.
-        let reach = exact(mu) * exact(x[k].max(0.0));
-        while exact(x[i].abs()) > reach {
-            x[i] = x[i].signum() * x[i].abs().next_down();
-        }
-    }
-    x
 }
 
 /// The rows that a motion has to obey exactly.

@@ -7,13 +7,13 @@ use dashu_ratio::RBig;
 
 use lcplab_judge::cases::{self, Search, Tree};
 use lcplab_judge::{exact, refuting_vector};
-use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point, all_solutions};
-use lcplab_problem::file::Problem;
+use lcplab_problem::{Lcp, Question};
 
-use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, check};
+use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, about_boxes, check};
 use crate::claim::{Claim, Entry, Kind, Near, Proof, Reason, Vector, over_one_denominator};
+use crate::hash::{model, rows};
 use crate::{hash, minors, motion, pivot, residual};
 
 /// With more rows no exact solution is looked for: it would take hours.
@@ -32,13 +32,33 @@ pub struct Found {
     pub missing: Vec<(Kind, String)>,
 }
 
-/// Looks for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`, `within`, in this
-/// order. The answer is where it begins.
+impl Found {
+    /// Why nothing was proved of a problem whose model is no box, if that is so.
+    pub fn refusal(&self, question: &Question) -> Option<String> {
+        if self.proof.is_some() || question.boxed().is_some() {
+            return None;
+        }
+        let model = model(question);
+        Some(match self.missing.as_slice() {
+            [(kind, _)] if *kind != Kind::NoSolution => {
+                format!("is {model}, and proofs of the kind {kind} are about boxes")
+            }
+            _ => format!(
+                "is {model}: of it only that no solution exists can be proved, and no vector was found that shows \
+                 it; other proofs are about boxes"
+            ),
+        })
+    }
+}
+
+/// Looks for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`,
+/// `within`, in this order. The answer is where it begins. Under a model that is no box, a polygon
+/// or a cone, only `no-solution` is possible, by a vector that shows it for every model.
 ///
 /// # Panics
 /// If the answer has not an entry a row.
-pub fn prove(problem: &Problem, answer: &[f64]) -> Found {
-    let prover = Prover::new(problem, answer);
+pub fn prove(question: &Question, answer: &[f64]) -> Found {
+    let prover = Prover::new(question, answer);
     let mut missing = Vec::new();
     for kind in Kind::ALL.into_iter().filter(|kind| *kind != Kind::FrozenMotion) {
         match prover.proof(kind) {
@@ -53,8 +73,8 @@ pub fn prove(problem: &Problem, answer: &[f64]) -> Found {
 ///
 /// # Panics
 /// If the answer has not an entry a row.
-pub fn prove_kind(problem: &Problem, answer: &[f64], kind: Kind) -> Found {
-    match Prover::new(problem, answer).proof(kind) {
+pub fn prove_kind(question: &Question, answer: &[f64], kind: Kind) -> Found {
+    match Prover::new(question, answer).proof(kind) {
         Ok(proof) => Found { proof: Some(proof), missing: Vec::new() },
         Err(reason) => Found { proof: None, missing: vec![(kind, reason)] },
     }
@@ -72,52 +92,73 @@ enum Solvable {
 }
 
 struct Prover<'a> {
-    problem: &'a Problem,
+    question: &'a Question,
     answer: &'a [f64],
     /// Whether there is a solution, found out once.
     solvable: OnceCell<Result<Solvable, String>>,
 }
 
 impl<'a> Prover<'a> {
-    fn new(problem: &'a Problem, answer: &'a [f64]) -> Self {
-        assert_eq!(answer.len(), problem.lcp.len(), "an answer needs one entry a row");
-        Prover { problem, answer, solvable: OnceCell::new() }
+    fn new(question: &'a Question, answer: &'a [f64]) -> Self {
+        assert_eq!(answer.len(), rows(question).len(), "an answer needs one entry a row");
+        Prover { question, answer, solvable: OnceCell::new() }
     }
 
     /// The proof of a claim, which is checked before it is given away.
     fn proof(&self, kind: Kind) -> Result<Proof, String> {
-        let claim = self.claim(kind)?;
-        let proof = Proof { problem: hash(self.problem), claim };
-        check(self.problem, &proof).map_err(|reason| format!("its proof fails: {reason}"))?;
+        let claim = match self.question.boxed() {
+            Some(lcp) => self.of_boxes(lcp, kind)?,
+            None => self.of_any_model(kind)?,
+        };
+        let has_friction = rows(self.question).has_coupled_rows();
+        let stated = self.question.model().or(has_friction.then(|| model(self.question)));
+        let proof = Proof { problem: hash(self.question), model: stated, claim };
+        check(self.question, &proof).map_err(|reason| format!("its proof fails: {reason}"))?;
         Ok(proof)
     }
 
-    fn claim(&self, kind: Kind) -> Result<Claim, String> {
-        let (lcp, answer) = (&self.problem.lcp, self.answer);
+    /// A claim that holds under every friction model.
+    fn of_any_model(&self, kind: Kind) -> Result<Claim, String> {
+        if kind != Kind::NoSolution {
+            return Err(about_boxes(kind, model(self.question)));
+        }
+        let lcp = rows(self.question);
+        let refuting = || {
+            refuting_vector(lcp, &[self.answer]).map(|farkas| integers(&farkas.vector))
+        };
+        let vector = cases::single_vector(lcp).or_else(refuting);
+        let vector =
+            vector.ok_or("no single vector shows it, as it would for every friction model")?;
+        Ok(Claim::NoSolution { tree: Tree::Leaf(vector) })
+    }
+
+    fn of_boxes(&self, lcp: &Lcp, kind: Kind) -> Result<Claim, String> {
+        let answer = self.answer;
+        let motion = || motion::search(lcp, self.question.problem().motion.as_ref(), answer);
         match kind {
-            Kind::NoSolution => match self.solvable()? {
+            Kind::NoSolution => match self.solvable(lcp)? {
                 Solvable::No(tree) => Ok(Claim::NoSolution { tree: tree.clone() }),
                 Solvable::Yes(_) => Err("a solution exists".into()),
             },
             Kind::Unique => {
-                let x = vector(lcp, &self.solution()?.x);
+                let x = vector(lcp, &self.solution(lcp)?.x);
                 Ok(Claim::Unique { x, by: unique(lcp)? })
             }
             Kind::NotUnique => {
-                let solution = self.solution()?;
+                let solution = self.solution(lcp)?;
                 let y = another(lcp, solution)?;
                 Ok(Claim::NotUnique { x: vector(lcp, &solution.x), y: vector(lcp, &y) })
             }
             Kind::Solution => {
-                let x = &self.solution()?.x;
+                let x = &self.solution(lcp)?.x;
                 Ok(Claim::Solution { x: vector(lcp, x), near: near(answer, x) })
             }
             Kind::Motion if lcp.has_coupled_rows() => {
                 Err("rows are coupled, and friction is no minimum".into())
             }
             Kind::FrozenMotion if !lcp.has_coupled_rows() => Err("no rows are coupled".into()),
-            Kind::Motion => motion::search(self.problem, answer).map(Claim::Motion),
-            Kind::FrozenMotion => motion::search(self.problem, answer).map(Claim::FrozenMotion),
+            Kind::Motion => motion().map(Claim::Motion),
+            Kind::FrozenMotion => motion().map(Claim::FrozenMotion),
             Kind::Within => {
                 let is_finite = answer.iter().all(|x| x.is_finite());
                 let residual = if is_finite { residual::scaled(lcp, answer) } else { None };
@@ -127,16 +168,16 @@ impl<'a> Prover<'a> {
         }
     }
 
-    fn solution(&self) -> Result<&Solution, String> {
-        match self.solvable() {
+    fn solution(&self, lcp: &Lcp) -> Result<&Solution, String> {
+        match self.solvable(lcp) {
             Ok(Solvable::Yes(solution)) => Ok(solution),
             Ok(Solvable::No(_)) => Err("no solution exists".into()),
             Err(_) => Err("no exact solution was found".into()),
         }
     }
 
-    fn solvable(&self) -> Result<&Solvable, String> {
-        let found = self.solvable.get_or_init(|| solvable(&self.problem.lcp, self.answer));
+    fn solvable(&self, lcp: &Lcp) -> Result<&Solvable, String> {
+        let found = self.solvable.get_or_init(|| solvable(lcp, self.answer));
         found.as_ref().map_err(String::clone)
     }
 }

@@ -48,21 +48,29 @@ class Proof:
         return f"<lcplab.Proof {self.kind}: {self.claim}>"
 
 
-def prove(problem: Problem, x: ArrayLike | None = None, *, kind: str | None = None) -> Proof:
+def prove(
+    problem: Problem, x: ArrayLike | None = None, *, kind: str | None = None, model: str | None = None
+) -> Proof:
     """Prove the strongest that can be proved of a problem, or a ``kind``; an answer ``x`` is where the search begins.
+
+    ``model`` is the friction model instead of the problem's own. Proofs are about boxes: of a polygon or a cone only that
+    no solution exists can be proved, and :class:`InputError` is raised where it is not.
 
     Examples
     --------
     >>> prove(Problem([[2, -1], [-1, 2]], [-1, 2]))
     <lcplab.Proof unique: exactly one solution exists>
     """
-    proof, missing = _lcplab.prove(problem._inner, None if x is None else vector(x, "x"), kind)
+    answer = None if x is None else vector(x, "x")
+    proof, missing = _lcplab.prove(problem._inner, answer, kind, model)
     text, claim = proof if proof is not None else (None, "nothing")
     return Proof(text, claim, dict(missing))
 
 
-def check(problem: Problem, proof: Proof | str | os.PathLike[str]) -> str | None:
-    """Hold a proof, or a proof file, against a problem: why it proves nothing of it, or None if it does.
+def check(problem: Problem, proof: Proof | str | os.PathLike[str], *, model: str | None = None) -> str | None:
+    """Check a proof, or a proof file, of a problem: None if it is valid, else the reason why it is not.
+
+    ``model`` is the friction model that it must be about, instead of the problem's own.
 
     Examples
     --------
@@ -75,4 +83,4 @@ def check(problem: Problem, proof: Proof | str | os.PathLike[str]) -> str | None
     else:
         with open(proof, encoding="utf-8") as file:
             text = file.read()
-    return _lcplab.check(problem._inner, text)
+    return _lcplab.check(problem._inner, text, model)

@@ -210,8 +210,12 @@ def explain(
     mu: ArrayLike | None = None,
     solver: str | None = None,
     omega: float | None = None,
+    model: str | None = None,
 ) -> Document:
     """The way from A and b to x, line by line, by ``"pgs"``, ``"sor"``, ``"dantzig"`` or ``"lemke"``.
+
+    ``model`` is the friction model, as :func:`solve` takes it; of cones the answer is judged, and the solver followed on
+    the coupled box beside them.
 
     Examples
     --------
@@ -219,7 +223,7 @@ def explain(
     True
     """
     problem = problem_of(A, b, lo, hi, friction_index, mu)
-    return Document(*_lcplab.explain(problem._inner, solver, settings(1e-8, 10_000, omega)))
+    return Document(*_lcplab.explain(problem._inner, solver, settings(1e-8, 10_000, omega), model))
 
 
 def solvers() -> list[str]:

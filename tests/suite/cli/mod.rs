@@ -17,6 +17,7 @@ mod mistake;
 mod plugin;
 mod problem_set;
 mod readme;
+mod proof;
 mod report;
 mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens

@@ -88,6 +88,15 @@ pub fn search(lcp: &Lcp, most_programs: usize) -> Option<Search> {
     Cases { lcp, exact: Exact::new(lcp) }.search(&mut vec![None; lcp.len()], &mut programs)
 }
 
+/// Looks for a single vector that shows that there is no solution, without a case; `None` where
+/// there is none, or too many rows. It is integers, row by row; the other entries are 0.
+pub fn single_vector(lcp: &Lcp) -> Option<Vec<(usize, IBig)>> {
+    if lcp.len() > MOST_ROWS {
+        return None;
+    }
+    Cases { lcp, exact: Exact::new(lcp) }.relaxed(&vec![None; lcp.len()]).err()
+}
+
 struct Cases<'a> {
     lcp: &'a Lcp,
     exact: Exact,

@@ -122,7 +122,8 @@ impl FromStr for Model {
         if let Some(model) = Model::ALL.into_iter().find(|model| model.to_string() == name) {
             return Ok(model);
         }
-        if let Some(directions) = name.strip_prefix("polygon-").and_then(|k| k.parse().ok()) {
+        let directions = name.strip_prefix("polygon-").and_then(|k| k.parse::<usize>().ok());
+        if let Some(directions) = directions.filter(|k| name == format!("polygon-{k}")) {
             if (4..=MOST_DIRECTIONS).contains(&directions) && directions.is_multiple_of(4) {
                 return Ok(Model::Polyhedral { directions });
             }

@@ -5,14 +5,14 @@ use lcplab_problem::{Coupling, Lcp, Matrix};
 use lcplab_proof::{Claim, Kind, Proof, canonical_bytes, check, hash, prove};
 use oorandom::Rand64;
 
-use super::{INF, contacts, painleve, problem, whole};
+use super::{INF, asked, contacts, painleve, whole};
 
 fn kind(lcp: &Lcp, answer: &[f64]) -> (Kind, Proof) {
-    let proof = prove(&problem(lcp), answer).proof.expect("a proof");
+    let proof = prove(&asked(lcp), answer).proof.expect("a proof");
     let text = proof.to_json().to_string();
     let read = Proof::parse(&text, "proof.json").unwrap();
     assert_eq!(read, proof, "{text}");
-    assert_eq!(check(&problem(lcp), &read), Ok(()), "{text}");
+    assert_eq!(check(&asked(lcp), &read), Ok(()), "{text}");
     (proof.claim.kind(), proof)
 }
 
@@ -115,19 +115,19 @@ fn within(lcp: &Lcp, answer: &[f64]) -> Claim {
         format!(
             r#"{{"format": "lcplab-proof-1", "problem": "{}", "kind": "within", "answer": {answer:?},
                 "residual": {{"numerator": "{numerator:x}", "denominator": "{denominator:x}"}}}}"#,
-            hash(&problem(lcp))
+            hash(&asked(lcp))
         )
     };
     let proof = Proof::parse(&text(1, 3), "proof.json").unwrap();
-    assert_eq!(check(&problem(lcp), &proof), Ok(()));
+    assert_eq!(check(&asked(lcp), &proof), Ok(()));
     let wrong = Proof::parse(&text(1, 4), "proof.json").unwrap();
-    assert!(check(&problem(lcp), &wrong).is_err());
+    assert!(check(&asked(lcp), &wrong).is_err());
     proof.claim
 }
 
 #[test]
 fn the_canonical_bytes_are_those_of_the_specification() {
-    let bytes = canonical_bytes(&problem(&contacts(&[2.0, 0.0, 0.0, -0.0], &[-0.0, 1.0])));
+    let bytes = canonical_bytes(&asked(&contacts(&[2.0, 0.0, 0.0, -0.0], &[-0.0, 1.0])));
     let one = [0x3f, 0xf0, 0, 0, 0, 0, 0, 0];
     let inf = [0x7f, 0xf0, 0, 0, 0, 0, 0, 0];
     let zero = [0; 8];
@@ -137,10 +137,10 @@ fn the_canonical_bytes_are_those_of_the_specification() {
     expected.extend([0, 0, 0, 1, 0, 0, 0, 0, 0x40, 0, 0, 0, 0, 0, 0, 0]); // 2 at (0, 0)
     expected.extend([0, 0, 0, 0]); // nothing in row 1
     expected.extend([zero, one, zero, zero, inf, inf].concat());
-    expected.extend([0; 2 * 12 + 4]); // no friction, and what is kept for later
+    expected.extend([0; 2 * 12 + 4]); // no friction, and no bodies
     assert_eq!(bytes, expected);
     // the worked example
     let one = contacts(&[2.0], &[-1.0]);
-    assert_eq!(canonical_bytes(&problem(&one)).len(), 85);
-    assert!(include_str!("../../../../docs/proofs.md").contains(&hash(&problem(&one))));
+    assert_eq!(canonical_bytes(&asked(&one)).len(), 85);
+    assert!(include_str!("../../../../docs/proofs.md").contains(&hash(&asked(&one))));
 }

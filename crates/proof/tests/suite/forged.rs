@@ -6,12 +6,12 @@ use lcplab_problem::{Lcp, library};
 use lcplab_proof::{Claim, Kind, Proof, Tree, check, hash, prove};
 use oorandom::Rand64;
 
-use super::{problem, whole};
+use super::{asked, question, whole};
 
 fn leaf(lcp: &Lcp, d: impl IntoIterator<Item = (usize, i64)>) -> Proof {
     let entries = d.into_iter().filter(|(_, d)| *d != 0).map(|(i, d)| (i, IBig::from(d)));
     let tree = Tree::Leaf(entries.collect());
-    Proof { problem: hash(&problem(lcp)), claim: Claim::NoSolution { tree } }
+    Proof { problem: hash(&asked(lcp)), model: None, claim: Claim::NoSolution { tree } }
 }
 
 #[test]
@@ -22,7 +22,7 @@ fn vectors_that_prove_nothing_are_refused_for_every_problem_of_the_library() {
         let Ok(of_family) = family.generate(&[]) else { continue };
         let lcp = &of_family.lcp;
         let is_solvable = || {
-            let proof = prove(&of_family, &vec![0.0; lcp.len()]).proof.unwrap();
+            let proof = prove(&question(&of_family), &vec![0.0; lcp.len()]).proof.unwrap();
             [Kind::Unique, Kind::NotUnique, Kind::Solution].contains(&proof.claim.kind())
         };
         if lcp.len() > 60 || !is_solvable() {
@@ -38,7 +38,7 @@ fn vectors_that_prove_nothing_are_refused_for_every_problem_of_the_library() {
                 _ => (0..n).map(|i| (i, random.rand_range(0..9) as i64 - 4)).collect(),
             };
             assert!(
-                check(&problem(lcp), &leaf(lcp, d.clone())).is_err(),
+                check(&asked(lcp), &leaf(lcp, d.clone())).is_err(),
                 "{}: {d:?}",
                 of_family.name
             );
@@ -57,11 +57,11 @@ fn a_tree_of_another_problem_proves_nothing_of_one_with_a_solution() {
         problems.iter().partition(|lcp| is_solvable(lcp));
     let mut tried = 0;
     for other in others {
-        let claim = prove(&problem(other), &vec![0.0; other.len()]).proof.unwrap().claim;
+        let claim = prove(&asked(other), &vec![0.0; other.len()]).proof.unwrap().claim;
         assert_eq!(claim.kind(), Kind::NoSolution);
         for lcp in solvable.iter().filter(|lcp| lcp.len() == other.len()).take(20) {
-            let proof = Proof { problem: hash(&problem(lcp)), claim: claim.clone() };
-            assert!(check(&problem(lcp), &proof).is_err());
+            let proof = Proof { problem: hash(&asked(lcp)), model: None, claim: claim.clone() };
+            assert!(check(&asked(lcp), &proof).is_err());
             tried += 1;
         }
     }

@@ -1,13 +1,16 @@
-//! Proofs, held against closed forms, against all pieces of small problems, and against a checker that shares
-//! nothing with them.
+//! Proofs, compared with closed forms, with all pieces of small problems, and with checkers that
+//! share nothing with them.
 
+mod cases;
+mod checkers;
 mod claims;
 mod forged;
+mod models;
 mod motion;
 mod mutants;
 
 use lcplab_problem::file::Problem;
-use lcplab_problem::{Coupling, Gauss, Lcp, Matrix};
+use lcplab_problem::{Coupling, Gauss, Lcp, Matrix, Question};
 use oorandom::Rand64;
 
 const INF: f64 = f64::INFINITY;
@@ -21,6 +24,16 @@ fn contacts(a: &[f64], b: &[f64]) -> Lcp {
 /// The numbers as a problem that says nothing else.
 fn problem(lcp: &Lcp) -> Problem {
     Problem::new("numbers", lcp.clone())
+}
+
+/// The problem under the model that it states.
+fn question(problem: &Problem) -> Question {
+    Question::new(problem, None, "numbers").unwrap()
+}
+
+/// The numbers as a problem without a friction model.
+fn asked(lcp: &Lcp) -> Question {
+    question(&problem(lcp))
 }
 
 /// Painlevé's trouble in two rows: w_n = x_n − x_t − 1, w_t = x_t − x_n − ½, |x_t| ≤ x_n.

@@ -1,5 +1,6 @@
 //! The methods whose every line can be written down.
 
+use lcplab_judge::Demand;
 use lcplab_problem::error::{Error, Result};
 use lcplab_solver::{Options, Solver, by_name};
 
@@ -42,17 +43,21 @@ impl Method {
         self.name
     }
 
-    /// The largest scaled residual that counts as solved.
-    pub(super) fn tolerance(&self) -> f64 {
-        self.options.settings.tolerance
-    }
-
     /// The solver.
     pub(super) fn solver(&self) -> Result<Box<dyn Solver>> {
         by_name(self.name, &self.options)
     }
 
-    #[cfg(feature = "mechanics")]
+    /// The same options, for other solvers.
+    pub(super) fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// What the judge asks.
+    pub(super) fn demand(&self) -> Demand {
+        Demand { tolerance: self.options.settings.tolerance, ..Demand::default() }
+    }
+
     /// Lemke's method in place of one that is made for symmetric A.
     pub(super) fn for_any_matrix(&self) -> Self {
         Method { name: "lemke", options: self.options.clone() }

@@ -22,7 +22,6 @@ mod answer;
 mod dantzig;
 #[cfg(feature = "mechanics")]
 mod derivation;
-#[cfg(feature = "mechanics")]
 mod friction;
 mod lemke;
 mod method;

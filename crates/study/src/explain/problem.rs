@@ -1,41 +1,97 @@
 //! A problem file, from A and b on.
 
 use super::answer::{self, Reading};
+use super::friction::{self, Answered};
 use super::solve::{self, Solved};
 use super::units::Units;
 use super::{Method, refutation, statement};
-use lcplab_judge::Demand;
+use crate::methods;
 use lcplab_page::document::Document;
 use lcplab_problem::error::Result;
-use lcplab_problem::file::Problem;
+use lcplab_problem::friction::{Model, Posed};
+use lcplab_problem::{Lcp, Question, file};
+use lcplab_solver::Solution;
 
-/// Explains how a problem is solved from x = 0.
+/// Explains how a problem is solved from x = 0 under its friction model. Of polygons the LCP that
+/// they pose is solved, of cones the answer of a solver for cones is shown, and the method is
+/// followed on the box beside them.
 ///
 /// # Errors
 /// If an option of the solver cannot be used.
-pub fn problem(problem: &Problem, method: &Method) -> Result<Document> {
-    let (lcp, units) = (&problem.lcp, Units::stated(problem));
+pub fn problem(question: &Question, method: &Method) -> Result<Document> {
+    let problem = question.problem();
     let name = if problem.name.is_empty() { "A problem" } else { &problem.name };
+    let model = question.model();
+    let lead = model.map_or(String::new(), |model| format!(" The friction model is {model}."));
+    let by = match (question.boxed(), model) {
+        (None, Some(model)) => format!("under {model}"),
+        _ => format!("by {}", method.name()),
+    };
+    let mut document = Document {
+        title: format!("{name}, {by}"),
+        lead: format!("{} rows, counted from 0.{lead}", problem.lcp.len()),
+        sections: Vec::new(),
+        is_accepted: false,
+    };
+    document.is_accepted = match question.posed() {
+        Posed::Boxed(lcp) => boxed(question, lcp, method, &mut document)?,
+        Posed::Polyhedral(polygons) => {
+            let answer = answer(question, method)?;
+            let answered = answered(question, method, &answer, &mut document);
+            friction::polygons(&answered, &mut document, polygons)?
+        }
+        Posed::Cone(cones) => {
+            let answer = answer(question, method)?;
+            let answered = answered(question, method, &answer, &mut document);
+            friction::cones(&answered, &mut document, cones)?
+        }
+    };
+    Ok(document)
+}
+
+/// The rows of a problem with the labels and units that its file states, under these bounds.
+fn reading<'a>(problem: &file::Problem, lcp: &'a Lcp) -> Reading<'a> {
     let label = |i: usize| {
         let row = problem.extra.get("rows").and_then(|rows| rows.get(i));
         row.and_then(|row| row.get("label")?.as_str()).unwrap_or_default().to_string()
     };
     let labels = (0..lcp.len()).map(label).collect();
-    let reading = Reading { lcp, labels, units };
+    Reading { lcp, labels, units: Units::stated(problem) }
+}
+
+/// A box, coupled or frozen; whether the judge accepts the answer.
+fn boxed(question: &Question, lcp: &Lcp, method: &Method, document: &mut Document) -> Result<bool> {
+    let problem = question.problem();
+    let reading = reading(problem, lcp);
     let Solved { section: solving, solution } = solve::section(&reading, method, None)?;
+    let frozen = (question.model() == Some(Model::FrozenBox)).then_some(&problem.frozen_at);
+    let frozen = frozen.into_iter().flatten();
+    let frozen = frozen.map(|at| friction::frozen(&reading, &problem.lcp, at));
     let statement = statement::statement(lcp, &reading.units);
-    let demand = Demand { tolerance: method.tolerance(), ..Demand::default() };
-    let (answer, is_accepted) = answer::section(&reading, &solution, &demand);
-    let mut document = Document {
-        title: format!("{name}, by {}", method.name()),
-        lead: format!("{} rows, counted from 0.", lcp.len()),
-        sections: Vec::new(),
-        is_accepted,
-    };
+    let (answer, is_accepted) = answer::section(&reading, &solution, &method.demand());
     let proof = refutation::of(lcp, &solution);
     let proof = proof.map(|proof| refutation::section(&reading, Some(&proof)));
-    for section in [statement, solving, answer].into_iter().chain(proof) {
+    for section in frozen.chain([statement, solving, answer]).chain(proof) {
         document.add("", section);
     }
-    Ok(document)
+    Ok(is_accepted)
+}
+
+/// The answer of the model's usual solver, and its name.
+fn answer(question: &Question, method: &Method) -> Result<(Solution, &'static str)> {
+    let model = question.model().unwrap_or_default();
+    let solver = methods::by_name(methods::default_for(model), model)?;
+    Ok((solver.solve(question.posed(), method.options(), &mut ()), solver.name()))
+}
+
+/// An answer to polygons or cones, after the statement of its rows.
+fn answered<'a>(
+    question: &'a Question,
+    method: &'a Method,
+    (answer, solver): &'a (Solution, &'static str),
+    document: &mut Document,
+) -> Answered<'a> {
+    let rows = reading(question.problem(), &question.problem().lcp);
+    document.add("", statement::without_friction(rows.lcp, &rows.units));
+    Answered { place: "", method, rows, answer, solver, start: None }
 }

@@ -5,7 +5,6 @@ use super::answer::{self, Reading};
 use super::solve::{self, Solved};
 use super::units::Units;
 use super::{Method, derivation, friction, refutation, setup};
-use lcplab_judge::Demand;
 use lcplab_judge::ray::Farkas;
 use lcplab_mechanics::formulation::Posing;
 use lcplab_mechanics::scene::Scene;
@@ -60,7 +59,8 @@ impl Single<'_> {
         match ending {
             Ending::Answered => self.answered(document, &reading),
             Ending::Impossible(proof) => {
-                let Solved { section, .. } = self.solved(&reading, Some(&self.own.start))?;
+                let Solved { section, .. } =
+                    solve::by_suitable(&reading, self.method, Some(&self.own.start))?;
                 document.add(self.place, section);
                 document.add(self.place, refutation::section(&reading, proof));
                 Ok(false)
@@ -77,21 +77,36 @@ impl Single<'_> {
                 document.add(self.place, friction::frozen(&reading, &self.own.problem.lcp, at));
                 self.answered(document, &reading)
             }
-            Posed::Polyhedral(polygons) => friction::polygons(self, document, polygons),
-            Posed::Cone(cones) => friction::cones(self, document, cones),
+            Posed::Polyhedral(polygons) => {
+                friction::polygons(&self.under_friction(), document, polygons)
+            }
+            Posed::Cone(cones) => friction::cones(&self.under_friction(), document, cones),
+        }
+    }
+
+    /// The answer to a polygon or a cone.
+    fn under_friction(&self) -> friction::Answered<'_> {
+        friction::Answered {
+            place: self.place,
+            method: self.method,
+            rows: self.reading(),
+            answer: &self.own.solution,
+            solver: self.own.solver,
+            start: Some(&self.own.start),
         }
     }
 
     /// The solver at work, its answer, and if there is none, why.
     fn answered(&self, document: &mut Document, reading: &Reading) -> Result<bool> {
         let own = &self.own.solution;
-        let Solved { mut section, solution } = self.solved(reading, Some(&self.own.start))?;
+        let Solved { mut section, solution } =
+            solve::by_suitable(reading, self.method, Some(&self.own.start))?;
         if solution.x != own.x {
             section
                 .say(format!("The simulation came to its answer in another way: {}.", own.status));
         }
         document.add(self.place, section);
-        let (section, is_accepted) = answer::section(reading, own, &self.demand());
+        let (section, is_accepted) = answer::section(reading, own, &self.method.demand());
         document.add(self.place, section);
         self.refuted(document, reading, &solution);
         Ok(is_accepted)
@@ -104,26 +119,11 @@ impl Single<'_> {
         }
     }
 
-    /// The method at work on a problem; Lemke's where it is not made for it.
-    pub fn solved(&self, reading: &Reading, start: Option<&[f64]>) -> Result<Solved> {
-        if reading.lcp.matrix().is_symmetric() || self.method.name() == "lemke" {
-            return solve::section(reading, self.method, start);
-        }
-        let mut solved = solve::section(reading, &self.method.for_any_matrix(), start)?;
-        solved.section.say("A is not symmetric, so Lemke's method takes over.");
-        Ok(solved)
-    }
-
     /// The problem's own LCP with what its rows mean.
     pub fn reading(&self) -> Reading<'_> {
         let problem = &self.own.problem;
         let rows = problem.assembly.rows.iter();
         let labels = rows.map(|row| row.label(self.scene)).collect();
         Reading { lcp: &problem.lcp, labels, units: Units::of(problem) }
-    }
-
-    /// What the judge asks.
-    pub fn demand(&self) -> Demand {
-        Demand { tolerance: self.method.tolerance(), ..Demand::default() }
     }
 }

@@ -53,6 +53,20 @@ pub(super) fn section(reading: &Reading, method: &Method, start: Option<&[f64]>)
     Ok(Solved { section, solution })
 }
 
+/// The method at work on a problem; Lemke's where it is not made for it.
+pub(super) fn by_suitable(
+    reading: &Reading,
+    method: &Method,
+    start: Option<&[f64]>,
+) -> Result<Solved> {
+    if reading.lcp.matrix().is_symmetric() || method.name() == "lemke" {
+        return section(reading, method, start);
+    }
+    let mut solved = section(reading, &method.for_any_matrix(), start)?;
+    solved.section.say("A is not symmetric, so Lemke's method takes over.");
+    Ok(solved)
+}
+
 /// What sweeps come to where there is no solution.
 const ENDLESS: &str = "Every further sweep moves x by the same d, for ever: no bound is met, and no w gets \
 nearer to 0, for Δw = A d is";

@@ -6,11 +6,22 @@ use lcplab_problem::Lcp;
 
 /// The statement of a problem that comes as numbers.
 pub(super) fn statement(lcp: &Lcp, units: &Units) -> Section {
+    stated(lcp, false, units)
+}
+
+/// The same of rows whose friction model is stated after it.
+pub(super) fn without_friction(lcp: &Lcp, units: &Units) -> Section {
+    let mut section = stated(lcp, true, units);
+    section.title = "the rows".into();
+    section
+}
+
+fn stated(lcp: &Lcp, law_follows: bool, units: &Units) -> Section {
     let mut section = Section::new("the LCP");
     section.formula(Formula::default().symbols("w = A x + b", "w = A x + b"));
     section.formula(matrix(lcp, Formula::default().symbols("A =", "A =")).unit(units.of_matrix()));
     section.formula(Formula::default().symbols("b =", "b =").vector(lcp.b()).unit(units.of_w()));
-    bounds(&mut section, lcp, false, units);
+    bounds(&mut section, lcp, law_follows, units);
     section
 }
 

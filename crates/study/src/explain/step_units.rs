@@ -1,6 +1,6 @@
 //! The units of a step's rows and columns.
 
-use super::units::{Units, known};
+use super::units::Units;
 use lcplab_mechanics::formulation::{Problem, Stage};
 
 impl Units {
@@ -9,16 +9,6 @@ impl Units {
         let rows = &problem.assembly.rows;
         let x = rows.iter().map(|row| problem.stage.unit(row.kind.is_angular()).to_string());
         Units::from_x(x.collect())
-    }
-
-    /// Those of the LCP of friction within polygons: so many impulses, then speeds γ, whose w are
-    /// impulses.
-    pub fn of_polygons(stage: Stage, impulses: usize, speeds: usize) -> Self {
-        let mut units = Units::from_x(vec![stage.unit(false).to_string(); impulses]);
-        let [x, w] = [stage.unit(false), known(stage.unit(false))[1]];
-        units.x.extend(vec![w.to_string(); speeds]);
-        units.w.extend(vec![x.to_string(); speeds]);
-        units
     }
 }
 

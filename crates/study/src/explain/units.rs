@@ -1,5 +1,7 @@
 //! The units of x, w and A, row by row.
 
+use std::ops::Range;
+
 use serde_json::Value;
 
 use lcplab_problem::file;
@@ -38,6 +40,17 @@ impl Units {
     /// Those of x, and of w as they belong to them.
     pub fn from_x(x: Vec<String>) -> Self {
         let w = x.iter().map(|x| known(x)[1].to_string()).collect();
+        Units { x, w }
+    }
+
+    /// Those of the LCP of friction within polygons: of the row that each unknown belongs to, but
+    /// `speeds` are the γ, whose w are impulses.
+    pub fn of_polygons(&self, rows: &[usize], speeds: Range<usize>) -> Self {
+        let of = |unknown: usize| {
+            let [x, w] = [&self.x, &self.w].map(|units| units[rows[unknown]].clone());
+            if speeds.contains(&unknown) { (w, x) } else { (x, w) }
+        };
+        let (x, w) = (0..rows.len()).map(of).unzip();
         Units { x, w }
     }
 

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use lcplab_judge::{Demand, Evidence, Verdict, judge};
+use lcplab_problem::Question;
 use lcplab_problem::file::Problem;
 use lcplab_proof::{Kind, prove};
 use lcplab_study::answer::first_answer;
@@ -30,7 +31,7 @@ fn what_the_judge_proves_or_refutes_has_a_proof_that_others_accept() {
         for (way, answer) in answers(k).into_iter().enumerate() {
             let x = answer.map_or_else(|| first_answer(&lcp), |x| vec![x; lcp.len()]);
             let certificate = judge(&lcp, &x, &Demand::default());
-            let found = prove(&subject, &x);
+            let found = prove(&Question::new(&subject, None, "hunted").unwrap(), &x);
             let kind = found.proof.as_ref().map(|proof| proof.claim.kind());
             let is_solvable =
                 kind.is_some_and(|kind| kind <= Kind::Solution && kind > Kind::NoSolution);

@@ -1,8 +1,8 @@
 //! Friction within circular cones: the problem stated, its answer contact by contact, and beside it the
 //! box, whose solver can be followed.
 
+use super::Answered;
 use crate::explain::answer;
-use crate::explain::single::Single;
 use crate::explain::solve::Solved;
 use crate::explain::units::with_unit;
 use lcplab_judge::judge_cone;
@@ -14,17 +14,17 @@ use lcplab_solver::Solution;
 
 /// The cones with their answer, then the box beside them; whether the judge accepts the cones' x.
 pub(in crate::explain) fn cones(
-    single: &Single,
+    answered: &Answered,
     document: &mut Document,
     cones: &ConeProblem,
 ) -> Result<bool> {
-    document.add(single.place, law(cones));
-    let (section, is_accepted) = contacts(single, cones);
-    document.add(single.place, section);
-    let Solved { mut section, solution } = single.solved(&single.reading(), None)?;
+    answered.add(document, law(cones));
+    let (section, is_accepted) = contacts(answered, cones);
+    answered.add(document, section);
+    let Solved { mut section, solution } = answered.solved(&answered.rows, None)?;
     section.title = format!("the box beside it, by {}", section.title);
-    document.add(single.place, section);
-    document.add(single.place, beside(single, &solution));
+    answered.add(document, section);
+    answered.add(document, beside(answered, &solution));
     Ok(is_accepted)
 }
 
@@ -32,7 +32,7 @@ pub(in crate::explain) fn cones(
 fn law(cones: &ConeProblem) -> Section {
     let mut section = Section::new("friction within cones");
     section.say(
-        "The scene asks for the circular cone: at each contact |x_t| ≤ μ x_n, whatever the direction. That \
+        "The friction model is the circular cone: at each contact |x_t| ≤ μ x_n, whatever the direction. That \
          is no LCP, for the cone is no box. With K the cone and K* its dual, all w with x·w ≥ 0 for every \
          x in K, each contact has",
     );
@@ -62,15 +62,14 @@ fn law(cones: &ConeProblem) -> Section {
 }
 
 /// x and w of each contact, what they say of the law, and the judge's word.
-fn contacts(single: &Single, cones: &ConeProblem) -> (Section, bool) {
-    let own = &single.own.solution;
-    let certificate = judge_cone(cones, &own.x, &single.demand());
-    let reading = single.reading();
+fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
+    let (own, reading) = (answered.answer, &answered.rows);
+    let certificate = judge_cone(cones, &own.x, &answered.demand());
     let mut section = Section::new("the cones' answer");
     section.say(format!(
         "{} comes ever nearer to it, all rows at once, and is not followed line by line: {}, after {} \
          iterations.",
-        single.own.solver, own.status, own.iterations
+        answered.solver, own.status, own.iterations
     ));
     let contacts = cones.friction().contacts();
     let [x_unit, w_unit] = contacts.first().map_or(["", ""], |contact| {
@@ -125,7 +124,7 @@ fn contacts(single: &Single, cones: &ConeProblem) -> (Section, bool) {
 }
 
 /// Why the box is there, and how far its x is from that of the cones.
-fn beside(single: &Single, boxed: &Solution) -> Section {
+fn beside(answered: &Answered, boxed: &Solution) -> Section {
     let mut section = Section::new("the cones and the box");
     section.say(
         "The box |x_t1| ≤ μ x_n, |x_t2| ≤ μ x_n is another law, and so another x: along its diagonal it \
@@ -134,7 +133,7 @@ fn beside(single: &Single, boxed: &Solution) -> Section {
          tangent, up to how contacts that are not independent share their load. The bodies move by the \
          cones' x.",
     );
-    let (own, reading) = (&single.own.solution, single.reading());
+    let (own, reading) = (answered.answer, &answered.rows);
     let line = |i: usize| {
         let number = |x: f64| with_unit(&plain(x), &reading.units.x[i]);
         vec![

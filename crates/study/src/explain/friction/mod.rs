@@ -1,25 +1,61 @@
-//! The laws of friction that a scene can ask for beside the coupled box, each with the problem that
-//! it poses.
+//! The friction models beside the coupled box, each with the problem that it poses.
 
 mod cone;
 mod polygon;
 
+use super::Method;
+use super::answer::Reading;
+use super::solve::{self, Solved};
+use super::units::with_unit;
+use lcplab_judge::Demand;
+use lcplab_page::document::notation::{indexed, interval, plain};
+use lcplab_page::document::{Document, Section};
+use lcplab_problem::Lcp;
+use lcplab_problem::error::Result;
+use lcplab_solver::Solution;
+
 pub(super) use cone::cones;
 pub(super) use polygon::polygons;
 
-use super::answer::Reading;
-use super::units::with_unit;
-use lcplab_page::document::Section;
-use lcplab_page::document::notation::{indexed, interval, plain};
-use lcplab_problem::Lcp;
+/// An answer to a problem under a polygon or a cone, to be explained in a place of a document.
+pub(super) struct Answered<'a> {
+    pub place: &'a str,
+    /// The solver that is followed.
+    pub method: &'a Method,
+    /// The rows of the contacts and the others, friction being a coupled box.
+    pub rows: Reading<'a>,
+    /// The x that is judged, an entry a row.
+    pub answer: &'a Solution,
+    /// The solver that found it.
+    pub solver: &'a str,
+    /// Where the search began, an entry a row; 0 if not given.
+    pub start: Option<&'a [f64]>,
+}
 
-/// The frozen box: bounds ±μ x_n with the x_n of the start, or of the first answer in a bounce.
+impl Answered<'_> {
+    /// Adds a section in the place.
+    fn add(&self, document: &mut Document, section: Section) {
+        document.add(self.place, section);
+    }
+
+    /// The method at work on an LCP; Lemke's where it is not made for it.
+    fn solved(&self, reading: &Reading, start: Option<&[f64]>) -> Result<Solved> {
+        solve::by_suitable(reading, self.method, start)
+    }
+
+    /// What the judge asks.
+    fn demand(&self) -> Demand {
+        self.method.demand()
+    }
+}
+
+/// The frozen box: bounds ±μ x_n with an x_n that is known beforehand.
 pub(super) fn frozen(reading: &Reading, problem: &Lcp, at: &[f64]) -> Section {
     let mut section = Section::new("friction in a frozen box");
     section.say(
-        "The scene freezes the bounds of friction: they are ±μ x of the normal row with an x that is \
-         known beforehand, of the step before, or of the first answer if this is a bounce. What is left \
-         is an LCP with fixed bounds; the newest x of the normal row has no part in them.",
+        "The model freezes the bounds of friction: they are ±μ x of the normal row with an x that is \
+         known beforehand, in a scene that of the step before, or of the first answer if this is a bounce. \
+         What is left is an LCP with fixed bounds; the newest x of the normal row has no part in them.",
     );
     let line = |i: usize| {
         let coupling = problem.coupling()?;

@@ -1,13 +1,12 @@
 //! Friction within polygons: the LCP of Stewart & Trinkle, written down and solved by Lemke's method.
 
+use super::Answered;
 use crate::explain::answer::{self, Reading};
 use crate::explain::refutation;
-use crate::explain::single::Single;
 use crate::explain::solve::Solved;
 use crate::explain::statement;
 use crate::explain::units::{Units, with_unit};
 use lcplab_judge::judge_friction;
-use lcplab_mechanics::formulation::Stage;
 use lcplab_page::document::notation::{indexed, plain};
 use lcplab_page::document::{Document, Formula, Section};
 use lcplab_problem::error::Result;
@@ -16,34 +15,35 @@ use lcplab_solver::Solution;
 
 /// The LCP of the polygons, its solution, and the x that it means; whether the judge accepts x.
 pub(in crate::explain) fn polygons(
-    single: &Single,
+    answered: &Answered,
     document: &mut Document,
     polygons: &Polyhedral,
 ) -> Result<bool> {
-    let (place, own) = (single.place, &single.own.solution);
-    let reading = reading(polygons, single.own.problem.stage);
-    document.add(place, law(polygons, &reading));
-    document.add(place, statement::statement(reading.lcp, &reading.units));
-    let start = polygons.z(&single.own.start);
-    let Solved { section, solution } = single.solved(&reading, Some(&start))?;
-    document.add(place, section);
+    let own = answered.answer;
+    let reading = reading(polygons, &answered.rows.units);
+    answered.add(document, law(polygons, &reading));
+    answered.add(document, statement::statement(reading.lcp, &reading.units));
+    let start = answered.start.map(|x| polygons.z(x));
+    let Solved { section, solution } = answered.solved(&reading, start.as_deref())?;
+    answered.add(document, section);
     let found = polygons.x(&solution.x) == own.x;
     let z = if found { solution.x.clone() } else { polygons.z(&own.x) };
     let shown = Solution { x: z, ..solution.clone() };
-    let (section, _) = answer::section(&reading, &shown, &single.demand());
-    document.add(place, section);
+    let (section, _) = answer::section(&reading, &shown, &answered.demand());
+    answered.add(document, section);
     if let Some(proof) = refutation::of(reading.lcp, &solution) {
-        document.add(place, refutation::section(&reading, Some(&proof)));
+        answered.add(document, refutation::section(&reading, Some(&proof)));
     }
-    let (mut section, is_accepted) = impulses(single, polygons);
+    let (mut section, is_accepted) = impulses(answered, polygons);
     if !found {
         section.say(format!(
-            "The simulation came to this x in another way: {}{}.",
+            "{} came to this x in another way: {}{}.",
+            answered.solver,
             own.status,
             own.fallback.map_or(String::new(), |fallback| format!(", by {fallback}"))
         ));
     }
-    document.add(place, section);
+    answered.add(document, section);
     Ok(is_accepted)
 }
 
@@ -52,7 +52,7 @@ fn law(polygons: &Polyhedral, reading: &Reading) -> Section {
     let k = polygons.directions();
     let mut section = Section::new("friction within polygons");
     section.say(format!(
-        "The scene asks for the polyhedral cone of Stewart and Trinkle. Each contact may rub along {k} \
+        "The friction model is the polyhedral cone of Stewart and Trinkle. Each contact may rub along {k} \
          directions d, {}° apart, the first one along its row t1, with β ≥ 0 along each; together they \
          rub with no more than μ x_n. γ is the speed at which the contact slides. D has the directions \
          as columns, E a column of ones for each contact.",
@@ -87,8 +87,9 @@ fn law(polygons: &Polyhedral, reading: &Reading) -> Section {
     section
 }
 
-/// The LCP with what its unknowns are: those of other rows, x_n, β and γ of each contact.
-fn reading(polygons: &Polyhedral, stage: Stage) -> Reading<'_> {
+/// The LCP with what its unknowns are: those of other rows, x_n, β and γ of each contact. `units`
+/// are those of the rows.
+fn reading<'a>(polygons: &'a Polyhedral, units: &Units) -> Reading<'a> {
     let friction = polygons.friction();
     let k = polygons.directions();
     let rubbing = || friction.contacts().iter().filter(|contact| contact.mu > 0.0);
@@ -99,19 +100,18 @@ fn reading(polygons: &Polyhedral, stage: Stage) -> Reading<'_> {
     let beta = |n: usize, j: usize| format!("β at {}° of row {n}", angle(j));
     let betas = rubbing().flat_map(|contact| (0..k).map(move |j| beta(contact.rows[0], j)));
     let gammas = rubbing().map(|contact| format!("γ of row {}", contact.rows[0]));
-    let speeds = rubbing().count();
     let labels: Vec<String> = others.chain(normals).chain(betas).chain(gammas).collect();
-    let impulses = labels.len() - speeds;
-    let units = Units::of_polygons(stage, impulses, speeds);
-    Reading { lcp: polygons.lcp(), labels, units }
+    let speeds = labels.len() - rubbing().count()..labels.len();
+    let rows: Vec<usize> = (0..labels.len()).map(|unknown| polygons.row(unknown)).collect();
+    Reading { lcp: polygons.lcp(), labels, units: units.of_polygons(&rows, speeds) }
 }
 
 /// x = D β, and the judge's word on it.
-fn impulses(single: &Single, polygons: &Polyhedral) -> (Section, bool) {
-    let own = &single.own.solution;
+fn impulses(answered: &Answered, polygons: &Polyhedral) -> (Section, bool) {
+    let own = answered.answer;
     let posed = Posed::Polyhedral(polygons.clone());
-    let certificate = judge_friction(&posed, &own.x, &single.demand());
-    let rows = single.reading();
+    let certificate = judge_friction(&posed, &own.x, &answered.demand());
+    let rows = &answered.rows;
     let mut section = Section::new("back to the rows");
     section.say("Of the rows n, t1, t2 of a contact, x_t = D β, each β along its direction.");
     let line = |i: usize| {

@@ -25,14 +25,19 @@ fn table(side: usize) -> Gauss {
     }
 }
 
+/// u* + M⁻¹Jᵀx for a diagonal M.
+fn motion(gauss: &Gauss, x: &[f64]) -> Vec<f64> {
+    let mut u = gauss.target.clone();
+    for (row, x) in gauss.jacobian.iter().zip(x) {
+        row.iter().for_each(|&(j, value)| u[j] += value * x / gauss.mass[j].2);
+    }
+    u
+}
+
 /// |u* + M⁻¹Jᵀx − u|_M for a diagonal M.
 fn distance(gauss: &Gauss, x: &[f64], u: &[f64]) -> f64 {
-    let mut impulse = vec![0.0; u.len()];
-    for (row, x) in gauss.jacobian.iter().zip(x) {
-        row.iter().for_each(|&(j, value)| impulse[j] += value * x);
-    }
-    let square =
-        |&(j, _, m): &(usize, usize, f64)| m * (gauss.target[j] + impulse[j] / m - u[j]).powi(2);
+    let motion = motion(gauss, x);
+    let square = |&(j, _, m): &(usize, usize, f64)| m * (motion[j] - u[j]).powi(2);
     gauss.mass.iter().map(square).sum::<f64>().sqrt()
 }
 
@@ -245,9 +250,12 @@ fn known(kinds: std::ops::RangeInclusive<u8>) -> impl Strategy<Value = Known> {
 }
 
 fn moved(known: &Known, by: &[f64], size: f64) -> Vec<f64> {
-    (0..7)
-        .map(|i| (known.x[i] + size * by[i]).clamp(known.gauss.lo[i], known.gauss.hi[i]))
-        .collect()
+    let x: Vec<f64> = known.x.iter().zip(by).map(|(x, by)| x + size * by).collect();
+    within_bounds(&known.gauss, &x)
+}
+
+fn within_bounds(gauss: &Gauss, x: &[f64]) -> Vec<f64> {
+    (0..x.len()).map(|i| x[i].clamp(gauss.lo[i], gauss.hi[i])).collect()
 }
 
 proptest! {
@@ -261,6 +269,24 @@ proptest! {
         if let Ok(bound) = motion_bound(&known.gauss, &x) {
             let exact = distance(&known.gauss, &x, &known.u);
             prop_assert!(bound.energy_norm >= exact * (1.0 - 1e-12) - 1e-14, "{bound:?} {exact}");
+        }
+    }
+
+    #[test]
+    fn nor_is_that_of_an_x_beyond_its_bounds(
+        known in known(0..=3), by in proptest::collection::vec(-1.0f64..1.0, 7), decade in -2..6i32,
+    ) {
+        let size = 10f64.powi(-decade);
+        let x: Vec<f64> = known.x.iter().zip(&by).map(|(x, by)| x + size * by).collect();
+        if let Ok(bound) = motion_bound(&known.gauss, &x) {
+            let exact = distance(&known.gauss, &x, &known.u);
+            prop_assert!(bound.energy_norm >= exact * (1.0 - 1e-12) - 1e-14, "{bound:?} {exact}");
+            // What lies beyond the bounds costs its own motion, and no more.
+            let nearest = within_bounds(&known.gauss, &x);
+            let within = motion_bound(&known.gauss, &nearest).unwrap().energy_norm;
+            let beyond = distance(&known.gauss, &x, &motion(&known.gauss, &nearest));
+            let sum = within + beyond;
+            prop_assert!(bound.energy_norm <= sum * (1.0 + 1e-12) + 1e-12, "{bound:?} {sum}");
         }
     }
 

@@ -4,13 +4,15 @@ use lcplab_page::document::Format;
 use lcplab_problem::file::Problem;
 use lcplab_study::explain::{Method, problem};
 
+use super::question;
+
 #[test]
 fn a_move_to_the_middle_is_told_with_its_direction_and_its_ends() {
     // A = JJᵀ, J = (1 0; 1 0; 1 1). Rows 0 and 1 share x₀ + x₁ = 1. Row 2 has w = 1 − 1.8 then; x₀
     // falls as x₂ rises, and meets 0 at x₂ = ½, where x₁ = ½. Along (−1, 1, 0) the way is 0 and ½.
     let text = r#"{"A": {"dense": [[1, 1, 1], [1, 1, 1], [1, 1, 2]]}, "b": [-1, -1, -1.8]}"#;
     let read = Problem::parse(text, "shared.json").unwrap();
-    let document = problem(&read, &Method::named("dantzig").unwrap()).unwrap();
+    let document = problem(&question(&read), &Method::named("dantzig").unwrap()).unwrap();
     assert!(document.is_accepted);
     let text = document.written(Format::Text).unwrap();
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -1,11 +1,13 @@
 //! The laws of friction: each is posed as what it is.
 
 use lcplab_mechanics::scene::Scene;
+use lcplab_page::document::{Document, Format};
+use lcplab_problem::Question;
+use lcplab_problem::file::Problem;
 use lcplab_problem::friction::Model;
-use lcplab_study::explain::{Method, step};
+use lcplab_study::explain::{Method, problem, step};
 
 use super::sections;
-use lcplab_page::document::{Document, Format};
 
 fn modelled(scene: &str, model: Model, steps: usize) -> Document {
     let mut scene = Scene::load(scene).unwrap();
@@ -86,4 +88,60 @@ fn a_frozen_box_has_the_bounds_of_the_step_before() {
     let second = sections(&document, &["Step 2, velocity: friction in a frozen box"]);
     let quarter = "0.0460919 N s   [−0.0138276, 0.0138276] N s";
     assert_eq!(second.matches(quarter).count(), 8, "{second}");
+}
+
+/// A ball of 1 kg, pressed with 2 N s and pushed along both tangents with 3 N s; μ = ½, and a box
+/// frozen at x_n = 1.
+const PUSHED: &str = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, -3],
+    "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "frozen_at": [1, 0, 0], "model": "coulomb-cone",
+    "rows": [{"unit": "N s"}, {"unit": "N s"}, {"unit": "N s"}]}"#;
+
+/// What is explained of it, under a model or its own.
+fn pushed(model: Option<Model>) -> (Document, String) {
+    let read = Problem::parse(PUSHED, "pushed.json").unwrap();
+    let question = Question::new(&read, model, "pushed.json").unwrap();
+    let document = problem(&question, &Method::named("dantzig").unwrap()).unwrap();
+    let text = document.written(Format::Text).unwrap();
+    (document, text)
+}
+
+#[test]
+fn a_problem_file_is_explained_and_judged_under_its_own_model() {
+    // x_n = 2, and friction 1: along the diagonal in the disc, in both directions in the box; along
+    // it in polygons with such a corner, along both corners beside it in the one with four; ½ in
+    // the frozen box.
+    let half = |model| (Some(model), "0.5 N s");
+    for (model, friction) in [
+        (None, "(0.707107, 0.707107)"),
+        (Some(Model::CoulombCone), "(0.707107, 0.707107)"),
+        (Some(Model::AssociatedCone), "cone"),
+        (Some(Model::CoupledBox), "x₁ = 1 N s"),
+        half(Model::FrozenBox),
+        half(Model::Polyhedral { directions: 4 }),
+        (Some(Model::Polyhedral { directions: 8 }), "0.707107 N s"),
+    ] {
+        let (document, text) = pushed(model);
+        assert!(document.is_accepted, "{model:?}: {text}");
+        assert!(text.contains(friction), "{model:?}: {text}");
+        let name = model.unwrap_or(Model::CoulombCone).to_string();
+        assert!(document.lead.contains(&name), "{}", document.lead);
+    }
+    // Of a cone the judge's only verdict is about the cone.
+    let (document, text) = pushed(None);
+    assert_eq!(text.matches("The judge, who").count(), 1, "{text}");
+    assert!(document.title.contains("under coulomb-cone"), "{}", document.title);
+    assert!(text.contains("friction within cones") && text.contains("the box beside it"), "{text}");
+}
+
+#[test]
+fn the_unknowns_of_polygons_have_the_units_of_their_rows() {
+    let (_, text) = pushed(Some(Model::Polyhedral { directions: 4 }));
+    let line = |name: &str| text.lines().find(|line| line.contains(name)).unwrap_or_default();
+    let ends = |name: &str, units: &str| {
+        let line = line(name).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(line.ends_with(units), "{line}");
+    };
+    ends("x_n of row 0", "N s m/s");
+    ends("β at 0° of row 0", "N s m/s");
+    ends("γ of row 0", "m/s N s");
 }

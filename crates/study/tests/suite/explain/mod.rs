@@ -8,6 +8,7 @@ mod friction;
 
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_page::document::{Document, Format, Formula, SHOWN, Section};
+use lcplab_problem::Question;
 use lcplab_problem::file::Problem;
 use lcplab_study::explain::{Method, problem, step};
 
@@ -15,6 +16,11 @@ fn explained(scene: &str, level: Scheme, solver: &str) -> Document {
     let mut scene = Scene::load(scene).unwrap();
     scene.step.scheme = level;
     step(&scene, &Method::named(solver).unwrap(), 1).unwrap()
+}
+
+/// A problem under the model that it states.
+fn question(problem: &Problem) -> Question {
+    Question::new(problem, None, "problem").unwrap()
 }
 
 /// The sections with these words in their titles, as text.
@@ -41,7 +47,7 @@ fn a_problem_file_starts_at_a_and_b_with_the_units_it_states() {
     let text = r#"{"name": "pair <1>", "A": {"dense": [[2, -1], [-1, 2]]}, "b": [-1, 2],
         "rows": [{"label": "left", "unit": "N s"}, {"label": "right", "unit": "N s"}]}"#;
     let read = Problem::parse(text, "pair.json").unwrap();
-    let document = problem(&read, &Method::named("pgs").unwrap()).unwrap();
+    let document = problem(&question(&read), &Method::named("pgs").unwrap()).unwrap();
     assert!(document.is_accepted);
     let text = document.written(Format::Text).unwrap();
     for part in ["1 The LCP", "x₀ = 0.5 N s", "w₁ = 1.5 m/s", "1/kg", "0 left", "1 right"] {

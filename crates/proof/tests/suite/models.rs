@@ -1,0 +1,163 @@
+//! What is proved of a problem under a friction model, and what is not.
+
+use lcplab_problem::file::Problem;
+use lcplab_problem::friction::Model;
+use lcplab_problem::{Coupling, Lcp, Matrix, Question};
+use lcplab_proof::{Claim, Kind, Proof, Tree, canonical_bytes, check, hash, prove, prove_kind};
+use oorandom::Rand64;
+
+use super::{INF, problem, question};
+
+/// The models that are no boxes.
+const OTHERS: [Model; 5] = [
+    Model::Polyhedral { directions: 4 },
+    Model::Polyhedral { directions: 8 },
+    Model::Polyhedral { directions: 16 },
+    Model::AssociatedCone,
+    Model::CoulombCone,
+];
+
+/// Contacts of three rows each.
+fn contacts(a: &[f64], b: &[f64], mu: f64) -> Problem {
+    let n = b.len();
+    let is_normal = |i: usize| i.is_multiple_of(3);
+    let lo = (0..n).map(|i| if is_normal(i) { 0.0 } else { -INF }).collect();
+    let lcp = Lcp::new(Matrix::dense(n, a), b.to_vec(), lo, vec![INF; n]).unwrap();
+    let index = (0..n).map(|i| (!is_normal(i)).then_some(i - i % 3)).collect();
+    problem(&lcp.with_coupling(Coupling::new(index, vec![mu; n]).unwrap()).unwrap())
+}
+
+fn under(model: Model, problem: &Problem) -> Question {
+    Question::new(problem, Some(model), "contacts").unwrap()
+}
+
+/// A pushed ball, of which every model has a solution: one of the cone, (2, √½, √½), is none of the
+/// box, (2, 1, 1).
+fn pushed() -> Problem {
+    contacts(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], &[-2.0, -3.0, -3.0], 0.5)
+}
+
+#[test]
+fn the_boxs_answer_is_never_proved_of_another_model() {
+    let boxed = prove(&question(&pushed()), &[2.0, 1.0, 1.0]).proof.unwrap();
+    assert_eq!((boxed.claim.kind(), boxed.model), (Kind::Solution, Some(Model::CoupledBox)));
+    for model in OTHERS {
+        let asked = under(model, &pushed());
+        for kind in Kind::ALL {
+            let found = prove_kind(&asked, &[2.0, 1.0, 1.0], kind);
+            assert_eq!(found.proof, None, "{model}, {kind}");
+            if kind != Kind::NoSolution {
+                let reason = &found.missing[0].1;
+                assert!(
+                    reason.contains(&model.to_string()) && reason.contains("boxes"),
+                    "{reason}"
+                );
+            }
+        }
+        // Not even with the other model's name and hash on it.
+        for (model, problem) in [
+            (boxed.model, boxed.problem.clone()),
+            (Some(model), boxed.problem.clone()),
+            (boxed.model, hash(&asked)),
+            (Some(model), hash(&asked)),
+        ] {
+            assert!(check(&asked, &Proof { problem, model, ..boxed.clone() }).is_err());
+        }
+    }
+}
+
+#[test]
+fn a_vector_of_normal_rows_shows_under_every_model_that_no_solution_exists() {
+    // w_n = −1 − x_n, whatever friction does.
+    let subject = contacts(&[-1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], &[-1.0, 0.0, 0.0], 0.5);
+    for model in OTHERS.into_iter().chain([Model::CoupledBox]) {
+        let asked = under(model, &subject);
+        let proof = prove(&asked, &[0.0; 3]).proof.unwrap();
+        assert!(matches!(proof.claim, Claim::NoSolution { tree: Tree::Leaf(_) }), "{proof:?}");
+        let text = proof.to_json().to_string();
+        let read = Proof::parse(&text, "proof.json").unwrap();
+        assert_eq!((&read, check(&asked, &read)), (&proof, Ok(())), "{text}");
+        let sentence = proof.sentence();
+        assert!(sentence.ends_with(&format!("under the friction model {model}")), "{sentence}");
+    }
+}
+
+#[test]
+fn of_a_problem_that_was_made_from_its_solution_it_is_never_proved_that_it_has_none() {
+    // μ = 1, and x_n = 5 of each contact: of the cones x_t = (3, 4) slides along (−3, −4), of
+    // polygons x_t = (3, 2) along (−1, −1); or x_t sticks within.
+    let mut random = Rand64::new(47);
+    let mut disproved = 0;
+    for round in 0..400 {
+        let n = 3 * (1 + round % 2);
+        let mut number =
+            |most: i64| (random.rand_range(0..(2 * most + 1) as u64) as i64 - most) as f64;
+        let a: Vec<f64> = (0..n * n).map(|_| number(3)).collect();
+        for model in [OTHERS[0], Model::AssociatedCone, Model::CoulombCone] {
+            let (mut x, mut w) = (Vec::new(), Vec::new());
+            for _ in 0..n / 3 {
+                let slip = number(1).abs();
+                let lift = if model == Model::AssociatedCone { 5.0 * slip } else { 0.0 };
+                match (number(1), model) {
+                    (1.0, _) => (x.extend([0.0; 3]), w.extend([8.0, 0.0, 0.0])),
+                    (_, Model::Polyhedral { .. }) => {
+                        (x.extend([5.0, 3.0, 2.0]), w.extend([0.0, -slip, -slip]))
+                    }
+                    _ => (x.extend([5.0, 3.0, 4.0]), w.extend([lift, -3.0 * slip, -4.0 * slip])),
+                };
+            }
+            let product = |i: usize| (0..n).map(|j| a[i * n + j] * x[j]).sum::<f64>();
+            let b: Vec<f64> = (0..n).map(|i| w[i] - product(i)).collect();
+            let subject = contacts(&a, &b, 1.0);
+            let found = prove(&under(model, &subject), &vec![0.0; n]);
+            assert_eq!(found.proof, None, "{model} {subject:?}");
+            let boxed = prove(&question(&subject), &vec![0.0; n]).proof.unwrap();
+            disproved += usize::from(boxed.claim.kind() == Kind::NoSolution);
+        }
+    }
+    assert!(disproved > 0); // where the box has no solution, and this one has
+}
+
+#[test]
+fn a_polygon_with_a_solution_is_not_refuted_by_the_box_that_has_none() {
+    // x = (5, 3, 2) slides: 3 + 2 = μ 5, w = (0, −½, −½). Of the box five cases show that there is
+    // no solution.
+    let a = [18.0, -18.0, -12.0, -18.0, 18.0, 12.0, -12.0, 12.0, 10.0];
+    let subject = contacts(&a, &[-12.0, 11.5, 3.5], 1.0);
+    let boxed = prove(&question(&subject), &[5.0, 3.0, 2.0]).proof.unwrap();
+    assert_eq!(boxed.claim.kind(), Kind::NoSolution);
+    let asked = under(Model::Polyhedral { directions: 4 }, &subject);
+    assert_eq!(prove(&asked, &[5.0, 3.0, 2.0]).proof, None);
+    let renamed =
+        Proof { problem: hash(&asked), model: Some(Model::Polyhedral { directions: 4 }), ..boxed };
+    assert!(check(&asked, &renamed).unwrap_err().contains("cases"));
+}
+
+#[test]
+fn a_frozen_box_is_proved_as_the_box_that_it_is() {
+    // |x_t| ≤ ½ · 1: both tangents at their bound, while x_n = 2.
+    let subject = Problem { frozen_at: Some(vec![1.0, 0.0, 0.0]), ..pushed() };
+    let asked = under(Model::FrozenBox, &subject);
+    let proof = prove(&asked, &[2.0, 0.5, 0.5]).proof.unwrap();
+    assert_eq!((proof.claim.kind(), proof.model), (Kind::Unique, Some(Model::FrozenBox)));
+    let text = proof.to_json().to_string();
+    assert_eq!(check(&asked, &Proof::parse(&text, "proof.json").unwrap()), Ok(()), "{text}");
+    assert!(check(&question(&pushed()), &proof).is_err());
+}
+
+#[test]
+fn the_hash_covers_the_model_and_what_it_is_frozen_at() {
+    let frozen = |x_n: f64| Problem { frozen_at: Some(vec![x_n, 7.0, 7.0]), ..pushed() };
+    let mut hashes: Vec<String> =
+        OTHERS.into_iter().map(|model| hash(&under(model, &pushed()))).collect();
+    hashes.extend([1.0, 2.0].map(|x_n| hash(&under(Model::FrozenBox, &frozen(x_n)))));
+    hashes.push(hash(&question(&pushed())));
+    hashes.sort();
+    hashes.dedup();
+    assert_eq!(hashes.len(), OTHERS.len() + 3);
+    // The coupled box is what a problem without a model is.
+    assert_eq!(hash(&under(Model::CoupledBox, &frozen(1.0))), hash(&question(&pushed())));
+    let [plain, cone] = [Model::CoupledBox, Model::CoulombCone]
+        .map(|model| canonical_bytes(&under(model, &pushed())));
+    assert_eq!(cone, [&plain[..], &[0, 0, 0, 12], b"coulomb-cone"].concat());
+}

@@ -1,0 +1,122 @@
+//! `prove`, `check` and `explain` of files that state a friction model, and proofs that prove
+//! nothing.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use super::{err, out, run};
+
+/// A ball pushed along both tangents: (2, √½, √½) in the cone, (2, 1, 1) in the coupled box.
+const CONE: &str = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, -3],
+    "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5], "model": "coulomb-cone"}"#;
+
+/// A folder with a problem file, and the path of a proof in it.
+fn folder(problem: &str) -> (tempfile::TempDir, PathBuf, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let [file, proof] = ["problem.json", "proof.json"].map(|name| folder.path().join(name));
+    fs::write(&file, problem).unwrap();
+    (folder, file, proof)
+}
+
+fn lcplab(command: &str, paths: &[&Path], options: &[&str]) -> Output {
+    let paths = paths.iter().map(|path| path.to_str().unwrap());
+    run(&[command].into_iter().chain(paths).chain(options.iter().copied()).collect::<Vec<_>>())
+}
+
+fn lcpcheck(paths: &[&Path], model: &[&str]) -> Output {
+    let checker = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/lcpcheck.py");
+    Command::new("python3").arg(checker).args(paths).args(model).output().unwrap()
+}
+
+#[test]
+fn a_cone_is_not_proved_as_a_box_unless_the_box_is_asked_for() {
+    let (_folder, problem, proof) = folder(CONE);
+    let write = ["--out", proof.to_str().unwrap()];
+    for kind in [&[][..], &["--kind", "solution"], &["--kind", "within"]] {
+        let refused = lcplab("prove", &[&problem], &[&write[..], kind].concat());
+        assert_eq!((refused.status.code(), proof.exists()), (Some(2), false), "{}", out(&refused));
+        for part in ["model: is coulomb-cone", "about boxes", "--model coupled-box"] {
+            assert!(err(&refused).contains(part), "{}", err(&refused));
+        }
+    }
+    let asked = lcplab("prove", &[&problem], &[&write[..], &["--model", "coupled-box"]].concat());
+    assert_eq!(asked.status.code(), Some(0), "{}", err(&asked));
+    assert!(out(&asked).contains("under the friction model coupled-box"), "{}", out(&asked));
+    // It is a proof of the box, and none of the file.
+    let paths = [&*problem, &*proof];
+    for (output, expected) in [
+        (lcplab("check", &paths, &[]), 1),
+        (lcpcheck(&paths, &[]), 1),
+        (lcplab("check", &paths, &["--model", "coupled-box"]), 0),
+        (lcpcheck(&paths, &["coupled-box"]), 0),
+    ] {
+        assert_eq!(output.status.code(), Some(expected), "{}", out(&output));
+        assert!(out(&output).contains("model"), "{}", out(&output));
+    }
+}
+
+#[test]
+fn that_no_solution_exists_is_proved_under_every_model_where_one_vector_shows_it() {
+    // w_n = −1 − x_n
+    let text = CONE.replace("[[1, 0, 0]", "[[-1, 0, 0]").replace("[-2, ", "[-1, ");
+    let (_folder, problem, proof) = folder(&text);
+    let proved = lcplab("prove", &[&problem], &["--out", proof.to_str().unwrap()]);
+    assert_eq!(proved.status.code(), Some(0), "{}", err(&proved));
+    let claim = "no solution exists, by one vector, under the friction model coulomb-cone";
+    assert!(out(&proved).contains(claim), "{}", out(&proved));
+    for output in [lcplab("check", &[&problem, &proof], &[]), lcpcheck(&[&problem, &proof], &[])] {
+        assert_eq!(output.status.code(), Some(0), "{}", out(&output));
+        assert!(out(&output).contains("coulomb-cone"), "{}", out(&output));
+    }
+}
+
+#[test]
+fn a_page_of_a_proof_holds_the_problem_under_the_model_that_was_asked_for() {
+    let (folder, problem, _) = folder(CONE);
+    let page = folder.path().join("proof.html");
+    let options = ["--model", "coupled-box", "--out", page.to_str().unwrap()];
+    assert_eq!(lcplab("prove", &[&problem], &options).status.code(), Some(0));
+    let text = fs::read_to_string(page).unwrap().replace("&quot;", "\"");
+    assert!(text.contains(r#""model":"coupled-box""#) && !text.contains("coulomb-cone\""));
+}
+
+#[test]
+fn a_cone_is_explained_as_a_cone_and_judged_as_one() {
+    let (_folder, problem, _) = folder(CONE);
+    let cone = lcplab("explain", &[&problem], &[]);
+    assert_eq!(cone.status.code(), Some(0), "{}", err(&cone));
+    for part in ["The friction model is coulomb-cone.", "(0.707107, 0.707107)", "the box beside it"]
+    {
+        assert!(out(&cone).contains(part), "{part} in {}", out(&cone));
+    }
+    let boxed = lcplab("explain", &[&problem], &["--model", "coupled-box"]);
+    assert!(out(&boxed).contains("x = (2, 1, 1)"), "{}", out(&boxed));
+}
+
+#[test]
+fn a_negative_distance_bound_or_residual_is_bad_input_in_one_line() {
+    let (_folder, problem, proof) = folder(r#"{"A": {"dense": [[2]]}, "b": [-1]}"#);
+    let hash = "648314a8cb7843f1eee098ca3be4e42c2a841353525801c2703e87d95819ee84";
+    let half = r#""x": {"denominator": "2", "numerators": ["1"]}"#;
+    let motion = r#""motion": {"denominator": "1", "numerators": []}"#;
+    for (place, claim) in [
+        ("distance", format!(r#""kind": "solution", {half}, "answer": [0.5], "distance": -1.0"#)),
+        ("distance", format!(r#""kind": "solution", {half}, "answer": [0.5], "distance": -5e-324"#)),
+        ("bound", format!(r#""kind": "motion", "answer": [0.5], {motion}, "bound": -1"#)),
+        (
+            "residual",
+            r#""kind": "within", "answer": [0.5], "residual": {"numerator": "-1", "denominator": "2"}"#
+                .to_string(),
+        ),
+    ] {
+        let text = format!(r#"{{"format": "lcplab-proof-1", "problem": "{hash}", {claim}}}"#);
+        fs::write(&proof, text).unwrap();
+        let refused = lcplab("check", &[&problem, &proof], &[]);
+        assert_eq!(refused.status.code(), Some(2), "{}", out(&refused));
+        let message = err(&refused);
+        assert!(message.contains(place) && message.contains("negative"), "{message}");
+        assert_eq!(message.trim_end().lines().count(), 1, "{message}");
+        assert_eq!(lcpcheck(&[&problem, &proof], &[]).status.code(), Some(1));
+    }
+}
