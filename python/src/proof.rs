@@ -1,7 +1,6 @@
 //! Proofs as JSON.
 
 use lcplab::error::Error;
-use lcplab::lcp::Question;
 use lcplab::proof::{self, Found, Kind};
 use lcplab::report::answer::first_answer;
 use numpy::PyReadonlyArray1;

@@ -12,7 +12,7 @@ use lcplab::report::friction::{self, Judged};
 use lcplab::report::study::families::{self, Contender, Models};
 use lcplab::report::{methods, text, view};
 use lcplab::solver::{
-    Answered, Entry, Method, Observer, Options, Settings, Solution, Start, Stop, default_for,
+    Answered, Entry, Observer, Options, Settings, Solution, Start, Stop, default_for,
     solve_boxed_by_sequence,
 };
 use lcplab::trace::Convergence;

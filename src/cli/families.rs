@@ -88,7 +88,9 @@ impl CompareSolvers {
             ));
         }
         self.check_models(&problems)?;
-        for (name, reason) in problems.iter().filter(|_| self.model.is_empty()).filter_map(only_boxed) {
+        for (name, reason) in
+            problems.iter().filter(|_| self.model.is_empty()).filter_map(only_boxed)
+        {
             say(&format!("note: {name}: compared as a coupled box alone, for it {reason}"));
         }
         let plugins = self.plugins.start()?;
@@ -157,7 +159,9 @@ impl CompareSolvers {
     /// # Errors
     /// If a problem cannot be stated under the model that its own file names.
     fn check_models(&self, problems: &[(String, Vec<Problem>)]) -> Result<()> {
-        for (name, problem) in problems.iter().flat_map(|(name, all)| all.iter().map(move |p| (name, p))) {
+        for (name, problem) in
+            problems.iter().flat_map(|(name, all)| all.iter().map(move |p| (name, p)))
+        {
             let own = problem.model.iter().filter(|_| self.model.is_empty());
             // Tangents that are no pairs are a coupled box and nothing else.
             let is_open = |model: &&Model| **model != Model::CoupledBox;

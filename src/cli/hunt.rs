@@ -113,8 +113,7 @@ impl Challenge {
         stop: &Stop,
         tick: &(dyn Fn() + Sync),
     ) -> Result<Record> {
-        let hunt =
-            Hunt { problems: self.problems, seed: self.seed, tolerance: self.tolerance };
+        let hunt = Hunt { problems: self.problems, seed: self.seed, tolerance: self.tolerance };
         if let Some(model) = self.model {
             let methods: Vec<Method> = match names {
                 [] => methods::all().into_iter().filter(|m| m.takes(Some(model))).collect(),

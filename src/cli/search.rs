@@ -125,8 +125,7 @@ impl Quarry {
             let (tried, solved) = (searched.evaluations, searched.solved);
             print(&match json {
                 true => {
-                    let object =
-                        json!({ "found": false, "evaluations": tried, "solved": solved });
+                    let object = json!({ "found": false, "evaluations": tried, "solved": solved });
                     format!("{object}\n")
                 }
                 false => format!(

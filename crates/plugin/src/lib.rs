@@ -216,7 +216,8 @@ impl Program {
         start: &Start<'_>,
         settings: &Settings,
     ) -> std::result::Result<Answer, String> {
-        let request = message::request(lcp, model, start, settings, &self.settings, self.time_limit);
+        let request =
+            message::request(lcp, model, start, settings, &self.settings, self.time_limit);
         let mut process = self.process.lock().unwrap_or_else(PoisonError::into_inner);
         let longest = message::longest(lcp.len());
         let ask = |mut running: Process| match running.ask(&request, longest, self.time_limit) {

@@ -2,12 +2,13 @@
 
 use dashu_ratio::RBig;
 
+use lcplab_judge::cases::Tree;
 use lcplab_problem::exact::dyadic::{Dyadic, dyadic, rational, whole};
 use lcplab_problem::exact::{Exact, Point};
 use lcplab_problem::friction::Model;
 use lcplab_problem::{Gauss, Lcp, Question};
 
-use crate::claim::{Bounded, Claim, Entry, Kind, Near, Proof, Reason, Tree, Vector};
+use crate::claim::{Bounded, Claim, Entry, Kind, Near, Proof, Reason, Vector};
 use crate::hash::{model, rows};
 use crate::motion::{NO_BODIES, Squares};
 use crate::{cases, hash, minors, residual};

@@ -123,9 +123,8 @@ impl<'a> Prover<'a> {
             return Err(about_boxes(kind, model(self.question)));
         }
         let lcp = rows(self.question);
-        let refuting = || {
-            refuting_vector(lcp, &[self.answer]).map(|farkas| integers(&farkas.vector))
-        };
+        let refuting =
+            || refuting_vector(lcp, &[self.answer]).map(|farkas| integers(&farkas.vector));
         let vector = cases::single_vector(lcp).or_else(refuting);
         let vector =
             vector.ok_or("no single vector shows it, as it would for every friction model")?;

@@ -98,7 +98,8 @@ impl Method {
                 }
             }
             (Method::Boxed(entry), Some(Model::CoupledBox)) => {
-                let reason = "it takes no bounds that depend on another row's x, as coupled-box has";
+                let reason =
+                    "it takes no bounds that depend on another row's x, as coupled-box has";
                 (!entry.class.coupling).then(|| reason.into())
             }
             (Method::Boxed(_), None | Some(Model::FrozenBox)) => None,

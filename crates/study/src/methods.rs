@@ -76,8 +76,7 @@ fn refusal(name: &str, model: Option<Model>) -> Option<String> {
 
 /// Why none of these methods is made for a model; `None` if one of them is.
 pub fn why_none_takes(methods: &[Method], model: Option<Model>) -> Option<String> {
-    let refusals: Vec<String> =
-        methods.iter().map_while(|method| method.refusal(model)).collect();
+    let refusals: Vec<String> = methods.iter().map_while(|method| method.refusal(model)).collect();
     let all_refuse = !methods.is_empty() && refusals.len() == methods.len();
     all_refuse.then(|| refusals.into_iter().next()).flatten()
 }

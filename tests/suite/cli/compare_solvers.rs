@@ -70,7 +70,10 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
     let (rows, code, told) = compare(&["stack", "--solver", "cone-pgs"]);
     let reason = "not asked: it is made for friction cones, and the problem has none";
     let row = &rows[0];
-    assert_eq!((rows.len(), &row["solver"], &row["trouble"]), (1, &"cone-pgs".into(), &reason.into()));
+    assert_eq!(
+        (rows.len(), &row["solver"], &row["trouble"]),
+        (1, &"cone-pgs".into(), &reason.into())
+    );
     assert_eq!((&row["outside"], &row["claimed"]), (&row["problems"], &0.into()));
     assert_eq!(code, Some(1));
     assert!(told.contains("failed: cone-pgs solves none of"), "{told}");
@@ -94,7 +97,8 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
 #[test]
 fn a_requirement_is_met_or_the_exit_code_is_1() {
     let compare = |arguments: &[&str]| {
-        let output = run(&[&["compare-solvers", "--solver", "dantzig", "--json"], arguments].concat());
+        let output =
+            run(&[&["compare-solvers", "--solver", "dantzig", "--json"], arguments].concat());
         (output.status.code(), err(&output))
     };
     let required = |families: &[&str], demand: &str| {
@@ -109,7 +113,8 @@ fn a_requirement_is_met_or_the_exit_code_is_1() {
     assert_eq!(required(&["pd", "murty"], "dantzig:1").0, Some(0));
     assert_eq!(required(&["pd", "murty"], "dantzig:99").0, Some(1));
     let (code, told) = required(&["pd"], "lemke");
-    let reason = "error: options: --require-accepted: lemke is not among the solvers of this comparison\n";
+    let reason =
+        "error: options: --require-accepted: lemke is not among the solvers of this comparison\n";
     assert_eq!((code, told.as_str()), (Some(2), reason));
     assert_eq!(required(&["pd"], "dantzig:many").0, Some(2));
 }

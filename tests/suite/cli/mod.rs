@@ -16,8 +16,8 @@ mod links;
 mod mistake;
 mod plugin;
 mod problem_set;
-mod readme;
 mod proof;
+mod readme;
 mod report;
 mod scene;
 #[cfg(target_os = "linux")] // /proc says whether a process listens

@@ -61,8 +61,7 @@ fn a_folder_of_problems_shows_which_claims_are_wrong_and_in_which_row() {
 }
 
 /// A solver of friction cones, of the documentation too.
-const CONES: &str =
-    concat!("python3 '", env!("CARGO_MANIFEST_DIR"), "/examples/plugins/cones.py'");
+const CONES: &str = concat!("python3 '", env!("CARGO_MANIFEST_DIR"), "/examples/plugins/cones.py'");
 
 /// A mass of 1, pressed with 2 and pushed with 3 along both tangents, µ = ½: friction takes 1 of it, along (1, 1)/√2.
 const CONE: &str = r#"{"A": {"dense": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}, "b": [-2, -3, -3],
@@ -81,7 +80,10 @@ fn file(text: &str) -> (tempfile::TempDir, String) {
 fn a_plug_in_for_cones_solves_a_cone_and_is_compared() {
     let (_folder, cone) = file(CONE);
     let (answer, code) = told(&["solve", &cone, "--plugin", CONES]);
-    assert_eq!((&answer["solver"], &answer["model"], code), (&"cones".into(), &"coulomb-cone".into(), Some(0)));
+    assert_eq!(
+        (&answer["solver"], &answer["model"], code),
+        (&"cones".into(), &"coulomb-cone".into(), Some(0))
+    );
     let x: Vec<f64> = answer["x"].as_array().unwrap().iter().filter_map(Value::as_f64).collect();
     for (x, exact) in x.iter().zip([2.0, 0.5f64.sqrt(), 0.5f64.sqrt()]) {
         assert!((x - exact).abs() < 1e-9, "{answer}");
@@ -92,8 +94,22 @@ fn a_plug_in_for_cones_solves_a_cone_and_is_compared() {
     let solved: Vec<_> = rows.iter().map(|row| (&row["solver"], &row["accepted"])).collect();
     assert_eq!(solved, [(&"cone-pgs".into(), &1.into()), (&"cones".into(), &1.into())]);
     assert_eq!(code, Some(0));
-    let simulated = told(&["simulate", "sliding", "--steps", "3", "--model", "coulomb-cone", "--plugin", CONES]);
-    assert_eq!((&simulated.0["solver"], simulated.1), (&"cones".into(), Some(0)), "{}", simulated.0);
+    let simulated = told(&[
+        "simulate",
+        "sliding",
+        "--steps",
+        "3",
+        "--model",
+        "coulomb-cone",
+        "--plugin",
+        CONES,
+    ]);
+    assert_eq!(
+        (&simulated.0["solver"], simulated.1),
+        (&"cones".into(), Some(0)),
+        "{}",
+        simulated.0
+    );
 }
 
 #[test]
@@ -102,19 +118,44 @@ fn a_plug_in_for_boxes_never_gets_a_cone_and_says_so() {
     let reason = "it does not say that it takes coulomb-cone";
     let output = run(&["solve", &cone, "--plugin", SWEEPS]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).starts_with(&format!("error: solver sweeps: model: {reason}")), "{}", err(&output));
-    let (table, code) = told(&["compare-solvers", &cone, "--solver", "cone-pgs", "--plugin", SWEEPS]);
+    assert!(
+        err(&output).starts_with(&format!("error: solver sweeps: model: {reason}")),
+        "{}",
+        err(&output)
+    );
+    let (table, code) =
+        told(&["compare-solvers", &cone, "--solver", "cone-pgs", "--plugin", SWEEPS]);
     let row = &table["rows"][1];
     assert_eq!(row["solver"], "sweeps");
     assert_eq!(row["trouble"], format!("not asked: {reason}"));
     assert_eq!((&row["claimed"], &row["accepted"], code), (&0.into(), &0.into(), Some(1)));
-    let (table, code) = told(&["compare", "sliding", "--steps", "1", "--model", "coulomb-cone", "--scheme", "velocity",
-        "--solver", "cone-pgs", "--plugin", SWEEPS]);
-    assert_eq!(table["comparison"]["left_out"], serde_json::json!([{ "solver": "sweeps", "reason": reason }]));
+    let (table, code) = told(&[
+        "compare",
+        "sliding",
+        "--steps",
+        "1",
+        "--model",
+        "coulomb-cone",
+        "--scheme",
+        "velocity",
+        "--solver",
+        "cone-pgs",
+        "--plugin",
+        SWEEPS,
+    ]);
+    assert_eq!(
+        table["comparison"]["left_out"],
+        serde_json::json!([{ "solver": "sweeps", "reason": reason }])
+    );
     assert_eq!((table["comparison"]["runs"].as_array().map(Vec::len), code), (Some(1), Some(0)));
-    let alone = run(&["compare", "sliding", "--steps", "1", "--model", "coulomb-cone", "--solver", "pgs"]);
+    let alone =
+        run(&["compare", "sliding", "--steps", "1", "--model", "coulomb-cone", "--solver", "pgs"]);
     assert_eq!(alone.status.code(), Some(1), "{}", err(&alone));
-    assert!(out(&alone).contains("not asked: it is made for boxes, not for coulomb-cone"), "{}", out(&alone));
+    assert!(
+        out(&alone).contains("not asked: it is made for boxes, not for coulomb-cone"),
+        "{}",
+        out(&alone)
+    );
 }
 
 #[test]
@@ -126,12 +167,20 @@ fn a_solver_of_cones_is_hunted_under_its_model() {
     assert!(found["solved"].as_u64().unwrap() > 50, "{found}");
     let table = run(&[&["hunt", "--problems", "40", "--plugin", CONES], &model[..]].concat());
     assert_eq!(table.status.code(), Some(0), "{}", out(&table));
-    assert!(out(&table).contains("40 problems with friction under coulomb-cone"), "{}", out(&table));
+    assert!(
+        out(&table).contains("40 problems with friction under coulomb-cone"),
+        "{}",
+        out(&table)
+    );
     // A file states its model, and the hunt keeps to it.
     let (_folder, cone) = file(CONE);
     let output = run(&[&search[..], &["--from", &cone, "--plugin", SWEEPS]].concat());
     assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).contains("it does not say that it takes coulomb-cone"), "{}", err(&output));
+    assert!(
+        err(&output).contains("it does not say that it takes coulomb-cone"),
+        "{}",
+        err(&output)
+    );
 }
 
 /// A plug-in of these lines, and its folder.
@@ -153,17 +202,33 @@ fn a_plug_in_that_solves_nothing_passes_no_gate() {
         ("dies", "print('{\"x\": [1]}' if n == 1 else [][1], flush=True)", "IndexError"),
     ] {
         let (_folder, command) = script(name, answer);
-        let compare = ["compare-solvers", "pd", "stack", "--solver", "dantzig", "--plugin", &command];
+        let compare =
+            ["compare-solvers", "pd", "stack", "--solver", "dantzig", "--plugin", &command];
         let output = run(&compare);
         assert_eq!(output.status.code(), Some(1), "{name}");
         let failed = err(&output);
         assert!(failed.contains(&format!("failed: {name} solves none of")), "{failed}");
         assert!(failed.contains(reason), "{failed}");
-        let hunt = ["hunt", "--plugin", &command, "--measure", "lie", "--n", "2..4", "--evaluations", "60"];
+        let hunt = [
+            "hunt",
+            "--plugin",
+            &command,
+            "--measure",
+            "lie",
+            "--n",
+            "2..4",
+            "--evaluations",
+            "60",
+        ];
         let output = run(&hunt);
         assert_eq!(output.status.code(), Some(1), "{name}: {}", out(&output));
-        assert!(err(&output).contains(&format!("failed: {name} solves none of 60")), "{}", err(&output));
-        let table = run(&["hunt", "--plugin", &command, "--problems", "5", "--model", "coupled-box"]);
+        assert!(
+            err(&output).contains(&format!("failed: {name} solves none of 60")),
+            "{}",
+            err(&output)
+        );
+        let table =
+            run(&["hunt", "--plugin", &command, "--problems", "5", "--model", "coupled-box"]);
         assert_eq!(table.status.code(), Some(1), "{name}: {}", out(&table));
     }
 }
@@ -185,7 +250,16 @@ fn what_is_found_shows_the_plug_ins_own_answer_and_the_right_one() {
     print(json.dumps({'x': x}), flush=True)";
     let (folder, command) = script("root", answer);
     let file = folder.path().join("bug.json");
-    let hunt = ["hunt", "--plugin", &command, "--measure", "lie", "--friction", "--out", file.to_str().unwrap()];
+    let hunt = [
+        "hunt",
+        "--plugin",
+        &command,
+        "--measure",
+        "lie",
+        "--friction",
+        "--out",
+        file.to_str().unwrap(),
+    ];
     let (found, code) = told(&hunt);
     assert_eq!((&found["found"], code), (&Value::Bool(true), Some(1)));
     let vector = |value: &Value| -> Vec<f64> {
@@ -211,10 +285,13 @@ fn what_is_found_shows_the_plug_ins_own_answer_and_the_right_one() {
 #[test]
 fn a_start_that_is_not_of_the_class_is_refused() {
     let (_folder, path) = file(r#"{"A": {"dense": [[1, 2], [2, 1]]}, "b": [-1, -1]}"#);
-    let hunt = ["hunt", "--solver", "pgs", "--measure", "lie", "--from", &path, "--evaluations", "20"];
+    let hunt =
+        ["hunt", "--solver", "pgs", "--measure", "lie", "--from", &path, "--evaluations", "20"];
     let output = run(&[&hunt[..], &["--class", "semidefinite"]].concat());
     assert_eq!(output.status.code(), Some(2));
-    let reason = format!("error: start: {path}: A is not symmetric positive semidefinite, even allowing for rounding\n");
+    let reason = format!(
+        "error: start: {path}: A is not symmetric positive semidefinite, even allowing for rounding\n"
+    );
     assert_eq!(err(&output), reason);
     let output = run(&hunt);
     assert!(err(&output).contains("the search keeps to no class"), "{}", err(&output));

@@ -229,7 +229,8 @@ fn energy_and_overlaps_that_no_residual_shows_are_warnings_of_simulate_and_diagn
 
 #[test]
 fn a_healthy_scene_has_no_warning() {
-    let summary: Value = serde_json::from_str(&out(&run(&["simulate", "stack", "--json"]))).unwrap();
+    let summary: Value =
+        serde_json::from_str(&out(&run(&["simulate", "stack", "--json"]))).unwrap();
     assert_eq!(summary["warnings"], serde_json::json!([]));
     assert!(summary["first_passage"].is_null());
 }

@@ -208,8 +208,7 @@ impl Simulation {
             |acts: &Vec<Act>| Ledger::of(&self.scene, &self.states, &solves, acts, &states);
         let ledger = acts.as_ref().map(account);
         let laws = Laws::of(&self.states, &solves, ledger.as_ref());
-        let impact_energy =
-            ImpactEnergy::of(&self.scene, &self.states, &solves, acts.as_deref());
+        let impact_energy = ImpactEnergy::of(&self.scene, &self.states, &solves, acts.as_deref());
         let passages = self.detector.passages(&self.scene, &self.states, &states);
         let of_passage =
             |passage: &Passage| Interpenetration::passed(&self.scene, &states, passage);

@@ -1,7 +1,9 @@
 //! A simulation as its scene states it: which solver, with which settings.
 
 use lcplab_problem::error::{Error, Result};
-use lcplab_solver::{Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name, nameable};
+use lcplab_solver::{
+    Damping, Dantzig, Method, Options, Order, Settings, Solver, by_name, nameable,
+};
 
 use super::{Simulation, Step};
 use crate::formulation::Problem;

@@ -33,8 +33,7 @@ fn a_plug_in_that_names_a_cone_gets_its_model_and_its_contacts() {
     let entry = cone_entry(plugin.name()).expect("a solver of cones");
     assert_eq!(entry.laws, [Law::Coulomb]);
     let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 30.0), Law::Coulomb);
-    let solution =
-        (entry.build)(&Settings::default()).solve(&problem, &Start::default(), &mut ());
+    let solution = (entry.build)(&Settings::default()).solve(&problem, &Start::default(), &mut ());
     assert_eq!((solution.x, solution.status), (vec![1.0, 0.0, 0.0], Status::Solved));
     let told = std::fs::read_to_string(script.path("cones.py.json")).unwrap();
     let told: Value = serde_json::from_str(&told).unwrap();
@@ -72,7 +71,9 @@ fn models_that_a_plug_in_cannot_get_are_refused_at_the_start() {
     };
     let polygon = refusal("polygons", "['polygon-8']");
     let reason = "name polygon-8: a plug-in gets boxes, associated-cone and coulomb-cone";
-    assert!(polygon.starts_with("plug-in polygons: start: its \"models\"") && polygon.ends_with(reason));
+    assert!(
+        polygon.starts_with("plug-in polygons: start: its \"models\"") && polygon.ends_with(reason)
+    );
     let unknown = refusal("unknown", "['cone']");
     assert!(unknown.contains("there is no model of friction named \"cone\""), "{unknown}");
     assert!(refusal("word", "'coulomb-cone'").ends_with("\"models\" is no list of words"));

@@ -48,7 +48,10 @@ fn a_method_that_does_not_take_a_model_says_why() {
     assert_eq!(why("pgs", polygon), "it divides by the diagonal, and polygon-8 has zeros there");
     let definite = why("dantzig", polygon);
     assert!(definite.starts_with("it is made for A symmetric positive"), "{definite}");
-    assert_eq!(why("lemke", Some(Model::CoulombCone)), "it is made for boxes, not for coulomb-cone");
+    assert_eq!(
+        why("lemke", Some(Model::CoulombCone)),
+        "it is made for boxes, not for coulomb-cone"
+    );
     let none = "it is made for friction cones, and the problem has none";
     assert_eq!(why("cone-pgs", None), none);
     let boxes = why("cone-pgs", Some(Model::CoupledBox));

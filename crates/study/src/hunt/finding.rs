@@ -3,11 +3,11 @@
 use dashu_ratio::RBig;
 use serde_json::json;
 
+use lcplab_problem::Question;
 use lcplab_problem::exact::all_solutions;
 use lcplab_problem::file::{Expected, Problem, number};
 use lcplab_problem::friction::{Contact, Model};
 use lcplab_problem::number::readable;
-use lcplab_problem::{Lcp, Question};
 use lcplab_solver::{Group, MatrixClass, Settings, Solution, Status};
 
 use super::measure::{Measure, Trial};
@@ -90,9 +90,8 @@ impl Finding {
         if self.answer.is_none() && self.right.is_none() {
             return String::new();
         }
-        let column = |x: Option<&[f64]>, i: usize| {
-            x.map_or("–".to_string(), |x| readable(x[i], DIGITS))
-        };
+        let column =
+            |x: Option<&[f64]>, i: usize| x.map_or("–".to_string(), |x| readable(x[i], DIGITS));
         let (own, right) = (self.answer.as_deref(), self.right.as_ref());
         let title = format!("x of {}", self.solver);
         let width = title.chars().count().max(15);
@@ -214,25 +213,23 @@ fn truth(solutions: &[Vec<RBig>], is_unique: bool) -> String {
 }
 
 /// A test that fails as long as the solver does what was found; of a plug-in, a command.
-fn test(
-    problem: &Problem,
-    trial: &Trial,
-    catch: &Catch,
-    right: Option<&RightAnswer>,
-) -> String {
+fn test(problem: &Problem, trial: &Trial, catch: &Catch, right: Option<&RightAnswer>) -> String {
     let Settings { max_iterations: most, tolerance, .. } = trial.options.settings;
     let is_usual = tolerance == Settings::default().tolerance;
     if trial.solver.group() == Group::Plugin {
-        let tolerance = if is_usual { String::new() } else { format!(" --tolerance {tolerance:e}") };
+        let tolerance =
+            if is_usual { String::new() } else { format!(" --tolerance {tolerance:e}") };
         return format!(
             "lcplab solve PROBLEM --plugin \"COMMAND\" --max-iterations {most}{tolerance}"
         );
     }
     let demand = match trial.measure {
-        Measure::Lie => "let demand = Demand { tolerance: settings.tolerance, ..Demand::default() };\n    \
+        Measure::Lie => {
+            "let demand = Demand { tolerance: settings.tolerance, ..Demand::default() };\n    \
              let verdict = judge_friction(question.posed(), &solution.x, &demand).verdict;\n    \
              assert!(solution.status != Status::Solved || verdict.is_solution(), \"{verdict}\");"
-            .to_string(),
+                .to_string()
+        }
         Measure::Failure => "assert_eq!(solution.status, Status::Solved);".to_string(),
         Measure::Error => {
             let exact = right.map(|right| &*right.x).unwrap_or_default();

@@ -112,7 +112,10 @@ impl Given {
             };
             if repaired.is_none() {
                 self.within = General;
-                self.notes = vec![format!("{name}: {}; the search keeps to no class", outside(Semidefinite))];
+                self.notes = vec![format!(
+                    "{name}: {}; the search keeps to no class",
+                    outside(Semidefinite)
+                )];
                 self.problems = problems.iter().map(|(_, problem)| problem.lcp.clone()).collect();
                 return;
             }

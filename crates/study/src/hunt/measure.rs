@@ -158,22 +158,24 @@ impl Trial {
     pub fn validate(&self) -> Result<()> {
         let wrong = |reason: String| Err(Error::invalid("search", "measure", reason));
         match (self.measure, &self.rival) {
-            (Measure::Ratio, None) => return wrong("ratio needs a second solver: ratio A:B".into()),
+            (Measure::Ratio, None) => {
+                return wrong("ratio needs a second solver: ratio A:B".into());
+            }
             (Measure::Ratio, Some(_)) | (_, None) => {}
             _ => return wrong("only ratio compares with a second solver".into()),
         }
         match self.model {
-            Some(model @ (Model::Polyhedral { .. } | Model::AssociatedCone | Model::CoulombCone))
-                if self.measure == Measure::Error =>
-            {
+            Some(
+                model @ (Model::Polyhedral { .. } | Model::AssociatedCone | Model::CoulombCone),
+            ) if self.measure == Measure::Error => {
                 wrong(format!("error needs the exact solution, which {model} does not have"))
             }
-            model => self.methods().find_map(|method| Some((method, method.refusal(model)?))).map_or(
-                Ok(()),
-                |(method, reason)| {
+            model => self
+                .methods()
+                .find_map(|method| Some((method, method.refusal(model)?)))
+                .map_or(Ok(()), |(method, reason)| {
                     Err(Error::invalid(format!("solver {}", method.name()), "model", reason))
-                },
-            ),
+                }),
         }
     }
 
@@ -203,7 +205,9 @@ impl Trial {
             None => self.is_solved(&posed, &solution),
         };
         let (value, is_found) = match (self.measure, &claim) {
-            (Measure::Lie, claim) => claim.as_ref().map_or((0.0, false), |claim| lie(&posed, claim, &solution)),
+            (Measure::Lie, claim) => {
+                claim.as_ref().map_or((0.0, false), |claim| lie(&posed, claim, &solution))
+            }
             (Measure::Failure, _) => self.failure(lcp, &posed, &solution, is_right),
             _ if !is_right => (0.0, false),
             (Measure::Iterations, _) => (iterations as f64, false),
@@ -311,10 +315,8 @@ impl Trial {
         }
         let part = solution.iterations as f64 / self.options.settings.max_iterations.max(1) as f64;
         let is_claim = solution.status == Status::Solved && !solution.is_claim_implied;
-        let fails = !is_solved
-            && !is_claim
-            && is_in_class(&self.solver, lcp)
-            && has_solution(lcp, posed);
+        let fails =
+            !is_solved && !is_claim && is_in_class(&self.solver, lcp) && has_solution(lcp, posed);
         (if fails { 1.0 + part } else { part.min(1.0) }, fails)
     }
 

@@ -144,11 +144,7 @@ pub(super) fn own(class: MatrixClass) -> Option<f64> {
 }
 
 /// JJᵀ of whole numbers, with `own` on the diagonal; without it 1 for half of the problems.
-pub(super) fn whole(
-    random: &mut Random,
-    rows: RangeInclusive<usize>,
-    own: Option<f64>,
-) -> Numbers {
+pub(super) fn whole(random: &mut Random, rows: RangeInclusive<usize>, own: Option<f64>) -> Numbers {
     let n = random.whole(*rows.start() as i64, *rows.end() as i64) as usize;
     let columns = random.whole(1, n as i64 + 1) as usize;
     let j: Vec<Vec<f64>> =

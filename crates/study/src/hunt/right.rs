@@ -59,8 +59,7 @@ fn by_a_solver(posed: &Posed, model: Option<Model>) -> Option<RightAnswer> {
         .filter(|method| method.takes(model))
         .collect();
     TOLERANCES.iter().find_map(|&tolerance| {
-        let settings =
-            Settings { tolerance, max_iterations: 100_000, ..Settings::default() };
+        let settings = Settings { tolerance, max_iterations: 100_000, ..Settings::default() };
         let options = Options { settings, ..Options::default() };
         let demand = Demand { tolerance, ..Demand::default() };
         methods.iter().find_map(|method| {

@@ -82,7 +82,8 @@ pub struct Searched {
 impl Searched {
     /// Why the search says nothing of the solver: it has answered no problem at all rightly.
     pub fn useless(&self, solver: &str) -> Option<String> {
-        let trouble = self.trouble.as_ref().filter(|_| self.catch.is_none() && self.evaluations > 0)?;
+        let trouble =
+            self.trouble.as_ref().filter(|_| self.catch.is_none() && self.evaluations > 0)?;
         Some(format!("{solver} solves none of {} problems; the first: {trouble}", self.evaluations))
     }
 }

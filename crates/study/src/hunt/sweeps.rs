@@ -17,12 +17,11 @@ const USUAL: usize = 10;
 /// x = Π(0) where it cannot sweep.
 pub(super) fn residual_left(posed: &Posed, solution: &Solution, tolerance: f64) -> f64 {
     let sweeps = if solution.iterations > 1 { solution.iterations } else { USUAL };
-    let settings = Settings { tolerance, max_iterations: sweeps.div_ceil(2), ..Settings::default() };
+    let settings =
+        Settings { tolerance, max_iterations: sweeps.div_ceil(2), ..Settings::default() };
     let start = Start::default();
     let swept = match posed {
-        Posed::Boxed(lcp) => {
-            Pgs { settings, ..Pgs::default() }.solve(lcp, &start, &mut ())
-        }
+        Posed::Boxed(lcp) => Pgs { settings, ..Pgs::default() }.solve(lcp, &start, &mut ()),
         Posed::Polyhedral(polygon) => PolygonPgs { settings }.solve(polygon, &start, &mut ()),
         Posed::Cone(cone) => {
             lcplab_solver::ConeSolver::solve(&ConePgs { settings }, cone, &start, &mut ())

@@ -118,7 +118,10 @@ impl Solver for Exact {
     }
 }
 
-fn method(name: &'static str, build: impl Fn() -> Box<dyn Solver> + Send + Sync + 'static) -> Method {
+fn method(
+    name: &'static str,
+    build: impl Fn() -> Box<dyn Solver> + Send + Sync + 'static,
+) -> Method {
     let build = move |_: &Options| build();
     let pgs = *entry("pgs").unwrap();
     Method::Boxed(Entry { name, build: Box::leak(Box::new(build)), group: Group::Plugin, ..pgs })
@@ -196,8 +199,9 @@ fn determinant(a: &[Vec<RBig>]) -> RBig {
     let Some((first, below)) = a.split_first() else { return RBig::ONE };
     let mut sum = RBig::ZERO;
     for (j, entry) in first.iter().enumerate() {
-        let without =
-            |row: &Vec<RBig>| row.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, a)| a.clone()).collect();
+        let without = |row: &Vec<RBig>| {
+            row.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, a)| a.clone()).collect()
+        };
         let minor: Vec<Vec<RBig>> = below.iter().map(without).collect();
         let term = entry * determinant(&minor);
         sum = if j % 2 == 0 { sum + term } else { sum - term };
@@ -295,7 +299,9 @@ fn a_planted_bug_is_found_with_its_own_answer_and_the_right_one() {
             assert_eq!(told["solver"], "engine");
             assert_eq!(told["x"].as_array().unwrap().len(), 3);
             assert!(finding.answers().contains("x of engine"), "{}", finding.answers());
-            assert!(finding.test.starts_with("lcplab solve PROBLEM") && !finding.test.ends_with('\n'));
+            assert!(
+                finding.test.starts_with("lcplab solve PROBLEM") && !finding.test.ends_with('\n')
+            );
         }
     }
 }
@@ -379,13 +385,15 @@ fn every_model_can_be_hunted_under() {
         ("cone-pgs", Model::CoulombCone),
     ] {
         let solver = lcplab_study::methods::by_name(name, model).unwrap();
-        let trial =
-            Trial { model: Some(model), ..trial(solver, MatrixClass::Definite, false) };
+        let trial = Trial { model: Some(model), ..trial(solver, MatrixClass::Definite, false) };
         trial.validate().unwrap();
         let Searched { catch, solved, .. } = searched(&trial, 3, 100);
         assert!(catch.is_none() && solved > 20, "{model}: {solved} {catch:?}");
     }
-    let boxes = Trial { model: Some(Model::CoulombCone), ..trial(engine(Sweeps::Right, 9, true), MatrixClass::Definite, true) };
+    let boxes = Trial {
+        model: Some(Model::CoulombCone),
+        ..trial(engine(Sweeps::Right, 9, true), MatrixClass::Definite, true)
+    };
     let reason = boxes.validate().unwrap_err().to_string();
     assert_eq!(reason, "solver engine: model: it does not say that it takes coulomb-cone");
 }
@@ -397,15 +405,20 @@ fn given(lcp: &Lcp, within: Option<MatrixClass>) -> Result<Given, String> {
 
 #[test]
 fn a_start_outside_the_class_is_refused_and_one_beside_it_is_repaired_with_words() {
-    let indefinite = boxed(&[&[-1e-6, 0.0], &[0.0, 3e22]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
+    let indefinite =
+        boxed(&[&[-1e-6, 0.0], &[0.0, 3e22]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
     let refused = given(&indefinite, Some(MatrixClass::Semidefinite)).unwrap_err();
-    assert_eq!(refused, "start: mine.json: A is not symmetric positive semidefinite, even allowing for rounding");
+    assert_eq!(
+        refused,
+        "start: mine.json: A is not symmetric positive semidefinite, even allowing for rounding"
+    );
     let free = given(&indefinite, None).unwrap();
     assert_eq!((free.within, free.notes.len()), (MatrixClass::General, 1));
     assert!(free.notes[0].ends_with("the search keeps to no class"), "{:?}", free.notes);
     // 0.1 · 0.1 < 0.01 in binary: J Jᵀ of J = (0.1, 0.3) has a determinant that is not 0.
     let (p, q) = (0.1_f64, 0.3_f64);
-    let rounded = boxed(&[&[p * p, p * q], &[p * q, q * q]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
+    let rounded =
+        boxed(&[&[p * p, p * q], &[p * q, q * q]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
     assert!(!definiteness(rational(&rounded)).1);
     let repaired = given(&rounded, Some(MatrixClass::Definite)).unwrap();
     assert!(definiteness(rational(&repaired.problems[0])).1);

@@ -26,8 +26,7 @@ const GOOD_PART: f64 = 0.25;
 const HEALTHY_WORDS: &str = "No cause for trouble was found.";
 
 /// What is not looked for.
-const NOT_EXAMINED: &str =
-    "flicker of contacts, closed loops, restitution against rest, spin";
+const NOT_EXAMINED: &str = "flicker of contacts, closed loops, restitution against rest, spin";
 
 /// One step or one file of a sequence.
 #[derive(Debug, Clone, PartialEq)]

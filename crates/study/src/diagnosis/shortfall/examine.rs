@@ -8,7 +8,7 @@ use super::frame::{Body, Frame};
 use super::linear::{Linear, Slowest, Way};
 use super::remedy::{Remedy, remedies, sweeps_to};
 use super::yard::Yard;
-use crate::diagnosis::mistakes_after;
+use crate::diagnosis::find_mistakes;
 
 /// Less than this part missing is nothing to speak of.
 pub const HEALTHY: f64 = 0.01;
@@ -338,7 +338,7 @@ impl Case<'_> {
             };
             let mistakes = match &refusal {
                 Some(_) => Vec::new(),
-                None => mistakes_after(&self.frame.lcp, &found.x, from),
+                None => find_mistakes(&self.frame.lcp, &found.x, from).mistakes,
             };
             let (sweeps, with) = (plain.iterations, found.missing);
             (Slow::Solver { sweeps, with, plain: left, refusal, mistakes }, left <= HEALTHY)

@@ -125,7 +125,8 @@ fn answer(
 /// Gauss-Seidel in 32-bit numbers.
 fn single(problem: &Plain, start: &[f64], sweeps: usize) -> Vec<f64> {
     let mut x: Vec<f32> = start.iter().map(|&x| x as f32).collect();
-    for i in (0..sweeps).flat_map(|_| 0..x.len()) {
+    let n = x.len();
+    for i in (0..sweeps).flat_map(|_| 0..n) {
         let terms = problem.a[i].iter().zip(&x);
         let w = terms.fold(problem.b[i] as f32, |sum, (&a, x)| sum + a as f32 * x);
         let value = x[i] - w / problem.a[i][i] as f32;
