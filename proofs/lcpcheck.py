@@ -401,7 +401,7 @@ def main(arguments):
         try:
             proof = read(path.read_text(encoding="utf-8"))
             need(type(proof) is dict and type(proof.get("problem")) is str, "it is about no problem")
-            need(proof["problem"] in problems, "it is about another problem")
+            need(proof["problem"] in problems, "it is about another problem or another friction model")
             under = f", under the friction model {proof['model']}" if "model" in proof else ""
             print(f"{path}: proved: {check(problems[proof['problem']], proof)}{under}")
         except WRONG as error:

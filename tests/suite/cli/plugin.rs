@@ -317,7 +317,9 @@ fn the_smallest_problem_that_a_plug_in_gets_wrong_is_written_with_its_solution()
     let [(found, code), (again, _)] = [told(&hunt), told(&hunt)];
     assert_eq!((&found["found"], code), (&Value::Bool(true), Some(1)));
     assert_eq!(found, again); // the same seed finds the same
-    assert_eq!(found["problem"]["b"].as_array().map(Vec::len), Some(2)); // as small as it was asked for
+    // As few rows as asked for, or one more where fewer show less than a tenth of the fault.
+    let rows = found["problem"]["b"].as_array().map(Vec::len);
+    assert!(matches!(rows, Some(2 | 3)), "{rows:?}");
     assert_eq!(found["problem"]["expected"]["complete"], true);
     // The file shows it again.
     assert_eq!(told(&["solve", file, "--plugin", SWEEPS]).1, Some(1));

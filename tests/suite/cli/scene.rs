@@ -166,7 +166,7 @@ fn a_body_that_is_far_beyond_the_picture_is_no_panic() {
     let text = "[[bodies]]\nname = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n\
                 [[bodies]]\nname = \"near\"\nshape = { box = [1, 1, 1] }\nmass = 1\n\
                 [[bodies]]\nname = \"far\"\nshape = { box = [1, 1, 1] }\nmass = 1\n\
-                position = [1e155, 0, 3.5]\n";
+                position = [1e149, 0, 3.5]\n";
     std::fs::write(&scene, text).unwrap();
     let page = folder.path().join("out");
     let arguments =

@@ -43,9 +43,10 @@ fn every_end_of_a_motion_is_reached_and_told_with_its_row_or_body() {
             "constraints[0]: the two points coincide, so their distance has no direction";
         Cause::Problem(_) => // J'u = |v|²: beyond the largest number
             cause("pendulum", Scheme::Acceleration, |scene| scene.states[0].v.z = 1e200),
-            "problem: b[0]: must be finite, is inf";
+            "pendulum: distance world bob 0: its entries of A and b are too large for numbers of 64 bits: masses, sizes, \
+             speeds, forces and dt do not fit each other";
         Cause::NoSolution { .. } => cause("painleve", Scheme::Acceleration, |_| ()),
-            "no forces satisfy the sliding contact \"normal ground rod 0 at face 0 on vertex 0\": no solution exists";
+            "no forces satisfy the sliding contact \"normal ground rod 0 at face 0 on vertex 1\": no solution exists";
         Cause::Unsettled { change } => cause("pendulum", Scheme::Acceleration, midpoint),
             format!("the implicit midpoint does not settle, its rates change by {}", readable(*change, 2));
         Cause::Stopped(Some(_)) => stopped(), "interrupted";

@@ -5,7 +5,7 @@ use std::fmt;
 use nalgebra::{Vector3, Vector6};
 
 use super::{Block, Undefined};
-use crate::body::{State, linear};
+use crate::body::{Shape, State, linear};
 use crate::constraint::{self, Bodies, Bounds, Constraint, Kind, Spring};
 use crate::scene::{ContactId, Found, Resting, Scene};
 
@@ -103,16 +103,19 @@ impl Row {
         self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))
     }
 
-    /// The row in words, such as `normal ground box1 0 at face 0 on vertex 3`: no other row of the scene has the same.
+    /// The row in words, such as `normal ground box1 0 at face 0 on vertex 3`: no other row of the
+    /// scene has the same. The place is left out where two bodies touch at one point only.
     pub fn label(&self, scene: &Scene) -> String {
         let [first, second] = self.names(scene);
         let row = format!("{} {first} {second} {}", self.kind.name(), self.id.component);
         match self.id.source {
-            Source::Contact(id) => format!("{row} at {id}"),
+            Source::Contact(id) if !touch_at_one_point(scene, id.bodies) => {
+                format!("{row} at {id}")
+            }
             Source::Constraint(k) if shares_its_bodies(scene, k) => {
                 format!("{row} of {}", self.id.source)
             }
-            Source::Constraint(_) => row,
+            Source::Contact(_) | Source::Constraint(_) => row,
         }
     }
 
@@ -126,6 +129,16 @@ impl Row {
         let ([first, second], [own, other]) = (self.bodies, self.parts);
         Row { bodies: [second, first], parts: [other, own], ..self }
     }
+}
+
+/// Whether these bodies have one contact at most: points, balls and a plane.
+fn touch_at_one_point(scene: &Scene, bodies: [usize; 2]) -> bool {
+    bodies.iter().all(|&body| {
+        matches!(
+            scene.bodies[body].shape,
+            Shape::Point | Shape::Sphere { .. } | Shape::Plane { .. }
+        )
+    })
 }
 
 /// Whether another constraint of the scene joins the same two bodies.

@@ -17,6 +17,7 @@ mod notes;
 mod range;
 pub(crate) mod resting;
 mod saved;
+mod scale;
 mod scheme;
 mod settings;
 pub mod source;
@@ -184,18 +185,6 @@ impl Scene {
     /// The thickness (m) of the thinnest body, if any has one.
     pub fn thinnest(&self) -> Option<f64> {
         self.bodies.iter().filter_map(|body| resting::size(&body.shape)).reduce(f64::min)
-    }
-
-    /// The force (N) below which a row is at rest: `solver.scale`, or the weight of the lightest body; where
-    /// nothing has a weight, the least force that a body is given, or 0.
-    pub fn scale(&self) -> f64 {
-        let moving = || self.bodies.iter().filter(|body| body.mass.mass() > 0.0);
-        let least = |forces: &mut dyn Iterator<Item = f64>| {
-            forces.filter(|force| *force > 0.0).reduce(f64::min)
-        };
-        let weight = || least(&mut moving().map(|body| body.mass.mass() * self.gravity.norm()));
-        let force = || least(&mut moving().map(|body| body.force.norm()));
-        self.solver.scale.or_else(weight).or_else(force).unwrap_or(0.0)
     }
 
     /// The index of the body with this name.

@@ -190,7 +190,7 @@ pub struct Solver {
     /// The most sweeps or pivots a step may take.
     pub max_iterations: usize,
     /// The force (N) below which a row is at rest: a residual beside smaller terms than those of this
-    /// force is rounding. The weight of the lightest body without it.
+    /// force is rounding. The weight of the lightest body without it; see `docs/scenes.md`.
     pub scale: Option<f64>,
 }
 

@@ -28,14 +28,14 @@ fn cone_entry(name: &str) -> Option<ConeEntry> {
 
 #[test]
 fn a_plug_in_that_names_a_cone_gets_its_model_and_its_contacts() {
-    let script = naming("cones", "['coulomb-cone', 'coupled-box']");
+    let script = naming("says_cones", "['coulomb-cone', 'coupled-box']");
     let plugin = script.start(LONG);
     let entry = cone_entry(plugin.name()).expect("a solver of cones");
     assert_eq!(entry.laws, [Law::Coulomb]);
     let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 30.0), Law::Coulomb);
     let solution = (entry.build)(&Settings::default()).solve(&problem, &Start::default(), &mut ());
     assert_eq!((solution.x, solution.status), (vec![1.0, 0.0, 0.0], Status::Solved));
-    let told = std::fs::read_to_string(script.path("cones.py.json")).unwrap();
+    let told = std::fs::read_to_string(script.path("says_cones.py.json")).unwrap();
     let told: Value = serde_json::from_str(&told).unwrap();
     assert_eq!(told["model"], "coulomb-cone");
     assert_eq!(told["friction_index"], serde_json::json!([-1, 0, 0]));

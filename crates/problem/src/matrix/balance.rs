@@ -32,7 +32,7 @@ impl Matrix {
     /// use lcplab_problem::Matrix;
     ///
     /// let (balanced, exponents) = Matrix::dense(2, &[3e-310, 0.5, 0.5, 8.0]).balanced();
-    /// assert_eq!(exponents, [-514, 1]); // 3e-310 is 3.5 × 4^-514, 8 is 2 × 4
+    /// assert_eq!(exponents, [-515, 1]); // 3e-310 is 3.45 × 4^-515, 8 is 2 × 4
     /// assert_eq!(balanced.diagonal(1), 2.0);
     /// assert!(balanced.diagonal(0) >= 1.0 && balanced.diagonal(0) < 4.0);
     /// ```

@@ -46,6 +46,9 @@ pub(crate) const TIE: f64 = 1e-10;
 /// dᵀA d = s is trusted above this part of (Σ √a_jj |d_j|)²: five digits of it are right then.
 pub(crate) const TRUSTED: f64 = 1e-11;
 
+/// And below this part of it s is rounding, and zero.
+pub(crate) const REDUNDANT: f64 = 1e-14;
+
 /// What is left of a sum below this part of its terms is rounding: sweeps leave more of it than a factor does.
 const ROUNDING: f64 = 1e-13;
 

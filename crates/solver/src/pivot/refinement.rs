@@ -11,19 +11,22 @@ pub(crate) const EXACT: f64 = 1e-14;
 /// Steps of refinement; all but the first with an accurate w.
 const STEPS: usize = 3;
 
-/// x as exact as rounding allows, or as the tolerance asks, with x_C ← x_C + S_CC w_C; none if it does not become so.
+/// x as exact as rounding allows, or as the tolerance asks, with x_C ← x_C + S_CC w_C.
+///
+/// # Errors
+/// The last x, if it does not become so.
 pub(crate) fn refined(
     lcp: &Lcp,
     tableau: &Tableau,
     free: &[usize],
     mut x: Vec<f64>,
     tolerance: f64,
-) -> Option<Point> {
+) -> Result<Point, Point> {
     lcp.project_all(&mut x);
     let mut point = Point::at(lcp, x);
     for step in 0..=STEPS {
         if point.largest_residual() <= tolerance.min(EXACT) {
-            return Some(point);
+            return Ok(point);
         }
         let w = |j: usize| match step {
             0 => point.terms[j].w(),
@@ -38,5 +41,5 @@ pub(crate) fn refined(
         }
         point = Point::at(lcp, x);
     }
-    None
+    Err(point)
 }

@@ -126,7 +126,7 @@ fn hanging() -> Vec<(String, String)> {
         ),
         _ => (String::new(), post.into()),
     };
-    let pairs = ["gear", "rack", "pulley"];
+    let pairs = ["ball", "gear", "rack", "pulley"];
     let kinds = ALL.iter().map(|joint| joint.name).filter(|kind| !pairs.contains(kind));
     let hung = kinds.map(|kind| {
         let (help, fields) = fields(kind);
@@ -383,7 +383,9 @@ fn kinds() -> Vec<(String, String)> {
 }
 
 fn examined(text: &str) -> Examination {
-    examine_scene(&Scene::from_toml("healthy.toml", text).unwrap(), None).unwrap()
+    let scene =
+        Scene::from_toml("healthy.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    examine_scene(&scene, None).unwrap()
 }
 
 /// Exact answers of motors, stops, springs, joints of each kind, loops and piles, with and without gravity, in every scheme.

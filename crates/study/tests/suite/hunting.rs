@@ -18,8 +18,6 @@ use lcplab_testing::boxed;
 enum Sweeps {
     /// As it should be.
     Right,
-    /// All rows from the x of the sweep before: slower by half.
-    Jacobi,
     /// µ² in place of µ.
     MuSquared,
     /// Friction bounds from the x after the first sweep.
@@ -46,11 +44,9 @@ impl Sweeps {
         let n = lcp.len();
         let (mut x, mut first) = (vec![0.0; n], vec![0.0; n]);
         for sweep in 0..sweeps {
-            let before = x.clone();
             for i in 0..n {
                 let (lo, hi) = self.bounds(lcp, i, if sweep == 0 { &x } else { &first }, &x);
-                let read = if self == Sweeps::Jacobi { &before } else { &x };
-                let step = -lcp.row_w(i, read) / lcp.matrix().diagonal(i);
+                let step = -lcp.row_w(i, &x) / lcp.matrix().diagonal(i);
                 x[i] = match self {
                     Sweeps::ClampedIncrements => x[i] + step.max(lo).min(hi),
                     _ => (x[i] + step).max(lo).min(hi),
@@ -70,7 +66,7 @@ impl Sweeps {
             Sweeps::FirstBound => mu * first[k].max(0.0),
             Sweeps::NextIndex => mu * x[k + 1].max(0.0),
             Sweeps::OverRootTwo => mu / 2f64.sqrt() * x[k].max(0.0),
-            Sweeps::Right | Sweeps::Jacobi | Sweeps::ClampedIncrements => mu * x[k].max(0.0),
+            Sweeps::Right | Sweeps::ClampedIncrements => mu * x[k].max(0.0),
         };
         (-most, most)
     }
@@ -237,7 +233,7 @@ fn a_thousand_hunts_report_problems_of_their_class_alone() {
             _ => true,
         };
         assert!(is_in_class, "{k}: {class} {lcp:?}");
-        assert!(!with_friction || lcp.contacts().len() == 1, "{k}: {lcp:?}");
+        assert!(!with_friction || !lcp.contacts().is_empty(), "{k}: {lcp:?}");
         let tangents = (0..lcp.len()).filter(|&i| lcp.is_coupled(i)).count();
         assert_eq!(tangents, 2 * lcp.contacts().len(), "{k}: {lcp:?}");
     }
@@ -270,7 +266,6 @@ fn a_solver_that_runs_out_of_sweeps_is_not_accused_of_a_false_claim() {
             (Sweeps::Right, 1000, false),
             (Sweeps::Right, 3, true),
             (Sweeps::Right, 50, true),
-            (Sweeps::Jacobi, 10, true),
         ] {
             let trial = trial(engine(sweeps, count, says), MatrixClass::Definite, seed % 2 == 0);
             let catch = searched(&trial, seed, 60).catch;
@@ -294,10 +289,10 @@ fn a_planted_bug_is_found_with_its_own_answer_and_the_right_one() {
             let apart = own.iter().zip(right).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
             let size = right.iter().fold(1e-300, |most: f64, x| most.max(x.abs()));
             assert!(apart > 1e-3 * size, "{bug:?}: {own:?} {right:?}");
-            assert_eq!(lcp.len(), 3, "{bug:?}: {lcp:?}");
+            assert!(lcp.len() <= 4, "{bug:?}: {lcp:?}"); // a contact, and at most one row beside it
             let told = &finding.problem.to_json()["hunt"];
             assert_eq!(told["solver"], "engine");
-            assert_eq!(told["x"].as_array().unwrap().len(), 3);
+            assert_eq!(told["x"].as_array().unwrap().len(), lcp.len());
             assert!(finding.answers().contains("x of engine"), "{}", finding.answers());
             assert!(
                 finding.test.starts_with("lcplab solve PROBLEM") && !finding.test.ends_with('\n')
@@ -415,8 +410,8 @@ fn a_start_outside_the_class_is_refused_and_one_beside_it_is_repaired_with_words
     let free = given(&indefinite, None).unwrap();
     assert_eq!((free.within, free.notes.len()), (MatrixClass::General, 1));
     assert!(free.notes[0].ends_with("the search keeps to no class"), "{:?}", free.notes);
-    // 0.1 · 0.1 < 0.01 in binary: J Jᵀ of J = (0.1, 0.3) has a determinant that is not 0.
-    let (p, q) = (0.1_f64, 0.3_f64);
+    // J Jᵀ of J = (0.3, 0.7), rounded, has a determinant below 0.
+    let (p, q) = (0.3_f64, 0.7_f64);
     let rounded =
         boxed(&[&[p * p, p * q], &[p * q, q * q]], &[-1.0; 2], &[0.0; 2], &[f64::INFINITY; 2]);
     assert!(!definiteness(rational(&rounded)).1);

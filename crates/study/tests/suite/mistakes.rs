@@ -92,7 +92,7 @@ fn the_clamp_after_the_sweep_and_all_rows_at_once_are_told_apart() {
         first(&lcp, &late),
         "Gauss-Seidel with the clamp after the sweep, stopped after 4 sweeps"
     );
-    assert_eq!(first(&lcp, &jacobi), "Jacobi in place of Gauss-Seidel, stopped after 4 sweeps");
+    assert_eq!(first(&lcp, &jacobi), "Jacobi instead of Gauss-Seidel, stopped after 4 sweeps");
 }
 
 #[test]
@@ -235,8 +235,10 @@ fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
     let lcp =
         lcp.with_coupling(Coupling::new(vec![None, Some(0)], vec![0.0, 0.5]).unwrap()).unwrap();
     let found = find_mistakes(&lcp, &[2.0, 2.0], Some(&[4.0, 2.0])).mistakes;
-    assert_eq!(found[0].what, "friction limited by the last normal forces, solved");
-    assert_eq!(found[0].distance, 0.0);
+    // A sweep from the friction row to the normal row, begun at the last answer, gives the same x.
+    let all: Vec<(&str, f64)> =
+        found.iter().map(|mistake| (mistake.what.as_str(), mistake.distance)).collect();
+    assert!(all.contains(&("friction limited by the last normal forces, solved", 0.0)), "{all:?}");
 }
 
 #[test]

@@ -46,7 +46,10 @@ fn at_acceleration_level_the_rod_has_no_solution_and_the_failure_proves_it() {
     let problem = problem(&rod);
     let failure = simulation(rod).step().unwrap_err();
     let Cause::NoSolution { row, proof } = &failure.cause else { panic!("{failure}") };
-    assert_eq!((failure.step, row.as_str()), (1, "normal ground rod 0 at face 0 on vertex 0"));
+    // Both vertices of the lower end are pressed alike.
+    let touching =
+        ["vertex 0", "vertex 1"].map(|end| format!("normal ground rod 0 at face 0 on {end}"));
+    assert!(failure.step == 1 && touching.contains(row), "{failure}");
     assert!(failure.to_string().contains("no solution exists"), "{failure}");
     // The proof again: dᵀA ≤ 0 in every row that can push, bᵀd < 0.
     let proof = proof.as_ref().expect("a vector");

@@ -12,12 +12,9 @@ use super::blocking::End;
 use super::run::{Reached, Run};
 use crate::kernel::rank_one::{Block, get};
 use crate::kernel::tableau::Tableau;
-use crate::pivot::basic::{Basic, TIE, TRUSTED};
+use crate::pivot::basic::{Basic, REDUNDANT, TIE, TRUSTED};
 use crate::pivot::refinement::refined;
 use crate::{Move, Part, Status};
-
-/// Below this part of (Σ √a_jj |d_j|)² s = dᵀA d is rounding, and zero.
-const REDUNDANT: f64 = 1e-14;
 
 /// What the tableau adds to a run.
 pub(super) struct ByTableau<'a, 'b> {
@@ -81,8 +78,8 @@ impl ByTableau<'_, '_> {
         }
         let x = self.run.state.x.clone();
         match refined(self.run.lcp, &self.tableau, &self.free, x, self.run.settings.tolerance) {
-            Some(point) => ControlFlow::Continue(Reached::Point(point)),
-            None => self.hand_over(&[]),
+            Ok(point) => ControlFlow::Continue(Reached::Point(point)),
+            Err(_) => self.hand_over(&[]),
         }
     }
 

@@ -16,8 +16,11 @@
 //! semidefinite A d = 0: moving along d changes no w at all, and w_i is dᵀw. If that is zero the row
 //! is *idle*: C keeps its w at zero, and when a row leaves C an idle one takes its place. What x may move
 //! along d without harm is shared: x goes to the middle of it, so that few rows need leave C
-//! (centring.rs). If dᵀw is not zero x moves until a bound stops it and that row leaves C; if nothing
-//! stops it, bᵀd < 0 with A d = 0 proves that no solution exists (`Ray`).
+//! (centring.rs). If dᵀw is not zero x moves until a bound stops it and that row leaves C. If nothing
+//! stops it, a dᵀw within the tolerance is what the data of redundant joints are rounded to, and the row
+//! is idle too. A larger one, bᵀd < 0 with A d = 0, proves that no solution exists (`Ray`). Where it is
+//! small, though, as joints that have drifted apart make it, proximal steps share it among the rows, and
+//! may come within the tolerance; the solution says so.
 //!
 //! Whether s is zero is decided without units, and by what rounding can do. A itself is rounded, each
 //! a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below some
@@ -43,6 +46,7 @@ mod redundant;
 mod run;
 
 use self::run::Run;
+use super::proximal;
 use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
@@ -55,6 +59,10 @@ const TABLEAU_ROWS: usize = 2_000;
 /// With more rows than this the factor is faster where most of them are without bounds: a third of the products, and
 /// hardly any row leaves C.
 const FEW_ROWS: usize = 160;
+
+/// A row that cannot be satisfied but misses by less than this part of its terms contradicts others
+/// by their errors only: shared among the rows, what is missing may be within the tolerance.
+const NEARLY: f64 = 1e-3;
 
 /// Dantzig's pivoting method in a tableau, or with an updated L D Lᵀ factorisation.
 #[derive(Debug, Clone)]
@@ -98,6 +106,13 @@ impl Solver for Dantzig {
             let mut run = Run::new(lcp, start.clone(), pivots, &self.settings, observer);
             let end = run.solve(self.tableau);
             let (pivots, fallback) = (run.pivots, run.fallback);
+            if let Err(Status::Ray { row, .. }) = &end
+                && run.residual_for_good(*row) <= NEARLY
+                && let Some(solution) =
+                    proximal::from(lcp, &run.state.x, pivots, &self.settings, run.observer)
+            {
+                return solution;
+            }
             let x = end.as_ref().map_or(&run.state.x, |point| &point.x);
             if x.iter().any(|x| !x.is_finite()) {
                 return Solution::new(lcp, start, Status::NotFinite, pivots);
@@ -121,7 +136,7 @@ pub enum Side {
     Waiting,
     /// In C: w = 0 is kept by moving x.
     Free,
-    /// Its w is a combination of those of C, and zero with them.
+    /// Its w is a combination of those of C, and zero with them, or within the tolerance.
     Idle,
     /// At its lower bound, w ≥ 0.
     Lower,

@@ -45,6 +45,12 @@ impl ByTableau<'_, '_> {
         let own = self.run.end_at_bound(i, sign);
         let of_free = self.free.iter().zip(&d).map(|(&k, d)| self.run.end_at_bound(k, sign * d));
         let end = of_free.fold(own, |end, next| if next.length < end.length { next } else { end });
+        if end.length == f64::INFINITY
+            && self.run.residual_for_good(i) <= self.run.settings.tolerance
+        {
+            self.put(i, Side::Idle);
+            return ControlFlow::Continue(None);
+        }
         if end.length == f64::INFINITY {
             return ControlFlow::Break(self.run.ray(i, sign, &self.free, &d));
         }

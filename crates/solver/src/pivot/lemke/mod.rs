@@ -25,6 +25,8 @@
 //! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
 //! Where A is symmetric the path can be followed by principal pivots, which are cheaper and exacter
 //! (parametric.rs); if one of them cannot be trusted, or somebody wants to see the tableaux, they are made.
+//! Rows without bounds that depend on others, as in redundant joints, stay out of the tableau then; where they
+//! contradict the others by their errors, proximal steps share what is missing, and the solution says so.
 //!
 //! At the end x is computed afresh from the active set. Rounding piles up, and can even lead a path
 //! back to where it was. Such a path, and one of more than 50 pivots or with a very small pivot that
@@ -43,6 +45,7 @@ use std::ops::ControlFlow;
 use self::parametric::{End, Parametric};
 use self::path::Path;
 use crate::pivot::opening;
+use crate::pivot::proximal;
 use crate::pivot::standard_form::cover;
 use crate::{Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
@@ -84,6 +87,14 @@ impl Solver for Lemke {
                     Some(End::Point(point)) => return point.solution(Status::Solved, path.pivots),
                     Some(End::Status(status, x)) => {
                         return Solution::new(lcp, x, status, path.pivots);
+                    }
+                    Some(End::Redundant(x)) => {
+                        let by_steps =
+                            proximal::from(lcp, &x, path.pivots, &self.settings, observer);
+                        if let Some(solution) = by_steps {
+                            return solution;
+                        }
+                        seen = path.pivots - before;
                     }
                     None => seen = path.pivots - before,
                 }

@@ -21,7 +21,7 @@ use super::end::from_active_set;
 use crate::kernel::rank_one::{Block, get};
 use crate::kernel::tableau::Tableau;
 use crate::pivot::active_set::{self, ActiveSet};
-use crate::pivot::basic::{Basic, TIE, TRUSTED};
+use crate::pivot::basic::{Basic, REDUNDANT, TIE, TRUSTED};
 use crate::pivot::dantzig::Side;
 use crate::pivot::principal::Point;
 use crate::pivot::ratio_test;
@@ -57,6 +57,8 @@ pub(super) struct Parametric<'a> {
 pub(super) enum End {
     /// z₀ = 0.
     Point(Point),
+    /// At an x where rows that depend on others miss by more than the tolerance.
+    Redundant(Vec<f64>),
     /// At the last x.
     Status(Status, Vec<f64>),
 }
@@ -112,18 +114,28 @@ impl<'a> Parametric<'a> {
                 let (lcp, x) = (self.lcp, self.x.clone());
                 let exact = refined(lcp, &self.tableau, &self.free, x, settings.tolerance);
                 let point =
-                    exact.unwrap_or_else(|| from_active_set(lcp, &self.active_set(), &self.x));
-                let is_solution = point.is_solution(self.lcp, settings.tolerance);
-                is_solution.then_some(End::Point(point))
+                    exact.unwrap_or_else(|last| from_active_set(lcp, &self.active_set(), &last.x));
+                if point.is_solution(self.lcp, settings.tolerance) {
+                    return Some(End::Point(point));
+                }
+                self.side.contains(&Side::Idle).then_some(End::Redundant(point.x))
             }
         }
     }
 
-    /// Solves w = 0 for the x of the rows without bounds.
+    /// Solves w = 0 for the x of the rows without bounds. One that depends on those before it, as in
+    /// redundant joints, stays out of C: its w is a combination of theirs, whatever x is, and no row
+    /// that it depends on ever leaves C. Whether that w is zero is seen at the end.
     fn solve_free_rows(&mut self) -> Option<()> {
         for row in 0..self.lcp.len() {
-            if self.side[row] == Side::Waiting {
-                self.enter(row)?;
+            if self.side[row] != Side::Waiting {
+                continue;
+            }
+            self.tableau.read(row, &mut self.other);
+            let size = self.root[row] + self.basic.size(&self.other);
+            match get(&self.other, row).abs() <= REDUNDANT * size * size {
+                true => self.side[row] = Side::Idle,
+                false => self.enter(row)?,
             }
         }
         if self.free.is_empty() {

@@ -1,0 +1,69 @@
+//! The force below which a row of a scene is at rest.
+//!
+//! A residual counts beside the terms of its row. Where all of them are rounding, as in a joint that
+//! carries nothing, it would count beside itself; so a row's terms count as no smaller than those of
+//! a force that means something in the scene.
+
+use super::Scene;
+use crate::body::Mass;
+use crate::constraint::{Bounds, Row};
+
+impl Scene {
+    /// The force (N) below which a row is at rest: `solver.scale`, or the weight of the lightest
+    /// body. Where nothing has a weight, the least force that a body is given; where none is given,
+    /// the force of the body that is moved with the least: by what stops it or by a motor within a
+    /// step, or by a spring. 0 where nothing acts and nothing moves.
+    pub fn scale(&self) -> f64 {
+        let stated = self.solver.scale;
+        stated
+            .or_else(|| least(self.masses().map(|(_, mass)| mass * self.gravity.norm())))
+            .or_else(|| least(self.masses().map(|(k, _)| self.bodies[k].force.norm())))
+            .or_else(|| least(self.moving_forces().into_iter()))
+            .unwrap_or(0.0)
+    }
+
+    /// The bodies that have a mass (kg).
+    fn masses(&self) -> impl Iterator<Item = (usize, f64)> {
+        let masses = self.bodies.iter().map(|body| body.mass.mass()).enumerate();
+        masses.filter(|(_, mass)| *mass > 0.0)
+    }
+
+    /// The largest force (N) that moves each body at the beginning, or its torque (N m).
+    fn moving_forces(&self) -> Vec<f64> {
+        let mut largest = vec![0.0_f64; self.bodies.len()];
+        for (k, mass) in self.masses() {
+            largest[k] = mass * self.states[k].v.norm() / self.step.dt;
+        }
+        for constraint in &self.constraints {
+            let bodies = constraint.bodies();
+            let states =
+                bodies.map(|body| body.map_or(&crate::body::State::WORLD, |k| &self.states[k]));
+            let Ok(rows) = constraint.rows(states) else { continue }; // a step says why
+            for body in bodies.into_iter().flatten() {
+                let forces = rows.iter().map(|row| self.force_on(body, row));
+                largest[body] = forces.fold(largest[body], f64::max);
+            }
+        }
+        largest
+    }
+
+    /// The force of a row's spring, or that with which its motor brings a body to its speed in a step.
+    fn force_on(&self, body: usize, row: &Row) -> f64 {
+        let inertia = match self.bodies[body].mass {
+            Mass::Fixed => return 0.0,
+            Mass::Rigid { moments, .. } if row.kind.is_angular() => moments.min(),
+            Mass::Point { mass } | Mass::Rigid { mass, .. } => mass,
+        };
+        let drive = inertia * row.speed.abs() / self.step.dt;
+        let drive = match row.bounds {
+            Bounds::Effort(effort) => drive.min(effort),
+            _ => drive,
+        };
+        drive.max(row.spring.map_or(0.0, |spring| spring.stiffness * row.c.abs()))
+    }
+}
+
+/// The least of those that are not 0.
+fn least(forces: impl Iterator<Item = f64>) -> Option<f64> {
+    forces.filter(|force| *force > 0.0).reduce(f64::min)
+}
