@@ -205,6 +205,7 @@ impl Record {
             "laws": {
                 "attraction": number(self.laws.attraction),
                 "cone_excess": number(self.laws.cone_excess),
+                "askew": number(self.laws.askew),
                 "friction_gain": self.accounted(|_| number(self.laws.friction_gain)),
                 "internal_impulse": number(self.laws.internal_impulse),
                 "internal_torque": number(self.laws.internal_torque),

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::books::Books;
 use super::{NOT_ACCOUNTED, Record};
+use crate::lcp::friction::Model;
 use crate::number::readable;
 use crate::scene::{Resting, Scene, Scheme};
 
@@ -13,6 +14,8 @@ const SHOWN: usize = 12;
 const WARNINGS: usize = 5;
 /// Friction that is so many percent too strong is worth a word.
 const MUCH: f64 = 1.0;
+/// Friction that is so many degrees beside the line of the slip is worth a word.
+const ASKEW: f64 = 5.0;
 /// A drift or an overlap beyond this part of the scene's size is worth a word.
 const DRIFT: f64 = 1e-3;
 
@@ -96,15 +99,31 @@ impl Record {
             let depth = readable(self.first.penetration, 2);
             notes.push(format!("bodies overlap by {depth} m at the start"));
         }
-        let excess = 100.0 * self.laws.cone_excess;
-        if excess > MUCH {
-            let model = self.scene.contact.model;
-            notes.push(format!(
-                "friction of the model {model} was up to {excess:.0} % beyond Coulomb's cone, where it works askew \
-                 to the tangents; --model coulomb-cone keeps to it"
-            ));
-        }
+        notes.extend(self.friction_in_words());
         notes
+    }
+
+    /// How far friction was from Coulomb's law, where the model is another one and it can be seen.
+    fn friction_in_words(&self) -> Option<String> {
+        let model = self.scene.contact.model;
+        let excess = 100.0 * self.laws.cone_excess;
+        let askew = self.laws.askew.to_degrees();
+        let is_askew =
+            askew > ASKEW && !matches!(model, Model::CoulombCone | Model::AssociatedCone);
+        let angle = format!("acted up to {askew:.0}° beside the line of the slip");
+        let how = match (is_askew, excess > MUCH) {
+            (true, true) => {
+                format!("{angle} and was up to {excess:.0} % beyond Coulomb's cone")
+            }
+            (true, false) => angle,
+            (false, true) => format!("was up to {excess:.0} % beyond Coulomb's cone"),
+            (false, false) => return None,
+        };
+        let remedy = match model {
+            Model::Polyhedral { .. } => "more directions, or the model coulomb-cone, come nearer",
+            _ => "the model coulomb-cone keeps to the cone and to the line",
+        };
+        Some(format!("friction of the model {model} {how}; {remedy}"))
     }
 
     /// The drift beside the scene, and what takes it away, where it can be seen.

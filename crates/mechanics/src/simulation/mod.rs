@@ -207,7 +207,7 @@ impl Simulation {
         let account =
             |acts: &Vec<Act>| Ledger::of(&self.scene, &self.states, &solves, acts, &states);
         let ledger = acts.as_ref().map(account);
-        let laws = Laws::of(&self.states, &solves, ledger.as_ref());
+        let laws = Laws::of(&self.scene, &self.states, &solves, ledger.as_ref());
         let impact_energy = ImpactEnergy::of(&self.scene, &self.states, &solves, acts.as_deref());
         let passages = self.detector.passages(&self.scene, &self.states, &states);
         let of_passage =

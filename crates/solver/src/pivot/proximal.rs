@@ -34,6 +34,9 @@ use lcplab_problem::Lcp;
 const LEAST: i32 = -28;
 /// Murty's rule from ρ = 2⁰ on.
 const SAFE: i32 = 0;
+/// A row that cannot be satisfied but misses by less than this part of its terms contradicts others
+/// by their errors only: shared among the rows, what is missing may be within the tolerance.
+pub(crate) const NEARLY: f64 = 1e-3;
 /// Block exchanges without progress before a step is given up.
 const PATIENCE: usize = 4;
 /// ρ falls by 2 to this power at first, and rises by at least 2 to that.
@@ -115,7 +118,7 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
     }
 }
 
-/// Proximal steps from x, where another method has ended after so many iterations; none if they do
+/// Proximal steps from x, after another method has taken so many iterations; none if they do
 /// not solve the problem either.
 ///
 /// Equations that contradict each other a little have no solution, but along the rows that depend on

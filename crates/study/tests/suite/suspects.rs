@@ -167,3 +167,38 @@ fn a_solver_as_good_as_plain_sweeps_is_not_suspected() {
     assert!(!causes.is_empty() && !causes.contains(&"suspect the solver"), "{causes:?}");
     assert!(pushed(2, "sound", 2000).causes().is_empty());
 }
+
+/// A solver that does two sweeps and then says that there is a ray.
+struct GivesUp;
+
+impl Solver for GivesUp {
+    fn name(&self) -> &'static str {
+        "gives-up"
+    }
+
+    fn solve(&self, lcp: &Lcp, _: &Start<'_>, _: &mut dyn Observer) -> Solution {
+        let direction = vec![0.0; lcp.len()];
+        Solution::new(lcp, vec![0.0; lcp.len()], Status::Ray { row: 0, direction }, 2)
+    }
+}
+
+#[test]
+fn a_solver_that_gives_up_is_the_first_cause() {
+    let build = |_: &Options| -> Box<dyn Solver> { Box::new(GivesUp) };
+    add(Entry {
+        name: "gives-up",
+        method: "a solver that gives up",
+        class: Class::of(MatrixClass::General),
+        group: Group::Plugin,
+        cost: Cost::UNKNOWN,
+        source: "a test",
+        uses: &[],
+        build: Box::leak(Box::new(build)),
+    })
+    .unwrap();
+    let found = pushed(2, "gives-up", 50);
+    assert_eq!(found.causes().first(), Some(&"the solver gave up"), "{:?}", found.causes());
+    let told = found.gave_up.as_ref().unwrap();
+    assert!(told.starts_with("in step 1: a ray"), "{told}");
+    assert_eq!(found.to_json()["gave_up"], told.as_str());
+}

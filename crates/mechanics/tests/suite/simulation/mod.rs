@@ -15,6 +15,7 @@ mod ledger;
 mod painleve;
 mod pendulum;
 mod polygons;
+mod redundant;
 mod resting;
 mod schemes;
 mod shipped;

@@ -46,7 +46,7 @@ mod redundant;
 mod run;
 
 use self::run::Run;
-use super::proximal;
+use super::proximal::{self, NEARLY};
 use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
@@ -59,10 +59,6 @@ const TABLEAU_ROWS: usize = 2_000;
 /// With more rows than this the factor is faster where most of them are without bounds: a third of the products, and
 /// hardly any row leaves C.
 const FEW_ROWS: usize = 160;
-
-/// A row that cannot be satisfied but misses by less than this part of its terms contradicts others
-/// by their errors only: shared among the rows, what is missing may be within the tolerance.
-const NEARLY: f64 = 1e-3;
 
 /// Dantzig's pivoting method in a tableau, or with an updated L D Lᵀ factorisation.
 #[derive(Debug, Clone)]
@@ -106,12 +102,16 @@ impl Solver for Dantzig {
             let mut run = Run::new(lcp, start.clone(), pivots, &self.settings, observer);
             let end = run.solve(self.tableau);
             let (pivots, fallback) = (run.pivots, run.fallback);
-            if let Err(Status::Ray { row, .. }) = &end
-                && run.residual_for_good(*row) <= NEARLY
-                && let Some(solution) =
-                    proximal::from(lcp, &run.state.x, pivots, &self.settings, run.observer)
-            {
-                return solution;
+            let left = match &end {
+                Err(Status::Ray { row, .. }) => run.residual_for_good(*row),
+                Ok(point) if run.state.side.contains(&Side::Idle) => point.largest_residual(),
+                _ => 0.0,
+            };
+            if self.settings.tolerance < left && left <= NEARLY {
+                let shared = proximal::from(lcp, &start, pivots, &self.settings, run.observer);
+                if let Some(solution) = shared {
+                    return solution;
+                }
             }
             let x = end.as_ref().map_or(&run.state.x, |point| &point.x);
             if x.iter().any(|x| !x.is_finite()) {

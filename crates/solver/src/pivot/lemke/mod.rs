@@ -45,11 +45,11 @@ use std::ops::ControlFlow;
 use self::parametric::{End, Parametric};
 use self::path::Path;
 use crate::pivot::opening;
-use crate::pivot::proximal;
+use crate::pivot::proximal::{self, NEARLY};
 use crate::pivot::standard_form::cover;
 use crate::{Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, frozen};
-use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
+use lcplab_problem::{Lcp, merit};
 
 /// A path of more pivots may be followed a second time; then the tableau is made anew after each so
 /// many pivots.
@@ -77,7 +77,7 @@ impl Solver for Lemke {
         if let Some(status) = open(lcp, &x, tableaux(lcp), &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
-        frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
+        frozen::solve(lcp, x, &self.settings, |frozen, start, before| {
             frozen::tell(lcp, frozen, observer);
             let lcp = frozen;
             let mut seen = 0;
@@ -88,10 +88,10 @@ impl Solver for Lemke {
                     Some(End::Status(status, x)) => {
                         return Solution::new(lcp, x, status, path.pivots);
                     }
-                    Some(End::Redundant(x)) => {
-                        let by_steps =
-                            proximal::from(lcp, &x, path.pivots, &self.settings, observer);
-                        if let Some(solution) = by_steps {
+                    Some(End::Redundant) => {
+                        let shared =
+                            proximal::from(lcp, &start, path.pivots, &self.settings, observer);
+                        if let Some(solution) = shared {
                             return solution;
                         }
                         seen = path.pivots - before;
@@ -99,7 +99,14 @@ impl Solver for Lemke {
                     None => seen = path.pivots - before,
                 }
             }
-            self.by_tables(lcp, before, &mut Later { seen, observer })
+            let solution = self.by_tables(lcp, before, &mut Later { seen, observer });
+            let is_nearly = matches!(solution.status, Status::Ray { .. } | Status::Inaccurate)
+                && lcp.matrix().is_nearly_symmetric()
+                && merit::scaled_residual(lcp, &solution.x) <= NEARLY;
+            let shared = is_nearly.then(|| {
+                proximal::from(lcp, &start, solution.iterations, &self.settings, observer)
+            });
+            shared.flatten().unwrap_or(solution)
         })
     }
 }

@@ -57,8 +57,8 @@ pub(super) struct Parametric<'a> {
 pub(super) enum End {
     /// z₀ = 0.
     Point(Point),
-    /// At an x where rows that depend on others miss by more than the tolerance.
-    Redundant(Vec<f64>),
+    /// Rows that depend on others miss by more than the tolerance.
+    Redundant,
     /// At the last x.
     Status(Status, Vec<f64>),
 }
@@ -118,7 +118,7 @@ impl<'a> Parametric<'a> {
                 if point.is_solution(self.lcp, settings.tolerance) {
                     return Some(End::Point(point));
                 }
-                self.side.contains(&Side::Idle).then_some(End::Redundant(point.x))
+                self.side.contains(&Side::Idle).then_some(End::Redundant)
             }
         }
     }

@@ -63,6 +63,8 @@ pub struct Examination {
     pub notes: Vec<Note>,
     /// Why no run of exact answers is known to compare the motion with, if none is.
     pub no_reference: Option<String>,
+    /// In which step the solver gave up first, and what it says, if it did.
+    pub gave_up: Option<String>,
     /// Why the answer of the step was not measured, if a problem was posed and it was not.
     pub unmeasured: Option<String>,
     /// How long the motion was (s), if it was one.
@@ -86,19 +88,23 @@ pub struct Examination {
     pub reliefs: Vec<Relief>,
 }
 
+/// The name of the cause that the solver gave up in a step.
+const GAVE_UP: &str = "the solver gave up";
+
 impl Examination {
     /// The names of the causes, the first first.
     pub fn causes(&self) -> Vec<&'static str> {
+        let gave_up = self.gave_up.as_ref().map(|_| GAVE_UP);
         let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
         let moving = self.moving.iter().map(Moving::name);
-        // A solver that is worse than plain sweeps makes all else doubtful. A cold start has every step miss what a warm one
+        // A solver that gives up or is worse than plain sweeps makes all else doubtful. A cold start has every step miss what a warm one
         // does not, and energy that is fed in spoils all later steps: they come before what makes sweeps slow.
         let place = |name: &str| match name {
-            "suspect the solver" => 0,
+            GAVE_UP | "suspect the solver" => 0,
             "cold start" | "Baumgarte's energy" => 1,
             _ => 2,
         };
-        let mut all: Vec<&str> = slow.chain(moving).collect();
+        let mut all: Vec<&str> = gave_up.into_iter().chain(slow).chain(moving).collect();
         all.sort_by_key(|name| place(name)); // stable: the strongest first
         all
     }
@@ -155,6 +161,9 @@ impl Examination {
         let slow = self.shortfall.iter().flat_map(|found| &found.causes);
         let mut named: Vec<(&str, String)> =
             slow.map(|cause| (cause.name(), cause.to_string())).collect();
+        named.extend(self.gave_up.iter().map(|how| {
+            (GAVE_UP, format!("{how}. The motion from there on is not one of the scene; another solver may go on."))
+        }));
         named.extend(self.moving.iter().map(|cause| (cause.name(), cause.to_string())));
         for (k, name) in self.causes().into_iter().enumerate() {
             let word = if k == 0 { "Cause" } else { "Also" };
@@ -287,6 +296,7 @@ impl Examination {
             "causes": self.causes(),
             "innocent": self.innocent,
             "no_reference": self.no_reference,
+            "gave_up": self.gave_up,
             "unmeasured": self.unmeasured,
             "seconds": self.time,
             "sunk": sunk,

@@ -6,6 +6,7 @@ use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{self, Simulation, Solve, Step, Warnings};
 use lcplab_problem::error::Result;
 use lcplab_problem::{Lcp, merit};
+use lcplab_solver::Status;
 
 use super::examination::{Examination, Note, telling_step};
 use super::examine::{HEALTHY, Practice, examine};
@@ -64,8 +65,13 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     let count = steps(scene);
     let went = go(scene, count, 1)?;
     let taken = went.notes.len();
-    let mut found =
-        Examination { notes: went.notes, warnings: went.warnings, ..Examination::default() };
+    let gave_up = went.gave_up();
+    let mut found = Examination {
+        notes: went.notes,
+        warnings: went.warnings,
+        gave_up,
+        ..Examination::default()
+    };
     if taken == 0 {
         return Ok(found);
     }
@@ -159,6 +165,19 @@ struct Went {
 }
 
 impl Went {
+    /// What the solver says of the first step in which it gave up and the judge does not accept its
+    /// answer, if there is one. To run out of sweeps is not to give up.
+    fn gave_up(&self) -> Option<String> {
+        let words = |(k, solve): (usize, &Option<Solve>)| {
+            let Solve { problem, solution, .. } =
+                solve.as_ref().filter(|solve| solve.posing.is_none())?;
+            let is_end = matches!(solution.status, Status::Solved | Status::IterationLimit);
+            let is_answer = is_end || is_accepted(&problem.lcp, &solution.x);
+            (!is_answer).then(|| format!("in step {}: {}", k + 1, solution.status))
+        };
+        self.solves.iter().enumerate().find_map(words)
+    }
+
     /// The first step whose answer the judge does not accept, if there is one.
     fn first_unaccepted(&self) -> Option<usize> {
         let is_refused = |solve: &Solve| {
