@@ -203,11 +203,13 @@ const lcpcheck = (() => {
     need(isObject(data) && isObject(data.A) && has(data.A, "dense") !== has(data.A, "triplets"), "A and b");
     const b = list(data.b).map(number), n = b.length;
     let rows;
+    need(Object.keys(data.A).every((key) => ["dense", "triplets", "rows", "cols"].includes(key)), "A has an unknown key");
+    need(["rows", "cols"].every((key) => !has(data.A, key) || index(data.A[key], n + 1) === n), "A has another size");
     if (has(data.A, "dense")) {
       const row = (row) => list(row, n).map((v, j) => [j, number(v)]).filter(([, v]) => v !== 0);
       rows = list(data.A.dense, n).map(row);
     } else {
-      need(index(data.A.rows, n + 1) === n && index(data.A.cols, n + 1) === n, "A has another size");
+      need(has(data.A, "rows") && has(data.A, "cols"), "A has no size");
       [rows] = place(data.A.triplets, n, n);
     }
     const vector = (key, read, other) => (has(data, key) ? list(data[key], n).map(read) : b.map((_, i) => other(i)));
@@ -577,18 +579,37 @@ const lcpcheck = (() => {
     const hash = (text) => { try { return JSON.parse(text).problem; } catch { return null; } };
     return proofTexts.map((text) => (problems.has(hash(text)) ? checked(problems.get(hash(text)), text) : another));
   };
+  // Whether a problem can be read: it throws the reason if not.
+  lcpcheck.problem = (text, model) => problem(read(text), model);
   return lcpcheck;
 })();
 
 if (typeof module !== "undefined") module.exports = lcpcheck;
 if (typeof process !== "undefined" && typeof require !== "undefined" && require.main === module) {
   const fs = require("fs"), path = require("path"), given = process.argv.slice(2);
-  const names = given.length === 1 ? fs.readdirSync(given[0]).sort().map((name) => path.join(given[0], name)) : null;
+  const isFolder = given.length === 1 && fs.statSync(given[0], { throwIfNoEntry: false })?.isDirectory();
+  if (!isFolder && given.length !== 2 && given.length !== 3) {
+    console.log("usage: node lcpcheck.js PROBLEM.json PROOF.json [MODEL]  or  node lcpcheck.js FOLDER");
+    process.exit(2);
+  }
+  const names = isFolder ? fs.readdirSync(given[0]).sort().map((name) => path.join(given[0], name)) : null;
   const proofs = names === null ? [given[1]] : names.filter((name) => name.endsWith(".proof.json"));
   const problems = names === null ? [given[0]] : names.filter((name) => name.endsWith(".json") && !proofs.includes(name));
   const decoder = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
   const text = (name) => decoder.decode(fs.readFileSync(name));
   const readable = (name) => { try { return text(name); } catch { return ""; } };
+  if (proofs.length === 0) {
+    console.log(`${given[0]}: there is no *.proof.json in it`);
+    process.exit(2);
+  }
+  for (const name of problems) {
+    try {
+      lcpcheck.problem(text(name), given[2]);
+    } catch (error) {
+      console.log(`${name}: cannot be read: ${error.message}`);
+      process.exit(2);
+    }
+  }
   try {
     const found = names === null ? [lcpcheck(text(problems[0]), readable(proofs[0]), given[2])]
       : lcpcheck.all(problems.map(text), proofs.map(readable));

@@ -109,13 +109,16 @@ def packed(matrix):
 
 class Problem:
     def __init__(self, data, model=None):
-        need(type(data) is dict and type(data["A"]) is dict and ("dense" in data["A"]) != ("triplets" in data["A"]), "A")
+        need(type(data) is dict and "A" in data and "b" in data, "A or b is missing")
+        need(type(data["A"]) is dict and ("dense" in data["A"]) != ("triplets" in data["A"]), "A")
         b, a = [number(v) for v in entries(data["b"])], data["A"]
         n = self.n = len(b)
+        need(set(a) <= {"dense", "triplets", "rows", "cols"}, "A has an unknown key")
+        need(all(index(a[key], n + 1) == n for key in ("rows", "cols") if key in a), "A has another size")
         if "dense" in a:
             triplets = [[i, j, v] for i, row in enumerate(entries(a["dense"], n)) for j, v in enumerate(entries(row, n))]
         else:
-            need(index(a["rows"], n + 1) == index(a["cols"], n + 1) == n, "A has another size")
+            need("rows" in a and "cols" in a, "A has no size")
             triplets = a["triplets"]
         rows, _ = sparse(triplets, n, n)
         need(("friction_index" in data) == ("mu" in data), "friction_index and mu belong together")
@@ -388,6 +391,9 @@ def main(arguments):
         paths, proofs = [[Path(argument)] for argument in arguments[:2]]
     else:
         print(__doc__)
+        return 2
+    if not proofs:
+        print(f"{folder}: there is no *.proof.json in it")
         return 2
     problems, refused = {}, 0
     for path in paths:

@@ -15,6 +15,7 @@ mod acceleration;
 mod delassus;
 mod friction;
 mod position;
+mod redundant;
 mod sliding;
 mod velocity;
 
@@ -95,7 +96,7 @@ pub struct Problem {
     /// The motion without constraints, one entry a column: velocities (m/s, rad/s), at the
     /// acceleration stage accelerations, at the position stage 0.
     pub target: Vec<f64>,
-    /// What is added to J target, one entry a row.
+    /// What is added to J target, one entry a row; of an equality that depends on others what follows from theirs.
     pub bias: Vec<f64>,
     /// γ, what springs add to the diagonal of A, one entry a row.
     pub compliance: Vec<f64>,
@@ -185,7 +186,7 @@ impl Problem {
         stage: Stage,
         assembly: Assembly,
         target: Vec<f64>,
-        bias: Vec<f64>,
+        mut bias: Vec<f64>,
         dt: f64,
         slides: Vec<Slide>,
     ) -> Result<Self> {
@@ -202,8 +203,9 @@ impl Problem {
         for &(t, _) in slides.iter().flat_map(|slide| &slide.drag) {
             (lo[t], hi[t], index[t]) = (0.0, 0.0, None);
         }
-        let b = offsets(&assembly, &target, &bias);
         let a = delassus::matrix(&assembly, &compliance, &slides);
+        redundant::agree(&assembly, &a, &mut bias);
+        let b = offsets(&assembly, &target, &bias);
         let finite = |i: &usize| b[*i].is_finite() && a.diagonal(*i).is_finite();
         if let Some(i) = (0..rows.len()).find(|i| !finite(i)) {
             return Err(overflow(scene, &rows[i]));

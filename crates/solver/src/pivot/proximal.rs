@@ -23,20 +23,17 @@
 
 use std::ops::ControlFlow;
 
-use super::active_set::{ActiveSet, ROUNDING};
+use super::active_set::ROUNDING;
 use super::block_pivoting::rule;
 use super::free_rows::FreeRows;
 use super::principal::{Change, Point, Search};
-use crate::{Event, Fallback, Observer, Settings, Solution, Start, Status, iterate};
+use crate::{Event, Fallback, Solution, Status, iterate};
 use lcplab_problem::Lcp;
 
 /// The least ρ is 2 to this power: the null space of A costs half of all digits there.
 const LEAST: i32 = -28;
 /// Murty's rule from ρ = 2⁰ on.
 const SAFE: i32 = 0;
-/// A row that cannot be satisfied but misses by less than this part of its terms contradicts others
-/// by their errors only: shared among the rows, what is missing may be within the tolerance.
-pub(crate) const NEARLY: f64 = 1e-3;
 /// Block exchanges without progress before a step is given up.
 const PATIENCE: usize = 4;
 /// ρ falls by 2 to this power at first, and rises by at least 2 to that.
@@ -116,27 +113,6 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
         }
         steps.rho.fall(search.count == first);
     }
-}
-
-/// Proximal steps from x, after another method has taken so many iterations; none if they do
-/// not solve the problem either.
-///
-/// Equations that contradict each other a little have no solution, but along the rows that depend on
-/// each other the steps come to rest where w is shared: A x + b is least there.
-pub(crate) fn from(
-    lcp: &Lcp,
-    x: &[f64],
-    count: usize,
-    settings: &Settings,
-    observer: &mut dyn Observer,
-) -> Option<Solution> {
-    let set = ActiveSet::initial(lcp, &Start::at(x), x);
-    let point = Point::at(lcp, x.to_vec());
-    let (fallback, safeguard) = (None, None);
-    let mut search = Search { settings, observer, set, point, count, fallback, safeguard };
-    let solution = solve(lcp, &mut search, x.to_vec());
-    let is_solution = Point::at(lcp, solution.x.clone()).is_solution(lcp, settings.tolerance);
-    is_solution.then_some(Solution { status: Status::Solved, ..solution })
 }
 
 struct Steps<'a> {

@@ -11,7 +11,8 @@ pub(crate) const EXACT: f64 = 1e-14;
 /// Steps of refinement; all but the first with an accurate w.
 const STEPS: usize = 3;
 
-/// x as exact as rounding allows, or as the tolerance asks, with x_C ← x_C + S_CC w_C.
+/// x as exact as rounding allows, or as the tolerance asks, with x_C ← x_C + S_CC w_C. Of idle rows,
+/// which depend on those of C, no more than the tolerance is asked.
 ///
 /// # Errors
 /// The last x, if it does not become so.
@@ -21,11 +22,13 @@ pub(crate) fn refined(
     free: &[usize],
     mut x: Vec<f64>,
     tolerance: f64,
+    is_idle: impl Fn(usize) -> bool,
 ) -> Result<Point, Point> {
     lcp.project_all(&mut x);
     let mut point = Point::at(lcp, x);
     for step in 0..=STEPS {
-        if point.largest_residual() <= tolerance.min(EXACT) {
+        let most = |i: usize| if is_idle(i) { tolerance } else { tolerance.min(EXACT) };
+        if (0..lcp.len()).all(|i| point.residual(i) <= most(i)) {
             return Ok(point);
         }
         let w = |j: usize| match step {

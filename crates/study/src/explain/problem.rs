@@ -5,12 +5,11 @@ use super::friction::{self, Answered};
 use super::solve::{self, Solved};
 use super::units::Units;
 use super::{Method, refutation, statement};
-use crate::methods;
 use lcplab_page::document::Document;
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::{Model, Posed};
 use lcplab_problem::{Lcp, Question, file};
-use lcplab_solver::Solution;
+use lcplab_solver::{Solution, solve_by_sequence};
 
 /// Explains how a problem is solved from x = 0 under its friction model. Of polygons the LCP that
 /// they pose is solved, of cones the answer of a solver for cones is shown, and the method is
@@ -36,12 +35,12 @@ pub fn problem(question: &Question, method: &Method) -> Result<Document> {
     document.is_accepted = match question.posed() {
         Posed::Boxed(lcp) => boxed(question, lcp, method, &mut document)?,
         Posed::Polyhedral(polygons) => {
-            let answer = answer(question, method)?;
+            let answer = answer(question, method);
             let answered = answered(question, method, &answer, &mut document);
             friction::polygons(&answered, &mut document, polygons)?
         }
         Posed::Cone(cones) => {
-            let answer = answer(question, method)?;
+            let answer = answer(question, method);
             let answered = answered(question, method, &answer, &mut document);
             friction::cones(&answered, &mut document, cones)?
         }
@@ -77,11 +76,10 @@ fn boxed(question: &Question, lcp: &Lcp, method: &Method, document: &mut Documen
     Ok(is_accepted)
 }
 
-/// The answer of the model's usual solver, and its name.
-fn answer(question: &Question, method: &Method) -> Result<(Solution, &'static str)> {
-    let model = question.model().unwrap_or_default();
-    let solver = methods::by_name(methods::default_for(model), model)?;
-    Ok((solver.solve(question.posed(), method.options(), &mut ()), solver.name()))
+/// The answer that `solve` gives, and who found it.
+fn answer(question: &Question, method: &Method) -> (Solution, &'static str) {
+    let found = solve_by_sequence(question.posed(), method.options(), &mut ());
+    (found.solution, found.solver)
 }
 
 /// An answer to polygons or cones, after the statement of its rows.

@@ -7,32 +7,58 @@
 //! circles. A method that is slower than that, as Jacobi's is where A is not diagonally dominant, is named. A solver
 //! that does not say how many sweeps it did is taken to do ten, a typical engine budget.
 
+use std::ops::ControlFlow;
+
 use lcplab_judge::{Demand, judge_friction};
 use lcplab_problem::friction::Posed;
-use lcplab_solver::{ConePgs, Pgs, PolygonPgs, Settings, Solution, Solver, Start};
+use lcplab_solver::{
+    ConePgs, Iterate, Observer, Pgs, PolygonPgs, Settings, Solution, Solver, Start,
+};
 
 /// Sweeps of a solver that does not say how many it did.
 const USUAL: usize = 10;
+/// So many iterates are looked at on the way.
+const LOOKS: usize = 8;
 /// The same sweeps from another start differ by less than this factor.
 const LIKE: f64 = 2.0;
 
-/// The scaled residual that plain projected Gauss-Seidel leaves after as many sweeps as the solution took or after half
-/// as many, whichever is larger, times two; that of x = Π(0) where it cannot sweep.
+/// The largest scaled residual that plain projected Gauss-Seidel leaves from half as many sweeps as the solution took up
+/// to as many, times two; that of x = Π(0) where it cannot sweep.
 pub(super) fn residual_left(posed: &Posed, solution: &Solution, tolerance: f64) -> f64 {
     let sweeps = if solution.iterations > 1 { solution.iterations } else { USUAL };
-    let left = |sweeps| residual(posed, &swept(posed, sweeps, tolerance));
-    LIKE * left(sweeps).max(left(sweeps.div_ceil(2)))
+    let stride = (sweeps / 2).div_ceil(LOOKS).max(1);
+    let mut kept = Kept { from: sweeps.div_ceil(2), stride, x: Vec::new() };
+    let last = swept(posed, sweeps, tolerance, &mut kept);
+    let residuals = kept.x.iter().chain([&last]).map(|x| residual(posed, x));
+    LIKE * residuals.fold(0.0, f64::max)
+}
+
+/// Keeps every so manieth iterate from one on.
+struct Kept {
+    from: usize,
+    stride: usize,
+    x: Vec<Vec<f64>>,
+}
+
+impl Observer for Kept {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        let k = iterate.iteration;
+        if k >= self.from && (k - self.from).is_multiple_of(self.stride) {
+            self.x.push(iterate.x.to_vec());
+        }
+        ControlFlow::Continue(())
+    }
 }
 
 /// x after so many sweeps of plain projected Gauss-Seidel.
-fn swept(posed: &Posed, sweeps: usize, tolerance: f64) -> Vec<f64> {
+fn swept(posed: &Posed, sweeps: usize, tolerance: f64, observer: &mut dyn Observer) -> Vec<f64> {
     let settings = Settings { tolerance, max_iterations: sweeps, ..Settings::default() };
     let start = Start::default();
     let swept = match posed {
-        Posed::Boxed(lcp) => Pgs { settings, ..Pgs::default() }.solve(lcp, &start, &mut ()),
-        Posed::Polyhedral(polygon) => PolygonPgs { settings }.solve(polygon, &start, &mut ()),
+        Posed::Boxed(lcp) => Pgs { settings, ..Pgs::default() }.solve(lcp, &start, observer),
+        Posed::Polyhedral(polygon) => PolygonPgs { settings }.solve(polygon, &start, observer),
         Posed::Cone(cone) => {
-            lcplab_solver::ConeSolver::solve(&ConePgs { settings }, cone, &start, &mut ())
+            lcplab_solver::ConeSolver::solve(&ConePgs { settings }, cone, &start, observer)
         }
     };
     swept.x

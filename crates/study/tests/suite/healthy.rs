@@ -249,7 +249,7 @@ fn kinds() -> Vec<(String, String)> {
         WEIGHTLESS.to_string()
             + &beta()
             + &cube("cube", 1.0, 1.0, [1000.1, 0.3, 0.0], "")
-            + &joint("ball", &["cube"], "point = [1000.7, 0.1, 0.2]"),
+            + &joint("nail", &["cube"], "point = [1000.7, 0.1, 0.2]"),
     );
     add(
         "two cubes at rest in touch, no gravity",

@@ -77,7 +77,9 @@ impl ByTableau<'_, '_> {
             }
         }
         let x = self.run.state.x.clone();
-        match refined(self.run.lcp, &self.tableau, &self.free, x, self.run.settings.tolerance) {
+        let Run { lcp, state, settings, .. } = &*self.run;
+        let is_idle = |i: usize| state.side[i] == Side::Idle;
+        match refined(lcp, &self.tableau, &self.free, x, settings.tolerance, is_idle) {
             Ok(point) => ControlFlow::Continue(Reached::Point(point)),
             Err(_) => self.hand_over(&[]),
         }

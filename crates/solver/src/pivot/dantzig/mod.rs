@@ -18,9 +18,7 @@
 //! along d without harm is shared: x goes to the middle of it, so that few rows need leave C
 //! (centring.rs). If dᵀw is not zero x moves until a bound stops it and that row leaves C. If nothing
 //! stops it, a dᵀw within the tolerance is what the data of redundant joints are rounded to, and the row
-//! is idle too. A larger one, bᵀd < 0 with A d = 0, proves that no solution exists (`Ray`). Where it is
-//! small, though, as joints that have drifted apart make it, proximal steps share it among the rows, and
-//! may come within the tolerance; the solution says so.
+//! is idle too; a larger one, bᵀd < 0 with A d = 0, proves that no solution exists (`Ray`).
 //!
 //! Whether s is zero is decided without units, and by what rounding can do. A itself is rounded, each
 //! a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below some
@@ -46,7 +44,6 @@ mod redundant;
 mod run;
 
 use self::run::Run;
-use super::proximal::{self, NEARLY};
 use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
@@ -102,17 +99,6 @@ impl Solver for Dantzig {
             let mut run = Run::new(lcp, start.clone(), pivots, &self.settings, observer);
             let end = run.solve(self.tableau);
             let (pivots, fallback) = (run.pivots, run.fallback);
-            let left = match &end {
-                Err(Status::Ray { row, .. }) => run.residual_for_good(*row),
-                Ok(point) if run.state.side.contains(&Side::Idle) => point.largest_residual(),
-                _ => 0.0,
-            };
-            if self.settings.tolerance < left && left <= NEARLY {
-                let shared = proximal::from(lcp, &start, pivots, &self.settings, run.observer);
-                if let Some(solution) = shared {
-                    return solution;
-                }
-            }
             let x = end.as_ref().map_or(&run.state.x, |point| &point.x);
             if x.iter().any(|x| !x.is_finite()) {
                 return Solution::new(lcp, start, Status::NotFinite, pivots);

@@ -31,8 +31,10 @@ impl Run<'_> {
     fn project_and_measure(&mut self) -> bool {
         self.lcp.project_all(&mut self.state.x);
         self.state.w = self.lcp.w(&self.state.x);
-        let most = self.settings.tolerance.min(EXACT);
+        let tolerance = self.settings.tolerance;
         (0..self.state.x.len()).all(|j| {
+            let is_idle = self.state.side[j] == Side::Idle; // no x of C changes its w
+            let most = if is_idle { tolerance } else { tolerance.min(EXACT) };
             let b = self.lcp.b()[j];
             // at most Σ |a_jk x_k| + |b_j|, and enough in most cases
             let magnitude = (self.state.w[j] - b).abs() + b.abs();

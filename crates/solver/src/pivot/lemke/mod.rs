@@ -25,8 +25,7 @@
 //! pivots is about 2 n as a rule and 2ⁿ for Murty's matrix; each costs O(n²) on a condensed tableau.
 //! Where A is symmetric the path can be followed by principal pivots, which are cheaper and exacter
 //! (parametric.rs); if one of them cannot be trusted, or somebody wants to see the tableaux, they are made.
-//! Rows without bounds that depend on others, as in redundant joints, stay out of the tableau then; where they
-//! contradict the others by their errors, proximal steps share what is missing, and the solution says so.
+//! Rows without bounds that depend on others, as in redundant joints, stay out of the tableau then.
 //!
 //! At the end x is computed afresh from the active set. Rounding piles up, and can even lead a path
 //! back to where it was. Such a path, and one of more than 50 pivots or with a very small pivot that
@@ -45,11 +44,10 @@ use std::ops::ControlFlow;
 use self::parametric::{End, Parametric};
 use self::path::Path;
 use crate::pivot::opening;
-use crate::pivot::proximal::{self, NEARLY};
 use crate::pivot::standard_form::cover;
 use crate::{Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, frozen};
+use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
-use lcplab_problem::{Lcp, merit};
 
 /// A path of more pivots may be followed a second time; then the tableau is made anew after each so
 /// many pivots.
@@ -77,7 +75,7 @@ impl Solver for Lemke {
         if let Some(status) = open(lcp, &x, tableaux(lcp), &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
-        frozen::solve(lcp, x, &self.settings, |frozen, start, before| {
+        frozen::solve(lcp, x, &self.settings, |frozen, _, before| {
             frozen::tell(lcp, frozen, observer);
             let lcp = frozen;
             let mut seen = 0;
@@ -88,25 +86,10 @@ impl Solver for Lemke {
                     Some(End::Status(status, x)) => {
                         return Solution::new(lcp, x, status, path.pivots);
                     }
-                    Some(End::Redundant) => {
-                        let shared =
-                            proximal::from(lcp, &start, path.pivots, &self.settings, observer);
-                        if let Some(solution) = shared {
-                            return solution;
-                        }
-                        seen = path.pivots - before;
-                    }
                     None => seen = path.pivots - before,
                 }
             }
-            let solution = self.by_tables(lcp, before, &mut Later { seen, observer });
-            let is_nearly = matches!(solution.status, Status::Ray { .. } | Status::Inaccurate)
-                && lcp.matrix().is_nearly_symmetric()
-                && merit::scaled_residual(lcp, &solution.x) <= NEARLY;
-            let shared = is_nearly.then(|| {
-                proximal::from(lcp, &start, solution.iterations, &self.settings, observer)
-            });
-            shared.flatten().unwrap_or(solution)
+            self.by_tables(lcp, before, &mut Later { seen, observer })
         })
     }
 }

@@ -57,8 +57,6 @@ pub(super) struct Parametric<'a> {
 pub(super) enum End {
     /// z₀ = 0.
     Point(Point),
-    /// Rows that depend on others miss by more than the tolerance.
-    Redundant,
     /// At the last x.
     Status(Status, Vec<f64>),
 }
@@ -112,13 +110,15 @@ impl<'a> Parametric<'a> {
             ControlFlow::Break(status) => Some(End::Status(status, self.x.clone())),
             ControlFlow::Continue(()) => {
                 let (lcp, x) = (self.lcp, self.x.clone());
-                let exact = refined(lcp, &self.tableau, &self.free, x, settings.tolerance);
+                let is_idle = |i: usize| self.side[i] == Side::Idle;
+                let exact = refined(lcp, &self.tableau, &self.free, x, settings.tolerance, is_idle);
                 let point =
                     exact.unwrap_or_else(|last| from_active_set(lcp, &self.active_set(), &last.x));
                 if point.is_solution(self.lcp, settings.tolerance) {
                     return Some(End::Point(point));
                 }
-                self.side.contains(&Side::Idle).then_some(End::Redundant)
+                let has_redundant_rows = self.side.contains(&Side::Idle);
+                has_redundant_rows.then_some(End::Status(Status::Inaccurate, point.x))
             }
         }
     }

@@ -166,13 +166,20 @@ struct Went {
 
 impl Went {
     /// What the solver says of the first step in which it gave up and the judge does not accept its
-    /// answer, if there is one. To run out of sweeps is not to give up.
+    /// answer, if there is one. To run out of sweeps is not to give up, and one without an answer
+    /// is suspected.
     fn gave_up(&self) -> Option<String> {
         let words = |(k, solve): (usize, &Option<Solve>)| {
             let Solve { problem, solution, .. } =
                 solve.as_ref().filter(|solve| solve.posing.is_none())?;
-            let is_end = matches!(solution.status, Status::Solved | Status::IterationLimit);
-            let is_answer = is_end || is_accepted(&problem.lcp, &solution.x);
+            let is_said_elsewhere = matches!(
+                solution.status,
+                Status::Solved
+                    | Status::IterationLimit
+                    | Status::NoAnswer { .. }
+                    | Status::OutsideClass { .. }
+            );
+            let is_answer = is_said_elsewhere || is_accepted(&problem.lcp, &solution.x);
             (!is_answer).then(|| format!("in step {}: {}", k + 1, solution.status))
         };
         self.solves.iter().enumerate().find_map(words)

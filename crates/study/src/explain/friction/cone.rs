@@ -10,7 +10,7 @@ use lcplab_page::document::notation::{interval, plain};
 use lcplab_page::document::{Document, Formula, Section};
 use lcplab_problem::error::Result;
 use lcplab_problem::friction::{ConeProblem, Contact, Law};
-use lcplab_solver::Solution;
+use lcplab_solver::{Solution, Status};
 
 /// The cones with their answer, then the box beside them; whether the judge accepts the cones' x.
 pub(in crate::explain) fn cones(
@@ -24,7 +24,9 @@ pub(in crate::explain) fn cones(
     let Solved { mut section, solution } = answered.solved(&answered.rows, None)?;
     section.title = format!("the box beside it, by {}", section.title);
     answered.add(document, section);
-    answered.add(document, beside(answered, &solution));
+    if answered.answer.status == Status::Solved && solution.status == Status::Solved {
+        answered.add(document, beside(answered, &solution));
+    }
     Ok(is_accepted)
 }
 
@@ -66,9 +68,12 @@ fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
     let (own, reading) = (answered.answer, &answered.rows);
     let certificate = judge_cone(cones, &own.x, &answered.demand());
     let mut section = Section::new("the cones' answer");
+    let how = match own.status {
+        Status::Solved => "comes ever nearer to it, all rows at once, and is not followed line by line",
+        _ => "found none",
+    };
     section.say(format!(
-        "{} comes ever nearer to it, all rows at once, and is not followed line by line: {}, after {} \
-         iterations.",
+        "{} {how}: {}, after {} iterations.",
         answered.solver, own.status, own.iterations
     ));
     let contacts = cones.friction().contacts();

@@ -130,7 +130,7 @@ fn a_problem_file_is_explained_and_judged_under_its_own_model() {
     let (document, text) = pushed(None);
     assert_eq!(text.matches("The judge, who").count(), 1, "{text}");
     assert!(document.title.contains("under coulomb-cone"), "{}", document.title);
-    assert!(text.contains("friction within cones") && text.contains("the box beside it"), "{text}");
+    assert!(text.contains("Friction within cones") && text.contains("The box beside it"), "{text}");
 }
 
 #[test]
