@@ -204,7 +204,7 @@ impl Problem {
             (lo[t], hi[t], index[t]) = (0.0, 0.0, None);
         }
         let a = delassus::matrix(&assembly, &compliance, &slides);
-        redundant::agree(&assembly, &a, &mut bias);
+        redundant::agree(&assembly, &a, &mut bias, stage.scale(scene));
         let b = offsets(&assembly, &target, &bias);
         let finite = |i: &usize| b[*i].is_finite() && a.diagonal(*i).is_finite();
         if let Some(i) = (0..rows.len()).find(|i| !finite(i)) {

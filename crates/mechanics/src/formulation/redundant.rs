@@ -11,7 +11,8 @@
 //! bias_j ← Σ z_c bias_c        z = A_CC⁻¹ A_Cj,   C the rows before j that do not depend on others
 //! ```
 //!
-//! The rows of C keep all of their feedback, and where they hold exactly, so does row j: it is the same
+//! unless the two differ by more than that: constraints that contradict each other go on doing so. The
+//! rows of C keep all of their feedback, and where they hold exactly, so does row j: it is the same
 //! joint, seen twice.
 //!
 //! The rows of one joint are independent, and so are those of joints that form a tree. Only where bodies
@@ -32,11 +33,18 @@ use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};
 /// than that lie within 3e-6 rad of depending on each other.
 const INDEPENDENT: f64 = 1e-11;
 
-/// Has rigid equalities ask for nothing that those before them do not allow.
-pub(super) fn agree(assembly: &Assembly, a: &Matrix, bias: &mut [f64]) {
+/// Biases that differ by this part of them have drifted apart. What differs more is meant:
+/// constraints that contradict each other, of which a solver is to say so.
+const DRIFT: f64 = 1e-2;
+/// So is what differs by more than this part of what the scale of the scene does to the row.
+const REST: f64 = 1e-6;
+
+/// Has rigid equalities ask for nothing that those before them do not allow, up to drift and
+/// rounding. `scale` is the x below which a row is at rest.
+pub(super) fn agree(assembly: &Assembly, a: &Matrix, bias: &mut [f64], scale: f64) {
     for rows in loops(assembly) {
         if rows.iter().any(|&i| bias[i] != 0.0) {
-            follow(a, &rows, bias);
+            follow(a, &rows, bias, scale);
         }
     }
 }
@@ -115,8 +123,9 @@ impl Islands {
     }
 }
 
-/// Gives the rows that depend on those before them the bias that follows from theirs.
-fn follow(a: &Matrix, rows: &[usize], bias: &mut [f64]) {
+/// Gives the rows that depend on those before them the bias that follows from theirs, if they differ
+/// by no more than drift and rounding.
+fn follow(a: &Matrix, rows: &[usize], bias: &mut [f64], scale: f64) {
     let own = part(a, rows);
     if is_independent(&own) {
         return;
@@ -130,8 +139,14 @@ fn follow(a: &Matrix, rows: &[usize], bias: &mut [f64]) {
             factor.enter(&elimination, left);
             chosen.push(j);
         } else {
-            let z = factor.substitute(&mut elimination);
-            bias[rows[j]] = chosen.iter().zip(z).map(|(&c, z)| z * bias[rows[c]]).sum();
+            let z: Vec<f64> = factor.substitute(&mut elimination).collect();
+            let follows: f64 = chosen.iter().zip(&z).map(|(&c, z)| z * bias[rows[c]]).sum();
+            let asked = bias[rows[j]];
+            let drift = DRIFT * asked.abs().max(follows.abs());
+            let rest = REST * scale * own.diagonal(j);
+            if (asked - follows).abs() <= drift.max(rest) {
+                bias[rows[j]] = follows;
+            }
         }
     }
 }

@@ -7,9 +7,9 @@
 
 use std::ops::ControlFlow;
 
-use super::Side;
 use super::blocking::End;
 use super::run::{Reached, Run};
+use super::{Side, is_unbounded};
 use crate::kernel::rank_one::{Block, get};
 use crate::kernel::tableau::Tableau;
 use crate::pivot::basic::{Basic, REDUNDANT, TIE, TRUSTED};
@@ -78,7 +78,7 @@ impl ByTableau<'_, '_> {
         }
         let x = self.run.state.x.clone();
         let Run { lcp, state, settings, .. } = &*self.run;
-        let is_idle = |i: usize| state.side[i] == Side::Idle;
+        let is_idle = |i: usize| state.side[i] == Side::Idle && is_unbounded(lcp, i);
         match refined(lcp, &self.tableau, &self.free, x, settings.tolerance, is_idle) {
             Ok(point) => ControlFlow::Continue(Reached::Point(point)),
             Err(_) => self.hand_over(&[]),

@@ -115,6 +115,12 @@ impl Solver for Dantzig {
     }
 }
 
+/// Whether a row has no bounds. Where such a row depends on others no x changes its w, and all that
+/// can be asked of it is the tolerance.
+fn is_unbounded(lcp: &Lcp, i: usize) -> bool {
+    lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite() && !lcp.is_coupled(i)
+}
+
 /// Where a row of Dantzig's method stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {

@@ -1,8 +1,8 @@
 //! The end: w is recomputed from x, x refined, and what is not satisfied is named.
 
-use super::Side;
 use super::blocking::End;
 use super::run::Run;
+use super::{Side, is_unbounded};
 use crate::Fallback;
 use crate::linalg::ldlt::Ldlt;
 use crate::pivot::refinement::EXACT;
@@ -33,7 +33,7 @@ impl Run<'_> {
         self.state.w = self.lcp.w(&self.state.x);
         let tolerance = self.settings.tolerance;
         (0..self.state.x.len()).all(|j| {
-            let is_idle = self.state.side[j] == Side::Idle; // no x of C changes its w
+            let is_idle = self.state.side[j] == Side::Idle && is_unbounded(self.lcp, j);
             let most = if is_idle { tolerance } else { tolerance.min(EXACT) };
             let b = self.lcp.b()[j];
             // at most Σ |a_jk x_k| + |b_j|, and enough in most cases

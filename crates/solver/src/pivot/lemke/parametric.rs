@@ -29,6 +29,10 @@ use crate::pivot::refinement::refined;
 use crate::{Event, Iterate, Observer, Settings, Status};
 use lcplab_problem::Lcp;
 
+/// Rows that depend on each other and miss by more than this part of their terms contradict each
+/// other; the table then has the ray that shows it.
+const NEARLY: f64 = 1e-3;
+
 /// A path that is followed.
 pub(super) struct Parametric<'a> {
     lcp: &'a Lcp,
@@ -117,8 +121,9 @@ impl<'a> Parametric<'a> {
                 if point.is_solution(self.lcp, settings.tolerance) {
                     return Some(End::Point(point));
                 }
-                let has_redundant_rows = self.side.contains(&Side::Idle);
-                has_redundant_rows.then_some(End::Status(Status::Inaccurate, point.x))
+                let is_nearly =
+                    point.largest_residual() <= NEARLY && self.side.contains(&Side::Idle);
+                is_nearly.then_some(End::Status(Status::Inaccurate, point.x))
             }
         }
     }

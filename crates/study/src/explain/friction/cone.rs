@@ -69,7 +69,9 @@ fn contacts(answered: &Answered, cones: &ConeProblem) -> (Section, bool) {
     let certificate = judge_cone(cones, &own.x, &answered.demand());
     let mut section = Section::new("the cones' answer");
     let how = match own.status {
-        Status::Solved => "comes ever nearer to it, all rows at once, and is not followed line by line",
+        Status::Solved => {
+            "comes ever nearer to it, all rows at once, and is not followed line by line"
+        }
         _ => "found none",
     };
     section.say(format!(
