@@ -63,6 +63,17 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::grid::Plan>(),
 ];
 
+/// Kinds of studies that only show something, and why nothing in them can come out wrong. Their
+/// sections count as good unless a task fails; all other kinds decide by what was measured.
+pub const UNDECIDED: [(&str, &str); 6] = [
+    ("film", "some films show motions that end early or go wrong"),
+    ("sparsity", "a picture of the places where matrices have entries"),
+    ("merits", "the same iterates, measured in several ways"),
+    ("plane", "the paths of iterates, whatever the solver's settings make of them"),
+    ("residual-map", "the residuals of a fixed number of sweeps"),
+    ("schemes", "which schemes break down in which scene is what it asks"),
+];
+
 /// Reads the settings of a study from a file.
 pub type Parse = fn(&Source<'_>, Spanned<DeValue<'_>>, &mut Defects) -> Option<Box<dyn AnyStudy>>;
 

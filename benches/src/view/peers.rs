@@ -34,7 +34,7 @@ impl View for Plan {
             "recorded beside other engines: {answered} of our {} runs answered",
             ours().count()
         );
-        Outcome { good: true, says }
+        Outcome { good: answered == ours().count(), says }
     }
 }
 

@@ -18,6 +18,10 @@ use lcplab_problem::disk;
 /// The record that lcplab ships.
 const SHIPPED: &str = include_str!("../../../reports/engines.json");
 
+/// A miss this near to one tolerance may be on either side of it before numbers are rounded to six
+/// digits.
+const SIX_DIGITS: f64 = 1e-4;
+
 /// The format of records that is read.
 const FORMAT: u32 = 1;
 
@@ -258,6 +262,13 @@ impl Measured {
     /// How far it is from the law, in tolerances.
     pub fn miss(&self) -> f64 {
         (self.value - self.law).abs() / self.tolerance
+    }
+
+    /// Whether its verdict is not that of its numbers, of which a record keeps six digits.
+    pub fn is_misjudged(&self) -> bool {
+        let miss = self.miss();
+        let is_at_the_border = (miss - 1.0).abs() < SIX_DIGITS;
+        self.holds != (miss <= 1.0) && !is_at_the_border
     }
 }
 

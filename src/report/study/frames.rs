@@ -43,6 +43,9 @@ pub struct Finding {
     pub words: Document,
     /// What is missing sweep by sweep in the problem that was examined.
     pub courses: Vec<Course>,
+    /// Whether next to nothing is missing in the worst of the answers; where that could not be
+    /// measured, whether all of them are within the tolerance.
+    pub is_good: bool,
 }
 
 impl Study for Plan {
@@ -59,13 +62,16 @@ impl Study for Plan {
         let mut options = Options::default();
         options.settings.max_iterations = self.max_iterations;
         let practice = Practice { entry: methods::entry(&self.solver)?, options };
+        let tolerance = practice.options.settings.tolerance;
         let found = examine_sequence(&problems, &practice);
         let mut words = Document::default();
         found.open(&mut words);
-        let is_short = found.shortfall.as_ref().is_some_and(|own| own.is_short());
-        let frame = found.frame.as_ref().filter(|_| is_short);
+        let is_short = found.shortfall.as_ref().map(|own| own.is_short());
+        let frame = found.frame.as_ref().filter(|_| is_short == Some(true));
         let courses = frame.map_or_else(Vec::new, |frame| courses(frame, &practice));
-        Ok((Finding { words, courses }, ()))
+        let are_within = || found.notes.iter().all(|note| note.residual <= tolerance);
+        let is_good = is_short.map_or_else(are_within, |is_short| !is_short);
+        Ok((Finding { words, courses, is_good }, ()))
     }
 }
 

@@ -12,7 +12,7 @@ use toml::Table;
 use super::footage::Way;
 use super::variation::Variation;
 use super::{Study, history};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::scene::Scene;
 
 /// A ramp with boxes, stepped in several ways.
@@ -30,6 +30,10 @@ pub struct Plan {
     pub duration: f64,
     /// How it is stepped.
     pub ways: Vec<Way>,
+    /// The names of those ways that may miss the formula, because their friction needs some slip
+    /// before it holds or their sweeps end early; all others must keep it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub may_miss: Vec<String>,
 }
 
 fn ramp() -> String {
@@ -111,6 +115,11 @@ impl Study for Plan {
     }
 
     fn run(&self, _: usize) -> Result<(Vec<Finding>, ())> {
+        let is_way = |name: &&String| self.ways.iter().any(|way| way.name == **name);
+        if let Some(name) = self.may_miss.iter().find(|name| !is_way(name)) {
+            let reason = format!("there is no way named {name:?}");
+            return Err(Error::invalid("ramp", "may_miss", reason));
+        }
         let findings: Result<_> = self.ways.par_iter().map(|way| self.measure(way)).collect();
         Ok((findings?, ()))
     }

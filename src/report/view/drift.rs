@@ -1,11 +1,17 @@
 //! Energy and constraint errors, level by level, for shorter and shorter steps.
 
 use super::attempt::stem;
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Table};
 use crate::report::study::comparison::Sample;
 use crate::report::study::drift::{Curve, Finding, Plan};
+
+/// Half the step divides an error by at least this much: by 2 where the method is of first order and
+/// the step is short, by somewhat less where it is not.
+const LEAST_GAIN: f64 = 1.5;
+/// Errors up to this are rounding: in parts of the largest kinetic energy, or in metres.
+const ROUNDING: f64 = 1e-9;
 
 impl View for Plan {
     const TITLE: &'static str = "Energy, and how far the rods stretch";
@@ -22,6 +28,33 @@ impl View for Plan {
         }
         document.table("drift", table(findings));
     }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let errors: Vec<bool> = findings.iter().flat_map(halvings).collect();
+        let fall = errors.iter().filter(|falls| **falls).count();
+        let ended = findings.iter().flat_map(|study| &study.curves);
+        let ended = ended.filter(|curve| curve.failure.is_some()).count();
+        let says = format!(
+            "{fall} of {} errors fall as the step is halved; {ended} runs ended early",
+            errors.len()
+        );
+        Outcome { good: fall == errors.len() && ended == 0, says }
+    }
+}
+
+/// Whether each error falls when the step is halved: of energy, then of length.
+fn halvings(study: &Finding) -> Vec<bool> {
+    let falls =
+        |coarse: f64, fine: f64, rounding: f64| fine <= rounding || coarse >= LEAST_GAIN * fine;
+    let pairs = study.curves.windows(2).filter(|pair| pair[0].scheme == pair[1].scheme);
+    let both = |pair: &[Curve]| {
+        let [coarse, fine] = [&pair[0], &pair[1]];
+        [
+            falls(coarse.energy_error(), fine.energy_error(), ROUNDING * study.scale),
+            falls(coarse.drift(), fine.drift(), ROUNDING),
+        ]
+    };
+    pairs.flat_map(both).collect()
 }
 
 fn name(curve: &Curve) -> String {

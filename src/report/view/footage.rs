@@ -1,6 +1,6 @@
 //! Films made of what was kept of a motion.
 
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::report::page::{Block, Player};
 use crate::report::study::footage::{Footage, Plan};
 
@@ -29,5 +29,9 @@ impl View for Plan {
         for footage in findings {
             document.footage(footage, &self.caption);
         }
+    }
+
+    fn outcome(&self, _: &[Footage]) -> Outcome {
+        Outcome::undecided()
     }
 }

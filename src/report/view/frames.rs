@@ -9,7 +9,7 @@ impl View for Plan {
     const TITLE: &'static str = "What is missing, and why";
 
     fn show(&self, found: &[Finding], document: &mut Document) {
-        for Finding { words, courses } in found {
+        for Finding { words, courses, .. } in found {
             if !courses.is_empty() {
                 document.figure(convergence(courses));
             }
@@ -31,6 +31,7 @@ impl View for Plan {
 
     fn outcome(&self, found: &[Finding]) -> Outcome {
         let says = found.iter().map(|found| found.words.lead.trim());
-        Outcome { good: true, says: says.collect::<Vec<_>>().join(" ") }
+        let good = found.iter().all(|found| found.is_good);
+        Outcome { good, says: says.collect::<Vec<_>>().join(" ") }
     }
 }

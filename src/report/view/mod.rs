@@ -105,10 +105,9 @@ pub trait View: Study {
         None
     }
 
-    /// Whether all came out as it should.
-    fn outcome(&self, _findings: &[Self::Finding]) -> Outcome {
-        Outcome { good: true, says: String::new() }
-    }
+    /// Whether all came out as it should, by what was measured; [`Outcome::undecided`] of the kinds
+    /// that [`UNDECIDED`](super::kind::UNDECIDED) lists, and of no others.
+    fn outcome(&self, findings: &[Self::Finding]) -> Outcome;
 }
 
 /// How a study came out.
@@ -118,6 +117,13 @@ pub struct Outcome {
     pub good: bool,
     /// In one line, with the numbers; nothing if there is nothing to say.
     pub says: String,
+}
+
+impl Outcome {
+    /// The outcome of a kind of study that only shows something.
+    pub fn undecided() -> Self {
+        Outcome { good: true, says: String::new() }
+    }
 }
 
 /// The page of a report's results.

@@ -1,7 +1,7 @@
 //! Paths in the plane of a row.
 
 use super::attempt::{anchor, iterations_in_words, section_id};
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::plot::Axis;
 use crate::plot::plane::{Path, Plane};
 use crate::report::study::plane::{Plan, Row};
@@ -25,6 +25,10 @@ impl View for Plan {
              then the other rows move, and lift the point off it again, straight up or down: only $w_i$ \
              feels them. Pivoting methods walk along the graph itself and take each segment in one step.",
         );
+    }
+
+    fn outcome(&self, _: &[Row]) -> Outcome {
+        Outcome::undecided()
     }
 }
 

@@ -1,5 +1,6 @@
 //! Who sticks on the ramp, and how fast the others slide.
 
+use super::attempt::listed;
 use super::{Document, Outcome, View};
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
@@ -27,12 +28,24 @@ impl View for Plan {
     }
 
     fn outcome(&self, findings: &[Vec<Finding>]) -> Outcome {
-        let boxes = || findings.iter().flatten().flat_map(|finding| &finding.boxes);
-        let agree = boxes().filter(|slid| agrees(slid)).count();
-        let says =
-            format!("{agree} of {} boxes on the ramp move as the formula says", boxes().count());
-        Outcome { good: true, says }
+        let (may_miss, must_agree): (Vec<&Finding>, Vec<&Finding>) =
+            findings.iter().flatten().partition(|finding| self.may_miss.contains(&finding.name));
+        let ((agree, all), (of_others, others)) = (counted(&must_agree), counted(&may_miss));
+        let mut says = format!("{agree} of {all} boxes on the ramp move as the formula says");
+        if !may_miss.is_empty() {
+            let names: Vec<&str> = may_miss.iter().map(|finding| &*finding.name).collect();
+            says +=
+                &format!(", {of_others} of {others} under {}, which may miss it", listed(&names));
+        }
+        let is_whole = must_agree.iter().all(|finding| finding.ending.is_none());
+        Outcome { good: agree == all && is_whole, says }
     }
+}
+
+/// How many boxes move as the formula says, and how many there are.
+fn counted(findings: &[&Finding]) -> (usize, usize) {
+    let boxes = || findings.iter().flat_map(|finding| &finding.boxes);
+    (boxes().filter(|slid| agrees(slid)).count(), boxes().count())
 }
 
 fn agrees(slid: &Slid) -> bool {

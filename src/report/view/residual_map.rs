@@ -1,7 +1,7 @@
 //! The residual of each row after each sweep, as shades.
 
 use super::attempt::section_id;
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::number::readable;
 use crate::plot::{Axis, Heat, Shaded};
 use crate::report::study::residual_map::{Map, Method, Plan};
@@ -21,6 +21,10 @@ impl View for Plan {
         ));
         document.figure(self.figure(section_id(document), maps));
         document.text(self.words(maps));
+    }
+
+    fn outcome(&self, _: &[Map]) -> Outcome {
+        Outcome::undecided()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Scenes as films.
 
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::report::page::markup::literal;
 use crate::report::study::scenes::{Finding, Plan};
 
@@ -12,5 +12,13 @@ impl View for Plan {
             document.text(format!("**{}**: {}", literal(&footage.id), literal(title)));
             document.footage(footage, &literal(teaches.trim()));
         }
+    }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let comes_to_its_end =
+            |finding: &&Finding| finding.footage.reels.iter().all(|reel| reel.ending.is_none());
+        let whole = findings.iter().filter(comes_to_its_end).count();
+        let says = format!("{whole} of {} scenes come to their end", findings.len());
+        Outcome { good: whole == findings.len(), says }
     }
 }

@@ -1,6 +1,6 @@
 //! How deep a stack with a heavy top sinks, by solver and mass ratio.
 
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -41,6 +41,17 @@ impl View for Plan {
         ));
         document.figure(figure(self, findings));
         document.table("sinking", table(self, findings));
+    }
+
+    /// Too few sweeps may let it sink, which is what the study shows; without a limit it must stand.
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let runs = findings.iter().flat_map(|finding| self.solvers.iter().zip(&finding.runs));
+        let unlimited = runs.filter(|(contender, _)| contender.sweeps.is_none());
+        let unlimited: Vec<&Run> = unlimited.map(|(_, run)| run).collect();
+        let (stands, all) =
+            (unlimited.iter().filter(|run| fate(run).is_none()).count(), unlimited.len());
+        let says = format!("the stack stands in {stands} of {all} runs without a limit of sweeps");
+        Outcome { good: stands == all, says }
     }
 }
 
@@ -92,15 +103,22 @@ fn table(settings: &Plan, findings: &[Finding]) -> Table {
     }
 }
 
+/// What becomes of the stack; none if it stands.
+fn fate(run: &Run) -> Option<&str> {
+    let history = &run.history;
+    match &history.ending {
+        Some(why) => Some(why),
+        None if run.top.iter().any(|way| way.abs() > FALLEN) => Some("falls over"),
+        None if -1e3 * run.top[0] > VISIBLE => Some("is thrown up"),
+        None if 1e3 * history.penetration > VISIBLE => Some("sinks"),
+        None => None,
+    }
+}
+
 fn cells(ratio: f64, run: &Run) -> Vec<Cell> {
     let history = &run.history;
-    let outcome = match &history.ending {
-        Some(why) => Cell::text(why).marked(Mark::Bad),
-        None if run.top.iter().any(|way| way.abs() > FALLEN) => {
-            Cell::text("falls over").marked(Mark::Bad)
-        }
-        None if -1e3 * run.top[0] > VISIBLE => Cell::text("is thrown up").marked(Mark::Bad),
-        None if 1e3 * history.penetration > VISIBLE => Cell::text("sinks").marked(Mark::Bad),
+    let outcome = match fate(run) {
+        Some(fate) => Cell::text(fate).marked(Mark::Bad),
         None => Cell::text("stands").marked(Mark::Good),
     };
     vec![

@@ -1,6 +1,6 @@
 //! The models of friction on a block that is pushed from all sides, and on a rod.
 
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -87,6 +87,29 @@ impl View for Plan {
             said.join("; ")
         ))
     }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let slides = checked(findings.iter().flat_map(|study| &study.slides), slides_as_expected);
+        let grips = checked(findings.iter().flat_map(|study| &study.grips), |grip| {
+            (grip.measured - grip.expected).abs() <= AGREES
+        });
+        let paths = checked(findings.iter().flat_map(|study| &study.paths), stops_as_expected);
+        let rods = checked(findings.iter().flat_map(|study| &study.rod), is_accepted);
+        let says = format!(
+            "{} of {} pushes, {} of {} grips and {} of {} paths as geometry says; {} of {} answers \
+             on the rod accepted",
+            slides[0], slides[1], grips[0], grips[1], paths[0], paths[1], rods[0], rods[1]
+        );
+        Outcome { good: [slides, grips, paths, rods].iter().all(|[good, all]| good == all), says }
+    }
+}
+
+/// How many of these are as they should, and how many there are.
+fn checked<'a, T: 'a>(
+    all: impl Iterator<Item = &'a T>,
+    is_good: impl Fn(&T) -> bool,
+) -> [usize; 2] {
+    all.fold([0, 0], |[good, all], own| [good + usize::from(is_good(own)), all + 1])
 }
 
 /// How much a model holds, at least and at most, and how far aside its friction points.
@@ -161,11 +184,16 @@ fn path_table(study: &Finding) -> Table {
     }
 }
 
+/// Whether the block stops and floats as geometry says, by answers that the judge accepts.
+fn stops_as_expected(path: &Path) -> bool {
+    let ([x, y], [ex, ey]) = (path.stop, path.expected);
+    (x - ex).hypot(y - ey) <= 2.0 * path.travel
+        && (path.gap - path.expected_gap).abs() <= 1e-6
+        && path.accepted == path.problems
+}
+
 fn path_cells(path: &Path) -> Vec<Cell> {
     let ([x, y], [ex, ey]) = (path.stop, path.expected);
-    let agrees = (x - ex).hypot(y - ey) <= 2.0 * path.travel
-        && (path.gap - path.expected_gap).abs() <= 1e-6
-        && path.accepted == path.problems;
     let mut cells = vec![
         Cell::text(path.model.to_string()),
         Cell::text(&path.solver),
@@ -173,7 +201,7 @@ fn path_cells(path: &Path) -> Vec<Cell> {
         Cell::count(path.accepted),
     ];
     cells.extend([x, ex, y, ey, path.gap, path.expected_gap].map(tidy));
-    cells.push(match agrees {
+    cells.push(match stops_as_expected(path) {
         true => Cell::text("agrees").marked(Mark::Good),
         false => Cell::text("differs").marked(Mark::Bad),
     });
@@ -290,21 +318,24 @@ fn block_table(study: &Finding) -> Table {
     }
 }
 
-fn block_cells(slide: &Slide) -> Vec<Cell> {
-    let (answer, expected) = (&slide.answer, slide.expected);
-    let contact = answer.contacts.first();
+/// Strength, angle and rise as found, each with the expected number.
+fn pairs(slide: &Slide) -> [(f64, f64); 3] {
+    let (contact, expected) = (slide.answer.contacts.first(), slide.expected);
     let strength = contact.and_then(|c| c.strength).unwrap_or(f64::NAN);
     let misalignment = contact.and_then(|c| c.misalignment).unwrap_or(f64::NAN);
     let rise = contact.map_or(f64::NAN, |c| c.velocity[0]);
-    let pairs = [
-        (strength, expected.strength),
-        (misalignment, expected.misalignment),
-        (rise, expected.rise),
-    ];
-    let agrees = pairs.iter().all(|(found, expected)| (found - expected).abs() <= AGREES);
+    [(strength, expected.strength), (misalignment, expected.misalignment), (rise, expected.rise)]
+}
+
+fn slides_as_expected(slide: &Slide) -> bool {
+    pairs(slide).iter().all(|(found, expected)| (found - expected).abs() <= AGREES)
+}
+
+fn block_cells(slide: &Slide) -> Vec<Cell> {
+    let (answer, pairs) = (&slide.answer, pairs(slide));
     let mut cells = vec![Cell::text(answer.model.to_string()), verdict(answer)];
     cells.extend(pairs.iter().flat_map(|(found, expected)| [tidy(*found), tidy(*expected)]));
-    cells.push(match agrees {
+    cells.push(match slides_as_expected(slide) {
         true => Cell::text("agrees").marked(Mark::Good),
         false => Cell::text("differs").marked(Mark::Bad),
     });
@@ -368,10 +399,13 @@ fn tidy(value: f64) -> Cell {
     Cell { value: Some(value), ..Cell::number(shown, 4) }
 }
 
+fn is_accepted(answer: &Answer) -> bool {
+    answer.verdict != "not_a_solution"
+}
+
 fn verdict(answer: &Answer) -> Cell {
-    let good = answer.verdict != "not_a_solution";
     let words = answer.verdict.replace('_', " ");
-    Cell::text(words).marked(if good { Mark::Plain } else { Mark::Bad })
+    Cell::text(words).marked(if is_accepted(answer) { Mark::Plain } else { Mark::Bad })
 }
 
 fn residual(answer: &Answer) -> Cell {

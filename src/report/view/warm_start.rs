@@ -1,7 +1,7 @@
 //! What the last step's answer saves.
 
 use super::attempt::{anchor, section_id};
-use super::{Document, View};
+use super::{Document, Outcome, View};
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -22,6 +22,17 @@ impl View for Plan {
         }
         document.table(&id, table(runs));
         document.text(words(runs));
+    }
+
+    fn outcome(&self, runs: &[Run]) -> Outcome {
+        let whole = runs.iter().filter(|run| run.failure.is_none()).count();
+        let unsolved: usize =
+            runs.iter().flat_map(|run| &run.steps).map(|pair| pair.unsolved).sum();
+        let says = format!(
+            "{whole} of {} runs come to their end, {unsolved} solves not claimed solved",
+            runs.len()
+        );
+        Outcome { good: whole == runs.len(), says }
     }
 }
 

@@ -166,15 +166,20 @@ fn problem_files_make_a_report_of_what_is_missing_and_who_solves_them() {
         assert_eq!(told.status.code(), Some(0));
     }
     let out_folder = at("page");
-    let told = run(&["report", &at("*.json"), "--sweeps", "2", "--out", &out_folder]);
+    // A solver that solves the problems is good; two sweeps leave half of the weight, and are not.
+    let (files, folder_of_solved) = (at("*.json"), at("solved"));
+    let solved = ["--solver", "dantzig", "--sweeps", "1000", "--out", &folder_of_solved];
+    let told = run(&[&["report", &files][..], &solved].concat());
     assert_eq!(told.status.code(), Some(0), "{told:?}");
+    let told = run(&["report", &at("*.json"), "--sweeps", "2", "--out", &out_folder]);
+    assert_eq!(told.status.code(), Some(1), "{told:?}");
     let page = fs::read_to_string(at("page/index.html")).unwrap();
     for part in ["2 sweeps of pgs leave", "Who solves most?", "step-1.json", "dantzig"] {
         assert!(page.contains(part), "{part}");
     }
     // It names the command that makes it again, and is drawn again from its results to the same bytes.
     assert!(page.contains("--solver pgs --sweeps 2"));
-    assert_eq!(run(&["report", "--redraw", &out_folder]).status.code(), Some(0));
+    assert_eq!(run(&["report", "--redraw", &out_folder]).status.code(), Some(1));
     assert!(page == fs::read_to_string(at("page/index.html")).unwrap());
     let told = run(&["report", &at("step-1.json"), "mine.toml"]);
     assert_eq!(told.status.code(), Some(2));

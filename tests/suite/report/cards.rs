@@ -206,6 +206,39 @@ fn lcplabs_schemes_keep_every_law_that_their_theory_lets_them_keep() {
 }
 
 #[test]
+fn the_record_is_good_unless_lcplab_misses_more_than_is_known_or_a_verdict_is_not_its_numbers() {
+    let plan = Plan::default();
+    let faults = |change: &dyn Fn(&mut Column), engine: &str, settings: &str, name: &str| {
+        let mut record = shipped();
+        let phenomena = record.phenomena.iter_mut().filter(|own| own.name == name);
+        let mut columns = phenomena.flat_map(|own| &mut own.columns);
+        let is_it = |own: &&mut Column| own.engine == engine && own.settings == settings;
+        change(columns.find(is_it).expect("such a run"));
+        let outcome = plan.outcome(&[record]);
+        assert_eq!(outcome.good, !outcome.says.contains("unexpected"), "{}", outcome.says);
+        !outcome.good
+    };
+    let nothing = |_: &mut Column| ();
+    assert!(!faults(&nothing, "lcplab", "velocity", "weight"), "as it is shipped");
+    let misses = |column: &mut Column| {
+        let measured = &mut column.measured[0];
+        measured.value = measured.law + 3.0 * measured.tolerance;
+        measured.holds = false;
+    };
+    assert!(faults(&misses, "lcplab", "velocity", "weight"));
+    assert!(!faults(&misses, "lcplab", "velocity", "spring"), "it is known to miss that");
+    assert!(!faults(&misses, "mujoco", "accurate", "weight"), "what others miss is a finding");
+    assert!(faults(&misses, "mujoco", "accurate", "free_fall"), "the adapter is wrong");
+    let fails = |column: &mut Column| {
+        column.measured.clear();
+        column.failed = Some("stopped".into());
+    };
+    assert!(faults(&fails, "lcplab", "velocity", "weight"));
+    let lies = |column: &mut Column| column.measured[0].holds = !column.measured[0].holds;
+    assert!(faults(&lies, "mujoco", "defaults", "weight"));
+}
+
+#[test]
 fn two_reported_findings_are_in_the_record_as_their_formulas_say() {
     let record = shipped();
     let mujoco = |name: &str| {

@@ -63,6 +63,12 @@ fn a_stack_sinks_where_the_sweeps_carry_too_little_and_not_under_a_direct_solver
     assert!(few.carried[0] < more.carried[0] && more.carried[0] < 0.9);
     assert!(direct.history.penetration < 1e-9);
     assert!(few.history.penetration > 1e-3);
+    // Of the stack that sweeps let sink nothing is claimed; the direct solver must carry it.
+    assert!(plan.outcome(std::slice::from_ref(&found)).good);
+    let mut sunk = found.clone();
+    sunk.runs[0].history.penetration = 0.02;
+    let outcome = plan.outcome(&[sunk]);
+    assert!(!outcome.good && outcome.says.contains("0 of 1"), "{}", outcome.says);
     let footage = found.footage.unwrap();
     assert_eq!(footage.reels.len(), 3);
     assert_eq!(footage.film().unwrap().times().len(), 3);

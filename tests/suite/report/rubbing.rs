@@ -25,8 +25,25 @@ fn boxes_on_the_ramp_stick_or_slide_by_the_formula() {
             assert!((slid.acceleration - published).abs() < 1e-4, "{}: {slid:?}", finding.name);
         }
     }
-    let table = standard::table(&Document::of(&plan, &[found]), "ramp");
+    let table = standard::table(&Document::of(&plan, std::slice::from_ref(&found)), "ramp");
     assert_eq!(table.rows.len(), 3); // theory first
+    assert!(plan.outcome(std::slice::from_ref(&found)).good);
+}
+
+#[test]
+fn a_box_that_moves_otherwise_is_bad_unless_its_way_is_named_as_one_that_may() {
+    let text = "duration = 0.1\nways = [{ name = 'velocity' }]\n";
+    let plan: ramp::Plan = toml::from_str(text).unwrap();
+    let mut found = plan.run(0).unwrap().0;
+    found[0].boxes[1].acceleration += 0.01;
+    let outcome = plan.outcome(std::slice::from_ref(&found));
+    assert!(!outcome.good && outcome.says.starts_with("4 of 5 boxes"), "{}", outcome.says);
+    let excused: ramp::Plan = toml::from_str(&format!("{text}may_miss = ['velocity']")).unwrap();
+    let outcome = excused.outcome(&[found]);
+    assert!(outcome.good && outcome.says.contains("4 of 5 under velocity"), "{}", outcome.says);
+    let unknown: ramp::Plan = toml::from_str(&format!("{text}may_miss = ['soft']")).unwrap();
+    let message = unknown.run(0).unwrap_err().to_string();
+    assert_eq!(message, "ramp: may_miss: there is no way named \"soft\"");
 }
 
 #[test]
@@ -36,7 +53,9 @@ fn smoothed_friction_creeps_by_the_formula_and_rows_of_friction_do_not() {
     // W sin θ/(4 d): 2 kg at 20° on four corners.
     let expected = 2.0 * 9.81 * 20f64.to_radians().sin() / 80.0;
     assert!((found[0].speed / expected - 1.0).abs() < 1e-3, "{:?}", found[0]);
-    for finding in found.iter().filter(|finding| finding.damping.is_none()) {
+    let rows: Vec<_> = found.iter().filter(|finding| finding.damping.is_none()).collect();
+    assert!(!rows.is_empty());
+    for finding in rows {
         assert!(finding.speed.abs() < 1e-6, "{finding:?}");
     }
     assert!(plan.outcome(&[found]).good);

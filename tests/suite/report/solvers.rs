@@ -272,6 +272,9 @@ fn the_first_step_of_a_simulation_is_as_cold_as_cold_can_be() {
         "solvers = [\"pgs\"]\nscenes = [{ scene = \"stack\", steps = 4 }]\ntolerance = 1e-5",
     );
     let run = only(&plan);
+    assert!(view::View::outcome(&plan, std::slice::from_ref(&run)).good);
+    let broken = warm_start::Run { failure: Some("no step".into()), ..run.clone() };
+    assert!(!view::View::outcome(&plan, &[broken]).good);
     assert_eq!((run.steps.len(), run.failure), (4, None));
     assert_eq!(run.steps[0].warm, run.steps[0].cold);
     assert!(run.steps[1].warm < run.steps[1].cold);

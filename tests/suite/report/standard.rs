@@ -1,15 +1,16 @@
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 use indicatif::ProgressBar;
 use lcplab::error::Error;
 use lcplab::lcp::friction::Model;
 use lcplab::report::experiment::{Experiment, SHIPPED};
-use lcplab::report::kind::KINDS;
+use lcplab::report::kind::{KINDS, UNDECIDED};
 use lcplab::report::page::{Block, Cell, Mark, Picture, Table};
 use lcplab::report::results::{Part, Results};
 use lcplab::report::study::comparison::{Sample, thinned};
-use lcplab::report::study::convergence;
-use lcplab::report::view::Document;
+use lcplab::report::study::{convergence, drift, sliding};
+use lcplab::report::view::{Document, Outcome, View};
 use lcplab::report::{methods, run, view, write};
 use lcplab::scene::catalogue::SHIPPED as SHIPPED_SCENES;
 use lcplab::solver::{ALL, Method, Stop};
@@ -198,8 +199,56 @@ fn results_that_cannot_be_saved_are_reported_before_anything_runs() {
 
 #[test]
 fn every_kind_of_study_is_known_by_a_name_of_its_own() {
-    let names: std::collections::BTreeSet<_> = KINDS.iter().map(|kind| kind.name).collect();
+    let names: BTreeSet<_> = KINDS.iter().map(|kind| kind.name).collect();
     assert_eq!(names.len(), KINDS.len());
+}
+
+#[test]
+fn kinds_that_decide_nothing_are_listed_by_name_and_all_others_decide() {
+    let mut decides = BTreeMap::new();
+    for (name, _) in SHIPPED {
+        for section in Experiment::load(name).unwrap().sections {
+            if let Some(study) = section.study {
+                let outcome = study.outcome(&[]).unwrap();
+                decides.insert(study.name(), outcome != Outcome::undecided());
+            }
+        }
+    }
+    decides.insert("frames", true); // about problem files, which no shipped report has
+    assert_eq!(decides.len(), KINDS.len());
+    let listed: BTreeSet<&str> = UNDECIDED.iter().map(|(name, _)| *name).collect();
+    let undecided: BTreeSet<&str> =
+        decides.iter().filter(|(_, decides)| !**decides).map(|(name, _)| *name).collect();
+    assert_eq!(undecided, listed);
+}
+
+/// Whether the findings of a section of the small report are good once the first is changed.
+fn is_good_after<S: View>(plan: &S, change: impl Fn(&mut S::Finding)) -> bool {
+    let mut findings = results().findings::<S>().unwrap();
+    assert!(plan.outcome(&findings).good, "as it was found");
+    change(&mut findings[0]);
+    plan.outcome(&findings).good
+}
+
+#[test]
+fn pushes_and_paths_that_are_not_as_geometry_says_are_bad() {
+    let plan = sliding::Plan { mu: 0.5, push: 3.0 };
+    assert!(is_good_after(&plan, |_| ()));
+    assert!(!is_good_after(&plan, |study| study.slides[7].expected.strength += 0.01));
+    assert!(!is_good_after(&plan, |study| study.grips[3].measured = f64::NAN));
+    assert!(!is_good_after(&plan, |study| study.paths[0].accepted -= 1));
+    assert!(!is_good_after(&plan, |study| study.rod[0].verdict = "not_a_solution".into()));
+}
+
+#[test]
+fn errors_that_do_not_fall_with_the_step_are_bad() {
+    let plan = drift::Plan { scenes: Vec::new() };
+    assert!(is_good_after(&plan, |_| ()));
+    assert!(!is_good_after(&plan, |study| {
+        let last = study.curves[2].samples.last_mut().unwrap();
+        last.drift = 1.0;
+    }));
+    assert!(!is_good_after(&plan, |study| study.curves[0].failure = Some("no step".into())));
 }
 
 #[test]
