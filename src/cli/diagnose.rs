@@ -50,7 +50,7 @@ the files of a folder in the order of their names. With an answer it makes each 
 and names those that explain x at least a hundred times better than the exact solution does, at the precision of x; an
 answer that the judge accepts has none. INPUT is a problem
 file if its ending is one of `convert --list`, or -; a folder of such files; otherwise a scene. Exit code 0 if it can be
-solved, 1 if not, 2 for bad input.")]
+solved, or each problem of a folder, 1 if not, 2 for bad input.")]
 pub struct Diagnose {
     /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
     /// JSON from standard input, or a folder of problem files
@@ -210,12 +210,18 @@ impl Diagnose {
         }
         let practice = self.practice(solver)?;
         let found = examine_sequence(&problems, &practice);
+        let tolerance = practice.options.settings.tolerance;
+        let unsolved = found.unsolved(tolerance);
+        let is_accepted = unsolved.is_empty();
         if self.json {
-            print(&format!("{:#}\n", found.to_json()))?;
-            return Ok(Outcome::Good);
+            let mut object = found.to_json();
+            object["unsolved"] = unsolved.into();
+            print(&format!("{object:#}\n"))?;
+            return Ok(if is_accepted { Outcome::Good } else { Outcome::Refuted });
         }
         let title = format!("Diagnosis of {}", self.input);
-        let document = Document { title, is_accepted: true, ..Document::default() };
+        let lead = found.unsolved_in_words(tolerance);
+        let document = Document { title, lead, is_accepted, ..Document::default() };
         self.write(document, Some(&Examined { found, practice, scene: None }))
     }
 

@@ -46,8 +46,8 @@ Example:
   lcplab report --compare before/results.json after/results.json
 
 The folder gets index.html, which needs no network, results.json, and the data of every figure and
-table. results.json grows while the report runs; a run that was stopped goes on from it. Exit code 1 if a known number is missed or a solver's claim is refuted, or if compared results
-differ, or a study fails, 2 for bad input.")]
+table. results.json grows while the report runs; a run that was stopped goes on from it. Exit code 1 if a known number is missed or a solver's claim is refuted, if a study fails, if the
+solver leaves something of problem files undone, or if compared results differ, 2 for bad input.")]
 pub struct Report {
     /// A report file, the name of a shipped report, or problem files, folders and patterns of them
     #[arg(default_value = "standard")]

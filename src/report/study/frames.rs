@@ -43,8 +43,7 @@ pub struct Finding {
     pub words: Document,
     /// What is missing sweep by sweep in the problem that was examined.
     pub courses: Vec<Course>,
-    /// Whether next to nothing is missing in the worst of the answers; where that could not be
-    /// measured, whether all of them are within the tolerance.
+    /// Whether next to nothing is missing in the answers, and each problem is known to be solved.
     pub is_good: bool,
 }
 
@@ -64,13 +63,13 @@ impl Study for Plan {
         let practice = Practice { entry: methods::entry(&self.solver)?, options };
         let tolerance = practice.options.settings.tolerance;
         let found = examine_sequence(&problems, &practice);
-        let mut words = Document::default();
+        let unsolved = found.unsolved_in_words(tolerance);
+        let mut words = Document { lead: unsolved.clone(), ..Document::default() };
         found.open(&mut words);
-        let is_short = found.shortfall.as_ref().map(|own| own.is_short());
-        let frame = found.frame.as_ref().filter(|_| is_short == Some(true));
+        let is_short = found.shortfall.as_ref().is_some_and(|own| own.is_short());
+        let frame = found.frame.as_ref().filter(|_| is_short);
         let courses = frame.map_or_else(Vec::new, |frame| courses(frame, &practice));
-        let are_within = || found.notes.iter().all(|note| note.residual <= tolerance);
-        let is_good = is_short.map_or_else(are_within, |is_short| !is_short);
+        let is_good = !is_short && unsolved.is_empty();
         Ok((Finding { words, courses, is_good }, ()))
     }
 }

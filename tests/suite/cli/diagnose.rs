@@ -40,6 +40,29 @@ fn a_page_shows_film_pattern_and_sweeps_and_the_problems_lie_beside_it() {
 }
 
 #[test]
+fn a_folder_in_which_a_problem_has_no_solution_is_not_well() {
+    let folder = tempfile::tempdir().unwrap();
+    let [fine, impossible] = ["1.json", "2.json"].map(|name| folder.path().join(name));
+    std::fs::write(fine, super::GOOD).unwrap();
+    let path = folder.path().to_str().unwrap();
+    let told = run(&["diagnose", path]);
+    assert_eq!(told.status.code(), Some(0), "{}", out(&told));
+    assert!(out(&told).contains("No cause for trouble was found."), "{}", out(&told));
+    std::fs::write(impossible, r#"{"A": {"dense": [[0]]}, "b": [-1]}"#).unwrap(); // w = −1
+    let told = run(&["diagnose", path]);
+    assert_eq!(told.status.code(), Some(1), "{}", out(&told));
+    let words = "No answer to 2.json is known that the judge accepts.";
+    assert!(out(&told).contains(words) && !out(&told).contains("No cause"), "{}", out(&told));
+    let told = run(&["diagnose", path, "--json"]);
+    let object: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
+    assert_eq!(told.status.code(), Some(1));
+    assert_eq!(object["unsolved"], serde_json::json!(["2.json"]));
+    let page = folder.path().join("page");
+    let report = ["report", path, "--out", page.to_str().unwrap()];
+    assert_eq!(run(&report).status.code(), Some(1));
+}
+
+#[test]
 fn which_formulation_holds_is_counted_from_the_runs() {
     let told = run(&["compare", "mass_ratio3", "--steps", "3", "--json"]);
     let told: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();

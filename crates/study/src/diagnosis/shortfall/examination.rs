@@ -109,6 +109,27 @@ impl Examination {
         all
     }
 
+    /// The names of the problems to which no answer is known that the judge accepts: no method found
+    /// one to compare with, and that of the solver is beyond the tolerance.
+    pub fn unsolved(&self, tolerance: f64) -> Vec<&str> {
+        let is_unsolved = |note: &&Note| note.missing.is_none() && !(note.residual <= tolerance);
+        self.notes.iter().filter(is_unsolved).map(|note| note.name.as_str()).collect()
+    }
+
+    /// The same in a sentence; nothing if there are none.
+    pub fn unsolved_in_words(&self, tolerance: f64) -> String {
+        match self.unsolved(tolerance)[..] {
+            [] => String::new(),
+            [one] => format!("No answer to {one} is known that the judge accepts."),
+            [first, .., last] => format!(
+                "No answer to {} of {} problems is known that the judge accepts, from {first} to \
+                 {last}.",
+                self.unsolved(tolerance).len(),
+                self.notes.len()
+            ),
+        }
+    }
+
     /// The first sentences.
     pub fn headline(&self) -> String {
         let mut words = match (&self.shortfall, &self.unmeasured) {
