@@ -33,6 +33,56 @@ fn the_examples_of_the_readme_are_those_of_a_run() {
 }
 
 #[test]
+fn the_summary_in_the_readme_is_that_of_the_committed_report() {
+    let readme = include_str!("../../../README.md");
+    let table = include_str!("../../../reports/reference/data/summary.csv");
+    let (_, rest) = readme.split_once("cargo run --release -- report\n").unwrap();
+    let shown = rest.lines().take_while(|line| !line.starts_with("reports/"));
+    let shown: Vec<&str> = shown.map(|line| line.split_at(15).1).collect(); // after the section's id
+    assert_eq!(shown.len(), table.lines().count() - 1);
+    for result in shown {
+        assert!(table.contains(result), "{result}");
+    }
+}
+
+#[test]
+fn the_examples_of_the_page_on_commands_are_those_of_a_run() {
+    let page = include_str!("../../../docs/commands.md");
+    let folder = tempfile::tempdir().unwrap();
+    let stack = folder.path().join("stack.json").display().to_string();
+    run(&["export", "stack", "--step", "1", "--out", &stack]);
+    let output = out(&run(&["solve", &stack, "--solver", "pgs"]));
+    assert_eq!(shown(page, "lcplab solve stack.json --solver pgs", 4), lines(&output, 4));
+    let row = output.lines().find(|line| line.trim_start().starts_with("row ")).unwrap();
+    assert!(page.contains(row), "{row}");
+    for arguments in [
+        &["chapter", "E21"][..],
+        &["diagnose", "mass_ratio3", "--solver", "pgs", "--sweeps", "10"],
+        &["diagnose", "fig8"],
+    ] {
+        let output = words(&out(&run(arguments)));
+        let (_, rest) = page.split_once(&format!("$ lcplab {}\n", arguments.join(" "))).unwrap();
+        let (block, _) = rest.split_once("```").unwrap();
+        for part in block.split("...").map(words).filter(|part| !part.is_empty()) {
+            assert!(output.contains(&part), "{part}\n{output}");
+        }
+    }
+}
+
+/// The words of a text, however they are spread over lines.
+fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn the_example_of_the_page_on_the_hunt_is_that_of_a_run() {
+    let page = include_str!("../../../docs/hunt.md");
+    let output = out(&run(&["hunt", "--solver", "code6", "--measure", "failure"]));
+    let command = "lcplab hunt --solver code6 --measure failure | head -12";
+    assert_eq!(shown(page, command, 12), lines(&output, 12));
+}
+
+#[test]
 fn the_example_of_the_page_on_solvers_is_that_of_a_run() {
     let page = include_str!("../../../docs/solvers.md");
     let rod = out(&run(&["generate", "pushed-rod"]));
