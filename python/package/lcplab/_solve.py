@@ -117,8 +117,8 @@ def solve(
         The problem, as :class:`Problem` takes it; or ``A`` is a :class:`Problem`.
     solver : str or callable, optional
         A name that :func:`solvers` lists, or a function ``f(A, b, lo, hi, **settings)`` that returns x, yields
-        iterates, or returns None; without it Dantzig's method, or Lemke's where A is not symmetric. Under a friction cone
-        the function needs a parameter named ``model``.
+        iterates, or returns None; without it the methods of ``docs/solvers.md`` in turn, until one solves the problem.
+        Under a friction cone the function needs a parameter named ``model``.
     tolerance : float
         The largest scaled residual that counts as solved.
     omega : float, optional
