@@ -35,9 +35,9 @@ const INDEPENDENT: f64 = 1e-11;
 
 /// Biases that differ by this part of them have drifted apart. What differs more is meant:
 /// constraints that contradict each other, of which a solver is to say so.
-const DRIFT: f64 = 1e-2;
+const DRIFT: f64 = 0.1;
 /// So is what differs by more than this part of what the scale of the scene does to the row.
-const REST: f64 = 1e-6;
+const REST: f64 = 1e-4;
 
 /// Has rigid equalities ask for nothing that those before them do not allow, up to drift and
 /// rounding. `scale` is the x below which a row is at rest.
