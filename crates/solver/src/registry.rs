@@ -207,7 +207,8 @@ static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
 pub fn add(entry: Entry) -> Result<&'static Entry> {
     let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
     let known = ALL.iter().chain(SPECIMENS).chain(added.iter().copied()).map(|known| known.name);
-    if known.chain(CONES.iter().map(|known| known.name)).any(|known| known == entry.name) {
+    let reserved = CONES.iter().map(|known| known.name).chain(["clarabel"]); // the reference
+    if known.chain(reserved).any(|known| known == entry.name) {
         let reason = format!("there is a solver named {:?} already", entry.name);
         return Err(Error::invalid("solvers", "name", reason));
     }

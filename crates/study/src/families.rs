@@ -135,7 +135,7 @@ pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
         let name = contender.name();
         let own = || rows.iter().filter(|row| row.solver == name && row.known_failure.is_none());
         let problems: usize = own().map(|row| row.problems).sum();
-        if problems == 0 || own().any(|row| row.solved() > 0) {
+        if problems == 0 || own().any(|row| row.accepted > 0) {
             return None;
         }
         let why = own().find_map(|row| row.trouble.as_deref()).unwrap_or("it claims nothing");
@@ -478,7 +478,7 @@ impl Row {
         self.accepted += usize::from(holds);
         self.refuted_claims += usize::from(claims && !holds);
         self.false_claims += usize::from(claims && unsolvable);
-        self.iterations += solution.iterations;
+        self.iterations = self.iterations.saturating_add(solution.iterations);
         if let Some(fallback) = solution.fallback {
             self.fallbacks += 1;
             self.fallback = Some(fallback.to_string());

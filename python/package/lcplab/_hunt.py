@@ -97,8 +97,8 @@ def hunt(
     Notes
     -----
     A function has no status. An x that the judge rejects counts as a false claim only if it is worse than what plain
-    projected Gauss-Seidel has both after as many sweeps and after half as many: an x that merely did not converge is
-    no lie. The number of sweeps is the number of iterates that the function yields; ten if it only returns x.
+    projected Gauss-Seidel leaves, in several orders of the rows, from half as many sweeps on: an x that merely did not
+    converge is no lie. The number of sweeps is the number of iterates that the function yields; four if it only returns x.
 
     Examples
     --------

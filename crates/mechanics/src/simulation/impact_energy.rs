@@ -294,7 +294,11 @@ impl<'a> Impulses<'a> {
     /// The pairs to which feedback that pushes overlaps apart added much.
     fn of_corrections(&self) -> Vec<ImpactEnergy> {
         let mut pairs: BTreeMap<[usize; 2], (f64, &Contact)> = BTreeMap::new();
-        for contact in self.contacts.iter().filter(|contact| contact.pushed > 0.0) {
+        let is_deep = |contact: &&Contact| {
+            let gap = self.problem.assembly.rows[contact.normal].c;
+            contact.pushed > 0.0 && -gap > TOUCHING * thickness(self.scene, contact.id.bodies)
+        };
+        for contact in self.contacts.iter().filter(is_deep) {
             let (sum, fastest) = pairs.entry(contact.id.bodies).or_insert((0.0, contact));
             *sum += contact.pushed;
             if contact.speed > fastest.speed {

@@ -120,8 +120,16 @@ pub struct Score {
     pub is_found: bool,
     /// Whether the solver's claim is right: an answer that the judge accepts, or that none exists.
     pub is_right: bool,
+    /// Whether the solver gives an answer at all: it does not crash, hang or write what nobody reads.
+    pub is_answered: bool,
     /// What it took.
     pub iterations: usize,
+}
+
+impl Score {
+    /// Of a problem that the solver was not asked about.
+    pub(super) const NOTHING: Score =
+        Score { value: 0.0, is_found: false, is_right: false, is_answered: true, iterations: 0 };
 }
 
 /// Why a problem is not one of those that a search is about.
@@ -192,7 +200,7 @@ impl Trial {
     /// The measure of a problem, with at most so many iterations; cold starts.
     pub fn score(&self, lcp: &Lcp, most: usize) -> Score {
         let Ok(posed) = pose(lcp, self.model) else {
-            return Score { value: 0.0, is_found: false, is_right: false, iterations: 0 };
+            return Score::NOTHING;
         };
         let solution = self.solve(&self.solver, &posed, most);
         let iterations = solution.iterations;
@@ -217,7 +225,8 @@ impl Trial {
                 (rival.map_or(0.0, |rival| iterations as f64 / rival), false)
             }
         };
-        Score { value, is_found, is_right, iterations }
+        let is_answered = !matches!(solution.status, Status::NoAnswer { .. });
+        Score { value, is_found, is_right, is_answered, iterations }
     }
 
     /// The solver's answer to a problem.
@@ -237,7 +246,7 @@ impl Trial {
             Measure::Lie => match self.claim(&posed, solution) {
                 Claim::Lie(lie) if solution.is_claim_implied => format!(
                     "{name} says: {lie}. (It gives x and no status, which counts as \"solved\" where plain projected \
-                     Gauss-Seidel comes nearer in half as many sweeps)"
+                     Gauss-Seidel comes twice as near in as many sweeps)"
                 ),
                 Claim::Lie(lie) => format!("{name} says: {lie}"),
                 _ => format!("{name}: {}", solution.status),

@@ -75,16 +75,26 @@ pub struct Searched {
     pub evaluations: usize,
     /// How many of them the solver answered rightly.
     pub solved: usize,
-    /// What the solver says of the first problem, where it has answered none rightly.
+    /// How many of them the solver gave no answer to: it crashed, hung or wrote what nobody reads.
+    pub unanswered: usize,
+    /// What the solver says of the first problem without an answer; of the first of all where it
+    /// has answered none rightly.
     pub trouble: Option<String>,
 }
 
 impl Searched {
-    /// Why the search says nothing of the solver: it has answered no problem at all rightly.
+    /// Why the search says nothing of the solver: it has answered no problem at all rightly, or some
+    /// not at all.
     pub fn useless(&self, solver: &str) -> Option<String> {
         let trouble =
             self.trouble.as_ref().filter(|_| self.catch.is_none() && self.evaluations > 0)?;
-        Some(format!("{solver} solves none of {} problems; the first: {trouble}", self.evaluations))
+        let (count, all) = (self.unanswered, self.evaluations);
+        Some(match self.solved {
+            0 => format!("{solver} solves none of {all} problems; the first: {trouble}"),
+            _ => format!(
+                "{solver} gives no answer to {count} of {all} problems; the first: {trouble}"
+            ),
+        })
     }
 }
 
@@ -95,8 +105,18 @@ struct Climb {
     /// The evaluation that found it, within the climb, and all of them.
     at: usize,
     used: usize,
-    /// How many of them the solver answered rightly.
+    /// How many of them the solver answered rightly, and how many not at all.
     solved: usize,
+    unanswered: usize,
+    /// The first without an answer.
+    first_unanswered: Option<Numbers>,
+}
+
+impl Climb {
+    /// One that has come here, after so many evaluations.
+    fn at(numbers: Numbers, score: Score, used: usize) -> Self {
+        Climb { numbers, score, at: 0, used, solved: 0, unanswered: 0, first_unanswered: None }
+    }
 }
 
 impl Score {
@@ -135,6 +155,7 @@ impl Search {
     /// Searches; `tick` hears how many more problems were tried.
     pub fn run(&self, trial: &Trial, stop: &Stop, tick: &(dyn Fn(usize) + Sync)) -> Searched {
         let (mut evaluations, mut solved, mut round) = (0, 0, 0);
+        let (mut unanswered, mut first_unanswered) = (0, None);
         let mut best = self.given(trial, &mut evaluations, &mut solved, stop);
         let mut is_over = best.as_ref().is_some_and(|(climb, _)| self.ends(trial, &climb.score));
         while evaluations < self.evaluations && !is_over && stop.reason().is_none() {
@@ -156,6 +177,8 @@ impl Search {
                 let at = evaluations + climb.at;
                 evaluations += climb.used;
                 solved += climb.solved;
+                unanswered += climb.unanswered;
+                first_unanswered = first_unanswered.or_else(|| climb.first_unanswered.clone());
                 is_over = self.ends(trial, &climb.score);
                 if best.as_ref().is_none_or(|(best, _)| climb.score.is_above(&best.score)) {
                     best = Some((climb, at));
@@ -170,8 +193,12 @@ impl Search {
             climb.score.value > 0.0 && trial.measure.is_found(climb.score.is_found)
         });
         let catch = found.map(|(climb, at)| self.shrunk(trial, &climb, at, stop));
-        let trouble = (solved == 0).then(|| self.first_trouble(trial)).flatten();
-        Searched { catch, evaluations, solved, trouble }
+        let told =
+            |numbers: Numbers| Some(trial.answer(&numbers.lcp().ok()?).ok()?.status.to_string());
+        let trouble = first_unanswered
+            .and_then(told)
+            .or_else(|| (solved == 0).then(|| self.first_trouble(trial)).flatten());
+        Searched { catch, evaluations, solved, unanswered, trouble }
     }
 
     /// What the solver says of the first problem.
@@ -202,7 +229,7 @@ impl Search {
             let score = trial.score(&lcp, trial.options.settings.max_iterations);
             *solved += usize::from(score.is_right);
             if best.as_ref().is_none_or(|(best, _)| score.is_above(&best.score)) {
-                best = Some((Climb { numbers, score, at: 0, used: 1, solved: 0 }, *tried));
+                best = Some((Climb::at(numbers, score, 1), *tried));
             }
         }
         best
@@ -227,8 +254,8 @@ impl Search {
         let random = &mut self.random(k);
         let rows = (*self.rows.start(), *self.rows.end());
         let mut candidate = from.cloned().unwrap_or_else(|| self.start(trial, k, random));
-        let score = Score { value: -1.0, is_found: false, is_right: false, iterations: 0 };
-        let mut climb = Climb { numbers: candidate.clone(), score, at: 0, used: 0, solved: 0 };
+        let score = Score { value: -1.0, ..Score::NOTHING };
+        let mut climb = Climb::at(candidate.clone(), score, 0);
         let mut gained = 0;
         while climb.used < most && climb.used - gained < PATIENCE && !is_too_late() {
             climb.used += 1;
@@ -237,6 +264,10 @@ impl Search {
             {
                 let score = trial.score(&lcp, most_iterations(trial, &climb.score));
                 climb.solved += usize::from(score.is_right);
+                if !score.is_answered {
+                    climb.unanswered += 1;
+                    climb.first_unanswered.get_or_insert_with(|| candidate.clone());
+                }
                 if !climb.score.is_above(&score) {
                     if score.is_above(&climb.score) {
                         (gained, climb.at) = (climb.used, climb.used);

@@ -102,7 +102,7 @@ impl Claim {
     /// The claim of a solution under a friction model, as far as the judge can see.
     ///
     /// An x without a status that the judge rejects is no claim where it may be the last iterate of a solver that ran out
-    /// of sweeps: where plain projected Gauss-Seidel, too, has no smaller residual after as many or half as many.
+    /// of sweeps: where plain projected Gauss-Seidel, too, does not come twice as near after as many.
     pub fn under(posed: &Posed, solution: &Solution, tolerance: f64) -> Claim {
         match Claim::stated(posed, solution, tolerance) {
             Claim::Lie(Lie::Refuted { amount, .. })

@@ -7,8 +7,8 @@ use lcplab_problem::file::Problem;
 use lcplab_problem::friction::{Law, Model};
 use lcplab_problem::{Lcp, Matrix};
 use lcplab_solver::{
-    ConeEntry, ConeSolver, Entry, Group, MatrixClass, Method, Observer, Options, Settings,
-    Solution, Solver, Start, Status, Stop, entry,
+    ConeEntry, ConeSolver, Entry, Group, MatrixClass, Method, Observer, Options, Order, Pgs,
+    Settings, Solution, Solver, Start, Status, Stop, entry,
 };
 use lcplab_study::hunt::{Catch, Finding, Friction, Given, Measure, Search, Searched, Trial};
 use lcplab_testing::boxed;
@@ -476,4 +476,63 @@ fn a_solver_that_solves_nothing_is_not_passed_for_want_of_false_claims() {
     );
     let alive = trial(engine(Sweeps::Right, 100, true), MatrixClass::Definite, false);
     assert_eq!(self::searched(&alive, 1, 200).useless("engine"), None);
+}
+
+/// The exact solution of one row, and a crash on more.
+struct Crashes;
+
+impl Solver for Crashes {
+    fn name(&self) -> &'static str {
+        "crashes"
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        if lcp.len() == 1 {
+            return Exact.solve(lcp, start, observer);
+        }
+        let status = Status::NoAnswer { reason: "IndexError".into() };
+        Solution::new(lcp, vec![0.0; lcp.len()], status, 0)
+    }
+}
+
+#[test]
+fn a_solver_that_crashes_is_no_honest_one() {
+    let trial = trial(method("crashes", || Box::new(Crashes)), MatrixClass::Definite, false);
+    let found = searched(&trial, 1, 60);
+    assert!(found.catch.is_none() && found.unanswered > 0, "{found:?}");
+    let told = found.useless("crashes").unwrap();
+    assert!(told.contains("IndexError"), "{told}");
+}
+
+#[test]
+fn sweeps_in_another_order_are_not_accused() {
+    for order in [Order::Reverse, Order::Symmetric, Order::Shuffled { seed: 1 }] {
+        for count in [4, 10, 50] {
+            let build = move || -> Box<dyn Solver> { Box::new(Ordered { order, count }) };
+            for seed in 0..10 {
+                let trial = trial(method("ordered", build), MatrixClass::Definite, seed % 2 == 0);
+                let catch = searched(&trial, seed, 60).catch;
+                assert!(catch.is_none(), "{order:?} {count} {seed}: {:?}", catch.unwrap().lcp);
+            }
+        }
+    }
+}
+
+/// Plain sweeps in some order, without a status.
+struct Ordered {
+    order: Order,
+    count: usize,
+}
+
+impl Solver for Ordered {
+    fn name(&self) -> &'static str {
+        "ordered"
+    }
+
+    fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
+        let settings = Settings { max_iterations: self.count, ..Settings::default() };
+        let pgs = Pgs { settings, order: self.order, ..Pgs::default() };
+        let x = pgs.solve(lcp, start, observer).x;
+        Solution::new(lcp, x, Status::Solved, self.count).with_implied_claim(true)
+    }
 }

@@ -63,6 +63,8 @@ pub struct Examination {
     pub notes: Vec<Note>,
     /// Why no run of exact answers is known to compare the motion with, if none is.
     pub no_reference: Option<String>,
+    /// Which step could not be taken and why, if the run ended there.
+    pub ended: Option<String>,
     /// In which step the solver gave up first, and what it says, if it did.
     pub gave_up: Option<String>,
     /// Why the answer of the step was not measured, if a problem was posed and it was not.
@@ -90,21 +92,24 @@ pub struct Examination {
 
 /// The name of the cause that the solver gave up in a step.
 const GAVE_UP: &str = "the solver gave up";
+/// The name of the cause that a step could not be taken.
+const ENDED: &str = "the run ended";
 
 impl Examination {
     /// The names of the causes, the first first.
     pub fn causes(&self) -> Vec<&'static str> {
-        let gave_up = self.gave_up.as_ref().map(|_| GAVE_UP);
+        let ended = self.ended.as_ref().map(|_| ENDED);
+        let gave_up = self.gave_up.as_ref().map(|_| GAVE_UP).into_iter().chain(ended);
         let slow = self.shortfall.iter().flat_map(|found| &found.causes).map(|cause| cause.name());
         let moving = self.moving.iter().map(Moving::name);
         // A solver that gives up or is worse than plain sweeps makes all else doubtful. A cold start has every step miss what a warm one
         // does not, and energy that is fed in spoils all later steps: they come before what makes sweeps slow.
         let place = |name: &str| match name {
-            GAVE_UP | "suspect the solver" => 0,
+            GAVE_UP | ENDED | "suspect the solver" => 0,
             "cold start" | "Baumgarte's energy" => 1,
             _ => 2,
         };
-        let mut all: Vec<&str> = gave_up.into_iter().chain(slow).chain(moving).collect();
+        let mut all: Vec<&str> = gave_up.chain(slow).chain(moving).collect();
         all.sort_by_key(|name| place(name)); // stable: the strongest first
         all
     }
@@ -135,6 +140,7 @@ impl Examination {
         let mut words = match (&self.shortfall, &self.unmeasured) {
             (Some(found), _) => found.headline(),
             (None, Some(reason)) => format!("What is missing was not measured: {reason}."),
+            (None, None) if self.ended.is_some() => "The run ended.".into(),
             (None, None) => {
                 "No LCP was solved in these steps, so that the solver plays no part.".into()
             }
@@ -182,6 +188,7 @@ impl Examination {
         let slow = self.shortfall.iter().flat_map(|found| &found.causes);
         let mut named: Vec<(&str, String)> =
             slow.map(|cause| (cause.name(), cause.to_string())).collect();
+        named.extend(self.ended.iter().map(|why| (ENDED, format!("{why}."))));
         named.extend(self.gave_up.iter().map(|how| {
             (GAVE_UP, format!("{how}. The motion from there on is not one of the scene; another solver may go on."))
         }));
@@ -317,6 +324,7 @@ impl Examination {
             "causes": self.causes(),
             "innocent": self.innocent,
             "no_reference": self.no_reference,
+            "ended": self.ended,
             "gave_up": self.gave_up,
             "unmeasured": self.unmeasured,
             "seconds": self.time,

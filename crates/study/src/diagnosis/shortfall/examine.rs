@@ -319,10 +319,8 @@ impl Case<'_> {
     /// explain. Pivots and Newton's steps are no sweeps.
     fn solver(&self, found: &Shortfall, from: Option<&[f64]>) -> Option<(Slow, bool)> {
         let Practice { entry, options } = self.practice;
-        let is_like_sweeps =
-            matches!(entry.group, Group::Sweeps | Group::FirstOrder | Group::Plugin);
-        if !is_like_sweeps || entry.name == "pgs" {
-            return None;
+        if entry.group != Group::Plugin {
+            return None; // those of the library are tested; some of them are slower than sweeps
         }
         let start = from.map_or_else(Start::default, Start::at);
         let pgs = Pgs { settings: options.settings.clone(), ..Pgs::default() };

@@ -70,6 +70,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
         notes: went.notes,
         warnings: went.warnings,
         gave_up,
+        ended: went.ended.clone(),
         ..Examination::default()
     };
     if taken == 0 {
@@ -161,6 +162,8 @@ struct Went {
     notes: Vec<Note>,
     solves: Vec<Option<Solve>>,
     warnings: Vec<String>,
+    /// Why a step could not be taken, if one could not.
+    ended: Option<String>,
     end: End,
 }
 
@@ -201,9 +204,15 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
     let (mut notes, mut solves) = (Vec::new(), Vec::new());
     let (mut gained, mut kinetic, mut error) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut is_compared = true;
-    let mut warnings = Warnings::default();
+    let (mut warnings, mut ended) = (Warnings::default(), None);
     while notes.len() < count && is_compared {
-        let Ok(step) = simulation.step() else { break };
+        let step = match simulation.step() {
+            Ok(step) => step,
+            Err(failure) => {
+                ended = Some(failure.to_string());
+                break;
+            }
+        };
         gained = gained.max(step.motion.energy() - start);
         kinetic = kinetic.max(step.motion.kinetic);
         error = error.max(step.motion.drift).max(step.motion.penetration);
@@ -228,7 +237,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
         is_compared,
     };
     let warnings = warnings.as_slice().iter().map(ToString::to_string).collect();
-    Ok(Went { notes, solves, warnings, end })
+    Ok(Went { notes, solves, warnings, ended, end })
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
