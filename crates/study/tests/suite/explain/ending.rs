@@ -53,12 +53,12 @@ fn the_rod_of_painleve_is_explained_to_the_proof_that_no_force_helps() {
         solution. But dᵀw is (Aᵀd)ᵀx + bᵀd, and that is negative for every x within the bounds:
             0 ≤ dᵀw = (Aᵀd)ᵀx + bᵀd ≤ max (Aᵀd)ᵀx + bᵀd < 0
           Step 1, acceleration: the vector d, in the rows where it says something
-            row                       d          (Aᵀd)ᵢ   bounds of x   (Aᵀd)ᵢ xᵢ at most   bᵢ dᵢ (m/s²)
-            0 normal ground rod 0     1       −0.383687   [0, ∞)                        0   −9.81·1 = −9.81
-            1 friction ground rod 1   0         2.32611   [0, 0]                        0   200·0 = 0
-            2 friction ground rod 2   0   3.33067×10⁻¹⁶   [0, 0]                        0   0·0 = 0
-            3 normal ground rod 0     1       −0.383687   [0, ∞)                        0   −9.81·1 = −9.81
-            4 friction ground rod 1   0         2.32611   [0, 0]                        0   200·0 = 0
+            row                                             d          (Aᵀd)ᵢ   bounds of x   (Aᵀd)ᵢ xᵢ at most   bᵢ dᵢ (m/s²)
+            0 normal ground rod 0 at face 0 on vertex 1     1       −0.383687   [0, ∞)                        0   −9.81·1 = −9.81
+            1 friction ground rod 1 at face 0 on vertex 1   0         2.32611   [0, 0]                        0   200·0 = 0
+            2 friction ground rod 2 at face 0 on vertex 1   0   3.33067×10⁻¹⁶   [0, 0]                        0   0·0 = 0
+            3 normal ground rod 0 at face 0 on vertex 3     1       −0.383687   [0, ∞)                        0   −9.81·1 = −9.81
+            4 friction ground rod 1 at face 0 on vertex 3   0         2.32611   [0, 0]                        0   200·0 = 0
         Together dᵀw ≤ 0 + (−19.62) = −19.62 m/s² for every x within its bounds, where a solution has
         dᵀw ≥ 0. So there is none, whatever the solver; the comparison was made in exact arithmetic.
             ");
