@@ -67,7 +67,8 @@ pub fn method(solver: &Bound<'_, PyAny>, model: Option<Model>) -> PyResult<Metho
         return Ok(*method);
     }
     let reason = why_none_takes(&methods, model).unwrap_or_default();
-    let reason = format!("{reason}; a function that has a parameter named model gets friction cones");
+    let reason =
+        format!("{reason}; a function that has a parameter named model gets friction cones");
     Err(refused(Error::invalid(format!("solver {}", function.boxed.name), "model", reason)))
 }
 
