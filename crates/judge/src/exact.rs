@@ -17,7 +17,7 @@ use crate::Demand;
 use crate::residual::{Rows, Wide};
 use lcplab_problem::Lcp;
 use lcplab_problem::exact::dyadic::{dyadic, rational};
-use lcplab_problem::exact::{Exact, Side};
+use lcplab_problem::exact::{Exact, Point, Side};
 
 /// x_i − w_i/s_i this close to a bound, in parts of the terms that it is made of, may lie on either
 /// side of it.
@@ -46,10 +46,29 @@ pub struct Proof {
 /// Costs one exact linear solve where the first active set has a solution within rounding of x,
 /// some twenty at most; of a problem of more than 150 rows only the first active set is tried.
 pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
+    let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+    let (nearest, distance) = nearest(lcp, x, size, |point| point.distance(x))?;
+    let null_direction = nearest.null_direction.map(|d| d.entries());
+    Some(Proof { x: nearest.x.entries(), distance, null_direction })
+}
+
+/// An exact solution, and a direction along which it may be moved.
+pub(super) struct Solved {
+    pub x: Point,
+    pub null_direction: Option<Point>,
+}
+
+/// The nearest one that an active set of x carries, and how far away it is, where `distance` says how far a
+/// point is and `size` how large x is in the same unit.
+pub(super) fn nearest(
+    lcp: &Lcp,
+    x: &[f64],
+    size: f64,
+    distance: impl Fn(&Point) -> f64,
+) -> Option<(Solved, f64)> {
     let exact = Exact::new(lcp);
     let inside: Vec<f64> = (0..x.len()).map(|i| lcp.project(i, x[i], x)).collect();
-    let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
-    let mut nearest: Option<Proof> = None;
+    let mut nearest: Option<(Solved, f64)> = None;
     let mut sets = active_sets(&Rows::at(lcp, x));
     let mut steps = MOST_STEPS;
     if lcp.len() > Demand::EXACT_ROWS {
@@ -61,11 +80,10 @@ pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
         next += 1;
         let Some((point, null)) = exact.point(&sides, &inside) else { continue };
         if exact.is_solved_by(&point) {
-            let distance = point.distance(x);
-            if nearest.as_ref().is_none_or(|own| distance < own.distance) {
-                let null = null.filter(|d| exact.is_free_along(d, &point, &sides));
-                let null_direction = null.map(|d| d.entries());
-                nearest = Some(Proof { x: point.entries(), distance, null_direction });
+            let distance = distance(&point);
+            if nearest.as_ref().is_none_or(|(_, least)| distance < *least) {
+                let null_direction = null.filter(|d| exact.is_free_along(d, &point, &sides));
+                nearest = Some((Solved { x: point.clone(), null_direction }, distance));
             }
             if distance <= TIE * size {
                 break;

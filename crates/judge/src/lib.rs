@@ -33,6 +33,7 @@ mod friction;
 mod interval;
 pub mod motion_bound;
 mod neighbor;
+mod polygon;
 pub mod ray;
 #[cfg(feature = "clarabel")]
 pub mod reference;

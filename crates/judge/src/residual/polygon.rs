@@ -1,28 +1,109 @@
 //! Residuals of contacts whose friction is a polygon, each contact in its own units.
 //!
-//! The LCP of a polygon compares a β with the terms of a fast slip, and a γ, which is a speed, with
-//! impulses. Here what is left of μ x_n is compared with μ x_n, and a slip with its own terms.
+//! x leads to unknowns z = (other rows, x_n, β, γ) of an LCP ([`Polyhedral`]). Its rows of γ are not
+//! measured as the others are: γ is a speed, and what is left of μ x_n is an impulse.
+//!
+//! ```text
+//! r_β = |min(β, e w_β/T_β)| / e            e = min(T_β/s_β, R),   R = μ max(x_n, T_n/s_n)
+//! r_γ = |min((μ x_n − Σ β)/R, min_β γ/T_β)|
+//! ```
+//!
+//! γ is 0, the largest speed of slip along a −d_j or that along the −d_j of a β that pushes, whichever
+//! leaves the smallest residual.
 
-use lcplab_problem::friction::Polyhedral;
+use lcplab_problem::friction::{Polyhedral, Unknowns};
 
-use super::{Rows, Wide, friction_reach, worst};
+use super::{Residual, Row, Rows, Wide, friction_reach};
 
-/// The largest residual of the friction of z, with its row of x.
-pub(crate) fn friction_residual(polyhedral: &Polyhedral, z: &[f64]) -> (usize, f64) {
-    let at = Rows::at(polyhedral.lcp(), z);
-    let mut residuals = Vec::new();
-    for contact in polyhedral.unknowns() {
-        let reach = friction_reach(contact.mu, at.size(contact.normal));
-        for unknown in contact.beta.clone() {
-            let push = at.rows[unknown].residual(z[unknown], 0.0, f64::INFINITY, reach);
-            residuals.push((polyhedral.row(unknown), push.relative));
-        }
-        let slip =
-            |unknown: usize| Wide::from(z[contact.gamma]).relative_to(at.rows[unknown].terms);
-        let slips = contact.beta.map(slip).fold(f64::INFINITY, f64::min);
-        let left = (at.rows[contact.gamma].w / reach).value(); // of μ x_n
-        residuals.push((polyhedral.row(contact.gamma), left.min(slips).abs()));
+/// The unknowns z that x leads to.
+pub(crate) fn unknowns(polyhedral: &Polyhedral, x: &[f64]) -> Vec<f64> {
+    let mut z = polyhedral.z_at_rest(x);
+    let at_rest = Rows::at(polyhedral.lcp(), &z);
+    let slides = polyhedral.unknowns().map(|contact| {
+        let gamma = OnPolygon::of(&at_rest, &contact).best_gamma();
+        (contact.gamma, gamma)
+    });
+    let slides: Vec<(usize, f64)> = slides.collect();
+    for (unknown, gamma) in slides {
+        z[unknown] = gamma;
     }
-    let (k, largest) = worst(residuals.iter().map(|(_, residual)| *residual));
-    (residuals.get(k).map_or(0, |(row, _)| *row), largest)
+    z
+}
+
+/// The residuals of x and of the z that it leads to, each with its row of x: t1 for a β, n for a γ.
+pub(crate) fn residuals(polyhedral: &Polyhedral, x: &[f64], z: &[f64]) -> Vec<(usize, Residual)> {
+    let at = Rows::at(polyhedral.lcp(), z);
+    let first = polyhedral.friction().others().len() + polyhedral.friction().contacts().len();
+    let others = (0..first).map(|unknown| (polyhedral.row(unknown), at.residual(unknown)));
+    let friction = polyhedral.unknowns().flat_map(|contact| {
+        let own = OnPolygon::of(&at, &contact).residuals(z[contact.gamma]);
+        let rows = contact.beta.chain([contact.gamma]).map(|unknown| polyhedral.row(unknown));
+        rows.zip(own).collect::<Vec<_>>()
+    });
+    others.chain(friction).chain(of_smooth(polyhedral, x)).collect()
+}
+
+/// Those of each x_t where there is no friction, of which z says nothing: it must be 0.
+fn of_smooth(polyhedral: &Polyhedral, x: &[f64]) -> Vec<(usize, Residual)> {
+    let contacts = polyhedral.friction().contacts();
+    let smooth = contacts.iter().filter(|contact| contact.mu == 0.0);
+    let tangents: Vec<usize> = smooth.flat_map(|contact| contact.rows[1..].to_vec()).collect();
+    if tangents.iter().all(|&i| x[i] == 0.0) {
+        return Vec::new();
+    }
+    let at = Rows::at(polyhedral.friction().lcp(), x);
+    let relative = |i: usize| at.rows[i].residual(x[i], 0.0, 0.0, Wide::INFINITY).relative;
+    let own = |i: usize| (i, Residual { step: Wide::ZERO, relative: relative(i) });
+    tangents.into_iter().map(own).collect()
+}
+
+/// The friction of a contact at some z.
+struct OnPolygon {
+    beta: Vec<f64>,
+    /// Those of β.
+    rows: Vec<Row>,
+    /// μ x_n − Σ β.
+    left: Wide,
+    reach: Wide,
+}
+
+impl OnPolygon {
+    fn of(at: &Rows<'_>, contact: &Unknowns) -> Self {
+        OnPolygon {
+            beta: at.x[contact.beta.clone()].to_vec(),
+            rows: at.rows[contact.beta.clone()].to_vec(),
+            left: at.rows[contact.gamma].w,
+            reach: friction_reach(contact.mu, at.size(contact.normal)),
+        }
+    }
+
+    /// The same where γ is this and not 0.
+    fn sliding_at(&self, gamma: f64) -> Self {
+        let gamma = Wide::from(gamma);
+        let slides = |row: &Row| Row { w: row.w + gamma, terms: row.terms + gamma, ..*row };
+        OnPolygon { beta: self.beta.clone(), rows: self.rows.iter().map(slides).collect(), ..*self }
+    }
+
+    /// The γ with which friction misses least, of a contact that has γ = 0 here.
+    fn best_gamma(&self) -> f64 {
+        let speed = |row: &Row| (-row.w.value()).max(0.0);
+        let fastest = self.rows.iter().map(speed).fold(0.0, f64::max);
+        let pushing = self.beta.iter().zip(&self.rows).filter(|(beta, _)| **beta > 0.0);
+        let speeds = [0.0, fastest].into_iter().chain(pushing.map(|(_, row)| speed(row)));
+        let left = |gamma: f64| {
+            let residuals = self.sliding_at(gamma).residuals(gamma);
+            residuals.iter().map(|own| own.relative).fold(0.0, f64::max)
+        };
+        speeds.min_by(|a, b| left(*a).total_cmp(&left(*b))).unwrap_or(0.0)
+    }
+
+    /// Those of each β and of γ, which has no step.
+    fn residuals(&self, gamma: f64) -> Vec<Residual> {
+        let push = |(&beta, row): (&f64, &Row)| row.residual(beta, 0.0, f64::INFINITY, self.reach);
+        let slip = |row: &Row| Wide::from(gamma).relative_to(row.terms);
+        let slips = self.rows.iter().map(slip).fold(f64::INFINITY, f64::min);
+        let left = (self.left / self.reach).value();
+        let of_gamma = Residual { step: Wide::ZERO, relative: left.min(slips).abs() };
+        self.beta.iter().zip(&self.rows).map(push).chain([of_gamma]).collect()
+    }
 }

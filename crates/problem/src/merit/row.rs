@@ -85,6 +85,12 @@ impl RowTerms {
         }
     }
 
+    /// The terms of a row with one more term in its sum.
+    pub(crate) fn plus(&self, term: f64) -> Self {
+        let term = libm::ldexp(term, -self.exponent);
+        RowTerms { w: self.w + term, magnitude: self.magnitude + term.abs(), ..*self }
+    }
+
     /// r_i at x, where these terms were taken ([`scaled_residual`](super::scaled_residual)).
     #[inline]
     pub fn scaled_residual(&self, lcp: &Lcp, i: usize, x: &[f64]) -> f64 {
@@ -204,6 +210,11 @@ pub struct Miss {
 }
 
 impl Miss {
+    /// A miss that has no step.
+    pub(crate) fn of_residual(residual: f64) -> Self {
+        Miss { size: 0.0, scale: 1.0, magnitude: 0.0, exponent: 0, residual }
+    }
+
     /// log₂ of the longest |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever the units of x
     /// and w.
     pub fn longest_step(misses: &[Miss]) -> f64 {

@@ -31,16 +31,17 @@
 //!
 //! Stewart & Trinkle 1996; Anitescu & Potra 1997.
 
-mod rubbing;
+mod miss;
 mod unknowns;
 
-pub use self::rubbing::Unknowns;
+pub use self::miss::Unknowns;
 use self::unknowns::{along, beta, delassus, direction, impulses};
-use super::{Contact, FrictionProblem};
+use super::FrictionProblem;
 use crate::error::{Error, Result};
+use crate::exact::Point;
+use crate::exact::dyadic::{Dyadic, dyadic};
 use crate::memory::Memory;
-use crate::merit::{self, RowTerms};
-use crate::{Lcp, Matrix, accurate};
+use crate::{Lcp, Matrix};
 
 /// What an entry takes while the matrix is made (numbers): its place and value, twice, and the matrix.
 const ENTRY: usize = 8;
@@ -131,40 +132,45 @@ impl Polyhedral {
         x
     }
 
+    /// The same in exact arithmetic.
+    pub fn exact_x(&self, z: &Point) -> Point {
+        let mut x = vec![Dyadic::ZERO; self.friction.lcp().len()];
+        for (unknown, impulse) in self.impulses.iter().enumerate() {
+            for &(i, value) in impulse {
+                x[i] = &x[i] + dyadic(value) * z.scaled(unknown);
+            }
+        }
+        Point::new(x, z.denominator().clone())
+    }
+
     /// The unknowns z that belong to impulses x: they solve the LCP if x is the friction of one of
     /// its solutions, and only then.
     ///
     /// x_t lies between two neighbours among the d_j, and β are its components along them: no others
-    /// have a smaller sum. (z says nothing of the x_t of a contact with μ = 0.) γ is the largest speed of
-    /// slip along a −d_j, max_j −d_j·w_t, or 0 for a contact that has more of μ x_n left than it has
-    /// speed, each beside its own terms.
+    /// have a smaller sum. (z says nothing of the x_t of a contact with μ = 0.) Of the γ that may belong to them,
+    /// that is taken with which friction misses least.
     pub fn z(&self, x: &[f64]) -> Vec<f64> {
-        let (contacts, others) = (self.friction.contacts(), self.friction.others());
-        let normals = contacts.iter().map(|contact| contact.rows[0]);
-        let mut z: Vec<f64> = others.iter().copied().chain(normals).map(|i| x[i]).collect();
-        let rubbing = || contacts.iter().filter(|contact| contact.mu > 0.0);
-        z.extend(rubbing().flat_map(|contact| beta(contact.of(x), self.directions)));
-        z.extend(rubbing().map(|contact| self.gamma(contact, x)));
+        let mut z = self.z_at_rest(x);
+        for contact in self.unknowns() {
+            z[contact.gamma] = self.best_gamma(&contact, &z);
+        }
         z
     }
 
-    /// Whether impulses x may be called a solution: their z solves the LCP, and no β pushes against the slip.
-    pub fn is_solution(&self, x: &[f64], tolerance: f64) -> bool {
-        let z = self.z(x);
-        merit::is_solution(&self.lcp, &z, tolerance)
-            && self.rubbing(&z, RowTerms::summed::<accurate::Sum>).1 <= tolerance
+    /// The same with γ = 0 for all contacts.
+    pub fn z_at_rest(&self, x: &[f64]) -> Vec<f64> {
+        let (contacts, others) = (self.friction.contacts(), self.friction.others());
+        let normals = contacts.iter().map(|contact| contact.rows[0]);
+        let mut z: Vec<f64> = others.iter().copied().chain(normals).map(|i| x[i]).collect();
+        let rubbing = contacts.iter().filter(|contact| contact.mu > 0.0);
+        z.extend(rubbing.flat_map(|contact| beta(contact.of(x), self.directions)));
+        z.resize(self.lcp.len(), 0.0);
+        z
     }
 
-    fn gamma(&self, contact: &Contact, x: &[f64]) -> f64 {
-        let [_, t1, t2] = contact.rows.map(|i| RowTerms::at(self.friction.lcp(), i, x));
-        let along = |[d1, d2]: [f64; 2]| -(d1 * t1.w() + d2 * t2.w());
-        let k = self.directions;
-        let speed = (0..k).map(|j| along(direction(j, k))).fold(0.0, f64::max);
-        let limit = contact.mu * x[contact.rows[0]];
-        let rubs: f64 = beta(contact.of(x), k).iter().sum();
-        let terms = libm::ldexp(t1.magnitude, t1.exponent) + libm::ldexp(t2.magnitude, t2.exponent);
-        let slides = speed * (limit.abs() + rubs) >= (limit - rubs) * terms;
-        if slides { speed } else { 0.0 }
+    /// The unknowns before this one are the x of other rows and all x_n.
+    fn first_beta(&self) -> usize {
+        self.friction.others().len() + self.friction.contacts().len()
     }
 
     /// The point of the polygon with corners radius d_j that is nearest to p.

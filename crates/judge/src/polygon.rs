@@ -1,0 +1,142 @@
+//! Is this x a solution of a problem whose friction is a polygon?
+//!
+//! x is measured by the unknowns that it leads to ([`residual::polygon`](super::residual::polygon)), β being
+//! impulses and γ the speed of slip. What is exact or rounded is asked of x alone: γ is a speed and no part of
+//! an answer. Exact solutions are those of the LCP in these unknowns, whose numbers are those of the problem
+//! if the polygon has four corners; the directions of more are rounded.
+
+use super::certificate::Evidence;
+use super::exact::{Solved, is_within, nearest};
+use super::neighbor;
+use super::refutation::{Existence, Refutation, existence, refuting_vector};
+use super::residual::{Residual, Rows, improves_on_zero, polygon, worst};
+use super::{Demand, FrictionCertificate, Refusal, Verdict, distance, is_near};
+use lcplab_problem::friction::Polyhedral;
+
+/// A polygon with so many corners has directions that are not rounded.
+const EXACT_CORNERS: usize = 4;
+
+/// Judges x for a problem whose friction is a polygon. An x that misses by rounding alone is accepted as in
+/// [`judge`](super::judge()).
+pub(super) fn judge_polygon(
+    polyhedral: &Polyhedral,
+    x: &[f64],
+    demand: &Demand,
+) -> FrictionCertificate {
+    let certificate = judge_as_given(polyhedral, x, demand);
+    if certificate.verdict.is_solution() || !x.iter().all(|x| x.is_finite()) {
+        return certificate;
+    }
+    let (lcp, contacts) = (polyhedral.friction().lcp(), polyhedral.friction().contacts());
+    let z = polygon::unknowns(polyhedral, x);
+    let rounding = neighbor::rounding_of(&neighbor::sizes(lcp, contacts, x));
+    let proof = proof(polyhedral, x, &z, demand)
+        .filter(|(solved, _)| is_within(x, &polyhedral.exact_x(&solved.x).entries(), &rounding));
+    if let Some((_, distance)) = proof {
+        let (verdict, rounded_by) = (Verdict::Proved { distance }, Some(distance));
+        return FrictionCertificate { verdict, rounded_by, ..certificate };
+    }
+    let Some(neighbor) = neighbor::rounded(lcp, contacts, x) else { return certificate };
+    let of_neighbor = judge_as_given(polyhedral, &neighbor, demand).verdict;
+    let moved = distance(x, &neighbor);
+    match of_neighbor.of_point_at(moved) {
+        Some(verdict) => FrictionCertificate { verdict, rounded_by: Some(moved), ..certificate },
+        None => certificate,
+    }
+}
+
+/// Judges x without a look at its neighbors.
+fn judge_as_given(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> FrictionCertificate {
+    let z = polygon::unknowns(polyhedral, x);
+    let found = polygon::residuals(polyhedral, x, &z);
+    let mut residuals = vec![0.0; x.len()];
+    for (row, own) in &found {
+        residuals[*row] = f64::max(residuals[*row], own.relative);
+    }
+    let (worst_row, scaled_residual) = worst(residuals.iter().copied());
+    let certificate = FrictionCertificate {
+        w: Rows::at(polyhedral.friction().lcp(), x).w(),
+        residuals,
+        scaled_residual,
+        worst_row,
+        verdict: refusal(worst_row, scaled_residual, Refusal::Residual),
+        rounded_by: None,
+        evidence: None,
+    };
+    if !x.iter().all(|x| x.is_finite()) || !(scaled_residual <= demand.tolerance) {
+        return certificate;
+    }
+    let proof = proof(polyhedral, x, &z, demand).map(|(_, distance)| distance);
+    let verdict = match proof.filter(|&distance| is_near(x, distance)) {
+        Some(distance) => Verdict::Proved { distance },
+        None if !is_worth_something(polyhedral, &found, demand.tolerance) => {
+            refusal(worst_row, scaled_residual, Refusal::NoBetterThanZero)
+        }
+        None if proof.is_some() => Verdict::WithinTolerance, // a solution elsewhere
+        None => return searched(polyhedral, x, &z, certificate, demand),
+    };
+    FrictionCertificate { verdict, ..certificate }
+}
+
+fn refusal(row: usize, amount: f64, why: Refusal) -> Verdict {
+    Verdict::NotASolution { row, amount, why }
+}
+
+/// The exact solution nearest to x that was found, and how far away it is.
+fn proof(polyhedral: &Polyhedral, x: &[f64], z: &[f64], demand: &Demand) -> Option<(Solved, f64)> {
+    if polyhedral.directions() != EXACT_CORNERS || z.len() > demand.prove_up_to {
+        return None;
+    }
+    let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+    nearest(polyhedral.lcp(), z, size, |point| polyhedral.exact_x(point).distance(x))
+}
+
+/// Whether x is ten times nearer to a solution than Π(0), where this was found of it.
+fn is_worth_something(
+    polyhedral: &Polyhedral,
+    found: &[(usize, Residual)],
+    tolerance: f64,
+) -> bool {
+    let mut nothing = vec![0.0; polyhedral.lcp().len()];
+    polyhedral.lcp().project_all(&mut nothing);
+    let nothing = polyhedral.x(&nothing);
+    let z = polygon::unknowns(polyhedral, &nothing);
+    let of_nothing = polygon::residuals(polyhedral, &nothing, &z);
+    let of = |found: &[(usize, Residual)]| found.iter().map(|(_, own)| *own).collect::<Vec<_>>();
+    improves_on_zero(&of(found), &of(&of_nothing), tolerance)
+}
+
+/// The certificate of an x within the tolerance whose active set carries no solution, after a search for
+/// one elsewhere.
+fn searched(
+    polyhedral: &Polyhedral,
+    x: &[f64],
+    z: &[f64],
+    certificate: FrictionCertificate,
+    demand: &Demand,
+) -> FrictionCertificate {
+    let within = FrictionCertificate { verdict: Verdict::WithinTolerance, ..certificate };
+    if z.len() > demand.prove_up_to {
+        return within;
+    }
+    let impossible = |evidence: Option<Evidence>| {
+        let verdict = refusal(within.worst_row, within.scaled_residual, Refusal::Impossible);
+        FrictionCertificate { verdict, evidence, ..within.clone() }
+    };
+    if let Some(vector) = refuting_vector(polyhedral.friction().lcp(), &[x]) {
+        return impossible(Some(Evidence::NoSolution(Refutation::Vector(vector))));
+    }
+    if polyhedral.directions() != EXACT_CORNERS {
+        return within;
+    }
+    match existence(polyhedral.lcp(), &[z]) {
+        Existence::None(_) => impossible(None), // by the rows of z, which no x can show
+        Existence::Solution(point) => match polyhedral.exact_x(&point).distance(x) {
+            distance if is_near(x, distance) => {
+                FrictionCertificate { verdict: Verdict::Proved { distance }, ..within }
+            }
+            _ => within, // one of many, which says nothing of x
+        },
+        Existence::Unknown => within,
+    }
+}
