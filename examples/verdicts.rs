@@ -4,7 +4,7 @@
 //!
 //! ```console
 //! $ cargo run --example verdicts -- 2000 > verdicts.jsonl
-//! $ python3 tests/independent/judge.py verdicts.jsonl && python3 tests/independent/cones.py verdicts.jsonl
+//! $ for judge in judge cones polygons; do python3 tests/independent/$judge.py verdicts.jsonl; done
 //! ```
 //!
 //! The number is that of the random problems. `tests/independent` says what is checked.
@@ -17,11 +17,16 @@ use lcplab::diagnosis;
 use lcplab::error::Result;
 use lcplab::hunt;
 use lcplab::lcp::file::{Problem, number};
-use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model};
+use lcplab::lcp::friction::{ConeProblem, FrictionProblem, Law, Model, Polyhedral, Posed};
 use lcplab::lcp::{Lcp, library};
-use lcplab::report::answer::{Answer, certificate_json, rounding_json, status_word, verdict_json};
+use lcplab::report::answer::{
+    Answer, certificate_json, claim, evidence_json, rounding_json, status_word, verdict_json,
+};
+use lcplab::report::friction::Judged;
 use lcplab::scene::{Scene, Scheme, catalogue};
-use lcplab::solver::{ALL, CONES, Options, Settings, Solver, Start, Status};
+use lcplab::solver::{
+    ALL, CONES, Options, PolygonPgs, Settings, Solution, Solver, Start, Status, methods,
+};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -31,6 +36,10 @@ const MOST_ROWS: usize = 60;
 const SEED: u64 = 17;
 /// Contacts with a cone in units far apart.
 const CONTACTS: usize = 300;
+/// The corners of the friction polygons.
+const CORNERS: [usize; 2] = [4, 8];
+/// Larger problems are left out under a polygon, where a contact has up to ten unknowns.
+const MOST_POLYGON_ROWS: usize = 24;
 /// The steps of each scene that are looked at.
 const STEPS: [usize; 3] = [1, 5, 20];
 
@@ -46,6 +55,7 @@ fn main() -> Result<()> {
     let mut records: Vec<Value> =
         subjects.par_iter().map(|subject| record(subject, &solvers)).collect();
     records.extend(of_cones(&subjects));
+    records.extend(of_polygons(&subjects)?);
     let mut out = BufWriter::new(io::stdout().lock());
     for record in records {
         writeln!(out, "{record}").expect("standard output");
@@ -55,20 +65,116 @@ fn main() -> Result<()> {
 
 /// Every problem with pairs of tangents under both laws of cones, and contacts in units far apart.
 fn of_cones(subjects: &[Subject]) -> Vec<Value> {
-    let friction = |subject: &Subject| {
-        let Problem { name, lcp, .. } = &subject.problem;
-        let problem = lcp.coupling().and_then(|_| FrictionProblem::of(lcp).ok())?;
-        Some((name.clone(), problem))
-    };
     let single = |k: usize| {
         let truth = hunt::cone::contact(SEED, k);
         (format!("contact {k}"), truth.problem.friction().clone())
     };
-    let problems: Vec<_> =
-        subjects.iter().filter_map(friction).chain((0..CONTACTS).map(single)).collect();
+    let problems: Vec<_> = with_contacts(subjects).chain((0..CONTACTS).map(single)).collect();
     let models = [Model::CoulombCone, Model::AssociatedCone];
     let both = problems.par_iter().flat_map_iter(|named| models.map(|model| (named, model)));
     both.map(|((name, friction), model)| cone_record(name, friction, model)).collect()
+}
+
+/// The problems with pairs of tangents, and their names.
+fn with_contacts(subjects: &[Subject]) -> impl Iterator<Item = (String, FrictionProblem)> {
+    subjects.iter().filter_map(|subject| {
+        let Problem { name, lcp, .. } = &subject.problem;
+        let friction = lcp.coupling().and_then(|_| FrictionProblem::of(lcp).ok())?;
+        Some((name.clone(), friction))
+    })
+}
+
+/// The smaller of these problems under polygons, contacts in units far apart, and contacts whose
+/// numbers are small integers, which have many ties.
+fn of_polygons(subjects: &[Subject]) -> Result<Vec<Value>> {
+    let random = |k: usize| {
+        let friction = FrictionProblem::of(&hunt::contact_problem(SEED, k)).ok()?;
+        Some((format!("contact {k}"), friction))
+    };
+    let problems: Vec<_> = with_contacts(subjects)
+        .filter(|(_, friction)| friction.lcp().len() <= MOST_POLYGON_ROWS)
+        .chain((0..CONTACTS / 2).filter_map(random))
+        .collect();
+    let all = problems.par_iter().flat_map_iter(|named| CORNERS.map(|corners| (named, corners)));
+    all.map(|((name, friction), corners)| polygon_record(name, friction, corners)).collect()
+}
+
+fn polygon_record(name: &str, friction: &FrictionProblem, corners: usize) -> Result<Value> {
+    let model = Model::Polyhedral { directions: corners };
+    let posed = Posed::Polyhedral(Polyhedral::new(friction, corners)?);
+    let settings = Settings { max_iterations: 500, ..Settings::default() };
+    let options = Options { settings: settings.clone(), ..Options::default() };
+    let demand = Demand::default();
+    let judged = |solver: &str, status: Option<&Status>, x: &[f64]| {
+        let judged = Judged::at_contacts(friction, &posed, x, &demand);
+        let (word, judged) = match status {
+            Some(status) => {
+                let judged = judged.with_claim(&posed, status, &demand);
+                (claim(status, judged.certificate.refutation(), None).0, judged)
+            }
+            None => ("failed", judged), // nobody claims it
+        };
+        let certificate = &judged.certificate;
+        let mut answer = verdict_json(&certificate.verdict);
+        answer.extend(rounding_json(certificate.rounded_by));
+        let evidence = certificate.evidence.iter();
+        answer.extend(evidence.map(|found| ("certificate".into(), evidence_json(found))));
+        answer.insert("solver".into(), json!(solver));
+        answer.insert("status".into(), json!(word));
+        answer.insert("x".into(), x.iter().map(|&x| number(x)).collect());
+        answer.insert("scaled_residual".into(), number(certificate.scaled_residual));
+        Value::Object(answer)
+    };
+    let mut answers = Vec::new();
+    let mut right = vec![0.0; friction.lcp().len()];
+    let mut solved = |name: &str, solution: Solution| {
+        if solution.status == Status::Solved {
+            right.clone_from(&solution.x);
+        }
+        answers.push(judged(name, Some(&solution.status), &solution.x));
+    };
+    for method in methods().iter().filter(|method| method.takes(Some(model))) {
+        solved(method.name(), method.solve(&posed, &options, &mut ()));
+    }
+    if let Posed::Polyhedral(polyhedral) = &posed {
+        let sweeps = PolygonPgs { settings };
+        solved(PolygonPgs::NAME, sweeps.solve(polyhedral, &Start::default(), &mut ()));
+    }
+    // For one contact there are few active sets to try.
+    let exact = (friction.lcp().len() == 3)
+        .then(|| hunt::RightAnswer::of(&posed, Some(model), None, None))
+        .flatten();
+    if let Some(exact) = exact {
+        answers.push(judged("exact", None, &exact.x));
+        right = exact.x;
+    }
+    let boxed = friction.coupled_box();
+    answers.extend(strange(&boxed, &right).map(|(name, x)| judged(name, None, &x)));
+    answers.extend(turned(friction, &right).map(|(name, x)| judged(name, None, &x)));
+    Ok(json!({
+        "name": name, "model": model.to_string(), "problem": Problem::new(name, boxed).to_json(),
+        "tolerance": demand.tolerance, "answers": answers,
+    }))
+}
+
+/// Answers with wrong friction: turned by 90°, missing, or at the limit of the disc.
+fn turned(friction: &FrictionProblem, x: &[f64]) -> impl Iterator<Item = (&'static str, Vec<f64>)> {
+    type Turn = fn([f64; 3], f64) -> [f64; 3];
+    let turns: [(&'static str, Turn); 3] = [
+        ("turned", |[n, t1, t2], _| [n, -t2, t1]),
+        ("frictionless", |[n, _, _], _| [n, 0.0, 0.0]),
+        ("on the disc", |[n, t1, t2], mu| match t1.hypot(t2) {
+            0.0 => [n, mu * n, 0.0],
+            length => [n, mu * n * (t1 / length), mu * n * (t2 / length)],
+        }),
+    ];
+    turns.into_iter().map(move |(name, turn)| {
+        let mut y = x.to_vec();
+        for contact in friction.contacts() {
+            contact.put(turn(contact.of(x), contact.mu), &mut y);
+        }
+        (name, y)
+    })
 }
 
 fn cone_record(name: &str, friction: &FrictionProblem, model: Model) -> Value {
