@@ -123,7 +123,7 @@ fn searched(
         let verdict = refusal(within.worst_row, within.scaled_residual, Refusal::Impossible);
         FrictionCertificate { verdict, evidence, ..within.clone() }
     };
-    if let Some(vector) = refuting_vector(polyhedral.friction().lcp(), &[x]) {
+    if let Some(vector) = refuting_vector(&polyhedral.friction().coupled_box(), &[x]) {
         return impossible(Some(Evidence::NoSolution(Refutation::Vector(vector))));
     }
     if polyhedral.directions() != EXACT_CORNERS {

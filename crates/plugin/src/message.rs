@@ -93,6 +93,9 @@ impl Answer {
         let status = match word {
             "solved" if x.is_none() => return Err("its answer has no \"x\"".into()),
             "solved" => Status::Solved,
+            "iteration_limit" if x.is_none() => {
+                return Err("it says \"iteration_limit\" and gives no \"x\"".into());
+            }
             "iteration_limit" => Status::IterationLimit,
             "outside_class" => {
                 Status::OutsideClass { reason: "the plug-in is not made for this problem" }
@@ -117,8 +120,13 @@ impl Answer {
             (true, Some(x)) => vec![x.clone()], // one step to the answer
             _ => iterates,
         };
-        let counted = object.get("iterations").and_then(Value::as_u64);
-        let iterations = counted.map_or(iterates.len(), |count| count as usize);
+        let iterations = match object.get("iterations") {
+            None | Some(Value::Null) => iterates.len(),
+            Some(count) => whole(count).ok_or_else(|| {
+                let shown = brief(&count.to_string());
+                format!("its iterations are {shown}, no whole number of at most 2⁵³")
+            })?,
+        };
         let laws = object.get("models").map_or(Ok(Vec::new()), laws)?;
         let is_claim_implied = stated.is_none();
         Ok(Answer { x, status, is_claim_implied, iterates, iterations, laws })
@@ -143,6 +151,13 @@ fn laws(models: &Value) -> Result<Vec<Law>, String> {
         }
     }
     Ok(laws)
+}
+
+/// A number of iterations.
+fn whole(value: &Value) -> Option<usize> {
+    const MOST: f64 = 9_007_199_254_740_992.0; // 2⁵³
+    let count = as_number(value)?;
+    (count.fract() == 0.0 && (0.0..=MOST).contains(&count)).then_some(count as usize)
 }
 
 /// n finite numbers.

@@ -69,9 +69,14 @@ struct OnPolygon {
 
 impl OnPolygon {
     fn of(at: &Rows<'_>, contact: &Unknowns) -> Self {
+        let rounding = Wide::from(f64::EPSILON * at.x[contact.gamma]);
+        let row = |row: &Row| match row.w.abs() <= rounding {
+            true => Row { w: Wide::ZERO, ..*row }, // a β that γ is the speed of, but for γ's rounding
+            false => *row,
+        };
         OnPolygon {
             beta: at.x[contact.beta.clone()].to_vec(),
-            rows: at.rows[contact.beta.clone()].to_vec(),
+            rows: at.rows[contact.beta.clone()].iter().map(row).collect(),
             left: at.rows[contact.gamma].w,
             reach: friction_reach(contact.mu, at.size(contact.normal)),
         }

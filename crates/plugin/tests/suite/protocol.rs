@@ -128,6 +128,34 @@ fn what_a_plug_in_says_beside_x_is_heard() {
 }
 
 #[test]
+fn an_answer_without_x_is_not_the_start_and_iterations_are_counted() {
+    let says = |name: &str, answer: &str| {
+        let script = Script::answering(name, &format!("print('{answer}', flush=True)"));
+        solve(&script.start(LONG), &pushed()).0
+    };
+    for (name, answer, reason) in [
+        (
+            "blank",
+            r#"{"status": "iteration_limit"}"#,
+            "it says \"iteration_limit\" and gives no \"x\"",
+        ),
+        ("fewer", r#"{"x": [0, 0], "iterations": -1}"#, "its iterations are -1, no whole number"),
+        ("parts", r#"{"x": [0, 0], "iterations": 2.5}"#, "its iterations are 2.5, no whole number"),
+        (
+            "many",
+            r#"{"x": [0, 0], "iterations": 1e30}"#,
+            "its iterations are 1e+30, no whole number",
+        ),
+    ] {
+        match says(name, answer).status {
+            Status::NoAnswer { reason: own } => assert!(own.starts_with(reason), "{own}"),
+            other => panic!("{answer}: {other}"),
+        }
+    }
+    assert_eq!(says("whole", r#"{"x": [0.5, 0], "iterations": 20.0}"#).iterations, 20);
+}
+
+#[test]
 fn iterates_are_seen_as_those_of_any_solver() {
     let answer = "print('{\"x\": [0.5, 0], \"iterates\": [[1, 1], [0.5, 0]]}', flush=True)";
     let script = Script::answering("iterates", answer);

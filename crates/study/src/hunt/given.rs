@@ -86,6 +86,10 @@ impl Given {
             Some(class) => given.keep_to(class, problems)?,
             None => given.find_class(problems),
         }
+        let frozen = problems.iter().filter(|(_, problem)| problem.frozen_at.is_some());
+        given.notes.extend(frozen.map(|(name, _)| {
+            format!("{name}: frozen_at is not kept: each box is frozen at what its normal would need if it were alone")
+        }));
         Ok(given)
     }
 
@@ -112,10 +116,8 @@ impl Given {
             };
             if repaired.is_none() {
                 self.within = General;
-                self.notes = vec![format!(
-                    "{name}: {}; the search keeps to no class",
-                    outside(Semidefinite)
-                )];
+                let reason = outside(Semidefinite);
+                self.notes = vec![format!("{name}: {reason}; the search keeps to no class")];
                 self.problems = problems.iter().map(|(_, problem)| problem.lcp.clone()).collect();
                 return;
             }

@@ -36,6 +36,8 @@ pub(super) struct Numbers {
     pub b: Vec<f64>,
     pub lo: Vec<f64>,
     pub hi: Vec<f64>,
+    /// The [scale](Lcp::scale) of x.
+    pub least: f64,
     /// The rows that bound the others, and μ.
     pub friction: Option<(Vec<Option<usize>>, Vec<f64>)>,
 }
@@ -44,7 +46,7 @@ impl Numbers {
     /// Contacts with these numbers.
     pub fn new(a: Vec<Vec<f64>>, b: Vec<f64>) -> Numbers {
         let n = b.len();
-        Numbers { a, b, lo: vec![0.0; n], hi: vec![f64::INFINITY; n], friction: None }
+        Numbers { a, b, lo: vec![0.0; n], hi: vec![f64::INFINITY; n], least: 0.0, friction: None }
     }
 
     /// The numbers of a problem.
@@ -57,6 +59,7 @@ impl Numbers {
             b: lcp.b().to_vec(),
             lo: lcp.lo().to_vec(),
             hi: lcp.hi().to_vec(),
+            least: lcp.scale(),
             friction,
         }
     }
@@ -67,7 +70,7 @@ impl Numbers {
     /// If the numbers make none: an entry that is not finite, lo > hi.
     pub fn lcp(self) -> Result<Lcp> {
         let matrix = Matrix::dense(self.len(), &self.a.concat());
-        let lcp = Lcp::new(matrix, self.b, self.lo, self.hi)?;
+        let lcp = Lcp::new(matrix, self.b, self.lo, self.hi)?.with_scale(self.least)?;
         match self.friction {
             None => Ok(lcp),
             Some((index, mut mu)) => {
@@ -113,6 +116,7 @@ impl Numbers {
             b: of(&self.b),
             lo: of(&self.lo),
             hi: of(&self.hi),
+            least: self.least,
             friction: friction.filter(|(index, _): &(Vec<_>, _)| index.iter().any(Option::is_some)),
         }
     }

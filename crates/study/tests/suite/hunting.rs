@@ -431,6 +431,23 @@ fn a_start_outside_the_class_is_refused_and_one_beside_it_is_repaired_with_words
 }
 
 #[test]
+fn the_scale_of_a_given_problem_stays_and_frozen_bounds_that_do_not_are_told() {
+    let text = r#"{"A": {"dense": [[2,0,0],[0,1,0],[0,0,1]]}, "b": [-2,-3,0], "scale": 0.25,
+                   "friction_index": [-1,0,0], "mu": [0,0.5,0.5],
+                   "model": "frozen-box", "frozen_at": [7,0,0]}"#;
+    let problem = Problem::parse(text, "frozen.json").unwrap();
+    let given = Given::new(&[("frozen.json".into(), problem)], None, None).unwrap();
+    assert!(given.notes[0].starts_with("frozen.json: frozen_at is not kept"), "{:?}", given.notes);
+    let trial =
+        Trial { model: given.model, ..trial(engine(Sweeps::Right, 4, true), given.within, true) };
+    let trial = Trial { measure: Measure::Iterations, ..trial };
+    let search =
+        Search { rows: 3..=3, evaluations: 60, seed: 1, at_least: None, from: given.problems };
+    let catch = search.run(&trial, &Stop::default(), &|_| ()).catch.unwrap();
+    assert_eq!(catch.lcp.scale(), 0.25);
+}
+
+#[test]
 fn a_hunt_from_an_identity_with_friction_keeps_to_its_class() {
     // Shrinking took this start to A = diag(−1e-6, 3e22), "semidefinite" beside its largest entry.
     let text = r#"{"A": {"dense": [[1,0,0],[0,1,0],[0,0,1]]}, "b": [-2,-3,-3],

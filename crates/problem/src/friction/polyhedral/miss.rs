@@ -98,9 +98,14 @@ impl<'a> Rubs<'a> {
         at: impl Fn(usize) -> RowTerms,
     ) -> Self {
         let normal = at(contact.normal).size(&polyhedral.lcp, contact.normal, z);
+        let rounding = f64::EPSILON * z[contact.gamma];
+        let row = |unknown: usize| match at(unknown) {
+            row if row.w().abs() <= rounding => RowTerms { w: 0.0, ..row }, // γ is its speed, rounded
+            row => row,
+        };
         Rubs {
             beta: &z[contact.beta.clone()],
-            rows: contact.beta.clone().map(&at).collect(),
+            rows: contact.beta.clone().map(row).collect(),
             left: at(contact.gamma).w(),
             reach: reach_of_friction(contact.mu, normal),
         }

@@ -142,6 +142,76 @@ fn a_contact_that_sticks_is_accepted_where_the_tangents_move_as_one() {
     }
 }
 
+/// One contact with rows n, t1, t2 and this A, b and μ.
+fn contact(a: [[f64; 3]; 3], b: [f64; 3], mu: f64) -> FrictionProblem {
+    let rows: Vec<&[f64]> = a.iter().map(|row| &row[..]).collect();
+    let lcp = boxed(&rows, &b, &[0.0, -INF, -INF], &[INF; 3]);
+    FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu }]).unwrap()
+}
+
+fn diagonal([n, t1, t2]: [f64; 3]) -> [[f64; 3]; 3] {
+    [[n, 0.0, 0.0], [0.0, t1, 0.0], [0.0, 0.0, t2]]
+}
+
+const SQUARE: Model = Model::Polyhedral { directions: 4 };
+const OCTAGON: Model = Model::Polyhedral { directions: 8 };
+
+#[test]
+fn under_a_polygon_no_speed_of_the_slip_makes_an_impulse_small() {
+    // Pressed with 1 at a slip of 1e16: x_n = 1. Drawn away with 1: x = 0.
+    let pressed = contact(diagonal([1.0; 3]), [-1.0, -1e16, 0.0], 0.5);
+    let drawn = contact(diagonal([1.0; 3]), [1.0, 1e16, 0.0], 0.5);
+    for model in [SQUARE, OCTAGON] {
+        assert!(verdict(&pressed, model, &[1.0, 0.5, 0.0]).is_solution());
+        assert!(!verdict(&pressed, model, &[0.0; 3]).is_solution());
+        assert!(verdict(&drawn, model, &[0.0; 3]).is_solution());
+        assert!(!verdict(&drawn, model, &[3.0, -1.5, 0.0]).is_solution());
+    }
+}
+
+#[test]
+fn under_a_polygon_the_speed_of_the_slip_is_the_one_that_fits_best() {
+    // An open contact with an impulse that is nothing beside the terms of w_n.
+    let open = contact(diagonal([1.0; 3]), [1.0, -3.0, 0.0], 0.5);
+    assert!(verdict(&open, SQUARE, &[1e-9, 0.0, 0.0]).is_solution());
+    // Sticking with x_t at an edge of the octagon: w = 0, |x_t| ≤ x_n.
+    let sticks = contact(diagonal([0.3, 2.0, 2.0]), [-2.0, 2.0, -2.0], 1.0);
+    let x = [2.0 / 0.3, -1.0, 1.0f64.next_down()];
+    assert!(verdict(&sticks, OCTAGON, &x).is_solution());
+}
+
+#[test]
+fn under_a_square_an_exact_solution_within_rounding_of_x_is_proved() {
+    // x = (0.002, 2e-13, −1e-13) but for the last digits: they are rounding beside x_n.
+    let problem = contact(diagonal([10.0, 1e6, 1e6]), [-0.02, -2e-7, 1e-7], 3.0);
+    assert!(matches!(
+        verdict(&problem, SQUARE, &[0.002, 2.00001e-13, -1e-13]),
+        Verdict::Proved { distance } if distance < 1e-17
+    ));
+}
+
+#[test]
+fn a_refused_polygon_names_the_largest_residual() {
+    let a = [[2.0, 0.0, -1.0], [0.0, 3.0, -1.0], [-1.0, -1.0, 1.0]];
+    let problem = contact(a, [-2.0, 1.0, 1.0], 0.25);
+    let posed = SQUARE.pose(&problem, None).unwrap();
+    let certificate = judge_friction(&posed, &[2.0, -0.5, 0.0], &Demand::default());
+    let Verdict::NotASolution { row, amount, .. } = certificate.verdict else { panic!() };
+    assert_eq!((row, amount), (certificate.worst_row, certificate.scaled_residual));
+    assert_eq!(certificate.residuals[row], amount);
+    assert_eq!(certificate.rounded_by, None);
+}
+
+#[test]
+fn a_sticking_contact_is_not_called_impossible_under_an_octagon() {
+    // Pushed along both tangents and held: w = 0 at x. No row but those of friction pushes there.
+    let problem = contact(diagonal([3.0, 8.0, 8.0]), [-2.0, -1.0, 1.0], 0.5);
+    assert!(verdict(&problem, OCTAGON, &[2.0 / 3.0, 0.125, -0.125]).is_solution());
+    // A floor that nothing can hold.
+    let floor = contact(diagonal([0.0, 8.0, 8.0]), [-2.0, 0.0, 0.0], 0.5);
+    assert!(!verdict(&floor, OCTAGON, &[1e12, 0.0, 0.0]).is_solution());
+}
+
 #[test]
 fn a_refused_row_is_one_of_x() {
     let problem = pushed_mass(2.0, 3.0, 0.0);
