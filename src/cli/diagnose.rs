@@ -142,7 +142,7 @@ impl Diagnose {
             return Ok((diagnosis, None));
         }
         let practice = self.practice(solver)?;
-        let found = examine_sequence(&[read], &practice);
+        let found = examine_sequence(&[as_box(read, &self.input)?], &practice);
         Ok((diagnosis, Some(Examined { found, practice, scene: None })))
     }
 
@@ -178,6 +178,12 @@ impl Diagnose {
     fn scene(&self, solver: Option<&str>) -> Result<Scene> {
         let mut scene = self.changes.load(&self.input)?;
         if let Some(name) = solver {
+            let scheme = scene.step.scheme;
+            if !scheme.solves_lcps() {
+                let reason =
+                    format!("{name} is not asked: the scheme {} solves no LCP", scheme.name());
+                return Err(Error::invalid(&self.input, "solver", reason));
+            }
             scene.solver.name = methods::entry(name)?.name.into();
         }
         scene.solver.max_iterations = self.max_iterations.unwrap_or(scene.solver.max_iterations);
@@ -202,7 +208,8 @@ impl Diagnose {
             let mut problem = read_problem(path, Memory::default())?;
             problem.name =
                 path.file_name().map_or(String::new(), |name| name.to_string_lossy().into());
-            Ok(problem)
+            let place = path.display().to_string();
+            as_box(problem, &place)
         });
         let problems = problems.collect::<Result<Vec<Problem>>>()?;
         if problems.is_empty() {
@@ -240,6 +247,16 @@ impl Diagnose {
         }
         Ok(if search.verdict.is_solution() { Outcome::Good } else { Outcome::Refuted })
     }
+}
+
+/// The problem with the bounds that its model of friction gives it.
+///
+/// # Errors
+/// If they are cones or polygons.
+fn as_box(problem: Problem, place: &str) -> Result<Problem> {
+    let question = Question::new(&problem, None, place)?;
+    let lcp = question.require_boxed("examinations of a solver are", place)?.clone();
+    Ok(Problem { lcp, ..problem })
 }
 
 /// What an examination found, and of what.

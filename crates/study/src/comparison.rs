@@ -66,6 +66,9 @@ pub struct Run {
     pub accepted: usize,
     /// Claims that the judge refutes: this must be 0.
     pub refuted_claims: usize,
+    /// LCPs to which the solver gave no answer at all: it crashed, or nobody could read what it wrote.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub unanswered: usize,
     /// Sweeps or pivots in all.
     pub iterations: usize,
     /// The worst scaled residual of all answers, claimed or not; infinite where one is no number.
@@ -84,6 +87,10 @@ pub struct Run {
 
 fn one() -> f64 {
     1.0
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 /// Energy and errors at one instant.
@@ -260,6 +267,7 @@ fn run(scene: &Scene, solver: &Method, steps: usize, stop: &Stop) -> (Run, Timin
         claimed: 0,
         accepted: 0,
         refuted_claims: 0,
+        unanswered: 0,
         iterations: 0,
         worst_residual: 0.0,
         rows: 0,
@@ -303,9 +311,11 @@ impl Run {
         for solve in &step.solves {
             let certificate = solve.judged(&Demand { tolerance, prove_up_to: 0 });
             let Solve { problem, solution, .. } = solve;
-            let (claims, holds) =
-                (solution.status == Status::Solved, certificate.verdict.is_solution());
+            let is_answered = !matches!(solution.status, Status::NoAnswer { .. });
+            let claims = solution.status == Status::Solved;
+            let holds = is_answered && certificate.verdict.is_solution(); // without answer x is the start
             self.solves += 1;
+            self.unanswered += usize::from(!is_answered);
             self.claimed += usize::from(claims);
             self.accepted += usize::from(holds);
             self.refuted_claims += usize::from(claims && !holds);

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::answer::labelled;
+use crate::answer::{labelled, proof_of_denial};
 use crate::methods::{named, why_none_takes};
 use lcplab_judge::{Demand, FrictionCertificate, judge_friction};
 use lcplab_problem::Complementarity;
@@ -39,6 +39,9 @@ pub struct Row {
     pub proved: usize,
     /// Answers that the judge accepts, proved or within tolerance.
     pub accepted: usize,
+    /// Problems of which the solver says that they have no solution, and which are proved to have none.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub denied: usize,
     /// Claims that the judge refutes: this must be 0.
     pub refuted_claims: usize,
     /// Claims on problems that are known to have no solution: this must be 0.
@@ -63,6 +66,10 @@ pub struct Row {
     pub known_failure: Option<String>,
     /// Wall time of the solves (s); differs from machine to machine.
     pub seconds: f64,
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 /// Failures that mathematics explains, beside those on problems without solution: (solver, family,
@@ -135,7 +142,7 @@ pub fn useless(rows: &[Row], contenders: &[Contender]) -> Vec<String> {
         let name = contender.name();
         let own = || rows.iter().filter(|row| row.solver == name && row.known_failure.is_none());
         let problems: usize = own().map(|row| row.problems).sum();
-        if problems == 0 || own().any(|row| row.accepted > 0) {
+        if problems == 0 || own().any(|row| row.accepted + row.denied > 0) {
             return None;
         }
         let why = own().find_map(|row| row.trouble.as_deref()).unwrap_or("it claims nothing");
@@ -369,6 +376,7 @@ impl Posing<'_> {
             claimed: 0,
             proved: 0,
             accepted: 0,
+            denied: 0,
             refuted_claims: 0,
             false_claims: 0,
             iterations: 0,
@@ -437,6 +445,9 @@ fn attempt(
         row.multiplications = row.multiplications.zip(known).map(|(sum, own)| sum + own);
         let demand = Demand { tolerance: options.settings.tolerance, ..Demand::default() };
         let certificate = judge_friction(posed, &solution.x, &demand);
+        if let Posed::Boxed(lcp) = posed {
+            row.denied += usize::from(proof_of_denial(lcp, &solution.status, &demand).is_some());
+        }
         row.add(&solution, &certificate, problem);
     }
     if unsolvable && row.proved > 0 {

@@ -18,8 +18,8 @@ pub(super) struct Tables {
     pub trajectory: String,
     /// A line a step: energy and momentum, where the energy went, and how well laws were kept.
     pub ledger: String,
-    /// A line a row and solve: the force or impulse of every constraint; of a contact, what touches, where,
-    /// and in which direction it pushes the second body. Schemes that pose no problem have a line a row and
+    /// A line a row and solve: the force or impulse of every constraint, and the impulse by which it acted (0 of an answer
+    /// that another one replaced); of a contact, what touches, where, and in which direction it pushes the second body. Schemes that pose no problem have a line a row and
     /// step, with the sum of the substeps.
     pub forces: String,
 }
@@ -51,7 +51,8 @@ impl Tables {
         }
         for (row, impulse) in &step.pushed {
             let unit = Stage::Velocity.unit(row.kind.is_angular());
-            self.add_force(scene, step, row, ["substeps", &number(*impulse), unit, ""]);
+            let x = number(*impulse);
+            self.add_force(scene, step, row, ["substeps", &x, unit, "", &x]);
         }
     }
 
@@ -90,19 +91,23 @@ impl Tables {
     }
 
     fn add_forces(&mut self, scene: &Scene, step: &Step, solve: &Solve) {
-        let Solve { problem, solution, .. } = solve;
+        let Solve { problem, solution, share, .. } = solve;
         // With the friction that follows from a normal force and is no unknown.
         let efforts = problem.efforts(&solution.x);
         for (i, row) in problem.assembly.rows.iter().enumerate() {
             let unit = problem.stage.unit(row.kind.is_angular());
             let [x, w] = [efforts[i], solution.w[i]].map(number);
-            self.add_force(scene, step, row, [problem.stage.name(), &x, unit, &w]);
+            let acted = match problem.stage {
+                Stage::Position => String::new(),
+                _ => number(share * efforts[i]),
+            };
+            self.add_force(scene, step, row, [problem.stage.name(), &x, unit, &w, &acted]);
         }
     }
 
-    /// A row with its stage, x, unit and w; of a contact also what touches, where if it was known at the beginning of the
+    /// A row with its stage, x, unit, w and the impulse that acted; of a contact also what touches, where if it was known at the beginning of the
     /// step, and the row's direction.
-    fn add_force(&mut self, scene: &Scene, step: &Step, row: &Row, of: [&str; 4]) {
+    fn add_force(&mut self, scene: &Scene, step: &Step, row: &Row, of: [&str; 5]) {
         let id = match row.id.source {
             Source::Contact(id) => Some(id),
             Source::Constraint(_) => None,
@@ -110,8 +115,8 @@ impl Tables {
         let found = id.and_then(|id| step.contacts.iter().find(|found| found.id == id));
         let numbers = |v: Vector3<f64>| [v.x, v.y, v.z].map(number);
         let nothing = || [const { String::new() }; 3];
-        let [stage, x, unit, w] = of.map(String::from);
-        let mut cells = vec![step.number.to_string(), stage, row.label(scene), x, unit, w];
+        let [stage, x, unit, w, acted] = of.map(String::from);
+        let mut cells = vec![step.number.to_string(), stage, row.label(scene), x, unit, w, acted];
         cells.push(id.map_or(String::new(), |id| id.to_string()));
         cells.extend(found.map_or_else(nothing, |found| numbers(found.point)));
         cells.extend(id.and_then(|_| row.direction()).map_or_else(nothing, numbers));
@@ -165,13 +170,14 @@ const LAWS: [&str; 6] = [
     "internal torque (N m s)",
 ];
 
-const FORCES: [&str; 15] = [
+const FORCES: [&str; 16] = [
     "step",
     "stage",
     "row",
     "x",
     "unit of x",
     "w",
+    "impulse",
     "features",
     "point x (m)",
     "point y (m)",

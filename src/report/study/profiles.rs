@@ -11,6 +11,7 @@ use super::problems;
 use super::settings::AtStep;
 use crate::error::Result;
 use crate::lcp::Lcp;
+use crate::lcp::Question;
 use crate::lcp::file::{Expected, Problem};
 use crate::lcp::library;
 use crate::memory::Memory;
@@ -146,6 +147,12 @@ impl Plan {
         let impossible = |problem: &Problem| {
             Expected::of(problem).is_some_and(|expected| expected.is_impossible())
         };
-        Ok(problems.map(|p| (impossible(&p), p.lcp)).map(|(i, lcp)| (lcp, i)).collect())
+        let boxed = |problem: Problem| {
+            let place = format!("{name}: {}", problem.name);
+            let question = Question::new(&problem, None, &place)?;
+            let lcp = question.require_boxed("profiles are", &place)?.clone();
+            Ok((lcp, impossible(&problem)))
+        };
+        problems.map(boxed).collect()
     }
 }

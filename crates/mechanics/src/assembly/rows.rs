@@ -69,6 +69,9 @@ pub struct Row {
     parts: [Option<Part>; 2],
 }
 
+/// What joints call that which is no body.
+const WORLD: &str = "world";
+
 /// The part of a row of J that belongs to one moving body.
 #[derive(Debug, Clone, Copy)]
 pub struct Part {
@@ -104,9 +107,15 @@ impl Row {
     }
 
     /// The row in words, such as `normal ground box1 0 at face 0 on vertex 3`: no other row of the
-    /// scene has the same. The place is left out where two bodies touch at one point only.
+    /// scene has the same. The place is left out where two bodies touch at one point only. Names of bodies that have a
+    /// blank or are `world` stand in quotation marks.
     pub fn label(&self, scene: &Scene) -> String {
-        let [first, second] = self.names(scene);
+        let name = |body: Option<usize>| match body.map(|k| scene.bodies[k].name.as_str()) {
+            None => WORLD.to_string(),
+            Some(name) if name == WORLD || name.contains([' ', '"']) => format!("{name:?}"),
+            Some(name) => name.to_string(),
+        };
+        let [first, second] = self.bodies.map(name);
         let row = format!("{} {first} {second} {}", self.kind.name(), self.id.component);
         match self.id.source {
             Source::Contact(id) if !touch_at_one_point(scene, id.bodies) => {
@@ -121,7 +130,7 @@ impl Row {
 
     /// The names of its two bodies; the world's is `world`.
     pub fn names<'a>(&self, scene: &'a Scene) -> [&'a str; 2] {
-        self.bodies.map(|body| body.map_or("world", |k| scene.bodies[k].name.as_str()))
+        self.bodies.map(|body| body.map_or(WORLD, |k| scene.bodies[k].name.as_str()))
     }
 
     /// The row as it is read from its other body.

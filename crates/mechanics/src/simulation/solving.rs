@@ -67,14 +67,14 @@ impl Solving<'_> {
             _ => problem.pose(model, &x)?,
         };
         let (solver, solution) = self.solvers.solve(&problem, posing.as_ref(), &x, self.observer);
-        Ok(self.keep(Solve { problem, posing, start: x, solver, solution }))
+        Ok(self.keep(Solve { problem, posing, start: x, solver, solution, share: 1.0 }))
     }
 
     /// Solves a problem as it stands by a method of the scheme's own.
     pub fn solve_by(&mut self, problem: Problem, method: Method) -> &Solve {
         let x = self.start(problem.stage, &problem.assembly);
         let solution = method(&problem, &x, self.observer);
-        self.keep(Solve { problem, posing: None, start: x, solver: "none", solution })
+        self.keep(Solve { problem, posing: None, start: x, solver: "none", solution, share: 1.0 })
     }
 
     fn keep(&mut self, solve: Solve) -> &Solve {
@@ -88,9 +88,17 @@ impl Solving<'_> {
     pub fn solve_bouncing(&mut self, problem: Problem) -> Result<&Solve, Cause> {
         self.solve(problem)?;
         if let Some(second) = self.bounce()? {
+            self.replace_last();
             self.solve(second)?;
         }
         Ok(self.last())
+    }
+
+    /// The last answer does not act: another one takes its place.
+    pub fn replace_last(&mut self) {
+        if let Some(last) = self.solves.last_mut() {
+            last.share = 0.0;
+        }
     }
 
     /// The last problem again, with what bounces after its answer; `None` if nothing does.

@@ -99,6 +99,7 @@ fn part(
         false => Cow::Owned(Scene { step: Step { dt: h, ..whole.step.clone() }, ..whole.clone() }),
     };
     let scene = scene.as_ref();
+    let first = solving.solves.len();
     let assembly = solving.assemble(states, found, Entering::Resting)?;
     let resting: Vec<RowId> = assembly.rows.iter().map(|row| row.id).collect();
     let method = match scene.step.integrator {
@@ -107,6 +108,7 @@ fn part(
             let after = solve.problem.next_states(states, &solve.solution.x, h);
             solving.note_answer();
             solving.note(Act::Advance(h));
+            share(&mut solving.solves[first..], h, &[1.0]);
             return Ok((after, resting));
         }
         Integrator::ExplicitEuler => integrator::explicit_euler,
@@ -114,7 +116,20 @@ fn part(
         Integrator::ImplicitMidpoint => integrator::implicit_midpoint,
     };
     let after = method(h, states, &mut |stage| rates(solving, scene, stage, found, &resting))?;
+    let weights: &[f64] = match scene.step.integrator {
+        Integrator::Rk4 => &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
+        _ => &[1.0], // of the last repetition of the midpoint
+    };
+    share(&mut solving.solves[first..], h, weights);
     Ok((after, resting))
+}
+
+/// Says how long the forces of the stages act: the last of them have these weights in h, those before are replaced.
+fn share(stages: &mut [Solve], h: f64, weights: &[f64]) {
+    let replaced = stages.len() - weights.len();
+    for (k, stage) in stages.iter_mut().enumerate() {
+        stage.share = if k < replaced { 0.0 } else { h * weights[k - replaced] };
+    }
 }
 
 /// y' at a stage, with the rows that were chosen at the beginning.

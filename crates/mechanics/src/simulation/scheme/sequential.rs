@@ -34,6 +34,7 @@ pub(super) fn step(
     };
     solving.solve_by(problem, &method);
     if let Some(second) = solving.bounce()? {
+        solving.replace_last();
         solving.solve_by(second, &method);
     }
     Ok(moved(solving, states, dt))
