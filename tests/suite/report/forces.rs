@@ -30,8 +30,7 @@ fn vector(line: &BTreeMap<String, String>, columns: [&str; 3]) -> Vector3<f64> {
 fn impulses(folder: &Path) -> BTreeMap<(String, String), (Vector3<f64>, f64)> {
     let mut sums = BTreeMap::new();
     for line in table(&folder.join("forces.csv")) {
-        let (Ok(impulse), true) =
-            (line["impulse"].parse::<f64>(), !line["direction x"].is_empty())
+        let (Ok(impulse), true) = (line["impulse"].parse::<f64>(), !line["direction x"].is_empty())
         else {
             continue; // a correction of positions, or a row that only turns
         };

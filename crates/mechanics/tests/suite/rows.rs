@@ -129,3 +129,27 @@ fn constraints_between_the_same_bodies_are_told_apart() {
     let last = rows(&step)[0].last().unwrap().label(&scene);
     assert_eq!(last, "rotation A B 0 of constraints[2]");
 }
+
+#[test]
+fn rows_of_bodies_with_blanks_in_their_names_or_the_name_of_the_world_have_labels_of_their_own() {
+    // "a b" with "c", and "a" with "b c"; a body that is called world, joined as another one is to the world.
+    let ball = |name: &str, x: f64| {
+        format!(
+            "[[bodies]]\nname = {name:?}\nshape = {{ sphere = 0.5 }}\nmass = 1\nposition = [{x}, 0, 0]\n"
+        )
+    };
+    let joint = |bodies: &str| {
+        format!("[[constraints]]\nkind = \"hinge\"\nbodies = {bodies}\naxis = [0, 0, 1]\n")
+    };
+    let names = ["a b", "c", "a", "b c", "world"];
+    let text: String =
+        names.iter().zip(0..).map(|(name, k)| ball(name, 3.0 * f64::from(k))).collect();
+    let joints = [r#"["a b", "c"]"#, r#"["a", "b c"]"#, r#"["c"]"#, r#"["world", "c"]"#];
+    let text = text + &joints.map(joint).concat();
+    let scene = Scene::from_toml("names.toml", &text).unwrap();
+    let mut simulation = Simulation::of(&scene).unwrap();
+    let step = simulation.step().unwrap();
+    for rows in rows(&step) {
+        unlike(&scene, &rows).unwrap();
+    }
+}

@@ -18,6 +18,7 @@
 
 mod broad;
 mod crossing;
+mod meeting;
 mod nearest;
 mod overlap;
 mod pair;
@@ -287,7 +288,7 @@ impl Detector {
     /// The second half: where the pairs touch.
     pub fn find_points(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         self.found.clear();
-        for &pair in self.broad.pairs() {
+        for pair in self.broad.pairs().to_vec() {
             self.touches.clear();
             let owners = pair.map(|k| self.owners[k]);
             let sites = owners.map(|owner| Site { body: owner.body, arm: self.arms[owner.body] });
@@ -298,6 +299,10 @@ impl Detector {
             let of = |touch| point(scene, states, owners, radii, margin, touch);
             let points = self.touches.iter().filter_map(of);
             self.found.extend(points.filter(|found| found.gap <= margin));
+            let is_far = self.found[first..].iter().all(|found| found.gap > reach::LEAST);
+            if reach == Reach::Step && is_far && !self.may_meet(scene, states, pair) {
+                self.found.truncate(first);
+            }
             if scene.contact.manifold == Manifold::Four {
                 reduce::to_four(&mut self.found, first);
             }

@@ -104,7 +104,7 @@ impl Detector {
 
     /// The gap (m) of a pair of parts at a part of its path, and the normal from the first to the
     /// second where they are nearest, in the axes of the larger body: a ball has none to speak of.
-    fn nearest(
+    pub(super) fn nearest(
         &mut self,
         scene: &Scene,
         path: &Path,
@@ -131,14 +131,28 @@ impl Detector {
 }
 
 /// Two parts on their way from one instant to another.
-struct Path<'a> {
+pub(super) struct Path<'a> {
     before: &'a [State],
     after: &'a [State],
     /// The parts, by their solids.
     pair: [usize; 2],
     bodies: [usize; 2],
     /// How far (m) they move against each other at most.
-    travel: f64,
+    pub travel: f64,
+}
+
+impl<'a> Path<'a> {
+    /// The path of two parts between these states; `arms` are those of all bodies.
+    pub fn of(
+        before: &'a [State],
+        after: &'a [State],
+        pair: [usize; 2],
+        bodies: [usize; 2],
+        arms: &[f64],
+    ) -> Self {
+        let [a, b] = bodies.map(|k| Move::of(&before[k], &after[k], arms[k]));
+        Path { before, after, pair, bodies, travel: Move::against([&a, &b]) }
+    }
 }
 
 /// How a body moved.

@@ -8,16 +8,16 @@
 //! ```
 //!
 //! with r the distance of a body's farthest vertex from its centre (0 of a ball: it turns in
-//! itself). v1 − v0 is that at the beginning of the step or that after the forces of the step,
-//! whichever is larger.
+//! itself). Velocities are those at the beginning of the step or those after its forces, whichever of
+//! them, body by body, makes more: a body may be held where another one falls.
 
 use nalgebra::Vector3;
 
-use crate::body::{Mass, Shape, State};
+use crate::body::{Mass, Shape, State, angular, linear};
 use crate::scene::{Scene, Scheme};
 
 /// The least margin (m) where it follows the speed.
-const LEAST: f64 = 0.05;
+pub(super) const LEAST: f64 = 0.05;
 
 /// Up to which gap contacts are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,10 +46,12 @@ impl Reach {
             Reach::Gap(gap) => gap,
             Reach::Step => {
                 let [a, b] = pair.map(|site| velocities(scene, states, site.body));
-                let approach = [0, 1].map(|k| (b[k] - a[k]).norm());
+                // One may be held where the other falls.
+                let both = a.iter().flat_map(|a| b.iter().map(move |b| (b - a).norm()));
+                let approach = both.fold(0.0, f64::max);
                 let turning = turning(scene, states, pair[0], pair[1])
                     + turning(scene, states, pair[1], pair[0]);
-                LEAST.max(scene.step.dt * (approach[0].max(approach[1]) + turning))
+                LEAST.max(scene.step.dt * (approach + turning))
             }
         }
     }
@@ -61,7 +63,7 @@ impl Reach {
             Reach::Gap(gap) => gap / 2.0,
             Reach::Step => {
                 let [before, after] = velocities(scene, states, site.body).map(|v| v.norm());
-                let turning = states[site.body].omega.norm() * site.arm;
+                let turning = fastest_turning(scene, states, site.body) * site.arm;
                 (LEAST / 2.0).max(scene.step.dt * (before.max(after) + turning))
             }
         }
@@ -77,12 +79,27 @@ pub(super) struct Site {
 
 /// The velocity (m/s) of a body's centre now, and after the forces of a step.
 fn velocities(scene: &Scene, states: &[State], body: usize) -> [Vector3<f64>; 2] {
-    let (own, v) = (&scene.bodies[body], states[body].v);
-    let change = match own.mass {
-        Mass::Fixed => Vector3::zeros(),
-        Mass::Point { mass } | Mass::Rigid { mass, .. } => scene.gravity + own.force / mass,
-    };
-    [v, v + scene.step.dt * change]
+    [states[body].v, after_forces(scene, states, body)[0]]
+}
+
+/// The speed (rad/s) at which a body turns now or after the forces of a step, whichever is larger.
+fn fastest_turning(scene: &Scene, states: &[State], body: usize) -> f64 {
+    states[body].omega.norm().max(after_forces(scene, states, body)[1].norm())
+}
+
+/// The velocities (m/s, rad/s) of a body after its weight and its own force have acted for a step.
+pub(super) fn after_forces(scene: &Scene, states: &[State], body: usize) -> [Vector3<f64>; 2] {
+    let (own, State { pose, v, omega }, dt) = (&scene.bodies[body], &states[body], scene.step.dt);
+    let wrench = own.wrench(pose);
+    match own.mass {
+        Mass::Fixed => [*v, *omega],
+        Mass::Point { mass } => [v + dt * (scene.gravity + linear(&wrench) / mass), *omega],
+        Mass::Rigid { mass, moments } => {
+            let turned = pose.q.inverse() * angular(&wrench);
+            let spin = pose.q * turned.component_div(&moments);
+            [v + dt * (scene.gravity + linear(&wrench) / mass), omega + dt * spin]
+        }
+    }
 }
 
 /// How fast (m/s) a body's surface approaches another body by turning. A half space that turns
@@ -95,6 +112,6 @@ fn turning(scene: &Scene, states: &[State], own: Site, other: Site) -> f64 {
             let tilting = omega - n * n.dot(omega);
             tilting.norm() * ((states[other.body].pose.p - pose.p).norm() + other.arm)
         }
-        _ => omega.norm() * own.arm,
+        _ => fastest_turning(scene, states, own.body) * own.arm,
     }
 }
