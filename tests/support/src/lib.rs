@@ -18,7 +18,7 @@ use proptest::test_runner::{Config, FileFailurePersistence, RngSeed};
 pub const INF: f64 = f64::INFINITY;
 
 /// The configuration of every property test: failing cases are kept beside the tests, and every run tries the same
-/// cases, unless PROPTEST_RNG_SEED names others.
+/// cases, unless PROPTEST_RNG_SEED names others. LCPLAB_CASES=1000 tries a thousand times as many.
 pub fn cases(count: u32) -> Config {
     let rng_seed = match Config::default().rng_seed {
         RngSeed::Random => RngSeed::Fixed(1),
@@ -27,8 +27,13 @@ pub fn cases(count: u32) -> Config {
     Config {
         rng_seed,
         failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
-        ..Config::with_cases(count)
+        ..Config::with_cases(count.saturating_mul(times()))
     }
+}
+
+/// How many times as many cases are wanted: `LCPLAB_CASES`, 1 without it.
+fn times() -> u32 {
+    std::env::var("LCPLAB_CASES").ok().and_then(|times| times.parse().ok()).unwrap_or(1)
 }
 
 /// A dense problem with bounds 0 and ∞.

@@ -68,7 +68,7 @@ impl Diagnosis {
     fn summary(&self) -> String {
         let words = match self.causes.as_slice() {
             [] if self.is_unique => {
-                "Nothing is wrong: the rows are independent and the answer is unique."
+                "The problem is well posed: the rows are independent and the answer is unique."
             }
             [] => {
                 "Nothing was found that keeps it from being solved; whether there is one answer only is not \
