@@ -198,7 +198,7 @@ def test_what_does_not_suit_a_model_is_refused_in_words():
     with pytest.raises(lcplab.InputError, match="bounds 1 friction rows, not 2"):
         lcplab.solve(**flat, model="coulomb-cone")
     spatial = dict(A=np.eye(3), b=[-2, -3, 0], friction_index=[-1, 0, 0], mu=[0, 0.5, 0.5])
-    with pytest.raises(lcplab.InputError, match="a function of A, b, lo, hi does not solve coulomb-cone"):
+    with pytest.raises(lcplab.InputError, match="a function that has a parameter named model gets friction cones"):
         lcplab.solve(**spatial, model="coulomb-cone", solver=lambda A, b, lo, hi, **settings: b)
     with pytest.raises(lcplab.InputError, match="trace"):
         lcplab.solve(**spatial, model="coulomb-cone", trace=True)

@@ -140,6 +140,11 @@ class Problem:
         return self._inner.mu
 
     @property
+    def model(self) -> str | None:
+        """The model of friction that it states, such as ``"coulomb-cone"``."""
+        return self._inner.model
+
+    @property
     def name(self) -> str:
         """What it is called."""
         return self._inner.name

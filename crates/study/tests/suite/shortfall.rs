@@ -273,6 +273,22 @@ fn an_order_against_the_way_of_impulses_is_named_first() {
 }
 
 #[test]
+fn a_long_chain_is_told_by_its_whole_length() {
+    // Whichever link moves most, an impulse at one end goes through all of them.
+    for links in [12, 31] {
+        let text = format!(
+            "[generate]\nkind = \"chain\"\nlinks = {links}\nspacing = 0.1\nmass = 0.1\n[step]\ndt = 0.005\n"
+        );
+        let mut scene = Scene::from_toml("chain.toml", &text).unwrap();
+        (scene.solver.name, scene.solver.max_iterations) = ("pgs".into(), 5);
+        let found = examine_scene(&scene, Some(1)).unwrap();
+        let told: String =
+            found.shortfall.unwrap().causes.iter().map(ToString::to_string).collect();
+        assert!(told.contains(&format!("through {links} of them")), "{told}");
+    }
+}
+
+#[test]
 fn of_a_run_the_remedies_are_done_and_a_pivoting_method_leaves_nothing_undone() {
     let found = examined("mass_ratio3", "pgs", 10, &[]);
     let of = |what: &str| found.reliefs.iter().find(|relief| relief.what == what).unwrap();

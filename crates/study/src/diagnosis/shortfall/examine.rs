@@ -369,7 +369,7 @@ impl Case<'_> {
             // What is not missing now cannot be missing because of it.
             let with = alike[1].min(own[1]);
             let without = Without { factor: alike[0] / left[0], with, without: left[1] };
-            let bodies = mover.filter(|_| lcp.is_some()).map(|mover| self.frame.reach(mover));
+            let bodies = mover.filter(|_| lcp.is_some()).map(|mover| self.frame.longest_way(mover));
             causes.push((without, Slow::Tall { bodies, without }));
         }
         causes

@@ -191,23 +191,12 @@ impl Frame {
         neighbours
     }
 
-    /// How many bodies an impulse on this one goes through, from body to body, until it is everywhere.
-    pub fn reach(&self, body: usize) -> usize {
+    /// How many bodies an impulse goes through at most, from body to body, on the shortest way from one body to another,
+    /// among those that are connected with this one.
+    pub fn longest_way(&self, body: usize) -> usize {
         let neighbours = self.neighbours();
-        let (mut is_reached, mut front, mut bodies) =
-            (vec![false; neighbours.len()], vec![body], 0);
-        is_reached[body] = true;
-        while !front.is_empty() {
-            bodies += 1;
-            let mut next = Vec::new();
-            for other in front.into_iter().flat_map(|k| &neighbours[k]) {
-                if !std::mem::replace(&mut is_reached[*other], true) {
-                    next.push(*other);
-                }
-            }
-            front = next;
-        }
-        bodies
+        let connected = rings(&neighbours, body).concat();
+        connected.iter().map(|&k| rings(&neighbours, k).len()).max().unwrap_or(0)
     }
 
     /// M⁻¹ Jᵀ x: by how much x changes the velocities. Empty if the bodies are not known.
@@ -375,4 +364,23 @@ fn is_same(one: &Matrix, other: &Matrix) -> bool {
         other.row(i).iter().for_each(|(j, a)| row[j] -= a);
         row.iter().all(|difference| difference.abs() <= ROUNDING * largest)
     })
+}
+
+/// The bodies by their distance from this one, itself first.
+fn rings(neighbours: &[Vec<usize>], body: usize) -> Vec<Vec<usize>> {
+    let mut is_reached = vec![false; neighbours.len()];
+    is_reached[body] = true;
+    let mut rings = vec![vec![body]];
+    loop {
+        let mut next = Vec::new();
+        for other in rings[rings.len() - 1].iter().flat_map(|&k| &neighbours[k]) {
+            if !std::mem::replace(&mut is_reached[*other], true) {
+                next.push(*other);
+            }
+        }
+        if next.is_empty() {
+            return rings;
+        }
+        rings.push(next);
+    }
 }
