@@ -281,7 +281,7 @@ fn a_long_chain_is_told_by_its_whole_length() {
         );
         let mut scene = Scene::from_toml("chain.toml", &text).unwrap();
         (scene.solver.name, scene.solver.max_iterations) = ("pgs".into(), 5);
-        let found = examine_scene(&scene, Some(1)).unwrap();
+        let found = examine_scene(&scene, None).unwrap();
         let told: String =
             found.shortfall.unwrap().causes.iter().map(ToString::to_string).collect();
         assert!(told.contains(&format!("through {links} of them")), "{told}");
