@@ -142,6 +142,28 @@ fn a_solver_that_is_worse_than_plain_sweeps_is_suspected_first_and_the_scene_is_
 }
 
 #[test]
+fn the_scene_is_blamed_for_no_more_than_plain_sweeps_leave() {
+    register("left-out", Bug::NoFriction);
+    let mut blamed = 0;
+    for (boxes, sweeps) in [(4, 20), (6, 20), (8, 20), (8, 40)] {
+        let found = pushed(boxes, "left-out", sweeps);
+        let shortfall = found.shortfall.as_ref().unwrap();
+        let Some(Slow::Solver { plain, .. }) = shortfall.causes.first() else { continue };
+        for cause in &shortfall.causes[1..] {
+            let (Slow::Tall { without, .. }
+            | Slow::MassRatio { without, .. }
+            | Slow::Order { without }) = cause
+            else {
+                continue;
+            };
+            assert!(without.with <= plain * 1.000_001, "{boxes} {sweeps}: {cause}");
+            blamed += 1;
+        }
+    }
+    assert!(blamed > 0, "no scene was hard for plain sweeps");
+}
+
+#[test]
 fn the_known_mistakes_are_tried_on_the_answer_of_a_suspected_solver() {
     register("no-friction", Bug::NoFriction);
     let found = pushed(2, "no-friction", 50);

@@ -13,6 +13,16 @@ const DIGITS: usize = 2;
 /// A body that moves less (m) stays where it is.
 const NOWHERE: f64 = 1e-6;
 
+/// So many sweeps.
+fn counted(sweeps: usize) -> String {
+    if sweeps == 1 { "1 sweep".into() } else { format!("{sweeps} sweeps") }
+}
+
+/// So many times.
+fn times(factor: f64) -> String {
+    if factor.is_finite() { format!("{} times", readable(factor, DIGITS)) } else { "far".into() }
+}
+
 /// What taking a cause away does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Without {
@@ -117,10 +127,10 @@ impl fmt::Display for Slow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let saves = |own: &Without| {
             format!(
-                "{} would be missing in place of {}, and a good answer would take {} times fewer sweeps",
+                "{} would be missing in place of {}, and a good answer would take {} fewer sweeps",
                 percent(own.without),
                 percent(own.with),
-                readable(own.factor, DIGITS)
+                times(own.factor)
             )
         };
         match self {
@@ -128,9 +138,10 @@ impl fmt::Display for Slow {
                 write!(
                     f,
                     "worse than plain projected Gauss-Seidel after as many sweeps: {} is missing, with plain \
-                     Gauss-Seidel {} after {sweeps} sweeps from the same start.",
+                     Gauss-Seidel {} after {} from the same start.",
                     percent(*with),
-                    percent(*plain)
+                    percent(*plain),
+                    counted(*sweeps)
                 )?;
                 match (refusal, mistakes.first()) {
                     (Some(refusal), _) => write!(f, " It gave no answer: {refusal}."),

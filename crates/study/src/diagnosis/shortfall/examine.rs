@@ -1,7 +1,9 @@
 //! The examination of one solve.
 
 use lcplab_problem::{Lcp, merit};
-use lcplab_solver::{Entry, Group, Options, Order, Pgs, Solution, Solver, Start, Status, by_name};
+use lcplab_solver::{
+    Entry, Group, Options, Order, Pgs, Solution, Solver, Start, Status, by_name, entry,
+};
 
 use super::cause::{Moving, Slow, Without};
 use super::frame::{Body, Frame};
@@ -184,7 +186,18 @@ pub fn examine(frame: &Frame, practice: &Practice, start: Option<&[f64]>) -> Opt
     found.loads(frame, &yard.exact);
     if yard.is_needed() && found.is_short() {
         let case = Case { frame, practice, yard: &yard, linear: &linear };
-        case.explain(&mut found, start);
+        let suspected = case.solver(&found, start);
+        let plain = Practice { entry: *entry("pgs").ok()?, options: practice.options.clone() };
+        match suspected {
+            None => case.explain(&mut found, start, missing),
+            Some((cause, left)) => {
+                found.causes.push(cause);
+                if left > HEALTHY {
+                    // The scene is to blame for what plain sweeps leave, not for more.
+                    Case { practice: &plain, ..case }.explain(&mut found, start, left);
+                }
+            }
+        }
         found.remedies = remedies(frame, practice, &yard, &linear);
     }
     Some(found)
@@ -247,6 +260,7 @@ impl Shortfall {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Case<'a> {
     frame: &'a Frame,
     practice: &'a Practice,
@@ -271,15 +285,10 @@ impl Case<'_> {
         Some([needed.max(1.0), yard.missing(&solution.x)])
     }
 
-    fn explain(&self, found: &mut Shortfall, from: Option<&[f64]>) {
+    /// Adds what of the problem makes sweeps slow, where so much is missing after those of the practice.
+    fn explain(&self, found: &mut Shortfall, from: Option<&[f64]>, missing: f64) {
         let lcp = &self.frame.lcp;
         let zero = super::yard::start(lcp);
-        if let Some((cause, is_all)) = self.solver(found, from) {
-            found.causes.push(cause);
-            if is_all {
-                return;
-            }
-        }
         found.slowest = self.linear.slowest(&zero, GOOD, self.most());
         let Some(slowest) = &found.slowest else { return };
         let (needed, is_done) = sweeps_to(lcp, self.yard, Order::Natural, GOOD, self.most());
@@ -290,17 +299,16 @@ impl Case<'_> {
         let mover = movers().max_by(|a, b| speed(a).total_cmp(&speed(b)));
         found.mover = mover.map(|k| self.frame.bodies[k].name.clone());
         let mut causes: Vec<(Without, Slow)> = Vec::new();
-        causes.extend(self.masses_and_height([needed, found.missing], mover, &speed));
-        causes.extend(self.motors([needed, found.missing]));
+        causes.extend(self.masses_and_height([needed, missing], mover, &speed));
+        causes.extend(self.motors([needed, missing]));
         if self.practice.is_sweep() {
             causes.extend(self.order());
         }
-        causes.extend(from.and_then(|_| self.stale(found.missing)));
-        let is_telling =
-            |own: &Without| own.factor >= TELLING && own.share() >= WORTH * found.missing;
+        causes.extend(from.and_then(|_| self.stale(missing)));
+        let is_telling = |own: &Without| own.factor >= TELLING && own.share() >= WORTH * missing;
         causes.retain(|(without, _)| is_telling(without));
         // Of those that explain most of it, each alone, the one that is taken away most easily comes first.
-        let explains = |own: &Without| own.share() >= MOST * found.missing;
+        let explains = |own: &Without| own.share() >= MOST * missing;
         let place = |(without, cause): &(Without, Slow)| match explains(without) {
             true => (cause.ease(), 0.0),
             false => (usize::MAX, -without.share()),
@@ -315,9 +323,9 @@ impl Case<'_> {
         }
     }
 
-    /// The solver, if plain Gauss-Seidel does far better with the same number of sweeps; and whether that leaves nothing to
-    /// explain. Pivots and Newton's steps are no sweeps.
-    fn solver(&self, found: &Shortfall, from: Option<&[f64]>) -> Option<(Slow, bool)> {
+    /// The solver, if plain Gauss-Seidel does far better with the same number of sweeps; and what is missing then. Pivots
+    /// and Newton's steps are no sweeps.
+    fn solver(&self, found: &Shortfall, from: Option<&[f64]>) -> Option<(Slow, f64)> {
         let Practice { entry, options } = self.practice;
         if entry.group != Group::Plugin {
             return None; // those of the library are tested; some of them are slower than sweeps
@@ -339,7 +347,7 @@ impl Case<'_> {
                 None => find_mistakes(&self.frame.lcp, &found.x, from).mistakes,
             };
             let (sweeps, with) = (plain.iterations, found.missing);
-            (Slow::Solver { sweeps, with, plain: left, refusal, mistakes }, left <= HEALTHY)
+            (Slow::Solver { sweeps, with, plain: left, refusal, mistakes }, left)
         })
     }
 

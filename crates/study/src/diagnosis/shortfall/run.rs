@@ -1,5 +1,6 @@
 //! A second of a scene, stepped as its owner does and exactly, and again without what is suspected.
 
+use lcplab_judge::Demand;
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
@@ -65,7 +66,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     let count = steps(scene);
     let went = go(scene, count, 1)?;
     let taken = went.notes.len();
-    let gave_up = went.gave_up();
+    let (gave_up, refused) = (went.gave_up(), went.refused());
     let mut found = Examination {
         notes: went.notes,
         warnings: went.warnings,
@@ -106,7 +107,8 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
         (found.place, found.frame) = (number - 1, Some(frame));
     }
     if found.shortfall.is_none() && went.solves.iter().any(Option::is_some) {
-        found.unmeasured = Some(unmeasured(solve, number));
+        let refused = refused.map_or(String::new(), |refused| format!("; {refused}"));
+        found.unmeasured = Some(unmeasured(solve, number) + &refused);
     }
     Ok(found)
 }
@@ -164,6 +166,8 @@ struct Went {
     warnings: Vec<String>,
     /// Why a step could not be taken, if one could not.
     ended: Option<String>,
+    /// What the scene asks of its solver.
+    tolerance: f64,
     end: End,
 }
 
@@ -186,6 +190,22 @@ impl Went {
             (!is_answer).then(|| format!("in step {}: {}", k + 1, solution.status))
         };
         self.solves.iter().enumerate().find_map(words)
+    }
+
+    /// How many answers under another model than the coupled box the judge refuses, and the first of them, if there are any.
+    fn refused(&self) -> Option<String> {
+        let posed = self.solves.iter().enumerate().filter_map(|(k, solve)| {
+            let solve = solve.as_ref().filter(|solve| solve.posing.is_some())?;
+            let demand = Demand { tolerance: self.tolerance, prove_up_to: 0 };
+            let certificate = solve.judged(&demand);
+            (!certificate.verdict.is_solution()).then(|| (k + 1, solve.solver, certificate.verdict))
+        });
+        let refused: Vec<_> = posed.collect();
+        let (step, solver, verdict) = refused.first()?;
+        let (count, steps) = (refused.len(), self.solves.len());
+        Some(format!(
+            "the judge refuses {count} of {steps} answers, the first in step {step}, of {solver}: {verdict}"
+        ))
     }
 
     /// The first step whose answer the judge does not accept, if there is one.
@@ -237,7 +257,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<Went> {
         is_compared,
     };
     let warnings = warnings.as_slice().iter().map(ToString::to_string).collect();
-    Ok(Went { notes, solves, warnings, ended, end })
+    Ok(Went { notes, solves, warnings, ended, tolerance: scene.solver.tolerance, end })
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> Option<f64> {
