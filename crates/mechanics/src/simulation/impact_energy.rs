@@ -167,6 +167,8 @@ struct Contact {
     /// Whether the pair keeps all energy, e = 1.
     is_elastic: bool,
     is_bounced: bool,
+    /// Whether it bounced or approached too fast not to.
+    is_fast: bool,
     /// The work of the normal impulse without that of feedback, and that of friction (J).
     work: f64,
     friction: f64,
@@ -216,13 +218,17 @@ impl<'a> Impulses<'a> {
             let pushes = !is_bounced && row.c < 0.0 && feedback < 0.0;
             let pushed = if pushes { -0.5 * impulse * feedback } else { 0.0 };
             let slow = slow(scene, row, free[i]);
-            let is_slow = !is_bounced && row.velocity > -slow;
+            // What other impulses give it counts too: its speed if it did not push itself.
+            let mobility = problem.lcp.matrix().diagonal(i);
+            let approach = row.velocity.min(after[i] - mobility * impulse);
+            let is_slow = !is_bounced && approach > -slow;
             contacts.push(Contact {
                 id,
                 normal: i,
                 group: groups[part.block],
                 is_elastic: e == 1.0,
                 is_bounced,
+                is_fast: !is_slow,
                 work: work - pushed,
                 friction: 0.0,
                 pushed,
@@ -230,7 +236,7 @@ impl<'a> Impulses<'a> {
                 inexact: 0.5 * impulse * (after[i] + feedback),
                 size,
                 slow: match is_slow {
-                    true => 0.5 * slow * slow / problem.lcp.matrix().diagonal(i),
+                    true => 0.5 * slow * slow / mobility,
                     false => 0.0,
                 },
             });
@@ -238,10 +244,11 @@ impl<'a> Impulses<'a> {
         Impulses { scene, states, problem, next, contacts, groups }
     }
 
-    /// The groups in which something bounced, and whose energy changed at e = 1 or rose.
+    /// The groups in which something bounced or should have, and whose energy changed at e = 1 or rose.
     fn of_bounces(&self) -> Vec<ImpactEnergy> {
         let groups = (0..self.groups.len()).filter(|&group| {
-            self.contacts.iter().any(|contact| contact.group == group && contact.is_bounced)
+            let is_hit = |own: &Contact| own.is_bounced || own.is_elastic && own.is_fast;
+            self.contacts.iter().any(|contact| contact.group == group && is_hit(contact))
         });
         groups.filter_map(|group| self.of_group(group)).collect()
     }
