@@ -37,6 +37,7 @@ use super::{Manifold, Scene};
 use crate::body::{Mass, Shape, State};
 use crate::constraint::{Contact, Normal};
 use broad::{Broad, HalfSpace};
+use meeting::Paths;
 pub use passage::Passage;
 pub use reach::Reach;
 use reach::Site;
@@ -288,7 +289,9 @@ impl Detector {
     /// The second half: where the pairs touch.
     pub fn find_points(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         self.found.clear();
-        for pair in self.broad.pairs().to_vec() {
+        let mut paths: Option<Paths> = None;
+        for k in 0..self.broad.pairs().len() {
+            let pair = self.broad.pairs()[k];
             self.touches.clear();
             let owners = pair.map(|k| self.owners[k]);
             let sites = owners.map(|owner| Site { body: owner.body, arm: self.arms[owner.body] });
@@ -300,8 +303,11 @@ impl Detector {
             let points = self.touches.iter().filter_map(of);
             self.found.extend(points.filter(|found| found.gap <= margin));
             let is_far = self.found[first..].iter().all(|found| found.gap > reach::LEAST);
-            if reach == Reach::Step && is_far && !self.may_meet(scene, states, pair) {
-                self.found.truncate(first);
+            if reach == Reach::Step && is_far && self.found.len() > first {
+                let paths = paths.get_or_insert_with(|| Paths::of(scene, states));
+                if !self.may_meet(scene, states, pair, paths) {
+                    self.found.truncate(first);
+                }
             }
             if scene.contact.manifold == Manifold::Four {
                 reduce::to_four(&mut self.found, first);
