@@ -31,7 +31,7 @@ mod exact;
 
 use super::neighbor;
 use super::residual::{Residual, cone, improves_on_zero};
-use super::{Demand, Refusal, Verdict, distance, is_near};
+use super::{Demand, Refusal, Verdict, is_near};
 use lcplab_problem::Complementarity;
 use lcplab_problem::friction::{ConeProblem, Contact};
 
@@ -77,11 +77,11 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
             return ConeCertificate { verdict, rounded_by, ..certificate };
         }
     }
-    let Some(neighbor) = neighbor::rounded(lcp, contacts, x) else { return certificate };
-    let of_neighbor = judge_as_given(problem, &neighbor, demand).verdict;
-    let moved = distance(x, &neighbor);
-    match of_neighbor.of_point_at(moved) {
-        Some(verdict) => ConeCertificate { verdict, rounded_by: Some(moved), ..certificate },
+    let judged = |x: &[f64]| judge_as_given(problem, x, demand).verdict;
+    match neighbor::verdict(lcp, contacts, x, judged) {
+        Some((verdict, moved)) => {
+            ConeCertificate { verdict, rounded_by: Some(moved), ..certificate }
+        }
         None => certificate,
     }
 }

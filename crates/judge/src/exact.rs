@@ -53,22 +53,22 @@ pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
 }
 
 /// An exact solution, and a direction along which it may be moved.
-pub(super) struct Solved {
+pub(super) struct ExactSolution {
     pub x: Point,
     pub null_direction: Option<Point>,
 }
 
-/// The nearest one that an active set of x carries, and how far away it is, where `distance` says how far a
-/// point is and `size` how large x is in the same unit.
+/// The nearest exact solution on an active set of x, and its distance. `distance` measures a point,
+/// `size` is the size of x in the same unit.
 pub(super) fn nearest(
     lcp: &Lcp,
     x: &[f64],
     size: f64,
     distance: impl Fn(&Point) -> f64,
-) -> Option<(Solved, f64)> {
+) -> Option<(ExactSolution, f64)> {
     let exact = Exact::new(lcp);
     let inside: Vec<f64> = (0..x.len()).map(|i| lcp.project(i, x[i], x)).collect();
-    let mut nearest: Option<(Solved, f64)> = None;
+    let mut nearest: Option<(ExactSolution, f64)> = None;
     let mut sets = active_sets(&Rows::at(lcp, x));
     let mut steps = MOST_STEPS;
     if lcp.len() > Demand::EXACT_ROWS {
@@ -83,7 +83,7 @@ pub(super) fn nearest(
             let distance = distance(&point);
             if nearest.as_ref().is_none_or(|(_, least)| distance < *least) {
                 let null_direction = null.filter(|d| exact.is_free_along(d, &point, &sides));
-                nearest = Some((Solved { x: point.clone(), null_direction }, distance));
+                nearest = Some((ExactSolution { x: point.clone(), null_direction }, distance));
             }
             if distance <= TIE * size {
                 break;

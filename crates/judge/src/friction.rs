@@ -1,8 +1,9 @@
 //! Is this x a solution of a friction problem under one of the models?
 //!
-//! Boxes: as any LCP ([`judge`](super::judge())), *proved* where possible. Polygons: by the LCP in the unknowns β
-//! and γ that x leads to, so x is judged and not what a solver says of them; *proved* with four corners only, since
-//! the directions of more are rounded numbers. Cones: [`judge_cone`], *proved* only where no contact slides.
+//! Boxes are judged as any LCP ([`judge`](super::judge())) and *proved* where possible. For
+//! polygons the judge computes the unknowns β and γ that belong to x; it proves answers for four
+//! corners only, because the directions of other polygons are rounded numbers. Cones are judged by
+//! [`judge_cone`] and *proved* only if no contact slides.
 //!
 //! ```
 //! use lcplab_judge::{Demand, judge_friction};
@@ -42,7 +43,7 @@ pub struct FrictionCertificate {
     pub verdict: Verdict,
     /// As in [`Certificate::rounded_by`]; the residuals are those of x.
     pub rounded_by: Option<f64>,
-    /// What else was shown in exact arithmetic of boxes, and that a polygon's problem has no solution.
+    /// Exact evidence for boxes, or a proof that a problem with polygons has no solution.
     pub evidence: Option<Evidence>,
 }
 

@@ -6,6 +6,7 @@
 //! 0, in parts of the largest entry that it is connected with, is moved there, and that point is
 //! judged.
 
+use super::{Verdict, distance};
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::Contact;
 
@@ -72,6 +73,19 @@ pub(crate) fn rounded(lcp: &Lcp, contacts: &[Contact], x: &[f64]) -> Option<Vec<
         moved[i] = nearest(i, [lo, hi]).unwrap_or(x[i]);
     }
     (moved != x).then_some(moved)
+}
+
+/// The verdict on the rounded neighbor of x, if there is one and it is accepted, and how far away
+/// that is.
+pub(crate) fn verdict(
+    lcp: &Lcp,
+    contacts: &[Contact],
+    x: &[f64],
+    judged: impl Fn(&[f64]) -> Verdict,
+) -> Option<(Verdict, f64)> {
+    let neighbor = rounded(lcp, contacts, x)?;
+    let moved = distance(x, &neighbor);
+    Some((judged(&neighbor).of_point_at(moved)?, moved))
 }
 
 /// The largest part of the size of its component by which an entry may differ, for x to be a

@@ -1,23 +1,23 @@
 //! Is this x a solution of a problem whose friction is a polygon?
 //!
-//! x is measured by the unknowns that it leads to ([`residual::polygon`](super::residual::polygon)), β being
-//! impulses and γ the speed of slip. What is exact or rounded is asked of x alone: γ is a speed and no part of
-//! an answer. Exact solutions are those of the LCP in these unknowns, whose numbers are those of the problem
-//! if the polygon has four corners; the directions of more are rounded.
+//! The judge computes the unknowns β (impulses) and γ (slip speed) that belong to x and measures
+//! the residuals of their LCP ([`residual::polygon`](super::residual::polygon)). Rounding and
+//! distances refer to x alone, because γ is a speed and not part of an answer. Exact solutions are
+//! found for polygons with four corners only: the directions of others are rounded numbers.
 
 use super::certificate::Evidence;
-use super::exact::{Solved, is_within, nearest};
+use super::exact::{ExactSolution, is_within, nearest};
 use super::neighbor;
 use super::refutation::{Existence, Refutation, existence, refuting_vector};
 use super::residual::{Residual, Rows, improves_on_zero, polygon, worst};
-use super::{Demand, FrictionCertificate, Refusal, Verdict, distance, is_near};
+use super::{Demand, FrictionCertificate, Refusal, Verdict, is_near};
 use lcplab_problem::friction::Polyhedral;
 
-/// A polygon with so many corners has directions that are not rounded.
+/// The directions of a polygon with this number of corners are exact.
 const EXACT_CORNERS: usize = 4;
 
-/// Judges x for a problem whose friction is a polygon. An x that misses by rounding alone is accepted as in
-/// [`judge`](super::judge()).
+/// Judges x for a problem whose friction is a polygon. Accepts an x that is off by rounding alone,
+/// as [`judge`](super::judge()) does.
 pub(super) fn judge_polygon(
     polyhedral: &Polyhedral,
     x: &[f64],
@@ -36,11 +36,11 @@ pub(super) fn judge_polygon(
         let (verdict, rounded_by) = (Verdict::Proved { distance }, Some(distance));
         return FrictionCertificate { verdict, rounded_by, ..certificate };
     }
-    let Some(neighbor) = neighbor::rounded(lcp, contacts, x) else { return certificate };
-    let of_neighbor = judge_as_given(polyhedral, &neighbor, demand).verdict;
-    let moved = distance(x, &neighbor);
-    match of_neighbor.of_point_at(moved) {
-        Some(verdict) => FrictionCertificate { verdict, rounded_by: Some(moved), ..certificate },
+    let judged = |x: &[f64]| judge_as_given(polyhedral, x, demand).verdict;
+    match neighbor::verdict(lcp, contacts, x, judged) {
+        Some((verdict, moved)) => {
+            FrictionCertificate { verdict, rounded_by: Some(moved), ..certificate }
+        }
         None => certificate,
     }
 }
@@ -83,7 +83,12 @@ fn refusal(row: usize, amount: f64, why: Refusal) -> Verdict {
 }
 
 /// The exact solution nearest to x that was found, and how far away it is.
-fn proof(polyhedral: &Polyhedral, x: &[f64], z: &[f64], demand: &Demand) -> Option<(Solved, f64)> {
+fn proof(
+    polyhedral: &Polyhedral,
+    x: &[f64],
+    z: &[f64],
+    demand: &Demand,
+) -> Option<(ExactSolution, f64)> {
     if polyhedral.directions() != EXACT_CORNERS || z.len() > demand.prove_up_to {
         return None;
     }
@@ -106,8 +111,8 @@ fn is_worth_something(
     improves_on_zero(&of(found), &of(&of_nothing), tolerance)
 }
 
-/// The certificate of an x within the tolerance whose active set carries no solution, after a search for
-/// one elsewhere.
+/// The certificate of an x within the tolerance whose active set has no solution, after a search
+/// elsewhere.
 fn searched(
     polyhedral: &Polyhedral,
     x: &[f64],

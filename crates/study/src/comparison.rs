@@ -66,8 +66,8 @@ pub struct Run {
     pub accepted: usize,
     /// Claims that the judge refutes: this must be 0.
     pub refuted_claims: usize,
-    /// LCPs to which the solver gave no answer at all: it crashed, or nobody could read what it wrote.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    /// LCPs without any answer: the solver crashed or wrote something unreadable.
+    #[serde(default, skip_serializing_if = "crate::number::is_zero")]
     pub unanswered: usize,
     /// Sweeps or pivots in all.
     pub iterations: usize,
@@ -87,10 +87,6 @@ pub struct Run {
 
 fn one() -> f64 {
     1.0
-}
-
-fn is_zero(count: &usize) -> bool {
-    *count == 0
 }
 
 /// Energy and errors at one instant.

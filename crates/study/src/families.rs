@@ -39,8 +39,8 @@ pub struct Row {
     pub proved: usize,
     /// Answers that the judge accepts, proved or within tolerance.
     pub accepted: usize,
-    /// Problems of which the solver says that they have no solution, and which are proved to have none.
-    #[serde(default, skip_serializing_if = "is_zero")]
+    /// Problems that the solver reports as infeasible and that are proved to have no solution.
+    #[serde(default, skip_serializing_if = "crate::number::is_zero")]
     pub denied: usize,
     /// Claims that the judge refutes: this must be 0.
     pub refuted_claims: usize,
@@ -66,10 +66,6 @@ pub struct Row {
     pub known_failure: Option<String>,
     /// Wall time of the solves (s); differs from machine to machine.
     pub seconds: f64,
-}
-
-fn is_zero(count: &usize) -> bool {
-    *count == 0
 }
 
 /// Failures that mathematics explains, beside those on problems without solution: (solver, family,

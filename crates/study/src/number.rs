@@ -1,5 +1,10 @@
 //! Numbers that JSON has no word for, as "nan", "inf" and "-inf": for serde's `with`.
 
+/// Whether a count is left out of JSON.
+pub(crate) fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
 /// A number.
 pub mod always {
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};

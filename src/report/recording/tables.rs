@@ -18,9 +18,10 @@ pub(super) struct Tables {
     pub trajectory: String,
     /// A line a step: energy and momentum, where the energy went, and how well laws were kept.
     pub ledger: String,
-    /// A line a row and solve: the force or impulse of every constraint, and the impulse by which it acted (0 of an answer
-    /// that another one replaced); of a contact, what touches, where, and in which direction it pushes the second body. Schemes that pose no problem have a line a row and
-    /// step, with the sum of the substeps.
+    /// A line for each row and solve: the force or impulse of every constraint, and the impulse
+    /// that acted (0 for an answer that another one replaced); for a contact also what touches,
+    /// where, and the direction in which it pushes the second body. Schemes that pose no problem
+    /// have a line for each row and step, with the sum of the substeps.
     pub forces: String,
 }
 
@@ -91,7 +92,7 @@ impl Tables {
     }
 
     fn add_forces(&mut self, scene: &Scene, step: &Step, solve: &Solve) {
-        let Solve { problem, solution, share, .. } = solve;
+        let Solve { problem, solution, impulse_factor, .. } = solve;
         // With the friction that follows from a normal force and is no unknown.
         let efforts = problem.efforts(&solution.x);
         for (i, row) in problem.assembly.rows.iter().enumerate() {
@@ -99,14 +100,14 @@ impl Tables {
             let [x, w] = [efforts[i], solution.w[i]].map(number);
             let acted = match problem.stage {
                 Stage::Position => String::new(),
-                _ => number(share * efforts[i]),
+                _ => number(impulse_factor * efforts[i]),
             };
             self.add_force(scene, step, row, [problem.stage.name(), &x, unit, &w, &acted]);
         }
     }
 
-    /// A row with its stage, x, unit, w and the impulse that acted; of a contact also what touches, where if it was known at the beginning of the
-    /// step, and the row's direction.
+    /// A row with its stage, x, unit, w and the impulse that acted; for a contact also what
+    /// touches, the point if it was known at the beginning of the step, and the row's direction.
     fn add_force(&mut self, scene: &Scene, step: &Step, row: &Row, of: [&str; 5]) {
         let id = match row.id.source {
             Source::Contact(id) => Some(id),

@@ -25,8 +25,7 @@ fn vector(line: &BTreeMap<String, String>, columns: [&str; 3]) -> Vector3<f64> {
     Vector3::from(columns.map(|name| line[name].parse().unwrap()))
 }
 
-/// The impulse (N s) that contacts gave each body in each step, that of each row times its direction, and the size of what
-/// was added up.
+/// The impulse (N s) of all contacts on each body in each step, and the sum of their sizes.
 fn impulses(folder: &Path) -> BTreeMap<(String, String), (Vector3<f64>, f64)> {
     let mut sums = BTreeMap::new();
     for line in table(&folder.join("forces.csv")) {

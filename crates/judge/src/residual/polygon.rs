@@ -1,21 +1,21 @@
 //! Residuals of contacts whose friction is a polygon, each contact in its own units.
 //!
-//! x leads to unknowns z = (other rows, x_n, β, γ) of an LCP ([`Polyhedral`]). Its rows of γ are not
-//! measured as the others are: γ is a speed, and what is left of μ x_n is an impulse.
+//! The unknowns z = (other rows, x_n, β, γ) of the polygon's LCP ([`Polyhedral`]) follow from x. A
+//! row of γ has its own residual, because it compares a speed, γ, with an impulse, μ x_n − Σ β.
 //!
 //! ```text
 //! r_β = |min(β, e w_β/T_β)| / e            e = min(T_β/s_β, R),   R = μ max(x_n, T_n/s_n)
 //! r_γ = |min((μ x_n − Σ β)/R, min_β γ/T_β)|
 //! ```
 //!
-//! γ is 0, the largest speed of slip along a −d_j or that along the −d_j of a β that pushes, whichever
-//! leaves the smallest residual.
+//! γ is 0, the largest slip speed along any −d_j, or the slip speed along the −d_j of a positive β:
+//! the one with the smallest residual.
 
 use lcplab_problem::friction::{Polyhedral, Unknowns};
 
 use super::{Residual, Row, Rows, Wide, friction_reach};
 
-/// The unknowns z that x leads to.
+/// The unknowns z that belong to x.
 pub(crate) fn unknowns(polyhedral: &Polyhedral, x: &[f64]) -> Vec<f64> {
     let mut z = polyhedral.z_at_rest(x);
     let at_rest = Rows::at(polyhedral.lcp(), &z);
@@ -30,7 +30,7 @@ pub(crate) fn unknowns(polyhedral: &Polyhedral, x: &[f64]) -> Vec<f64> {
     z
 }
 
-/// The residuals of x and of the z that it leads to, each with its row of x: t1 for a β, n for a γ.
+/// The residuals of x with these unknowns, each with its row of x: t1 for a β, n for a γ.
 pub(crate) fn residuals(polyhedral: &Polyhedral, x: &[f64], z: &[f64]) -> Vec<(usize, Residual)> {
     let at = Rows::at(polyhedral.lcp(), z);
     let first = polyhedral.friction().others().len() + polyhedral.friction().contacts().len();
@@ -71,7 +71,7 @@ impl OnPolygon {
     fn of(at: &Rows<'_>, contact: &Unknowns) -> Self {
         let rounding = Wide::from(f64::EPSILON * at.x[contact.gamma]);
         let row = |row: &Row| match row.w.abs() <= rounding {
-            true => Row { w: Wide::ZERO, ..*row }, // a β that γ is the speed of, but for γ's rounding
+            true => Row { w: Wide::ZERO, ..*row }, // γ is the speed of this β, rounded
             false => *row,
         };
         OnPolygon {
@@ -89,7 +89,7 @@ impl OnPolygon {
         OnPolygon { beta: self.beta.clone(), rows: self.rows.iter().map(slides).collect(), ..*self }
     }
 
-    /// The γ with which friction misses least, of a contact that has γ = 0 here.
+    /// The γ with the smallest residual; γ is 0 in these rows.
     fn best_gamma(&self) -> f64 {
         let speed = |row: &Row| (-row.w.value()).max(0.0);
         let fastest = self.rows.iter().map(speed).fold(0.0, f64::max);

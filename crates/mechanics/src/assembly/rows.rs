@@ -69,7 +69,7 @@ pub struct Row {
     parts: [Option<Part>; 2],
 }
 
-/// What joints call that which is no body.
+/// The name of the fixed world in joints.
 const WORLD: &str = "world";
 
 /// The part of a row of J that belongs to one moving body.
@@ -107,8 +107,8 @@ impl Row {
     }
 
     /// The row in words, such as `normal ground box1 0 at face 0 on vertex 3`: no other row of the
-    /// scene has the same. The place is left out where two bodies touch at one point only. Names of bodies that have a
-    /// blank or are `world` stand in quotation marks.
+    /// scene has the same. The place is left out where two bodies touch at one point only. Body
+    /// names with blanks, and the name `world`, are quoted.
     pub fn label(&self, scene: &Scene) -> String {
         let name = |body: Option<usize>| match body.map(|k| scene.bodies[k].name.as_str()) {
             None => WORLD.to_string(),

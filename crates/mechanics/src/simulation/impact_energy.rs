@@ -244,7 +244,8 @@ impl<'a> Impulses<'a> {
         Impulses { scene, states, problem, next, contacts, groups }
     }
 
-    /// The groups in which something bounced or should have, and whose energy changed at e = 1 or rose.
+    /// The groups with a bounce, or without one that was due, whose energy changed at e = 1 or
+    /// rose.
     fn of_bounces(&self) -> Vec<ImpactEnergy> {
         let groups = (0..self.groups.len()).filter(|&group| {
             let is_hit = |own: &Contact| own.is_bounced || own.is_elastic && own.is_fast;

@@ -91,9 +91,9 @@ pub struct Solve {
     pub solver: &'static str,
     /// The answer.
     pub solution: Solution,
-    /// What x is multiplied by to get what acted in the step: 1 of impulses and corrections, the seconds of forces, 0 of
-    /// an answer that another one replaced.
-    pub share: f64,
+    /// The factor from x to the impulse that acted in the step: 1 for impulses and corrections, the
+    /// duration (s) for forces, 0 for an answer that another one replaced.
+    pub impulse_factor: f64,
 }
 
 impl Solve {

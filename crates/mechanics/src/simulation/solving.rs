@@ -67,14 +67,21 @@ impl Solving<'_> {
             _ => problem.pose(model, &x)?,
         };
         let (solver, solution) = self.solvers.solve(&problem, posing.as_ref(), &x, self.observer);
-        Ok(self.keep(Solve { problem, posing, start: x, solver, solution, share: 1.0 }))
+        Ok(self.keep(Solve { problem, posing, start: x, solver, solution, impulse_factor: 1.0 }))
     }
 
     /// Solves a problem as it stands by a method of the scheme's own.
     pub fn solve_by(&mut self, problem: Problem, method: Method) -> &Solve {
         let x = self.start(problem.stage, &problem.assembly);
         let solution = method(&problem, &x, self.observer);
-        self.keep(Solve { problem, posing: None, start: x, solver: "none", solution, share: 1.0 })
+        self.keep(Solve {
+            problem,
+            posing: None,
+            start: x,
+            solver: "none",
+            solution,
+            impulse_factor: 1.0,
+        })
     }
 
     fn keep(&mut self, solve: Solve) -> &Solve {
@@ -97,7 +104,7 @@ impl Solving<'_> {
     /// The last answer does not act: another one takes its place.
     pub fn replace_last(&mut self) {
         if let Some(last) = self.solves.last_mut() {
-            last.share = 0.0;
+            last.impulse_factor = 0.0;
         }
     }
 

@@ -132,7 +132,7 @@ fn constraints_between_the_same_bodies_are_told_apart() {
 
 #[test]
 fn rows_of_bodies_with_blanks_in_their_names_or_the_name_of_the_world_have_labels_of_their_own() {
-    // "a b" with "c", and "a" with "b c"; a body that is called world, joined as another one is to the world.
+    // "a b" with "c" and "a" with "b c"; a body named world, and a joint to the world itself.
     let ball = |name: &str, x: f64| {
         format!(
             "[[bodies]]\nname = {name:?}\nshape = {{ sphere = 0.5 }}\nmass = 1\nposition = [{x}, 0, 0]\n"

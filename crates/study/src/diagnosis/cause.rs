@@ -88,8 +88,6 @@ pub enum Cause {
 pub enum Proof {
     /// By a vector that was checked in exact arithmetic.
     Vector,
-    /// The same, and what the rows miss is no more than rounding: they depend on each other.
-    Dust,
     /// So many pieces, all that there are, were tried in exact arithmetic.
     CaseSplit {
         /// How many.
@@ -103,7 +101,7 @@ impl Cause {
     /// Whether it keeps the step from being taken as it should be; the others are remarks.
     pub fn is_fatal(&self) -> bool {
         match self {
-            Cause::Impossible { proof, .. } => !matches!(proof, Proof::Rounding | Proof::Dust),
+            Cause::Impossible { proof, .. } => *proof != Proof::Rounding,
             Cause::NoDirection { .. } | Cause::Failed { .. } => true,
             Cause::ZeroRow { .. }
             | Cause::ImmovableRow { .. }
@@ -183,12 +181,6 @@ impl fmt::Display for Cause {
                 f,
                 "no forces satisfy these rows together, proved in exact arithmetic, so that sweeps would raise \
                  the forces for ever: {}; take one of them out, or let it yield by a spring.",
-                listed(rows)
-            ),
-            Cause::Impossible { rows, proof: Proof::Dust } => write!(
-                f,
-                "these rows depend on each other and contradict each other by rounding alone (proved in exact \
-                 arithmetic): {}; a solver that leaves one of them to its rounding error is right.",
                 listed(rows)
             ),
             Cause::Impossible { proof: Proof::CaseSplit { pieces }, .. } => write!(

@@ -1,9 +1,9 @@
-//! Which bodies that are far apart may meet within a step.
+//! Which distant bodies can meet within a step.
 //!
-//! A contact that is known before it touches keeps a body behind a plane: the one through the nearest
-//! points of the two bodies as they stand. A ball that flies past a post would be turned away by the plane
-//! of a post that it never touches. So from a gap of [`LEAST`](super::reach::LEAST) on a contact counts only if
-//! the bodies meet on the paths that their velocities and the forces of the step give them.
+//! A contact that is detected before it touches keeps a body on one side of a plane through the
+//! nearest points. Such a plane would deflect a ball that flies past a post without touching it. So
+//! a contact with a gap above [`LEAST`](super::reach::LEAST) counts only if the bodies meet on the
+//! paths that their velocities and the forces of the step give them.
 
 use super::Detector;
 use super::passage::Path;
@@ -12,23 +12,23 @@ use crate::body::{Pose, State};
 use crate::scene::Scene;
 use nalgebra::UnitQuaternion;
 
-/// Bodies that come as near as this (m) meet.
+/// Bodies with a smaller gap (m) meet.
 const MEETING: f64 = 1e-3;
-/// Bodies that are looked at so often, one gliding along the other, say, are taken to meet.
+/// After this number of positions, if one body glides along the other, say, they count as meeting.
 const MOST_LOOKS: usize = 1_000;
 
-/// Where bodies are if no contact and no joint acts in a step.
-pub(super) struct Paths {
+/// The motion of all bodies in a step without contacts and joints.
+pub(super) struct FreeMotion {
     /// At the end.
     after: Vec<State>,
-    /// On the way: that of the two bodies that are looked at.
+    /// During the step, for the two bodies under examination.
     moved: Vec<State>,
 }
 
-impl Paths {
+impl FreeMotion {
     pub fn of(scene: &Scene, states: &[State]) -> Self {
         let after = (0..states.len()).map(|body| free(scene, states, body)).collect();
-        Paths { after, moved: states.to_vec() }
+        FreeMotion { after, moved: states.to_vec() }
     }
 }
 
@@ -39,7 +39,7 @@ impl Detector {
         scene: &Scene,
         states: &[State],
         pair: [usize; 2],
-        Paths { after, moved }: &mut Paths,
+        FreeMotion { after, moved }: &mut FreeMotion,
     ) -> bool {
         if pair.iter().any(|&solid| self.solids[solid].is_none()) {
             return true; // a half space is its own plane

@@ -37,7 +37,7 @@ use super::{Manifold, Scene};
 use crate::body::{Mass, Shape, State};
 use crate::constraint::{Contact, Normal};
 use broad::{Broad, HalfSpace};
-use meeting::Paths;
+use meeting::FreeMotion;
 pub use passage::Passage;
 pub use reach::Reach;
 use reach::Site;
@@ -289,7 +289,7 @@ impl Detector {
     /// The second half: where the pairs touch.
     pub fn find_points(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         self.found.clear();
-        let mut paths: Option<Paths> = None;
+        let mut motion: Option<FreeMotion> = None;
         for k in 0..self.broad.pairs().len() {
             let pair = self.broad.pairs()[k];
             self.touches.clear();
@@ -304,8 +304,8 @@ impl Detector {
             self.found.extend(points.filter(|found| found.gap <= margin));
             let is_far = self.found[first..].iter().all(|found| found.gap > reach::LEAST);
             if reach == Reach::Step && is_far && self.found.len() > first {
-                let paths = paths.get_or_insert_with(|| Paths::of(scene, states));
-                if !self.may_meet(scene, states, pair, paths) {
+                let motion = motion.get_or_insert_with(|| FreeMotion::of(scene, states));
+                if !self.may_meet(scene, states, pair, motion) {
                     self.found.truncate(first);
                 }
             }

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! with r the distance of a body's farthest vertex from its centre (0 of a ball: it turns in
-//! itself). Velocities are those at the beginning of the step or those after its forces, whichever of
-//! them, body by body, makes more: a body may be held where another one falls.
+//! itself). For each body the velocity at the beginning of the step and the one after its forces
+//! are tried, because one body may be held while the other one falls.
 
 use nalgebra::Vector3;
 

@@ -108,7 +108,7 @@ fn part(
             let after = solve.problem.next_states(states, &solve.solution.x, h);
             solving.note_answer();
             solving.note(Act::Advance(h));
-            share(&mut solving.solves[first..], h, &[1.0]);
+            set_impulse_factors(&mut solving.solves[first..], h, &[1.0]);
             return Ok((after, resting));
         }
         Integrator::ExplicitEuler => integrator::explicit_euler,
@@ -120,15 +120,16 @@ fn part(
         Integrator::Rk4 => &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
         _ => &[1.0], // of the last repetition of the midpoint
     };
-    share(&mut solving.solves[first..], h, weights);
+    set_impulse_factors(&mut solving.solves[first..], h, weights);
     Ok((after, resting))
 }
 
-/// Says how long the forces of the stages act: the last of them have these weights in h, those before are replaced.
-fn share(stages: &mut [Solve], h: f64, weights: &[f64]) {
+/// Sets the durations of the forces: the last stages have these parts of h, earlier ones were
+/// replaced.
+fn set_impulse_factors(stages: &mut [Solve], h: f64, weights: &[f64]) {
     let replaced = stages.len() - weights.len();
     for (k, stage) in stages.iter_mut().enumerate() {
-        stage.share = if k < replaced { 0.0 } else { h * weights[k - replaced] };
+        stage.impulse_factor = if k < replaced { 0.0 } else { h * weights[k - replaced] };
     }
 }
 

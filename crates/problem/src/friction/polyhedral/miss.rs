@@ -1,8 +1,8 @@
-//! How far impulses are from the friction of a polygon, each contact in its own units.
+//! Residuals of the friction of a polygon, each contact in its own units.
 //!
-//! The rows of the LCP that have a γ are not measured as the others are: γ is a speed, and what is left of μ x_n is an
-//! impulse. A contact may have something left of μ x_n, beside μ x_n, or slip, beside the terms of its slips; that it has
-//! both is its miss.
+//! A row of γ has its own residual, because it compares a speed, γ, with an impulse, μ x_n − Σ β. A
+//! contact may use less than μ x_n or slip, but not both: the residual is the smaller of the two,
+//! each in parts of its terms.
 
 use std::ops::Range;
 
@@ -39,8 +39,8 @@ impl Polyhedral {
         })
     }
 
-    /// Whether impulses x may be called a solution: no row of their z misses by more than the tolerance, and x is ten
-    /// times nearer to a solution than x = Π(0).
+    /// Whether x counts as a solution: no residual of its z is above the tolerance, and x is ten
+    /// times closer to a solution than Π(0) is.
     pub fn is_solution(&self, x: &[f64], tolerance: f64) -> bool {
         let misses = self.misses(&self.z(x));
         let nothing = || {
@@ -57,21 +57,22 @@ impl Polyhedral {
         let at = |unknown: usize| RowTerms::summed::<accurate::Sum>(&self.lcp, unknown, z);
         let others = (0..self.first_beta()).map(|i| at(i).miss(&self.lcp, i, z));
         let friction = self.unknowns().flat_map(|contact| {
-            let rubs = Rubs::of(self, &contact, z, at);
-            rubs.misses(z[contact.gamma])
+            let friction = ContactFriction::of(self, &contact, z, at);
+            friction.misses(z[contact.gamma])
         });
         others.chain(friction).collect()
     }
 
-    /// The γ of a contact that leaves least, where z has 0 for it: 0, the largest speed of slip along a −d_j, or that
-    /// along the −d_j of a β that pushes.
+    /// The γ of a contact with the smallest residual: 0, the largest slip speed along any −d_j, or
+    /// the slip speed along the −d_j of a positive β. z has γ = 0 for this contact.
     pub(super) fn best_gamma(&self, contact: &Unknowns, z: &[f64]) -> f64 {
-        let rubs = Rubs::of(self, contact, z, |unknown| RowTerms::at(&self.lcp, unknown, z));
+        let friction =
+            ContactFriction::of(self, contact, z, |unknown| RowTerms::at(&self.lcp, unknown, z));
         let speed = |row: &RowTerms| (-row.w()).max(0.0);
-        let fastest = rubs.rows.iter().map(speed).fold(0.0, f64::max);
-        let pushing = rubs.beta.iter().zip(&rubs.rows).filter(|(beta, _)| **beta > 0.0);
+        let fastest = friction.rows.iter().map(speed).fold(0.0, f64::max);
+        let pushing = friction.beta.iter().zip(&friction.rows).filter(|(beta, _)| **beta > 0.0);
         let left = |gamma: f64| {
-            let misses = rubs.sliding_at(gamma).misses(gamma);
+            let misses = friction.sliding_at(gamma).misses(gamma);
             misses.iter().map(|miss| miss.residual).fold(0.0, f64::max)
         };
         let speeds = [0.0, fastest].into_iter().chain(pushing.map(|(_, row)| speed(row)));
@@ -80,17 +81,17 @@ impl Polyhedral {
 }
 
 /// The friction of one contact at a z.
-struct Rubs<'a> {
+struct ContactFriction<'a> {
     beta: &'a [f64],
     /// Those of β.
     rows: Vec<RowTerms>,
     /// μ x_n − Σ β.
     left: f64,
-    /// The largest β that is known to be possible, [`reach_of_friction`].
+    /// The largest possible β, [`reach_of_friction`].
     reach: f64,
 }
 
-impl<'a> Rubs<'a> {
+impl<'a> ContactFriction<'a> {
     fn of(
         polyhedral: &Polyhedral,
         contact: &Unknowns,
@@ -103,7 +104,7 @@ impl<'a> Rubs<'a> {
             row if row.w().abs() <= rounding => RowTerms { w: 0.0, ..row }, // γ is its speed, rounded
             row => row,
         };
-        Rubs {
+        ContactFriction {
             beta: &z[contact.beta.clone()],
             rows: contact.beta.clone().map(row).collect(),
             left: at(contact.gamma).w(),
@@ -113,7 +114,7 @@ impl<'a> Rubs<'a> {
 
     /// The same where γ is this and not 0.
     fn sliding_at(&self, gamma: f64) -> Self {
-        Rubs { rows: self.rows.iter().map(|row| row.plus(gamma)).collect(), ..*self }
+        ContactFriction { rows: self.rows.iter().map(|row| row.plus(gamma)).collect(), ..*self }
     }
 
     /// The misses of each β and of γ.

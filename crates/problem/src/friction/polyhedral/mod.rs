@@ -147,8 +147,8 @@ impl Polyhedral {
     /// its solutions, and only then.
     ///
     /// x_t lies between two neighbours among the d_j, and β are its components along them: no others
-    /// have a smaller sum. (z says nothing of the x_t of a contact with μ = 0.) Of the γ that may belong to them,
-    /// that is taken with which friction misses least.
+    /// have a smaller sum. (z does not contain the x_t of a contact with μ = 0.) γ is the candidate
+    /// with the smallest residual.
     pub fn z(&self, x: &[f64]) -> Vec<f64> {
         let mut z = self.z_at_rest(x);
         for contact in self.unknowns() {

@@ -285,7 +285,7 @@ impl Case<'_> {
         Some([needed.max(1.0), yard.missing(&solution.x)])
     }
 
-    /// Adds what of the problem makes sweeps slow, where so much is missing after those of the practice.
+    /// Adds the causes of slow sweeps; `missing` is missing after those of the practice.
     fn explain(&self, found: &mut Shortfall, from: Option<&[f64]>, missing: f64) {
         let lcp = &self.frame.lcp;
         let zero = super::yard::start(lcp);
@@ -323,8 +323,8 @@ impl Case<'_> {
         }
     }
 
-    /// The solver, if plain Gauss-Seidel does far better with the same number of sweeps; and what is missing then. Pivots
-    /// and Newton's steps are no sweeps.
+    /// The solver as a cause, if plain Gauss-Seidel does far better with the same number of sweeps,
+    /// and the part that plain Gauss-Seidel leaves missing.
     fn solver(&self, found: &Shortfall, from: Option<&[f64]>) -> Option<(Slow, f64)> {
         let Practice { entry, options } = self.practice;
         if entry.group != Group::Plugin {
@@ -377,7 +377,7 @@ impl Case<'_> {
             // What is not missing now cannot be missing because of it.
             let with = alike[1].min(own[1]);
             let without = Without { factor: alike[0] / left[0], with, without: left[1] };
-            let bodies = mover.filter(|_| lcp.is_some()).map(|mover| self.frame.longest_way(mover));
+            let bodies = mover.filter(|_| lcp.is_some()).map(|mover| self.frame.diameter(mover));
             causes.push((without, Slow::Tall { bodies, without }));
         }
         causes

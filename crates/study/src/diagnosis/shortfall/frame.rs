@@ -191,12 +191,12 @@ impl Frame {
         neighbours
     }
 
-    /// How many bodies an impulse goes through at most, from body to body, on the shortest way from one body to another,
-    /// among those that are connected with this one.
-    pub fn longest_way(&self, body: usize) -> usize {
+    /// The number of bodies on the longest of all shortest paths between bodies connected with this
+    /// one.
+    pub fn diameter(&self, body: usize) -> usize {
         let neighbours = self.neighbours();
-        let connected = rings(&neighbours, body).concat();
-        connected.iter().map(|&k| rings(&neighbours, k).len()).max().unwrap_or(0)
+        let connected = by_distance(&neighbours, body).concat();
+        connected.iter().map(|&k| by_distance(&neighbours, k).len()).max().unwrap_or(0)
     }
 
     /// M⁻¹ Jᵀ x: by how much x changes the velocities. Empty if the bodies are not known.
@@ -366,8 +366,8 @@ fn is_same(one: &Matrix, other: &Matrix) -> bool {
     })
 }
 
-/// The bodies by their distance from this one, itself first.
-fn rings(neighbours: &[Vec<usize>], body: usize) -> Vec<Vec<usize>> {
+/// The bodies at distance 0, 1, 2, … from this one.
+fn by_distance(neighbours: &[Vec<usize>], body: usize) -> Vec<Vec<usize>> {
     let mut is_reached = vec![false; neighbours.len()];
     is_reached[body] = true;
     let mut rings = vec![vec![body]];

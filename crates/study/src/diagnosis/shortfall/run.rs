@@ -192,7 +192,7 @@ impl Went {
         self.solves.iter().enumerate().find_map(words)
     }
 
-    /// How many answers under another model than the coupled box the judge refuses, and the first of them, if there are any.
+    /// The number of rejected answers under models other than the coupled box, and the first one.
     fn refused(&self) -> Option<String> {
         let posed = self.solves.iter().enumerate().filter_map(|(k, solve)| {
             let solve = solve.as_ref().filter(|solve| solve.posing.is_some())?;
@@ -204,7 +204,7 @@ impl Went {
         let (step, solver, verdict) = refused.first()?;
         let (count, steps) = (refused.len(), self.solves.len());
         Some(format!(
-            "the judge refuses {count} of {steps} answers, the first in step {step}, of {solver}: {verdict}"
+            "the judge rejects {count} of {steps} answers, the first one in step {step} by {solver}: {verdict}"
         ))
     }
 
