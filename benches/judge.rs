@@ -29,8 +29,7 @@ fn exact_proof(criterion: &mut Criterion) {
     for n in [10, 50, 150] {
         let lcp = problem(n);
         let settings = Settings { tolerance: 1e-12, ..Settings::default() };
-        let x =
-            Dantzig { settings, ..Dantzig::default() }.solve(&lcp, &Start::default(), &mut ()).x;
+        let x = Dantzig { settings }.solve(&lcp, &Start::default(), &mut ()).x;
         assert!(prove(&lcp, &x).is_some(), "nothing is timed that is not proved");
         group.bench_function(BenchmarkId::from_parameter(n), |bencher| {
             bencher.iter(|| prove(black_box(&lcp), &x));

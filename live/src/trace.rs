@@ -127,7 +127,7 @@ pub fn solver(
         "sor" => sweeping(omega),
         "jacobi" => Box::new(Jacobi { damping: Damping::default(), settings }),
         "murty" => Box::new(Murty { settings }),
-        "dantzig" => Box::new(Dantzig { settings, ..Dantzig::default() }),
+        "dantzig" => Box::new(Dantzig { settings }),
         "lemke" => Box::new(Lemke { settings }),
         name => return Err(format!("solver: {name:?} is not one of these pages")),
     })

@@ -58,6 +58,7 @@ pub use registry::{
 };
 pub use sequence::{
     Answered, Attempt, solve as solve_by_sequence, solve_boxed as solve_boxed_by_sequence,
+    solve_boxed_without,
 };
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};

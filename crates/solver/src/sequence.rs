@@ -76,16 +76,28 @@ pub fn solve_boxed(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Answered {
+    solve_boxed_without("", lcp, start, options, observer)
+}
+
+/// The same without a method that has been tried.
+pub fn solve_boxed_without(
+    tried: &str,
+    lcp: &Lcp,
+    start: &Start<'_>,
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Answered {
     let symmetric = ["dantzig", "block-pivoting", "newton", "interior-point"];
     let names: &[&'static str] = match lcp.matrix().is_nearly_symmetric() {
         true => &symmetric,
         false => &["lemke", "fischer-newton", "enumeration"],
     };
+    let names: Vec<&str> = names.iter().copied().filter(|name| *name != tried).collect();
     let attempt = |name: &'static str, observer: &mut dyn Observer| {
         let solver = entry(name).ok().map(|entry| (entry.build)(&within_budget(name, options)));
         solver.map(|solver| solver.solve(lcp, start, observer))
     };
-    first_success(names, observer, attempt)
+    first_success(&names, observer, attempt)
 }
 
 fn solve_polygons(

@@ -53,8 +53,9 @@ impl Solution {
 pub enum Fallback {
     /// Block pivoting made no progress, and single rows were exchanged by Murty's rule.
     LeastIndex,
-    /// Block pivoting met a singular block or made no progress, and solved a sequence of regular
-    /// problems. Their fixed point solves the problem as it was posed; no row was softened.
+    /// Block pivoting met a singular block or made no progress, or Dantzig's or Lemke's method met
+    /// rows that depend on each other too nearly to tell, and a sequence of regular problems was
+    /// solved. Their fixed point solves the problem as it was posed; no row was softened.
     Proximal,
     /// Lemke's path ended at no solution and was followed once more with fresh tableaux.
     SecondPath,

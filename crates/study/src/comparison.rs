@@ -159,9 +159,7 @@ const NONE: Entry = Entry {
     cost: Cost::each("0", |_| 0.0),
     source: "",
     uses: &[],
-    build: &|options| {
-        Box::new(Dantzig { settings: options.settings.clone(), ..Dantzig::default() })
-    },
+    build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
 };
 
 /// Steps a scene with each of these solvers at both levels; an entry need not be a registered one.

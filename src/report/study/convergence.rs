@@ -88,10 +88,7 @@ const FLOOR: f64 = 1e-12;
 
 /// Runs PGS and SOR on a problem.
 fn run(Given { name, title, lcp }: Given, omegas: &[f64]) -> Finding {
-    let direct = Dantzig {
-        settings: Settings { tolerance: 1e-12, ..Settings::default() },
-        ..Dantzig::default()
-    };
+    let direct = Dantzig { settings: Settings { tolerance: 1e-12, ..Settings::default() } };
     let pivots = direct.solve(&lcp, &Start::default(), &mut ()).iterations;
     let unbounded = |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite();
     let equations_only = lcp.coupling().is_none() && (0..lcp.len()).all(unbounded);

@@ -90,6 +90,20 @@ impl Gyroscopic {
         moved
     }
 
+    /// The same for a body that a joint keeps from turning about some axes: s + h S(s) u, so that it
+    /// turns about the axis that the joint leaves it. The midpoint rule would turn it about another
+    /// one where I is not the same about all axes, and the joint would come apart step by step. Where
+    /// angular momentum is conserved it is, and the joint's reaction is what changes it.
+    pub fn turned(self, mass: &Mass, state: &State, h: f64) -> State {
+        let moved = state.advanced(h);
+        match tumbling(self, mass) {
+            None => moved,
+            Some(inertia) => {
+                State { omega: spin(&inertia, &moved.pose, &mass.spin_momentum(state)), ..moved }
+            }
+        }
+    }
+
     /// The state at the end of a step of h (s) in which the body turned with the velocity that it
     /// now has: where angular momentum is conserved that was ω̄, and ω⁺ = I⁻¹(I ω̄ − ½ h ω̄ × I ω̄).
     pub fn arrived(self, mass: &Mass, state: &State, h: f64) -> State {

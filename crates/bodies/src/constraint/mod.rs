@@ -78,7 +78,7 @@ use std::fmt;
 
 use nalgebra::{RealField, Vector3, Vector6};
 
-use crate::body::{Pose, State};
+use crate::body::{Pose, State, linear};
 
 /// The bodies that a constraint joins, by index; `None` is the world.
 pub type Bodies = [Option<usize>; 2];
@@ -166,6 +166,13 @@ impl Spring {
 }
 
 impl Row {
+    /// Whether it keeps bodies from turning and does nothing else, as two rows of a hinge do.
+    pub fn holds_axis(&self) -> bool {
+        let only_turns = |j: &Vector6<f64>| linear(j) == Vector3::zeros();
+        let is_rigid = self.bounds == Bounds::Bilateral && self.spring.is_none();
+        is_rigid && self.jacobian.iter().all(only_turns)
+    }
+
     /// A row of an equation c = 0: any x, no drive, no spring.
     pub fn equation(
         kind: Kind,

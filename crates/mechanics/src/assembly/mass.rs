@@ -33,9 +33,18 @@ impl Block {
         &self.pose
     }
 
-    /// This body's state after h (s) without forces.
-    pub(super) fn advanced(&self, gyroscopic: Gyroscopic, state: &State, h: f64) -> State {
-        gyroscopic.advanced(&self.kind, state, h)
+    /// This body's state after h (s) without forces; `held` says whether a joint holds its axis.
+    pub(super) fn advanced(
+        &self,
+        gyroscopic: Gyroscopic,
+        held: bool,
+        state: &State,
+        h: f64,
+    ) -> State {
+        match held {
+            true => gyroscopic.turned(&self.kind, state, h),
+            false => gyroscopic.advanced(&self.kind, state, h),
+        }
     }
 
     /// This body's entries of a vector with one entry a column; 0 where a point mass has none.

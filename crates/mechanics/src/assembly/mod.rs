@@ -119,11 +119,15 @@ impl Assembly {
     }
 
     /// The states after h (s) with their velocities, s + h S u; moving bodies turn as the scene's
-    /// setting `gyroscopic` says.
+    /// setting `gyroscopic` says, those whose axis a joint holds about that axis.
     pub fn advanced(&self, states: &[State], h: f64) -> Vec<State> {
         let mut moved: Vec<State> = states.iter().map(|state| state.advanced(h)).collect();
-        for block in &self.blocks {
-            moved[block.body] = block.advanced(self.gyroscopic, &states[block.body], h);
+        let mut held = vec![false; self.blocks.len()];
+        for part in self.rows.iter().filter(|row| row.holds_axis()).flat_map(Row::parts) {
+            held[part.block] = true;
+        }
+        for (block, held) in self.blocks.iter().zip(held) {
+            moved[block.body] = block.advanced(self.gyroscopic, held, &states[block.body], h);
         }
         moved
     }

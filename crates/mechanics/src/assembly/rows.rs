@@ -101,6 +101,12 @@ impl Row {
         second.or(first.map(|pull| -pull)).filter(|push| push.norm() > 0.0)
     }
 
+    /// Whether it keeps bodies from turning, and does nothing else: a row of a hinge or a weld.
+    pub fn holds_axis(&self) -> bool {
+        let only_turns = |part: &Part| linear(&part.jacobian) == Vector3::zeros();
+        self.bounds == Bounds::Bilateral && self.spring.is_none() && self.parts().all(only_turns)
+    }
+
     /// Whether its force is limited by itself or by yielding, so that it has no part in a blow.
     pub fn is_gentle(&self) -> bool {
         self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))

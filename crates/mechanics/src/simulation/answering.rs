@@ -3,8 +3,7 @@
 //!
 //! | the problem | the solver | else |
 //! | --- | --- | --- |
-//! | boxed, A symmetric | the simulation's | Newton's method, in place of pivoting that friction leads astray |
-//! | boxed, A not symmetric | the simulation's, if its class has such A | Lemke's method, then the enumeration of all active sets |
+//! | boxed | the simulation's, if its class has such A | of a method that pivots: the fallback sequence of the solver crate |
 //! | polygons of few contacts | the simulation's, if it takes them, or Lemke's method | sweeps by contact |
 //! | polygons of many contacts | sweeps by contact | the simulation's, or Lemke's method |
 //! | polygons, not solved | the same, on rows that yield a little | the answer it gave |
@@ -15,8 +14,8 @@ use crate::scene::Scene;
 use lcplab_problem::Lcp;
 use lcplab_problem::friction::{Model, Polyhedral, Posed};
 use lcplab_solver::{
-    self, ConeSolver, Enumeration, Fallback, Lemke, MatrixClass, Method, Newton, Observer,
-    PolygonPgs, Settings, Solution, Solver, Start, Status, solve_polyhedral,
+    self, ConeSolver, Fallback, Lemke, MatrixClass, Method, Observer, Options, PolygonPgs,
+    Settings, Solution, Solver, Start, Status, solve_boxed_without, solve_polyhedral,
 };
 
 /// The solvers of a simulation.
@@ -55,58 +54,37 @@ impl Solvers<'_> {
         }
     }
 
-    /// The simulation's solver; where friction leads one that pivots astray, Newton's method has a try.
-    fn symmetric(
-        self,
-        lcp: &Lcp,
-        start: &Start<'_>,
-        observer: &mut dyn Observer,
-    ) -> (&'static str, Solution) {
-        let first = self.boxed.solve(lcp, start, observer);
-        let is_lost = !matches!(first.status, Status::Solved | Status::Stopped)
-            && lcp.coupling().is_some()
-            && PIVOTING.contains(&self.boxed.name());
-        if !is_lost {
-            return (self.boxed.name(), first);
-        }
-        let settings = Settings { max_iterations: NEWTON_STEPS, ..settings(self.scene) };
-        let newton = Newton { settings, ..Newton::default() };
-        let second = newton.solve(lcp, start, observer);
-        match second.status {
-            Status::Solved | Status::Stopped => (newton.name(), second),
-            _ => (self.boxed.name(), first),
-        }
-    }
-
+    /// The simulation's solver if it is made for A. Where that pivots and is led astray, by friction
+    /// limits that change on the way say, or is not made for A, the methods of the fallback sequence.
     fn boxed(
         self,
         lcp: &Lcp,
         start: &Start<'_>,
         observer: &mut dyn Observer,
     ) -> (&'static str, Solution) {
-        if suits(self.boxed, lcp) {
-            return self.symmetric(lcp, start, observer);
+        let name = self.boxed.name();
+        let first = suits(self.boxed, lcp).then(|| self.boxed.solve(lcp, start, observer));
+        let is_lost = |first: &Solution| {
+            PIVOTING.contains(&name) && !matches!(first.status, Status::Solved | Status::Stopped)
+        };
+        if let Some(first) = first.as_ref().filter(|first| !is_lost(first)) {
+            return (name, first.clone());
         }
-        let lemke = Lemke { settings: settings(self.scene) };
-        let first = lemke.solve(lcp, start, observer);
-        if first.status == Status::Solved {
-            return (lemke.name(), first);
-        }
-        let enumeration = Enumeration { settings: settings(self.scene) };
-        let second = enumeration.solve(lcp, start, observer);
-        match second.status {
-            Status::Solved | Status::NoSolution => (enumeration.name(), second),
-            _ => (lemke.name(), first),
+        let options = Options { settings: settings(self.scene), ..Options::default() };
+        let tried = first.as_ref().map_or("", |_| name);
+        let next = solve_boxed_without(tried, lcp, start, &options, observer);
+        match (next.solution.status.clone(), first) {
+            (Status::Solved | Status::Stopped | Status::NoSolution, _) | (_, None) => {
+                (next.solver, next.solution)
+            }
+            (_, Some(first)) => (name, first),
         }
     }
 }
 
-/// Methods that end at a solution or nowhere. Others come nearer with every sweep, and where they end early
-/// that is what a user wants to see.
+/// Methods that end at a solution or nowhere. Others come nearer with every sweep, and where they end
+/// early that is what a user wants to see.
 const PIVOTING: [&str; 4] = ["dantzig", "block-pivoting", "murty", "lemke"];
-
-/// Newton's method is there in some ten steps, or not at all.
-const NEWTON_STEPS: usize = 50;
 
 /// With more contacts than these, pivoting a polygon's LCP takes longer than sweeps.
 const FEW_CONTACTS: usize = 8;

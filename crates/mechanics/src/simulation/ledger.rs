@@ -20,7 +20,8 @@ use nalgebra::Vector3;
 
 use super::acts::Impulses;
 use super::{Act, Solve};
-use crate::body::{State, angular, linear};
+use crate::assembly::Assembly;
+use crate::body::{Body, State, angular, linear};
 use crate::constraint::Bounds;
 use crate::scene::Scene;
 
@@ -102,14 +103,16 @@ impl Ledger {
             ..Ledger::default()
         };
         let mut states = before.to_vec();
+        let mut assembly = None;
         for act in acts {
             if let Some(impulses) = Impulses::of(scene, act, solves) {
                 ledger.add_rows(&impulses);
                 ledger.add_forces(scene, &impulses);
                 states = impulses.assembly.with_velocities(&states, &impulses.next);
+                assembly = Some(impulses.assembly);
             }
             match act {
-                Act::Advance(h) => ledger.advance(scene, &mut states, *h),
+                Act::Advance(h) => ledger.advance(scene, assembly, &mut states, *h),
                 Act::Shift { body, by } => {
                     let moved = states[*body].displaced(by);
                     ledger.correction += shift(scene, *body, &states[*body], &moved, &linear(by));
@@ -160,11 +163,21 @@ impl Ledger {
 
     /// Moves the bodies with their velocities: the path along which gravity is the potential's, and the
     /// inertia that turns.
-    fn advance(&mut self, scene: &Scene, states: &mut [State], h: f64) {
-        for (body, state) in states.iter_mut().enumerate() {
-            let mass = &scene.bodies[body].mass;
-            let moved = scene.step.gyroscopic().advanced(mass, state, h);
-            self.integrator -= h * mass.mass() * scene.gravity.dot(&state.v);
+    fn advance(
+        &mut self,
+        scene: &Scene,
+        assembly: Option<&Assembly>,
+        states: &mut [State],
+        h: f64,
+    ) {
+        let alone =
+            |(body, state): (&Body, &State)| scene.step.gyroscopic().advanced(&body.mass, state, h);
+        let moved: Vec<State> = match assembly {
+            Some(assembly) => assembly.advanced(states, h),
+            None => scene.bodies.iter().zip(&*states).map(alone).collect(),
+        };
+        for (body, (state, moved)) in states.iter_mut().zip(moved).enumerate() {
+            self.integrator -= h * scene.bodies[body].mass.mass() * scene.gravity.dot(&state.v);
             self.gyroscopic += spin(scene, body, &moved) - spin(scene, body, state);
             *state = moved;
         }

@@ -69,8 +69,7 @@ impl Simulation {
         match method {
             Method::Boxed(entry) => Simulation::new(scene.clone(), (entry.build)(&options)),
             Method::Cone(entry) => {
-                let boxed =
-                    Box::new(Dantzig { settings: options.settings.clone(), ..Dantzig::default() });
+                let boxed = Box::new(Dantzig { settings: options.settings.clone() });
                 let cone_solver = (entry.build)(&options.settings);
                 Simulation::new(scene.clone(), boxed).with_cone_solver(cone_solver)
             }

@@ -29,7 +29,7 @@ const ROWS: usize = 4;
 
 /// S, of which each row has the entries from its own block of eight on: what stands before is read from the column.
 pub(crate) struct Tableau {
-    /// The last row and column of all, if there are more than those of A: its last entry is 0.
+    /// The last row and column: its last entry is 0.
     border: Vec<f64>,
     /// Blocks of a whole row: zeros right of the last column and below the last row make it so many.
     blocks: usize,
@@ -42,14 +42,9 @@ pub(crate) struct Tableau {
 }
 
 impl Tableau {
-    /// A itself: nothing is free.
-    pub(crate) fn of(matrix: &Matrix) -> Self {
-        Tableau::bordered(matrix, Vec::new())
-    }
-
-    /// A with one more row and column, this one, whose last entry is 0; or without, if it is empty.
+    /// A with one more row and column, this one, whose last entry is 0: nothing is free.
     pub(crate) fn bordered(matrix: &Matrix, border: Vec<f64>) -> Self {
-        let n = matrix.len() + usize::from(!border.is_empty());
+        let n = matrix.len() + 1;
         let blocks = n.div_ceil(8).max(1);
         let entries = zeros(4 * blocks * (blocks + 1));
         let waiting = Vec::with_capacity(2 * TOGETHER * blocks);

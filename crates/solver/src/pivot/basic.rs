@@ -1,7 +1,8 @@
 //! The basic variables of a symmetric tableau and how far they can move.
 //!
-//! Each row has one that may move: x_j of a free row, w_j of a row at a bound. They keep between two limits, an x
-//! between its bounds, a w on the side of zero that its bound allows; so one test serves all.
+//! Each row has one that may move: x_j of a free row, w_j of a row at a bound. They keep between two
+//! limits, an x between its bounds, a w on the side of zero that its bound allows; so one test
+//! serves all.
 
 use super::dantzig::Side;
 use crate::kernel::Width;
@@ -13,7 +14,6 @@ pub(crate) struct Basic {
     eights: Vec<Eight>,
     /// So many of them have rows that have been driven: the others do not move.
     used: usize,
-    arrivals: u64,
     width: Width,
 }
 
@@ -36,8 +36,6 @@ struct Eight {
     /// is asked for.
     length: [f64; 8],
     ends: bool,
-    /// Of those that end a move together the least goes first: w before x, then in the order of arrival.
-    rank: [u64; 8],
 }
 
 /// Moves whose lengths differ by less than this part of them end together.
@@ -63,13 +61,12 @@ const IDLE: Eight = Eight {
     speed: [0.0; 8],
     length: [f64::INFINITY; 8],
     ends: false,
-    rank: [0; 8],
 };
 
 impl Basic {
     /// n rows of which nothing is asked, and some more, so that they are whole eights.
     pub(crate) fn of(n: usize) -> Self {
-        Basic { eights: vec![IDLE; n.div_ceil(8)], used: 0, arrivals: 0, width: Width::widest() }
+        Basic { eights: vec![IDLE; n.div_ceil(8)], used: 0, width: Width::widest() }
     }
 
     /// Row j stands on this side from now on, at this x or w, whichever may move; √a_jj is its unit.
@@ -81,7 +78,6 @@ impl Basic {
         (lo, hi): (f64, f64),
         unit: f64,
     ) {
-        self.arrivals += 1;
         let is_free = side == Side::Free;
         let (low, high, factor) = match side {
             Side::Free => (lo, hi, -1.0),
@@ -92,7 +88,6 @@ impl Basic {
         let (own, k) = (&mut self.eights[j / 8], j % 8);
         (own.value[k], own.low[k], own.high[k], own.factor[k]) = (value, low, high, factor);
         (own.weight[k], own.rounding[k]) = if is_free { (unit, 0.0) } else { (0.0, unit) };
-        own.rank[k] = self.arrivals + if is_free { 1 << 62 } else { 0 };
         self.used = self.used.max(j / 8 + 1);
     }
 
@@ -114,41 +109,12 @@ impl Basic {
         self.width.run(Reach { eights, row, sign, rounding: ROUNDING * size, most })
     }
 
-    /// The row whose variable ends a move within this length, and where; where several do, the first by rank.
-    pub(crate) fn first_within(&self, length: f64) -> Option<(usize, f64)> {
-        let mut first = None; // in a loop: `lengths` makes a solve of few rows a tenth slower
-        for (b, eight) in self.eights[..self.used].iter().enumerate().filter(|(_, e)| e.ends) {
-            for k in 0..8 {
-                if eight.length[k] <= length
-                    && first.is_none_or(|(rank, _, _)| eight.rank[k] < rank)
-                {
-                    first = Some((eight.rank[k], 8 * b + k, eight.length[k]));
-                }
-            }
-        }
-        first.map(|(_, row, length)| (row, length))
-    }
-
     /// The rows whose variables end a move within this length.
     pub(crate) fn all_within(&self, length: f64) -> impl Iterator<Item = usize> {
-        self.lengths().filter(move |(_, own)| *own <= length).map(|(j, _)| j)
-    }
-
-    /// The rows that may end a move, and after which length.
-    fn lengths(&self) -> impl Iterator<Item = (usize, f64)> {
         let ending = self.eights[..self.used].iter().enumerate().filter(|(_, eight)| eight.ends);
-        ending.flat_map(|(b, eight)| (0..8).map(move |k| (8 * b + k, eight.length[k])))
-    }
-
-    /// Whether the speed of row j's variable may be nothing but rounding, given the sizes of both directions as a product.
-    pub(crate) fn is_rounding(&self, j: usize, sizes: f64) -> bool {
-        self.speed(j).abs() <= ROUNDING * sizes
-    }
-
-    /// Row j's variable does not move; returns how far the others reach.
-    pub(crate) fn hold(&mut self, j: usize) -> f64 {
-        (self.eights[j / 8].speed[j % 8], self.eights[j / 8].length[j % 8]) = (0.0, f64::INFINITY);
-        self.lengths().map(|(_, length)| length).fold(f64::INFINITY, f64::min)
+        let lengths =
+            ending.flat_map(|(b, eight)| (0..8).map(move |k| (8 * b + k, eight.length[k])));
+        lengths.filter(move |(_, own)| *own <= length).map(|(j, _)| j)
     }
 
     /// How fast row j's variable moves.
@@ -161,19 +127,9 @@ impl Basic {
         self.eights[j / 8].value[j % 8]
     }
 
-    /// Gives row j's variable a value.
-    pub(crate) fn set(&mut self, j: usize, value: f64) {
-        self.eights[j / 8].value[j % 8] = value;
-    }
-
     /// All variables go on for this length; exactly 0 where only rounding is left, or ties are missed.
     pub(crate) fn advance(&mut self, length: f64) {
         self.width.run(Advance { eights: &mut self.eights[..self.used], length });
-    }
-
-    /// The place of row j in the order of arrival, among those of its kind.
-    pub(crate) fn rank(&self, j: usize) -> u64 {
-        self.eights[j / 8].rank[j % 8]
     }
 }
 

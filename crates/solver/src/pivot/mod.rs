@@ -55,15 +55,13 @@ fn lemke_pivot(i: &Effort<'_>) -> f64 {
 pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "dantzig",
-        method: "Dantzig pivoting in a symmetric tableau or with updated LDLᵀ, finite",
+        method: "Dantzig pivoting with updated LDLᵀ, finite",
         class: Class::of(MatrixClass::Semidefinite),
         group: Group::Pivoting,
         cost: Cost::each("n²/2", |i| i.n * i.n / 2.0),
         source: "Cottle & Dantzig 1968; Baraff 1994",
         uses: &[],
-        build: &|options| {
-            Box::new(Dantzig { settings: options.settings.clone(), ..Dantzig::default() })
-        },
+        build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
     },
     Entry {
         name: "lemke",

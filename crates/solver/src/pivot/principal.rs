@@ -56,6 +56,12 @@ impl Point {
         residuals.fold(0.0, |most, r| if r.is_nan() { f64::INFINITY } else { f64::max(most, r) })
     }
 
+    /// max_i |x_i − Π(x_i − w_i/s_i)| √s_i: how far x is from a solution, in the unit of √(x w).
+    pub(crate) fn largest_miss(&self) -> f64 {
+        let miss = |miss: &Miss| libm::ldexp(miss.size / miss.scale.sqrt(), miss.exponent);
+        self.misses.iter().map(miss).fold(0.0, f64::max)
+    }
+
     /// The solution with this x.
     pub(crate) fn solution(self, status: Status, iterations: usize) -> Solution {
         let w = self.terms.iter().map(RowTerms::w).collect();

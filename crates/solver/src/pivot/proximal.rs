@@ -23,11 +23,11 @@
 
 use std::ops::ControlFlow;
 
-use super::active_set::ROUNDING;
+use super::active_set::{ActiveSet, ROUNDING};
 use super::block_pivoting::rule;
 use super::free_rows::FreeRows;
 use super::principal::{Change, Point, Search};
-use crate::{Event, Fallback, Solution, Status, iterate};
+use crate::{Event, Fallback, Observer, Settings, Solution, Start, Status, iterate};
 use lcplab_problem::Lcp;
 
 /// The least ρ is 2 to this power: the null space of A costs half of all digits there.
@@ -40,6 +40,9 @@ const PATIENCE: usize = 4;
 const STRIDES: [i32; 2] = [12, 4];
 /// Steps with the least ρ that need not better the residual.
 const IDLE: usize = 3;
+/// Rows that depend on each other and miss by more than this part contradict each other. What is less
+/// may be drift and rounding of redundant joints.
+pub(crate) const NEARLY: f64 = 1e-3;
 /// What counts as better.
 const BETTER: f64 = 0.9;
 
@@ -86,7 +89,7 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
     search.fallback = Some(Fallback::Proximal);
     let mut steps = Steps { lcp, rho: Rho::least(), soft: None };
     let mut centre = x.clone();
-    let (mut best, mut idle) = (f64::INFINITY, 0);
+    let (mut best, mut least, mut idle) = (search.point.clone(), f64::INFINITY, 0);
     loop {
         let first = search.count + 1;
         match steps.step(search, &centre) {
@@ -101,17 +104,57 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
         }
         let before = std::mem::replace(&mut centre, search.point.x.clone());
         let residual = search.point.largest_residual();
-        if residual < BETTER * best {
-            (best, idle) = (residual, 0);
+        if residual < BETTER * least {
+            (best, least, idle) = (search.point.clone(), residual, 0);
         } else if steps.rho.exponent == LEAST {
             idle += 1;
         }
         if residual <= ROUNDING || idle == IDLE {
-            let status = search.claim(lcp);
-            let solution = iterate::finish(lcp, [&before, &x], centre, status, search.count);
+            let (status, count) = (Status::Inaccurate, search.count);
+            let solution = iterate::finish(lcp, [&before, &x], centre, status, count);
+            if is_solved(lcp, &best, search.settings.tolerance) {
+                search.point = best;
+                return search.solution(Status::Solved);
+            }
             return solution.with_fallback(search.fallback);
         }
         steps.rho.fall(search.count == first);
+    }
+}
+
+/// Whether x solves the problem and is a thousand times nearer to a solution than Π(0). Where rows
+/// contradict each other the residual becomes small beside x as x runs off, but x comes no nearer.
+fn is_solved(lcp: &Lcp, point: &Point, tolerance: f64) -> bool {
+    let nothing = Point::at(lcp, Start::default().point(lcp));
+    let is_nearer = point.largest_miss() <= NEARLY * nothing.largest_miss();
+    point.is_solution(lcp, tolerance) && (is_nearer || nothing.is_solution(lcp, tolerance))
+}
+
+/// What proximal steps make of a problem with symmetric A that a method of pivots has given up: their
+/// solution, or the failed one. Rows of redundant joints that have drifted apart depend on each
+/// other so nearly that a single pivot cannot tell; along them A is small, not zero.
+pub(crate) fn after(
+    lcp: &Lcp,
+    failed: Solution,
+    settings: &Settings,
+    observer: &mut dyn Observer,
+) -> Solution {
+    use Status::{Inaccurate, Ray, Singular, Stalled};
+    let is_given_up = matches!(failed.status, Ray { .. } | Inaccurate | Singular { .. } | Stalled);
+    let is_positive = |i: usize| lcp.matrix().diagonal(i) > 0.0 || lcp.lo()[i] == lcp.hi()[i];
+    if !is_given_up || !(0..lcp.len()).all(is_positive) {
+        return failed;
+    }
+    let start = Start::default();
+    let x = start.point(lcp); // a warm start may lie far out along what the rows leave open
+    let set = ActiveSet::initial(lcp, &start, &x);
+    let (point, count) = (Point::at(lcp, x.clone()), failed.iterations);
+    let mut search =
+        Search { settings, observer, set, point, count, fallback: None, safeguard: None };
+    let solution = solve(lcp, &mut search, x);
+    match solution.status {
+        Status::Solved | Status::Stopped => solution,
+        _ => failed,
     }
 }
 

@@ -107,7 +107,7 @@ impl Block {
             lcp = lcp.with_coupling(coupling).expect("part of a valid problem");
         }
         let settings = Settings { tolerance: BLOCK_TOLERANCE, ..Settings::default() };
-        Block { rows, lcp, solver: Dantzig { settings, ..Dantzig::default() } }
+        Block { rows, lcp, solver: Dantzig { settings } }
     }
 
     /// Replaces x_B by the solution of the block.

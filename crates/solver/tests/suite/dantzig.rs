@@ -1,9 +1,7 @@
-use std::ops::ControlFlow;
-
 use lcplab_judge::{Demand, judge};
 use lcplab_problem::file::Problem;
 use lcplab_problem::{Lcp, Matrix, library};
-use lcplab_solver::{Dantzig, Iterate, Observer, Part, Solution, Solver, Start, Status};
+use lcplab_solver::{Dantzig, Solver, Start, Status};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
@@ -85,83 +83,14 @@ fn nearly_redundant_contacts_of_a_real_stack_are_solved() {
     }
 }
 
-/// Keeps of each move that is more than rounding the rows that were driven and ended it, s, and its length.
-#[derive(Default)]
-struct Moves {
-    rows: Vec<(usize, usize)>,
-    sizes: Vec<[f64; 2]>,
-}
-
-impl Observer for Moves {
-    fn observe(&mut self, _: &Iterate<'_>) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    fn asks_for_parts(&self) -> bool {
-        true
-    }
-
-    fn part(&mut self, part: &Part<'_>) {
-        match part {
-            Part::Move(own) if own.length > 1e-12 => {
-                self.rows.push((own.driven, own.blocking));
-                self.sizes.push([own.schur, own.length]);
-            }
-            _ => (),
-        }
-    }
-}
-
-/// The solution with pivots in a tableau up to so many rows, and its moves.
-fn followed(lcp: &Lcp, tableau: usize) -> (Solution, Moves) {
-    let mut moves = Moves::default();
-    let solver = Dantzig { tableau, ..dantzig() };
-    (solver.solve(lcp, &Start::default(), &mut moves), moves)
-}
-
 #[test]
-fn on_redundant_contacts_the_tableau_and_the_factor_make_the_same_moves() {
+fn stacks_of_redundant_contacts_are_solved() {
     for (boxes, mu) in [(1.0, 0.0), (3.0, 0.0), (20.0, 0.0), (5.0, 0.5)] {
         let family = library::by_name("box-stack").unwrap();
         let lcp = family.generate(&[("boxes", boxes), ("mu", mu)]).unwrap().lcp;
-        let (of_tableau, moves) = followed(&lcp, usize::MAX);
-        let (of_factor, by_factor) = followed(&lcp, 0);
-        assert_eq!(moves.rows, by_factor.rows);
-        assert_eq!((of_tableau.status, of_factor.status), (Status::Solved, Status::Solved));
-        assert_certified(&lcp, &of_tableau.x);
-    }
-}
-
-#[test]
-fn a_problem_of_more_rows_than_the_tableau_is_for_is_solved_by_the_factor() {
-    let family = library::by_name("manufactured").unwrap();
-    let lcp = family.generate(&[("n", 40.0), ("seed", 7.0)]).unwrap().lcp;
-    let x = |tableau: usize| followed(&lcp, tableau).0.x;
-    assert_eq!(x(0), x(39));
-    assert_proved(&lcp, &x(39));
-    assert_proved(&lcp, &x(40));
-}
-
-proptest! {
-    #![proptest_config(cases(300))]
-
-    #[test]
-    fn the_tableau_and_the_factor_make_the_same_moves(
-        // of the larger ones some sweeps are made together
-        m in prop_oneof![4 => manufactured(12, 12, 0.25), 1 => manufactured(45, 45, 0.25)],
-    ) {
-        let (of_tableau, moves) = followed(&m.lcp, usize::MAX);
-        let (of_factor, by_factor) = followed(&m.lcp, 0);
-        prop_assert_eq!(&moves.rows, &by_factor.rows);
-        for (own, other) in moves.sizes.iter().flatten().zip(by_factor.sizes.iter().flatten()) {
-            prop_assert!((own - other).abs() <= 1e-9 * own.abs().max(1.0), "{} {}", own, other);
-        }
-        for solution in [of_tableau, of_factor] {
-            prop_assert_eq!(&solution.status, &Status::Solved);
-            for (found, x) in solution.x.iter().zip(&m.x) {
-                prop_assert!((found - x).abs() <= 1e-9 * x.abs().max(1.0), "{} {}", found, x);
-            }
-        }
+        let solution = dantzig().solve(&lcp, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved);
+        assert_certified(&lcp, &solution.x);
     }
 }
 

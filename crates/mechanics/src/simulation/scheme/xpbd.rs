@@ -103,7 +103,8 @@ fn by_name(sources: &[(Source, &dyn Constraint)], x: Vec<Vec<f64>>) -> Impulses 
 /// The states after h without constraints.
 fn free(scene: &Scene, states: &[State]) -> Result<Vec<State>, Cause> {
     let h = scene.step.dt;
-    let assembly = assembled(scene, states, &[], Entering::Near)?;
+    let mut assembly = assembled(scene, states, &[], Entering::Near)?;
+    assembly.rows.clear();
     let rates = assembly.accelerate(&assembly.force);
     let u: Vec<f64> = assembly.u.iter().zip(rates).map(|(u, rate)| u + h * rate).collect();
     let kicked = assembly.with_velocities(states, &u);

@@ -10,6 +10,7 @@
 use nalgebra::{Matrix3, Vector3, Vector6};
 
 use crate::body::{Mass, State, angular, linear, stack};
+use crate::constraint::Row;
 use crate::scene::Scene;
 use lcplab_solver::kernel::impulses::Velocity;
 
@@ -23,6 +24,19 @@ pub(super) struct Masses {
     pub free: Vec<Velocity>,
 }
 
+/// The bodies whose axis a joint holds.
+fn held(scene: &Scene) -> Vec<usize> {
+    let mut held = Vec::new();
+    for constraint in &scene.constraints {
+        let bodies = constraint.bodies();
+        let states = bodies.map(|body| body.map_or(&State::WORLD, |b| &scene.states[b]));
+        if constraint.rows(states).is_ok_and(|rows| rows.iter().any(Row::holds_axis)) {
+            held.extend(bodies.into_iter().flatten());
+        }
+    }
+    held
+}
+
 /// L of a body.
 struct Moving {
     /// Its index in the scene.
@@ -34,10 +48,13 @@ struct Moving {
     inverse: Vector3<f64>,
     /// R.
     rotation: Matrix3<f64>,
+    /// Whether a joint holds its axis.
+    is_held: bool,
 }
 
 impl Masses {
     pub fn new(scene: &Scene) -> Self {
+        let held = held(scene);
         let mut places = vec![None; scene.bodies.len()];
         let mut bodies = Vec::new();
         for (body, mass) in scene.bodies.iter().map(|body| body.mass).enumerate() {
@@ -53,6 +70,7 @@ impl Masses {
                 moments: moments.unwrap_or_default(),
                 inverse: moments.map(|root| root.map(f64::recip)).unwrap_or_default(),
                 rotation: Matrix3::identity(),
+                is_held: held.contains(&body),
             });
         }
         let (before, free) = (vec![[0.0; 6]; bodies.len()], vec![[0.0; 6]; bodies.len()]);
@@ -97,7 +115,10 @@ impl Masses {
         for (moving, v) in self.bodies.iter().zip(v) {
             let state = states[moving.body].with_velocity(&moving.velocity(v));
             let mass = &scene.bodies[moving.body].mass;
-            next[moving.body] = gyroscopic.advanced(mass, &state, dt);
+            next[moving.body] = match moving.is_held {
+                true => gyroscopic.turned(mass, &state, dt),
+                false => gyroscopic.advanced(mass, &state, dt),
+            };
         }
     }
 

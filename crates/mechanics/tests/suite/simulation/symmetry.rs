@@ -182,9 +182,9 @@ fn bits(states: &[State]) -> u64 {
 /// resting contacts, one of joints, one of rolling and impacts. Sums, products, quotients and square
 /// roots in a fixed order, and sines of libm: every processor that keeps to IEEE 754 gets these.
 const AFTER_500: [(&str, u64); 3] = [
-    ("stack", 0xf51f_1590_ec45_3a6d),
+    ("stack", 0xf679_d70f_7791_ee4e),
     ("double_pendulum", 0x983c_9e65_7ee1_d6d1),
-    ("ball_chain", 0xeeab_1cd9_b36e_e49c),
+    ("ball_chain", 0xfaf4_1212_a839_0974),
 ];
 
 #[test]

@@ -33,9 +33,7 @@ impl Run<'_> {
             return false;
         }
         let ControlFlow::Continue(d) = self.direction(i) else { return false };
-        let is_idle = d.schur == 0.0
-            && self.slope(i, &self.basis.free, &d.free) == 0.0
-            && self.centre_along(i, &d, None);
+        let is_idle = d.schur == 0.0 && self.slope(i, &d) == 0.0 && self.centre(i, &d, None);
         self.scratch.directions.push(d);
         is_idle
     }
@@ -77,7 +75,7 @@ impl Run<'_> {
             served.push(j);
             let ControlFlow::Continue(d) = self.direction(j) else { continue };
             let leads_away = d.schur == 0.0 && d.free[k] != 0.0;
-            let moved = leads_away && self.centre_along(j, &d, Some(row));
+            let moved = leads_away && self.centre(j, &d, Some(row));
             self.scratch.directions.push(d);
             if moved {
                 return true;
@@ -92,26 +90,13 @@ impl Run<'_> {
         w.abs() <= RELATIVE_ZERO * ((w - b).abs() + b.abs())
     }
 
-    /// [`Run::centre`] with C as the factor has it.
-    fn centre_along(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
-        let free = std::mem::take(&mut self.basis.free);
-        let has_moved = self.centre(j, &free, &d.free, keeps);
-        self.basis.free = free;
-        has_moved
-    }
-
-    /// Moves x to the middle of where it may go along d, A d = 0: x_j by 1, x of the free rows by d. Then row j is
-    /// idle. False if there is no way, or no end of it.
-    pub(super) fn centre(
-        &mut self,
-        j: usize,
-        free: &[usize],
-        d: &[f64],
-        keeps: Option<usize>,
-    ) -> bool {
+    /// Moves x to the middle of where it may go along d, A d = 0: x_j by 1, x of the free rows by
+    /// d. Then row j is idle. False if there is no way, or no end of it.
+    fn centre(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
+        let free = &self.basis.free;
         let reach = |sign: f64| {
-            let free = free.iter().zip(d);
-            let of_free = free.map(|(&k, d)| self.end_at_bound(k, sign * d).length);
+            let of_free = free.iter().zip(&d.free);
+            let of_free = of_free.map(|(&k, d)| self.end_at_bound(k, sign * d).length);
             of_free.fold(self.end_at_bound(j, sign).length, f64::min)
         };
         let (forward, back) = (reach(1.0), reach(-1.0));
@@ -121,12 +106,12 @@ impl Run<'_> {
         }
         if self.observer.asks_for_parts() {
             let x = &self.state.x;
-            let own = Centring { row: j, keeps, x, free, direction: d, forward, back };
+            let own = Centring { row: j, keeps, x, free, direction: &d.free, forward, back };
             self.observer.part(&Part::Centring(own));
         }
         let t = (forward - back) / 2.0;
         self.state.x[j] += t;
-        for (&k, d) in free.iter().zip(d) {
+        for (&k, d) in self.basis.free.iter().zip(&d.free) {
             self.state.x[k] += t * d;
         }
         self.state.w[j] = 0.0;

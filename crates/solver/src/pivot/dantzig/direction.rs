@@ -76,7 +76,7 @@ impl Run<'_> {
         }
         if *schur <= ROUNDING * *size * *size {
             *schur = 0.0;
-            self.clean_null_direction(i, &self.basis.free, free);
+            self.clean_null_direction(i, free);
         }
         ControlFlow::Continue(direction)
     }
@@ -88,9 +88,9 @@ impl Run<'_> {
 
     /// dᵀw where A d = 0, with w recomputed: how fast the objective changes along d, which the
     /// errors of x do not change; exactly 0 where it is only rounding.
-    pub(super) fn slope(&self, i: usize, free: &[usize], d: &[f64]) -> f64 {
+    pub(super) fn slope(&self, i: usize, d: &Direction) -> f64 {
         let (mut slope, mut magnitude) = (0.0, 0.0);
-        let free = free.iter().copied().zip(d.iter().copied());
+        let free = self.basis.free.iter().copied().zip(d.free.iter().copied());
         for (j, d) in iter::once((i, 1.0)).chain(free).filter(|(_, d)| *d != 0.0) {
             let terms = merit::RowTerms::at(self.lcp, j, &self.state.x);
             slope += d * terms.w();
@@ -101,11 +101,11 @@ impl Run<'_> {
 
     /// Sets to zero what is only rounding in d where A d = 0: along such a d a move may be long, and
     /// must not end at a bound that only rounding leads to. √a_jj d_j has the same unit in all rows.
-    pub(super) fn clean_null_direction(&self, i: usize, free: &[usize], d: &mut [f64]) {
+    fn clean_null_direction(&self, i: usize, d: &mut [f64]) {
         let size = |j: usize, d: f64| self.root[j] * d.abs();
-        let sizes = free.iter().zip(&*d).map(|(&j, &d)| size(j, d));
+        let sizes = self.basis.free.iter().zip(&*d).map(|(&j, &d)| size(j, d));
         let largest = sizes.fold(self.root[i], f64::max);
-        for (&j, d) in free.iter().zip(d) {
+        for (&j, d) in self.basis.free.iter().zip(d) {
             if size(j, *d) <= NULL_ROUNDING * largest {
                 *d = 0.0;
             }

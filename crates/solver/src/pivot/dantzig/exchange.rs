@@ -64,17 +64,6 @@ impl Run<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Lets a row enter C, or be idle if it depends on C.
-    pub(super) fn admit(&mut self, row: usize) -> ControlFlow<Status> {
-        let direction = self.direction(row)?;
-        match direction.schur > 0.0 {
-            true => self.enter(row, &direction),
-            false => self.put(row, Side::Idle),
-        }
-        self.scratch.directions.push(direction);
-        ControlFlow::Continue(())
-    }
-
     fn enter(&mut self, row: usize, direction: &Direction) {
         self.basis.factor.enter(&direction.elimination, direction.schur);
         self.basis.free.push(row);

@@ -8,9 +8,8 @@
 //! ```
 //!
 //! until w_i = 0 (i becomes free), x_i meets a bound, some x_j of C meets a bound (j leaves C), or
-//! some w_j at a bound reaches zero (j enters C). What this needs is read from a tableau that each pivot brings up to date
-//! (by_tableau.rs), or solved for with a factor A_CC = L D Lᵀ: where there are very many rows, or hardly any leaves C, and
-//! where an s is neither clear of rounding nor rounding.
+//! some w_j at a bound reaches zero (j enters C). The directions are solved for with a factor
+//! A_CC = L D Lᵀ that each pivot brings up to date.
 //!
 //! Redundant contacts make A singular. Then s = 0 for a row that depends on C, and since A is
 //! semidefinite A d = 0: moving along d changes no w at all, and w_i is dᵀw. If that is zero the row
@@ -23,27 +22,27 @@
 //! Whether s is zero is decided without units, and by what rounding can do. A itself is rounded, each
 //! a_jk by up to ε √(a_jj a_kk), which moves s = dᵀA d by up to ε (Σ √a_jj |d_j|)²: an s below some
 //! ten times that is none. run.rs has the method, direction.rs the direction and this decision,
-//! blocking.rs what ends a move and the rule for ties, exchange.rs the pivot, polish.rs the end, all with the factor;
-//! by_tableau.rs the method in a tableau, redundant.rs what it does there where s = 0;
+//! blocking.rs what ends a move and the rule for ties, exchange.rs the pivot, polish.rs the end;
 //! [`textbook`](crate::textbook) has it on one page, for definite A and without regard to rounding.
 //!
 //! Ends with the exact active set but for rounding, after at most a few n pivots on contact
 //! problems (2ⁿ in the worst case); a pivot costs O(c² + c n) for c free rows. Then x is refined with
 //! accurate w, if need be with C chosen anew by the largest pivot, and rows that rounding has left
 //! unsatisfied are driven once more. With mass ratios of 10⁶ rounding remains in the light bodies' rows;
-//! Gauss-Seidel sweeps remove it, and the solution says so ([`Fallback`](crate::Fallback)). Not symmetric
-//! or not semidefinite A: `OutsideClass`. Coupled rows: see [`frozen`].
+//! Gauss-Seidel sweeps remove it. Rows of joints that have drifted apart may depend on each other so
+//! nearly that no pivot can tell; then proximal steps (proximal.rs) have a try. The solution names
+//! either ([`Fallback`](crate::Fallback)). Not symmetric or not semidefinite A: `OutsideClass`.
+//! Coupled rows: see [`frozen`].
 
 mod blocking;
-mod by_tableau;
 mod centring;
 mod direction;
 mod exchange;
 mod polish;
-mod redundant;
 mod run;
 
 use self::run::Run;
+use super::proximal;
 use crate::{Event, Iterate, Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
@@ -51,25 +50,11 @@ use lcplab_problem::memory::Memory;
 /// Above this many rows a dense factor takes too long.
 const MAX_ROWS: usize = 8_000;
 
-/// Up to so many rows the tableau is used: its numbers are read and written in long stretches, those of a factor in short ones.
-const TABLEAU_ROWS: usize = 2_000;
-/// With more rows than this the factor is faster where most of them are without bounds: a third of the products, and
-/// hardly any row leaves C.
-const FEW_ROWS: usize = 160;
-
-/// Dantzig's pivoting method in a tableau, or with an updated L D Lᵀ factorisation.
-#[derive(Debug, Clone)]
+/// Dantzig's pivoting method with an updated L D Lᵀ factorization.
+#[derive(Debug, Clone, Default)]
 pub struct Dantzig {
-    /// Up to so many rows pivots are done in a tableau, 2000 by default; with 0 by the factor alone.
-    pub tableau: usize,
     /// The common settings; an iteration is a move of x, most of them pivots.
     pub settings: Settings,
-}
-
-impl Default for Dantzig {
-    fn default() -> Self {
-        Dantzig { tableau: TABLEAU_ROWS, settings: Settings::default() }
-    }
 }
 
 impl Solver for Dantzig {
@@ -97,7 +82,7 @@ impl Solver for Dantzig {
             frozen::tell(lcp, frozen, observer);
             let lcp = frozen;
             let mut run = Run::new(lcp, start.clone(), pivots, &self.settings, observer);
-            let end = run.solve(self.tableau);
+            let end = run.solve();
             let (pivots, fallback) = (run.pivots, run.fallback);
             let x = end.as_ref().map_or(&run.state.x, |point| &point.x);
             if x.iter().any(|x| !x.is_finite()) {
@@ -110,7 +95,8 @@ impl Solver for Dantzig {
                 }
                 Err(status) => Solution::new(lcp, run.state.x, status, pivots),
             };
-            solution.with_fallback(fallback)
+            let solution = solution.with_fallback(fallback);
+            proximal::after(lcp, solution, &self.settings, observer)
         })
     }
 }

@@ -3,9 +3,9 @@
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
+use super::Side;
 use super::blocking::{Block, End};
 use super::direction::Direction;
-use super::{FEW_ROWS, Side};
 use crate::kernel::Width;
 use crate::kernel::rows::Rows;
 use crate::linalg::ldlt::Ldlt;
@@ -61,14 +61,6 @@ pub(super) struct Scratch {
     pub(super) ends: Vec<End>,
 }
 
-/// How far the tableau has come.
-pub(super) enum Reached {
-    /// To the end.
-    Point(Point),
-    /// To these rows, which are still to be driven.
-    Rows(Vec<usize>),
-}
-
 impl<'a> Run<'a> {
     /// A run from x, after so many pivots of earlier ones.
     pub(super) fn new(
@@ -97,22 +89,13 @@ impl<'a> Run<'a> {
         self.rows.get_or_init(|| Rows::of(self.lcp.matrix(), Width::widest()))
     }
 
-    /// Drives all rows, free ones first since they never leave C, and refines x until it is a solution; in a tableau
-    /// as far as that can be trusted, if there are no more rows than this. Returns the last point, or why there is none.
-    pub(super) fn solve(&mut self, tableau: usize) -> Result<Point, Status> {
+    /// Drives all rows, free ones first since they never leave C, and refines x until it is a
+    /// solution. Returns the last point, or why there is none.
+    pub(super) fn solve(&mut self) -> Result<Point, Status> {
         let is_free = |&i: &usize| self.lcp.lo()[i].is_infinite() && self.lcp.hi()[i].is_infinite();
         let mut waiting = Vec::with_capacity(self.lcp.len());
         waiting.extend((0..self.lcp.len()).filter(is_free));
-        let free = waiting.len();
         waiting.extend((0..self.lcp.len()).filter(|i| !is_free(i)));
-        let few_leave = waiting.len() > FEW_ROWS && 2 * free > waiting.len();
-        if waiting.len() <= tableau && !few_leave {
-            match self.solve_in_tableau(&waiting) {
-                ControlFlow::Break(status) => return Err(status),
-                ControlFlow::Continue(Reached::Point(point)) => return Ok(point),
-                ControlFlow::Continue(Reached::Rows(rest)) => waiting = rest,
-            }
-        }
         for _ in 0..POLISH_ROUNDS {
             for i in waiting {
                 if let ControlFlow::Break(status) = self.drive(i) {
@@ -153,7 +136,7 @@ impl<'a> Run<'a> {
             }
             let mut direction = self.direction(i)?;
             if direction.schur == 0.0 {
-                self.state.w[i] = self.slope(i, &self.basis.free, &direction.free);
+                self.state.w[i] = self.slope(i, &direction);
                 let idle = (self.state.w[i] == 0.0).then_some(Side::Idle);
                 if let Some(side) = self.satisfied(i).or(idle) {
                     self.put(i, side);
@@ -168,7 +151,7 @@ impl<'a> Run<'a> {
                     return ControlFlow::Break(Status::NotFinite); // w_i = 0 only beyond all numbers
                 }
                 if self.residual_for_good(i) > self.settings.tolerance {
-                    let ray = self.ray(i, sign, &self.basis.free, &direction.free);
+                    let ray = self.ray(i, sign, &direction);
                     return ControlFlow::Break(ray);
                 }
                 self.put(i, Side::Idle);
@@ -263,10 +246,10 @@ impl<'a> Run<'a> {
     }
 
     /// The ray from x along which w_i does not change: x_i by `sign`, x of the free rows by d.
-    pub(super) fn ray(&self, i: usize, sign: f64, free: &[usize], d: &[f64]) -> Status {
+    fn ray(&self, i: usize, sign: f64, d: &Direction) -> Status {
         let mut ray = vec![0.0; self.state.x.len()];
         ray[i] = sign;
-        for (&j, d) in free.iter().zip(d) {
+        for (&j, d) in self.basis.free.iter().zip(&d.free) {
             ray[j] = sign * d;
         }
         Status::Ray { row: i, direction: ray }

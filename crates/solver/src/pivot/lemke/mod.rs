@@ -43,8 +43,8 @@ use std::ops::ControlFlow;
 
 use self::parametric::{End, Parametric};
 use self::path::Path;
-use crate::pivot::opening;
 use crate::pivot::standard_form::cover;
+use crate::pivot::{opening, proximal};
 use crate::{Fallback, Iterate, Observer, Part, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_problem::Lcp;
 use lcplab_problem::memory::Memory;
@@ -84,12 +84,17 @@ impl Solver for Lemke {
                 match path.solve(&self.settings, observer) {
                     Some(End::Point(point)) => return point.solution(Status::Solved, path.pivots),
                     Some(End::Status(status, x)) => {
-                        return Solution::new(lcp, x, status, path.pivots);
+                        let failed = Solution::new(lcp, x, status, path.pivots);
+                        return proximal::after(lcp, failed, &self.settings, observer);
                     }
                     None => seen = path.pivots - before,
                 }
             }
-            self.by_tables(lcp, before, &mut Later { seen, observer })
+            let solution = self.by_tables(lcp, before, &mut Later { seen, observer });
+            match lcp.matrix().is_nearly_symmetric() {
+                true => proximal::after(lcp, solution, &self.settings, observer),
+                false => solution,
+            }
         })
     }
 }

@@ -24,14 +24,11 @@ use crate::pivot::active_set::{self, ActiveSet};
 use crate::pivot::basic::{Basic, REDUNDANT, TIE, TRUSTED};
 use crate::pivot::dantzig::Side;
 use crate::pivot::principal::Point;
+use crate::pivot::proximal::NEARLY;
 use crate::pivot::ratio_test;
 use crate::pivot::refinement::refined;
 use crate::{Event, Iterate, Observer, Settings, Status};
 use lcplab_problem::Lcp;
-
-/// Rows that depend on each other and miss by more than this part of their terms contradict each
-/// other; the table then has the ray that shows it.
-const NEARLY: f64 = 1e-3;
 
 /// A path that is followed.
 pub(super) struct Parametric<'a> {
