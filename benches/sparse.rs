@@ -1,16 +1,72 @@
 //! What does an exact answer cost where A is large and sparse, beside clarabel?
+//!
+//! A net is equations only; a tower has contacts, with friction bounds frozen where some sweeps have led
+//! to. Ours and clarabel, both by rows, with A, and by velocities, with the factors of A:
+//!
+//! ```text
+//! (A + D) dx = r      or      (1 + Ĵᵀ D⁻¹ Ĵ) v = Ĵᵀ D⁻¹ r,   A = Ĵ Ĵᵀ
+//! ```
 
-#![allow(missing_docs)]
+mod contest;
 
-mod measure;
+use std::time::Duration;
 
-use lcplab_benches::study::sparse_speed::{Plan, Problem};
+use criterion::{Criterion, criterion_group, criterion_main};
+use lcplab::reference::{box_qp_to, velocity_qp_to};
+use lcplab::solver::kernel::impulses::{Row, RowByRow, System, WIDTH};
+use lcplab::solver::{InteriorPoint, Settings, Solver, Start};
+use lcplab::storage::Factors;
+use lcplab_benches::problems::posed;
 
-fn main() {
-    let net = Problem { scene: "net".into(), step: 3, goal: 1.4 };
-    if measure::is_test() {
-        measure::print(&Plan { problems: vec![net], seconds: 0.0, ..Plan::default() });
-    } else {
-        measure::print(&Plan { seconds: 5.0, ..Plan::default() });
+const TOLERANCE: f64 = 2e-7;
+/// Sweeps from x = 0 before friction bounds are frozen.
+const SWEEPS: usize = 500;
+/// By rows the tower takes seconds: problems of more rows are only solved by velocities.
+const MOST_ROWS: usize = 2000;
+
+fn sparse(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("sparse");
+    group.sample_size(10).measurement_time(Duration::from_secs(5));
+    for &scene in contest::sizes(&["net", "tower"]) {
+        measure(&mut group, scene);
     }
 }
+
+fn measure(group: &mut contest::Group, scene: &str) {
+    let posed = posed(scene, 3).expect("a step");
+    let factors = Factors::of(&posed.assembly);
+    let rows = factors.scaled_rows();
+    let coupled = System::new(factors.bodies(), &rows, &posed.lcp).expect("no row of zeros");
+    let mut kernel = RowByRow::new(&coupled);
+    (0..SWEEPS).for_each(|_| kernel.sweep(&coupled));
+    let lcp = posed.lcp.frozen_at(kernel.x());
+    let system = System::new(factors.bodies(), &rows, &lcp).expect("no row of zeros");
+    let ours = InteriorPoint { settings: Settings { tolerance: TOLERANCE, ..Settings::default() } };
+    let (jacobian, velocities) = (entries(&rows), WIDTH * system.bodies());
+    let start = Start::default();
+    if lcp.len() <= MOST_ROWS {
+        let by_rows = |asked| box_qp_to(&lcp, asked);
+        contest::clarabel(group, "clarabel, rows", scene, &lcp, TOLERANCE, by_rows);
+        let by_rows = || ours.solve(&lcp, &start, &mut ());
+        contest::ours(group, "interior-point, rows", scene, &lcp, TOLERANCE, by_rows);
+    }
+    let by_velocities = |asked| velocity_qp_to(&lcp, &jacobian, velocities, asked);
+    contest::clarabel(group, "clarabel, velocities", scene, &lcp, TOLERANCE, by_velocities);
+    let by_velocities = || ours.solve_factored(&lcp, &system, &start, &mut ());
+    contest::ours(group, "interior-point, velocities", scene, &lcp, TOLERANCE, by_velocities);
+}
+
+/// The entries of Ĵ.
+fn entries(rows: &[Row]) -> Vec<(usize, usize, f64)> {
+    let mut entries = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        for (body, part) in row.bodies.iter().zip(&row.jacobian) {
+            let nonzero = part.iter().enumerate().filter(|(_, j)| **j != 0.0);
+            entries.extend(nonzero.map(|(k, &j)| (i, WIDTH * body + k, j)));
+        }
+    }
+    entries
+}
+
+criterion_group!(benches, sparse);
+criterion_main!(benches);

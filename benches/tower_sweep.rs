@@ -1,14 +1,120 @@
 //! What does a sweep over a tower of 700 cubes cost, and what does a tolerance?
+//!
+//! A is not formed. Eight pairs at a time need another order of the rows, and with it another number of
+//! sweeps, so the sweeps to a part of the first natural residual are counted and timed too.
 
-#![allow(missing_docs)]
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use lcplab::lcp::{Lcp, merit};
+use lcplab::solver::kernel::Width;
+use lcplab::solver::kernel::impulses::{EightPairs, RowByRow, System};
+use lcplab::storage::Factors;
+use lcplab_benches::problems::posed;
 
-mod measure;
+/// Sweeps of the check against the plain sweep.
+const CHECKED: usize = 11;
+/// Iterates agree to rounding: part of the largest |x|.
+const ROUNDING: f64 = 1e-11;
+/// Sweeps between two looks at the residual, and at most.
+const LOOK: usize = 20;
+const MOST: usize = 20_000;
 
-use lcplab::report::study::settings::AtStep;
-use lcplab_benches::study::sweep_speed::Plan;
-
-fn main() {
-    let rounds = if measure::is_test() { 1 } else { 41 };
-    let scenes = vec![AtStep { scene: "tower".into(), step: 3 }];
-    measure::print(&Plan { scenes, rounds, ..Plan::default() });
+/// The same sweeps in another form, from x = 0.
+trait Sweeps {
+    fn sweep(&mut self);
+    fn x(&self) -> Vec<f64>;
 }
+
+struct Plain<'a>(&'a System, RowByRow);
+
+impl Sweeps for Plain<'_> {
+    fn sweep(&mut self) {
+        self.1.sweep(self.0);
+    }
+
+    fn x(&self) -> Vec<f64> {
+        self.1.x().to_vec()
+    }
+}
+
+impl Sweeps for EightPairs {
+    fn sweep(&mut self) {
+        EightPairs::sweep(self);
+    }
+
+    fn x(&self) -> Vec<f64> {
+        EightPairs::x(self)
+    }
+}
+
+/// Sweeps over the assembled A in this order, as they are defined.
+fn by_definition(lcp: &Lcp, order: &[usize]) -> Vec<f64> {
+    let mut x = vec![0.0; lcp.len()];
+    for _ in 0..CHECKED {
+        for &i in order {
+            x[i] = lcp.project(i, x[i] - lcp.row_w(i, &x) / lcp.matrix().diagonal(i), &x);
+        }
+    }
+    x
+}
+
+fn check(lcp: &Lcp, order: &[usize], mut form: impl Sweeps) {
+    (0..CHECKED).for_each(|_| form.sweep());
+    let expected = by_definition(lcp, order);
+    let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    let apart = form.x().iter().zip(&expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    assert!(apart <= ROUNDING * size, "nothing is timed that is another sweep: {apart}");
+}
+
+/// Sweeps until the natural residual is this part of the first; none if they are too many.
+fn sweeps_to(lcp: &Lcp, part: f64, mut form: impl Sweeps) -> Option<usize> {
+    let first = merit::natural_residual(lcp, &vec![0.0; lcp.len()]);
+    (LOOK..=MOST).step_by(LOOK).find(|_| {
+        (0..LOOK).for_each(|_| form.sweep());
+        merit::natural_residual(lcp, &form.x()) <= part * first
+    })
+}
+
+fn tower(criterion: &mut Criterion) {
+    let posed = posed("tower", 3).expect("a step");
+    let (lcp, factors) = (&posed.lcp, Factors::of(&posed.assembly));
+    let rows = factors.scaled_rows();
+    let system = System::new(factors.bodies(), &rows, lcp).expect("no row of zeros");
+    let plain = || Plain(&system, RowByRow::new(&system));
+    let eight = |width| EightPairs::new(&system, width).expect("pairs");
+    let widest = || eight(Width::widest());
+    check(lcp, &(0..lcp.len()).collect::<Vec<_>>(), plain());
+    Width::available().for_each(|width| check(lcp, &widest().order(), eight(width)));
+
+    let mut group = criterion.benchmark_group("a sweep of a tower");
+    group.sample_size(20).throughput(Throughput::Elements(lcp.len() as u64));
+    let mut kernel = plain();
+    group.bench_function("row by row", |bencher| bencher.iter(|| kernel.sweep()));
+    for width in Width::available() {
+        let mut kernel = eight(width);
+        let id = BenchmarkId::new("eight pairs", format!("{width:?}"));
+        group.bench_function(id, |bencher| bencher.iter(|| kernel.sweep()));
+    }
+    group.finish();
+
+    let mut group = criterion.benchmark_group("a tower to a part of the first residual");
+    group.sample_size(10);
+    for part in [1e-2, 1e-3] {
+        let counts = [sweeps_to(lcp, part, plain()), sweeps_to(lcp, part, widest())];
+        println!("sweeps to {part:e}, row by row and eight pairs: {counts:?}");
+        if let [Some(by_rows), Some(by_eight)] = counts {
+            let id = BenchmarkId::new("row by row", part);
+            group.bench_function(id, |bencher| {
+                let run = |mut kernel: Plain| (0..by_rows).for_each(|_| kernel.sweep());
+                bencher.iter_batched(plain, run, criterion::BatchSize::LargeInput);
+            });
+            let id = BenchmarkId::new("eight pairs", part);
+            group.bench_function(id, |bencher| {
+                let run = |mut kernel: EightPairs| (0..by_eight).for_each(|_| kernel.sweep());
+                bencher.iter_batched(widest, run, criterion::BatchSize::LargeInput);
+            });
+        }
+    }
+}
+
+criterion_group!(benches, tower);
+criterion_main!(benches);

@@ -1,14 +1,13 @@
 //! What the storages and the stepper say of their memory, beside what the allocator saw. A program of
 //! its own: it replaces the global allocator by one that counts, thread by thread.
 
-use allocation_counter::{AllocationInfo, measure};
+use allocation_counter::measure;
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::scene::Scene;
 use lcplab::simulation::stepper::{Kernel, Stepper};
 use lcplab::solver::kernel::Width;
 use lcplab::solver::kernel::impulses::{EightPairs, Row, RowByRow, System};
-use lcplab::storage::{ALL, Entry, Factored, Storage, Workspace, sweep, triple_product};
-use nalgebra::Matrix6;
+use lcplab::storage::{ALL, Entry, MapOfMaps, Storage, Workspace, sweep, triple_product};
 
 /// A pile of boxes as a step meets it: so many contacts of three rows between neighbours.
 fn jacobian(contacts: usize) -> Vec<Entry> {
@@ -71,21 +70,9 @@ fn a_warm_step_asks_for_no_memory_where_nodes_are_kept() {
         let (cold, warm) = (round(), round());
         assert!(cold.count_total > 0, "{}", kind.name);
         // A map gives its nodes back one by one and asks for them again: E56's cost.
-        let frees_nodes = ["map of maps", "B-tree"].contains(&kind.name);
+        let frees_nodes = kind.name == "map of maps";
         assert_eq!(warm.count_total > 0, frees_nodes, "{}: {warm:?}", kind.name);
     }
-}
-
-#[test]
-fn sequential_impulses_ask_for_no_memory() {
-    let (rows, entries, lcp) = steps().swap_remove(0);
-    let mut j = lcplab::storage::BlockRows::new(rows, 6 * BODIES);
-    j.load(&entries).unwrap();
-    let operator = Factored::new(j, &[Matrix6::identity(); BODIES]).unwrap();
-    let (mut x, mut u) = (vec![0.0; rows], vec![0.0; 6 * BODIES]);
-    let info = measure(|| (0..10).for_each(|_| operator.sweep(&lcp, &mut x, &mut u).unwrap()));
-    assert_eq!(info, AllocationInfo::default());
-    assert!(x.iter().any(|x| *x > 0.0));
 }
 
 #[test]
@@ -131,18 +118,16 @@ fn the_bytes_of_a_kernel_are_those_the_allocator_saw() {
 }
 
 #[test]
-fn sorted_maps_that_were_set_out_of_order_hold_about_what_they_say() {
-    for kind in ALL.iter().filter(|kind| ["map of maps", "B-tree"].contains(&kind.name)) {
-        let mut storage = (kind.new)(100, 100);
-        let info = measure(|| {
-            for k in 0..6000_usize {
-                let place = k * 6007 % 10_000; // 6007 and 10 000 have no common factor
-                storage.set(place / 100, place % 100, 1.0).unwrap();
-            }
-        });
-        let off = storage.bytes() as f64 / info.bytes_current as f64 - 1.0;
-        assert!(off.abs() < 0.3, "{}: {off}", kind.name);
-    }
+fn a_map_that_was_set_out_of_order_holds_about_what_it_says() {
+    let mut map = MapOfMaps::new(100, 100);
+    let info = measure(|| {
+        for k in 0..6000_usize {
+            let place = k * 6007 % 10_000; // 6007 and 10 000 have no common factor
+            map.set(place / 100, place % 100, 1.0).unwrap();
+        }
+    });
+    let off = map.bytes() as f64 / info.bytes_current as f64 - 1.0;
+    assert!(off.abs() < 0.3, "{off}");
 }
 
 const KERNELS: [Kernel; 3] =

@@ -59,17 +59,6 @@ pub enum Error {
         /// Its column.
         column: usize,
     },
-    /// A product whose entries follow from its factors.
-    #[error("the entries of J M⁻¹ Jᵀ follow from J and M⁻¹ and cannot be set")]
-    Fixed,
-    /// A constraint joins one or two bodies.
-    #[error("row {row} of J has {blocks} blocks, a row joins at most 2 bodies")]
-    TooManyBodies {
-        /// The row.
-        row: usize,
-        /// Its blocks.
-        blocks: usize,
-    },
     /// Gauss-Seidel divides by it.
     #[error("row {row} has diagonal {diagonal}, it must be positive")]
     Diagonal {

@@ -1,8 +1,6 @@
 //! The list of storages.
 
-use super::{
-    BalancedTree, BlockRows, CompressedRows, Dense, HashTable, LinkedList, MapOfMaps, Storage, Tree,
-};
+use super::{CompressedRows, Dense, LinkedList, MapOfMaps, Storage};
 
 /// A storage, and how to make an empty one.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +16,7 @@ pub struct Kind {
 }
 
 /// Every storage that takes entries one by one.
-pub const ALL: [Kind; 8] = [
+pub const ALL: [Kind; 4] = [
     Kind {
         name: "dense",
         about: "every number, row by row",
@@ -38,33 +36,9 @@ pub const ALL: [Kind; 8] = [
         new: |rows, columns| Box::new(LinkedList::new(rows, columns)),
     },
     Kind {
-        name: "tree",
-        about: "entries in a binary search tree, as bushy as the order they came in",
-        source: "K&M “Binary Tree (Search Speedup)”",
-        new: |rows, columns| Box::new(Tree::new(rows, columns)),
-    },
-    Kind {
-        name: "B-tree",
-        about: "entries in one sorted map, a B-tree",
-        source: "E58's remedy",
-        new: |rows, columns| Box::new(BalancedTree::new(rows, columns)),
-    },
-    Kind {
-        name: "hash table",
-        about: "entries in a hash table by row and column",
-        source: "K&M “Hashing”",
-        new: |rows, columns| Box::new(HashTable::new(rows, columns)),
-    },
-    Kind {
         name: "compressed rows",
         about: "columns and values of all entries in two arrays, row by row",
         source: "faer; named by K&M for Code 11, E56",
         new: |rows, columns| Box::new(CompressedRows::new(rows, columns)),
-    },
-    Kind {
-        name: "block rows",
-        about: "the same with blocks of 1 × 6, a body's columns",
-        source: "the blocks of K&M (6) and Code 2",
-        new: |rows, columns| Box::new(BlockRows::new(rows, columns)),
     },
 ];

@@ -1,9 +1,9 @@
 //! The chapter's matrices: one small set of operations, and the ways to keep what stands behind it.
 //!
 //! K&M build their solver on a dense matrix class (Codes 8-10), then put a map of maps under the same
-//! face (Code 11) and name what else could stand there: a linked list, a binary tree, a hash table,
-//! memory that is kept from step to step. Here all of them stand behind [`Storage`], so that one
-//! program runs on each and gives the same bits:
+//! face (Code 11) and name what else could stand there. Here the dense matrix, the map of maps, the
+//! chapter's linked list and compressed rows stand behind [`Storage`], so that one program runs on each
+//! and gives the same bits:
 //!
 //! ```
 //! use lcplab::storage::{self, MapOfMaps, Storage};
@@ -25,19 +25,15 @@
 //! ```
 //!
 //! An entry that is zero is no entry: setting one to zero removes it (E54), and a row's entries are
-//! those that are not zero, columns ascending, in every storage. [`Factored`], the operator J M⁻¹ Jᵀ that
-//! is never assembled, can be read like the others but not set. [`triple_product`] assembles A through
-//! any of them, [`sweep`] runs projected Gauss-Seidel over any of them, [`Pool`] keeps their buffers, and [`Ordering`] says what
-//! a factor of A would take.
+//! those that are not zero, columns ascending, in every storage. [`triple_product`] assembles A through
+//! any of them, [`sweep`] runs projected Gauss-Seidel over any of them, [`Pool`] keeps the buffers of the
+//! product from step to step, [`Factors`] has J and M⁻¹ for sweeps that never assemble A
+//! ([`impulses`](crate::solver::kernel::impulses)), and [`Ordering`] gives the fill of a factor of A.
 
-mod balanced;
-mod blocks;
 mod compressed;
 mod dense;
 mod error;
-mod factored;
 mod factors;
-mod hash;
 mod kind;
 mod list;
 mod map;
@@ -47,16 +43,11 @@ mod pool;
 mod product;
 mod slots;
 mod sweep;
-mod tree;
 
-pub use balanced::BalancedTree;
-pub use blocks::{BlockRows, WIDTH};
 pub use compressed::CompressedRows;
 pub use dense::Dense;
 pub use error::{Error, Result};
-pub use factored::Factored;
 pub use factors::Factors;
-pub use hash::HashTable;
 pub use kind::{ALL, Kind};
 pub use list::LinkedList;
 pub use map::MapOfMaps;
@@ -64,7 +55,6 @@ pub use ordering::{Graph, Ordering};
 pub use pool::Pool;
 pub use product::{Workspace, triple_product};
 pub use sweep::sweep;
-pub use tree::Tree;
 
 /// A matrix, however it is kept.
 pub trait Storage {
@@ -87,7 +77,7 @@ pub trait Storage {
     /// Puts a value at (row, column); zero removes what is there.
     ///
     /// # Errors
-    /// [`Error::Outside`], [`Error::NotFinite`]; [`Error::Fixed`] for an operator without entries.
+    /// [`Error::Outside`], [`Error::NotFinite`].
     fn set(&mut self, row: usize, column: usize, value: f64) -> Result<()>;
 
     /// Shows the entries (column, value) of a row that are not zero, columns ascending.
@@ -100,8 +90,7 @@ pub trait Storage {
     /// `SetToZero` leaves everything as it was, E52.)
     ///
     /// # Errors
-    /// [`Error::Fixed`] for an operator without entries; [`Error::TooLarge`] above a limit that was
-    /// asked for.
+    /// [`Error::TooLarge`] above a limit that was asked for.
     fn reset(&mut self, rows: usize, columns: usize) -> Result<()>;
 
     /// How many numbers are kept: all of a dense matrix, zeros included.
@@ -144,8 +133,7 @@ pub trait Storage {
         Ok(sum)
     }
 
-    /// y ← A x. The sums run over ascending columns, so that y has the same bits in every storage but
-    /// those that say otherwise.
+    /// y ← A x. The sums run over ascending columns, so that y has the same bits in every storage.
     ///
     /// # Errors
     /// [`Error::Length`].

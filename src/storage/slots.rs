@@ -1,4 +1,4 @@
-//! Equal pieces of memory that refer to each other by number: the nodes of list and tree.
+//! Equal pieces of memory that refer to each other by number: the entries of the list.
 //!
 //! One buffer holds all of them, freed ones are used again, and emptying it keeps the buffer: the
 //! chapter's memory pool where it pays most.

@@ -50,7 +50,7 @@ pub fn sweep(lcp: &Lcp, a: &dyn Storage, x: &mut [f64]) -> Result<()> {
 }
 
 /// Π_i(x_i − w_i / a_ii); a row that is pinned needs no diagonal.
-pub(super) fn updated(lcp: &Lcp, x: &[f64], i: usize, w: f64, diagonal: f64) -> Result<f64> {
+fn updated(lcp: &Lcp, x: &[f64], i: usize, w: f64, diagonal: f64) -> Result<f64> {
     let diagonal = match diagonal {
         positive if positive > 0.0 => positive,
         _ if lcp.lo()[i] == lcp.hi()[i] => 1.0,

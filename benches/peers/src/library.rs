@@ -1,6 +1,6 @@
 //! Which libraries take part, and how to install those that do not.
 
-use lcplab_benches::study::peers::Library;
+use lcplab_benches::recording::Library;
 
 /// lcplab, and everybody else.
 pub fn all() -> Vec<Library> {

@@ -3,7 +3,7 @@
 use std::fs::read_to_string;
 use std::process::Command;
 
-use lcplab_benches::study::peers::Machine;
+use lcplab_benches::recording::Machine;
 
 pub fn describe() -> Machine {
     Machine {

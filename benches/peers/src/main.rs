@@ -1,9 +1,9 @@
 //! lcplab beside Open Dynamics Engine, Bullet, Siconos, DART, Rapier and clarabel.
 //!
 //! ```text
-//! cargo run --release                            all, tables on the terminal
+//! cargo run --release                            all, as a table on the terminal
 //! cargo run --release -- problems                problems in numbers only; `scenes`: whole scenes only
-//! cargo run --release -- --json ../peers.json    the same, and the recording that reports show
+//! cargo run --release -- --json ../peers.json    the same, and the recording behind `peers.md`
 //! ```
 //!
 //! All contenders get the same numbers, take turns in this process and use one thread. An answer is
@@ -20,14 +20,14 @@ mod ours;
 mod problems;
 mod raw;
 mod siconos;
-mod show;
 mod trial;
 mod world;
 
 use std::error::Error;
 use std::path::PathBuf;
 
-use lcplab_benches::study::peers::Recording;
+use lcplab_benches::recording::Recording;
+use lcplab_benches::table;
 
 /// What the command line asks for.
 struct Asked {
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         problems: if asked.problems { problems::run()? } else { Vec::new() },
         scenes: if asked.scenes { world::run()? } else { Vec::new() },
     };
-    show::tables(&recording);
+    println!("{}", table::markdown(&recording));
     if let Some(path) = asked.json {
         std::fs::write(path, serde_json::to_string_pretty(&recording)? + "\n")?;
     }

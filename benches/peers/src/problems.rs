@@ -2,9 +2,8 @@
 
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
-use lcplab_benches::study::direct_speed::Bounds;
-use lcplab_benches::study::peers::Problem;
-use lcplab_benches::study::singular::Stack;
+use lcplab_benches::problems::{Bounds, Stack};
+use lcplab_benches::recording::Problem;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::{self, Options};

@@ -2,8 +2,8 @@
 
 use lcplab::certificate::{Demand, Verdict, judge};
 use lcplab::lcp::{Lcp, merit};
-use lcplab_benches::study::peers::{Answer, Problem};
-use lcplab_benches::study::timing::Time;
+use lcplab_benches::recording::{Answer, Problem};
+use lcplab_benches::timing::Time;
 
 use crate::contender::{Contender, Run};
 

@@ -87,7 +87,7 @@ impl<'a> Words<'a> {
     }
 
     /// An error at the next word.
-    pub fn fault_ahead(&self, reason: impl Into<String>) -> Error {
+    pub(crate) fn fault_ahead(&self, reason: impl Into<String>) -> Error {
         let mut ahead = self.clone();
         ahead.next();
         ahead.fault(reason)

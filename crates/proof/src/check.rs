@@ -14,9 +14,9 @@ use crate::motion::{NO_BODIES, Squares};
 use crate::{cases, hash, minors, residual};
 
 /// With more rows a proof by definiteness is refused: checking it takes minutes.
-pub const MOST_ROWS_OF_DEFINITE: usize = 500;
+pub(crate) const MOST_ROWS_OF_DEFINITE: usize = 500;
 /// With more rows not all principal minors are looked at.
-pub const MOST_ROWS_OF_P: usize = 12;
+pub(crate) const MOST_ROWS_OF_P: usize = 12;
 
 /// Checks a proof of a problem under its friction model.
 ///
@@ -88,7 +88,7 @@ fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
 }
 
 /// Why there is no proof of a kind under a model that is no box.
-pub fn about_boxes(kind: Kind, model: Model) -> String {
+pub(crate) fn about_boxes(kind: Kind, model: Model) -> String {
     format!("proofs of the kind {kind} are about boxes, the problem's model is {model}")
 }
 

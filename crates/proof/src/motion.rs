@@ -28,7 +28,7 @@ const MOST_EQUATIONS: usize = 500;
 /// What is left of an equation that follows from others, beside its length.
 const DEPENDENT: f64 = 1e-9;
 /// Why nothing is said of the motion.
-pub const NO_BODIES: &str = "the problem has no key motion";
+pub(crate) const NO_BODIES: &str = "the problem has no key motion";
 
 fn exact(value: f64) -> RBig {
     rational(&dyadic(value))

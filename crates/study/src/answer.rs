@@ -240,7 +240,7 @@ pub fn rounding_json(rounded_by: Option<f64>) -> Option<(String, Value)> {
 }
 
 /// The same as a line of text.
-pub fn rounding_text(rounded_by: Option<f64>) -> String {
+pub(crate) fn rounding_text(rounded_by: Option<f64>) -> String {
     let line = |by| {
         format!(
             "  rounding         {:>10}  x differs by this much from the point that is accepted: rounding error\n",
@@ -317,7 +317,7 @@ pub fn certificate_text(certificate: &Certificate, problem: &Problem) -> String 
 }
 
 /// The same as a line of text.
-pub fn evidence_text(evidence: &Evidence) -> String {
+pub(crate) fn evidence_text(evidence: &Evidence) -> String {
     let listed = |vector: &[RBig]| {
         let shown: Vec<String> = fractions(vector).into_iter().take(SHOWN).collect();
         shown.join(" ") + if vector.len() > SHOWN { " …" } else { "" }

@@ -89,7 +89,7 @@ impl Card {
 
 /// The narrowest class that A belongs to, decided in exact arithmetic; [`MatrixClass::General`] says that it is in none
 /// of definite, semidefinite and P. `None` where A is too large to decide.
-pub fn class_of(a: &Matrix) -> Option<MatrixClass> {
+pub(crate) fn class_of(a: &Matrix) -> Option<MatrixClass> {
     let n = a.len();
     if n > EXACT_ROWS {
         return None;

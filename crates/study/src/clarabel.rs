@@ -19,7 +19,7 @@ const NAME: &str = "clarabel";
 const SOURCE: &str = "Goulart & Chen 2024";
 
 /// Clarabel on ½ xᵀAx + bᵀx over a box.
-pub const BOX_QP: Entry = Entry {
+pub(crate) const BOX_QP: Entry = Entry {
     name: NAME,
     method: "the reference: clarabel's interior point for the box QP, iterative",
     class: Class { coupling: false, ..Class::of(MatrixClass::Semidefinite) },
@@ -31,7 +31,7 @@ pub const BOX_QP: Entry = Entry {
 };
 
 /// Clarabel on the same over friction cones.
-pub const CONE_QP: ConeEntry = ConeEntry {
+pub(crate) const CONE_QP: ConeEntry = ConeEntry {
     name: NAME,
     method: "the reference: clarabel's interior point for the cone QP, iterative",
     class: Class::of(MatrixClass::Semidefinite),

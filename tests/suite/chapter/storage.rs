@@ -1,5 +1,10 @@
 //! E49 to E59: counts of bytes, entries and steps, each from how the storage is laid out.
 
+use std::cell::Cell;
+use std::cmp::Ordering;
+use std::collections::{BTreeSet, HashSet};
+use std::hash::{BuildHasherDefault, DefaultHasher, Hash, Hasher};
+
 use super::{both, measure};
 
 #[test]
@@ -52,4 +57,64 @@ fn a_tree_filled_row_by_row_is_as_deep_as_it_has_entries() {
     let depth = measure("E58", "depth, row by row");
     assert_eq!(depth.truth, [3000.0]);
     assert_eq!(both("E58", "depth, row by row")[0], 12.0); // 2¹¹ ≤ 3000 < 2¹²
+}
+
+thread_local! {
+    /// Comparisons of keys so far.
+    static COMPARISONS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// The place of an entry, which counts how often it is compared with another.
+#[derive(Eq)]
+struct Place(usize);
+
+impl PartialEq for Place {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl PartialOrd for Place {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Place {
+    fn cmp(&self, other: &Self) -> Ordering {
+        COMPARISONS.set(COMPARISONS.get() + 1);
+        self.0.cmp(&other.0)
+    }
+}
+
+impl Hash for Place {
+    fn hash<H: Hasher>(&self, hasher: &mut H) {
+        self.0.hash(hasher);
+    }
+}
+
+/// The comparisons of a search, the mean over all entries.
+fn comparisons(n: usize, contains: impl Fn(&Place) -> bool) -> f64 {
+    COMPARISONS.set(0);
+    assert!((0..n).all(|k| contains(&Place(k))));
+    COMPARISONS.get() as f64 / n as f64
+}
+
+#[test]
+fn a_hash_table_finds_an_entry_in_one_comparison() {
+    // T59: one comparison and hardly ever a second one, at any size. In a sorted map they grow as
+    // the logarithm of the entries: twice as many for the square of them.
+    let hashed = |n: usize| {
+        let table: HashSet<Place, BuildHasherDefault<DefaultHasher>> = (0..n).map(Place).collect();
+        comparisons(n, |place| table.contains(place))
+    };
+    let sorted = |n: usize| {
+        let map: BTreeSet<Place> = (0..n).map(Place).collect();
+        comparisons(n, |place| map.contains(place))
+    };
+    for n in [100, 10_000] {
+        assert!((1.0..1.1).contains(&hashed(n)), "{}", hashed(n));
+    }
+    let growth = sorted(10_000) / sorted(100);
+    assert!((1.6..2.4).contains(&growth), "{growth}");
 }

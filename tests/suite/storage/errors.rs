@@ -1,5 +1,4 @@
-use lcplab::storage::{ALL, BlockRows, Dense, Error, Factored, Storage};
-use nalgebra::Matrix6;
+use lcplab::storage::{ALL, Dense, Error, Storage};
 
 #[test]
 fn what_code_10_asserts_is_an_error_and_changes_nothing() {
@@ -38,22 +37,6 @@ fn sizes_have_the_limit_that_was_asked_for_and_zero_is_one() {
         j.load(&[]).unwrap();
         assert_eq!(j.product(&[1.0; 12]).unwrap(), [0.0; 0], "{}", kind.name);
     }
-}
-
-#[test]
-fn an_operator_takes_no_entries_and_fits_its_factors() {
-    let mut j = BlockRows::new(1, 18);
-    j.load(&[(0, 0, 1.0), (0, 6, 1.0), (0, 12, 1.0)]).unwrap();
-    let masses = [Matrix6::identity(); 3];
-    let short = Error::Length { what: "J's columns", found: 18, expected: 12 };
-    assert_eq!(Factored::new(j.clone(), &masses[..2]).unwrap_err(), short);
-    let three = Error::TooManyBodies { row: 0, blocks: 3 };
-    assert_eq!(Factored::new(j.clone(), &masses).unwrap_err(), three);
-    j.set(0, 6, 0.0).unwrap(); // the block goes with its last entry
-    let mut a = Factored::new(j, &masses).unwrap();
-    assert_eq!(a.get(0, 0).unwrap(), 2.0);
-    assert_eq!(a.set(0, 0, 1.0), Err(Error::Fixed));
-    assert_eq!(a.reset(0, 0), Err(Error::Fixed));
 }
 
 #[test]

@@ -69,11 +69,7 @@ proptest! {
             let y = storage.product(&x).unwrap();
             for i in 0..ROWS {
                 prop_assert_eq!(storage.row_dot(i, &x).unwrap().to_bits(), naive[i].to_bits());
-                if kind.name == "hash table" {
-                    prop_assert!((y[i] - naive[i]).abs() < 1e-11); // 14 terms below 81: ulp 1e-13
-                } else {
-                    prop_assert_eq!(y[i].to_bits(), naive[i].to_bits(), "{} row {}", kind.name, i);
-                }
+                prop_assert_eq!(y[i].to_bits(), naive[i].to_bits(), "{} row {}", kind.name, i);
             }
         }
     }
@@ -103,11 +99,4 @@ fn code_11_corrected_reads_by_rows_clears_and_drops_zeros() {
     // E54: 100 × 100 written through Set keeps 10000 entries for 100.
     let identity: Vec<f64> = (0..10_000).map(|k| f64::from(u8::from(k % 101 == 0))).collect();
     assert_eq!(MapOfMaps::from_rows(100, 100, &identity).unwrap().stored(), 100);
-}
-
-#[test]
-fn names_of_storages_are_those_they_say() {
-    for kind in &ALL {
-        assert_eq!((kind.new)(1, 1).name(), kind.name);
-    }
 }

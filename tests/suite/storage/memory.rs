@@ -1,4 +1,4 @@
-use lcplab::storage::{ALL, CompressedRows, Dense, Entry, LinkedList, Storage, Tree};
+use lcplab::storage::{ALL, CompressedRows, Dense, Entry, LinkedList, Storage};
 
 /// The first k places of a 100 × 100 matrix, row by row.
 fn first(k: usize) -> Vec<Entry> {
@@ -31,7 +31,6 @@ fn a_list_breaks_even_at_the_ratio_of_number_to_entry() {
     let list = |k| bytes(LinkedList::new(100, 100), k);
     assert_eq!((list(0), list(1), list(5_000), list(10_000)), (0, 24, 120_000, 240_000));
     assert!(list(3_333) < 80_000 && 80_000 < list(3_334));
-    assert_eq!(bytes(Tree::new(100, 100), 5_000), 120_000);
 }
 
 #[test]

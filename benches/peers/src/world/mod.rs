@@ -10,8 +10,8 @@ mod rapier;
 
 use lcplab::body::{Pose, State};
 use lcplab::error::Result;
-use lcplab_benches::study::peers::{Bounds, Engine as Recorded, Scene as RecordedScene};
-use lcplab_benches::study::timing::{Contender, interleaved, timed};
+use lcplab_benches::recording::{Bounds, Engine as Recorded, Scene as RecordedScene};
+use lcplab_benches::timing::{Contender, interleaved, timed};
 use lcplab::scene::{Scene, contacts};
 
 /// Half of a cube's edge (m) and its mass (kg).

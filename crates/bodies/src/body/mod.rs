@@ -160,7 +160,7 @@ impl Mass {
 
     /// The angular momentum I ω about the centre of mass (kg m²/s, world), by way of the body's axes: in
     /// the world's the small moment of a thin body drowns in the rounding of the large ones.
-    pub fn spin_momentum(&self, state: &State) -> Vector3<f64> {
+    pub(crate) fn spin_momentum(&self, state: &State) -> Vector3<f64> {
         let Mass::Rigid { moments, .. } = self else { return Vector3::zeros() };
         state.pose.q * moments.component_mul(&(state.pose.q.inverse() * state.omega))
     }

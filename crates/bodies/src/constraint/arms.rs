@@ -44,7 +44,7 @@ impl Arms {
     /// The row of (n · d)' for a direction n fixed to body 0, whose turning moves n too:
     /// [−n, −((r0+d)×n), n, r1×n].
     #[inline]
-    pub fn row_with_normal_on_body_0(&self, n: &Vector3<f64>) -> [Vector6<f64>; 2] {
+    pub(crate) fn row_with_normal_on_body_0(&self, n: &Vector3<f64>) -> [Vector6<f64>; 2] {
         let [r0, r1] = &self.r;
         [stack(-n, -(r0 + self.d).cross(n)), stack(*n, r1.cross(n))]
     }
@@ -52,14 +52,18 @@ impl Arms {
     /// J'u of c = n · d with n fixed to body 0 (a unit vector or not):
     /// n·cent + 2 (ω0×n)·rel + (ω0×(ω0×n))·d.
     #[inline]
-    pub fn product_with_normal_on_body_0(&self, n: &Vector3<f64>, omega0: &Vector3<f64>) -> f64 {
+    pub(crate) fn product_with_normal_on_body_0(
+        &self,
+        n: &Vector3<f64>,
+        omega0: &Vector3<f64>,
+    ) -> f64 {
         let turn = omega0.cross(n);
         n.dot(&self.cent) + 2.0 * turn.dot(&self.rel) + omega0.cross(&turn).dot(&self.d)
     }
 
     /// J'u of c = |d| with n = d/|d|: n·cent + (|rel|² − (n·rel)²)/|d|.
     #[inline]
-    pub fn product_of_distance(&self, n: &Vector3<f64>) -> f64 {
+    pub(crate) fn product_of_distance(&self, n: &Vector3<f64>) -> f64 {
         let across = self.rel - n * n.dot(&self.rel);
         n.dot(&self.cent) + across.norm_squared() / self.d.norm()
     }

@@ -65,7 +65,7 @@ impl Coordinate {
     }
 
     /// Whether it is an angle.
-    pub fn is_angle(&self) -> bool {
+    pub(crate) fn is_angle(&self) -> bool {
         matches!(self.motion, Motion::Rotation { .. })
     }
 

@@ -188,7 +188,7 @@ impl Placement {
     ///
     /// # Errors
     /// If it is missing.
-    pub fn axis_on_both(&self) -> Result<[Vector3<f64>; 2], Fault> {
+    pub(crate) fn axis_on_both(&self) -> Result<[Vector3<f64>; 2], Fault> {
         let axis = Field::Axis.given(self.axis)?;
         Ok(self.poses.map(|pose| pose.q.inverse() * axis))
     }

@@ -133,7 +133,7 @@ impl Array {
     }
 
     /// The array as a `.npy` file.
-    pub fn to_bytes(&self) -> Vec<u8> {
+    pub(crate) fn to_bytes(&self) -> Vec<u8> {
         let (descr, bytes): (String, Vec<u8>) = match &self.values {
             Values::Floats(v) => ("<f8".into(), v.iter().flat_map(|v| v.to_le_bytes()).collect()),
             Values::Integers(v) => ("<i8".into(), v.iter().flat_map(|v| v.to_le_bytes()).collect()),

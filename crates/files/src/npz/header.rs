@@ -43,7 +43,7 @@ impl Header {
     }
 
     /// The head as bytes, filled up with spaces so that the entries begin at a multiple of 64.
-    pub fn to_bytes(&self) -> Vec<u8> {
+    pub(crate) fn to_bytes(&self) -> Vec<u8> {
         let order = if self.fortran_order { "True" } else { "False" };
         let shape: String = self.shape.iter().map(|length| format!("{length}, ")).collect();
         let mut text = format!(

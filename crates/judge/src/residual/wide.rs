@@ -78,7 +78,7 @@ impl Wide {
     }
 
     /// self / other with 0/0 = 0; anything else that has no value counts as ∞.
-    pub fn relative_to(self, other: Self) -> f64 {
+    pub(crate) fn relative_to(self, other: Self) -> f64 {
         match (self / other).value() {
             _ if self.is_zero() => 0.0,
             _ if !other.is_finite() => f64::INFINITY, // x is not finite

@@ -59,7 +59,7 @@ impl Block {
     }
 
     /// The upper triangle of this body's block of M as (row, column, value).
-    pub fn mass_entries(&self) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
+    pub(crate) fn mass_entries(&self) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
         let at = move |i: usize, j: usize, value| (self.offset + i, self.offset + j, value);
         let linear = (0..3).map(move |i| at(i, i, self.mass));
         let pairs = (3..self.dof).flat_map(move |i| (i..self.dof).map(move |j| (i, j)));

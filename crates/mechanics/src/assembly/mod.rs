@@ -110,7 +110,7 @@ impl Assembly {
     }
 
     /// The states with the velocities of moving bodies replaced by u (one entry a column).
-    pub fn with_velocities(&self, states: &[State], u: &[f64]) -> Vec<State> {
+    pub(crate) fn with_velocities(&self, states: &[State], u: &[f64]) -> Vec<State> {
         let mut states = states.to_vec();
         for block in &self.blocks {
             states[block.body] = states[block.body].with_velocity(&block.gather(u));

@@ -108,7 +108,7 @@ impl Row {
     }
 
     /// Whether its force is limited by itself or by yielding, so that it has no part in a blow.
-    pub fn is_gentle(&self) -> bool {
+    pub(crate) fn is_gentle(&self) -> bool {
         self.spring.is_some() || matches!(self.bounds, Bounds::Effort(_))
     }
 

@@ -118,7 +118,7 @@ impl Problem {
     ///
     /// # Errors
     /// If a number is not finite, or A takes too much memory.
-    pub fn unbiased(scene: &Scene, assembly: Assembly) -> Result<Self> {
+    pub(crate) fn unbiased(scene: &Scene, assembly: Assembly) -> Result<Self> {
         let bias = velocity::bias(&assembly, scene, 0.0);
         Problem::stepping(scene, assembly, bias)
     }
@@ -274,7 +274,7 @@ impl Problem {
     }
 
     /// The same with coupled rows that have no bounds.
-    pub fn unbounded_by_friction(&self) -> Gauss {
+    pub(crate) fn unbounded_by_friction(&self) -> Gauss {
         let n = self.lcp.len();
         Gauss {
             mass: self.assembly.blocks.iter().flat_map(|block| block.mass_entries()).collect(),

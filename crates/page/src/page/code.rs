@@ -1,7 +1,7 @@
 //! Code on a page: words of the language, texts, numbers and comments each have a colour, and the imports before it fold
 //! away.
 
-use super::markup::html;
+use crate::escape::html;
 
 /// Words of Rust that have a meaning of their own.
 const RUST: [&str; 31] = [

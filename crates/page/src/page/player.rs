@@ -4,7 +4,7 @@
 use askama::Template;
 
 use super::Origin;
-use super::markup::html;
+use crate::escape::html;
 
 /// A film, drawn: what a page plays, whatever it is of.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,9 +4,10 @@ use askama::Template;
 use sha2::{Digest, Sha256};
 
 use super::code::code;
-use super::markup::{Renderer, html};
+use super::markup::Renderer;
 use super::player::{self, Player};
 use super::{Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table};
+use crate::escape::html;
 use lcplab_problem::disk;
 use lcplab_problem::error::{Defects, Error, Result};
 

@@ -76,8 +76,7 @@ impl Figure for Bars {
         let ticks = self.x.scale.ticks(x, 6);
         let start = if self.x.scale == Scale::Linear { 0.0 } else { x.0 };
 
-        let mut canvas = Canvas::new(bottom + 58.0);
-        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        let mut canvas = Canvas::titled(bottom + 58.0, &self.title);
         canvas.layer("class=\"grid\"", |layer| {
             let plane = frame.plane(layer);
             ticks.iter().map(|tick| (tick.at, GRID)).chain([(start, FAINT_INK)]).try_for_each(

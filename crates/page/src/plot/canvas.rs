@@ -11,6 +11,7 @@ use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
 use super::style::{self, FONTS, PAPER, WIDTH};
+use crate::escape::html;
 
 /// Tenths of a px.
 const FINE: f64 = 10.0;
@@ -74,6 +75,13 @@ impl Canvas {
         canvas.layer("class=\"paper\"", |layer| {
             layer.draw(&Rectangle::new([(0, 0), corner], PAPER.filled()))
         });
+        canvas
+    }
+
+    /// The same with a title at its top left.
+    pub fn titled(height: f64, title: &str) -> Self {
+        let mut canvas = Canvas::new(height);
+        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, style::INK, title);
         canvas
     }
 
@@ -161,19 +169,9 @@ pub fn hex((r, g, b): (u8, u8, u8)) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// The text with the characters that mean something in XML replaced, and those XML forbids removed.
+/// A line of text in XML: signs that mean something replaced, control characters removed.
 pub fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\t' | '\n' | '\r' => out.push(' '),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
-            c => out.push(c),
-        }
-    }
-    out
+    let line = text.replace(['\t', '\n', '\r'], " ");
+    let is_allowed = |c: &char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
+    html(&line.chars().filter(is_allowed).collect::<String>())
 }

@@ -168,8 +168,7 @@ impl Figure for Heat {
         let pitch = height + 28.0 + BELOW;
         let range = self.range();
 
-        let mut canvas = Canvas::new(TOP + pitch * lines as f64);
-        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        let mut canvas = Canvas::titled(TOP + pitch * lines as f64, &self.title);
         self.draw_scale(&mut canvas, range);
         for (k, panel) in self.panels.iter().enumerate() {
             let left = style::EDGE + LEFT + (width + LEFT + GAP) * (k % across) as f64;

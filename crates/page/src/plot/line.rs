@@ -112,8 +112,8 @@ impl Figure for Lines {
         let plot = if self.panels.len() < 2 { 340.0 } else { 190.0 };
         let pitch = plot + 44.0;
         let footer = 36.0;
-        let mut canvas = Canvas::new(header + pitch * self.panels.len() as f64 + footer);
-        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        let mut canvas =
+            Canvas::titled(header + pitch * self.panels.len() as f64 + footer, &self.title);
         legend.draw(&mut canvas);
 
         let all = || self.panels.iter().flat_map(|panel| &panel.series);

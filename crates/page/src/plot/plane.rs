@@ -95,8 +95,7 @@ impl Figure for Plane {
         let pitch = HEIGHT + BELOW;
         let lines = self.paths.len().div_ceil(2).max(1);
         let [x, w] = self.ranges();
-        let mut canvas = Canvas::new(TOP + pitch * lines as f64);
-        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        let mut canvas = Canvas::titled(TOP + pitch * lines as f64, &self.title);
         draw_key(&mut canvas);
         for (k, path) in self.paths.iter().enumerate() {
             let left = style::EDGE + LEFT + (LEFT + width + GAP) * (k % 2) as f64;

@@ -108,8 +108,7 @@ impl Figure for Profiles {
         let legends: Vec<_> = self.groups.iter().map(Legend::of).collect();
         let heads: Vec<f64> = legends.iter().map(|l| 30.0 + LINE * l.lines as f64 + 22.0).collect();
         let total: f64 = heads.iter().map(|head| head + HEIGHT + 28.0).sum();
-        let mut canvas = Canvas::new(TOP + total + 30.0);
-        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        let mut canvas = Canvas::titled(TOP + total + 30.0, &self.title);
         let x = self.range();
         let mut top = TOP;
         for (k, (group, legend)) in self.groups.iter().zip(&legends).enumerate() {

@@ -59,8 +59,7 @@ impl Figure for Spies {
         let pitch = (style::WIDTH - 2.0 * style::EDGE + GAP) / across as f64;
         let side = pitch - GAP;
         let lines = self.panels.len().div_ceil(across);
-        let mut canvas = Canvas::new(TOP + lines as f64 * (side + WORDS + GAP));
-        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        let mut canvas = Canvas::titled(TOP + lines as f64 * (side + WORDS + GAP), &self.title);
         for (k, panel) in self.panels.iter().enumerate() {
             let left = style::EDGE + (k % across) as f64 * pitch;
             let top = TOP + (k / across) as f64 * (side + WORDS + GAP) + WORDS;

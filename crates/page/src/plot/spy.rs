@@ -113,8 +113,7 @@ impl Figure for Spy {
         let (left, top) = ((style::WIDTH - width) / 2.0 + 20.0, 96.0);
         let raster = self.raster();
         let subtitle = self.subtitle(raster.block);
-        let mut canvas = Canvas::new(top + height + 14.0);
-        canvas.text((style::EDGE, 28.0), Anchor::Start, style::TITLE, INK, &self.title);
+        let mut canvas = Canvas::titled(top + height + 14.0, &self.title);
         canvas.text((style::EDGE, 50.0), Anchor::Start, TEXT, FAINT_INK, &subtitle);
         canvas.raw(&raster.markup((left, top), (width / columns, height / rows)));
         canvas.layer("class=\"frame\"", |layer| {

@@ -15,14 +15,14 @@ pub const TITLE: f64 = 17.0;
 /// Width of a measured line in px.
 pub const LINE: f64 = 2.0;
 /// Width of theory, reference and frame lines in px.
-pub const THIN: f64 = 1.3;
+pub(crate) const THIN: f64 = 1.3;
 /// Distance of text from the left edge in px.
 pub const EDGE: f64 = 6.0;
 /// Radius of a marker in px.
 pub const MARKER: f64 = 4.2;
 
 /// Paper.
-pub const PAPER: RGBColor = RGBColor(255, 255, 255);
+pub(crate) const PAPER: RGBColor = RGBColor(255, 255, 255);
 /// Ink.
 pub const INK: RGBColor = RGBColor(34, 38, 45);
 /// Ink of what matters less.
@@ -30,10 +30,10 @@ pub const FAINT_INK: RGBColor = RGBColor(92, 98, 108);
 /// Lines of the grid.
 pub const GRID: RGBColor = RGBColor(228, 230, 234);
 /// Lines of theory.
-pub const THEORY: RGBColor = RGBColor(112, 112, 112);
+pub(crate) const THEORY: RGBColor = RGBColor(112, 112, 112);
 
 /// Fonts that are on the reader's machine.
-pub const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
+pub(crate) const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
                                 'Noto Sans', 'Liberation Sans', Arial, sans-serif";
 
 /// Dash patterns in px; the first is a solid line.

@@ -112,7 +112,13 @@ impl RowTerms {
     /// The step is the median of x − lo, w/s and x − hi: times s it needs no division by s, and in units
     /// of e = R none by the terms.
     #[inline]
-    pub fn miss_between(&self, x: f64, lo: f64, hi: f64, reach: impl FnOnce() -> f64) -> Miss {
+    pub(crate) fn miss_between(
+        &self,
+        x: f64,
+        lo: f64,
+        hi: f64,
+        reach: impl FnOnce() -> f64,
+    ) -> Miss {
         let scale = self.positive_scale();
         let slack = |bound: f64| match x - bound {
             distance if distance.is_infinite() && bound.is_finite() => {
@@ -172,7 +178,7 @@ impl RowTerms {
 
     /// s_i, or 1 where the whole row is 0.
     #[inline]
-    pub fn positive_scale(&self) -> f64 {
+    pub(crate) fn positive_scale(&self) -> f64 {
         if self.scale == 0.0 { 1.0 } else { self.scale }
     }
 
@@ -217,7 +223,7 @@ impl Miss {
 
     /// log₂ of the longest |x − Π(x − w/s)| √s, −∞ for nothing. Its square is an energy, whatever the units of x
     /// and w.
-    pub fn longest_step(misses: &[Miss]) -> f64 {
+    pub(crate) fn longest_step(misses: &[Miss]) -> f64 {
         if misses.iter().all(|miss| miss.exponent == 0) {
             let longest = misses.iter().map(Miss::length).fold(0.0, f64::max);
             return libm::log2(longest);

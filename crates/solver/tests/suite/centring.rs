@@ -1,18 +1,12 @@
 //! Dantzig's method on redundant contacts: x goes to the middle of what they leave open.
 
-use std::ops::ControlFlow;
-
 use lcplab_problem::{Lcp, library, merit};
-use lcplab_solver::{Centring, Dantzig, Iterate, Observer, Part, Solver, Start};
+use lcplab_solver::{Centring, Dantzig, Part, Solver, Start};
 use proptest::prelude::*;
 
-use lcplab_testing::{INF, assert_proved, boxed, cases, contacts, manufactured};
+use lcplab_testing::{INF, assert_proved, boxed, cases, contacts, manufactured, parts};
 
-/// Keeps the moves to the middle.
-#[derive(Default)]
-struct Middles(Vec<Middle>);
-
-/// x before and after, and how far it might have gone.
+/// A move to the middle: x before and after, and how far it might have gone.
 struct Middle {
     before: Vec<f64>,
     after: Vec<f64>,
@@ -33,26 +27,12 @@ impl Middle {
     }
 }
 
-impl Observer for Middles {
-    fn observe(&mut self, _: &Iterate<'_>) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    fn asks_for_parts(&self) -> bool {
-        true
-    }
-
-    fn part(&mut self, part: &Part<'_>) {
-        if let Part::Centring(own) = part {
-            self.0.push(Middle::of(own));
-        }
-    }
-}
-
 fn middles(lcp: &Lcp) -> Vec<Middle> {
-    let mut middles = Middles::default();
-    Dantzig::default().solve(lcp, &Start::default(), &mut middles);
-    middles.0
+    let middle = |part: &Part<'_>| match part {
+        Part::Centring(own) => Some(Middle::of(own)),
+        _ => None,
+    };
+    parts(&Dantzig::default(), lcp, middle).2
 }
 
 fn box_stack(boxes: f64, mu: f64, seed: f64) -> Lcp {

@@ -43,18 +43,6 @@ fn assert_near_to(found: &[f64], expected: &[f64], tolerance: f64) {
 }
 
 #[test]
-fn each_has_the_name_it_is_listed_under() {
-    for entry in CONES {
-        assert_eq!(cone_by_name(entry.name, &Settings::default()).unwrap().name(), entry.name);
-    }
-    let error = cone_by_name("pgs", &Settings::default()).err().unwrap();
-    assert_eq!(
-        error.to_string(),
-        "there is no cone solver named \"pgs\"; there are cone-pgs, apgd"
-    );
-}
-
-#[test]
 fn a_mass_sticks_inside_the_cone_under_either_law() {
     for solver in all() {
         for law in [Law::Associated, Law::Coulomb] {

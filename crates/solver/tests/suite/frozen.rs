@@ -1,9 +1,7 @@
-use std::ops::ControlFlow;
-
 use lcplab_problem::{Coupling, Lcp};
-use lcplab_solver::{Iterate, Observer, Options, Part, Start, Status, by_name};
+use lcplab_solver::{Options, Part, Status, by_name};
 
-use lcplab_testing::{INF, boxed};
+use lcplab_testing::{INF, boxed, parts};
 
 /// A normal row and a friction row that leans on it. As x_n goes 1, 0, 1, 0, …, friction of μ x_n
 /// carries the load at every other round: with A = [1 c; c 1] a round takes x_n to max(0, 1 − c μ x_n).
@@ -14,44 +12,25 @@ fn rubbing(c: f64, mu: f64) -> Lcp {
     lcp.with_coupling(coupling).unwrap()
 }
 
-#[derive(Default)]
-struct Rounds(Vec<f64>);
-
-impl Rounds {
-    /// The bounds of the friction row in each round, and how it ended.
-    fn of(lcp: &Lcp) -> (Vec<f64>, Status) {
-        let mut rounds = Rounds::default();
-        let solver = by_name("dantzig", &Options::default()).unwrap();
-        let status = solver.solve(lcp, &Start::default(), &mut rounds).status;
-        (rounds.0, status)
-    }
-}
-
-impl Observer for Rounds {
-    fn observe(&mut self, _: &Iterate<'_>) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    fn asks_for_parts(&self) -> bool {
-        true
-    }
-
-    fn part(&mut self, part: &Part<'_>) {
-        if let Part::Frozen(frozen) = part {
-            self.0.push(frozen.hi()[1]);
-        }
-    }
+/// The bounds of the friction row in each round, and how it ended.
+fn rounds(lcp: &Lcp) -> (Vec<f64>, Status) {
+    let dantzig = by_name("dantzig", &Options::default()).unwrap();
+    let (solution, _, bounds) = parts(dantzig.as_ref(), lcp, |part| match part {
+        Part::Frozen(frozen) => Some(frozen.hi()[1]),
+        _ => None,
+    });
+    (bounds, solution.status)
 }
 
 #[test]
 fn rounds_that_come_back_end_at_once() {
-    let (bounds, status) = Rounds::of(&rubbing(0.75, 2.0)); // 1 − 1.5 < 0
+    let (bounds, status) = rounds(&rubbing(0.75, 2.0)); // 1 − 1.5 < 0
     assert_eq!((bounds, status), (vec![0.0, 2.0, 0.0, 2.0], Status::Stalled));
 }
 
 #[test]
 fn rounds_that_contract_go_on_to_the_fixed_point() {
-    let (bounds, status) = Rounds::of(&rubbing(0.75, 0.5));
+    let (bounds, status) = rounds(&rubbing(0.75, 0.5));
     let fixed_point = 0.5 / (1.0 + 0.75 * 0.5); // μ x_n with x_n = 1 − c μ x_n
     let mut error = 0.5 - fixed_point;
     for bound in &bounds[1..] {

@@ -1,40 +1,21 @@
-use std::ops::ControlFlow;
-
 use lcplab_judge::ray::refute;
 use lcplab_problem::{Lcp, Matrix, library};
-use lcplab_solver::{
-    Event, Fallback, Iterate, Lemke, Observer, Settings, Solution, Solver, Start, Status,
-};
+use lcplab_solver::{Event, Fallback, Lemke, Settings, Solution, Solver, Start, Status};
 use proptest::prelude::*;
 
 use lcplab_testing::{
-    INF, Manufactured, assert_certified, assert_proved, boxed, cases, contacts, iterates,
-    manufactured,
+    INF, Manufactured, assert_certified, assert_proved, boxed, cases, contacts, events, iterates,
+    manufactured, parts,
 };
-
-/// Keeps the rows of all pivots; asks for the tables or does not.
-#[derive(Default)]
-struct Pivots {
-    rows: Vec<Event>,
-    asks: bool,
-}
-
-impl Observer for Pivots {
-    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        self.rows.push(iterate.event);
-        ControlFlow::Continue(())
-    }
-
-    fn asks_for_parts(&self) -> bool {
-        self.asks
-    }
-}
 
 /// The solution and the rows of its pivots: by the tables, which are made if somebody asks for them, or by principal
 /// pivots where those can be trusted.
 fn followed(lcp: &Lcp, asks: bool) -> (Solution, Vec<Event>) {
-    let mut pivots = Pivots { asks, ..Pivots::default() };
-    (Lemke::default().solve(lcp, &Start::default(), &mut pivots), pivots.rows)
+    if !asks {
+        return events(&Lemke::default(), lcp);
+    }
+    let (solution, events, _) = parts(&Lemke::default(), lcp, |_| None::<()>);
+    (solution, events)
 }
 
 /// Rows of a problem with x at a bound and w = 0.

@@ -38,7 +38,7 @@ impl Units {
     }
 
     /// Those of x, and of w as they belong to them.
-    pub fn from_x(x: Vec<String>) -> Self {
+    pub(crate) fn from_x(x: Vec<String>) -> Self {
         let w = x.iter().map(|x| known(x)[1].to_string()).collect();
         Units { x, w }
     }
@@ -65,7 +65,7 @@ impl Units {
     }
 
     /// The unit of A's entries, or a word that they differ.
-    pub fn of_matrix(&self) -> String {
+    pub(crate) fn of_matrix(&self) -> String {
         match self.x.first() {
             Some(first) if self.x.iter().all(|x| x == first) => known(first)[2].into(),
             _ => common(&self.x),

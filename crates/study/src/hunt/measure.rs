@@ -336,7 +336,7 @@ impl Trial {
 
     /// Why the problem may not be laid to the solver: it is not of the class or kind that was asked for, or, where a long
     /// way is looked for, the solver or its rival is not made for it.
-    pub fn unfair(&self, lcp: &Lcp) -> Option<Unfair> {
+    pub(crate) fn unfair(&self, lcp: &Lcp) -> Option<Unfair> {
         let has_friction = lcp.coupling().is_some_and(|coupling| !coupling.is_empty());
         let is_barred = has_friction && self.friction == Friction::Never;
         if is_barred || self.needs_friction() && !has_friction {

@@ -95,7 +95,7 @@ impl Numbers {
     }
 
     /// Whether the x of row i bounds another one.
-    pub fn bounds_another(&self, i: usize) -> bool {
+    pub(crate) fn bounds_another(&self, i: usize) -> bool {
         self.friction.as_ref().is_some_and(|(index, _)| index.contains(&Some(i)))
     }
 

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::memory::Memory;
-use super::search::Search;
 use super::structure::Structure;
 use crate::error::Result;
 use crate::number::{count, readable};
@@ -45,17 +44,9 @@ const FLOAT: usize = 4;
 const ENTRY: usize = 28;
 
 /// Checks all claims; those about the net and the tower if those scenes were measured.
-pub(super) fn run(
-    memory: &[Memory],
-    search: &[Search],
-    structures: &[Structure],
-) -> Result<Vec<Claim>> {
+pub(super) fn run(memory: &[Memory], structures: &[Structure]) -> Result<Vec<Claim>> {
     let mut claims = vec![dense(), empty()?];
     claims.extend(full_list());
-    claims.extend(
-        search.last().zip(search.iter().nth_back(1)).map(|(last, before)| growth(before, last)),
-    );
-    claims.extend(search.last().map(tree));
     claims.push(names()?);
     claims.push(zeros()?);
     claims.extend(memory.iter().find(|m| m.storage == "map of maps").map(map));
@@ -116,28 +107,6 @@ fn full_list() -> [Claim; 3] {
         claim("that is 28 times the dense matrix", ratio, Verdict::Wrong, "E57"),
         claim("a half full list takes about 70,000 bytes", half, Verdict::Wrong, "E57"),
     ]
-}
-
-fn growth(before: &Search, last: &Search) -> Claim {
-    let power = (last.list / before.list).ln() / (last.entries as f64 / before.entries as f64).ln();
-    let found = format!(
-        "a search looks at {} of {} entries on average, and that grows as their power {}: linearly",
-        readable(last.list, 5),
-        count(last.entries),
-        readable(power, 3)
-    );
-    claim("memory and access time of a list grow exponentially", found, Verdict::Wrong, "E57")
-}
-
-fn tree(last: &Search) -> Claim {
-    let found = format!(
-        "{} entries: depth {} filled in order, {} shuffled, {} built from sorted ones",
-        count(last.entries),
-        count(last.sorted.depth),
-        last.shuffled.depth,
-        last.balanced.depth
-    );
-    claim("a binary tree shortens the search drastically", found, Verdict::Conditional, "E58")
 }
 
 fn names() -> Result<Claim> {
@@ -217,13 +186,12 @@ fn tower(tower: &Structure) -> Claim {
     let ([_, _, dense], [_, _, rows]) = (of("dense"), of("compressed rows"));
     let found = format!(
         "kept dense, as in Code 8, S alone takes {} MB, M⁻¹ {} MB. Our tower has {} rows: dense A {} MB, \
-         compressed {} MB, never assembled {} MB",
+         compressed {} MB",
         mega(s),
         mega(6 * 700 * 6 * 700 * FLOAT),
         count(tower.rows),
         mega(dense),
-        mega(rows),
-        mega(tower.factored)
+        mega(rows)
     );
     claim("a tower of 700 cubes runs in the demo", found, Verdict::Conditional, "E50")
 }

@@ -7,7 +7,6 @@ pub mod claims;
 pub mod factor;
 pub mod memory;
 pub mod pictures;
-pub mod search;
 pub mod steps;
 pub mod structure;
 pub mod time;
@@ -36,8 +35,6 @@ pub struct Plan {
     pub size: usize,
     /// How much of it is filled (%).
     pub fills: Vec<f64>,
-    /// Searches among so many entries.
-    pub entries: Vec<usize>,
     /// Stacks of so many cubes, assembled and swept.
     pub stacks: Vec<usize>,
     /// Scenes whose J, M⁻¹ and A are kept in every storage.
@@ -91,8 +88,6 @@ pub struct Finding {
     pub size: usize,
     /// Its memory in each storage by fill.
     pub memory: Vec<memory::Memory>,
-    /// What a search looks at.
-    pub search: Vec<search::Search>,
     /// What the matrices of scenes take.
     pub structures: Vec<structure::Structure>,
     /// How often a step asks for memory.
@@ -111,13 +106,12 @@ pub struct Finding {
 /// A scene that cannot be loaded, or numbers that make no matrix.
 pub fn run(task: &Plan) -> Result<Finding> {
     let memory = memory::run(task.size, &task.fills)?;
-    let search = search::run(&task.entries)?;
     let structures = each(&task.structures, structure::run)?;
     let steps = task.steps.as_ref().map(steps::run).transpose()?;
     let factors = each(&task.factors, factor::run)?;
     let pictures = pictures::run(&task.pictures)?;
-    let claims = claims::run(&memory, &search, &structures)?;
-    Ok(Finding { size: task.size, memory, search, structures, steps, factors, claims, pictures })
+    let claims = claims::run(&memory, &structures)?;
+    Ok(Finding { size: task.size, memory, structures, steps, factors, claims, pictures })
 }
 
 /// Runs a study on the problem of each scene's step.

@@ -23,8 +23,6 @@ pub struct Structure {
     pub fill: f64,
     /// Bytes of J, M⁻¹ and A in each storage.
     pub bytes: Vec<(String, [usize; 3])>,
-    /// Bytes of the operator that is never assembled.
-    pub factored: usize,
     /// Whether the storages gave the same A to the last bit; `None` if A was too large to ask them.
     pub agree: Option<bool>,
 }
@@ -61,7 +59,6 @@ pub(super) fn run(task: &AtStep, problem: &Problem) -> Result<Structure> {
         entries: [factors.jacobian.len(), a.len()],
         fill: 100.0 * a.len() as f64 / (factors.rows as f64).powi(2).max(1.0),
         bytes,
-        factored: factors.operator()?.bytes(),
         agree: agree(&factors, &a)?,
     })
 }

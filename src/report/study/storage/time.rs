@@ -12,7 +12,7 @@ use crate::formulation::Problem;
 use crate::lcp::{Lcp, Matrix};
 use crate::scene::Scene;
 use crate::storage::Factors;
-use crate::storage::{ALL, Entry, Kind, Storage, Tree, Workspace, sweep, triple_product};
+use crate::storage::{ALL, Entry, Kind, Storage, Workspace, sweep, triple_product};
 
 /// All times.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -67,14 +67,6 @@ pub fn run(task: &Task) -> Result<Times> {
                 ..reads(a.as_ref(), entries.len())
             });
         }
-        let mut tree = Tree::new(task.size, task.size);
-        entries.iter().try_for_each(|&(i, j, value)| tree.set(i, j, value))?;
-        let storage = "tree, in order".to_string();
-        by_fill.push(Time {
-            storage,
-            sweep: sweeping(&lcp, &tree)?,
-            ..reads(&tree, entries.len())
-        });
     }
     let mut by_size = Vec::new();
     for &bodies in &task.stacks {
@@ -85,7 +77,6 @@ pub fn run(task: &Task) -> Result<Times> {
         for kind in &ALL {
             by_size.push(of_kind(kind, &lcp, &entries, &factors)?);
         }
-        by_size.push(of_operator(&lcp, &factors, entries.len())?);
     }
     Ok(Times { by_fill, by_size })
 }
@@ -124,17 +115,6 @@ fn sweeping(lcp: &Lcp, a: &dyn Storage) -> Result<f64> {
     let mut x = vec![0.0; lcp.len()];
     sweep(lcp, a, &mut x)?;
     Ok(seconds(|| sweep(lcp, a, black_box(&mut x)).is_ok()))
-}
-
-/// The operator is swept as sequential impulses; its assembly is that of its factors.
-fn of_operator(lcp: &Lcp, factors: &Factors, entries: usize) -> Result<Time> {
-    let a = factors.operator()?;
-    let mut x = vec![0.0; lcp.len()];
-    let mut u = vec![0.0; factors.columns];
-    a.sweep(lcp, &mut x, &mut u)?;
-    let sweep = seconds(|| a.sweep(lcp, black_box(&mut x), &mut u).is_ok());
-    let assembly = Some(seconds(|| factors.operator().is_ok()));
-    Ok(Time { assembly, sweep, ..reads(&a, entries) })
 }
 
 /// Reads entries and rows.

@@ -25,7 +25,6 @@ impl View for Plan {
         for study in findings {
             claims(document, &study.claims);
             memory::section(document, study);
-            memory::search(document, &study.search);
             structures::structures(document, &study.structures);
             if let Some(steps) = &study.steps {
                 structures::steps(document, steps);
@@ -69,15 +68,12 @@ fn advice(study: &Finding) -> Option<String> {
         Some(readable(memory.break_even?, 2))
     };
     Some(format!(
-        "**Which storage?** Compressed rows, and where many contacts meet block rows, or none: A of *{}* ({} rows) takes {} MB dense, {} in compressed rows, {} \
-         in block rows, and {} if it is never assembled and sweeps work on J and M⁻¹Jᵀ. At random places compressed \
-         rows take less than the dense matrix up to a fill of {} %, the chapter's map of maps up to {} %.",
+        "**Which storage?** Compressed rows: A of *{}* ({} rows) takes {} MB dense and {} in compressed rows. \
+         At random places compressed rows take less than the dense matrix up to a fill of {} %, the chapter's map of maps up to {} %.",
         largest.scene,
         count(largest.rows),
         of("dense")?,
         of("compressed rows")?,
-        of("block rows")?,
-        mega(largest.factored),
         pays("compressed rows")?,
         pays("map of maps")?
     ))

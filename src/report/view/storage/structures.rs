@@ -14,18 +14,11 @@ pub(super) fn structures(document: &mut Document, structures: &[Structure]) {
     document.open("structures", "The matrices of scenes");
     document.text(
         "J has six columns a moving body and entries for one or two bodies a row, M⁻¹ a block of 6 × 6 \
-         a body, A an entry for each two rows that share a body. The *factored* operator keeps J and M⁻¹Jᵀ \
-         alone and never makes A: its memory is that of J, so it wins where many rows meet in a body. \
-         The block of block rows is 1 × 6, a row of J against the columns of a body: one column \
-         number serves six values, and zeros within a block are kept: A of contacts is full enough for it, J and \
-         M⁻¹ are smaller in compressed rows.",
+         a body, A an entry for each two rows that share a body.",
     );
-    document.table("storage_structures", sizes(structures, "A", |[_, _, a]| a, true));
+    document.table("storage_structures", sizes(structures, "A", |[_, _, a]| a));
     let factors = "J and M⁻¹ together";
-    document.table(
-        "storage_factor_sizes",
-        sizes(structures, factors, |[j, m_inv, _]| j + m_inv, false),
-    );
+    document.table("storage_factor_sizes", sizes(structures, factors, |[j, m_inv, _]| j + m_inv));
     let asked = structures.iter().filter(|s| s.agree.is_some()).map(|s| literal(&s.scene));
     let asked = asked.collect::<Vec<_>>().join(", ");
     document.text(match structures.iter().all(|s| s.agree != Some(false)) {
@@ -38,12 +31,7 @@ pub(super) fn structures(document: &mut Document, structures: &[Structure]) {
 }
 
 /// Kilobytes by storage and scene.
-fn sizes(
-    structures: &[Structure],
-    what: &str,
-    of: impl Fn([usize; 3]) -> usize,
-    factored: bool,
-) -> Table {
+fn sizes(structures: &[Structure], what: &str, of: impl Fn([usize; 3]) -> usize) -> Table {
     let mut columns = vec![Column::words("storage")];
     columns.extend(structures.iter().map(|s| Column::numbers(&s.scene, "kB")));
     let storages = structures.first().map_or(&[][..], |structure| &structure.bytes);
@@ -51,11 +39,7 @@ fn sizes(
         let cells = structures.iter().map(|s| kilo(of(s.bytes[k].1)));
         std::iter::once(Cell::text(name)).chain(cells).collect::<Vec<_>>()
     };
-    let mut rows: Vec<_> = storages.iter().enumerate().map(row).collect();
-    if factored {
-        let cells = structures.iter().map(|s| kilo(s.factored));
-        rows.push(std::iter::once(Cell::text("factored, J and M⁻¹Jᵀ")).chain(cells).collect());
-    }
+    let rows = storages.iter().enumerate().map(row).collect();
     let scene = |s: &Structure| {
         let [_, entries] = s.entries;
         let rows = count(s.rows);
@@ -113,7 +97,7 @@ pub(super) fn steps(document: &mut Document, steps: &Steps) {
         how_to_read: "The mean over the steps, for J, M⁻¹, A and the buffers of the product, counted by the \
                       storages and the pool; a test compares with the allocator. Sorted maps \
                       give every node back and ask for it again: no pool of matrices helps them, only one \
-                      of nodes, as list and tree have it here."
+                      of nodes, as the list has it here."
             .into(),
         columns: vec![
             Column::words("storage"),

@@ -8,15 +8,14 @@ use crate::report::study::storage::time::{Time, Times};
 pub(in super::super) fn section(document: &mut Document, times: &Times) {
     document.text(
         "These differ from run to run and from machine to machine: compare shapes, not digits. To find an \
-         entry is cheap in all storages but the list and the tree that was filled in order, which the \
-         entries make dearer one by one. To multiply a row is cheap where its entries lie together; a \
-         hash table finds an entry without a search, but has to ask for each column of a row.",
+         entry is cheap in all storages but the list, which the entries make dearer one by one. To multiply a \
+         row is cheap where its entries lie together.",
     );
     let fill = |time: &Time| 100.0 * time.entries as f64 / (time.rows * time.rows).max(1) as f64;
     document.figure(Lines {
         id: "storage_time_fill".into(),
         title: "Time to find an entry, and to multiply a row, by fill".into(),
-        caption: "One size, entries at random places and on the diagonal. *tree, in order* was filled entry by entry; means over places and rows chosen at \
+        caption: "One size, entries at random places and on the diagonal. Means over places and rows chosen at \
                   random."
             .into(),
         x: Axis::log("fill", "%"),
@@ -29,9 +28,7 @@ pub(in super::super) fn section(document: &mut Document, times: &Times) {
     document.figure(Lines {
         id: "storage_time_size".into(),
         title: "Time to assemble A = J M⁻¹ Jᵀ, and of a sweep, by size".into(),
-        caption: "Stacks of cubes in their first step, 12 rows a cube. All three matrices are in the storage. \
-                  *factored* is the operator that is never assembled: its assembly is that of its factors, \
-                  its sweep sequential impulses."
+        caption: "Stacks of cubes in their first step, 12 rows a cube. All three matrices are in the storage."
             .into(),
         x: Axis::log("rows", ""),
         panels: vec![

@@ -46,12 +46,12 @@ pub(super) struct Agreement {
 impl Agreement {
     /// Whether chance would have to be blamed less than once in a million times, where this many other answers were
     /// compared that are as simple.
-    pub fn is_no_chance(&self, answers: usize) -> bool {
+    pub(crate) fn is_no_chance(&self, answers: usize) -> bool {
         self.chance * answers as f64 <= CHANCE
     }
 
     /// Whether another agreement is not a hundred times nearer.
-    pub fn is_as_near_as(&self, other: &Agreement) -> bool {
+    pub(crate) fn is_as_near_as(&self, other: &Agreement) -> bool {
         self.apart <= NEARER * other.apart
     }
 }
@@ -73,7 +73,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// Whether x is the exact solution as far as its digits say.
-    pub fn is_rounded_solution(&self) -> bool {
+    pub(crate) fn is_rounded_solution(&self) -> bool {
         let is_rounded = |i: usize| (self.x[i] - self.solution[i]).abs() <= self.uncertainty(i);
         (0..self.x.len()).all(is_rounded)
     }

@@ -110,7 +110,7 @@ impl Slow {
 
     /// The place among the causes by how easily they are taken away: a solver, a start, an order, the limit of a motor,
     /// masses, a height.
-    pub fn ease(&self) -> usize {
+    pub(crate) fn ease(&self) -> usize {
         match self {
             Slow::Solver { .. } => 0,
             Slow::Stale { .. } => 1,

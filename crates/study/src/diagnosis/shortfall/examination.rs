@@ -50,7 +50,7 @@ pub struct Note {
 
 /// The step to look into: the first in which a good part of what is missing at most is missing, for what comes after follows
 /// from it. The first of all if nothing is.
-pub fn telling_step(notes: &[Note]) -> usize {
+pub(crate) fn telling_step(notes: &[Note]) -> usize {
     let most = notes.iter().filter_map(|note| note.missing).fold(HEALTHY, f64::max);
     let is_telling = |note: &Note| note.missing.is_some_and(|missing| missing >= GOOD_PART * most);
     notes.iter().position(is_telling).unwrap_or(0)

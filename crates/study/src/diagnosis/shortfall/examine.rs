@@ -48,7 +48,7 @@ pub struct Practice {
 
 impl Practice {
     /// Whether it goes row by row.
-    pub fn is_sweep(&self) -> bool {
+    pub(crate) fn is_sweep(&self) -> bool {
         self.entry.group == Group::Sweeps
     }
 

@@ -113,7 +113,7 @@ impl Frame {
     }
 
     /// A problem with these rows in which no pair of bodies feels the others: A without what stands between pairs.
-    pub fn by_pairs(&self, lcp: &Lcp) -> Option<Lcp> {
+    pub(crate) fn by_pairs(&self, lcp: &Lcp) -> Option<Lcp> {
         let mut pair_of = vec![0; lcp.len()];
         for (k, pair) in self.pairs.iter().enumerate() {
             pair.rows.iter().for_each(|&i| pair_of[i] = k);
@@ -141,7 +141,7 @@ impl Frame {
     }
 
     /// The problem with the bounds of these rows times `part`.
-    pub fn with_efforts(&self, rows: &[usize], part: f64) -> Option<Lcp> {
+    pub(crate) fn with_efforts(&self, rows: &[usize], part: f64) -> Option<Lcp> {
         let scaled = |bounds: &[f64]| {
             let mut bounds = bounds.to_vec();
             rows.iter().for_each(|&i| bounds[i] *= part);
@@ -264,7 +264,7 @@ impl Frame {
     }
 
     /// Σ_j |J_ij u*_j| + |bias_i|: what is added up in each b_i, 0 where that is not known.
-    pub fn offset_terms(&self) -> Vec<f64> {
+    pub(crate) fn offset_terms(&self) -> Vec<f64> {
         let Some(motion) = &self.motion else { return vec![0.0; self.lcp.len()] };
         let term = |i: usize| {
             let row = motion.jacobian[i].iter();

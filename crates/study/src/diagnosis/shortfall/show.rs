@@ -102,7 +102,7 @@ impl Shortfall {
     }
 
     /// Who carries how much.
-    pub fn loads_section(&self) -> Option<Section> {
+    pub(crate) fn loads_section(&self) -> Option<Section> {
         let mut section = Section::new("loads");
         let part = |load: &Load| match load.due {
             0.0 => String::new(),
@@ -136,7 +136,7 @@ impl Shortfall {
     }
 
     /// What helps.
-    pub fn remedies_section(&self) -> Option<Section> {
+    pub(crate) fn remedies_section(&self) -> Option<Section> {
         let mut section = Section::new("remedies");
         let row = |remedy: &Remedy| {
             vec![

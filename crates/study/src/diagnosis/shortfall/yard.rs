@@ -85,7 +85,7 @@ impl<'a> Yard<'a> {
     }
 
     /// Why there is no yardstick for a problem.
-    pub fn absence(lcp: &Lcp) -> &'static str {
+    pub(crate) fn absence(lcp: &Lcp) -> &'static str {
         match lcp.matrix().is_nearly_symmetric() {
             true => "no method tried finds an answer that the judge accepts",
             false => "A is not symmetric",
@@ -104,7 +104,7 @@ impl<'a> Yard<'a> {
     }
 
     /// The rows with a limit on either side that do all that they may.
-    pub fn motors_at_limits(&self) -> Vec<usize> {
+    pub(crate) fn motors_at_limits(&self) -> Vec<usize> {
         let is_at_limit = |&i: &usize| {
             let (lo, hi, x) = (self.lcp.lo()[i], self.lcp.hi()[i], self.exact[i]);
             let is_limited = lo < 0.0 && hi > 0.0 && lo.is_finite() && hi.is_finite();
@@ -131,7 +131,7 @@ impl<'a> Yard<'a> {
     }
 
     /// Whether the constraints have something to do.
-    pub fn is_needed(&self) -> bool {
+    pub(crate) fn is_needed(&self) -> bool {
         self.is_needed
     }
 
@@ -141,7 +141,7 @@ impl<'a> Yard<'a> {
     }
 
     /// The same of an answer to the problem: nothing that counts is missing in one that the judge accepts.
-    pub fn missing_in_answer(&self, x: &[f64]) -> f64 {
+    pub(crate) fn missing_in_answer(&self, x: &[f64]) -> f64 {
         let missing = self.missing(x);
         if missing > HEALTHY && self.is_accepted(x) { 0.0 } else { missing }
     }

@@ -46,7 +46,7 @@ impl<'a> Columns<'a> {
     }
 
     /// Adds Jᵀ.
-    pub fn j_transposed(&self, formula: Formula) -> Formula {
+    pub(crate) fn j_transposed(&self, formula: Formula) -> Formula {
         let rows = self.problem.assembly.rows.len();
         formula.matrix(self.kept.len(), rows, |k, i| self.jacobian[i][k])
     }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::study::timing::Time;
+use crate::timing::Time;
 
 /// One run of `benches/peers`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

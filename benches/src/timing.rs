@@ -28,13 +28,6 @@ pub struct Time {
     pub best: f64,
 }
 
-impl Time {
-    /// The time of one of so many equal parts of a run.
-    pub fn part(self, parts: usize) -> Self {
-        Time { median: self.median / parts as f64, best: self.best / parts as f64 }
-    }
-}
-
 /// The times of all contenders, after so many rounds (at least one) and one to warm up.
 pub fn interleaved(rounds: usize, contenders: &mut [Contender<'_>]) -> Vec<Time> {
     let mut seconds = vec![Vec::new(); contenders.len()];
