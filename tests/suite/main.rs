@@ -4,6 +4,7 @@ mod architecture;
 mod chapter;
 mod cli;
 mod film;
+mod frames;
 mod lesson;
 mod long_run;
 mod messages;

@@ -6,6 +6,9 @@ use super::header::Header;
 use crate::table::{Table, by_rows};
 use lcplab_problem::file::Entries;
 
+/// The longest word.
+const MOST_LETTERS: usize = 4096;
+
 /// Why an array cannot be used.
 pub(super) type Reason = String;
 
@@ -116,6 +119,14 @@ impl Array {
         values.iter().map(whole).collect()
     }
 
+    /// The number.
+    pub fn number(&self) -> Result<f64, Reason> {
+        match (&self.numbers()?[..], &self.shape[..]) {
+            ([value], [] | [1]) => Ok(*value),
+            _ => Err(format!("must be one number, has the shape {:?}", self.shape)),
+        }
+    }
+
     /// The word.
     pub fn text(&self) -> Result<String, Reason> {
         match &self.values {
@@ -162,8 +173,8 @@ impl Kind {
         let size: Option<usize> = std::str::from_utf8(size).ok().and_then(|size| size.parse().ok());
         let size = match (letter, size) {
             (b'f', Some(size @ (4 | 8))) | (b'i' | b'u', Some(size @ (1 | 2 | 4 | 8))) => size,
-            (b'S', Some(size @ 1..=64)) => size,
-            (b'U', Some(size @ 1..=64)) => 4 * size, // one character in four bytes
+            (b'S', Some(size @ 1..=MOST_LETTERS)) => size,
+            (b'U', Some(size @ 1..=MOST_LETTERS)) => 4 * size, // one character in four bytes
             _ => return Err(unknown()),
         };
         Ok(Kind { is_big_endian: *order == b'>', letter: *letter, size })

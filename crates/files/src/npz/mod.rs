@@ -15,6 +15,9 @@
 //! contact solvers in robotics: contacts t1, t2, n with Coulomb's cone, A = G and b = g; `lam0`, a
 //! first guess, is not part of the problem, and is reported.
 //!
+//! An archive with `J_data` in place of A is a frame of an engine: J, M, R, u* and bias, from which A
+//! and b are made (`frame.rs` lists the arrays).
+//!
 //! ```text
 //! numpy.savez("problem.npz", A=A, b=b)                              # NumPy
 //! numpy.savez("problem.npz", data=A.data, indices=A.indices, indptr=A.indptr,
@@ -30,6 +33,7 @@
 
 mod array;
 mod contact_bench;
+mod frame;
 mod header;
 
 use std::io::{Cursor, Read, Write};
@@ -48,7 +52,7 @@ use lcplab_problem::file::{Entries, Problem};
 /// NumPy's archives of arrays.
 pub const FORMAT: Format = Format {
     name: "npz",
-    about: "NumPy and SciPy: an archive of arrays, A dense or as scipy.sparse stores it; ContactBench's G, g, mus",
+    about: "NumPy and SciPy: an archive of arrays, A dense or as scipy.sparse stores it; ContactBench's G, g, mus; frames of engines, J, M, R",
     endings: &[".npz"],
     in_folder: None,
     beside: &[],
@@ -72,6 +76,11 @@ fn read(input: &Input) -> Result<Problem> {
             format!("{name}: not part of the problem: {}, a first guess", contact_bench::GUESS)
         });
         return Ok(Problem { warnings: guess.into_iter().collect(), ..problem });
+    }
+    if has("J_data") && !has("A") {
+        check_names(&names, &[&frame::ARRAYS], &name)?;
+        let arrays = archive.arrays(&frame::ARRAYS)?;
+        return frame::problem(&arrays, input.stem(), &name, input.most());
     }
     let mut arrays = archive.arrays(&VECTORS)?;
     let table = if has("A") {
@@ -130,7 +139,7 @@ fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
     let (i, j) = match format.as_str() {
         "coo" => (whole("row")?, whole("col")?),
         "csr" | "csc" => {
-            (unpacked(&whole("indptr")?, lines, data.len(), input)?, whole("indices")?)
+            (unpacked(&whole("indptr")?, lines, data.len(), "indptr", input)?, whole("indices")?)
         }
         _ => return fault("format", format!("must be csr, csc or coo, is {format:?}")),
     };
@@ -149,12 +158,18 @@ fn sparse(arrays: &Arrays, names: &[String], input: &str) -> Result<Table> {
 }
 
 /// The line of each number, from where each line begins and the last one ends.
-fn unpacked(starts: &[usize], lines: usize, count: usize, input: &str) -> Result<Vec<usize>> {
+fn unpacked(
+    starts: &[usize],
+    lines: usize,
+    count: usize,
+    part: &str,
+    input: &str,
+) -> Result<Vec<usize>> {
     let is_ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
     let spans = (starts.first(), starts.last()) == (Some(&0), Some(&count));
     if starts.len().checked_sub(1) != Some(lines) || !is_ascending || !spans {
         let reason = format!("must rise from 0 to {count} in {lines} steps");
-        return Err(Error::invalid(input, "indptr", reason));
+        return Err(Error::invalid(input, part, reason));
     }
     let line = |(line, pair): (usize, &[usize])| std::iter::repeat_n(line, pair[1] - pair[0]);
     Ok(starts.windows(2).enumerate().flat_map(line).collect())
