@@ -4,7 +4,7 @@
 
 use lcplab::lcp::{Lcp, merit};
 use lcplab::report::{study::comparison::compare, text, view};
-use lcplab::scene::Scene;
+use lcplab::scene::{Scene, Scheme};
 use lcplab::solver::{Entry, Observer, Solution, Solver, Start, Status, entry};
 
 struct Jacobi;
@@ -31,7 +31,7 @@ impl Solver for Jacobi {
 fn main() -> lcplab::error::Result<()> {
     let mine = Entry { name: "jacobi", build: &|_| Box::new(Jacobi), ..*entry("pgs")? };
     let solvers = [mine, *entry("pgs")?, *entry("dantzig")?];
-    let (comparison, _) = compare(&Scene::load("fig7")?, &solvers, 3, &|| ());
+    let (comparison, _) = compare(&Scene::load("fig7")?, &Scheme::LEVELS, &solvers, 3, &|| ());
     print!("{}", text::table(&view::comparison_table(&comparison)));
     Ok(())
 }

@@ -34,7 +34,7 @@ const ENGINES: &str = "engines";
 Example:
   lcplab report                # writes reports/standard/index.html
   lcplab report chapter        # the chapter, walked through with everything computed
-  lcplab report storage --pdf  # the chapter's sparse matrices, measured; and report.pdf
+  lcplab report solvers --pdf  # all solvers on all families of problems; and report.pdf
   lcplab report --print standard > mine.toml   # a start for a report of your own
   lcplab report mine.toml --out mine
   lcplab report frames/*.json --solver pgs --sweeps 10   # problems of your own: what is missing, who solves them

@@ -34,30 +34,12 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::comparison::Plan>(),
     Kind::of::<study::cross_check::Plan>(),
     Kind::of::<study::convergence::Plan>(),
-    Kind::of::<study::worst_cases::Plan>(),
     Kind::of::<study::sliding::Plan>(),
-    Kind::of::<study::merits::Plan>(),
     Kind::of::<study::sparsity::Plan>(),
     Kind::of::<study::drift::Plan>(),
-    Kind::of::<study::storage::Plan>(),
     Kind::of::<study::profiles::Plan>(),
-    Kind::of::<study::ratio::Plan>(),
-    Kind::of::<study::warm_start::Plan>(),
-    Kind::of::<study::residual_map::Plan>(),
-    Kind::of::<study::plane::Plan>(),
-    Kind::of::<study::race::Plan>(),
-    Kind::of::<study::schemes::Plan>(),
-    Kind::of::<study::sinking::Plan>(),
-    Kind::of::<study::force_path::Plan>(),
-    Kind::of::<study::order::Plan>(),
-    Kind::of::<study::ledger::Plan>(),
     Kind::of::<study::footage::Plan>(),
     Kind::of::<study::scenes::Plan>(),
-    Kind::of::<study::ramp::Plan>(),
-    Kind::of::<study::creep::Plan>(),
-    Kind::of::<study::painleve::Plan>(),
-    Kind::of::<study::friction_solvers::Plan>(),
-    Kind::of::<study::published::Plan>(),
     Kind::of::<study::frames::Plan>(),
     Kind::of::<study::cards::Plan>(),
     Kind::of::<study::grid::Plan>(),
@@ -65,13 +47,9 @@ pub const KINDS: &[Kind] = &[
 
 /// Kinds of studies that only show something, and why nothing in them can come out wrong. Their
 /// sections count as good unless a task fails; all other kinds decide by what was measured.
-pub const UNDECIDED: [(&str, &str); 6] = [
+pub const UNDECIDED: [(&str, &str); 2] = [
     ("film", "some films show motions that end early or go wrong"),
     ("sparsity", "a picture of the places where matrices have entries"),
-    ("merits", "the same iterates, measured in several ways"),
-    ("plane", "the paths of iterates, whatever the solver's settings make of them"),
-    ("residual-map", "the residuals of a fixed number of sweeps"),
-    ("schemes", "which schemes break down in which scene is what it asks"),
 ];
 
 /// Reads the settings of a study from a file.

@@ -24,7 +24,14 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
     ("src", &[&["storage", "film", "live"], &["report"], &["chapter", "problem_set"], &["lesson"]]),
     (
         "crates/page/src",
-        &[&["number"], &["csv", "figure"], &["plot"], &["page"], &["text"], &["document"]],
+        &[
+            &["escape", "number"],
+            &["csv", "figure"],
+            &["plot"],
+            &["page"],
+            &["text"],
+            &["document"],
+        ],
     ),
     ("crates/mechanics/src", &[&["scene"], &["assembly"], &["formulation"], &["simulation"]]),
     ("crates/bodies/src", &[&["body"], &["constraint"]]),

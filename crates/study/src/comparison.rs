@@ -162,19 +162,20 @@ const NONE: Entry = Entry {
     build: &|options| Box::new(Dantzig { settings: options.settings.clone() }),
 };
 
-/// Steps a scene with each of these solvers at both levels; an entry need not be a registered one.
+/// Steps a scene with each of these solvers by each of these schemes; an entry need not be a registered one.
 ///
 /// Runs are spread over the threads of rayon's pool; none depends on another. `note` is called at the end of
 /// each.
 pub fn compare(
     scene: &Scene,
+    schemes: &[Scheme],
     solvers: &[Entry],
     steps: usize,
     note: &(dyn Fn() + Sync),
 ) -> (Comparison, Vec<Timing>) {
     let cones = CONES.iter().copied().map(Method::Cone);
     let methods: Vec<Method> = solvers.iter().copied().map(Method::Boxed).chain(cones).collect();
-    let pairs = contenders(scene, &Scheme::LEVELS, &methods);
+    let pairs = contenders(scene, schemes, &methods);
     let runs = pairs.par_iter().map(|&(scheme, solver)| {
         let ended = run(&scene.at_level(scheme), &solver, steps, &Stop::default());
         note();

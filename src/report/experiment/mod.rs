@@ -43,7 +43,7 @@ macro_rules! shipped {
 
 /// The reports that lcplab ships, by name.
 pub const SHIPPED: &[(&str, &str)] =
-    shipped!["standard" "solvers" "schemes" "friction" "verification" "scenes" "storage" "engines"];
+    shipped!["standard" "solvers" "schemes" "friction" "verification" "scenes" "engines"];
 
 /// Most iterations that each solver may take on problem files.
 const MOST: usize = 2000;

@@ -156,8 +156,11 @@ fn spread(section: &mut Spanned<DeValue<'_>>) -> Result<()> {
     };
     let is_shipped = |name: &str| catalogue::SHIPPED.iter().any(|shipped| shipped.name == name);
     let DeValue::Table(settings) = section.get_mut() else { return Ok(()) };
-    for (_, list) in settings.iter_mut() {
-        let DeValue::Array(list) = list.get_mut() else { continue };
+    for (_, setting) in settings.iter_mut() {
+        if setting.get_ref().is_table() {
+            spread(setting)?;
+        }
+        let DeValue::Array(list) = setting.get_mut() else { continue };
         let mut all = Vec::new();
         for item in std::mem::replace(list, DeArray::new()) {
             let named = |key| Some((key, item.get_ref().get(key)?.get_ref().as_str()?));

@@ -16,10 +16,12 @@ use crate::plot::Scale;
 use crate::plugin::Declaration;
 
 /// The grids that lcplab ships, by name.
-const SHIPPED: [(&str, &str); 3] = [
+const SHIPPED: [(&str, &str); 5] = [
     ("column", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/column.toml"))),
+    ("load", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/load.toml"))),
     ("omega", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/omega.toml"))),
     ("ratio", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/ratio.toml"))),
+    ("schemes", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/schemes.toml"))),
 ];
 
 const KEYS: [&str; 15] = [

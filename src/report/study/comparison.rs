@@ -2,28 +2,51 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use toml::Table;
 
 use super::Study;
-use super::settings::Stepped;
+use super::variation::Variation;
 use crate::error::Result;
-use crate::scene::Scene;
+use crate::scene::Scheme;
 use crate::solver::{ALL, Entry, entry};
 pub use lcplab_study::comparison::*;
 
-/// Scenes stepped by solvers at both levels.
+/// Scenes stepped by solvers at both levels, or by other schemes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
     /// The solvers, by name; all without it.
     #[serde(default = "all_solvers")]
     pub solvers: Vec<String>,
+    /// The schemes; velocity and acceleration level without it.
+    #[serde(default = "both_levels")]
+    pub schemes: Vec<Scheme>,
     /// The scenes.
-    pub scenes: Vec<Stepped>,
+    pub scenes: Vec<Case>,
+}
+
+/// A scene and how many steps it takes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// A shipped scene or a file.
+    pub scene: String,
+    /// Fields of the scene that are changed.
+    #[serde(default, skip_serializing_if = "Table::is_empty")]
+    #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
+    pub change: Table,
+    /// The number of steps.
+    pub steps: usize,
 }
 
 /// The names of all registered solvers.
 fn all_solvers() -> Vec<String> {
     ALL.iter().map(|entry| entry.name.to_string()).collect()
+}
+
+/// Velocity and acceleration level.
+fn both_levels() -> Vec<Scheme> {
+    Scheme::LEVELS.to_vec()
 }
 
 impl Study for Plan {
@@ -39,8 +62,9 @@ impl Study for Plan {
         let task = &self.scenes[task];
         let solvers: Vec<Entry> =
             self.solvers.iter().map(|name| entry(name).copied()).collect::<Result<_>>()?;
-        let scene = Scene::load(&task.scene)?;
-        let (mut comparison, timings) = compare(&scene, &solvers, task.steps, &|| ());
+        let scene = Variation::of(&task.scene, &task.change).scene()?;
+        let (mut comparison, timings) =
+            compare(&scene, &self.schemes, &solvers, task.steps, &|| ());
         comparison.runs.iter_mut().for_each(|run| run.motion = thinned(&run.motion));
         Ok((comparison, timings))
     }

@@ -6,13 +6,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
+use super::Study;
 use super::settings::file_name;
 use super::variation::Variation;
-use super::{Study, history};
 use crate::body::{Pose, State};
 use crate::error::Result;
 use crate::film::{Film, Force, Frame, Origin, Shot, Take};
-use crate::simulation::Motion;
+use crate::simulation::{Motion, Simulation};
 
 /// A film as a section of its own.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -51,7 +51,7 @@ pub struct Way {
 }
 
 /// Instants of a take that are enough to see a motion.
-pub(super) fn shots() -> usize {
+fn shots() -> usize {
     61
 }
 
@@ -201,7 +201,8 @@ impl Study for Plan {
         let base = Variation::of(&self.scene, &self.change);
         let take = |way: &Way| {
             let scene = base.and(&way.change).scene()?;
-            Ok(history::filmed(&scene, self.duration, (&way.name, self.shots), |_| ())?.1)
+            let steps = (self.duration / scene.step.dt).round() as usize;
+            Ok(Take::of(&way.name, &mut Simulation::of(&scene)?, steps, self.shots))
         };
         let takes: Vec<Take> = self.takes.par_iter().map(take).collect::<Result<_>>()?;
         Ok((Footage::of(self.name.clone(), base, &takes), ()))

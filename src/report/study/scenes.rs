@@ -4,11 +4,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
+use super::Study;
 use super::footage::Footage;
 use super::variation::Variation;
-use super::{Study, history};
 use crate::error::Result;
+use crate::film::Take;
 use crate::scene::Scene;
+use crate::simulation::Simulation;
 
 /// Scenes to be shown.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -46,8 +48,8 @@ impl Study for Plan {
         let name = &self.scenes[task];
         let scene = Scene::load(name)?;
         let instants = INSTANTS[usize::from(scene.bodies.len() > MANY)];
-        let duration = scene.step.dt * scene.step.count as f64;
-        let (_, take) = history::filmed(&scene, duration, ("as shipped", instants), |_| ())?;
+        let steps = scene.step.count;
+        let take = Take::of("as shipped", &mut Simulation::of(&scene)?, steps, instants);
         let footage = Footage::of(&scene.name, Variation::of(name, &Table::new()), &[take]);
         Ok((Finding { title: scene.title, teaches: scene.teaches, footage }, ()))
     }

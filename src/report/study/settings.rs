@@ -22,16 +22,6 @@ pub fn file_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D
     Ok(name)
 }
 
-/// A scene and how many steps it takes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Stepped {
-    /// A shipped scene or a file.
-    pub scene: String,
-    /// The number of steps.
-    pub steps: usize,
-}
-
 /// An LCP: the last one of a scene's step, or a problem file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -3,7 +3,7 @@
 use super::Document;
 use crate::number::{count, readable};
 use crate::report::page::{Cell, Mark};
-use crate::report::study::attempt::{Attempt, Outcome};
+use crate::report::study::attempt::Outcome;
 use crate::solver::Group;
 
 /// What came of it, marked.
@@ -19,19 +19,6 @@ pub fn outcome(outcome: &Outcome) -> Cell {
         outcome => outcome.words().to_string(),
     };
     Cell::text(text).marked(mark)
-}
-
-/// The iterations, if it was solved.
-pub fn iterations(attempt: &Attempt) -> Cell {
-    if attempt.outcome.is_solved() { Cell::count(attempt.iterations) } else { Cell::text("–") }
-}
-
-/// The multiplications, if it was solved.
-pub fn work(attempt: &Attempt) -> Cell {
-    match attempt.outcome.is_solved() && attempt.work.is_finite() {
-        true => Cell::number(attempt.work, 2),
-        false => Cell::text("–"),
-    }
 }
 
 /// `1 234 sweeps`.

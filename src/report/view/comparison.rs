@@ -1,15 +1,23 @@
 //! All solvers at both levels, scene by scene.
 
-use super::attempt::stem;
+use super::attempt::{listed, stem};
 use super::{Document, Outcome, View};
 use crate::film::Film;
 use crate::number::{count, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{Comparison, HELD, LeftOut, Plan, Run, Sample, Timing};
+use crate::scene::Scheme;
+
+/// What stands for the solver of a scheme that solves no LCP.
+const NO_SOLVER: &str = "none";
+/// A motion of fewer steps is not drawn,
+const STEPS: usize = 20;
+/// and neither is one with smaller errors (m), in which only rounding would be seen.
+const ERROR: f64 = 1e-6;
 
 impl View for Plan {
-    const TITLE: &'static str = "Solvers and levels on the same scenes";
+    const TITLE: &'static str = "Solvers, velocity level and acceleration level on the same scenes";
 
     fn show(&self, findings: &[Comparison], document: &mut Document) {
         let runs = || findings.iter().flat_map(|comparison| &comparison.runs);
@@ -19,11 +27,12 @@ impl View for Plan {
         );
         let refuted = runs().map(|run| run.refuted_claims).sum::<usize>();
         document.text(format!(
-            "Each scene was stepped by each solver, once with impulses (velocity level) and once with \
-             forces (acceleration level), every solve starting from the answer of the step before. Of \
-             {solves} problems the solvers claim to have solved {claimed}; the judge refutes {refuted} \
-             of these claims.",
+            "Each scene is stepped by each solver with {}, and every solve starts from the answer of \
+             the previous step. Of {solves} problems the solvers claim to have solved {claimed}; the \
+             judge rejects {refuted} of these claims.",
+            listed(&self.schemes.iter().map(|&scheme| in_words(scheme)).collect::<Vec<_>>())
         ));
+        document.table("comparison_schemes", by_scheme(findings));
         for comparison in findings {
             let id = format!("comparison_{}", stem(&comparison.scene));
             document.text(format!(
@@ -31,6 +40,9 @@ impl View for Plan {
                 markup::literal(&comparison.title),
                 markup::literal(comparison.teaches.trim())
             ));
+            if is_worth_drawing(comparison) {
+                document.figure(motion_figure(comparison));
+            }
             document.table(&id, table(comparison));
         }
     }
@@ -75,6 +87,68 @@ impl View for Plan {
     fn show_times(&self, times: &[Vec<Timing>], document: &mut Document) {
         document.text("Times are of whole simulations: contacts, assembly, solves and motion; judging is left out.");
         document.table("timings", timings(&times.concat()));
+    }
+}
+
+/// Whether a motion is long enough, and has errors that differ from rounding.
+fn is_worth_drawing(comparison: &Comparison) -> bool {
+    let error = |run: &Run| run.worst(|sample| sample.drift.max(sample.penetration));
+    comparison.steps >= STEPS && comparison.runs.iter().any(|run| error(run) > ERROR)
+}
+
+/// A scheme in a sentence.
+fn in_words(scheme: Scheme) -> String {
+    match scheme {
+        Scheme::Velocity => "impulses (*velocity* level)".into(),
+        Scheme::Acceleration => "forces (*acceleration* level)".into(),
+        other => format!("*{}*", other.name()),
+    }
+}
+
+/// The schemes side by side: of each scene and scheme the run with the most accepted answers.
+fn by_scheme(findings: &[Comparison]) -> Table {
+    let row = |comparison: &Comparison, run: &Run| {
+        vec![
+            Cell::text(&comparison.scene),
+            Cell::text(&run.scheme),
+            Cell::text(&run.solver),
+            Cell::count(run.steps).marked(match run.steps == comparison.steps {
+                true => Mark::Plain,
+                false => Mark::Bad,
+            }),
+            Cell::number(run.energy_change(), 2),
+            Cell::number(run.worst(|sample| sample.drift), 2),
+            Cell::number(run.worst(|sample| sample.penetration), 2),
+        ]
+    };
+    let rows = |comparison: &Comparison| -> Vec<Vec<Cell>> {
+        let mut best: Vec<&Run> = Vec::new();
+        for run in &comparison.runs {
+            match best.iter_mut().find(|other| other.scheme == run.scheme) {
+                Some(other) if run.accepted >= other.accepted => *other = run,
+                Some(_) => {}
+                None => best.push(run),
+            }
+        }
+        best.into_iter().map(|run| row(comparison, run)).collect()
+    };
+    Table {
+        title: "Velocity level, acceleration level and other schemes".into(),
+        how_to_read: "One row per scene and scheme, by the solver with the most accepted answers. \
+                      *energy change*: the largest change since the start; *drift* and *penetration* \
+                      are the largest errors."
+            .into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::words("scheme"),
+            Column::words("solver"),
+            Column::numbers("steps", ""),
+            Column::numbers("energy change", "J"),
+            Column::numbers("drift", "m"),
+            Column::numbers("penetration", "m"),
+        ],
+        rows: findings.iter().flat_map(rows).collect(),
+        ..Table::default()
     }
 }
 
@@ -299,6 +373,7 @@ pub fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
 /// The first solver of a group, and how many more there are.
 fn name(group: &[&Run]) -> String {
     match group {
+        [only] if only.solver == NO_SOLVER => only.scheme.clone(),
         [only] => format!("{}, {}", only.solver, only.scheme),
         [first, ..] => {
             let others = group.len() - 1;

@@ -8,38 +8,20 @@ pub mod attempt;
 mod cards;
 mod comparison;
 mod convergence;
-mod creep;
 mod cross_check;
 mod diagnosis;
 mod drift;
 mod families;
 mod film;
 mod footage;
-mod force_path;
 mod frames;
-mod friction_solvers;
 mod grid;
-mod ledger;
-mod merits;
-mod order;
-mod painleve;
-mod plane;
 mod profiles;
-mod published;
-mod race;
-mod ramp;
-mod ratio;
-mod residual_map;
 mod scenes;
-mod schemes;
-mod sinking;
 mod sliding;
 mod sparsity;
-mod storage;
 mod summary;
 mod verification;
-mod warm_start;
-mod worst_cases;
 
 pub use comparison::{
     alike, answer as comparison_answer, document as comparison_document, table as comparison_table,

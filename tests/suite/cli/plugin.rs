@@ -383,7 +383,7 @@ fn a_report_runs_the_plug_ins_that_it_declares_if_it_is_allowed_to() {
 title = "Mine"
 lead = "Mine beside others."
 section = [
-    { study = "race", problems = [{ problem = "DUMPS/*.json" }], solvers = ["mine", "dantzig"] },
+    { study = "convergence", methods = { problems = [{ problem = "DUMPS/*.json" }], solvers = ["mine", "dantzig"] } },
     { study = "profiles", families = ["DUMPS"], solvers = ["mine", "pgs"], tolerances = [1e-6] },
 ]
 "#,
@@ -397,7 +397,7 @@ section = [
     let allowed = run(&[&report[..], &["--allow-plugins"]].concat());
     assert_eq!(allowed.status.code(), Some(0), "{}", err(&allowed));
     assert!(err(&allowed).starts_with(&format!("plug-in mine: {SWEEPS}\n")));
-    assert!(out(&allowed).contains("4 of 4 arrived"), "{}", out(&allowed));
+    assert!(out(&allowed).contains("4 of 4 solves succeed"), "{}", out(&allowed));
     assert!(
         out(&allowed).contains("4 attempts, 4 claimed solved, 4 accepted"),
         "{}",

@@ -141,8 +141,8 @@ fn a_folder_is_no_file_and_says_so() {
     let empty = format!("{path}: files: no file that can be read is in this folder");
     assert_refused(&run(&["report", path]), &empty);
     // Its name, if it is that of a shipped report, means the report.
-    fs::create_dir(folder.path().join("storage")).unwrap();
-    let inside = format!("cd {path} && lcplab report storage --section no_such_section");
+    fs::create_dir(folder.path().join("friction")).unwrap();
+    let inside = format!("cd {path} && lcplab report friction --section no_such_section");
     let told = err(&sh(&inside));
     assert!(told.contains("no section named"), "{told}");
 }

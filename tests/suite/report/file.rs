@@ -67,7 +67,8 @@ scenes = [
     {{ step = 1, omegas = [1.2] }},
 ]
 [[section]]
-study = \"race\"
+study = \"convergence\"
+[section.methods]
 solvers = 7
 problems = [{{ boxes = 4, ratio = true }}, {{ family = \"stack\", vals = 3 }}, {{ boxes = 2 }}]
 [[section]]
@@ -90,13 +91,13 @@ text = \"words without a heading\"
         ("[1.2]", "scenes[2]: the study \"convergence\": missing field \"scene\""),
         (
             "solvers",
-            "section[1].solvers: the study \"race\": invalid type: integer \"7\", expected a list",
+            "section[1].methods.solvers: the study \"convergence\": invalid type: integer \"7\", expected a list",
         ),
         (
             "true",
-            "problems[0].ratio: the study \"race\": invalid type: boolean \"true\", expected a number",
+            "problems[0].ratio: the study \"convergence\": invalid type: boolean \"true\", expected a number",
         ),
-        ("vals", "problems[1].vals: the study \"race\": unknown field \"vals\""),
+        ("vals", "problems[1].vals: the study \"convergence\": unknown field \"vals\""),
         ("raze", "there is no study named \"raze\"; there are verification"),
     ];
     let found = defects(&text);
@@ -105,8 +106,9 @@ text = \"words without a heading\"
         let is_told = |defect: &&String| defect.starts_with(&place) && defect.contains(says);
         assert_eq!(found.iter().filter(is_told).count(), 1, "{says}: {found:#?}");
     }
-    let unclear =
-        found.iter().filter(|defect| defect.contains("race") && defect.contains("a problem is"));
+    let unclear = found
+        .iter()
+        .filter(|defect| defect.contains("convergence") && defect.contains("a problem is"));
     assert_eq!(unclear.count(), 1, "what boxes alone mean: {found:#?}");
     let without = found.iter().filter(|defect| defect.ends_with("needs a title, or a study"));
     assert_eq!(without.count(), 1);

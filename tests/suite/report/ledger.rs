@@ -2,46 +2,55 @@
 
 use lcplab::report::page::Mark;
 use lcplab::report::study::Study;
-use lcplab::report::study::ledger::{Finding, Plan};
-use lcplab::report::study::order::{self, Curve, Expected, Problem, Sample};
-use lcplab::report::view::{Document, View};
+use lcplab::report::study::drift::ledger::Account;
+use lcplab::report::study::drift::order::{Curve, Expected, Sample};
+use lcplab::report::study::drift::{Finding, Plan};
+use lcplab::report::view::{Document, Outcome, View};
 
-fn books(scene: &str, duration: f64) -> Finding {
+/// The plan of one run, and what it finds.
+fn audited(run: &str) -> (Plan, Account) {
+    let plan: Plan = toml::from_str(run).unwrap();
+    let Finding::Ledger(found) = plan.run(0).unwrap().0 else { panic!("a ledger") };
+    (plan, found)
+}
+
+fn outcome(plan: &Plan, account: &Account) -> Outcome {
+    plan.outcome(&[Finding::Ledger(account.clone())])
+}
+
+fn books(scene: &str, duration: f64) -> Account {
     let run = format!(
-        "[[runs]]\nname = 'r'\ntitle = 'r'\ntext = ''\nscene = '{scene}'\nduration = {duration:?}"
+        "[[ledgers]]\nname = 'r'\ntitle = 'r'\ntext = ''\nscene = '{scene}'\nduration = {duration:?}"
     );
-    let plan: Plan = toml::from_str(&run).unwrap();
-    let found = plan.run(0).unwrap().0;
-    assert!(plan.outcome(std::slice::from_ref(&found)).good);
+    let (plan, found) = audited(&run);
+    assert!(outcome(&plan, &found).good);
     found
 }
 
-fn account(finding: &Finding, name: &str) -> f64 {
+fn account(finding: &Account, name: &str) -> f64 {
     let k = finding.accounts.iter().position(|account| account == name).unwrap();
     finding.books.last().unwrap().accounts[k]
 }
 
 /// The books of a run of the pendulum by a scheme.
-fn swung(scheme: &str) -> (Plan, Finding) {
+fn swung(scheme: &str) -> (Plan, Account) {
     let run = format!(
-        "[[runs]]\nname = 'r'\ntitle = 'r'\ntext = ''\nscene = 'pendulum'\nduration = 0.2\n\
+        "[[ledgers]]\nname = 'r'\ntitle = 'r'\ntext = ''\nscene = 'pendulum'\nduration = 0.2\n\
          change = {{ step = {{ scheme = '{scheme}' }} }}"
     );
-    let plan: Plan = toml::from_str(&run).unwrap();
-    let found = plan.run(0).unwrap().0;
-    (plan, found)
+    audited(&run)
 }
 
 #[test]
 fn a_family_that_does_not_write_down_what_acts_is_not_accounted() {
     let (plan, found) = swung("xpbd");
     assert!(found.remainder.is_none() && found.accounts.is_empty());
-    let outcome = plan.outcome(std::slice::from_ref(&found));
+    let outcome = outcome(&plan, &found);
     assert_eq!(
         (outcome.good, outcome.says.as_str()),
         (true, "0 of 0 books balance, 1 not accounted")
     );
-    let table = Document::of(&plan, std::slice::from_ref(&found)).tables[0].1.clone();
+    let table = Document::of(&plan, &[Finding::Ledger(found)]).tables[0].1.clone();
     let last = table.rows[0].last().unwrap();
     assert_eq!((last.text.as_str(), last.mark), ("not accounted", Mark::Plain));
 }
@@ -50,7 +59,7 @@ fn a_family_that_does_not_write_down_what_acts_is_not_accounted() {
 fn books_in_which_a_percent_is_missing_do_not_balance() {
     for scheme in ["velocity", "penalty", "soft", "split-impulse"] {
         let (plan, mut found) = swung(scheme);
-        let says = |found: &Finding| plan.outcome(std::slice::from_ref(found)).says;
+        let says = |found: &Account| outcome(&plan, found).says;
         assert_eq!(says(&found), "1 of 1 books balance");
         found.remainder = Some(0.01 * found.turnover);
         assert_eq!(says(&found), "0 of 1 books balance", "{scheme}");
@@ -104,11 +113,14 @@ fn an_error_that_stays_passes_for_no_order() {
 
 #[test]
 fn errors_of_all_families_shrink_as_derived() {
-    use Problem::{Fall, Slide, Swing};
-    let plan = order::Plan { problems: vec![Fall, Swing, Slide], halvings: 3 };
-    let findings: Vec<_> = (0..3).map(|k| plan.run(k).unwrap().0).collect();
-    let wrong = findings.iter().flat_map(|finding| &finding.curves);
-    let wrong: Vec<_> = wrong.filter(|curve| curve.holds() == Some(false)).collect();
+    let plan: Plan =
+        toml::from_str("[orders]\nproblems = ['fall', 'swing', 'slide']\nhalvings = 3").unwrap();
+    let findings: Vec<Finding> = (0..3).map(|k| plan.run(k).unwrap().0).collect();
+    let curves = findings.iter().flat_map(|finding| match finding {
+        Finding::Order(order) => order.curves.as_slice(),
+        other => panic!("orders: {other:?}"),
+    });
+    let wrong: Vec<_> = curves.filter(|curve| curve.holds() == Some(false)).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert!(plan.outcome(&findings).good);
 }

@@ -4,10 +4,10 @@ use lcplab::lcp::{Lcp, Matrix};
 use lcplab::report::results::Results;
 use lcplab::report::study::Study;
 use lcplab::report::study::attempt::{Attempt, Outcome};
-use lcplab::report::study::posed::{BLOW, Source};
+use lcplab::report::study::convergence::methods::Mark;
+use lcplab::report::study::convergence::{Finding, Plan};
+use lcplab::report::study::posed::{BLOW, Loaded, Source};
 use lcplab::report::study::profiles::{self, Cost, costs, multiplications, of_all, profiles};
-use lcplab::report::study::ratio::{self, Stack, System};
-use lcplab::report::study::{plane, race, residual_map, warm_start};
 use lcplab::report::view;
 use lcplab::solver::{self, Options, Start, entry};
 use lcplab::trace::Work;
@@ -20,19 +20,13 @@ title = "small"
 lead = "Small."
 
 [[section]]
-study = "mass-ratio"
-boxes = 2
-ratios = [1.0, 10.0]
-about = 10.0
-solvers = ["pgs", "sor", "mprgp", "dantzig", "block-pivoting", "enumeration"]
+study = "convergence"
 
-[[section]]
-study = "race"
+[section.methods]
 problems = [{ boxes = 2, ratio = 3.0 }, { family = "murty" }]
 solvers = ["pgs", "newton", "dantzig", "lemke"]
 
-[[section]]
-study = "residual-map"
+[section.rows]
 bodies = 5
 sweeps = 8
 
@@ -40,16 +34,6 @@ sweeps = 8
 study = "grid"
 grid = "column"
 timed = true
-
-[[section]]
-study = "plane"
-solvers = ["pgs", "dantzig"]
-rows = [{ problem = { family = "pushed-rod" }, row = 2, what = "Friction" }]
-
-[[section]]
-study = "warm-start"
-solvers = ["pgs", "dantzig"]
-scenes = [{ scene = "incline", steps = 3 }]
 
 [[section]]
 study = "profiles"
@@ -64,10 +48,6 @@ fn small() -> Results {
 
 fn settings<P: Study>(text: &str) -> P {
     toml::from_str(text).unwrap()
-}
-
-fn only<P: Study>(plan: &P) -> P::Finding {
-    plan.run(0).unwrap().0
 }
 
 #[test]
@@ -93,14 +73,13 @@ fn the_results_are_the_same_every_time_but_for_the_clock() {
 }
 
 #[test]
-fn the_words_on_the_heavy_stack_name_who_solved_it_and_who_did_not() {
+fn the_answer_names_the_cheapest_method_of_each_kind() {
     let document = view::document(&small()).unwrap();
     let page = document.page.render().unwrap();
-    let from = page.find("Which solver for 2 boxes with a mass ratio of 10?").unwrap();
+    let from = page.find("Which solver for 2 boxes, ratio 3?").unwrap();
     let words = &page[from..from + page[from..].find("</p>").unwrap()];
     assert!(words.contains("<em>dantzig</em> with"), "{words}");
-    assert!(words.contains("6 of 6 solvers solved it"), "{words}");
-    assert!(words.contains("<em>pgs</em> takes"), "{words}");
+    assert!(words.contains("4 of 4 solvers solve it"), "{words}");
 }
 
 /// Three problems and three solvers, worked out by hand:
@@ -200,122 +179,47 @@ fn work_is_what_the_formulas_say() {
     assert_eq!(multiplications, n.powi(3) / 6.0 + steps * n * n);
 }
 
-/// Top-down, row i hears of the ground in sweep i; from the ground up, x_i = b/2ⁱ after one sweep, and
+/// From the top down, row i gets the impulse of the ground in sweep i; from the ground up, x_i = b/2ⁱ after one sweep, and
 /// row i is off by the x_{i+1} that came after it.
 #[test]
-fn news_climbs_one_row_a_sweep_or_the_whole_column_at_once() {
-    let plan: residual_map::Plan = settings("bodies = 8\nsweeps = 9\nmethods = [\"up\", \"down\"]");
-    let (up, down) = (plan.run(0).unwrap().0, plan.run(1).unwrap().0);
+fn an_impulse_climbs_one_row_a_sweep_or_the_whole_column_at_once() {
+    let plan: Plan = settings("[rows]\nbodies = 8\nsweeps = 9\nmethods = [\"up\", \"down\"]");
+    let residuals = |task: usize| match plan.run(task).unwrap().0 {
+        Finding::Rows(rows) => rows.residuals,
+        other => panic!("the residuals of rows: {other:?}"),
+    };
+    let (up, down) = (residuals(0), residuals(1));
     for i in 0..8 {
-        let heard = down.residuals[i].iter().position(|residual| *residual != 0.0);
-        assert_eq!(heard, (i == 0).then_some(0).or(Some(i)));
+        let reached = down[i].iter().position(|residual| *residual != 0.0);
+        assert_eq!(reached, Some(i));
         let expected = if i < 7 { BLOW / 2f64.powi(i as i32 + 1) } else { 0.0 };
-        assert!((up.residuals[i][1] - expected).abs() < 1e-16, "row {i}");
-        assert_eq!(up.residuals[i].len(), 10);
+        assert!((up[i][1] - expected).abs() < 1e-16, "row {i}");
+        assert_eq!(up[i].len(), 10);
     }
 }
 
-/// Two bodies: ρ = r/(1 + r); the ground carries all but ρᵏ of the weight after k sweeps; and the
-/// scaled residual, ρᵏ/(2 (1 + r)) near the end, decides when it stops.
 #[test]
-fn two_bodies_carry_their_load_as_fast_as_theory_says() {
-    let plan: ratio::Plan = settings(
-        "boxes = 2\nratios = [1.0, 10.0, 100.0]\nabout = 10.0\nsolvers = [\"pgs\", \"dantzig\"]",
-    );
-    for (task, r) in [1.0, 10.0, 100.0].into_iter().enumerate() {
-        let Stack { system, ratio, tried, .. } = plan.run(task).unwrap().0;
-        assert_eq!((system, ratio), (System::TwoBodies, r));
-        let rho: f64 = r / (1.0 + r);
-        assert!((tried[0].rate.unwrap() - rho).abs() < 1e-7);
-        for (attempt, missing) in tried[0].attempts.iter().zip(&tried[0].missing) {
-            let left = rho.powi(attempt.iterations as i32);
-            assert!((missing.unwrap() - left).abs() < 1e-9 + 1e-6 * left, "{attempt:?}");
-        }
-        let expected = ((2.0 * (1.0 + r) * 1e-8).ln() / rho.ln()).ceil() as usize;
-        assert!(tried[0].attempts[1].iterations.abs_diff(expected) <= 1);
-        assert_eq!(tried[1].attempts[1].outcome, Outcome::Proved);
-        assert!(tried[1].missing[1].unwrap().abs() < 1e-12);
-    }
-}
-
-/// At a ratio of 10⁴ a scaled residual of 1e-4 leaves most of the weight hanging, by the formula above:
-/// nobody may claim a solution there. Sweeps go on until the step, which is ρᵏ of the first one, has fallen to a tenth,
-/// and then as much of the weight is missing.
-#[test]
-fn a_residual_that_is_small_because_the_load_is_large_is_not_claimed() {
-    let plan: ratio::Plan = settings("boxes = 2\nratios = [1e4]\nabout = 1e4\nsolvers = [\"pgs\"]");
-    let found = only(&plan);
-    assert!(found.tried[0].attempts[0].outcome.is_solved());
-    let missing = found.tried[0].missing[0].unwrap();
-    assert!(0.05 < missing && missing < 0.2, "{missing}");
-    assert!(found.tried[0].attempts[1].outcome.is_solved());
+fn a_load_without_mass_is_refused() {
+    let error = Source::Stack(Loaded { boxes: 3, ratio: -1.0 }).lcp().unwrap_err();
+    assert!(error.to_string().contains("mass"), "{error}");
 }
 
 #[test]
-fn a_load_on_boxes_is_carried_by_the_ground() {
-    let plan: ratio::Plan = settings(
-        "boxes = 3\nratios = [20.0]\nabout = 20.0\nsolvers = [\"dantzig\", \"lemke\", \"mprgp\"]",
-    );
-    let stack = plan.run(1).unwrap().0;
-    assert_eq!((stack.system, stack.rows), (System::Boxes, 36));
-    for tried in &stack.tried {
-        assert!(tried.attempts.iter().all(|attempt| attempt.outcome.is_solved()), "{tried:?}");
-        assert!(tried.missing[1].unwrap().abs() < 1e-6, "{tried:?}");
-    }
-    let error = Source::Stack(lcplab::report::study::posed::Loaded { boxes: 3, ratio: -1.0 }).lcp();
-    assert!(error.unwrap_err().to_string().contains("mass"));
-}
-
-#[test]
-fn the_first_step_of_a_simulation_is_as_cold_as_cold_can_be() {
-    let plan: warm_start::Plan = settings(
-        "solvers = [\"pgs\"]\nscenes = [{ scene = \"stack\", steps = 4 }]\ntolerance = 1e-5",
-    );
-    let run = only(&plan);
-    assert!(view::View::outcome(&plan, std::slice::from_ref(&run)).good);
-    let broken = warm_start::Run { failure: Some("no step".into()), ..run.clone() };
-    assert!(!view::View::outcome(&plan, &[broken]).good);
-    assert_eq!((run.steps.len(), run.failure), (4, None));
-    assert_eq!(run.steps[0].warm, run.steps[0].cold);
-    assert!(run.steps[1].warm < run.steps[1].cold);
-}
-
-/// The graph of the law is where every solver ends.
-#[test]
-fn all_paths_end_on_the_law() {
-    let plan: plane::Plan = settings(
-        "solvers = [\"pgs\", \"apgd\", \"dantzig\"]\n\
-         rows = [{ problem = { family = \"pushed-rod\" }, row = 2, what = \"friction\" }]",
-    );
-    let row = only(&plan);
-    let [Some(lo), Some(hi)] = row.bounds else { panic!("friction has bounds: {row:?}") };
-    assert!(lo < 0.0 && hi == -lo);
-    for path in &row.paths {
-        let (x, w) = *path.points.last().unwrap();
-        let near = |a: f64, b: f64| (a - b).abs() < 1e-6;
-        let sticks = lo <= x && x <= hi && near(w, 0.0);
-        assert!(sticks || (near(x, lo) && w > 0.0) || (near(x, hi) && w < 0.0), "{path:?}");
-    }
-    let missing: plane::Plan = settings(
-        "solvers = [\"pgs\"]\nrows = [{ problem = { family = \"deudeu\" }, row = 9, what = \"\" }]",
-    );
-    assert!(missing.run(0).unwrap_err().to_string().contains("2 rows, this is 9"));
-}
-
-#[test]
-fn marks_of_a_race_go_forward_and_end_where_it_was_asked() {
-    let plan: race::Plan = settings(
-        "problems = [{ family = \"stack\", values = { n = 8 } }]\n\
+fn marks_go_forward_and_end_below_the_tolerance() {
+    let plan: Plan = settings(
+        "[methods]\nproblems = [{ family = \"stack\", values = { n = 8 } }]\n\
          solvers = [\"pgs\", \"nncg\", \"interior-point\", \"dantzig\"]",
     );
-    let (race, clock) = plan.run(0).unwrap();
-    for (runner, (name, times)) in race.runners.iter().zip(&clock.runners) {
-        assert_eq!(&runner.solver, name);
-        assert_eq!(runner.marks.len(), times.len());
-        let forward = |a: &race::Mark, b: &race::Mark| a.iteration < b.iteration && a.work < b.work;
-        assert!(runner.marks.windows(2).all(|pair| forward(&pair[0], &pair[1])));
+    let (Finding::Methods(progress), Some(clock)) = plan.run(0).unwrap() else {
+        panic!("the progress of methods, with its times")
+    };
+    for (method, (name, times)) in progress.methods.iter().zip(&clock.methods) {
+        assert_eq!(&method.solver, name);
+        assert_eq!(method.marks.len(), times.len());
+        let forward = |a: &Mark, b: &Mark| a.iteration < b.iteration && a.work < b.work;
+        assert!(method.marks.windows(2).all(|pair| forward(&pair[0], &pair[1])));
         assert!(times.windows(2).all(|pair| pair[0].0 <= pair[1].0));
-        assert!(runner.marks.last().unwrap().residual <= race.tolerance, "{name}");
+        assert!(method.marks.last().unwrap().residual <= progress.tolerance, "{name}");
     }
-    assert_eq!(race.runners[3].marks.len(), 1, "of pivoting methods the end alone");
+    assert_eq!(progress.methods[3].marks.len(), 1, "of pivoting methods the end alone");
 }

@@ -12,7 +12,6 @@ mod heat;
 mod legend;
 mod line;
 mod marker;
-pub mod plane;
 mod points;
 pub mod profile;
 mod raster;

@@ -2,7 +2,6 @@
 
 mod heat;
 mod line;
-mod plane;
 mod profile;
 mod spy;
 mod style;

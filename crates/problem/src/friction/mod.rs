@@ -42,7 +42,6 @@
 mod cone;
 mod coupled_box;
 mod frozen_box;
-pub mod merit;
 mod model;
 mod polyhedral;
 mod tangents;

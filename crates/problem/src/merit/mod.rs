@@ -169,28 +169,6 @@ pub fn km4(lcp: &Lcp, x: &[f64]) -> f64 {
     euclidean(&lcp.w(x)) / euclidean(lcp.b())
 }
 
-/// |x − Π(x − w)|₂ / |b|₂, or the numerator alone where b = 0: the error by which Siconos judges an
-/// LCP (`lcp_compute_error`); [`friction::merit::rr9118`](super::friction::merit::rr9118) is the same for
-/// cones. It adds rows of different units, and grows with the number of rows.
-pub fn siconos(lcp: &Lcp, x: &[f64]) -> f64 {
-    let residual: Vec<f64> =
-        (0..lcp.len()).map(|i| x[i] - lcp.project(i, x[i] - lcp.row_w(i, x), x)).collect();
-    match euclidean(lcp.b()) {
-        0.0 => euclidean(&residual),
-        norm => euclidean(&residual) / norm,
-    }
-}
-
-/// max_i |x_i − Π(x_i − w_i)| / max(1, |b|∞, |A|∞ |x|∞), |A|∞ the largest absolute row sum: what
-/// DART's comparison of solvers holds against a relative tolerance of 1e-4. The 1 in it has a unit:
-/// small impulses pass whatever they are.
-pub fn dart(lcp: &Lcp, x: &[f64]) -> f64 {
-    let row_sum = |i: usize| lcp.matrix().row(i).iter().map(|(_, a)| a.abs()).sum();
-    let a = worst(lcp.len(), row_sum);
-    let (b, x_size) = (worst(lcp.len(), |i| lcp.b()[i]), worst(lcp.len(), |i| x[i]));
-    natural_residual(lcp, x) / f64::max(1.0, b).max(a * x_size)
-}
-
 /// The number of rows whose x lies strictly between its bounds.
 pub fn free_rows(lcp: &Lcp, x: &[f64]) -> usize {
     (0..lcp.len())
@@ -202,7 +180,7 @@ pub fn free_rows(lcp: &Lcp, x: &[f64]) -> usize {
 }
 
 /// |v|₂.
-pub(super) fn euclidean(v: &[f64]) -> f64 {
+fn euclidean(v: &[f64]) -> f64 {
     v.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 

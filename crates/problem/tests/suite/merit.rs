@@ -1,10 +1,9 @@
-use lcplab_problem::friction::{ConeProblem, Law, merit as cone};
 use lcplab_problem::{Coupling, Lcp, accurate, merit};
 use lcplab_solver::kernel::{Width, terms};
 use lcplab_solver::{Dantzig, Solver, Start};
 use proptest::prelude::*;
 
-use lcplab_testing::{INF, boxed, cases, chain, contacts, manufactured, pushed_mass};
+use lcplab_testing::{INF, boxed, cases, contacts, manufactured};
 
 #[test]
 fn a_small_relative_residual_far_along_a_ray_is_no_better_than_nothing() {
@@ -59,14 +58,12 @@ fn coupled(rows: &[&[f64]], b: &[f64], lo: [f64; 2], mu: f64) -> Lcp {
 }
 
 #[test]
-fn each_measure_is_its_definition() {
+fn the_natural_residual_is_its_definition() {
     // w = (2, −1) at x = (1, 0): residuals 1 and −1.
     let lcp = contacts(&[&[4.0, 1.0], &[1.0, 2.0]], &[-2.0, -2.0]);
     let x = [1.0, 0.0];
     assert_eq!(lcp.w(&x), [2.0, -1.0]);
     assert_eq!(merit::natural_residual(&lcp, &x), 1.0);
-    assert_eq!(merit::siconos(&lcp, &x), 2f64.sqrt() / 8f64.sqrt());
-    assert_eq!(merit::dart(&lcp, &x), 1.0 / 5.0); // |A|∞ = 5, |x|∞ = 1, |b|∞ = 2
 }
 
 #[test]
@@ -87,47 +84,10 @@ fn fischer_and_burmeister_measure_the_distance_to_each_bound() {
 fn all_but_the_chapters_vanish_at_a_solution() {
     let lcp = contacts(&[&[2.0, -1.0], &[-1.0, 2.0]], &[-1.0, 3.0]);
     let x = Dantzig::default().solve(&lcp, &Start::default(), &mut ()).x;
-    for measure in [merit::scaled_residual, merit::natural_residual, merit::siconos, merit::dart] {
+    for measure in [merit::scaled_residual, merit::natural_residual] {
         assert_eq!(measure(&lcp, &x), 0.0);
     }
     assert!((merit::km4(&lcp, &x) - 2.5 / 10f64.sqrt()).abs() < 1e-15); // E04
-}
-
-#[test]
-fn dart_accepts_any_small_impulse() {
-    let lcp = chain(3);
-    let small = lcp.with_b(lcp.b().iter().map(|b| b * 1e-6).collect()).unwrap();
-    assert!(merit::dart(&small, &[0.0; 3]) < 1e-4);
-    assert!(merit::scaled_residual(&small, &[0.0; 3]) > 0.9);
-}
-
-#[test]
-fn the_cone_measures_are_their_definitions() {
-    // A = 1, μ = ½, b = (−2, −3, 0), x = (2, 0, 0): w = (0, −3, 0), ŵ = (1.5, −3, 0), x − ŵ = (0.5, 3, 0);
-    // its projection has x_n = (0.5 + 1.5) / 1.25 = 1.6 and x_t = 0.8. So F = (0.4, −0.8, 0).
-    let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 0.0), Law::Coulomb);
-    let x = [2.0, 0.0, 0.0];
-    for (entry, expected) in cone::natural_map(&problem, &x).into_iter().zip([0.4, -0.8, 0.0]) {
-        assert!((entry - expected).abs() < 1e-15, "{entry}");
-    }
-    let (error, b) = (0.8f64.sqrt(), 13f64.sqrt());
-    assert!((cone::rr9118(&problem, &x) - error / b).abs() < 1e-15);
-    assert!((cone::fclib(&problem, &x) - error / (1.0 + b.sqrt())).abs() < 1e-15);
-    // Full friction solves it.
-    let solution = [2.0, 1.0, 0.0];
-    assert!(cone::rr9118(&problem, &solution) < 1e-15 && cone::fclib(&problem, &solution) < 1e-15);
-}
-
-#[test]
-fn oblique_slip_tells_the_cone_from_the_box() {
-    // Pushed at 45°: Coulomb's friction is (1, 1)/√2, the box's (1, 1).
-    let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 45.0), Law::Coulomb);
-    let half = 0.5f64.sqrt();
-    let (disc, square) = ([2.0, half, half], [2.0, 1.0, 1.0]);
-    let coupled = problem.friction().coupled_box();
-    assert!(cone::rr9118(&problem, &disc) < 1e-15 && merit::siconos(&coupled, &disc) > 0.1);
-    assert!(cone::rr9118(&problem, &square) > 0.1 && merit::siconos(&coupled, &square) < 1e-15);
-    assert!(merit::dart(&coupled, &disc) > 0.1 && merit::dart(&coupled, &square) < 1e-15);
 }
 
 proptest! {

@@ -1,0 +1,127 @@
+//! Where the error is: the residual of each row after each sweep, in a column of bodies on the ground.
+//!
+//! All bodies fall at the same speed, so at first only the lowest contact closes: the others do not
+//! know yet. In a sweep from the ground up each row sees the new impulse of the row below, and the news
+//! reaches the top at once, weaker by half a row; from the top down it climbs one row a sweep.
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Error, Result};
+use crate::lcp::Lcp;
+use crate::report::study::posed::column;
+use crate::solver::{Damping, Iterate, Jacobi, Observer, Order, Pgs, Settings, Solver, Start};
+
+/// Which column, and how long it is looked at.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rows {
+    /// The number of bodies.
+    pub bodies: usize,
+    /// The mass of the top body, in masses of the others.
+    #[serde(default = "one")]
+    pub ratio: f64,
+    /// The number of sweeps.
+    pub sweeps: usize,
+    /// What sweeps.
+    #[serde(default = "all")]
+    pub methods: Vec<Sweep>,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn all() -> Vec<Sweep> {
+    vec![Sweep::Up, Sweep::Down, Sweep::BestSor, Sweep::Jacobi]
+}
+
+/// A way to sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sweep {
+    /// Gauss-Seidel from the ground up, the natural order.
+    Up,
+    /// Gauss-Seidel from the top down.
+    Down,
+    /// SOR from the ground up with the ω that is optimal for equal bodies.
+    BestSor,
+    /// Jacobi without damping: all rows at once.
+    Jacobi,
+}
+
+/// The residuals of one method.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RowResiduals {
+    /// How the column was swept.
+    pub method: Sweep,
+    /// ω, 1 for all but SOR.
+    pub omega: f64,
+    /// |x_i − Π(x_i − w_i)| (m/s) by row from the ground up; in each by sweep, the start first.
+    pub residuals: Vec<Vec<f64>>,
+}
+
+impl Sweep {
+    /// In a few words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Sweep::Up => "PGS from the ground up",
+            Sweep::Down => "PGS from the top down",
+            Sweep::BestSor => "SOR from the ground up, ω*",
+            Sweep::Jacobi => "Jacobi, all rows at once",
+        }
+    }
+}
+
+impl Rows {
+    /// Sweeps the column in one way.
+    ///
+    /// # Errors
+    /// If there are no sweeps, or the library has no such column.
+    pub fn run(&self, method: Sweep) -> Result<RowResiduals> {
+        if self.sweeps == 0 {
+            return Err(Error::invalid("convergence", "rows.sweeps", "must be at least 1, is 0"));
+        }
+        let lcp = column(self.bodies, self.ratio)?;
+        let omega = match method {
+            Sweep::BestSor => 2.0 / (1.0 + (PI / (2 * self.bodies) as f64).sin()),
+            _ => 1.0,
+        };
+        let mut watch = Watch { lcp: &lcp, residuals: vec![Vec::new(); lcp.len()] };
+        self.solver(method, omega).solve(&lcp, &Start::default(), &mut watch);
+        Ok(RowResiduals { method, omega, residuals: watch.residuals })
+    }
+
+    fn solver(&self, method: Sweep, omega: f64) -> Box<dyn Solver> {
+        let max_iterations = self.sweeps;
+        let settings = Settings {
+            tolerance: 0.0,
+            max_iterations,
+            check_every: max_iterations,
+            ..Settings::default()
+        };
+        match method {
+            Sweep::Up | Sweep::BestSor => Box::new(Pgs { omega, order: Order::Natural, settings }),
+            Sweep::Down => Box::new(Pgs { omega, order: Order::Reverse, settings }),
+            Sweep::Jacobi => Box::new(Jacobi { damping: Damping::Factor(1.0), settings }),
+        }
+    }
+}
+
+struct Watch<'a> {
+    lcp: &'a Lcp,
+    residuals: Vec<Vec<f64>>,
+}
+
+impl Observer for Watch<'_> {
+    fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
+        let (lcp, x) = (self.lcp, iterate.x);
+        for (i, row) in self.residuals.iter_mut().enumerate() {
+            row.push((x[i] - lcp.project(i, x[i] - lcp.row_w(i, x), x)).abs());
+        }
+        ControlFlow::Continue(())
+    }
+}

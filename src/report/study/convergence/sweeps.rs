@@ -1,0 +1,110 @@
+//! The residual after each sweep of PGS and SOR, compared with the rate that theory predicts.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::Result;
+use crate::lcp::Lcp;
+use crate::report::study::settings::{AtStep, Given, first};
+use crate::solver::{Dantzig, Options, Order, Pgs, Settings, Solver, Start, theory};
+use crate::trace::{Convergence, Record};
+
+/// An LCP, and relaxation factors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Swept {
+    /// A shipped scene, or a file: of a scene or, under the key `problem` too, of a problem.
+    #[serde(alias = "problem")]
+    pub scene: String,
+    /// The number of the step, from 1; a problem file has none.
+    #[serde(default = "first")]
+    pub step: usize,
+    /// The relaxation factors ω; the optimal one is added where theory knows it.
+    pub omegas: Vec<f64>,
+}
+
+impl Swept {
+    /// Runs PGS and SOR on the problem.
+    ///
+    /// # Errors
+    /// If there is no such scene, step or file.
+    pub fn run(&self) -> Result<Rates> {
+        let at = AtStep { scene: self.scene.clone(), step: self.step };
+        Ok(rates(at.given()?, &self.omegas))
+    }
+}
+
+/// An LCP with several relaxation factors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Rates {
+    /// The scene or the file.
+    pub scene: String,
+    /// Its title.
+    pub title: String,
+    /// Rows of the LCP.
+    pub rows: usize,
+    /// Whether all rows are equations, so that the rates are exact predictions from the start.
+    pub equations_only: bool,
+    /// The relaxation factor that is optimal for consistently ordered A, if the theory applies.
+    pub optimal_omega: Option<f64>,
+    /// One curve a relaxation factor.
+    pub curves: Vec<Curve>,
+    /// Pivots of Dantzig's method on the same problem.
+    pub pivots: usize,
+}
+
+/// The iterates with one relaxation factor.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Curve {
+    /// ω.
+    pub omega: f64,
+    /// The merits after each sweep.
+    pub records: Vec<Record>,
+    /// The largest modulus below 1 of an eigenvalue of the iteration matrix, on the rows that are
+    /// free where the sweeps lead.
+    pub predicted_rate: Option<f64>,
+    /// The factor a sweep, measured over the last half of the curve.
+    pub measured_rate: Option<f64>,
+}
+
+/// Most sweeps of a curve.
+const SWEEPS: usize = 1000;
+/// Residuals below this part of the first are rounding, not convergence.
+const FLOOR: f64 = 1e-12;
+
+fn rates(Given { name, title, lcp }: Given, omegas: &[f64]) -> Rates {
+    let direct = Dantzig { settings: Settings { tolerance: 1e-12, ..Settings::default() } };
+    let pivots = direct.solve(&lcp, &Start::default(), &mut ()).iterations;
+    let unbounded = |i: usize| lcp.lo()[i].is_infinite() && lcp.hi()[i].is_infinite();
+    let equations_only = lcp.coupling().is_none() && (0..lcp.len()).all(unbounded);
+    let jacobi = theory::spectral_radius(&theory::jacobi_iteration_matrix(lcp.matrix(), 1.0));
+    let optimal_omega = (equations_only && jacobi < 1.0).then(|| theory::optimal_omega(jacobi));
+    let mut omegas = omegas.to_vec();
+    omegas.extend(optimal_omega.map(|omega| (omega * 1e4).round() / 1e4));
+    omegas.sort_by(f64::total_cmp);
+    omegas.dedup();
+    let curves = omegas.iter().map(|&omega| curve(&lcp, omega)).collect();
+    let rows = lcp.len();
+    Rates { scene: name, title, rows, equations_only, optimal_omega, curves, pivots }
+}
+
+fn curve(lcp: &Lcp, omega: f64) -> Curve {
+    let settings = Settings {
+        tolerance: 0.0,
+        max_iterations: SWEEPS,
+        check_every: SWEEPS,
+        ..Settings::default()
+    };
+    let mut trace = Convergence::of(lcp);
+    trace.floor = FLOOR;
+    let x = Pgs { omega, order: Order::default(), settings }
+        .solve(lcp, &Start::default(), &mut trace)
+        .x;
+    let options = Options { omega, ..Options::default() };
+    Curve {
+        omega,
+        measured_rate: trace.rate(),
+        records: trace.records,
+        predicted_rate: theory::rate("sor", &options, lcp, &theory::rows_inside(lcp, &x)),
+    }
+}

@@ -1,0 +1,102 @@
+//! Where the matrices of scenes have entries: J and A in one step ([`pattern`]), A of all shipped scenes
+//! ([`gallery`]), and the factor of A under three orderings ([`factor`]).
+
+pub mod factor;
+pub mod gallery;
+pub mod pattern;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Study;
+use super::settings::AtStep;
+use crate::error::Result;
+use crate::formulation::Problem;
+use crate::scene::{Scene, Scheme};
+use crate::simulation::{self, Simulation};
+use crate::solver::{self, Options, by_name};
+use factor::Factor;
+use gallery::{Gallery, Picture};
+use pattern::Patterns;
+
+/// Matrices to be drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// LCPs whose J and A are drawn.
+    #[serde(default)]
+    pub scenes: Vec<AtStep>,
+    /// The patterns of A of the shipped scenes.
+    #[serde(default)]
+    pub gallery: Option<Gallery>,
+    /// LCPs whose A is factored under three orderings.
+    #[serde(default)]
+    pub factors: Vec<AtStep>,
+}
+
+/// What a task finds out.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Finding {
+    /// J and A of one step.
+    Patterns(Patterns),
+    /// A of many scenes.
+    Gallery(Vec<Picture>),
+    /// The factor of A.
+    Factor(Factor),
+}
+
+/// A task.
+enum Task<'a> {
+    Patterns(&'a AtStep),
+    Gallery(&'a Gallery),
+    Factor(&'a AtStep),
+}
+
+impl Plan {
+    fn list(&self) -> Vec<Task<'_>> {
+        let patterns = self.scenes.iter().map(Task::Patterns);
+        let gallery = self.gallery.iter().map(Task::Gallery);
+        patterns.chain(gallery).chain(self.factors.iter().map(Task::Factor)).collect()
+    }
+}
+
+impl Study for Plan {
+    const NAME: &'static str = "sparsity";
+    type Finding = Finding;
+    type Times = ();
+
+    fn tasks(&self) -> Vec<String> {
+        let name = |task: Task<'_>| match task {
+            Task::Patterns(at) => at.scene.clone(),
+            Task::Gallery(_) => "all scenes".into(),
+            Task::Factor(at) => format!("factor of {}", at.scene),
+        };
+        self.list().into_iter().map(name).collect()
+    }
+
+    fn run(&self, task: usize) -> Result<(Finding, ())> {
+        let finding = match self.list()[task] {
+            Task::Patterns(at) => Finding::Patterns(pattern::run(at)?),
+            Task::Gallery(gallery) => Finding::Gallery(gallery.run()?),
+            Task::Factor(at) => Finding::Factor(factor::run(at)?),
+        };
+        Ok((finding, ()))
+    }
+}
+
+/// The problem of a scene's step; `None` if the step has none. That of the first step needs no solution,
+/// so its solver stops after a sweep.
+fn problem(task: &AtStep) -> Result<Option<Problem>> {
+    let mut scene = Scene::load(&task.scene)?;
+    if !scene.step.scheme.solves_lcps() {
+        scene = scene.at_level(Scheme::Velocity);
+    }
+    if task.step > 1 {
+        return simulation::problem_of(&scene, task.step).map(Some);
+    }
+    let settings = solver::Settings { max_iterations: 1, ..solver::Settings::default() };
+    let solver = by_name("pgs", &Options { settings, ..Options::default() })?;
+    let step = Simulation::new(scene, solver).step().ok();
+    Ok(step.and_then(|mut step| step.solves.pop()).map(|solve| solve.problem))
+}

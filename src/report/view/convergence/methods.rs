@@ -1,0 +1,188 @@
+//! The residual of several methods by iteration, by multiplication and by second.
+
+use crate::number::{count, readable};
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Table};
+use crate::report::study::attempt::Outcome;
+use crate::report::study::convergence::methods::{Clock, Mark, Progress, Watched};
+use crate::report::view::attempt::{
+    anchor, iterations_in_words, listed, outcome as outcome_cell, rough, tolerance,
+};
+use crate::report::view::{Document, Outcome as Verdict};
+use crate::solver::Group;
+
+/// A residual of exactly 0 has no place on a logarithmic axis; it is drawn here.
+const LEAST: f64 = 1e-17;
+
+pub(super) fn show(problems: &[&Progress], document: &mut Document) {
+    document.text(
+        "Iterations of different methods do not cost the same: a Newton step solves a linear system, \
+         a sweep is one product with A. So each problem is shown by iteration and by multiplication, \
+         counted by the leading term of each method; the times are in the last section. A pivoting \
+         method has no meaningful residual before it ends: its end is a marker.",
+    );
+    for progress in problems {
+        document.figure(by_iteration(progress));
+        document.figure(by_work(progress));
+        document.table(&id(&progress.problem, "methods"), table(progress));
+    }
+}
+
+pub(super) fn outcome(problems: &[&Progress]) -> Verdict {
+    let methods = || problems.iter().flat_map(|progress| &progress.methods);
+    let refuted = methods().filter(|method| method.outcome == Outcome::Refuted).count();
+    let solved = methods().filter(|method| method.outcome.is_solved()).count();
+    let says =
+        format!("{solved} of {} solves succeed, {refuted} claims refuted", methods().count());
+    Verdict { good: refuted == 0, says }
+}
+
+/// How many methods solve the problem, and the cheapest of each group.
+pub(super) fn answer(progress: &Progress) -> Option<String> {
+    let tried = progress.methods.iter().filter(|method| method.outcome.is_attempt()).count();
+    let mut solved: Vec<&Watched> =
+        progress.methods.iter().filter(|method| method.outcome.is_solved()).collect();
+    let work = |method: &Watched| method.marks.last().map_or(f64::NAN, |end| end.work);
+    solved.sort_by(|a, b| work(a).total_cmp(&work(b)));
+    let first = |group: Group| {
+        solved.iter().find(|method| Group::of(&method.solver) == Some(group)).copied()
+    };
+    let cost = |method: &Watched| {
+        let iterations = method.marks.last().map_or(0, |end| end.iteration);
+        format!(
+            "*{}* with {} ({} multiplications)",
+            method.solver,
+            iterations_in_words(&method.solver, iterations),
+            rough(work(method))
+        )
+    };
+    let best: Vec<String> = Group::ALL.into_iter().filter_map(first).map(cost).collect();
+    (!best.is_empty()).then(|| {
+        format!(
+            "**Which solver for {}?** {} of {tried} solvers solve it to {}, and the judge accepts \
+             their answers. The cheapest of each kind: {}.",
+            progress.problem,
+            solved.len(),
+            tolerance(progress.tolerance),
+            listed(&best)
+        )
+    })
+}
+
+fn id(problem: &str, what: &str) -> String {
+    format!("convergence_{}_{what}", anchor(problem))
+}
+
+/// The methods as curves, those that only have an end as points; solved or not.
+fn series(progress: &Progress, across: fn(&Mark) -> f64) -> Vec<Series> {
+    let took_part = |method: &&Watched| method.outcome.is_attempt();
+    let points = |method: &Watched| -> Vec<(f64, f64)> {
+        let points = method.marks.iter().map(|mark| (across(mark), mark.residual.max(LEAST)));
+        points.filter(|(across, _)| across.is_finite()).collect()
+    };
+    let series = |method: &Watched| curve(&method.solver, points(method));
+    let series = progress.methods.iter().filter(took_part).map(series);
+    series.filter(|series| !series.points.is_empty()).collect()
+}
+
+fn curve(solver: &str, points: Vec<(f64, f64)>) -> Series {
+    match Group::of(solver) {
+        Some(Group::Pivoting) => Series::points(solver, points),
+        _ => Series::measured(solver, points),
+    }
+}
+
+/// A line at the tolerance.
+fn asked(progress: &Progress, across: fn(&Mark) -> f64) -> Series {
+    let marks = progress.methods.iter().flat_map(|method| &method.marks).map(across);
+    let last = marks.fold(1.0, f64::max);
+    let name = format!("tolerance: {}", tolerance(progress.tolerance));
+    Series::reference(name, vec![(1e-3, progress.tolerance), (10.0 * last, progress.tolerance)])
+}
+
+fn by_iteration(progress: &Progress) -> Lines {
+    let across = |mark: &Mark| mark.iteration as f64;
+    let mut curves = series(progress, across);
+    curves.push(asked(progress, across));
+    Lines {
+        id: id(&progress.problem, "iterations"),
+        title: format!("{}: residual by iteration", progress.problem),
+        caption: format!(
+            "{} rows; ω of SOR is {}. Second-order methods converge within a few steps once they are near. Sweeps \
+             remove the rough part of the error at once and then slow down: what is left is smooth, and a \
+             row sees its neighbors only.",
+            count(progress.rows),
+            readable(progress.omega, 3)
+        ),
+        x: Axis::log("iteration", ""),
+        panels: vec![Panel { y: Axis::log("scaled residual", ""), series: curves }],
+    }
+}
+
+fn by_work(progress: &Progress) -> Lines {
+    let across = |mark: &Mark| mark.work;
+    let mut curves = series(progress, across);
+    curves.push(asked(progress, across));
+    Lines {
+        id: id(&progress.problem, "work"),
+        title: format!("{}: residual by multiplication", progress.problem),
+        caption: format!(
+            "The same runs; a product with A takes {} multiplications, one for each stored entry. The \
+             cost of a method is where its curve crosses the tolerance.",
+            count(progress.stored)
+        ),
+        x: Axis::log("multiplications", ""),
+        panels: vec![Panel { y: Axis::log("scaled residual", ""), series: curves }],
+    }
+}
+
+pub(super) fn by_second(clock: &Clock) -> Lines {
+    let curves = clock.methods.iter().map(|(solver, points)| {
+        curve(solver, points.iter().map(|(s, residual)| (1e3 * s, residual.max(LEAST))).collect())
+    });
+    Lines {
+        id: format!("timings_{}", anchor(&clock.problem)),
+        title: format!("{}: residual by time", clock.problem),
+        caption:
+            "The same runs over wall time, stop tests included, without the time for recording \
+                  iterates; other tasks may run on the machine."
+                .into(),
+        x: Axis::log("time", "ms"),
+        panels: vec![Panel { y: Axis::log("scaled residual", ""), series: curves.collect() }],
+    }
+}
+
+fn table(progress: &Progress) -> Table {
+    let row = |method: &Watched| {
+        let end = method.marks.last();
+        let solved = method.outcome.is_solved();
+        vec![
+            Cell::text(&method.solver),
+            outcome_cell(&method.outcome),
+            end.map_or(Cell::text("–"), |end| Cell::count(end.iteration)),
+            end.filter(|end| solved && end.work.is_finite())
+                .map_or(Cell::text("–"), |end| Cell::number(end.work, 2)),
+            end.map_or(Cell::text("–"), |end| Cell::number(end.residual, 2)),
+        ]
+    };
+    Table {
+        title: format!(
+            "{}: cost of a residual of {}",
+            progress.problem,
+            tolerance(progress.tolerance)
+        ),
+        how_to_read:
+            "*judge*: the verdict on the claim, or why there was none. *multiplications*: only of \
+                      methods that solved it."
+                .into(),
+        columns: vec![
+            Column::words("solver"),
+            Column::words("judge"),
+            Column::numbers("iterations", ""),
+            Column::numbers("multiplications", ""),
+            Column::numbers("scaled residual", ""),
+        ],
+        rows: progress.methods.iter().map(row).collect(),
+        ..Table::default()
+    }
+}

@@ -1,0 +1,72 @@
+//! How the residual falls: by sweep, by method and by row.
+
+mod methods;
+mod rows;
+mod sweeps;
+
+use super::{Document, Outcome, View};
+use crate::report::study::convergence::methods::{Clock, Progress};
+use crate::report::study::convergence::rows::RowResiduals;
+use crate::report::study::convergence::sweeps::Rates;
+use crate::report::study::convergence::{Finding, Plan};
+
+impl View for Plan {
+    const TITLE: &'static str = "How fast the residual falls";
+
+    fn show(&self, findings: &[Finding], document: &mut Document) {
+        let Found { sweeps, methods, rows } = Found::of(findings);
+        if !methods.is_empty() {
+            methods::show(&methods, document);
+        }
+        if !sweeps.is_empty() {
+            sweeps::show(&sweeps, document);
+        }
+        if let (Some(plan), false) = (&self.rows, rows.is_empty()) {
+            plan.show(&rows, document);
+        }
+    }
+
+    fn answer(&self, findings: &[Finding]) -> Option<String> {
+        methods::answer(Found::of(findings).methods.first()?)
+    }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let Found { sweeps, methods, .. } = Found::of(findings);
+        let (rates, progress) = (sweeps::outcome(&sweeps), methods::outcome(&methods));
+        let mut says = Vec::new();
+        if !self.scenes.is_empty() || self.methods.is_none() {
+            says.push(rates.says);
+        }
+        if self.methods.is_some() {
+            says.push(progress.says);
+        }
+        Outcome { good: rates.good && progress.good, says: says.join("; ") }
+    }
+
+    fn show_times(&self, clocks: &[Option<Clock>], document: &mut Document) {
+        for clock in clocks.iter().flatten() {
+            document.figure(methods::by_second(clock));
+        }
+    }
+}
+
+/// The findings by kind.
+struct Found<'a> {
+    sweeps: Vec<&'a Rates>,
+    methods: Vec<&'a Progress>,
+    rows: Vec<&'a RowResiduals>,
+}
+
+impl<'a> Found<'a> {
+    fn of(findings: &'a [Finding]) -> Self {
+        let mut found = Found { sweeps: Vec::new(), methods: Vec::new(), rows: Vec::new() };
+        for finding in findings {
+            match finding {
+                Finding::Sweeps(rates) => found.sweeps.push(rates),
+                Finding::Methods(progress) => found.methods.push(progress),
+                Finding::Rows(residuals) => found.rows.push(residuals),
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,75 @@
+//! The residual of each row after each sweep, as shades.
+
+use crate::number::readable;
+use crate::plot::{Axis, Heat, Shaded};
+use crate::report::study::convergence::rows::{RowResiduals, Rows, Sweep};
+use crate::report::view::Document;
+use crate::report::view::attempt::section_id;
+
+/// A residual (m/s) up to this is rounding.
+const ROUNDING: f64 = 1e-14;
+
+impl Rows {
+    pub(super) fn show(&self, maps: &[&RowResiduals], document: &mut Document) {
+        document.text(format!(
+            "**Why sweeps are slow on a stack.** {} bodies have fallen for one step. All of them move \
+             at the same speed, so at first only the lowest contact closes, and its impulse stops one \
+             body. The weight of the others has to travel from row to row, for a row of A couples \
+             neighbors only.",
+            self.bodies
+        ));
+        document.figure(self.figure(section_id(document) + "_rows", maps));
+        document.text(self.words(maps));
+    }
+
+    fn figure(&self, id: String, maps: &[&RowResiduals]) -> Heat {
+        let panel = |map: &&RowResiduals| {
+            let name = match map.method {
+                Sweep::BestSor => format!("{} = {}", map.method.name(), readable(map.omega, 4)),
+                method => method.name().to_string(),
+            };
+            Shaded { name, rows: map.residuals.clone() }
+        };
+        Heat {
+            id,
+            title: format!("The residual of {} rows, sweep by sweep", self.bodies),
+            caption: "Each small square is a row after a sweep, the ground's contact at the bottom. \
+                      White is a residual of 0. From the top down the impulse of the ground climbs one \
+                      row a sweep: the white wedge is rows that it has not reached. From the ground up it \
+                      reaches the top in the first sweep, halved in each row (the row swept last is \
+                      always satisfied). Then all rows fade together, slowly. With the best ω a front \
+                      comes back from the top, one row a sweep, and behind it the residual is lower. \
+                      Jacobi's rows change in turns, every other sweep."
+                .into(),
+            across: "sweep".into(),
+            upwards: "contact, from the ground up".into(),
+            value: Axis::log("residual", "m/s"),
+            zero: ROUNDING,
+            panels: maps.iter().map(panel).collect(),
+        }
+    }
+
+    fn words(&self, maps: &[&RowResiduals]) -> String {
+        let largest = |map: &&RowResiduals| {
+            let last = map.residuals.iter().filter_map(|row| row.last());
+            last.copied().fold(0.0, f64::max)
+        };
+        // The top row itself is satisfied at once in a sweep from the ground up.
+        let reached = |map: &&RowResiduals| {
+            let top = map.residuals.iter().rev().nth(1)?;
+            top.iter().position(|residual| *residual > ROUNDING)
+        };
+        let of = |map: &&RowResiduals| {
+            let arrives =
+                reached(map).map_or("never".into(), |sweep| format!("after sweep {sweep}"));
+            format!(
+                "- *{}*: the impulse of the ground reaches the contact below the top one {arrives}; \
+                 after sweep {} the largest residual is {} m/s.",
+                map.method.name(),
+                self.sweeps,
+                readable(largest(map), 2)
+            )
+        };
+        maps.iter().map(of).collect::<Vec<_>>().join("\n")
+    }
+}

@@ -1,0 +1,153 @@
+//! Residuals by sweep, beside the slopes that theory predicts.
+
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::convergence::sweeps::{Curve, Rates};
+use crate::report::view::attempt::stem;
+use crate::report::view::{Document, Outcome};
+
+/// A measured rate, as digits a sweep, that differs from the predicted one by more than this part is
+/// marked.
+const AGREES: f64 = 0.1;
+
+pub(super) fn show(studies: &[&Rates], document: &mut Document) {
+    document.text(
+        "While no row changes between bound and interior, a sweep multiplies the error by a fixed \
+         matrix. Its spectral radius $\\rho$ is the slope of the curves below: the residual falls \
+         like $\\rho^k$. For a chain, whose matrix is consistently ordered, Young's theory gives \
+         the best relaxation factor too:",
+    );
+    document.equation(
+        "\\rho_{GS} = \\rho_J^2, \\qquad \\omega^* = \\frac{2}{1 + \\sqrt{1 - \\rho_J^2}}, \
+         \\qquad \\rho(\\omega^*) = \\omega^* - 1",
+        "Young 1950",
+    );
+    for study in studies {
+        document.figure(figure(study));
+    }
+    document.table("rates", table(studies));
+}
+
+/// Of equations the slope is claimed; with bounds only that no curve falls more slowly than ρ.
+pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
+    let slopes = |equations: bool| {
+        let studies = studies.iter().filter(move |study| study.equations_only == equations);
+        studies
+            .flat_map(|study| &study.curves)
+            .filter_map(|curve| Some((curve.agrees()?, curve.is_slower()?)))
+    };
+    let (agree, all) = (slopes(true).filter(|(agrees, _)| *agrees).count(), slopes(true).count());
+    let (settled, bounded) =
+        (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
+    let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
+    let says = format!(
+        "{agree} of {all} slopes of equations are the spectral radii; with bounds {settled} of \
+         {bounded} are, and {} still fall faster",
+        bounded - settled - slower
+    );
+    Outcome { good: agree == all && slower == 0, says }
+}
+
+impl Curve {
+    /// Whether predicted and measured slope gain the same digits a sweep.
+    fn agrees(&self) -> Option<bool> {
+        let (predicted, measured) = (self.predicted_rate?, self.measured_rate?);
+        Some((measured.ln() / predicted.ln() - 1.0).abs() <= AGREES)
+    }
+
+    /// Whether the curve falls more slowly than predicted.
+    fn is_slower(&self) -> Option<bool> {
+        Some(self.measured_rate? > self.predicted_rate?)
+    }
+}
+
+fn name(omega: f64) -> String {
+    if omega == 1.0 { "pgs".into() } else { format!("sor ω = {omega}") }
+}
+
+fn figure(study: &Rates) -> Lines {
+    let residuals = |curve: &Curve| -> Vec<(f64, f64)> {
+        curve.records.iter().map(|r| (r.iteration as f64, r.natural_residual)).collect()
+    };
+    let mut series: Vec<Series> = study
+        .curves
+        .iter()
+        .map(|curve| Series::measured(name(curve.omega), residuals(curve)))
+        .collect();
+    series.extend(study.curves.iter().filter_map(slope));
+    let rows = study.rows;
+    let kind = if study.equations_only {
+        "Equations only: the slope is the spectral radius from the first sweeps on, until rounding."
+    } else {
+        "With bounds: a slope is to be expected only once the active set has settled."
+    };
+    Lines {
+        id: format!("convergence_{}", stem(&study.scene)),
+        title: format!("{} ({rows} rows)", study.title),
+        caption: format!(
+            "{kind} Dashed grey: the predicted slopes, set at the middle of each curve. Dantzig \
+             pivoting needs {} pivots for the same problem.",
+            study.pivots
+        ),
+        x: Axis::linear("sweep", ""),
+        panels: vec![Panel { y: Axis::log("natural residual", "unit of x or w"), series }],
+    }
+}
+
+/// The predicted slope, laid through the middle of the measured curve.
+fn slope(curve: &Curve) -> Option<Series> {
+    let rate = curve.predicted_rate?;
+    let middle = curve.records.get(curve.records.len() / 2)?;
+    let last = curve.records.last()?;
+    let at = |k: usize| {
+        let value = middle.natural_residual * rate.powf(k as f64 - middle.iteration as f64);
+        (k as f64, value)
+    };
+    let name = format!("theory, {}: ρ = {rate:.4}", name(curve.omega));
+    Some(Series::theory(name, vec![at(curve.records[0].iteration), at(last.iteration)]))
+}
+
+fn table(studies: &[&Rates]) -> Table {
+    let rows =
+        studies.iter().flat_map(|study| study.curves.iter().map(|curve| cells(study, curve)));
+    Table {
+        title: "Contraction a sweep, predicted and measured".into(),
+        how_to_read:
+            "The factor by which the error shrinks in a sweep: the spectral radius of the \
+                      iteration matrix on the free rows, and the slope of the second half of the \
+                      curve. They agree if the digits gained a sweep are the same to 10 %. With bounds ρ is the \
+                      slope in the long run: a curve that still falls faster, because the slowest component \
+                      has a small share, has *not settled*."
+                .into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::numbers("ω", ""),
+            Column::numbers("predicted ρ", ""),
+            Column::numbers("measured", ""),
+            Column::numbers("sweeps recorded", ""),
+            Column::words("agreement"),
+        ],
+        rows: rows.collect(),
+        ..Table::default()
+    }
+}
+
+fn cells(study: &Rates, curve: &Curve) -> Vec<Cell> {
+    let rate = |rate: Option<f64>| rate.map_or(Cell::text("–"), |rate| Cell::number(rate, 5));
+    let agreement = match (curve.agrees(), curve.is_slower()) {
+        (Some(true), _) => Cell::text("agrees").marked(Mark::Good),
+        (Some(false), Some(false)) if !study.equations_only => Cell::text("not settled"),
+        (Some(false), _) => Cell::text("differs").marked(Mark::Bad),
+        (None, _) => Cell::text("–"),
+    };
+    let optimal = study.optimal_omega.is_some_and(|best| (best - curve.omega).abs() < 1e-4);
+    let omega = Cell::number(curve.omega, 5);
+    vec![
+        Cell::text(&study.scene),
+        if optimal { Cell { text: format!("{} = ω*", omega.text), ..omega } } else { omega },
+        rate(curve.predicted_rate),
+        rate(curve.measured_rate),
+        Cell::count(curve.records.len().saturating_sub(1)),
+        agreement,
+    ]
+}

@@ -1,0 +1,146 @@
+//! The energy ledger: every gain and loss with its cause.
+
+use crate::number::readable;
+use crate::plot::{Axis, Lines, Panel, Series};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::drift::ledger::{Account, Book};
+use crate::report::view::{Document, Outcome};
+
+/// Accounts below this part of the energy that was moved are not drawn.
+const SMALL: f64 = 1e-6;
+/// Shown as 0 are numbers below this part of the energy that was moved.
+const NOTHING: f64 = 1e-9;
+/// A remainder up to this part of the energies that the books were computed from is rounding.
+const ROUNDING: f64 = 1e-11;
+
+pub(super) fn show(findings: &[&Account], document: &mut Document) {
+    document.text(
+        "**The energy ledger.** Every impulse does work, and the work of an impulse at fixed places is \
+         known exactly. So each change of energy has its cause: an impact takes some, restitution \
+         gives some back, friction dissipates some, the feedback of errors adds some, and so does the \
+         integrator where a force changes within a step.",
+    );
+    document.equation(
+        "\\Delta E = \\sum_{\\text{rows}} \\tfrac12 x_i (J u + J u^+)_i + \\Delta E_{\\text{integrator}} \
+         + \\dots, \\qquad \\text{remainder} = \\Delta E - \\textstyle\\sum \\text{accounts}",
+        "books of a step",
+    );
+    for finding in findings {
+        document.text(format!("**{}.** {}", finding.run.title, finding.run.text));
+        document.figure(figure(finding));
+    }
+    document.table("ledger", table(findings));
+}
+
+pub(super) fn outcome(findings: &[&Account]) -> Outcome {
+    let kept: Vec<bool> = findings.iter().filter_map(|finding| balances(finding)).collect();
+    let balanced = kept.iter().filter(|balances| **balances).count();
+    let mut says = format!("{balanced} of {} books balance", kept.len());
+    if kept.len() < findings.len() {
+        says += &format!(", {} not accounted", findings.len() - kept.len());
+    }
+    let ended_early = findings.iter().any(|finding| finding.ending.is_some());
+    Outcome { good: balanced == kept.len() && !ended_early, says }
+}
+
+/// Whether nothing but rounding is missing in the books; none where there are none.
+fn balances(finding: &Account) -> Option<bool> {
+    let remainder = finding.remainder?;
+    let scale = finding.scale.max(finding.turnover);
+    Some(finding.ending.is_none() && remainder <= ROUNDING * scale)
+}
+
+/// The names of the accounts that matter in a run, with their places.
+fn used(finding: &Account) -> Vec<(usize, &str)> {
+    let most =
+        |k: usize| finding.books.iter().map(|book| book.accounts[k].abs()).fold(0.0, f64::max);
+    let names = finding.accounts.iter().map(String::as_str).enumerate();
+    names.filter(|&(k, _)| most(k) > SMALL * finding.turnover).collect()
+}
+
+fn figure(finding: &Account) -> Lines {
+    let curve = |value: &dyn Fn(&Book) -> f64| {
+        finding.books.iter().map(|book| (book.time, value(book))).collect::<Vec<_>>()
+    };
+    let total = curve(&|book| book.kinetic + book.potential);
+    let mut panels = vec![Panel {
+        y: Axis::linear("change since the start", "J"),
+        series: vec![
+            Series::measured("kinetic", curve(&|book| book.kinetic)),
+            Series::measured("potential", curve(&|book| book.potential)),
+            Series::measured("kinetic + potential", total),
+        ],
+    }];
+    if finding.remainder.is_some() {
+        let accounts = used(finding)
+            .into_iter()
+            .map(|(k, name)| Series::measured(name, curve(&|book| book.accounts[k])));
+        let sum = Series::reference("their sum", curve(&|book| book.accounts.iter().sum()));
+        let series = accounts.chain([sum]).collect();
+        panels.push(Panel { y: Axis::linear("by cause", "J"), series });
+    }
+    Lines {
+        id: format!("ledger_{}", finding.run.name),
+        title: finding.run.title.clone(),
+        caption: match finding.remainder {
+            Some(remainder) => format!(
+                "Above: the energy. Below: the cause of its change; gains are positive. The \
+                 sum of the accounts is the change in the panel above, to {} J.",
+                readable(remainder, 2)
+            ),
+            None => "What the energy is. Where its change came from is not accounted: this way of \
+                     stepping does not write down what acted."
+                .into(),
+        },
+        x: Axis::linear("time", "s"),
+        panels,
+    }
+}
+
+fn table(findings: &[&Account]) -> Table {
+    let with_books = findings.iter().find(|finding| finding.remainder.is_some());
+    let names: Vec<String> = with_books.map_or(Vec::new(), |f| f.accounts.clone());
+    let matters = |k: &usize| {
+        findings.iter().any(|finding| used(finding).iter().any(|(other, _)| other == k))
+    };
+    let shown: Vec<usize> = (0..names.len()).filter(matters).collect();
+    let mut columns = vec![Column::words("run"), Column::numbers("change", "J")];
+    columns.extend(shown.iter().map(|&k| Column::numbers(names[k].clone(), "J")));
+    columns.extend([
+        Column::numbers("remainder", "J"),
+        Column::numbers("energy moved", "J"),
+        Column::words("books"),
+    ]);
+    let cells = |finding: &&Account| {
+        let last = finding.books.last();
+        let small = |x: f64| {
+            let shown = if x.abs() <= NOTHING * finding.turnover { 0.0 } else { x };
+            Cell { value: Some(x), ..Cell::number(shown, 3) }
+        };
+        let mut cells = vec![Cell::text(&finding.run.title)];
+        cells.push(last.map_or(Cell::text("–"), |book| small(book.kinetic + book.potential)));
+        let work = |&k: &usize| last.and_then(|book| book.accounts.get(k).copied());
+        cells.extend(shown.iter().map(|k| work(k).map_or(Cell::text("–"), small)));
+        cells.push(finding.remainder.map_or(Cell::text("–"), |rest| Cell::number(rest, 2)));
+        cells.push(Cell::number(finding.turnover, 3));
+        cells.push(match (&finding.ending, balances(finding)) {
+            (Some(why), _) => Cell::text(why).marked(Mark::Bad),
+            (None, None) => Cell::text("not accounted"),
+            (None, Some(true)) => Cell::text("balance").marked(Mark::Good),
+            (None, Some(false)) => Cell::text("do not balance").marked(Mark::Bad),
+        });
+        cells
+    };
+    Table {
+        title: "The books of each run".into(),
+        how_to_read: "*change*: of kinetic plus potential energy from start to end; the accounts add up \
+                      to it, but for the *remainder*: the largest that was missing at any time. *energy \
+                      moved*: the largest kinetic energy, or change of the potential one. *books*: they \
+                      balance where the remainder is rounding, beside all energies that they were \
+                      computed from. *not accounted*: this way of stepping does not write down what acted."
+            .into(),
+        columns,
+        rows: findings.iter().map(cells).collect(),
+        ..Table::default()
+    }
+}

@@ -1,0 +1,74 @@
+//! Fill of the factor by ordering.
+
+use crate::number::{count, readable};
+use crate::plot::{Small, Spies};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::sparsity::factor::{Factor, Ordered};
+use crate::report::view::Document;
+
+pub(super) fn show(factors: &[&Factor], document: &mut Document) {
+    document.text(
+        "**The factor of A under three orderings.** Sweeps read A and leave it as it is. A direct method factors $A = L L^T$, and $L$ has entries \
+         where A has none. How many depends on the order in which rows are eliminated: *natural*, as the \
+         scene has them; *reverse Cuthill-McKee*, which draws everything to the diagonal; *minimum \
+         degree*, which takes the row with the fewest neighbours next. Where A is singular, as for \
+         redundant contacts, the pattern says what a factor of $A + \\varepsilon I$ has.",
+    );
+    let rows =
+        factors.iter().flat_map(|factor| factor.ordered.iter().map(|own| cells(factor, own)));
+    let table = Table {
+        title: "Entries of the factor by ordering".into(),
+        how_to_read: "*A*: entries on and below the diagonal. *L*: entries of the factor, the diagonal \
+                      included; *fill*: how many times those of A, the least of a scene marked. *work*: \
+                      multiplications of the factorization."
+            .into(),
+        columns: vec![
+            Column::words("scene"),
+            Column::numbers("rows", ""),
+            Column::words("ordering"),
+            Column::numbers("bandwidth", ""),
+            Column::numbers("A", ""),
+            Column::numbers("L", ""),
+            Column::numbers("fill", "×"),
+            Column::numbers("work", ""),
+        ],
+        rows: rows.collect(),
+        ..Table::default()
+    };
+    document.table("sparsity_factors", table);
+    let panel = |(factor, own): (&&Factor, &Ordered)| Small {
+        name: format!("{}, {}", factor.scene, own.ordering),
+        note: format!(
+            "{} entries, {} %",
+            count(own.entries),
+            readable(2.0 * own.picture.fill(), 3)
+        ),
+        raster: own.picture.clone(),
+    };
+    let all = factors.iter().flat_map(|factor| factor.ordered.iter().map(move |own| (factor, own)));
+    document.figure(Spies {
+        id: "sparsity_factor_pictures".into(),
+        title: "The factor L under three orderings".into(),
+        caption: "Per cent are of the lower triangle. Darker cells are denser. Reverse Cuthill-McKee \
+                  gathers the entries near the diagonal; minimum degree leaves most of the triangle empty and \
+                  gathers what it cannot avoid in the last rows."
+            .into(),
+        across: 3,
+        panels: all.map(panel).collect(),
+    });
+}
+
+fn cells(factor: &Factor, own: &Ordered) -> Vec<Cell> {
+    let least = factor.ordered.iter().map(|own| own.entries).min();
+    let mark = if Some(own.entries) == least { Mark::Good } else { Mark::Plain };
+    vec![
+        Cell::text(&factor.scene),
+        Cell::count(factor.rows),
+        Cell::text(&own.ordering),
+        Cell::count(own.bandwidth),
+        Cell::count(factor.lower),
+        Cell::count(own.entries),
+        Cell::number(own.entries as f64 / factor.lower.max(1) as f64, 3).marked(mark),
+        Cell::number(own.work, 3),
+    ]
+}

@@ -1,0 +1,45 @@
+//! A of the shipped scenes.
+
+use crate::number::{count, readable};
+use crate::plot::{Small, Spies};
+use crate::report::study::sparsity::gallery::Picture;
+use crate::report::view::Document;
+
+/// Pictures in a figure, and side by side.
+const PICTURES: usize = 20;
+const ACROSS: usize = 5;
+
+pub(super) fn show(pictures: &[Picture], document: &mut Document) {
+    document.text(
+        "**A of the shipped scenes.** Rows come in the order of the scene's constraints, then its contacts, each contact as normal \
+         and two tangents. Two rows share an entry if they share a moving body. A chain is a band, a \
+         stack a band of blocks, a net two bands as far apart as it is wide; a body that many others \
+         touch makes a full square.",
+    );
+    let figures = pictures.len().div_ceil(PICTURES);
+    for (k, some) in pictures.chunks(PICTURES).enumerate() {
+        let small = |picture: &Picture| Small {
+            name: picture.scene.clone(),
+            note: note(picture),
+            raster: picture.raster.clone(),
+        };
+        document.figure(Spies {
+            id: format!("sparsity_scenes_{}", k + 1),
+            title: format!("A of the shipped scenes, {} of {figures}", k + 1),
+            caption: "Under each name: the number of rows and the share of entries that are not zero; the \
+                      step, if it is not the first. An empty frame has no rows in that step. Rows at right angles share a body and no entry."
+                .into(),
+            across: ACROSS,
+            panels: some.iter().map(small).collect(),
+        });
+    }
+}
+
+fn note(picture: &Picture) -> String {
+    let raster = &picture.raster;
+    let step = if picture.step > 1 { format!(", step {}", picture.step) } else { String::new() };
+    if raster.rows == 0 {
+        return format!("no rows{step}");
+    }
+    format!("{}², {} %{step}", count(raster.rows), readable(raster.fill(), 2))
+}
