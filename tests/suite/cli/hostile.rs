@@ -53,9 +53,9 @@ fn a_file_whose_name_is_no_folder_writes_nothing() {
 #[test]
 fn names_of_runs_and_sections_lead_nowhere_else() {
     let folder = tempfile::tempdir().unwrap();
-    let runs = "runs = [{ name = \"x/../../../../evil\", title = \"a\", text = \"b\", \
+    let runs = "ledgers = [{ name = \"x/../../../../evil\", title = \"a\", text = \"b\", \
                 scene = \"fig6\", duration = 0.1 }]";
-    let ledger = format!("title = \"A\"\nlead = \"B\"\n[[section]]\nstudy = \"ledger\"\n{runs}\n");
+    let ledger = format!("title = \"A\"\nlead = \"B\"\n[[section]]\nstudy = \"drift\"\n{runs}\n");
     fs::write(folder.path().join("r.toml"), ledger).unwrap();
     let before = files(folder.path());
     let output = run_in(folder.path(), &["report", "r.toml", "--out", "deep/er/r"]);

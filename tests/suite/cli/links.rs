@@ -10,8 +10,7 @@ use std::process::{Command, Output};
 use super::err;
 
 const WORDS: &str = "title = \"A\"\nlead = \"B\"\n[[section]]\ntitle = \"C\"\ntext = \"D\"\n";
-const PROVED: &str =
-    "title = \"A\"\nlead = \"B\"\n[[section]]\nstudy = \"published\"\nproblems = [\"cps-1\"]\n";
+const PROVED: &str = "title = \"A\"\nlead = \"B\"\n[[section]]\nstudy = \"cross-check\"\nscenes = [{ scene = \"fig7\" }]\n";
 const GRID: &str =
     "family = \"stack\"\nmeasure = \"iterations\"\n[axes]\nsolver.name = [\"pgs\"]\n";
 /// What a link may lead to, from the folder above `out`: a file, a folder, nothing, the folder

@@ -148,9 +148,9 @@ fn an_interrupted_report_writes_its_page_and_goes_on_from_its_results() {
     let folder = tempfile::tempdir().unwrap();
     let (file, results) = (folder.path().join("long.toml"), folder.path().join("page"));
     let report = "title = 'Long'\nlead = ''\n\
-                  [[section]]\nstudy = 'published'\nproblems = ['cps-1']\n\
-                  [[section]]\nstudy = 'schemes'\n[[section.cases]]\nname = 'swing'\ntext = ''\n\
-                  scene = 'pendulum'\nduration = 1e9\nenergy_limit = 5\n";
+                  [[section]]\nstudy = 'cross-check'\nscenes = [{ scene = 'fig7' }]\n\
+                  [[section]]\nstudy = 'drift'\n[[section.ledgers]]\nname = 'swing'\n\
+                  title = ''\ntext = ''\nscene = 'pendulum'\nduration = 1e7\n";
     fs::write(&file, report).unwrap();
     let (file, path) = (file.to_str().unwrap(), results.to_str().unwrap());
     let run = ["report", file, "--out", path, "--threads", "1"];
