@@ -13,11 +13,11 @@ LIVE = Path(__file__).parent
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", LIVE.parent / "target" / "live"))
 # The title, the features of the module, and the most bytes of a page.
 PAGES = {
-    "two_rows": ("Two rows", "", 450_000),
-    "stack": ("A stack", "", 450_000),
-    "friction": ("Friction", "", 450_000),
+    "two_rows": ("Two rows", "", 550_000),
+    "stack": ("A stack", "", 550_000),
+    "friction": ("Friction", "", 550_000),
     "problem": ("Your problem", "study", 1_000_000),
-    "painleve": ("Painlevé's rod", "", 450_000),
+    "painleve": ("Painlevé's rod", "", 550_000),
 }
 
 
