@@ -10,7 +10,7 @@ use crate::report::study::cross_check::{CrossCheck, Plan, Wrench, answered};
 use crate::scene::{Scene, Scheme};
 
 impl View for Plan {
-    const TITLE: &'static str = "The same answers from elsewhere";
+    const TITLE: &'static str = "Cross-check with clarabel";
 
     fn show(&self, findings: &[Vec<CrossCheck>], document: &mut Document) {
         let checks = &findings.concat();
