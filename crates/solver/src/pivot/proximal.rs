@@ -27,7 +27,7 @@ use super::active_set::{ActiveSet, ROUNDING};
 use super::block_pivoting::rule;
 use super::free_rows::FreeRows;
 use super::principal::{Change, Point, Search};
-use crate::{Event, Fallback, Observer, Settings, Solution, Start, Status, iterate};
+use crate::{Event, Fallback, Settings, Solution, Start, Status, iterate};
 use lcplab_problem::Lcp;
 
 /// The least ρ is 2 to this power: the null space of A costs half of all digits there.
@@ -133,12 +133,7 @@ fn is_solved(lcp: &Lcp, point: &Point, tolerance: f64) -> bool {
 /// What proximal steps make of a problem with symmetric A that a method of pivots has given up: their
 /// solution, or the failed one. Rows of redundant joints that have drifted apart depend on each
 /// other so nearly that a single pivot cannot tell; along them A is small, not zero.
-pub(crate) fn after(
-    lcp: &Lcp,
-    failed: Solution,
-    settings: &Settings,
-    observer: &mut dyn Observer,
-) -> Solution {
+pub(crate) fn after(lcp: &Lcp, failed: Solution, settings: &Settings) -> Solution {
     use Status::{Inaccurate, Ray, Singular, Stalled};
     let is_given_up = matches!(failed.status, Ray { .. } | Inaccurate | Singular { .. } | Stalled);
     let is_positive = |i: usize| lcp.matrix().diagonal(i) > 0.0 || lcp.lo()[i] == lcp.hi()[i];
@@ -149,6 +144,7 @@ pub(crate) fn after(
     let x = start.point(lcp); // a warm start may lie far out along what the rows leave open
     let set = ActiveSet::initial(lcp, &start, &x);
     let (point, count) = (Point::at(lcp, x.clone()), failed.iterations);
+    let observer = &mut (); // the way of another method is not that of the one that is watched
     let mut search =
         Search { settings, observer, set, point, count, fallback: None, safeguard: None };
     let solution = solve(lcp, &mut search, x);

@@ -96,7 +96,7 @@ impl Solver for Dantzig {
                 Err(status) => Solution::new(lcp, run.state.x, status, pivots),
             };
             let solution = solution.with_fallback(fallback);
-            proximal::after(lcp, solution, &self.settings, observer)
+            proximal::after(lcp, solution, &self.settings)
         })
     }
 }

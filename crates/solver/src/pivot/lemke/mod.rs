@@ -85,14 +85,14 @@ impl Solver for Lemke {
                     Some(End::Point(point)) => return point.solution(Status::Solved, path.pivots),
                     Some(End::Status(status, x)) => {
                         let failed = Solution::new(lcp, x, status, path.pivots);
-                        return proximal::after(lcp, failed, &self.settings, observer);
+                        return proximal::after(lcp, failed, &self.settings);
                     }
                     None => seen = path.pivots - before,
                 }
             }
             let solution = self.by_tables(lcp, before, &mut Later { seen, observer });
             match lcp.matrix().is_nearly_symmetric() {
-                true => proximal::after(lcp, solution, &self.settings, observer),
+                true => proximal::after(lcp, solution, &self.settings),
                 false => solution,
             }
         })
