@@ -17,6 +17,7 @@ mod friction;
 mod position;
 mod redundant;
 mod sliding;
+mod sticking;
 mod velocity;
 
 pub use crate::scene::Scheme;

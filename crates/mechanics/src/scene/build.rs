@@ -1,7 +1,7 @@
 //! From a description to a scene: every defect is found, none is repaired. Constraints: see
 //! [`joints`](super::joints).
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use super::description::{self, Capsule, Description, Part, Rotation};
 use super::joints::Site;
 use super::settings::within_one;
-use super::{Scene, friction, generate, range};
+use super::{Scene, friction, generate, range, surface};
 use crate::body::{Body, Mass, Placed, Polytope, Pose, Shape, State, inertia};
 use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::memory::Memory;
@@ -39,6 +39,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         solver: whole.solver.clone(),
         bodies: Vec::with_capacity(whole.bodies.len()),
         states: Vec::with_capacity(whole.bodies.len()),
+        pairs: BTreeMap::new(),
         constraints: Vec::with_capacity(whole.constraints.len()),
         memory: Memory::default(),
     };
@@ -55,7 +56,8 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         }
         let (shape, frame) = build_shape(&mut defects, &place, &body.shape);
         let mass = build_mass(&mut defects, &place, body, &shape);
-        let friction = build_friction(&mut defects, &place, body, whole.contact.friction);
+        let [friction, static_friction] =
+            surface::of_body(&mut defects, &place, body, &whole.contact);
         if let Some(restitution) = body.restitution {
             within_one(&mut defects, &format!("{place}.restitution"), restitution);
         }
@@ -67,6 +69,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
             mass,
             shape,
             friction,
+            static_friction,
             restitution: body.restitution,
             force: body.force.into(),
             force_at,
@@ -74,6 +77,11 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         });
         scene.states.push(build_state(&mut defects, &place, body, &frame));
     }
+    for (k, pair) in whole.pairs.iter().enumerate() {
+        let place = format!("pairs[{k}]");
+        surface::add_pair(&mut defects, &place, pair, &names, &mut scene);
+    }
+    surface::check_scheme(&mut defects, &scene);
     for (k, constraint) in whole.constraints.iter().enumerate() {
         let site = Site { place: format!("constraints[{k}]"), written: constraint };
         scene.constraints.extend(site.build(&mut defects, &names, &scene));
@@ -121,6 +129,8 @@ pub(super) fn written_out(name: &str, description: &Description) -> Result<Descr
         written.rotation = (written.shape != description::Shape::Point)
             .then_some(Rotation::Quaternion([q.w, q.i, q.j, q.k]));
         written.friction = Some(body.friction);
+        written.static_friction =
+            (body.static_friction > body.friction).then_some(body.static_friction);
         written.restitution = body.restitution.or(Some(scene.contact.restitution));
         if description.start.iter().all(|start| start.body != written.name) {
             (written.velocity, written.angular_velocity) = (state.v.into(), state.omega.into());
@@ -132,13 +142,6 @@ pub(super) fn written_out(name: &str, description: &Description) -> Result<Descr
 
 fn stem(name: &str) -> String {
     Path::new(name).file_stem().map_or_else(|| name.into(), |stem| stem.to_string_lossy().into())
-}
-
-fn build_friction(defects: &mut Defects, place: &str, body: &description::Body, usual: f64) -> f64 {
-    if let Some(friction) = body.friction {
-        range::coefficient(defects, format!("{place}.friction"), friction);
-    }
-    body.friction.unwrap_or(usual)
 }
 
 /// What acts on a body must be finite, and able to act on it.

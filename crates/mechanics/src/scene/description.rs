@@ -56,6 +56,9 @@ pub struct Description {
     pub constraints: Vec<Constraint>,
     /// Where bodies are when the simulation begins, if not where joints were made: what `simulate` saves.
     pub start: Vec<Start>,
+    /// What pairs of bodies do to each other, in place of what follows from their surfaces.
+    #[schemars(schema_with = "one_or_several::<Pair>")]
+    pub pairs: Vec<Pair>,
 }
 
 impl Description {
@@ -116,6 +119,7 @@ impl Default for Description {
             bodies: Vec::new(),
             constraints: Vec::new(),
             start: Vec::new(),
+            pairs: Vec::new(),
         }
     }
 }
@@ -157,6 +161,10 @@ pub struct Body {
     /// Coefficient of friction; by default that of `[contact]`. A pair has the geometric mean.
     #[serde(default)]
     pub friction: Option<f64>,
+    /// Coefficient of static friction, no less than `friction`; by default `friction` where the body
+    /// states it, else that of `[contact]`. A pair has the geometric mean.
+    #[serde(default)]
+    pub static_friction: Option<f64>,
     /// Coefficient of restitution, 0 to 1; by default that of `[contact]`. A pair has the geometric mean.
     #[serde(default)]
     pub restitution: Option<f64>,
@@ -170,6 +178,25 @@ pub struct Body {
     /// A constant torque (N m, world).
     #[serde(default)]
     pub torque: [f64; 3],
+}
+
+/// What two bodies do to each other where they touch, in place of what follows from their surfaces.
+/// What is not stated still follows from them.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Pair {
+    /// The names of the two bodies.
+    pub bodies: [String; 2],
+    /// Coefficient of friction.
+    #[serde(default)]
+    pub friction: Option<f64>,
+    /// Coefficient of static friction, no less than `friction`; by default `friction` where the pair
+    /// states it.
+    #[serde(default)]
+    pub static_friction: Option<f64>,
+    /// Coefficient of restitution, 0 to 1.
+    #[serde(default)]
+    pub restitution: Option<f64>,
 }
 
 /// The state in which a body begins, as a row of trajectory.csv has it.

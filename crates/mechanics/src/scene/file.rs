@@ -44,6 +44,7 @@ fn read(table: Spanned<DeTable<'_>>, source: &Source<'_>, defects: &mut Defects)
     let generate = section("generate").map(|part| list(part, source, defects));
     let bodies = section("bodies").map(|part| list(part, source, defects));
     let constraints = section("constraints").map(|part| list(part, source, defects));
+    let pairs = section("pairs").map(|part| list(part, source, defects));
     let step = section("step").map(|part| source.read(part, defects));
     let contact = section("contact").map(|part| source.read(part, defects));
     let solver = section("solver").map(|part| source.read(part, defects));
@@ -54,6 +55,7 @@ fn read(table: Spanned<DeTable<'_>>, source: &Source<'_>, defects: &mut Defects)
         generate: generate.unwrap_or_default(),
         bodies: bodies.unwrap_or_default(),
         constraints: constraints.unwrap_or_default(),
+        pairs: pairs.unwrap_or_default(),
         step: step.flatten().unwrap_or_default(),
         contact: contact.flatten().unwrap_or_default(),
         solver: solver.flatten().unwrap_or_default(),

@@ -21,6 +21,7 @@ mod scale;
 mod scheme;
 mod settings;
 pub mod source;
+mod surface;
 
 pub use contacts::{ContactId, Detector, Feature, Found, Passage, Reach, contacts, step_contacts};
 pub use description::Description;
@@ -29,14 +30,16 @@ pub use resting::Resting;
 pub use saved::saved;
 pub use scheme::{Feedback, Integrator, Penalty, Scheme, Soft, Xpbd};
 pub use settings::{Contacts, Manifold, Order, Persistence, Sliding, Solver, Step};
+pub use surface::Surface;
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
 
 use crate::body::{Body, State};
-use crate::constraint::{Bodies, Constraint};
+use crate::constraint::Constraint;
 use lcplab_problem::disk;
 use lcplab_problem::error::{Defects, Error, Result};
 use lcplab_problem::memory::Memory;
@@ -82,6 +85,8 @@ pub struct Scene {
     pub bodies: Vec<Body>,
     /// The bodies' states at the start.
     pub states: Vec<State>,
+    /// What pairs of bodies, the lower index first, do to each other beside what follows from the bodies.
+    pub pairs: BTreeMap<[usize; 2], Surface>,
     /// The constraints other than contacts.
     pub constraints: Vec<Arc<dyn Constraint>>,
     /// What the matrix of a step, and what its solver makes of it, may take each; no file states it.
@@ -161,20 +166,9 @@ impl Scene {
         self.step.check(&mut defects);
         self.contact.check(&mut defects);
         friction::check(&mut defects, &self.step, &self.contact);
+        surface::check_scheme(&mut defects, self);
         self.solver.check(&mut defects);
         defects.into_result(self.name.as_str())
-    }
-
-    /// The coefficient of restitution of a pair: the geometric mean of both, of which the world has none.
-    pub fn restitution(&self, bodies: Bodies) -> f64 {
-        let of = |body: Option<usize>| body.and_then(|k| self.bodies[k].restitution);
-        match bodies.map(of) {
-            [None, None] => self.contact.restitution,
-            pair => {
-                let [a, b] = pair.map(|own| own.unwrap_or(self.contact.restitution));
-                (a * b).sqrt()
-            }
-        }
     }
 
     /// When contacts rest at acceleration level.

@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::range;
 use super::scheme::{Feedback, Integrator, Penalty, Scheme, Soft, Xpbd};
+use super::{range, surface};
 use crate::body::Gyroscopic;
 use lcplab_problem::error::Defects;
 use lcplab_problem::friction::Model;
@@ -113,6 +113,10 @@ pub struct Contacts {
     pub margin: Option<f64>,
     /// The coefficient of friction of bodies that do not state their own.
     pub friction: f64,
+    /// The coefficient of static friction of bodies that state no friction of their own, no less than
+    /// `friction`; without it the same. A contact that it can hold still to the end of a step sticks,
+    /// any other one slides and has `friction`.
+    pub static_friction: Option<f64>,
     /// The coefficient of restitution e, 0 to 1.
     pub restitution: f64,
     /// Approach at less than this speed (m/s) does not bounce.
@@ -144,6 +148,7 @@ impl Default for Contacts {
         Contacts {
             margin: None,
             friction: 0.0,
+            static_friction: None,
             restitution: 0.0,
             bounce_speed: 0.1,
             slop: 0.0,
@@ -243,6 +248,9 @@ impl Contacts {
     pub(super) fn check(&self, defects: &mut Defects) {
         not_negative(defects, "contact.margin", self.margin.unwrap_or(0.0));
         range::coefficient(defects, "contact.friction", self.friction);
+        if let Some(stated) = self.static_friction {
+            surface::check_static(defects, "contact", stated, self.friction);
+        }
         within_one(defects, "contact.restitution", self.restitution);
         not_negative(defects, "contact.bounce_speed", self.bounce_speed);
         not_negative(defects, "contact.slop", self.slop);

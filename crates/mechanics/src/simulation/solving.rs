@@ -58,8 +58,17 @@ impl Solving<'_> {
     }
 
     /// Poses a problem under the scene's model of friction, solves it from the x that rows of the
-    /// same name had at the same stage, and keeps it.
+    /// same name had at the same stage, and keeps it. Which contacts stick is decided with the answer.
     pub fn solve(&mut self, problem: Problem) -> Result<&Solve, Cause> {
+        let mut solve = self.answered(problem.held(self.scene)?)?;
+        while let Some(looser) = solve.problem.loosened(self.scene, &solve.solution.x)? {
+            solve = self.answered(looser)?;
+        }
+        Ok(self.keep(solve))
+    }
+
+    /// The answer to a problem as it stands.
+    fn answered(&mut self, problem: Problem) -> Result<Solve, Cause> {
         let x = self.start(problem.stage, &problem.assembly);
         let model = self.scene.contact.model;
         let posing = match (problem.stage, self.solves.last()) {
@@ -67,21 +76,26 @@ impl Solving<'_> {
             _ => problem.pose(model, &x)?,
         };
         let (solver, solution) = self.solvers.solve(&problem, posing.as_ref(), &x, self.observer);
-        Ok(self.keep(Solve { problem, posing, start: x, solver, solution, impulse_factor: 1.0 }))
+        Ok(Solve { problem, posing, start: x, solver, solution, impulse_factor: 1.0 })
     }
 
     /// Solves a problem as it stands by a method of the scheme's own.
-    pub fn solve_by(&mut self, problem: Problem, method: Method) -> &Solve {
+    pub fn solve_by(&mut self, problem: Problem, method: Method) -> Result<&Solve, Cause> {
+        let mut problem = problem.held(self.scene)?;
         let x = self.start(problem.stage, &problem.assembly);
-        let solution = method(&problem, &x, self.observer);
-        self.keep(Solve {
+        let mut solution = method(&problem, &x, self.observer);
+        while let Some(looser) = problem.loosened(self.scene, &solution.x)? {
+            solution = method(&looser, &x, self.observer);
+            problem = looser;
+        }
+        Ok(self.keep(Solve {
             problem,
             posing: None,
             start: x,
             solver: "none",
             solution,
             impulse_factor: 1.0,
-        })
+        }))
     }
 
     fn keep(&mut self, solve: Solve) -> &Solve {

@@ -201,7 +201,7 @@ def springs(scene: Description) -> list[Spring]:
 
 #: Fields of bodies and joints that no adapter translates.
 _REFUSED = {
-    "bodies": ("force", "force_at", "torque"),
+    "bodies": ("force", "force_at", "torque", "static_friction"),
     "constraints": ("length", "angle", "limits", "speed", "effort", "stiffness", "damping"),
 }
 
@@ -220,8 +220,10 @@ def joints(scene: Description, besides: Sequence[str] = ()) -> list[Joint]:
     for key, fields in _REFUSED.items():
         every = constraints if key == "constraints" else scene[key]
         for written, field_ in ((written, field_) for written in every for field_ in fields):
-            if written[field_] not in (None, [0, 0, 0]):
+            if written.get(field_) not in (None, [0, 0, 0]):
                 raise Unsupported(f"the field {field_} of {key}")
+    if scene.get("pairs"):
+        raise Unsupported("friction and restitution of a pair")
     if scene["start"]:
         raise Unsupported("a start elsewhere")
     numbers = {body["name"]: k for k, body in enumerate(scene["bodies"])}

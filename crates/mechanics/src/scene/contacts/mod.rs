@@ -366,7 +366,7 @@ fn point(
         anchors: [local(k0, &touch.anchors[0]), local(k1, &touch.anchors[1])],
         radii: in_order(radii),
         normal: touch.normal,
-        friction: (scene.bodies[k0].friction * scene.bodies[k1].friction).sqrt(),
+        friction: scene.friction([k0, k1]),
     };
     let pair_of = [&states[k0], &states[k1]];
     let (contact, (gap, normal)) = match (contact.gap(pair_of), touch.normal) {

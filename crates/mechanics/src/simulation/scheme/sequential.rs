@@ -32,10 +32,10 @@ pub(super) fn step(
     let method = |problem: &Problem, x: &[f64], observer: &mut dyn Observer| {
         impulses(problem, x, dt, sweeps, tolerance, observer)
     };
-    solving.solve_by(problem, &method);
+    solving.solve_by(problem, &method)?;
     if let Some(second) = solving.bounce()? {
         solving.replace_last();
-        solving.solve_by(second, &method);
+        solving.solve_by(second, &method)?;
     }
     Ok(moved(solving, states, dt))
 }

@@ -19,6 +19,10 @@ pub(super) fn check(scene: &Scene) -> Result<()> {
     if scene.contact.model != Model::CoupledBox {
         defects.add("contact.model", "the stepper knows the coupled box only");
     }
+    if scene.has_static_friction() {
+        defects
+            .add("contact.static_friction", "the stepper knows one coefficient of friction only");
+    }
     for (k, constraint) in scene.constraints.iter().enumerate() {
         let states =
             constraint.bodies().map(|body| body.map_or(&State::WORLD, |b| &scene.states[b]));

@@ -46,7 +46,7 @@ fn unknown_keys_are_reported_with_the_known_ones() {
         "bad.toml: 2 defects\n  \
          line 5: bodies[0].weight: unknown field \"weight\", expected one of \"name\", \"shape\", \
          \"fixed\", \"mass\", \"density\", \"inertia\", \"position\", \"rotation\", \"velocity\", \
-         \"angular_velocity\", \"friction\", \"restitution\", \"force\", \"force_at\", \"torque\"\n  \
+         \"angular_velocity\", \"friction\", \"static_friction\", \"restitution\", \"force\", \"force_at\", \"torque\"\n  \
          line 8: step.dtt: unknown field \"dtt\", expected one of \"dt\", \"count\", \
          \"scheme\", \"gyroscopic\", \"baumgarte\", \"feedback\", \"alpha\", \"integrator\", \"events\", \"substeps\", \"sweeps\", \"xpbd\", \"soft\", \"penalty\""
     );
@@ -299,4 +299,45 @@ fn no_broken_text_makes_the_reader_panic() {
             &format!("{}{}", &good[..cut], good[cut..].get(7..).unwrap_or("")),
         );
     }
+}
+
+/// A ground and a ball, and these lines for their pair.
+fn paired(lines: &str) -> String {
+    let ground = "[[bodies]]\nname = 'ground'\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
+    format!("{ground}{BALL}[[pairs]]\n{lines}\n")
+}
+
+#[test]
+fn a_pair_is_stated_once_and_of_two_bodies_that_are_there() {
+    let pair = "bodies = ['ground', 'ball']";
+    for (lines, place, reason) in [
+        ("bodies = ['ground', 'bell']".into(), "bodies[1]", "there is no body named \"bell\""),
+        ("bodies = ['ball', 'ball']".into(), "bodies", "names one body twice"),
+        (format!("{pair}\nfriction = -1"), "friction", "must be at least 0, is -1"),
+        (format!("{pair}\nrestitution = 2"), "restitution", "must lie between 0 and 1, is 2"),
+        (
+            format!("{pair}\nfriction = 0.5\nstatic_friction = 0.4"),
+            "static_friction",
+            "must be at least friction, 0.5, is 0.4",
+        ),
+    ] {
+        let found = message(&paired(&lines));
+        assert!(found.ends_with(&format!(": pairs[0].{place}: {reason}")), "{found}");
+    }
+    let twice = format!("{pair}\n[[pairs]]\nbodies = ['ball', 'ground']");
+    assert!(message(&paired(&twice)).ends_with("pairs[1].bodies: has been stated before"));
+}
+
+#[test]
+fn static_friction_is_no_less_than_friction() {
+    let of_contacts = "[contact]\nfriction = 0.5\nstatic_friction = 0.4\n";
+    assert_eq!(
+        message(of_contacts),
+        "bad.toml: line 3: contact.static_friction: must be at least friction, 0.5, is 0.4"
+    );
+    let without = format!("{BALL}static_friction = 0.4\n");
+    assert_eq!(
+        message(&without),
+        "bad.toml: line 5: bodies[0].static_friction: needs a friction above 0 for what slides"
+    );
 }

@@ -21,6 +21,7 @@ mod schemes;
 mod shipped;
 mod stacking;
 mod stepper;
+mod surfaces;
 mod symmetry;
 
 use lcplab_mechanics::scene::{Scene, Scheme, catalogue};

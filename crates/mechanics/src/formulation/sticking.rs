@@ -1,0 +1,95 @@
+//! Static friction above kinetic friction: what sticks is decided with the answer.
+//!
+//! Every contact begins with μ_s. Where the answer slips all the same, static friction cannot hold it still
+//! to the end of the step: it gets μ, and the problem is solved again, until no further contact slips. So
+//!
+//! ```text
+//! |x_t| ≤ μ_s x_n   where J_t u⁺ = 0,       |x_t| ≤ μ x_n   where it is not
+//! ```
+//!
+//! whatever the model of friction does with its coefficient. A contact that has got μ keeps it in this step,
+//! so the rounds end. A contact whose friction is substituted slides, with μ.
+
+use super::Problem;
+use crate::assembly::{Row, Source};
+use crate::constraint::Bounds;
+use crate::scene::Scene;
+use lcplab_problem::Coupling;
+use lcplab_problem::error::Result;
+
+/// A slip beside that which static friction could stop, above which a contact slips: below it the answer
+/// is as good as still, also one of sweeps that ended early.
+const SLIPS: f64 = 1e-4;
+
+impl Problem {
+    /// The problem with static friction in all contacts whose friction is unknown.
+    ///
+    /// # Errors
+    /// If a coefficient is not finite.
+    pub fn held(self, scene: &Scene) -> Result<Self> {
+        match scene.has_static_friction() {
+            true => {
+                self.with_friction(|_, row, mu| resting(scene, row).map_or(mu, |own| own.max(mu)))
+            }
+            false => Ok(self),
+        }
+    }
+
+    /// The problem with kinetic friction in the contacts that had static friction and slip under the answer
+    /// x, an entry a row; `None` if none does.
+    ///
+    /// # Errors
+    /// If a coefficient is not finite.
+    pub fn loosened(&self, scene: &Scene, x: &[f64]) -> Result<Option<Self>> {
+        if !scene.has_static_friction() {
+            return Ok(None);
+        }
+        let mut slips = vec![false; x.len()];
+        for (t, row) in self.assembly.rows.iter().enumerate() {
+            let Some((normal, mu)) = self.lcp.coupled_to(t) else { continue };
+            let stops = mu * x[normal].max(0.0) * self.lcp.matrix().diagonal(t);
+            let held = sliding(scene, row).is_some_and(|own| mu > own);
+            slips[normal] |= held && self.lcp.row_w(t, x).abs() > SLIPS * stops;
+        }
+        if !slips.contains(&true) {
+            return Ok(None);
+        }
+        let own = |normal: usize, row: &Row, mu: f64| match slips[normal] {
+            true => sliding(scene, row).unwrap_or(mu),
+            false => mu,
+        };
+        self.clone().with_friction(own).map(Some)
+    }
+
+    /// The problem with other coefficients of friction, each from its normal row, its row and what it was.
+    fn with_friction(mut self, own: impl Fn(usize, &Row, f64) -> f64) -> Result<Self> {
+        let mut index = vec![None; self.lcp.len()];
+        let mut coefficients = vec![0.0; self.lcp.len()];
+        for (t, row) in self.assembly.rows.iter_mut().enumerate() {
+            let Some((normal, mu)) = self.lcp.coupled_to(t) else { continue };
+            let mu = own(normal, row, mu);
+            (index[t], coefficients[t]) = (Some(normal), mu);
+            row.bounds = Bounds::Friction { normal, mu };
+        }
+        self.lcp = self.lcp.with_coupling(Coupling::new(index, coefficients)?)?;
+        Ok(self)
+    }
+}
+
+/// The coefficient of static friction of a contact's row.
+fn resting(scene: &Scene, row: &Row) -> Option<f64> {
+    pair(row).map(|pair| scene.static_friction(pair))
+}
+
+/// The coefficient of friction of a contact's row.
+fn sliding(scene: &Scene, row: &Row) -> Option<f64> {
+    pair(row).map(|pair| scene.friction(pair))
+}
+
+/// The two bodies of a contact's row.
+fn pair(row: &Row) -> Option<[usize; 2]> {
+    match row.id.source {
+        Source::Contact(id) => Some(id.bodies),
+        Source::Constraint(_) => None,
+    }
+}

@@ -1,0 +1,162 @@
+//! Friction and restitution of two bodies that touch: what is stated for the pair, else the geometric
+//! mean of both bodies' own.
+//!
+//! Static friction above kinetic friction is decided with the answer of a step, so it needs a scheme that
+//! has one: see [`held`](crate::formulation::Problem::held).
+
+use std::collections::HashMap;
+
+use super::settings::within_one;
+use super::{Contacts, Scene, Scheme, description, range};
+use crate::constraint::Bodies;
+use lcplab_problem::error::Defects;
+use lcplab_problem::friction::Model;
+
+/// What is stated for a pair of bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Surface {
+    /// The coefficient of friction.
+    pub friction: Option<f64>,
+    /// The coefficient of static friction.
+    pub static_friction: Option<f64>,
+    /// The coefficient of restitution.
+    pub restitution: Option<f64>,
+}
+
+impl Scene {
+    /// The coefficient of friction of two bodies that slide on each other.
+    pub fn friction(&self, bodies: [usize; 2]) -> f64 {
+        self.stated(bodies).friction.unwrap_or_else(|| {
+            let [a, b] = bodies.map(|k| self.bodies[k].friction);
+            (a * b).sqrt()
+        })
+    }
+
+    /// The coefficient of static friction of two bodies: no less than that of friction.
+    pub fn static_friction(&self, bodies: [usize; 2]) -> f64 {
+        let stated = self.stated(bodies);
+        stated.static_friction.or(stated.friction).unwrap_or_else(|| {
+            let [a, b] = bodies.map(|k| self.bodies[k].static_friction);
+            (a * b).sqrt()
+        })
+    }
+
+    /// Whether static friction is above friction anywhere.
+    pub fn has_static_friction(&self) -> bool {
+        let of_body = self.bodies.iter().any(|body| body.static_friction > body.friction);
+        of_body || self.pairs.keys().any(|&pair| self.static_friction(pair) > self.friction(pair))
+    }
+
+    /// The coefficient of restitution of a pair, of which the world has none.
+    pub fn restitution(&self, bodies: Bodies) -> f64 {
+        let stated = match bodies {
+            [Some(a), Some(b)] => self.stated([a, b]).restitution,
+            _ => None,
+        };
+        let of = |body: Option<usize>| body.and_then(|k| self.bodies[k].restitution);
+        match (stated, bodies.map(of)) {
+            (Some(stated), _) => stated,
+            (None, [None, None]) => self.contact.restitution,
+            (None, pair) => {
+                let [a, b] = pair.map(|own| own.unwrap_or(self.contact.restitution));
+                (a * b).sqrt()
+            }
+        }
+    }
+
+    /// What is stated for a pair, in either order.
+    fn stated(&self, [a, b]: [usize; 2]) -> Surface {
+        self.pairs.get(&[a.min(b), a.max(b)]).copied().unwrap_or_default()
+    }
+}
+
+/// The coefficients of friction and of static friction of a body.
+pub(super) fn of_body(
+    defects: &mut Defects,
+    place: &str,
+    body: &description::Body,
+    usual: &Contacts,
+) -> [f64; 2] {
+    let friction = body.friction.unwrap_or(usual.friction);
+    if body.friction.is_some() {
+        range::coefficient(defects, format!("{place}.friction"), friction);
+    }
+    let stated = body.static_friction;
+    if let Some(stated) = stated {
+        check_static(defects, place, stated, friction);
+    }
+    let of_contacts = match body.friction {
+        Some(own) => own,
+        None => usual.static_friction.unwrap_or(friction),
+    };
+    [friction, stated.unwrap_or(of_contacts)]
+}
+
+/// Adds what the scene states for a pair.
+pub(super) fn add_pair(
+    defects: &mut Defects,
+    place: &str,
+    pair: &description::Pair,
+    names: &HashMap<&str, usize>,
+    scene: &mut Scene,
+) {
+    let mut index = |k: usize| {
+        let name = pair.bodies[k].as_str();
+        let found = names.get(name).copied();
+        if found.is_none() {
+            let reason = format!("there is no body named {name:?}");
+            defects.add(format!("{place}.bodies[{k}]"), reason);
+        }
+        found
+    };
+    let (Some(a), Some(b)) = (index(0), index(1)) else { return };
+    let key = [a.min(b), a.max(b)];
+    if a == b {
+        defects.add(format!("{place}.bodies"), "names one body twice");
+    } else if scene.pairs.contains_key(&key) {
+        defects.add(format!("{place}.bodies"), "has been stated before");
+    }
+    if let Some(friction) = pair.friction {
+        range::coefficient(defects, format!("{place}.friction"), friction);
+    }
+    if let Some(restitution) = pair.restitution {
+        within_one(defects, &format!("{place}.restitution"), restitution);
+    }
+    let description::Pair { friction, static_friction, restitution, .. } = *pair;
+    scene.pairs.insert(key, Surface { friction, static_friction, restitution });
+    if let Some(stated) = static_friction {
+        check_static(defects, place, stated, scene.friction(key));
+    }
+}
+
+/// Static friction is no less than friction, and needs one to fall back to.
+pub(super) fn check_static(defects: &mut Defects, place: &str, stated: f64, friction: f64) {
+    let place = format!("{place}.static_friction");
+    if !(stated.is_finite() && stated >= friction) {
+        defects.add(place, format!("must be at least friction, {friction}, is {stated}"));
+    } else if stated > 0.0 && friction == 0.0 {
+        defects.add(place, "needs a friction above 0 for what slides");
+    } else {
+        range::coefficient(defects, place, stated);
+    }
+}
+
+/// Whether the scheme and the model of friction can tell what sticks from what slides.
+pub(super) fn check_scheme(defects: &mut Defects, scene: &Scene) {
+    if !scene.has_static_friction() {
+        return;
+    }
+    let scheme = scene.step.scheme;
+    if scene.contact.model == Model::FrozenBox {
+        let reason = "a frozen box is empty in a contact's first step, so that all breaks loose: no \
+                      static friction";
+        defects.add("contact.model", reason);
+    }
+    if !scheme.solves_lcps() && scheme != Scheme::SequentialImpulses {
+        let reason = format!(
+            "the scheme {} poses no problem whose answer says what sticks: it has one coefficient",
+            scheme.name()
+        );
+        defects.add("contact.static_friction", reason);
+    }
+}
