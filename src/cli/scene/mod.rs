@@ -75,9 +75,10 @@ impl Changes {
         Scene::load_with(scene, &self.set)
     }
 
-    /// The file of this scene with these changes, whose bodies begin with these states.
-    pub fn saved(&self, path: &str, scene: &Scene, states: &[State]) -> Result<String> {
-        scene::saved(path, &self.set, scene, states)
+    /// The file of this scene with these changes, whose bodies begin with these states, at this
+    /// time (s) after its beginning.
+    pub fn saved(&self, path: &str, scene: &Scene, states: &[State], time: f64) -> Result<String> {
+        scene::saved(path, &self.set, scene, states, time)
     }
 
     /// Whether there are none.

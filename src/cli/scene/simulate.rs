@@ -167,8 +167,8 @@ impl Simulate {
     fn write(&self, scene: &Scene, record: &Record, camera: Camera) -> Result<()> {
         let Some(folder) = &self.out else { return Ok(()) };
         record.write(folder)?;
-        let states = &camera.last.states;
-        let saved = self.scene.changes.saved(&self.scene.scene, scene, states)?;
+        let (states, time) = (&camera.last.states, camera.last.time);
+        let saved = self.scene.changes.saved(&self.scene.scene, scene, states, time)?;
         file::write_in(folder, "final.toml", &saved)?;
         let page = view::simulation_page(Film::new("film", scene, vec![camera.take]), record);
         file::write_in(folder, "index.html", &page.render()?)?;

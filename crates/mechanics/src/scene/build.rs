@@ -11,7 +11,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use super::description::{self, Capsule, Description, Part, Rotation};
 use super::joints::Site;
 use super::settings::within_one;
-use super::{Scene, friction, generate, range, surface};
+use super::{Scene, driven, friction, generate, range, surface};
 use crate::body::{Body, Mass, Placed, Polytope, Pose, Shape, State, inertia};
 use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::memory::Memory;
@@ -34,6 +34,8 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         title: whole.title.clone(),
         teaches: whole.teaches.clone(),
         gravity: leaning(&mut defects, &whole),
+        time: whole.time,
+        driven: Vec::new(),
         step: whole.step.clone(),
         contact: whole.contact.clone(),
         solver: whole.solver.clone(),
@@ -76,7 +78,12 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
             torque: body.torque.into(),
         });
         scene.states.push(build_state(&mut defects, &place, body, &frame));
+        scene.driven.extend(driven::of_body(&mut defects, &place, body, &scene, k));
     }
+    if !whole.time.is_finite() {
+        defects.add("time", format!("must be finite, is {}", whole.time));
+    }
+    driven::check_scheme(&mut defects, &scene);
     for (k, pair) in whole.pairs.iter().enumerate() {
         let place = format!("pairs[{k}]");
         surface::add_pair(&mut defects, &place, pair, &names, &mut scene);
@@ -85,6 +92,9 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
     for (k, constraint) in whole.constraints.iter().enumerate() {
         let site = Site { place: format!("constraints[{k}]"), written: constraint };
         scene.constraints.extend(site.build(&mut defects, &names, &scene));
+    }
+    if scene.driven.iter().any(|driven| driven.displacement.is_some()) && defects.is_empty() {
+        scene.states = scene.supported(&scene.states, scene.time, scene.step.dt).into_owned();
     }
     for (k, constraint) in whole.constraints.iter().enumerate() {
         let site = Site { place: format!("constraints[{k}]"), written: constraint };

@@ -22,6 +22,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::course::Course;
 use super::generate::Generator;
 use super::settings::{Contacts, Solver, Step};
 use lcplab_problem::error::Result;
@@ -39,6 +40,8 @@ pub struct Description {
     /// How the whole scene leans, in degrees: `{ y = 17 }` makes a slope of 17 degrees, down along x, of a
     /// level ground and all that stands on it. Coordinates stay along the slope; gravity is turned.
     pub tilt: Option<Rotation>,
+    /// The time (s) at which the simulation begins, for forces and supports that depend on it.
+    pub time: f64,
     /// How a step is taken.
     pub step: Step,
     /// When contacts count, and what they do.
@@ -112,6 +115,7 @@ impl Default for Description {
             teaches: String::new(),
             gravity: [0.0, 0.0, -9.81],
             tilt: None,
+            time: 0.0,
             step: Step::default(),
             contact: Contacts::default(),
             solver: Solver::default(),
@@ -175,6 +179,14 @@ pub struct Body {
     /// centre of mass.
     #[serde(default)]
     pub force_at: Option<[f64; 3]>,
+    /// A force (N, world) that is added to `force`, at the same point, as a function of time:
+    /// `{ sine = { amplitude = [5, 0, 0], angular_frequency = 3 } }`, or
+    /// `{ table = [[0, 0, 0, 0], [1, 5, 0, 0]] }` with rows of time (s), x, y, z.
+    #[serde(default)]
+    pub force_over_time: Option<Course>,
+    /// Where a fixed body is (m, world, from `position`) as a function of time, written likewise.
+    #[serde(default)]
+    pub displacement_over_time: Option<Course>,
     /// A constant torque (N m, world).
     #[serde(default)]
     pub torque: [f64; 3],

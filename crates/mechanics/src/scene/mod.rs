@@ -8,7 +8,9 @@ mod build;
 pub mod catalogue;
 mod change;
 mod contacts;
+mod course;
 pub mod description;
+mod driven;
 mod file;
 mod friction;
 pub mod generate;
@@ -24,7 +26,9 @@ pub mod source;
 mod surface;
 
 pub use contacts::{ContactId, Detector, Feature, Found, Passage, Reach, contacts, step_contacts};
+pub use course::{Course, Sine};
 pub use description::Description;
+pub use driven::Driven;
 pub use file::schema;
 pub use resting::Resting;
 pub use saved::saved;
@@ -75,6 +79,10 @@ pub struct Scene {
     pub teaches: String,
     /// The acceleration of gravity (m/s²).
     pub gravity: Vector3<f64>,
+    /// The time (s) at which the simulation begins.
+    pub time: f64,
+    /// What of bodies depends on time.
+    pub driven: Vec<Driven>,
     /// How a step is taken.
     pub step: Step,
     /// When contacts count, and what they do.
@@ -167,6 +175,7 @@ impl Scene {
         self.contact.check(&mut defects);
         friction::check(&mut defects, &self.step, &self.contact);
         surface::check_scheme(&mut defects, self);
+        driven::check_scheme(&mut defects, self);
         self.solver.check(&mut defects);
         defects.into_result(self.name.as_str())
     }

@@ -8,7 +8,8 @@ use crate::body::{Body, Mass, Shape, State};
 use lcplab_problem::error::{Error, Result};
 
 /// The text of a scene file, or of a shipped scene, with some fields set as by
-/// [`Scene::load_with`], whose bodies begin with these states of the scene made of it. Joints are still made
+/// [`Scene::load_with`], whose bodies begin with these states of the scene made of it,
+/// `elapsed` (s) after its beginning. Joints are still made
 /// where the file says, so that their lengths and angles are the same. Comments of the file are lost.
 ///
 /// # Errors
@@ -20,7 +21,7 @@ use lcplab_problem::error::{Error, Result};
 /// let scene = Scene::load("pendulum")?;
 /// let mut states = scene.states.clone();
 /// states[0].v.x = 0.25;
-/// let text = saved("pendulum", &[], &scene, &states)?;
+/// let text = saved("pendulum", &[], &scene, &states, 0.5)?;
 /// assert_eq!(Scene::from_toml("later.toml", &text)?.states, states);
 /// # Ok::<(), lcplab_problem::error::Error>(())
 /// ```
@@ -29,6 +30,7 @@ pub fn saved(
     changes: &[(String, String)],
     scene: &Scene,
     states: &[State],
+    elapsed: f64,
 ) -> Result<String> {
     let (path, text) = text(path_or_name)?;
     let mut table = change::table(&path, &text, changes)?;
@@ -42,6 +44,9 @@ pub fn saved(
         true => table.remove("start"),
         false => table.insert("start".into(), Value::Array(starts)),
     };
+    if !scene.driven.is_empty() {
+        table.insert("time".into(), Value::Float(scene.time + elapsed));
+    }
     toml::to_string(&table).map_err(fault(&path))
 }
 

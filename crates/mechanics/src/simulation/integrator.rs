@@ -34,8 +34,8 @@ pub(super) struct Rate {
     omega: Vector3<f64>,
 }
 
-/// y' of all bodies at a stage, whose quaternions are not normalised.
-pub(super) type Field<'f> = &'f mut dyn FnMut(&[State]) -> Result<Vec<Rate>, Cause>;
+/// y' of all bodies at a stage, so long (s) after the beginning; its quaternions are not normalised.
+pub(super) type Field<'f> = &'f mut dyn FnMut(f64, &[State]) -> Result<Vec<Rate>, Cause>;
 
 impl Rate {
     /// The rate of a body with this state and this acceleration u'.
@@ -62,15 +62,15 @@ impl Rate {
 
 /// y + h f(y).
 pub(super) fn explicit_euler(h: f64, states: &[State], field: Field) -> Result<Vec<State>, Cause> {
-    Ok(normalised(&moved(states, h, &field(states)?)))
+    Ok(normalised(&moved(states, h, &field(0.0, states)?)))
 }
 
 /// The classical Runge-Kutta step.
 pub(super) fn rk4(h: f64, y: &[State], field: Field) -> Result<Vec<State>, Cause> {
-    let k1 = field(y)?;
-    let k2 = field(&moved(y, h / 2.0, &k1))?;
-    let k3 = field(&moved(y, h / 2.0, &k2))?;
-    let k4 = field(&moved(y, h, &k3))?;
+    let k1 = field(0.0, y)?;
+    let k2 = field(h / 2.0, &moved(y, h / 2.0, &k1))?;
+    let k3 = field(h / 2.0, &moved(y, h / 2.0, &k2))?;
+    let k4 = field(h, &moved(y, h, &k3))?;
     let mean = |i: usize| k1[i].plus(2.0, &k2[i]).plus(2.0, &k3[i]).plus(1.0, &k4[i]);
     let sum: Vec<Rate> = (0..y.len()).map(mean).collect();
     Ok(normalised(&moved(y, h / 6.0, &sum)))
@@ -82,10 +82,10 @@ pub(super) fn rk4(h: f64, y: &[State], field: Field) -> Result<Vec<State>, Cause
 /// [`Cause::Unsettled`] if repetition does not converge: the step is too long.
 pub(super) fn implicit_midpoint(h: f64, y: &[State], field: Field) -> Result<Vec<State>, Cause> {
     let size = y.iter().map(size).fold(0.0, f64::max);
-    let mut k = field(y)?;
+    let mut k = field(h / 2.0, y)?;
     let mut change = f64::INFINITY;
     for _ in 0..MAX_REPETITIONS {
-        let next = field(&moved(y, h / 2.0, &k))?;
+        let next = field(h / 2.0, &moved(y, h / 2.0, &k))?;
         let differences = next.iter().zip(&k).map(|(a, b)| a.plus(-1.0, b).size());
         change = h * differences.fold(0.0, f64::max) / size;
         k = next;

@@ -170,13 +170,18 @@ impl Simulation {
     /// As [`step`](Simulation::step), or [`Cause::Stopped`] if the observer stops a solve.
     pub fn observed_step(&mut self, observer: &mut dyn Observer) -> Result<Step, Failure> {
         let failure = |cause| Failure { step: self.steps + 1, time: self.time(), cause };
-        let found = step_contacts(&self.scene, &self.states);
+        let (from, dt) = (self.scene.time + self.time(), self.scene.step.dt);
+        let scene = self.scene.forced(from, dt);
+        let scene = scene.as_ref();
+        let before = scene.supported(&self.states, from, dt);
+        let found = step_contacts(scene, &before);
         let mut solving = Solving {
-            scene: &self.scene,
+            scene,
+            from,
             solvers: Solvers {
                 boxed: self.solver.as_ref(),
                 cone: self.cone_solver.as_ref(),
-                scene: &self.scene,
+                scene,
             },
             previous: &self.previous,
             observer,
@@ -185,7 +190,7 @@ impl Simulation {
             acts: None,
             pushed: Vec::new(),
         };
-        let outcome = scheme::step(&mut solving, &self.states, &found);
+        let outcome = scheme::step(&mut solving, &before, &found);
         let Solving { solves, answers, acts, mut pushed, .. } = solving;
         let is_stopped = |solve: &Solve| solve.solution.status == Status::Stopped;
         let sound = |states: Vec<State>| match self.divergence(&states, &solves) {
@@ -204,18 +209,16 @@ impl Simulation {
         if pushed.is_empty() {
             pushed = acts.as_deref().map(acts::pushed).unwrap_or_default();
         }
-        let account =
-            |acts: &Vec<Act>| Ledger::of(&self.scene, &self.states, &solves, acts, &states);
+        let account = |acts: &Vec<Act>| Ledger::of(scene, &before, &solves, acts, &states);
         let ledger = acts.as_ref().map(account);
-        let laws = Laws::of(&self.scene, &self.states, &solves, ledger.as_ref());
-        let impact_energy = ImpactEnergy::of(&self.scene, &self.states, &solves, acts.as_deref());
-        let passages = self.detector.passages(&self.scene, &self.states, &states);
-        let of_passage =
-            |passage: &Passage| Interpenetration::passed(&self.scene, &states, passage);
+        let laws = Laws::of(scene, &before, &solves, ledger.as_ref());
+        let impact_energy = ImpactEnergy::of(scene, &before, &solves, acts.as_deref());
+        let passages = self.detector.passages(scene, &before, &states);
+        let of_passage = |passage: &Passage| Interpenetration::passed(scene, &states, passage);
         let mut interpenetrations: Vec<_> = passages.iter().map(of_passage).collect();
-        let overlapping = self.detector.find(&self.scene, &states, 0.0);
-        interpenetrations.extend(self.overlaps.update(&self.scene, &states, overlapping));
-        let motion = Motion::overlapping(&self.scene, &states, self.steps + 1, overlapping);
+        let overlapping = self.detector.find(scene, &states, 0.0);
+        interpenetrations.extend(self.overlaps.update(scene, &states, overlapping));
+        let motion = Motion::overlapping(scene, &states, self.steps + 1, overlapping);
         self.previous = answers;
         self.states.clone_from(&states);
         self.steps += 1;

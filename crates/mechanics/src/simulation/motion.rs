@@ -74,11 +74,12 @@ impl Motion {
 ///
 /// 1 at rest, 0 in free fall. `None` without weight or without time.
 pub fn carried(scene: &Scene, before: &Motion, after: &Motion) -> Option<f64> {
+    let time = after.time - before.time;
+    let scene = scene.forced(scene.time + before.time, time);
     let up = -scene.gravity.try_normalize(0.0)?;
     let moving = || scene.bodies.iter().filter(|body| body.mass.mass() > 0.0);
     let weight = scene.gravity.norm() * moving().map(|body| body.mass.mass()).sum::<f64>();
     let given = moving().map(|body| body.force.dot(&up)).sum::<f64>();
-    let time = after.time - before.time;
     let gained = up.dot(&(after.linear_momentum - before.linear_momentum));
     (weight * time > 0.0).then(|| (gained + (weight - given) * time) / (weight * time))
 }

@@ -18,7 +18,10 @@ type Method<'m> = &'m dyn Fn(&Problem, &[f64], &mut dyn Observer) -> Solution;
 
 /// A step under way.
 pub(super) struct Solving<'a> {
+    /// The scene with the forces of this step.
     pub scene: &'a Scene,
+    /// The time (s) at its beginning.
+    pub from: f64,
     pub solvers: Solvers<'a>,
     /// The answers of the step before, which start the solves of this one.
     pub previous: &'a Memory,

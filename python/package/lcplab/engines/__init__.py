@@ -201,7 +201,10 @@ def springs(scene: Description) -> list[Spring]:
 
 #: Fields of bodies and joints that no adapter translates.
 _REFUSED = {
-    "bodies": ("force", "force_at", "torque", "static_friction"),
+    "bodies": (
+        *("force", "force_at", "torque", "static_friction"),
+        *("force_over_time", "displacement_over_time"),
+    ),
     "constraints": ("length", "angle", "limits", "speed", "effort", "stiffness", "damping"),
 }
 

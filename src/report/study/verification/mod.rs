@@ -23,6 +23,7 @@ mod rolling;
 mod rope;
 mod rotation;
 mod schemes;
+mod surfaces;
 
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -200,6 +201,10 @@ const CASES: &[(&str, Case)] = &[
     ("massive-pulley", rope::massive_pulley),
     ("capstan", rope::capstan),
     ("capstan-two-turns", rope::two_turns),
+    ("static-friction", surfaces::ramp),
+    ("shaking-table", surfaces::table),
+    ("sine-force", surfaces::sine),
+    ("pairs", surfaces::pairs),
     ("feedback", joint::feedback),
     ("spring", joint::spring),
     ("motor", joint::motor),

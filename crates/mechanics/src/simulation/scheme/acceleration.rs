@@ -22,7 +22,7 @@ use crate::constraint::Bounds;
 use crate::formulation::{Problem, Slide};
 use crate::scene::{Found, Integrator, Scene, Step, step_contacts};
 use crate::simulation::integrator::{self, Rate};
-use crate::simulation::solving::Solving;
+use crate::simulation::solving::{Solving, assembled};
 use crate::simulation::{Act, Cause, Solve};
 use lcplab_judge::ray::refute;
 use lcplab_solver::Status;
@@ -48,22 +48,23 @@ pub(super) fn step(
 fn parts(solving: &mut Solving, states: &[State], found: &[Found]) -> Result<Vec<State>, Cause> {
     let mut found = found.to_vec();
     let mut states = impacts(solving, states, &found)?;
-    let mut left = solving.scene.step.dt;
+    let dt = solving.scene.step.dt;
+    let mut left = dt;
     for _ in 0..MOST_ARRIVALS {
         let kept = Mark::of(solving);
-        let (after, resting) = part(solving, &states, &found, left)?;
+        let (after, resting) = part(solving, &states, &found, (dt - left, left))?;
         let way = Way { scene: solving.scene, before: &states, after: &after, h: left };
         let arrival = solving.scene.step.events.then(|| way.arrival(&resting)).flatten();
         let Some(theta) = arrival else { return Ok(after) };
         kept.restore(solving);
         if theta > 0.0 {
-            (states, _) = part(solving, &states, &found, theta * left)?;
+            (states, _) = part(solving, &states, &found, (dt - left, theta * left))?;
             left *= 1.0 - theta;
         }
         found = step_contacts(solving.scene, &states);
         states = impacts(solving, &states, &found)?;
     }
-    Ok(part(solving, &states, &found, left)?.0)
+    Ok(part(solving, &states, &found, (dt - left, left))?.0)
 }
 
 /// What was solved and done before an attempt.
@@ -86,12 +87,13 @@ impl Mark {
     }
 }
 
-/// The states after a part of h (s) of the step, without arrivals, and the rows that took part.
+/// The states after a part of h (s) of the step that begins so long after it, without arrivals, and the rows
+/// that took part.
 fn part(
     solving: &mut Solving,
     states: &[State],
     found: &[Found],
-    h: f64,
+    (begins, h): (f64, f64),
 ) -> Result<(Vec<State>, Vec<RowId>), Cause> {
     let whole = solving.scene;
     let scene: Cow<'_, Scene> = match h == whole.step.dt {
@@ -115,7 +117,11 @@ fn part(
         Integrator::Rk4 => integrator::rk4,
         Integrator::ImplicitMidpoint => integrator::implicit_midpoint,
     };
-    let after = method(h, states, &mut |stage| rates(solving, scene, stage, found, &resting))?;
+    let from = solving.from + begins;
+    let after = method(h, states, &mut |later, stage| {
+        let scene = scene.forced(from + later, 0.0);
+        rates(solving, &scene, stage, found, &resting)
+    })?;
     let weights: &[f64] = match scene.step.integrator {
         Integrator::Rk4 => &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
         _ => &[1.0], // of the last repetition of the midpoint
@@ -142,7 +148,7 @@ fn rates(
     resting: &[RowId],
 ) -> Result<Vec<Rate>, Cause> {
     let unit = integrator::normalised(stage);
-    let assembly = solving.assemble(&unit, found, Entering::Only(resting))?;
+    let assembly = assembled(scene, &unit, found, Entering::Only(resting))?;
     let solve = forces(solving, scene, assembly)?;
     let accelerations = solve.problem.motion(&solve.solution.x);
     let still = vec![State::WORLD; stage.len()];

@@ -23,6 +23,12 @@ pub(super) fn check(scene: &Scene) -> Result<()> {
         defects
             .add("contact.static_friction", "the stepper knows one coefficient of friction only");
     }
+    if let Some(driven) = scene.driven.first() {
+        defects.add(
+            format!("bodies[{}]", driven.body),
+            "the stepper knows nothing that depends on time",
+        );
+    }
     for (k, constraint) in scene.constraints.iter().enumerate() {
         let states =
             constraint.bodies().map(|body| body.map_or(&State::WORLD, |b| &scene.states[b]));

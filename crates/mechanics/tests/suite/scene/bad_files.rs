@@ -46,7 +46,8 @@ fn unknown_keys_are_reported_with_the_known_ones() {
         "bad.toml: 2 defects\n  \
          line 5: bodies[0].weight: unknown field \"weight\", expected one of \"name\", \"shape\", \
          \"fixed\", \"mass\", \"density\", \"inertia\", \"position\", \"rotation\", \"velocity\", \
-         \"angular_velocity\", \"friction\", \"static_friction\", \"restitution\", \"force\", \"force_at\", \"torque\"\n  \
+         \"angular_velocity\", \"friction\", \"static_friction\", \"restitution\", \"force\", \"force_at\", \"force_over_time\", \
+         \"displacement_over_time\", \"torque\"\n  \
          line 8: step.dtt: unknown field \"dtt\", expected one of \"dt\", \"count\", \
          \"scheme\", \"gyroscopic\", \"baumgarte\", \"feedback\", \"alpha\", \"integrator\", \"events\", \"substeps\", \"sweeps\", \"xpbd\", \"soft\", \"penalty\""
     );
@@ -340,4 +341,37 @@ fn static_friction_is_no_less_than_friction() {
         message(&without),
         "bad.toml: line 5: bodies[0].static_friction: needs a friction above 0 for what slides"
     );
+}
+
+#[test]
+fn a_function_of_time_ascends_and_stands_where_it_can_act() {
+    let ground = "[[bodies]]\nname = 'ground'\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
+    let sine = |frequency: f64| {
+        format!("{{ sine = {{ amplitude = [1, 0, 0], angular_frequency = {frequency} }} }}")
+    };
+    for (text, reason) in [
+        (
+            format!("{BALL}force_over_time = {{ table = [[1, 0, 0, 0], [1, 2, 0, 0]] }}\n"),
+            "force_over_time.table: times must ascend, 1 s comes after 1 s",
+        ),
+        (
+            format!("{BALL}force_over_time = {}\n", sine(0.0)),
+            "force_over_time.sine.angular_frequency: must be positive, is 0",
+        ),
+        (
+            format!("{ground}force_over_time = {}\n", sine(1.0)),
+            "force_over_time: a fixed body has none",
+        ),
+        (
+            format!("{BALL}displacement_over_time = {}\n", sine(1.0)),
+            "displacement_over_time: needs fixed = true: forces move what is not",
+        ),
+        (
+            format!("{ground}velocity = [1, 0, 0]\ndisplacement_over_time = {}\n", sine(1.0)),
+            "displacement_over_time: there is a velocity too, give one of them",
+        ),
+    ] {
+        let found = message(&text);
+        assert!(found.ends_with(&format!("bodies[0].{reason}")), "{found}");
+    }
 }

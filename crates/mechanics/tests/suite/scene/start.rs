@@ -72,7 +72,7 @@ fn a_saved_scene_begins_with_every_bit_of_the_states() {
     for shipped in SHIPPED {
         let scene = shipped.scene().unwrap();
         let states = after(scene.clone(), 3).states().to_vec();
-        let text = saved(shipped.name, &[], &scene, &states).unwrap();
+        let text = saved(shipped.name, &[], &scene, &states, 0.03).unwrap();
         let later = Scene::from_toml("later.toml", &text).unwrap();
         for ((a, b), body) in later.states.iter().zip(&states).zip(&scene.bodies) {
             assert_eq!(
@@ -94,7 +94,7 @@ fn a_motion_goes_on_from_where_it_was_saved() {
         let scene = Scene::load(name).unwrap();
         let whole = after(scene.clone(), 100);
         let half = after(scene.clone(), 50);
-        let text = saved(name, &[], &scene, half.states()).unwrap();
+        let text = saved(name, &[], &scene, half.states(), half.time()).unwrap();
         let later = after(Scene::from_toml("later.toml", &text).unwrap(), 50);
         for (a, b) in later.states().iter().zip(whole.states()) {
             assert!((a.pose.p - b.pose.p).norm() < 1e-9, "{name}: {} {}", a.pose.p, b.pose.p);

@@ -12,6 +12,7 @@ mod impact_energy;
 mod integrators;
 mod interpenetration;
 mod ledger;
+mod over_time;
 mod painleve;
 mod pendulum;
 mod polygons;

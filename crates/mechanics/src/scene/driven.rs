@@ -1,0 +1,102 @@
+//! Bodies on which something acts that depends on time.
+//!
+//! A step of h (s) from t takes the mean force over [t, t + h], so that its impulse is exact; integrators with
+//! stages take the force at the time of each. A support is moved with the mean velocity over the step, so
+//! that it is where it should be at the end of each.
+
+use std::borrow::Cow;
+
+use nalgebra::Vector3;
+
+use super::{Course, Scene, Scheme, description};
+use crate::body::State;
+use lcplab_problem::error::Defects;
+
+/// What depends on time of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Driven {
+    /// The body.
+    pub body: usize,
+    /// The constant force on it (N, world), and what is added to that.
+    pub force: Option<(Vector3<f64>, Course)>,
+    /// Where it is (m, world) at displacement 0, and its displacement.
+    pub displacement: Option<(Vector3<f64>, Course)>,
+}
+
+impl Scene {
+    /// The scene with the forces that act at a time (s), or their mean over the next `h` (s) if that is not 0.
+    pub fn forced(&self, time: f64, h: f64) -> Cow<'_, Scene> {
+        if self.driven.iter().all(|driven| driven.force.is_none()) {
+            return Cow::Borrowed(self);
+        }
+        let mut scene = self.clone();
+        for driven in &self.driven {
+            if let Some((constant, course)) = &driven.force {
+                let added = if h == 0.0 { course.at(time) } else { course.mean(time, h) };
+                scene.bodies[driven.body].force = constant + added;
+            }
+        }
+        Cow::Owned(scene)
+    }
+
+    /// The states with the supports where they are at a time (s), on their way for a step of h (s).
+    pub fn supported<'s>(&self, states: &'s [State], time: f64, h: f64) -> Cow<'s, [State]> {
+        let mut states = Cow::Borrowed(states);
+        for driven in &self.driven {
+            if let Some((rest, course)) = &driven.displacement {
+                let (now, then) = (course.at(time), course.at(time + h));
+                let state = &mut states.to_mut()[driven.body];
+                state.pose.p = rest + now;
+                state.v = (then - now) / h;
+            }
+        }
+        states
+    }
+}
+
+/// What of a body depends on time, if anything does.
+pub(super) fn of_body(
+    defects: &mut Defects,
+    place: &str,
+    written: &description::Body,
+    scene: &Scene,
+    body: usize,
+) -> Option<Driven> {
+    let description::Body { force_over_time, displacement_over_time, fixed, .. } = written;
+    if let Some(course) = force_over_time {
+        let place = format!("{place}.force_over_time");
+        course.check(defects, &place);
+        if *fixed {
+            defects.add(place, "a fixed body has none");
+        }
+    }
+    if let Some(course) = displacement_over_time {
+        let place = format!("{place}.displacement_over_time");
+        course.check(defects, &place);
+        if !fixed {
+            defects.add(place, "needs fixed = true: forces move what is not");
+        } else if written.velocity != [0.0; 3] {
+            defects.add(place, "there is a velocity too, give one of them");
+        }
+    }
+    let with =
+        |at: Vector3<f64>, course: &Option<Course>| course.clone().map(|course| (at, course));
+    let driven = Driven {
+        body,
+        force: with(scene.bodies[body].force, force_over_time),
+        displacement: with(scene.states[body].pose.p, displacement_over_time),
+    };
+    (driven.force.is_some() || driven.displacement.is_some()).then_some(driven)
+}
+
+/// Whether the scheme can follow what depends on time.
+pub(super) fn check_scheme(defects: &mut Defects, scene: &Scene) {
+    let moved = scene.driven.iter().find(|driven| driven.displacement.is_some());
+    if let (Scheme::Acceleration, Some(driven)) = (scene.step.scheme, moved) {
+        let place = format!("bodies[{}].displacement_over_time", driven.body);
+        defects.add(
+            place,
+            "the acceleration level knows no acceleration of supports: use another scheme",
+        );
+    }
+}

@@ -1,0 +1,156 @@
+//! Friction and restitution of pairs, static friction, and forces and supports that depend on time.
+
+use super::measure::{Case, Known, Method, ROUNDING, after};
+use super::{Row, Size};
+use crate::error::Result;
+use crate::scene::Scene;
+
+const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
+const G: f64 = 9.81;
+const SUMMED: (f64, &str) = (1e-6, "the solver's tolerance, summed over the steps");
+
+/// A ground and a block of 2 kg on it, μ_s = 0.5 and μ = 0.3, with these fields.
+fn block(name: &str, ground: &str, block: &str) -> Result<Scene> {
+    let text = format!(
+        "contact.friction = 0.3\ncontact.static_friction = 0.5\n[[bodies]]\nname = \"ground\"\n\
+         fixed = true\nshape = {{ box = [9, 9, 1] }}\nposition = [0, 0, -0.5]\n{ground}\n\
+         [[bodies]]\nname = \"block\"\nmass = 2\nshape = {{ box = [0.4, 0.4, 0.2] }}\n\
+         position = [0, 0, 0.1]\nforce_at = [0, 0, -0.1]\n{block}\n"
+    );
+    Scene::from_toml(name, &text)
+}
+
+/// A force that grows holds still up to μ_s m g, and moves with what μ leaves of it.
+pub(super) fn ramp(size: Size) -> Result<Vec<Row>> {
+    // μ_s m g = 9.81 N is met after 1 s.
+    let force = "force_over_time = { table = [[0, 0, 0, 0], [2, 19.62, 0, 0]] }";
+    let case = Case::of("static-friction", block("force-ramp", "", force)?, size);
+    let (mass, mu, rate, begins, ends) = (2.0, 0.3, G, 1.0, 1.5);
+    let impulse = 0.5 * rate * (ends * ends - begins * begins) - mu * mass * G * (ends - begins);
+    let formula = [
+        "(F'(t^2 - t0^2)/2 - mu m g (t - t0))/m, t0 = mu_s m g/F'",
+        "\\tfrac1m(\\tfrac12 F'(t^2 - t_0^2) - \\mu m g (t - t_0)),\\ t_0 = \\mu_s m g/F'",
+    ];
+    let mut rows = Vec::new();
+    for level in LEVELS {
+        let known = vec![
+            Known::exact(SUMMED, "speed when the force is μ_s m g", ["0", "0"], "m/s", 0.0),
+            Known::exact(SUMMED, "speed 0.5 s later", formula, "m/s", impulse / mass),
+        ];
+        rows.extend(case.rows(level, known, |scene| {
+            let speed = |time| Some(after(scene, time)?[1].v.x);
+            Some(vec![speed(begins)?, speed(ends)?])
+        }));
+    }
+    Ok(rows)
+}
+
+/// A block on a table that shakes: it sticks below A ω² = μ_s g, and above slides with μ g.
+pub(super) fn table(size: Size) -> Result<Vec<Row>> {
+    let omega = 10.0;
+    let shaken = |part: f64| {
+        let amplitude = part * 0.5 * G / (omega * omega);
+        let ground = format!(
+            "displacement_over_time = {{ sine = {{ amplitude = [{amplitude}, 0, 0], \
+             angular_frequency = {omega}, phase = {} }} }}",
+            std::f64::consts::FRAC_PI_2
+        );
+        let mut scene = block("shaking-table", &ground, "")?;
+        scene.states[1].pose.p.x = amplitude;
+        Ok::<_, crate::error::Error>(Case::of("shaking-table", scene, size))
+    };
+    let slip = "slip after two periods, A ω² 1 % below μ_s g";
+    let known =
+        vec![Known::exact((1e-6, "thresholds of static friction"), slip, ["0", "0"], "m", 0.0)];
+    let mut rows = shaken(0.99)?.rows(Method::Velocity, known, |scene| {
+        let states = after(scene, 4.0 * std::f64::consts::PI / omega)?;
+        let start = scene.states[1].pose.p.x - scene.states[0].pose.p.x;
+        Some(vec![states[1].pose.p.x - states[0].pose.p.x - start])
+    });
+    let what = "speed after 0.1 s, A ω² 2 % above μ_s g";
+    let formula = ["-mu g t", "-\\mu\\,g\\,t"];
+    // In its first step the table gains half of a step's speed, so that the block leaves a step late.
+    let known = vec![Known::order(1.0, what, formula, "m/s", -0.3 * G * 0.1)];
+    rows.extend(
+        shaken(1.02)?.rows(Method::Velocity, known, |scene| Some(vec![after(scene, 0.1)?[1].v.x])),
+    );
+    Ok(rows)
+}
+
+/// A mass under a sine force: x = a/ω (t − sin(ω t)/ω), v = a/ω (1 − cos(ω t)).
+pub(super) fn sine(size: Size) -> Result<Vec<Row>> {
+    let (a, omega, time) = (1.5, 4.0, 1.0);
+    let text = "gravity = [0, 0, 0]\n[[bodies]]\nname = \"mass\"\nshape = \"point\"\nmass = 2\n\
+                force_over_time = { sine = { amplitude = [3, 0, 0], angular_frequency = 4 } }\n";
+    let mut scene = Scene::from_toml("sine-force", text)?;
+    scene.step.dt = 0.02;
+    let case = Case::of("sine-force", scene, size);
+    let way = a / omega * (time - libm::sin(omega * time) / omega);
+    let speed = a / omega * (1.0 - libm::cos(omega * time));
+    let of_way =
+        ["F/(m w) (t - sin(w t)/w)", "\\frac{F}{m\\omega}(t - \\tfrac1\\omega\\sin\\omega t)"];
+    let of_speed = ["F/(m w) (1 - cos(w t))", "\\frac{F}{m\\omega}(1 - \\cos\\omega t)"];
+    let methods = [
+        (Method::Velocity, 1.0),
+        (Method::Acceleration, 1.0),
+        (Method::Midpoint, 2.0),
+        (Method::Rk4, 4.0),
+    ];
+    let mut rows = Vec::new();
+    for (method, order) in methods {
+        let mut known = vec![Known::order(order, "way after 1 s", of_way, "m", way)];
+        if LEVELS.contains(&method) {
+            known.push(Known::exact(ROUNDING, "speed after 1 s", of_speed, "m/s", speed));
+        }
+        rows.extend(case.rows(method, known, |scene| {
+            let state = after(scene, time)?[0];
+            Some(vec![state.pose.p.x, state.v.x])
+        }));
+    }
+    Ok(rows)
+}
+
+/// Two blocks on one slope and two balls on one floor, of which one each has its pair's coefficient.
+pub(super) fn pairs(size: Size) -> Result<Vec<Row>> {
+    let slope = "tilt = { y = 20 }\ncontact.friction = 0.5\n[[bodies]]\nname = \"slope\"\nfixed = true\n\
+        shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"rough\"\nmass = 1\n\
+        shape = { box = [0.4, 0.4, 0.1] }\nposition = [0, 0, 0.05]\n[[bodies]]\nname = \"smooth\"\n\
+        mass = 1\nshape = { box = [0.4, 0.4, 0.1] }\nposition = [0, 2, 0.05]\n\
+        [[pairs]]\nbodies = [\"slope\", \"smooth\"]\nfriction = 0.1\n";
+    let floor = "gravity = [0, 0, 0]\ncontact.restitution = 0.2\n[[bodies]]\nname = \"floor\"\n\
+        fixed = true\nshape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"first\"\nmass = 1\n\
+        shape = { sphere = 0.1 }\nposition = [0, 0, 0.1]\nvelocity = [0, 0, -2]\n[[bodies]]\n\
+        name = \"second\"\nmass = 1\nshape = { sphere = 0.1 }\nposition = [1, 0, 0.1]\n\
+        velocity = [0, 0, -2]\n[[pairs]]\nbodies = [\"floor\", \"first\"]\nrestitution = 0.9\n";
+    let (sin, cos) = libm::sincos(20f64.to_radians());
+    let slides = ["g (sin theta - mu cos theta)", "g\\,(\\sin\\theta - \\mu\\cos\\theta)"];
+    let bounce = ["e v", "e\\,v"];
+    let on_slope = Case::of("pairs", Scene::from_toml("two-materials", slope)?, size);
+    let on_floor = Case::of("pairs", Scene::from_toml("two-bounces", floor)?, size);
+    let mut rows = Vec::new();
+    for level in LEVELS {
+        let known = vec![
+            Known::exact(SUMMED, "acceleration of the rough block", ["0", "0"], "m/s²", 0.0),
+            Known::exact(
+                SUMMED,
+                "acceleration of the smooth block",
+                slides,
+                "m/s²",
+                G * (sin - 0.1 * cos),
+            ),
+        ];
+        rows.extend(on_slope.rows(level, known, |scene| {
+            let states = after(scene, 0.25)?;
+            Some(vec![states[1].v.x / 0.25, states[2].v.x / 0.25])
+        }));
+        let known = vec![
+            Known::exact(ROUNDING, "speed of the first ball", bounce, "m/s", 0.9 * 2.0),
+            Known::exact(ROUNDING, "speed of the second ball", bounce, "m/s", 0.2 * 2.0),
+        ];
+        rows.extend(on_floor.rows(level, known, |scene| {
+            let states = after(scene, 0.1)?;
+            Some(vec![states[1].v.z, states[2].v.z])
+        }));
+    }
+    Ok(rows)
+}
