@@ -137,7 +137,8 @@ impl Still {
             let origin = ORIGINS.iter().position(|origin| *origin == force.origin).unwrap_or(0);
             (origin as u8, [p.x, p.y, p.z, f.x, f.y, f.z].map(rounded))
         };
-        let Motion { kinetic, potential, drift, angular_drift, penetration, .. } = *motion;
+        let Motion { kinetic, drift, angular_drift, penetration, .. } = *motion;
+        let potential = motion.potential + motion.elastic;
         Still {
             step: motion.step,
             time: motion.time,
@@ -173,6 +174,7 @@ impl Still {
                 time: self.time,
                 kinetic,
                 potential,
+                elastic: 0.0, // in the potential
                 linear_momentum: Vector3::zeros(),
                 angular_momentum: Vector3::zeros(),
                 drift,

@@ -7,6 +7,9 @@
 //! b = J M⁻¹F + J'u + (J u + (β/dt) c)/dt    a spring, with γ on the diagonal: x = −(k c⁺ + d ċ⁺)
 //! ```
 //!
+//! A spring looks ahead like that under the semi-implicit Euler method. The other integrators know what to
+//! do with a force that depends on the state, and get it: lo = hi = −(k c + d ċ) at each of their stages.
+//!
 //! A contact or limit that parts as slowly as one at rest may ([`Resting`](crate::scene::Resting)) is held
 //! only so far as the body would be back within the step, and not in the air: with ċ beyond what α pushes
 //! an overlap apart,
@@ -23,7 +26,19 @@
 
 use crate::assembly::{Assembly, Row};
 use crate::constraint::Bounds;
-use crate::scene::Scene;
+use crate::scene::{Integrator, Scene};
+
+use super::Stage;
+
+/// The force (N, N m) of a spring's row that its integrator takes as it is; `None` of rows whose force is
+/// unknown.
+pub(super) fn spring_force(row: &Row, stage: Stage, scene: &Scene) -> Option<f64> {
+    let spring = row.spring.filter(|_| stage == Stage::Acceleration)?;
+    let is_bilateral = row.bounds == Bounds::Bilateral;
+    let looks_ahead = scene.step.integrator == Integrator::SemiImplicitEuler;
+    let force = || 0.0 - spring.stiffness * row.c - spring.damping * row.velocity;
+    (is_bilateral && !looks_ahead).then(force)
+}
 
 pub(super) fn bias(assembly: &Assembly, scene: &Scene) -> Vec<f64> {
     let (dt, alpha) = (scene.step.dt, scene.step.alpha);

@@ -193,9 +193,17 @@ impl Problem {
     ) -> Result<Self> {
         delassus::check(&assembly, scene.memory)?;
         let rows = &assembly.rows;
-        let compliance: Vec<f64> = rows.iter().map(|row| compliance(row, stage, dt)).collect();
-        let (mut lo, mut hi): (Vec<f64>, Vec<f64>) =
-            rows.iter().map(|row| limits(row, stage, dt)).unzip();
+        let known: Vec<Option<f64>> =
+            rows.iter().map(|row| acceleration::spring_force(row, stage, scene)).collect();
+        let yields = |(row, known): (&Row, &Option<f64>)| match known {
+            Some(_) => 0.0,
+            None => compliance(row, stage, dt),
+        };
+        let compliance: Vec<f64> = rows.iter().zip(&known).map(yields).collect();
+        let bounded = |(row, known): (&Row, &Option<f64>)| {
+            known.map_or_else(|| limits(row, stage, dt), |force| (force, force))
+        };
+        let (mut lo, mut hi): (Vec<f64>, Vec<f64>) = rows.iter().zip(&known).map(bounded).unzip();
         let friction = rows.iter().map(|row| match row.bounds {
             Bounds::Friction { normal, mu } => (Some(normal), mu),
             _ => (None, 0.0),

@@ -9,7 +9,8 @@
 //! which splits into the work ½ X_i (J u + J u⁺)_i of each row. Where the row fulfils
 //! w = J u⁺ + bias, the part −½ X_i bias_i is the bias's doing, or the bounce's. Then the bodies move
 //! by dt u⁺ while gravity has worked along ½ dt (u + u⁺), which leaves −½ dt m g·(v⁺ − v), and the
-//! inertia turns with the body, which leaves ½ ω⁺·(I⁺ − I) ω⁺. A body that is put elsewhere by d gains
+//! inertia turns with the body, which leaves ½ ω⁺·(I⁺ − I) ω⁺. Springs gain ½ k (c⁺² − c²); beside the work
+//! of their rows and of their dampers that leaves what the step itself takes. A body that is put elsewhere by d gains
 //! −m g·d, and what its inertia turns.
 //!
 //! All this is computed from the [acts](super::Act) that the scheme wrote down; the change is measured
@@ -19,6 +20,7 @@
 use nalgebra::Vector3;
 
 use super::acts::Impulses;
+use super::motion::elastic;
 use super::{Act, Solve};
 use crate::assembly::Assembly;
 use crate::body::{Body, State, angular, linear};
@@ -28,8 +30,8 @@ use crate::scene::Scene;
 /// A remainder up to this part of the scale is rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// The change of kinetic plus potential energy in a step (J), by cause. Gains are positive. What springs
-/// store, those of the penalty method too, is not part of the energy.
+/// The change of kinetic, potential and springs' energy in a step (J), by cause. Gains are positive. What
+/// the springs of the penalty method store is not part of the energy.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Ledger {
     /// The change itself, measured from the states.
@@ -44,11 +46,13 @@ pub struct Ledger {
     pub bias: f64,
     /// Dry friction: never a gain.
     pub friction: f64,
-    /// Motors.
+    /// Motors, and supports that move springs.
     pub motor: f64,
     /// The constant forces and torques on bodies, gravity apart.
     pub external: f64,
-    /// Springs.
+    /// Dampers of springs: −d ċ² dt with the mean ċ of the step.
+    pub damper: f64,
+    /// What a step takes of the springs' energy beside that: the loss of an implicit step.
     pub spring: f64,
     /// The gyroscopic torque, and the inertia turning with the body: together 0 in the limit.
     pub gyroscopic: f64,
@@ -63,7 +67,7 @@ pub struct Ledger {
 
 impl Ledger {
     /// The accounts with their names, in the order of tables.
-    pub fn accounts(&self) -> [(&'static str, f64); 11] {
+    pub fn accounts(&self) -> [(&'static str, f64); 12] {
         [
             ("constraint", self.constraint),
             ("contact", self.contact),
@@ -72,6 +76,7 @@ impl Ledger {
             ("friction", self.friction),
             ("motor", self.motor),
             ("external", self.external),
+            ("damper", self.damper),
             ("spring", self.spring),
             ("gyroscopic", self.gyroscopic),
             ("integrator", self.integrator),
@@ -116,7 +121,9 @@ impl Ledger {
                 Act::Shift { body, by } => {
                     let moved = states[*body].displaced(by);
                     ledger.correction += shift(scene, *body, &states[*body], &moved, &linear(by));
+                    let stored = elastic(scene, &states);
                     states[*body] = moved;
+                    ledger.correction += elastic(scene, &states) - stored;
                 }
                 Act::Answer(_) | Act::Push(_) => (),
             }
@@ -134,7 +141,15 @@ impl Ledger {
             match row.bounds {
                 Bounds::Friction { .. } => self.friction += work,
                 Bounds::Effort(_) => self.motor += work,
-                _ if row.spring.is_some() => self.spring += work,
+                _ if row.spring.is_some() => {
+                    let damping = row.spring.map_or(0.0, |spring| spring.damping);
+                    let mean = 0.5 * (row.velocity + row.drift + next[i]);
+                    let taken = 0.0 - damping * impulses.h * mean * mean;
+                    let moved = 0.0 - impulse * row.drift; // by a support that moves
+                    self.damper += taken;
+                    self.motor += moved;
+                    self.spring += work - taken - moved;
+                }
                 Bounds::Bilateral => self.constraint += work - bias,
                 Bounds::Unilateral => self.contact += work - bias,
             }
@@ -170,6 +185,7 @@ impl Ledger {
         states: &mut [State],
         h: f64,
     ) {
+        let stored = elastic(scene, states);
         let alone =
             |(body, state): (&Body, &State)| scene.step.gyroscopic().advanced(&body.mass, state, h);
         let moved: Vec<State> = match assembly {
@@ -181,6 +197,7 @@ impl Ledger {
             self.gyroscopic += spin(scene, body, &moved) - spin(scene, body, state);
             *state = moved;
         }
+        self.spring += elastic(scene, states) - stored;
     }
 }
 
@@ -197,6 +214,7 @@ impl std::ops::Add for Ledger {
             friction: self.friction + other.friction,
             motor: self.motor + other.motor,
             external: self.external + other.external,
+            damper: self.damper + other.damper,
             spring: self.spring + other.spring,
             gyroscopic: self.gyroscopic + other.gyroscopic,
             integrator: self.integrator + other.integrator,
@@ -227,7 +245,7 @@ fn potential(scene: &Scene, states: &[State]) -> f64 {
 }
 
 fn energy(scene: &Scene, states: &[State]) -> f64 {
-    scene_kinetic(scene, states) + potential(scene, states)
+    scene_kinetic(scene, states) + potential(scene, states) + elastic(scene, states)
 }
 
 /// The energies that a change is a difference of, without regard to sign (J).
@@ -235,5 +253,5 @@ fn size(scene: &Scene, states: &[State]) -> f64 {
     let bodies = scene.bodies.iter().zip(states);
     let heights =
         bodies.map(|(body, state)| body.mass.mass() * scene.gravity.dot(&state.pose.p).abs());
-    scene_kinetic(scene, states) + heights.sum::<f64>()
+    scene_kinetic(scene, states) + heights.sum::<f64>() + elastic(scene, states)
 }

@@ -17,6 +17,8 @@ pub struct Motion {
     pub kinetic: f64,
     /// −Σ m g·p (J): 0 where all masses are at the origin.
     pub potential: f64,
+    /// ½ Σ k c² of springs (J).
+    pub elastic: f64,
     /// Σ m v (kg m/s).
     pub linear_momentum: Vector3<f64>,
     /// Σ p × m v + I ω, about the world's origin (kg m²/s).
@@ -51,6 +53,7 @@ impl Motion {
             potential: bodies()
                 .map(|(mass, state)| 0.0 - mass.mass() * scene.gravity.dot(&state.pose.p))
                 .sum(),
+            elastic: elastic(scene, states),
             linear_momentum: bodies().map(|(mass, state)| mass.momentum(state)).sum(),
             angular_momentum: bodies().map(|(mass, state)| mass.angular_momentum(state)).sum(),
             drift: drift(scene, states, false),
@@ -59,9 +62,9 @@ impl Motion {
         }
     }
 
-    /// Kinetic and potential energy (J).
+    /// Kinetic and potential energy, and what springs store (J).
     pub fn energy(&self) -> f64 {
-        self.kinetic + self.potential
+        self.kinetic + self.potential + self.elastic
     }
 }
 
@@ -84,13 +87,26 @@ pub fn carried(scene: &Scene, before: &Motion, after: &Motion) -> Option<f64> {
     (weight * time > 0.0).then(|| (gained + (weight - given) * time) / (weight * time))
 }
 
-/// max |c| over rigid equality rows of one kind; a constraint without direction has no say.
-fn drift(scene: &Scene, states: &[State], angular: bool) -> f64 {
+/// What springs store (J): ½ k c² of each of their rows.
+pub(super) fn elastic(scene: &Scene, states: &[State]) -> f64 {
+    let stored =
+        |row: &Row| row.spring.map_or(0.0, |spring| 0.5 * spring.stiffness * row.c * row.c);
+    rows(scene, states).iter().map(stored).sum()
+}
+
+/// The rows of all constraints; one without direction has none.
+fn rows(scene: &Scene, states: &[State]) -> Vec<Row> {
     let rows = scene.constraints.iter().flat_map(|constraint| {
         let states = constraint.bodies().map(|body| body.map_or(&State::WORLD, |k| &states[k]));
         constraint.rows(states).unwrap_or_default()
     });
+    rows.collect()
+}
+
+/// max |c| over rigid equality rows of one kind; a constraint without direction has no say.
+fn drift(scene: &Scene, states: &[State], angular: bool) -> f64 {
     let rigid = |row: &Row| row.bounds == Bounds::Bilateral && row.spring.is_none();
+    let rows = rows(scene, states).into_iter();
     rows.filter(|row| rigid(row) && row.kind.is_angular() == angular)
         .map(|row| row.c.abs())
         .fold(0.0, f64::max)

@@ -207,6 +207,7 @@ const CASES: &[(&str, Case)] = &[
     ("pairs", surfaces::pairs),
     ("feedback", joint::feedback),
     ("spring", joint::spring),
+    ("spring-ellipse", joint::ellipse),
     ("motor", joint::motor),
     ("bricard", bricard::bricard),
     ("painleve", painleve::rod),

@@ -7,8 +7,9 @@
 //! A step is divided where a body arrives at another one: it hits there, and the rest of the step goes on
 //! from what the impact left. Which contacts rest ([`Resting`](crate::scene::Resting)) is decided at the
 //! beginning of each part; each stage of an integrator solves for their forces anew. The gyroscopic
-//! torque is always part of F. Errors are fed back by α. Springs, friction and motors look one dt ahead
-//! in every stage, so with them an integrator of higher order is of first order again.
+//! torque is always part of F. Errors are fed back by α. Friction and motors look one dt ahead
+//! in every stage, so with them an integrator of higher order is of first order again; springs do so only under
+//! the semi-implicit Euler method.
 //!
 //! Where friction of sliding contacts is substituted, a contact whose slip would turn round within
 //! the step sticks. Restitution is part of the impacts. Baraff 1989, 1994; K&M (U2).

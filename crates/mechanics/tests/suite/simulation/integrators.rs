@@ -198,3 +198,35 @@ fn a_step_too_long_for_the_midpoint_is_an_error_not_an_answer() {
     let failure = (0..10).find_map(|_| pendulum.step().err()).expect("a failure");
     assert!(matches!(failure.cause, Cause::Unsettled { .. }), "{failure}");
 }
+
+/// A weight of 1 kg on a spring of 50 N/m and 2 N s/m, 0.1 m from where it rests, without gravity.
+fn swinging(integrator: Integrator, steps: usize) -> f64 {
+    let text = "gravity = [0, 0, 0]\n[[bodies]]\nname = \"weight\"\nshape = \"point\"\nmass = 1\n\
+                position = [0, 0, -1.1]\n[[constraints]]\nkind = \"spring\"\nbodies = [\"weight\"]\n\
+                points = [[0, 0, 0], [0, 0, -1.1]]\nlength = 1\nstiffness = 50\ndamping = 2\n";
+    let mut scene = Scene::from_toml("swinging.toml", text).unwrap();
+    (scene.step.scheme, scene.step.integrator) = (Scheme::Acceleration, integrator);
+    scene.step.dt = 1.0 / steps as f64;
+    let mut simulation = simulation(scene);
+    for _ in 0..steps {
+        simulation.step().unwrap();
+    }
+    -1.0 - simulation.states()[0].pose.p.z
+}
+
+#[test]
+fn a_damped_spring_is_integrated_at_the_order_of_its_integrator() {
+    // 0.1 e^(−t) (cos 7 t + sin(7 t)/7): ω² = 50 − 1 for m = 1, d = 2.
+    let exact = 0.1 * (-1.0f64).exp() * (7.0f64.cos() + 7.0f64.sin() / 7.0);
+    let orders = [
+        (Integrator::ExplicitEuler, 1.0),
+        (Integrator::SemiImplicitEuler, 1.0),
+        (Integrator::ImplicitMidpoint, 2.0),
+        (Integrator::Rk4, 4.0),
+    ];
+    for (integrator, order) in orders {
+        let error = |steps: usize| (swinging(integrator, steps) - exact).abs();
+        let observed = (error(1600) / error(3200)).log2();
+        assert!((observed - order).abs() < 0.1, "{integrator:?} {observed}");
+    }
+}

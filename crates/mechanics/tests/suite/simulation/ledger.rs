@@ -311,3 +311,41 @@ fn the_ledger_of_a_push_against_friction_closes() {
         }
     }
 }
+
+#[test]
+fn an_implicit_step_takes_its_part_of_a_springs_energy() {
+    // k = 50, m = 1, a = ω dt: each step divides the energy by 1 + a², so that it takes a²/(1 + a²) of it.
+    for level in Scheme::LEVELS {
+        let mut stretched = scene("spring", level);
+        stretched.gravity = nalgebra::Vector3::zeros();
+        stretched.states[0].pose.p.z -= 0.1;
+        let part = 50.0 * 1e-4;
+        let mut energy = 0.5 * 50.0 * 0.01;
+        for step in steps(stretched, 100) {
+            let ledger = step.ledger.unwrap();
+            assert_near(ledger.spring, -energy * part / (1.0 + part), 1e-12);
+            energy /= 1.0 + part;
+            assert_near(step.motion.energy(), energy, 1e-12);
+            assert!(ledger.closes() && ledger.damper == 0.0, "{ledger:?}");
+        }
+    }
+}
+
+#[test]
+fn a_damper_takes_its_force_times_the_way() {
+    // d = 8, m = 2 and no stiffness: with the mean speed v̄ of a step −d v̄² dt.
+    let text = "gravity = [0, 0, 0]\n[[bodies]]\nname = \"mass\"\nshape = \"point\"\nmass = 2\n\
+                position = [0, 0, -1]\nvelocity = [0, 0, -3]\n[[constraints]]\nkind = \"spring\"\n\
+                bodies = [\"mass\"]\npoints = [[0, 0, 0], [0, 0, -1]]\nstiffness = 0\ndamping = 8\n";
+    for level in Scheme::LEVELS {
+        let mut scene = Scene::from_toml("damper.toml", text).unwrap();
+        scene.step.scheme = level;
+        let mut speed = -3.0;
+        for step in steps(scene, 20) {
+            let next = step.states[0].v.z;
+            let mean = 0.5 * (speed + next);
+            assert_near(step.ledger.unwrap().damper, -8.0 * mean * mean * 0.01, 1e-12);
+            speed = next;
+        }
+    }
+}
