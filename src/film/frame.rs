@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::assembly::{Row, Source};
 use crate::body::State;
-use crate::constraint::{Constraint, Kind};
+use crate::constraint::{Constraint, Kind, Normal};
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Solve, Step};
 
@@ -146,6 +146,9 @@ fn place(scene: &Scene, step: &Step, source: Source, body: usize) -> Option<Vect
         Source::Constraint(k) => end(scene.constraints[k].as_ref()).map(|(point, _)| point),
         Source::Contact(id) => {
             let found = step.contacts.iter().find(|found| found.id == id)?;
+            if matches!(found.contact.normal, Normal::Rim(_)) {
+                return Some(found.point);
+            }
             let (anchor, side) = end(&found.contact)?;
             let outward = if side == 1 { -found.normal } else { found.normal };
             Some(anchor + outward * found.contact.radii[side])

@@ -11,7 +11,7 @@ mod state;
 
 pub use alignment::alignment;
 pub use gyroscopic::Gyroscopic;
-pub use polytope::{Edge, Face, Polytope};
+pub use polytope::{Cylinder, Edge, Face, Polytope};
 pub use state::{Pose, State};
 
 use std::sync::Arc;

@@ -23,6 +23,21 @@ pub struct Polytope {
     pub edges: Vec<Edge>,
     /// The faces; none for a point and a segment.
     pub faces: Vec<Face>,
+    /// The cylinder that it stands for, if it is the prism of one.
+    pub cylinder: Option<Cylinder>,
+}
+
+/// A cylinder in the axes of its polytope.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cylinder {
+    /// Its centre (m).
+    pub centre: Vector3<f64>,
+    /// The unit vector along it.
+    pub axis: Vector3<f64>,
+    /// Half of its length (m).
+    pub half_length: f64,
+    /// Its radius (m).
+    pub radius: f64,
 }
 
 /// An edge of a polytope.
@@ -49,14 +64,14 @@ pub struct Face {
 impl Polytope {
     /// The origin alone.
     pub fn point() -> Self {
-        Polytope { vertices: vec![Vector3::zeros()], edges: vec![], faces: vec![] }
+        Polytope { vertices: vec![Vector3::zeros()], edges: vec![], faces: vec![], cylinder: None }
     }
 
     /// The segment along z between −`half_length` and `half_length` (m).
     pub fn segment(half_length: f64) -> Self {
         let end = Vector3::z() * half_length;
         let edge = Edge { ends: [0, 1], faces: None };
-        Polytope { vertices: vec![-end, end], edges: vec![edge], faces: vec![] }
+        Polytope { vertices: vec![-end, end], edges: vec![edge], faces: vec![], cylinder: None }
     }
 
     /// The box with these half edges (m). Bit i of a vertex's index is set where it lies on the
@@ -119,7 +134,7 @@ impl Polytope {
             Some(Edge { ends, faces: Some([left?, right?]) })
         };
         let edges = sides.into_iter().map(edge).collect::<Option<_>>()?;
-        Some(Polytope { vertices, edges, faces })
+        Some(Polytope { vertices, edges, faces, cylinder: None })
     }
 
     /// The same polytope in the axes of a frame that has this pose in its own.
@@ -128,6 +143,10 @@ impl Polytope {
         seen.vertices.iter_mut().for_each(|vertex| *vertex = frame.local(vertex));
         let turned = |face: &mut Face| face.normal = frame.q.inverse() * face.normal;
         seen.faces.iter_mut().for_each(turned);
+        if let Some(cylinder) = &mut seen.cylinder {
+            cylinder.centre = frame.local(&cylinder.centre);
+            cylinder.axis = frame.q.inverse() * cylinder.axis;
+        }
         seen
     }
 }

@@ -12,6 +12,8 @@
 //! face     n = R0 n_body: J = [−n, −((r0+d)×n), n, r1×n], J'u = n·cent + 2(ω0×n)·rel + (ω0×(ω0×n))·d
 //! centres  n = d/|d|: a distance row
 //! edge     n = h/|h|, h = d − e(e·d): the face's J and J'u, plus |h' − n(n·h')|²/|h| as n turns
+//! rim      n as of a face, c = n·d − R s with a across the circle, u = a·n, s = √(1 − u²):
+//!          J also ∓(R u/s) (a×n), J'u also R u'²/s³ + (R u/s) (ω1−ω0)·(a×n)'
 //! edges    n = m/|m|, m = e0×e1; with P = I − nnᵀ, t = P d/|m|
 //!          J = [−n, −(r0×n) + e0×(e1×t), n, r1×n + e1×(t×e0)], J'u = n·cent + 2 n'·rel + n''·d
 //! ```
@@ -51,6 +53,19 @@ pub enum Normal {
     Edge(Vector3<f64>),
     /// It is across an edge of body 0 and one of body 1, along e0 × e1.
     Edges([Vector3<f64>; 2]),
+    /// It is the normal of a face of body 0, under which the circle around anchor 1 of body 1 lies.
+    Rim(Rim),
+}
+
+/// A circle of body 1 that touches with whichever point lies lowest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rim {
+    /// The unit normal of the face, in the frame of body 0.
+    pub normal: Vector3<f64>,
+    /// The unit vector across the circle, in the frame of body 1; not along the normal.
+    pub axis: Vector3<f64>,
+    /// The circle's radius (m).
+    pub radius: f64,
 }
 
 /// The normal of a contact at one instant, and how it moves.
@@ -61,6 +76,9 @@ pub(super) struct Frame {
     pub n_rate: Vector3<f64>,
     /// The angular velocity (rad/s) with which the tangents follow n.
     pub turn: Vector3<f64>,
+    /// From anchor 1 to the touching point (m), and its rate (m/s).
+    pub toe: Vector3<f64>,
+    pub toe_rate: Vector3<f64>,
     jacobian: [Vector6<f64>; 2],
     velocity_product: f64,
 }
@@ -68,14 +86,35 @@ pub(super) struct Frame {
 impl Contact {
     #[inline]
     fn frame(&self, arms: &Arms, states: [&State; 2]) -> Result<Frame, Degenerate> {
-        match &self.normal {
-            Normal::Face(n) => Ok(face(arms, states, states[0].pose.direction(n))),
-            Normal::Centres => round(arms, states, None),
-            Normal::Edge(axis) => round(arms, states, Some(states[0].pose.direction(axis))),
+        let frame = match &self.normal {
+            Normal::Rim(of) => return rim(arms, states, of),
+            Normal::Face(n) => face(arms, states, states[0].pose.direction(n)),
+            Normal::Centres => round(arms, states, None)?,
+            Normal::Edge(axis) => round(arms, states, Some(states[0].pose.direction(axis)))?,
             Normal::Edges([e0, e1]) => {
-                edges(arms, states, states[0].pose.direction(e0), states[1].pose.direction(e1))
+                edges(arms, states, states[0].pose.direction(e0), states[1].pose.direction(e1))?
             }
+        };
+        let [toe, toe_rate] = [frame.n, frame.n_rate].map(|v| -self.radii[1] * v);
+        Ok(Frame { toe, toe_rate, ..frame })
+    }
+
+    /// c under the normal of a frame.
+    fn separation(&self, arms: &Arms, frame: &Frame) -> f64 {
+        match self.normal {
+            Normal::Rim(_) => frame.n.dot(&(arms.d + frame.toe)),
+            _ => frame.n.dot(&arms.d) - self.radii[0] - self.radii[1],
         }
+    }
+
+    /// The point of body 1 that touches (m, world).
+    ///
+    /// # Errors
+    /// Where n is not defined.
+    pub fn point(&self, states: [&State; 2]) -> Result<Vector3<f64>, Degenerate> {
+        let arms = Arms::new(states, &self.anchors);
+        let toe = self.frame(&arms, states)?.toe;
+        Ok(states[1].pose.p + arms.r[1] + toe)
     }
 
     /// c and n at these states.
@@ -85,8 +124,8 @@ impl Contact {
     #[inline]
     pub fn gap(&self, states: [&State; 2]) -> Result<(f64, Vector3<f64>), Degenerate> {
         let arms = Arms::new(states, &self.anchors);
-        let n = self.frame(&arms, states)?.n;
-        Ok((n.dot(&arms.d) - self.radii[0] - self.radii[1], n))
+        let frame = self.frame(&arms, states)?;
+        Ok((self.separation(&arms, &frame), frame.n))
     }
 }
 
@@ -104,7 +143,7 @@ impl Constraint for Contact {
     fn add_rows(&self, states: [&State; 2], rows: &mut Vec<Row>) -> Result<(), Degenerate> {
         let arms = Arms::new(states, &self.anchors);
         let frame = self.frame(&arms, states)?;
-        let c = frame.n.dot(&arms.d) - self.radii[0] - self.radii[1];
+        let c = self.separation(&arms, &frame);
         rows.push(Row::inequality(Kind::Normal, c, frame.jacobian, frame.velocity_product));
         if self.friction > 0.0 {
             rows.extend(friction::rows(self, &arms, &frame, states));
@@ -124,6 +163,8 @@ fn face(arms: &Arms, states: [&State; 2], n: Vector3<f64>) -> Frame {
         n,
         n_rate: omega0.cross(&n),
         turn: omega0,
+        toe: Vector3::zeros(),
+        toe_rate: Vector3::zeros(),
         jacobian: arms.row_with_normal_on_body_0(&n),
         velocity_product: arms.product_with_normal_on_body_0(&n, &omega0),
     }
@@ -179,10 +220,45 @@ fn edges(
         n,
         n_rate,
         turn: n.cross(&n_rate),
+        toe: Vector3::zeros(),
+        toe_rate: Vector3::zeros(),
         jacobian: [j0, j1],
         velocity_product: n.dot(&arms.cent) + 2.0 * n_rate.dot(&arms.rel) + n_product.dot(&arms.d),
     })
 }
+
+/// n is fixed to body 0, and what touches is the lowest point of a circle of body 1.
+fn rim(arms: &Arms, states: [&State; 2], of: &Rim) -> Result<Frame, Degenerate> {
+    let [omega0, omega1] = [states[0].omega, states[1].omega];
+    let (n, a) = (states[0].pose.direction(&of.normal), states[1].pose.direction(&of.axis));
+    let across = a.cross(&n);
+    let (u, s) = (a.dot(&n), across.norm());
+    if s <= FLAT {
+        return Err(Degenerate { reason: "a circle lies flat, so no point of it is the lowest" });
+    }
+    let fixed = face(arms, states, n);
+    let (relative, a_rate) = (omega1 - omega0, omega1.cross(&a));
+    let across_rate = a_rate.cross(&n) + a.cross(&fixed.n_rate);
+    let (u_rate, lever) = (relative.dot(&across), of.radius * u / s);
+    let s_rate = -u * u_rate / s;
+    let down = n - a * u;
+    let down_rate = fixed.n_rate - a_rate * u - a * u_rate;
+    let [mut j0, mut j1] = fixed.jacobian;
+    j0 -= stack(Vector3::zeros(), across * lever);
+    j1 += stack(Vector3::zeros(), across * lever);
+    Ok(Frame {
+        toe: down * (-of.radius / s),
+        toe_rate: (down_rate * s - down * s_rate) * (-of.radius / (s * s)),
+        jacobian: [j0, j1],
+        velocity_product: fixed.velocity_product
+            + of.radius * u_rate * u_rate / s.powi(3)
+            + lever * relative.dot(&across_rate),
+        ..fixed
+    })
+}
+
+/// A circle whose axis is as near to the normal as this (as a sine) lies flat.
+const FLAT: f64 = 1e-9;
 
 const PARALLEL: Degenerate =
     Degenerate { reason: "the two edges are parallel, so nothing is across both" };
@@ -190,8 +266,13 @@ const PARALLEL: Degenerate =
 impl Position for Contact {
     fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
         let d = separation(poses, &self.anchors);
-        let c = match &self.normal {
+        let c: T = match &self.normal {
             Normal::Face(n) => poses[0].direction(n).dot(&d),
+            Normal::Rim(Rim { normal, axis, radius }) => {
+                let n = poses[0].direction(normal);
+                let s = poses[1].direction(axis).cross(&n).norm();
+                n.dot(&d) - s * constant::<T>(*radius)
+            }
             Normal::Centres => d.norm(),
             Normal::Edge(axis) => {
                 let e = poses[0].direction(axis);

@@ -3,13 +3,13 @@
 //! There is no position: c = 0, and the row's velocity is the slip at the touching point
 //!
 //! ```text
-//! ρ1 = r1 − R1 n,   ρ0 = p1 + ρ1 − p0
+//! ρ1 = r1 + toe,   ρ0 = p1 + ρ1 − p0
 //! J u = t·slip,   slip = v1 + ω1×ρ1 − v0 − ω0×ρ0,   J = [−t, −(ρ0×t), t, ρ1×t]
-//! J'u = t·(ω1×ρ1' − ω0×ρ0') + (Ω×t)·slip,   ρ1' = ω1×r1 − R1 n',   ρ0' = v1 + ρ1' − v0
+//! J'u = t·(ω1×ρ1' − ω0×ρ0') + (Ω×t)·slip,   ρ1' = ω1×r1 + toe',   ρ0' = v1 + ρ1' − v0
 //! ```
 //!
-//! where Ω carries the tangents along with n: body 0's ω where n is fixed to it, else n×n'. The
-//! touching point of a ball is not material, which is why ρ1' has n' in it.
+//! where the toe, −R1 n of a ball, leads from anchor 1 to the touching point, and Ω carries the tangents along with n: body 0's ω where n is fixed to it, else n×n'. The
+//! touching point of a ball is not material, which is why ρ1' has toe' in it.
 
 use nalgebra::Vector3;
 
@@ -21,11 +21,10 @@ use crate::body::{State, stack};
 /// The two tangential rows that follow a contact's normal row.
 pub(super) fn rows(contact: &Contact, arms: &Arms, frame: &Frame, states: [&State; 2]) -> [Row; 2] {
     let [s0, s1] = states;
-    let radius = contact.radii[1];
-    let rho1 = arms.r[1] - radius * frame.n;
+    let rho1 = arms.r[1] + frame.toe;
     let rho0 = s1.pose.p + rho1 - s0.pose.p;
     let slip = s1.v + s1.omega.cross(&rho1) - s0.v - s0.omega.cross(&rho0);
-    let rho1_rate = s1.omega.cross(&arms.r[1]) - radius * frame.n_rate;
+    let rho1_rate = s1.omega.cross(&arms.r[1]) + frame.toe_rate;
     let rho0_rate = s1.v + rho1_rate - s0.v;
     let slip_product = s1.omega.cross(&rho1_rate) - s0.omega.cross(&rho0_rate);
     tangents(&frame.n).map(|t| {

@@ -52,7 +52,7 @@ mod weld;
 pub use axis_lock::{AxisLock, Motion};
 pub use coincidence::Coincidence;
 pub use cone_limit::ConeLimit;
-pub use contact::{Contact, Normal};
+pub use contact::{Contact, Normal, Rim};
 pub use coordinate::Coordinate;
 pub use cylindrical::Cylindrical;
 pub use distance::Distance;

@@ -12,7 +12,7 @@ use super::description::{self, Capsule, Description, Part, Rotation};
 use super::joints::Site;
 use super::settings::within_one;
 use super::{Scene, driven, friction, generate, range, surface};
-use crate::body::{Body, Mass, Placed, Polytope, Pose, Shape, State, inertia};
+use crate::body::{Body, Cylinder, Mass, Placed, Polytope, Pose, Shape, State, inertia};
 use lcplab_problem::error::{Defects, Result};
 use lcplab_problem::memory::Memory;
 
@@ -207,7 +207,7 @@ fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -
             let fits =
                 [is_length(".cylinder.length", *length), is_length(".cylinder.radius", *radius)];
             if fits == [true; 2] {
-                return build_hull(defects, &place, &prism(*length, *radius));
+                return build_cylinder(*length, *radius);
             }
             None
         }
@@ -218,6 +218,16 @@ fn build_shape(defects: &mut Defects, place: &str, shape: &description::Shape) -
         }
     };
     (shape.unwrap_or(SHAPE_STAND_IN), State::WORLD.pose)
+}
+
+/// The prism that stands for a cylinder along z.
+fn build_cylinder(length: f64, radius: f64) -> (Shape, Pose) {
+    let points: Vec<Vector3<f64>> = prism(length, radius).into_iter().map(Vector3::from).collect();
+    let (centre, axis) = (Vector3::zeros(), Vector3::z());
+    let cylinder = Some(Cylinder { centre, axis, half_length: 0.5 * length, radius });
+    let prism = Polytope::hull(&points).map(|hull| Polytope { cylinder, ..hull });
+    let shape = prism.map_or(SHAPE_STAND_IN, |prism| Shape::Hull(Arc::new(prism)));
+    (shape, State::WORLD.pose)
 }
 
 fn build_hull(defects: &mut Defects, place: &str, points: &[[f64; 3]]) -> (Shape, Pose) {

@@ -243,7 +243,8 @@ pub enum Shape {
     Box([f64; 3]),
     /// A cylinder along z with half balls at its ends.
     Capsule(Capsule),
-    /// A cylinder along z: to collisions a prism with 32 sides, as heavy to turn as a round one.
+    /// A cylinder along z, disc and wheel too: round on planes and on the faces of boxes and hulls, to all
+    /// else a prism with 32 sides.
     Cylinder(Capsule),
     /// The convex hull of these points (m), which must span a volume.
     Hull(Vec<[f64; 3]>),

@@ -193,6 +193,7 @@ const CASES: &[(&str, Case)] = &[
     ("ladder", contact::ladder),
     ("rolling-sphere", rolling::sphere),
     ("rolling-balls", rolling::balls),
+    ("rolling-cylinder", rolling::cylinder),
     ("bouncing-ball", impact::bouncing),
     ("bounce-to-rest", schemes::rest),
     ("cradle", impact::cradle),

@@ -3,6 +3,7 @@
 use super::measure::{Case, Known, Method, last};
 use super::{Row, Size};
 use crate::error::Result;
+use crate::scene::Scene;
 use crate::scene::catalogue::rolling::{PushedBox, SlidingBall};
 
 const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
@@ -101,6 +102,38 @@ pub(super) fn balls(size: Size) -> Result<Vec<Row>> {
             let states = last(scene, time)?.states;
             Some(vec![states[1].v.x / time, states[2].v.x / time])
         }));
+    }
+    Ok(rows)
+}
+
+/// A full cylinder and a thin disc that roll down 10° with ⅔ g sin θ, on a plane and on a box.
+pub(super) fn cylinder(size: Size) -> Result<Vec<Row>> {
+    let (time, angle) = (0.5, 10f64.to_radians());
+    let expected = 2.0 / 3.0 * 9.81 * libm::sin(angle) * time;
+    let grounds = [
+        ("plane", "shape = { plane = [0, 0, 1] }"),
+        ("box", "shape = { box = [9, 9, 1] }\nposition = [0, 0, -0.5]"),
+    ];
+    let mut rows = Vec::new();
+    for (ground, fields) in grounds {
+        for (body, length) in [("cylinder", 0.4), ("disc", 0.01)] {
+            let text = format!(
+                "tilt = {{ y = 10 }}\ncontact.friction = 0.5\n[[bodies]]\nname = \"ground\"\n\
+                 fixed = true\n{fields}\n[[bodies]]\nname = \"round\"\nmass = 1\n\
+                 shape = {{ cylinder = {{ length = {length}, radius = 0.2 }} }}\n\
+                 position = [0, 0, 0.2]\nrotation = {{ x = 90 }}\n"
+            );
+            let scene = Scene::from_toml(&format!("{body}-on-{ground}"), &text)?;
+            let case = Case::of("rolling-cylinder", scene, size);
+            for level in LEVELS {
+                let what = format!("speed of the {body} on a {ground} after 0.5 s");
+                let formula = ["2/3 g sin(theta) t", "\\tfrac23 g\\sin\\theta\\,t"];
+                let known = vec![Known::exact(SUMMED, what, formula, "m/s", expected)];
+                rows.extend(
+                    case.rows(level, known, |scene| Some(vec![last(scene, time)?.states[1].v.x])),
+                );
+            }
+        }
     }
     Ok(rows)
 }

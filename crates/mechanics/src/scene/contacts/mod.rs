@@ -26,6 +26,7 @@ mod passage;
 mod plane;
 mod reach;
 mod reduce;
+mod rim;
 mod separation;
 mod solid;
 
@@ -379,7 +380,7 @@ fn point(
         }
         (Err(_), _) => return None,
     };
-    let point = states[k1].pose.point(&contact.anchors[1]) - contact.radii[1] * normal;
+    let point = contact.point(pair_of).ok()?;
     let [f0, f1] = touch.names();
     let id = ContactId { bodies: pair, features: [owners[0].name(f0), owners[1].name(f1)] };
     Some(Found { id, contact, gap, margin, normal, point })

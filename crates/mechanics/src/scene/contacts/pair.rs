@@ -1,8 +1,8 @@
-//! Two solids: which of their features touch.
+//! Two solids: which of their features touch. A cylinder is round where its side lies on a face.
 
 use super::separation::{EdgeAxis, FaceAxis, by_edges, by_faces};
 use super::solid::Solid;
-use super::{Feature, Touch, crossing, nearest, overlap};
+use super::{Feature, Touch, crossing, nearest, overlap, rim};
 use crate::constraint::Normal;
 
 /// A face is taken though edges, or a face of the other body, part the bodies better by up to this
@@ -26,6 +26,9 @@ pub(super) fn touches(a: &Solid, b: &Solid, margin: f64, out: &mut Vec<Touch>) {
     }
     let equal = EQUAL * a.size.max(b.size);
     let least = best - PREFERENCE * a.size.min(b.size) - equal;
+    if rolls(a, b, faces, least, out) {
+        return;
+    }
     over_face(a, b, faces, least, out);
     out.retain(|touch| touch.separation >= least); // none deeper than the way out
     if out.iter().any(|touch| touch.separation <= best + equal) {
@@ -34,6 +37,26 @@ pub(super) fn touches(a: &Solid, b: &Solid, margin: f64, out: &mut Vec<Touch>) {
     out.clear();
     let apart = best > equal || best == f64::MIN;
     if apart { near(a, b, edges, reach, out) } else { out.extend(through(a, b, faces, edges)) }
+}
+
+/// A cylinder on its side over a face of what is none, if that face has at least this separation.
+fn rolls(
+    a: &Solid,
+    b: &Solid,
+    faces: [Option<FaceAxis>; 2],
+    least: f64,
+    out: &mut Vec<Touch>,
+) -> bool {
+    let [of_a, of_b] = faces.map(|axis| axis.filter(|axis| axis.separation >= least));
+    match (of_a, of_b, [a, b].map(|solid| solid.cylinder().is_some())) {
+        (Some(axis), _, [false, true]) => rim::on_face(a, axis.face, b, out),
+        (_, Some(axis), [true, false]) => {
+            let found = rim::on_face(b, axis.face, a, out);
+            out.iter_mut().for_each(|touch| touch.swapped = !touch.swapped);
+            found
+        }
+        _ => false,
+    }
 }
 
 /// The overlap over the first face, of `a` and then of `b`, with at least this separation.

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::solid::Solid;
-use super::{Feature, Touch};
+use super::{Feature, Touch, rim};
 use crate::body::Pose;
 use crate::constraint::Normal;
 
@@ -11,6 +11,9 @@ use crate::constraint::Normal;
 /// in the body's axes.
 pub(super) fn touches(normal: &Vector3<f64>, pose: &Pose, solid: &Solid, out: &mut Vec<Touch>) {
     let n = pose.direction(normal);
+    if rim::on_plane(normal, pose, solid, out) {
+        return;
+    }
     let vertices = solid.vertices.iter().enumerate();
     let touch = |(k, vertex): (usize, &Vector3<f64>)| Touch {
         features: [Feature::Face(0), Feature::Vertex(k)],

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::body::{Edge, Placed, Polytope, Pose, Shape};
+use crate::body::{Cylinder, Edge, Placed, Polytope, Pose, Shape};
 
 /// A direction counts as along a surface when it leaves it by no more than this (as a sine).
 const ALONG: f64 = 1e-9;
@@ -105,7 +105,7 @@ impl Solid {
 
     /// How many vertices, edges and faces it has.
     pub fn features(&self) -> [usize; 3] {
-        let Polytope { vertices, edges, faces } = &*self.polytope;
+        let Polytope { vertices, edges, faces, .. } = &*self.polytope;
         [vertices.len(), edges.len(), faces.len()]
     }
 
@@ -156,6 +156,18 @@ impl Solid {
     pub fn length(&self, edge: usize) -> f64 {
         let [from, to] = self.ends(edge);
         (to - from).norm()
+    }
+
+    /// The cylinder that it stands for, in world axes, with the faces at its lower and its upper end.
+    pub fn cylinder(&self) -> Option<(Cylinder, [usize; 2])> {
+        let own = self.polytope.cylinder?;
+        let centre = self.pose.point(&own.centre);
+        let world = Cylinder { centre, axis: self.pose.direction(&own.axis), ..own };
+        let along = |f: &usize| self.polytope.faces[*f].normal.dot(&own.axis);
+        let faces = || 0..self.normals.len();
+        let lower = faces().min_by(|f, g| along(f).total_cmp(&along(g)))?;
+        let upper = faces().max_by(|f, g| along(f).total_cmp(&along(g)))?;
+        Some((world, [lower, upper]))
     }
 
     /// The vertices around a face.

@@ -2,7 +2,7 @@
 
 use lcplab_mechanics::body::{Pose, State};
 use lcplab_mechanics::constraint::{
-    ALL, Bodies, Contact, Coordinate, Field, Joint, Motion, Normal, Orientation, Placement,
+    ALL, Bodies, Contact, Coordinate, Field, Joint, Motion, Normal, Orientation, Placement, Rim,
     Verifiable, verify,
 };
 use lcplab_mechanics::scene::{Scene, contacts};
@@ -169,9 +169,18 @@ proptest! {
     fn contacts_of_every_kind_match_dual_numbers(
         a in state(), b in state(), r0 in vector(), r1 in vector(), e0 in unit(), e1 in unit(),
     ) {
-        for normal in [Normal::Face(e0), Normal::Centres, Normal::Edge(e0), Normal::Edges([e0, e1])] {
+        let rim = Rim { normal: e0, axis: e1, radius: 0.4 };
+        let kinds = [
+            Normal::Face(e0),
+            Normal::Centres,
+            Normal::Edge(e0),
+            Normal::Edges([e0, e1]),
+            Normal::Rim(rim),
+        ];
+        for normal in kinds {
+            let radii = if normal == Normal::Rim(rim) { [0.0; 2] } else { [0.2, 0.3] };
             let contact =
-                Contact { bodies: BODIES, anchors: [r0, r1], radii: [0.2, 0.3], normal, friction: 0.0 };
+                Contact { bodies: BODIES, anchors: [r0, r1], radii, normal, friction: 0.0 };
             let [e0, e1] = [a.pose.direction(&e0), b.pose.direction(&e1)];
             let d = b.pose.point(&r1) - a.pose.point(&r0);
             prop_assume!(e0.cross(&e1).norm() > 0.1 && d.cross(&e0).norm() > 0.1);

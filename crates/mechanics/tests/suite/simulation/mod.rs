@@ -18,6 +18,7 @@ mod pendulum;
 mod polygons;
 mod redundant;
 mod resting;
+mod rounds;
 mod schemes;
 mod shipped;
 mod stacking;

@@ -56,6 +56,7 @@ fn a_ball_touches_a_face_an_edge_or_a_corner_of_a_box() {
             Normal::Edge(_) => "edge",
             Normal::Centres => "centres",
             Normal::Edges(_) => "edges",
+            Normal::Rim(_) => "rim",
         };
         assert_eq!(found, kind);
         assert!((only.normal - n).norm() < 1e-14, "{}", only.normal);

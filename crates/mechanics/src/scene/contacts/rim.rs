@@ -1,0 +1,99 @@
+//! A cylinder with its side on something flat: the ends of the line along which it touches.
+//!
+//! Each end is the lowest point of a circle around the axis, so that the cylinder rolls as a round one does. Where
+//! it stands on an end, and beside the rim of a face, the prism that stands for it touches instead.
+
+use nalgebra::Vector3;
+
+use super::solid::Solid;
+use super::{Feature, Touch};
+use crate::body::{Cylinder, Pose};
+use crate::constraint::{Normal, Rim};
+
+/// A cylinder whose axis is as near to the normal as this (as a sine) stands.
+const STANDS: f64 = 0.02;
+
+/// A flat surface: its unit normal in its body's axes and in the world's, and a point of it (m, world).
+struct Flat {
+    feature: usize,
+    local: Vector3<f64>,
+    n: Vector3<f64>,
+    point: Vector3<f64>,
+}
+
+/// Adds the touches of a cylinder with the plane through the origin of a body with this pose; false if it is
+/// none or stands.
+pub(super) fn on_plane(
+    normal: &Vector3<f64>,
+    pose: &Pose,
+    solid: &Solid,
+    out: &mut Vec<Touch>,
+) -> bool {
+    let Some((cylinder, ends)) = solid.cylinder() else { return false };
+    let flat = Flat { feature: 0, local: *normal, n: pose.direction(normal), point: pose.p };
+    let Some(_) = lowest(&cylinder, &flat.n) else { return false };
+    let half = cylinder.half_length;
+    for (along, face) in [-half, half].into_iter().zip(ends) {
+        out.extend(touch(&flat, solid, &cylinder, along, face));
+    }
+    true
+}
+
+/// The same over a face; false also if no part of the line is over the face.
+pub(super) fn on_face(flat: &Solid, face: usize, solid: &Solid, out: &mut Vec<Touch>) -> bool {
+    let Some((cylinder, ends)) = solid.cylinder() else { return false };
+    let (n, corners) = (flat.normals[face], flat.corners(face));
+    let Some(down) = lowest(&cylinder, &n) else { return false };
+    let line = cylinder.centre + down;
+    let (mut low, mut high) = (-cylinder.half_length, cylinder.half_length);
+    for k in 0..corners.len() {
+        let [from, to] = [k, (k + 1) % corners.len()].map(|k| flat.vertices[corners[k]]);
+        let inward = n.cross(&(to - from)).normalize();
+        let (inside, rate) = (inward.dot(&(line - from)), inward.dot(&cylinder.axis));
+        match rate {
+            rate if rate > PARALLEL => low = low.max(-inside / rate),
+            rate if rate < -PARALLEL => high = high.min(-inside / rate),
+            _ if inside < 0.0 => return false,
+            _ => {}
+        }
+    }
+    if low > high {
+        return false;
+    }
+    let flat =
+        Flat { feature: face, local: flat.local_normal(face), n, point: flat.vertices[corners[0]] };
+    for (along, end) in [low, high].into_iter().zip(ends) {
+        out.extend(touch(&flat, solid, &cylinder, along, end));
+    }
+    true
+}
+
+/// A line along a side of a face, as a sine.
+const PARALLEL: f64 = 1e-9;
+
+/// From the axis to the line of the side that lies lowest along n; `None` if the cylinder stands.
+fn lowest(cylinder: &Cylinder, n: &Vector3<f64>) -> Option<Vector3<f64>> {
+    let across = n - cylinder.axis * cylinder.axis.dot(n);
+    (across.norm() > STANDS).then(|| across.normalize() * -cylinder.radius)
+}
+
+/// The touch of the circle so far (m) along the axis, named after a face of the cylinder.
+fn touch(
+    flat: &Flat,
+    solid: &Solid,
+    cylinder: &Cylinder,
+    along: f64,
+    face: usize,
+) -> Option<Touch> {
+    let centre = cylinder.centre + cylinder.axis * along;
+    let point = centre + lowest(cylinder, &flat.n)?;
+    let separation = flat.n.dot(&(point - flat.point));
+    let axis = solid.local(&cylinder.axis);
+    Some(Touch {
+        features: [Feature::Face(flat.feature), Feature::Face(face)],
+        anchors: [point - flat.n * separation, centre],
+        normal: Normal::Rim(Rim { normal: flat.local, axis, radius: cylinder.radius }),
+        separation,
+        swapped: false,
+    })
+}
