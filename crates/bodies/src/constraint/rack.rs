@@ -1,11 +1,12 @@
 //! A rope wound on a wheel, or a rack on a pinion: a body moves along an axis as the wheel turns.
 //!
 //! ```text
-//! c   = s − r φ               φ: the twist of body 0 about its axis, s: the way of body 1 along n, r: the radius
-//! J   = [0, −r t, n, 0],   J'u likewise
+//! c   = s1 − s0 − r φ         φ: the twist of body 0 about its axis, s: the ways of body 1 and of the wheel's
+//! J   = [−n, −r t, n, 0],     centre of mass along n, r: the radius; J'u likewise
 //! ```
 //!
-//! so s' = r φ', and under x the wheel feels the torque −r x. Two of them on one wheel, with n = ±z, are a
+//! so s1' − s0' = r φ', and under x the wheel feels −x n at its centre and the torque −r x. A yo-yo is a wheel
+//! whose rope is tied to what stands still. Two of them on one wheel, with n = ±z, are a
 //! pulley with mass. The wheel's axis and n are at rest in the world. The state knows φ only up to a
 //! turn and s wholly, so that c is wrapped to within half a turn, −π r ≤ c ≤ π r, as in a [gear](super::Gear).
 //! The row is an equation: the rope is taken as taut.
@@ -30,6 +31,8 @@ pub struct Rack {
     pub wheel: Coordinate,
     /// The way of the body, along its direction.
     pub way: Coordinate,
+    /// The way of the wheel's centre, along the same.
+    pub centre: Coordinate,
     /// The radius r (m), positive.
     pub radius: f64,
 }
@@ -48,10 +51,13 @@ pub(super) const RACK: Joint = Joint {
         let of_world = |k: usize| [None, at.bodies[k]];
         let relative = Orientation { bodies: of_world(0), relative: at.poses[0].q };
         let wheel = Coordinate { bodies: of_world(0), axis, motion: Motion::Rotation { relative } };
-        let motion =
-            Motion::Translation { anchors: [at.poses[1].p, Vector3::zeros()], offset: 0.0 };
-        let way = Coordinate { bodies: of_world(1), axis: direction, motion };
-        Ok(Arc::new(Rack { bodies: at.bodies, wheel, way, radius }))
+        let along = |k: usize| {
+            let anchors = [at.poses[k].p, Vector3::zeros()];
+            let motion = Motion::Translation { anchors, offset: 0.0 };
+            Coordinate { bodies: of_world(k), axis: direction, motion }
+        };
+        let (centre, way) = (along(0), along(1));
+        Ok(Arc::new(Rack { bodies: at.bodies, wheel, way, centre, radius }))
     },
 };
 
@@ -70,11 +76,12 @@ impl Constraint for Rack {
     fn rows(&self, states: [&State; 2]) -> Result<Vec<Row>, Degenerate> {
         let wheel = self.wheel.row([&State::WORLD, states[0]])?;
         let way = self.way.row([&State::WORLD, states[1]])?;
+        let centre = self.centre.row([&State::WORLD, states[0]])?;
         Ok(vec![Row::equation(
             Kind::Translation,
-            self.wound(way.c - self.radius * wheel.c),
-            [-self.radius * wheel.jacobian[1], way.jacobian[1]],
-            way.velocity_product - self.radius * wheel.velocity_product,
+            self.wound(way.c - centre.c - self.radius * wheel.c),
+            [-self.radius * wheel.jacobian[1] - centre.jacobian[1], way.jacobian[1]],
+            way.velocity_product - centre.velocity_product - self.radius * wheel.velocity_product,
         )])
     }
 }
@@ -83,7 +90,8 @@ impl Position for Rack {
     fn c<T: RealField + Copy>(&self, poses: [&Pose<T>; 2]) -> Vec<T> {
         let world = Pose { p: Vector3::zeros(), q: UnitQuaternion::identity() };
         let turned = self.wheel.value([&world, poses[0]]) * constant(self.radius);
-        let c = self.way.value([&world, poses[1]]) - turned;
+        let moved = self.way.value([&world, poses[1]]) - self.centre.value([&world, poses[0]]);
+        let c = moved - turned;
         vec![c + constant(self.wound(plain(c)) - plain(c))]
     }
 }

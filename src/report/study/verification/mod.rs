@@ -12,11 +12,13 @@
 //! right at every step length, within a tolerance that has a reason. Cases are one file a group.
 
 mod bricard;
+mod collisions;
 mod contact;
 mod free;
 mod impact;
 mod joint;
 mod measure;
+mod mechanism;
 mod painleve;
 mod pendulum;
 mod rolling;
@@ -210,6 +212,12 @@ const CASES: &[(&str, Case)] = &[
     ("spring", joint::spring),
     ("spring-ellipse", joint::ellipse),
     ("motor", joint::motor),
+    ("joints-turning", mechanism::turning),
+    ("joints-falling", mechanism::falling),
+    ("belt", mechanism::belt),
+    ("blow-with-friction", collisions::blow),
+    ("askew-slip", collisions::askew),
+    ("three-bounces", collisions::bounces),
     ("bricard", bricard::bricard),
     ("painleve", painleve::rod),
 ];

@@ -59,3 +59,22 @@ fn no_tooth_is_lost_over_many_turns() {
     let parted = turned[1] + RATIO * turned[0];
     assert!((parted / exact - 1.0).abs() < 0.01, "{parted} {exact}");
 }
+
+#[test]
+fn a_yo_yo_unrolls_with_the_inertia_of_its_wheel() {
+    // The rope is tied to a ceiling that stands still: a = g/(1 + I/(m r²)) = g/9.
+    let text = "[step]\ndt = 0.01\n\
+        [[bodies]]\nname = \"ceiling\"\nfixed = true\nshape = { box = [0.1, 0.1, 0.1] }\nposition = [-0.02, 0, 1]\n\
+        [[bodies]]\nname = \"yoyo\"\nshape = { sphere = 0.04 }\nmass = 0.1\ninertia = [8e-5, 8e-5, 8e-5]\n\
+        [[constraints]]\nkind = \"rack\"\nbodies = [\"yoyo\", \"ceiling\"]\naxes = [[0, 1, 0], [0, 0, 1]]\n\
+        length = 0.01\n";
+    for level in Scheme::LEVELS {
+        let mut yoyo = simulation(text, level);
+        for n in 1..=100 {
+            yoyo.step().unwrap();
+            let state = yoyo.states()[1];
+            assert_near(state.v.z, -9.81 / 9.0 * 0.01 * f64::from(n), 1e-9);
+            assert_near(0.01 * state.omega.y, -state.v.z, 1e-9);
+        }
+    }
+}

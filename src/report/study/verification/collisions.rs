@@ -1,0 +1,130 @@
+//! Blows with friction, slip askew to the axes, and more than one bounce.
+
+use super::measure::{Case, Known, Method, ROUNDING, after};
+use super::{Row, Size};
+use crate::error::Result;
+use crate::lcp::friction::Model;
+use crate::scene::{Scene, Scheme, Sliding};
+
+const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
+const G: f64 = 9.81;
+const SUMMED: (f64, &str) = (1e-6, "the solver's tolerance, summed over the steps");
+const SUBSTEPS: (f64, &str) = (1e-6, "differences of positions over substeps");
+
+/// A ball thrown on the ground slides through its blow: friction is μ (1 + e) v_n, and turns it.
+pub(super) fn blow(size: Size) -> Result<Vec<Row>> {
+    let [mu, e, down, along, radius] = [0.1, 0.5, 2.0, 3.0, 0.1];
+    let text = "gravity = [0, 0, 0]\ncontact.friction = 0.1\ncontact.restitution = 0.5\n[[bodies]]\n\
+        name = \"ground\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"ball\"\n\
+        mass = 1\nshape = { sphere = 0.1 }\nposition = [0, 0, 0.1]\nvelocity = [3, 0, -2]\n";
+    let case = Case::of("blow-with-friction", Scene::from_toml("thrown-ball", text)?, size);
+    let loss = mu * (1.0 + e) * down;
+    let mut rows = Vec::new();
+    for level in LEVELS {
+        let known = vec![
+            Known::exact(ROUNDING, "speed upwards", ["e v_n", "e\\,v_n"], "m/s", e * down),
+            Known::exact(
+                ROUNDING,
+                "speed along",
+                ["v_t - mu (1 + e) v_n", "v_t - \\mu(1 + e) v_n"],
+                "m/s",
+                along - loss,
+            ),
+            Known::exact(
+                ROUNDING,
+                "spin",
+                ["5 mu (1 + e) v_n/(2 r)", "\\frac{5\\mu(1 + e) v_n}{2 r}"],
+                "rad/s",
+                2.5 * loss / radius,
+            ),
+        ];
+        rows.extend(case.rows(level, known, |scene| {
+            let state = after(scene, 0.05)?[1];
+            Some(vec![state.v.z, state.v.x, state.omega.y])
+        }));
+    }
+    Ok(rows)
+}
+
+/// A point that slides at 30° to the axes: each model by its own law. Coulomb's force is against the slip, the
+/// box's against both of its components, a polygon's that of its corners which opposes the slip most.
+pub(super) fn askew(size: Size) -> Result<Vec<Row>> {
+    let (mu, speed, time) = (0.3, 2.0, 0.1);
+    let angle = 30f64.to_radians();
+    let text = "contact.friction = 0.3\n[[bodies]]\nname = \"ground\"\nfixed = true\n\
+        shape = { plane = [0, 0, 1] }\n[[bodies]]\nname = \"point\"\nshape = \"point\"\nmass = 1\n";
+    let mut scene = Scene::from_toml("askew-slip", text)?;
+    let (sin_of_slip, cos_of_slip) = libm::sincos(angle);
+    scene.states[1].v = nalgebra::Vector3::new(speed * cos_of_slip, speed * sin_of_slip, 0.0);
+    let pull = mu * G * time;
+    let straight = [cos_of_slip * (speed - pull), sin_of_slip * (speed - pull)];
+    let boxed = [speed * cos_of_slip - pull, speed * sin_of_slip - pull];
+    // Of 8 corners 45° is the nearest to 30°, of 16 corners 22.5°.
+    let towards = |corner: f64| {
+        let (sin, cos) = libm::sincos(corner.to_radians());
+        [speed * cos_of_slip - pull * cos, speed * sin_of_slip - pull * sin]
+    };
+    let of_polygon = ["v0 - mu g t p", "v_0 - \\mu g t\\,p"];
+    let of_cone = ["v0 - mu g t v0/|v0|", "v_0 - \\mu g t\\,v_0/|v_0|"];
+    let of_box = ["v0 - mu g t sgn(v0)", "v_0 - \\mu g t\\,\\mathrm{sgn}(v_0)"];
+    let choices = [
+        (Method::Velocity, Model::CoupledBox, Sliding::Box, of_box, boxed),
+        (Method::Velocity, "polygon-8".parse()?, Sliding::Box, of_polygon, towards(45.0)),
+        (Method::Velocity, "polygon-16".parse()?, Sliding::Box, of_polygon, towards(22.5)),
+        (Method::Velocity, Model::CoulombCone, Sliding::Box, of_cone, straight),
+        (Method::Acceleration, Model::CoupledBox, Sliding::Box, of_box, boxed),
+        (Method::Acceleration, Model::CoupledBox, Sliding::Substituted, of_cone, straight),
+    ];
+    let mut rows = Vec::new();
+    for (method, model, sliding, formula, expected) in choices {
+        let mut scene = scene.clone();
+        (scene.contact.model, scene.contact.sliding) = (model, sliding);
+        let name = match sliding {
+            Sliding::Box => model.to_string(),
+            Sliding::Substituted => "substituted".into(),
+        };
+        let case = Case::of("askew-slip", scene, size);
+        let known = ["x", "y"].into_iter().zip(expected).map(|(axis, expected)| {
+            let what = format!("speed along {axis} after 0.1 s, {name}");
+            Known::exact(SUMMED, what, formula, "m/s", expected)
+        });
+        rows.extend(case.rows(method, known.collect(), |scene| {
+            let v = after(scene, time)?[1].v;
+            Some(vec![v.x, v.y])
+        }));
+    }
+    Ok(rows)
+}
+
+/// A ball between two walls: after three bounces it has e³ of its speed, by every scheme with an e.
+pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
+    let (e, speed) = (0.9_f64, 2.0);
+    let wall = |name: &str, x: f64| {
+        format!(
+            "[[bodies]]\nname = \"{name}\"\nfixed = true\nshape = {{ box = [1, 4, 4] }}\n\
+             position = [{x}, 0, 0]\n"
+        )
+    };
+    let text = format!(
+        "gravity = [0, 0, 0]\ncontact.restitution = 0.9\n{}{}[[bodies]]\nname = \"ball\"\nmass = 1\n\
+         shape = {{ sphere = 0.1 }}\nvelocity = [2, 0, 0]\n",
+        wall("left", -1.0),
+        wall("right", 1.0)
+    );
+    let case = Case::of("three-bounces", Scene::from_toml("between-walls", &text)?, size);
+    let mut rows = Vec::new();
+    for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Penalty) {
+        let tolerance = match scheme {
+            Scheme::Xpbd | Scheme::Soft => SUBSTEPS,
+            _ => SUMMED,
+        };
+        let what = "velocity after three bounces";
+        let formula = ["-e^3 v", "-e^3 v"];
+        let known = vec![Known::exact(tolerance, what, formula, "m/s", -e.powi(3) * speed)];
+        rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
+            // 0.4 m, then twice 0.8 m at 1.8 and 1.62 m/s: the third hit is at 1.138 s.
+            Some(vec![after(scene, 1.3)?[2].v.x])
+        }));
+    }
+    Ok(rows)
+}

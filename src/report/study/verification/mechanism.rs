@@ -1,0 +1,198 @@
+//! Joints one by one: gears, rack, universal, cylindrical, slider, rope, limit and belt.
+
+use super::measure::{Case, Known, Method, ROUNDING, after, last};
+use super::{Row, Size};
+use crate::error::Result;
+use crate::scene::Scene;
+
+const LEVELS: [Method; 2] = [Method::Velocity, Method::Acceleration];
+const G: f64 = 9.81;
+const SUMMED: (f64, &str) = (1e-7, "the solver's tolerance, summed over the steps");
+/// The gap at which a limit counts as met at acceleration level is a part of g dt².
+const MET: (f64, &str) = (1e-6, "the gap that counts as touching");
+
+/// A joint's scene, what is known of its motion after a time, and where that is read.
+struct Joint {
+    scene: &'static str,
+    text: String,
+    time: f64,
+    quantity: String,
+    formula: [&'static str; 2],
+    unit: &'static str,
+    expected: f64,
+    tolerance: (f64, &'static str),
+    measure: fn(&[crate::body::State]) -> f64,
+}
+
+/// The rows of some joints at both levels.
+fn rows(name: &'static str, joints: Vec<Joint>, size: Size) -> Result<Vec<Row>> {
+    let mut rows = Vec::new();
+    for joint in joints {
+        let case = Case::of(name, Scene::from_toml(joint.scene, &joint.text)?, size);
+        for level in LEVELS {
+            let Joint { formula, unit, expected, tolerance, measure, time, .. } = joint;
+            let known =
+                vec![Known::exact(tolerance, joint.quantity.clone(), formula, unit, expected)];
+            let run = |scene: &Scene| Some(vec![measure(&after(scene, time)?)]);
+            rows.extend(case.rows(level, known, run));
+        }
+    }
+    Ok(rows)
+}
+
+/// A ball of 2 kg with I = 0.2 kg m² of this name there, with these fields.
+fn ball(name: &str, position: [f64; 3], fields: &str) -> String {
+    format!(
+        "[[bodies]]\nname = \"{name}\"\nshape = {{ sphere = 0.5 }}\nmass = 2\n\
+         position = {position:?}\n{fields}\n"
+    )
+}
+
+fn joint(kind: &str, bodies: &str, fields: &str) -> String {
+    format!("[[constraints]]\nkind = \"{kind}\"\nbodies = {bodies}\n{fields}\n")
+}
+
+const WEIGHTLESS: &str = "gravity = [0, 0, 0]\n";
+
+/// Joints without gravity: what a torque of 3 N m turns by them.
+pub(super) fn turning(size: Size) -> Result<Vec<Row>> {
+    let [inertia, torque, time, ratio] = [0.2, 3.0, 0.5, 20.0 / 45.0];
+    let torque_on = "torque = [0, 0, 3]";
+    let pair = ball("a", [0.0; 3], torque_on) + &ball("b", [2.0, 0.0, 0.0], "");
+    let hinge = |body: &str| joint("hinge", &format!("[\"{body}\"]"), "axis = [0, 0, 1]");
+    let teeth = "axes = [[0, 0, 1], [0, 0, 1]]\nteeth = [20, 45]";
+    let gears = joint("gear", "[\"a\", \"b\"]", teeth) + &hinge("a") + &hinge("b");
+    let shafts = ball("a", [0.0; 3], torque_on) + &ball("b", [0.0, 0.0, 2.0], "");
+    let crossed = "point = [0, 0, 2]\naxes = [[1, 0, 0], [0, 1, 0]]";
+    let cardan = joint("universal", "[\"a\", \"b\"]", crossed) + &hinge("a");
+    let screw = ball("a", [0.0; 3], "torque = [0, 0, 3]\nforce = [0, 5, 4]");
+    let sleeve = joint("cylindrical", "[\"a\"]", "axis = [0, 0, 1]");
+    let turns = |scene, text, formula, expected| Joint {
+        scene,
+        text,
+        time,
+        quantity: format!("rate of {scene} after 0.5 s"),
+        formula,
+        unit: "rad/s",
+        expected,
+        tolerance: ROUNDING,
+        measure: |states| states[0].omega.z,
+    };
+    let geared = ["T t/(I1 + I2 (z1/z2)^2)", "\\frac{T t}{I_1 + I_2 (z_1/z_2)^2}"];
+    let together = ["T t/(I1 + I2)", "\\frac{T t}{I_1 + I_2}"];
+    let alone = ["T t/I", "T t/I"];
+    let joints = vec![
+        turns(
+            "gears",
+            format!("{WEIGHTLESS}{pair}{gears}"),
+            geared,
+            torque * time / (inertia * (1.0 + ratio * ratio)),
+        ),
+        turns(
+            "universal",
+            format!("{WEIGHTLESS}{shafts}{cardan}"),
+            together,
+            torque * time / (2.0 * inertia),
+        ),
+        turns(
+            "cylindrical",
+            format!("{WEIGHTLESS}{screw}{sleeve}"),
+            alone,
+            torque * time / inertia,
+        ),
+        Joint {
+            scene: "cylindrical",
+            text: format!("{WEIGHTLESS}{screw}{sleeve}"),
+            time,
+            quantity: "speed along the axis after 0.5 s".into(),
+            formula: ["F t/m", "F t/m"],
+            unit: "m/s",
+            expected: 4.0 * time / 2.0,
+            tolerance: ROUNDING,
+            measure: |states| states[0].v.z,
+        },
+    ];
+    rows("joints-turning", joints, size)
+}
+
+/// Joints that weights pull at: a yo-yo, a slider on a slope, its limit, a rope that becomes taut.
+pub(super) fn falling(size: Size) -> Result<Vec<Row>> {
+    let slope = "axis = [1, 0, -1]";
+    let sledge = ball("a", [0.0; 3], "") + &joint("slider", "[\"a\"]", slope);
+    let stop = joint("limit_translation", "[\"a\"]", &format!("{slope}\nlimits = [-1, 0.3]"));
+    let rope = "[[bodies]]\nname = \"bob\"\nshape = \"point\"\nmass = 2\nposition = [0, 0, -0.5]\n"
+        .to_string()
+        + &joint("rope", "[\"bob\"]", "points = [[0, 0, 0], [0, 0, -0.5]]\nlength = 1");
+    let yoyo = "[[bodies]]\nname = \"yoyo\"\nshape = { sphere = 0.04 }\nmass = 0.1\n\
+                inertia = [8e-5, 8e-5, 8e-5]\n[[bodies]]\nname = \"ceiling\"\nfixed = true\n\
+                shape = { box = [0.1, 0.1, 0.1] }\nposition = [-0.02, 0, 1]\n"
+        .to_string()
+        + &joint("rack", "[\"yoyo\", \"ceiling\"]", "axes = [[0, 1, 0], [0, 0, 1]]\nlength = 0.01");
+    let joints = vec![
+        Joint {
+            scene: "yo-yo",
+            text: yoyo,
+            time: 1.0,
+            quantity: "speed of a yo-yo after 1 s".into(),
+            formula: ["-g t/(1 + I/(m r^2))", "-\\frac{g t}{1 + I/(m r^2)}"],
+            unit: "m/s",
+            expected: -G / 9.0,
+            tolerance: SUMMED,
+            measure: |states| states[0].v.z,
+        },
+        Joint {
+            scene: "slider",
+            text: sledge.clone(),
+            time: 0.5,
+            quantity: "speed down a slope of 45° after 0.5 s".into(),
+            formula: ["g sin(theta) t", "g\\sin\\theta\\,t"],
+            unit: "m/s",
+            expected: G * std::f64::consts::FRAC_1_SQRT_2 * 0.5,
+            tolerance: ROUNDING,
+            measure: |states| states[0].v.norm(),
+        },
+        Joint {
+            scene: "limit",
+            text: sledge + &stop,
+            time: 1.0,
+            quantity: "way to the stop".into(),
+            formula: ["s_max", "s_{max}"],
+            unit: "m",
+            expected: 0.3,
+            tolerance: MET,
+            measure: |states| states[0].pose.p.norm(),
+        },
+        Joint {
+            scene: "rope",
+            text: rope,
+            time: 1.0,
+            quantity: "depth on the taut rope".into(),
+            formula: ["L", "L"],
+            unit: "m",
+            expected: 1.0,
+            tolerance: MET,
+            measure: |states| states[0].pose.p.norm(),
+        },
+    ];
+    rows("joints-falling", joints, size)
+}
+
+/// A crate on a belt: dragged with μ g, and what friction puts in is half of what the belt gives.
+pub(super) fn belt(size: Size) -> Result<Vec<Row>> {
+    let text = "contact.friction = 0.5\n[[bodies]]\nname = \"belt\"\nfixed = true\n\
+        shape = { plane = [0, 0, 1] }\nvelocity = [2, 0, 0]\n[[bodies]]\nname = \"crate\"\nmass = 2\n\
+        shape = { box = [1, 1, 0.4] }\nposition = [0, 0, 0.2]\n";
+    let case = Case::of("belt", Scene::from_toml("belt", text)?, size);
+    let mut rows = Vec::new();
+    for level in LEVELS {
+        let known = vec![
+            Known::exact(SUMMED, "speed after 0.1 s", ["mu g t", "\\mu g t"], "m/s", 0.05 * G),
+            Known::exact(SUMMED, "speed after 1 s", ["v", "v"], "m/s", 2.0),
+        ];
+        rows.extend(case.rows(level, known, |scene| {
+            let speed = |time| Some(last(scene, time)?.states[1].v.x);
+            Some(vec![speed(0.1)?, speed(1.0)?])
+        }));
+    }
+    Ok(rows)
+}
