@@ -1,11 +1,12 @@
 //! A scene on its way through time.
 
+use std::borrow::Cow;
 use std::rc::Rc;
 
 use lcplab::certificate::Demand;
 use lcplab::lcp::friction::Model;
 use lcplab::scene::{Description, Scene as Described, Scheme};
-use lcplab::simulation::{self, Simulation, Step};
+use lcplab::simulation::{self, Simulation, Solve, Step};
 use lcplab::solver::Method;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
@@ -19,39 +20,59 @@ use crate::{callable, refused};
 #[pyclass(unsendable, module = "lcplab._lcplab")]
 pub struct Scene {
     simulation: Simulation,
+    /// The same scene, for the steps that were taken.
+    scene: Rc<Described>,
     last: Option<Rc<Step>>,
 }
 
 /// A step that was taken. It is judged when somebody asks: a proof may take longer than the step.
 #[pyclass(unsendable, module = "lcplab._lcplab")]
-pub struct Taken(Rc<Step>);
+pub struct Taken {
+    step: Rc<Step>,
+    scene: Rc<Described>,
+}
+
+impl Taken {
+    /// The solves; those of a step of sweeps are posed now.
+    fn solves(&self) -> PyResult<Cow<'_, [Solve]>> {
+        self.step.posed(&self.scene).map_err(|cause| PyRuntimeError::new_err(cause.to_string()))
+    }
+}
 
 #[pymethods]
 impl Taken {
     #[getter]
     fn number(&self) -> usize {
-        self.0.number
+        self.step.number
     }
 
     #[getter]
-    fn solvers(&self) -> Vec<&'static str> {
-        self.0.solves.iter().map(|solve| solve.solver).collect()
+    fn solvers(&self) -> PyResult<Vec<&'static str>> {
+        Ok(self.solves()?.iter().map(|solve| solve.solver).collect())
     }
 
     #[getter]
-    fn statuses(&self) -> Vec<String> {
-        self.0.solves.iter().map(|solve| solve.solution.status.to_string()).collect()
+    fn statuses(&self) -> PyResult<Vec<String>> {
+        Ok(self.solves()?.iter().map(|solve| solve.solution.status.to_string()).collect())
     }
 
     #[getter]
-    fn x<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
-        self.0.solves.last().map(|last| PyArray1::from_slice(py, &last.solution.x))
+    fn x<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray1<f64>>>> {
+        Ok(self.solves()?.last().map(|last| PyArray1::from_slice(py, &last.solution.x)))
     }
 
     /// The judge's word on each solve, and whether it accepts it.
-    fn judged(&self) -> Vec<(String, bool)> {
-        let judged = self.0.solves.iter().map(|solve| solve.judged(&Demand::default()).verdict);
-        judged.map(|verdict| (verdict.to_string(), verdict.is_solution())).collect()
+    fn judged(&self) -> PyResult<Vec<(String, bool)>> {
+        let solves = self.solves()?;
+        let verdicts = solves.iter().map(|solve| solve.judged(&Demand::default()).verdict);
+        Ok(verdicts.map(|verdict| (verdict.to_string(), verdict.is_solution())).collect())
+    }
+}
+
+impl Scene {
+    fn started(scene: Described) -> PyResult<Self> {
+        let simulation = Simulation::unjudged(&scene).map_err(refused)?;
+        Ok(Scene { simulation, scene: Rc::new(scene), last: None })
     }
 }
 
@@ -76,19 +97,19 @@ impl Scene {
                         format!("must be one of {known}, is {scheme:?}"),
                     ))
                 })?;
+            scene.solver.fixed_sweeps = false;
         }
         if let Some(solver) = solver {
-            scene.solver.name = solver;
+            (scene.solver.name, scene.solver.fixed_sweeps) = (solver, false);
         }
-        let simulation = Simulation::of(&scene).map_err(refused)?;
-        Ok(Scene { simulation, last: None })
+        Scene::started(scene)
     }
 
     /// A scene of a description in JSON.
     #[staticmethod]
     fn of(text: &str) -> PyResult<Self> {
         let scene = Described::new("scene", &description(text)?).map_err(refused)?;
-        Ok(Scene { simulation: Simulation::of(&scene).map_err(refused)?, last: None })
+        Scene::started(scene)
     }
 
     /// Takes one step, by this solver if one is named.
@@ -118,14 +139,14 @@ impl Scene {
         let step = step.map_err(|failure| PyRuntimeError::new_err(failure.to_string()))?;
         let step = Rc::new(step);
         self.last = Some(Rc::clone(&step));
-        Ok(Taken(step))
+        Ok(Taken { step, scene: Rc::clone(&self.scene) })
     }
 
     /// The last problem of the last step.
     fn problem(&self) -> Option<Problem> {
         let step = self.last.as_ref()?;
-        let solve = step.solves.last()?;
-        Some(Problem(solve.exported(self.simulation.scene(), step.number)))
+        let solves = step.posed(&self.scene).ok()?;
+        Some(Problem(solves.last()?.exported(&self.scene, step.number)))
     }
 
     /// Position (m) and unit quaternion (w, x, y, z) of each body.

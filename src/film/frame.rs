@@ -100,7 +100,8 @@ fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
         "N s" => Some(1.0 / scene.step.dt),
         _ => None,
     };
-    let last = step.solves.iter().rev().find_map(|solve| Some((solve, per_unit(solve)?)));
+    let Ok(solves) = step.posed(scene) else { return Vec::new() };
+    let last = solves.iter().rev().find_map(|solve| Some((solve, per_unit(solve)?)));
     let Some((solve, scale)) = last else { return Vec::new() };
     let assembly = &solve.problem.assembly;
     let mut sums: BTreeMap<(Source, Origin), (usize, Vector3<f64>)> = BTreeMap::new();

@@ -38,7 +38,7 @@ impl Export {
         let (stop, mut last) = (limits.stop(), None);
         for _ in 0..self.step {
             match simulation.step_before(stop) {
-                Ok(step) => last = step.solves.into_iter().next_back(),
+                Ok(step) => last = Some(step),
                 Err(failure) => {
                     if let Some(reason) = failure.cause.stopped() {
                         return Ok(Outcome::Stopped(reason));
@@ -49,7 +49,8 @@ impl Export {
             }
         }
         limits.over();
-        let Some(solve) = last else {
+        let solves = last.iter().filter_map(|step| step.posed(&scene).ok());
+        let Some(solve) = solves.last().and_then(|solves| solves.last().cloned()) else {
             say(&format!("error: {}: step {} solves no LCP", scene.name, self.step));
             return Ok(Outcome::Refuted);
         };

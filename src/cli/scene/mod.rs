@@ -114,6 +114,10 @@ impl SceneArgs {
     fn load(&self, named: Option<&str>) -> Result<Scene> {
         let mut scene = self.changes.load(&self.scene)?;
         scene.step.scheme = self.scheme.unwrap_or(scene.step.scheme);
+        let names_method = self.scheme.is_some() || self.model.is_some() || named.is_some();
+        if names_method || self.tolerance.is_some() || self.choices.order.is_some() {
+            scene.solver.fixed_sweeps = false;
+        }
         scene.step.dt = self.dt.unwrap_or(scene.step.dt);
         if let Some(model) = self.model {
             scene.contact.model = model;
@@ -133,7 +137,7 @@ impl SceneArgs {
 
     /// The scene at its start, with its solver; options that it does not look at are refused.
     fn simulation(&self, scene: &Scene) -> Result<Simulation> {
-        let simulation = Simulation::of(scene).map_err(|error| self.blamed(error))?;
+        let simulation = Simulation::unjudged(scene).map_err(|error| self.blamed(error))?;
         self.check(&[self.method(&scene.solver.name, scene)?], scene)?;
         Ok(simulation)
     }

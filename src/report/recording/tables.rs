@@ -47,7 +47,7 @@ impl Tables {
     pub fn add(&mut self, scene: &Scene, step: &Step) {
         self.add_motion(&step.motion, step.ledger.as_ref(), &step.laws);
         self.add_states(scene, &step.motion, &step.states);
-        for solve in &step.solves {
+        for solve in step.posed(scene).iter().flat_map(|solves| &**solves) {
             self.add_forces(scene, step, solve);
         }
         for (row, impulse) in &step.pushed {

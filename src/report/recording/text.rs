@@ -30,7 +30,7 @@ impl Record {
              scheme       {scheme}{}, dt {} s\n\
              friction     {}\n\
              steps        {} ({} s)\n\
-             problems     {}, accepted by the judge {}\n\
+             problems     {}\n\
              residual     {}\n\
              energy       {start} J at the start, {end} J at the end\n\
              drift        {} m at worst{}\n\
@@ -43,8 +43,15 @@ impl Record {
             self.scene.contact.model,
             self.steps,
             self.last.time,
-            self.problems,
-            self.accepted,
+            match &self.scene.solver {
+                solver if solver.fixed_sweeps && self.problems == 0 => {
+                    format!(
+                        "not judged: {} sweeps a step, without a tolerance",
+                        solver.max_iterations
+                    )
+                }
+                _ => format!("{}, accepted by the judge {}", self.problems, self.accepted),
+            },
             match self.problems {
                 0 => "–".into(),
                 _ => format!("{} at worst", readable(self.worst_residual, 2)),

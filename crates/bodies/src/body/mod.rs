@@ -29,8 +29,8 @@ pub struct Body {
     pub shape: Shape,
     /// The coefficient of dry friction of its surface; that of a pair is the geometric mean.
     pub friction: f64,
-    /// That of static friction, no less; that of a pair is the geometric mean.
-    pub static_friction: f64,
+    /// That of static friction, no less, where one is stated; that of a pair is the geometric mean.
+    pub static_friction: Option<f64>,
     /// The coefficient of restitution of its surface; that of the scene without it.
     pub restitution: Option<f64>,
     /// A constant force (N, world), beside gravity.

@@ -58,7 +58,7 @@ pub(super) fn scene(name: &str, description: &Description) -> Result<Scene> {
         }
         let (shape, frame) = build_shape(&mut defects, &place, &body.shape);
         let mass = build_mass(&mut defects, &place, body, &shape);
-        let [friction, static_friction] =
+        let (friction, static_friction) =
             surface::of_body(&mut defects, &place, body, &whole.contact);
         if let Some(restitution) = body.restitution {
             within_one(&mut defects, &format!("{place}.restitution"), restitution);
@@ -139,8 +139,7 @@ pub(super) fn written_out(name: &str, description: &Description) -> Result<Descr
         written.rotation = (written.shape != description::Shape::Point)
             .then_some(Rotation::Quaternion([q.w, q.i, q.j, q.k]));
         written.friction = Some(body.friction);
-        written.static_friction =
-            (body.static_friction > body.friction).then_some(body.static_friction);
+        written.static_friction = body.static_friction.filter(|&own| own > body.friction);
         written.restitution = body.restitution.or(Some(scene.contact.restitution));
         if description.start.iter().all(|start| start.body != written.name) {
             (written.velocity, written.angular_velocity) = (state.v.into(), state.omega.into());

@@ -176,6 +176,9 @@ pub enum Order {
     Shuffled,
 }
 
+/// The solver that can take a fixed number of sweeps.
+const SWEEPING: &str = "pgs";
+
 /// Which solver to use, by name; whether it exists is known where solvers are.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -194,6 +197,9 @@ pub struct Solver {
     pub tolerance: f64,
     /// The most sweeps or pivots a step may take.
     pub max_iterations: usize,
+    /// Whether `pgs` takes `max_iterations` sweeps in every step, no fewer, whatever the residual. No answer is
+    /// judged then, and no matrix is formed, which is many times faster.
+    pub fixed_sweeps: bool,
     /// The force (N) below which a row is at rest: a residual beside smaller terms than those of this
     /// force is rounding. The weight of the lightest body without it; see `docs/scenes.md`.
     pub scale: Option<f64>,
@@ -209,6 +215,7 @@ impl Default for Solver {
             damping: None,
             tolerance: 1e-8,
             max_iterations: 10_000,
+            fixed_sweeps: false,
             scale: None,
         }
     }
@@ -269,6 +276,12 @@ impl Solver {
             }
         }
         not_negative(defects, "solver.tolerance", self.tolerance);
+        if self.fixed_sweeps && (self.name.as_str(), self.order) != (SWEEPING, Order::Natural) {
+            let reason = format!(
+                "only the solver {SWEEPING}, in natural order, takes a fixed number of sweeps"
+            );
+            defects.add("solver.fixed_sweeps", reason);
+        }
         not_negative(defects, "solver.scale", self.scale.unwrap_or(0.0));
     }
 }

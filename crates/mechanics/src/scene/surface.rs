@@ -36,14 +36,18 @@ impl Scene {
     pub fn static_friction(&self, bodies: [usize; 2]) -> f64 {
         let stated = self.stated(bodies);
         stated.static_friction.or(stated.friction).unwrap_or_else(|| {
-            let [a, b] = bodies.map(|k| self.bodies[k].static_friction);
+            let own = |k: usize| self.bodies[k].static_friction.unwrap_or(self.bodies[k].friction);
+            let [a, b] = bodies.map(own);
             (a * b).sqrt()
         })
     }
 
     /// Whether static friction is above friction anywhere.
     pub fn has_static_friction(&self) -> bool {
-        let of_body = self.bodies.iter().any(|body| body.static_friction > body.friction);
+        let of_body = self
+            .bodies
+            .iter()
+            .any(|body| body.static_friction.is_some_and(|own| own > body.friction));
         of_body || self.pairs.keys().any(|&pair| self.static_friction(pair) > self.friction(pair))
     }
 
@@ -70,13 +74,13 @@ impl Scene {
     }
 }
 
-/// The coefficients of friction and of static friction of a body.
+/// The coefficient of friction of a body, and that of static friction where one is stated.
 pub(super) fn of_body(
     defects: &mut Defects,
     place: &str,
     body: &description::Body,
     usual: &Contacts,
-) -> [f64; 2] {
+) -> (f64, Option<f64>) {
     let friction = body.friction.unwrap_or(usual.friction);
     if body.friction.is_some() {
         range::coefficient(defects, format!("{place}.friction"), friction);
@@ -85,11 +89,8 @@ pub(super) fn of_body(
     if let Some(stated) = stated {
         check_static(defects, place, stated, friction);
     }
-    let of_contacts = match body.friction {
-        Some(own) => own,
-        None => usual.static_friction.unwrap_or(friction),
-    };
-    [friction, stated.unwrap_or(of_contacts)]
+    let of_contacts = usual.static_friction.filter(|_| body.friction.is_none());
+    (friction, stated.or(of_contacts))
 }
 
 /// Adds what the scene states for a pair.

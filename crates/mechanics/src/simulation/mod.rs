@@ -24,6 +24,7 @@ mod solving;
 mod stated;
 pub mod stepper;
 mod sweep;
+mod swept;
 mod warnings;
 
 pub use acts::{Act, Push};
@@ -35,6 +36,7 @@ pub use motion::{Motion, carried};
 pub use record::{Cause, Failure, Recording, Solve, Step};
 pub use stated::{options, problem_of, solver};
 pub use stepper::Stepper;
+pub use swept::Swept;
 pub use warnings::{Amount, Warning, Warnings};
 
 use std::ops::ControlFlow;
@@ -71,6 +73,8 @@ pub struct Simulation {
     detector: Detector,
     overlaps: Overlaps,
     unfinished: Vec<Solve>,
+    /// Takes the steps of a scene with a fixed number of sweeps.
+    stepper: Option<Box<Stepper>>,
 }
 
 impl Simulation {
@@ -92,6 +96,7 @@ impl Simulation {
             detector,
             overlaps,
             unfinished: Vec::new(),
+            stepper: None,
         }
     }
 
@@ -102,6 +107,7 @@ impl Simulation {
 
     /// From now on its problems are solved by this one.
     pub fn solve_by(&mut self, solver: Box<dyn Solver>) {
+        self.stepper = None;
         self.solver = solver;
     }
 
@@ -169,6 +175,11 @@ impl Simulation {
     /// # Errors
     /// As [`step`](Simulation::step), or [`Cause::Stopped`] if the observer stops a solve.
     pub fn observed_step(&mut self, observer: &mut dyn Observer) -> Result<Step, Failure> {
+        if let Some(mut stepper) = self.stepper.take() {
+            let step = self.swept_step(&mut stepper);
+            self.stepper = Some(stepper);
+            return step;
+        }
         let failure = |cause| Failure { step: self.steps + 1, time: self.time(), cause };
         let (from, dt) = (self.scene.time + self.time(), self.scene.step.dt);
         let scene = self.scene.forced(from, dt);
@@ -213,18 +224,20 @@ impl Simulation {
         let ledger = acts.as_ref().map(account);
         let laws = Laws::of(scene, &before, &solves, ledger.as_ref());
         let impact_energy = ImpactEnergy::of(scene, &before, &solves, acts.as_deref());
-        let passages = self.detector.passages(scene, &before, &states);
-        let of_passage = |passage: &Passage| Interpenetration::passed(scene, &states, passage);
-        let mut interpenetrations: Vec<_> = passages.iter().map(of_passage).collect();
-        let overlapping = self.detector.find(scene, &states, 0.0);
-        interpenetrations.extend(self.overlaps.update(scene, &states, overlapping));
-        let motion = Motion::overlapping(scene, &states, self.steps + 1, overlapping);
+        let scene = self.scene.forced(from, dt);
+        let (interpenetrations, motion) = measured(
+            &mut self.detector,
+            &mut self.overlaps,
+            &scene,
+            &before,
+            &states,
+            self.steps + 1,
+        );
         self.previous = answers;
         self.states.clone_from(&states);
         self.steps += 1;
-        let number = self.steps;
         Ok(Step {
-            number,
+            number: self.steps,
             solves,
             contacts: found,
             interpenetrations,
@@ -235,6 +248,7 @@ impl Simulation {
             pushed,
             ledger,
             laws,
+            swept: None,
         })
     }
 
@@ -271,4 +285,21 @@ impl Simulation {
         let row = largest.map(|(row, _)| row.label(&self.scene));
         Some(Cause::Diverged { body: self.scene.bodies[body].name.clone(), row })
     }
+}
+
+/// What bodies did to each other in a step, and energy, momentum and errors after it.
+fn measured(
+    detector: &mut Detector,
+    overlaps: &mut Overlaps,
+    scene: &Scene,
+    before: &[State],
+    after: &[State],
+    step: usize,
+) -> (Vec<Interpenetration>, Motion) {
+    let passages = detector.passages(scene, before, after);
+    let of_passage = |passage: &Passage| Interpenetration::passed(scene, after, passage);
+    let mut interpenetrations: Vec<_> = passages.iter().map(of_passage).collect();
+    let overlapping = detector.find(scene, after, 0.0);
+    interpenetrations.extend(overlaps.update(scene, after, overlapping));
+    (interpenetrations, Motion::overlapping(scene, after, step, overlapping))
 }

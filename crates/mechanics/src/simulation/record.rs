@@ -5,6 +5,7 @@ use std::fmt;
 use nalgebra::Vector3;
 
 use super::acts::Impulses;
+use super::swept::Swept;
 use super::{Act, ImpactEnergy, Interpenetration, Laws, Ledger, Motion};
 use crate::assembly::{Row, Undefined};
 use crate::body::State;
@@ -46,6 +47,9 @@ pub struct Step {
     pub ledger: Option<Ledger>,
     /// How well it kept the laws of contact and momentum.
     pub laws: Laws,
+    /// The start and the impulses of a step of a fixed number of sweeps, which has no solves of its own:
+    /// [`posed`](Step::posed) makes them.
+    pub swept: Option<Swept>,
 }
 
 impl Step {
@@ -61,6 +65,12 @@ impl Step {
             }
         };
         match &self.acts {
+            None if self.swept.is_some() => {
+                for Solve { problem, solution, impulse_factor, .. } in &*self.posed(scene).ok()? {
+                    let rows = problem.assembly.rows.iter().zip(&solution.x);
+                    rows.for_each(|(row, x)| add(row, impulse_factor * x));
+                }
+            }
             None if self.pushed.is_empty() && !self.solves.is_empty() => return None,
             None => self.pushed.iter().for_each(|(row, impulse)| add(row, *impulse)),
             Some(acts) => {

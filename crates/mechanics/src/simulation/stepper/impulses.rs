@@ -24,12 +24,19 @@ pub(super) struct Impulses {
 struct Answer {
     x: Vec<f64>,
     before: Vec<f64>,
+    /// The x before the sweeps of this step.
+    start: Vec<f64>,
 }
 
 impl Impulses {
     /// The x that moved the bodies.
     pub fn x(&self) -> &[f64] {
         if self.bounced.x.is_empty() { &self.first.x } else { &self.bounced.x }
+    }
+
+    /// The x of the first solve, and of the one with bounces: what each started from, and its answer.
+    pub fn solves(&self) -> [[&[f64]; 2]; 2] {
+        [&self.first, &self.bounced].map(|answer| [&*answer.start, &*answer.x])
     }
 
     /// Nothing is known of a step before; the memory stays.
@@ -71,7 +78,8 @@ impl Impulses {
     /// The bytes that its arrays hold.
     pub fn bytes(&self) -> usize {
         let answers = [&self.first, &self.bounced];
-        let numbers: usize = answers.iter().map(|a| a.x.capacity() + a.before.capacity()).sum();
+        let numbers: usize =
+            answers.iter().map(|a| a.x.capacity() + a.before.capacity() + a.start.capacity()).sum();
         self.contacts.capacity() * size_of::<Place>() + numbers * size_of::<f64>()
     }
 }
@@ -79,7 +87,12 @@ impl Impulses {
 impl Answer {
     /// The x that rows of the same name had, 0 for new ones, and for all where there was no answer.
     fn recall(&mut self, old: &[Place], rows: &Rows, scene: &Scene) {
-        let Answer { x, before } = self;
+        self.find(old, rows, scene);
+        self.start.clone_from(&self.x);
+    }
+
+    fn find(&mut self, old: &[Place], rows: &Rows, scene: &Scene) {
+        let Answer { x, before, .. } = self;
         std::mem::swap(x, before);
         x.clear();
         x.resize(rows.system.rows().len(), 0.0);

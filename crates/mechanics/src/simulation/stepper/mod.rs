@@ -158,6 +158,17 @@ impl Stepper {
         self.impulses.x()
     }
 
+    /// The x of the last step's solves, the one with bounces empty if nothing bounced: what each started from,
+    /// and its answer.
+    pub(super) fn solves(&self) -> [[&[f64]; 2]; 2] {
+        self.impulses.solves()
+    }
+
+    /// How far friction reached out of the cone in the last step, as [`Laws`](super::Laws) measures it.
+    pub(super) fn cone_excess(&self) -> f64 {
+        self.rows.cone_excess(self.x())
+    }
+
     /// The rows of the last step in the order in which they were swept.
     pub fn order(&self) -> Vec<usize> {
         self.sweeper.order(self.impulses.x().len())

@@ -92,6 +92,17 @@ impl Rows {
         Ok(())
     }
 
+    /// The largest |x_t| − μ x_n of a contact, over the largest μ x_n, at least 0.
+    pub fn cone_excess(&self, x: &[f64]) -> f64 {
+        let (mut excess, mut limit) = (0.0f64, 0.0f64);
+        for &Place { first, rows, .. } in self.contacts.iter().filter(|place| place.rows == 3) {
+            let most = self.system.aims()[first + 1].hi * x[first];
+            let size = x[first + 1].hypot(x[first + rows - 1]);
+            (excess, limit) = (excess.max(size - most), limit.max(most));
+        }
+        if limit > 0.0 { excess / limit } else { 0.0 }
+    }
+
     /// The bytes that its arrays hold.
     pub fn bytes(&self) -> usize {
         self.system.bytes()
