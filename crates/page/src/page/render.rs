@@ -68,7 +68,7 @@ fn contents<'a>(blocks: impl Iterator<Item = &'a Block> + Clone) -> String {
 }
 
 /// The same checker that Node.js runs.
-const CHECKER: &str = include_str!("../../../../proofs/lcpcheck.js");
+const CHECKER: &str = include_str!("lcpcheck.js");
 
 #[derive(Template)]
 #[template(path = "proofs.html")]
