@@ -1,4 +1,4 @@
-//! `compare-solvers`: the library × the solvers.
+//! `compare` on problems: the library × the solvers.
 
 use serde_json::Value;
 
@@ -6,7 +6,7 @@ use super::{err, out, run};
 
 #[test]
 fn the_comparison_has_clarabel_beside_the_solvers_and_a_row_a_model() {
-    let output = run(&["compare-solvers", "pushed-mass", "stack", "--json"]);
+    let output = run(&["compare", "pushed-mass", "stack", "--json"]);
     assert_eq!(output.status.code(), Some(0));
     let result: Value = serde_json::from_str(&out(&output)).unwrap();
     let rows = result["rows"].as_array().unwrap();
@@ -18,7 +18,7 @@ fn the_comparison_has_clarabel_beside_the_solvers_and_a_row_a_model() {
     assert_eq!(of("pushed-mass", "clarabel"), ["frozen-box", "associated-cone"]);
     assert_eq!(of("pushed-mass", "cone-pgs"), ["associated-cone", "coulomb-cone"]);
     assert_eq!(of("pushed-mass", "lemke").len(), 5);
-    let none = run(&["compare-solvers", "stack", "--model", "coulomb-cone"]);
+    let none = run(&["compare", "family:stack", "--model", "coulomb-cone"]);
     assert_eq!(none.status.code(), Some(2));
     assert_eq!(err(&none), "error: options: --model: none of these families has friction\n");
 }
@@ -32,7 +32,7 @@ fn contacts_with_one_tangent_are_compared_as_a_coupled_box() {
     let path = folder.path().join("plane.json");
     std::fs::write(&path, PLANE).unwrap();
     let path = path.to_str().unwrap();
-    let output = run(&["compare-solvers", path, "--json"]);
+    let output = run(&["compare", path, "--json"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     let result: Value = serde_json::from_str(&out(&output)).unwrap();
     let rows = result["rows"].as_array().unwrap();
@@ -52,7 +52,7 @@ fn what_leaves_nothing_to_compare_is_the_option_that_was_given() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("plane.json");
         std::fs::write(&path, PLANE).unwrap();
-        let output = run(&[&["compare-solvers", path.to_str().unwrap()], options].concat());
+        let output = run(&[&["compare", path.to_str().unwrap()], options].concat());
         assert_eq!(output.status.code(), Some(2));
         err(&output).lines().last().unwrap().to_string()
     };
@@ -63,11 +63,11 @@ fn what_leaves_nothing_to_compare_is_the_option_that_was_given() {
 #[test]
 fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
     let compare = |arguments: &[&str]| {
-        let output = run(&[&["compare-solvers", "--json"], arguments].concat());
+        let output = run(&[&["compare", "--json"], arguments].concat());
         let table: Value = serde_json::from_str(&out(&output)).unwrap();
         (table["rows"].as_array().unwrap().clone(), output.status.code(), err(&output))
     };
-    let (rows, code, told) = compare(&["stack", "--solver", "cone-pgs"]);
+    let (rows, code, told) = compare(&["family:stack", "--solver", "cone-pgs"]);
     let reason = "not asked: it is made for friction cones, and the problem has none";
     let row = &rows[0];
     assert_eq!(
@@ -78,7 +78,7 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
     assert_eq!(code, Some(1));
     assert!(told.contains("failed: cone-pgs solves none of"), "{told}");
     // Beside one that takes part it is a row all the same, and still solves nothing.
-    let (rows, code, _) = compare(&["stack", "--solver", "cone-pgs", "--solver", "dantzig"]);
+    let (rows, code, _) = compare(&["family:stack", "--solver", "cone-pgs", "--solver", "dantzig"]);
     assert_eq!((rows.len(), code), (2, Some(1)));
     // Under a model that was asked for the reason is due under that model; under the usual ones a solver is not
     // expected under all of them.
@@ -97,8 +97,7 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
 #[test]
 fn a_requirement_is_met_or_the_exit_code_is_1() {
     let compare = |arguments: &[&str]| {
-        let output =
-            run(&[&["compare-solvers", "--solver", "dantzig", "--json"], arguments].concat());
+        let output = run(&[&["compare", "--solver", "dantzig", "--json"], arguments].concat());
         (output.status.code(), err(&output))
     };
     let required = |families: &[&str], demand: &str| {
@@ -122,7 +121,7 @@ fn a_requirement_is_met_or_the_exit_code_is_1() {
 #[test]
 fn who_claims_nothing_has_no_worst_residual() {
     // 0 on the diagonal of cps-2: a sweep divides by it.
-    let named = ["compare-solvers", "cps-2", "--solver", "pgs", "--solver", "lemke"];
+    let named = ["compare", "cps-2", "--solver", "pgs", "--solver", "lemke"];
     let output = run(&[&named[..], &["--json"]].concat());
     let result: Value = serde_json::from_str(&out(&output)).unwrap();
     for row in result["rows"].as_array().unwrap() {
@@ -133,4 +132,41 @@ fn who_claims_nothing_has_no_worst_residual() {
     let text = out(&run(&named));
     let row = text.lines().find(|line| line.contains("pgs")).unwrap();
     assert!(row.split_whitespace().any(|word| word == "–"), "{row}");
+}
+
+#[test]
+fn a_name_of_a_scene_and_of_a_family_is_the_scene_unless_it_says_family() {
+    let scene = run(&["compare", "stack", "--steps", "1", "--solver", "dantzig", "--json"]);
+    let compared: Value = serde_json::from_str(&out(&scene)).unwrap();
+    assert_eq!(compared["comparison"]["scene"], "stack");
+    let family = run(&["compare", "family:stack", "--solver", "dantzig", "--json"]);
+    let compared: Value = serde_json::from_str(&out(&family)).unwrap();
+    assert_eq!(compared["rows"][0]["family"], "stack");
+}
+
+#[test]
+fn an_option_for_the_other_kind_of_input_is_bad_usage() {
+    for (arguments, message) in [
+        (&["fig6", "--seeds", "2"][..], "error: fig6: --seeds: is for problems, this is a scene\n"),
+        (&["fig6", "--all"], "error: fig6: --all: is for problems, this is a scene\n"),
+        (&["pd", "--steps", "2"], "error: problems: --steps: is for a scene, these are problems\n"),
+        (&["--dt", "0.1"], "error: problems: --dt: is for a scene, these are problems\n"),
+        (
+            &["sliding", "--model", "frozen-box", "--model", "coupled-box"],
+            "error: sliding: --model: a scene has one friction model\n",
+        ),
+    ] {
+        let output = run(&[&["compare"], arguments].concat());
+        assert_eq!((output.status.code(), err(&output)), (Some(2), message.to_string()));
+    }
+}
+
+#[test]
+fn several_named_solvers_step_a_scene() {
+    let named = ["--solver", "pgs", "--solver", "dantzig", "--scheme", "velocity"];
+    let output = run(&[&["compare", "fig6", "--steps", "1", "--json"][..], &named].concat());
+    let compared: Value = serde_json::from_str(&out(&output)).unwrap();
+    let runs = compared["comparison"]["runs"].as_array().unwrap();
+    let solvers: Vec<&Value> = runs.iter().map(|run| &run["solver"]).collect();
+    assert_eq!(solvers, ["pgs", "dantzig"]);
 }

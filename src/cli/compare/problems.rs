@@ -1,4 +1,4 @@
-//! `compare-solvers`: the problem library × the solvers.
+//! `compare` on problems: the problem library or problem files × the solvers.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -10,73 +10,73 @@ use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
 use lcplab::lcp::library::{self, Family};
+use lcplab::memory::Memory;
 use lcplab::plugin::Plugin;
 use lcplab::report::study::families::{self, Contender, Models, Requirement, Row};
 use lcplab::report::study::problems;
 use lcplab::report::{methods, text, view};
 use lcplab::solver::Method;
 
-use super::limits::Limits;
-use super::options::SolverArgs;
-use super::plugin::Plugins;
-use super::{Outcome, bar, print, profile, say, warn};
+use super::{Compare, FAMILY, profile};
+use crate::cli::limits::Limits;
+use crate::cli::{Outcome, bar, print, say, warn};
 
-/// Solve the problem library with one solver of each kind, or all, and judge every answer
+/// Options of a comparison on problems.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Example:
-  lcplab compare-solvers murty fathi stack --solver dantzig --solver lemke
-  lcplab compare-solvers pushed-rod --model coulomb-cone --model polygon-16
-  lcplab compare-solvers problem.mtx          # a problem file, any format of `convert --list`
-  lcplab compare-solvers set --plugin \"python3 mine.py\" --profile mine     # of `problems --export set`
-  lcplab compare-solvers pd --plugin \"python3 mine.py\"       # your solver and eight of ours
-  lcplab compare-solvers dumps --plugin \"python3 mine.py\" --require-accepted mine      # for CI
-
-Without names all families run, by eight solvers, one of each kind; --all runs all solvers. clarabel is the
-reference. Families with friction are solved under the models frozen-box, coupled-box, polygon-4, -8 and
--16, associated-cone and coulomb-cone, each by the solvers that can handle it; files under the model that they state, the
-coupled box where they state none. A solver that you name has a row, with the reason, for a problem that it
-is not made for. Exit code 1 if the judge rejects a solver's claim, a solver claims a solution where none
-exists, an expected failure does not occur, a solver that you name solves nothing at all, or
---require-accepted is not met.")]
-pub struct CompareSolvers {
-    /// Families that `problems` lists, problem files, folders of them or patterns; all families without one
-    families: Vec<String>,
-    /// Run all solvers, not one of each kind
+pub struct ProblemArgs {
+    /// Run all solvers instead of one of each kind
     #[arg(long, conflicts_with = "solver")]
     all: bool,
-    /// A solver; may be given more than once
-    #[arg(long)]
-    solver: Vec<String>,
-    /// Use this friction model (repeatable); only families with friction are run
-    #[arg(long)]
-    model: Vec<Model>,
-    /// Problems of each family that has a seed: the seeds 1 to this
-    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    seeds: u32,
-    /// A solve of ours that takes longer than so many seconds is none; it ends at the iterate after
+    /// Number of problems of each family that has a seed: the seeds 1 to COUNT [default: 3]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    seeds: Option<u32>,
+    /// Abandon a solve by a built-in solver after this time
     #[arg(long, value_name = "SECONDS")]
     solve_time_limit: Option<f64>,
-    /// Write NAME.svg, NAME.csv and NAME.tex, a performance profile of the wall times, and NAME_problems.csv, which has
-    /// every problem
+    /// Write a performance profile of the wall times as NAME.svg, NAME.csv and NAME.tex, and all results as
+    /// NAME_problems.csv
     #[arg(long, value_name = "NAME")]
     profile: Option<PathBuf>,
     /// Exit with 1 unless the judge accepts this solver's answer to every problem that may have a
-    /// solution, or to at least COUNT problems; repeatable
+    /// solution, or to at least COUNT problems (repeatable)
     #[arg(long, value_name = "NAME[:COUNT]")]
     require_accepted: Vec<Requirement>,
-    /// Print one JSON object
-    #[arg(long)]
-    json: bool,
-    #[command(flatten)]
-    plugins: Plugins,
-    #[command(flatten)]
-    settings: SolverArgs,
 }
 
-impl CompareSolvers {
-    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let mut problems = self.problems()?;
+/// Seeds of each family, if none are stated.
+const SEEDS: u32 = 3;
+
+impl ProblemArgs {
+    /// The first option that is given.
+    pub fn given(&self) -> Option<&'static str> {
+        [
+            ("--all", self.all),
+            ("--seeds", self.seeds.is_some()),
+            ("--solve-time-limit", self.solve_time_limit.is_some()),
+            ("--profile", self.profile.is_some()),
+            ("--require-accepted", !self.require_accepted.is_empty()),
+        ]
+        .iter()
+        .find_map(|(name, is_given)| is_given.then_some(*name))
+    }
+
+    /// How long a solve may take.
+    fn each(&self) -> Result<Option<Duration>> {
+        let Some(seconds) = self.solve_time_limit else { return Ok(None) };
+        match Duration::try_from_secs_f64(seconds) {
+            Ok(limit) if !limit.is_zero() => Ok(Some(limit)),
+            _ => {
+                let reason = format!("must be above 0, is {seconds}");
+                Err(Error::invalid("options", "--solve-time-limit", reason))
+            }
+        }
+    }
+}
+
+impl Compare {
+    pub(super) fn on_problems(&self, limits: &Limits) -> Result<Outcome> {
+        let settings = self.solve.with_defaults();
+        let mut problems = self.named(settings.memory())?;
         if !self.model.is_empty() {
             problems.retain(|(_, problems)| problems.iter().any(|p| p.friction().is_some()));
         }
@@ -98,14 +98,14 @@ impl CompareSolvers {
         self.check_requirements(&contenders)?;
         let methods: Vec<Method> =
             contenders.iter().flat_map(|contender| &contender.methods).copied().collect();
-        let options = self.settings.options(&methods)?;
+        let options = settings.options(&methods)?;
         let stop = limits.stop();
         let (library, files): (Vec<_>, Vec<_>) =
             problems.into_iter().partition(|(name, _)| library::by_name(name).is_ok());
         let style = ProgressStyle::with_template("{spinner} {pos} rows of the table")
             .unwrap_or_else(|_| ProgressStyle::default_spinner());
         let progress = bar(0, "").with_style(style);
-        let all = families::Limits { stop, each: self.each()?, tick: &|| progress.inc(1) };
+        let all = families::Limits { stop, each: self.problems.each()?, tick: &|| progress.inc(1) };
         let run = |problems: &[(String, Vec<Problem>)], models: Models<'_>| {
             let models = if self.model.is_empty() { models } else { Models::Stated(&self.model) };
             families::run_on(problems, models, &contenders, &options, &all)
@@ -119,7 +119,7 @@ impl CompareSolvers {
         if rows.is_empty() && stopped.is_none() {
             return Err(self.nothing_to_compare());
         }
-        match &self.profile {
+        match &self.problems.profile {
             Some(name) if stopped.is_none() => profile::write(name, &rows)?,
             Some(_) => {
                 say("warning: no profile is written, as the comparison did not come to its end")
@@ -150,7 +150,8 @@ impl CompareSolvers {
 
     /// Named solvers that solve nothing, and requirements that are not met, in a sentence each.
     fn failures(&self, rows: &[Row], contenders: &[Contender]) -> Vec<String> {
-        let shortfalls = self.require_accepted.iter().filter_map(|demand| demand.shortfall(rows));
+        let shortfalls =
+            self.problems.require_accepted.iter().filter_map(|demand| demand.shortfall(rows));
         families::useless(rows, contenders).into_iter().chain(shortfalls).collect()
     }
 
@@ -182,7 +183,7 @@ impl CompareSolvers {
         let is_missing = |demand: &&Requirement| {
             contenders.iter().all(|contender| contender.name() != demand.solver)
         };
-        self.require_accepted.iter().find(is_missing).map_or(Ok(()), |demand| {
+        self.problems.require_accepted.iter().find(is_missing).map_or(Ok(()), |demand| {
             let reason = format!("{} is not among the solvers of this comparison", demand.solver);
             Err(Error::invalid("options", "--require-accepted", reason))
         })
@@ -202,35 +203,24 @@ impl CompareSolvers {
     }
 
     /// The problems of each family or file.
-    fn problems(&self) -> Result<Vec<(String, Vec<Problem>)>> {
-        let names: Vec<&str> = match self.families.as_slice() {
+    fn named(&self, memory: Memory) -> Result<Vec<(String, Vec<Problem>)>> {
+        let names: Vec<&str> = match self.inputs.as_slice() {
             [] => library::all().map(Family::name).collect(),
-            names => names.iter().map(String::as_str).collect(),
+            names => names.iter().map(|name| name.strip_prefix(FAMILY).unwrap_or(name)).collect(),
         };
+        let seeds = self.problems.seeds.unwrap_or(SEEDS);
         let mut problems = Vec::new();
         for name in names {
-            problems.extend(problems::named(name, self.seeds, self.settings.memory())?);
+            problems.extend(problems::named(name, seeds, memory)?);
         }
         problems.iter().flat_map(|(_, problems)| problems).for_each(warn);
         Ok(problems)
     }
 
-    /// How long a solve may take.
-    fn each(&self) -> Result<Option<Duration>> {
-        let Some(seconds) = self.solve_time_limit else { return Ok(None) };
-        match Duration::try_from_secs_f64(seconds) {
-            Ok(limit) if !limit.is_zero() => Ok(Some(limit)),
-            _ => {
-                let reason = format!("must be above 0, is {seconds}");
-                Err(Error::invalid("options", "--solve-time-limit", reason))
-            }
-        }
-    }
-
     /// The solvers that take part: those that were named, or the usual ones, and the plug-ins.
     fn contenders(&self, plugins: &[Plugin]) -> Result<Vec<Contender>> {
         let usual = |name: &&str| Ok(Contender { is_named: false, ..Contender::named(name)? });
-        let mut contenders = match (self.all, self.solver.as_slice()) {
+        let mut contenders = match (self.problems.all, self.solver.as_slice()) {
             (true, _) => Contender::unnamed(methods::all()),
             (false, []) => methods::USUAL.iter().map(usual).collect::<Result<_>>()?,
             (false, _) => Vec::new(),

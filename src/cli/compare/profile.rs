@@ -1,4 +1,4 @@
-//! `compare-solvers --profile`: a performance profile for a paper.
+//! `compare --profile`: a performance profile for a paper.
 
 use std::path::Path;
 

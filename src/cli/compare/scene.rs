@@ -1,9 +1,9 @@
-//! `compare`: a scene stepped by every solver, each answer judged.
+//! `compare` on a scene: simulated by every solver, each answer judged.
 
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::error::Result;
+use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
@@ -14,57 +14,54 @@ use lcplab::scene::Scheme;
 use lcplab::solver::{self, Method};
 use serde_json::json;
 
-use super::SceneArgs;
+use super::Compare;
 use crate::cli::limits::Limits;
+use crate::cli::scene::SceneArgs;
 use crate::cli::{Outcome, bar, print, say};
 
-/// Step a scene with every solver, and judge every answer
+/// Options of a comparison on a scene.
 #[derive(Debug, Args)]
-#[command(after_help = "\
-Example:
-  lcplab compare stack --steps 20 --out stack-report
-
-By default all solvers step the scene, at the velocity and at the acceleration level; --solver and --scheme
-select one. Schemes that solve no LCP have one row. Only solvers that can handle the friction model run,
-and only levels that know it; a solver that you name and that cannot has a row with the reason.
-With --out the folder gets a page with a film of the solvers side by side, the table and the plots.
-The film shows one solver of each set with the same motion, or those named by --show:
-  lcplab compare stack --show pgs:5 --show dantzig --out stack-report   # five sweeps beside exact
-Exit code 1 if the judge rejects a solver's claim or if none of the solvers that you name takes part, 2 for
-bad input; a solver that admits failure is a row of the table.")]
-pub struct Compare {
-    #[command(flatten)]
-    scene: SceneArgs,
+pub struct MotionArgs {
     /// Number of steps [default: the scene's]
     #[arg(long)]
     steps: Option<usize>,
-    /// Folder for a page with film, table and plots
+    /// Folder for a page with animation, table and plots
     #[arg(long)]
     out: Option<PathBuf>,
-    /// Solver in the film, with its most sweeps after a colon if they are not the scene's; repeatable
+    /// Show this solver in the animation, with another iteration limit after a colon (repeatable)
     #[arg(long, value_name = "SOLVER[:SWEEPS]", requires = "out")]
     show: Vec<String>,
-    /// Print one JSON object
-    #[arg(long)]
-    json: bool,
+}
+
+impl MotionArgs {
+    /// The first option that is given.
+    pub fn given(&self) -> Option<&'static str> {
+        let steps = self.steps.is_some().then_some("--steps");
+        steps.or(self.out.is_some().then_some("--out"))
+    }
 }
 
 impl Compare {
-    pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        let plugins = self.scene.plugins.start()?;
-        let scene = self.scene.load(self.scene.solver.as_deref())?;
-        let steps = self.steps.unwrap_or(scene.step.count);
-        let schemes = match self.scene.scheme {
+    pub(super) fn on_scene(self, name: String, limits: &Limits) -> Result<Outcome> {
+        let Compare { solver, model, json, plugins, solve, step, motion, .. } = self;
+        let ([] | [_]) = &model[..] else {
+            return Err(Error::invalid(name, "--model", "a scene has one friction model"));
+        };
+        let only = if let [only] = &solver[..] { Some(only.clone()) } else { None };
+        let model = model.first().copied();
+        let args = SceneArgs { scene: name, solver: only, model, step, solve, plugins };
+        let plugins = args.plugins.start()?;
+        let scene = args.load(args.solver.as_deref())?;
+        let steps = motion.steps.unwrap_or(scene.step.count);
+        let schemes = match args.step.scheme {
             Some(scheme) => vec![scheme],
             None => Scheme::LEVELS.to_vec(),
         };
-        let named = self.scene.solver.as_deref().into_iter();
+        let named = solver.iter().map(String::as_str);
         let named: Vec<&str> =
             named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
-        let (mut solvers, mut left_out) = match self.scene.solver {
-            Some(_) => (Vec::new(), Vec::new()),
-            None => (solver::methods(), Vec::new()),
-        };
+        let mut solvers = if solver.is_empty() { solver::methods() } else { Vec::new() };
+        let mut left_out = Vec::new();
         for name in &named {
             match takes_part(name, &schemes, scene.contact.model)? {
                 Ok(method) => solvers.push(method),
@@ -73,13 +70,13 @@ impl Compare {
         }
         let contenders = comparison::contenders(&scene, &schemes, &solvers);
         let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
-        self.scene.check(&running, &scene)?;
-        let shown = self.show.iter().map(|name| Actor::named(name, &scene));
+        args.check(&running, &scene)?;
+        let shown = motion.show.iter().map(|name| Actor::named(name, &scene));
         let shown = shown.collect::<Result<Vec<Actor>>>()?;
         let what = format!("the motion of {} runs of {steps} steps", contenders.len());
         let samples = Memory::bytes(size_of::<Sample>() as u64).times(steps);
         scene.memory.check(what, samples.times(contenders.len()))?;
-        if let Some(folder) = &self.out {
+        if let Some(folder) = &motion.out {
             file::prepare(folder, &write::WRITTEN)?;
         }
         let progress = bar(contenders.len() as u64, &scene.name);
@@ -99,7 +96,7 @@ impl Compare {
         limits.over();
         progress.finish_and_clear();
         let has_runs = !comparison.runs.is_empty();
-        let written = self.out.as_ref().filter(|_| has_runs).map(|folder| {
+        let written = motion.out.as_ref().filter(|_| has_runs).map(|folder| {
             let actors = match shown.is_empty() {
                 true => film::alike(&contenders, &view::alike(&comparison.runs)),
                 false => shown.into_iter().map(|actor| (actor.name(), actor)).collect(),
@@ -107,7 +104,7 @@ impl Compare {
             let film = film::film("film", &scene, &actors, steps, stop);
             write::document(&view::comparison_document(&comparison, film), folder)
         });
-        if self.json {
+        if json {
             print(&format!(
                 "{}\n",
                 json!({ "answer": view::comparison_answer(&comparison), "comparison": comparison, "timings": timings })
