@@ -1,5 +1,4 @@
-//! Turns the cells of the literate notebooks into programs, one function a notebook, and keeps the modules of the live
-//! pages once.
+//! Turns the cells of the literate notebooks into programs, one function a notebook.
 
 // The titles and hidden cells that it also reads are for pages.
 #[path = "src/lesson/source.rs"]
@@ -27,9 +26,7 @@ fn main() -> io::Result<()> {
     write_programs(&lessons, &out.join("lessons.rs"))?;
     write_programs(&around, &out.join("around.rs"))?;
     println!("cargo:rerun-if-changed={HANDOUT}");
-    write_programs(&[root.join(HANDOUT)], &out.join("handout.rs"))?;
-    println!("cargo:rerun-if-changed=live");
-    write_live(&root.join("live"), &out)
+    write_programs(&[root.join(HANDOUT)], &out.join("handout.rs"))
 }
 
 /// The files of a folder that end so, in the order of their names.
@@ -39,31 +36,6 @@ fn files(folder: &Path, kind: &str) -> io::Result<Vec<PathBuf>> {
     files.retain(|path| path.extension().is_some_and(|own| own == kind));
     files.sort();
     Ok(files)
-}
-
-/// `(name, before, module, after)` of each live page; pages with the same module share its text.
-fn write_live(folder: &Path, out: &Path) -> io::Result<()> {
-    const OPENS: &str = "id=\"module\">";
-    let (mut modules, mut list) = (Vec::new(), String::new());
-    for path in files(folder, "html")? {
-        let text = fs::read_to_string(&path)?;
-        let start = text.find(OPENS).expect("a live page has a module") + OPENS.len();
-        let end = start + text[start..].find('<').expect("a module ends");
-        let module = text[start..end].to_string();
-        let k = modules.iter().position(|other| *other == module).unwrap_or_else(|| {
-            modules.push(module);
-            modules.len() - 1
-        });
-        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let (before, after) = (&text[..start], &text[end..]);
-        let _ = writeln!(list, "    ({name:?}, {before:?}, MODULE_{k}, {after:?}),");
-    }
-    let mut code = String::new();
-    for (k, module) in modules.iter().enumerate() {
-        let _ = writeln!(code, "static MODULE_{k}: &str = {module:?};");
-    }
-    code += &format!("static TEXTS: &[(&str, &str, &str, &str)] = &[\n{list}];\n");
-    fs::write(out.join("live.rs"), code)
 }
 
 /// A function for each notebook, and the list of them.

@@ -44,7 +44,7 @@ pub fn read_grid(text: &str) {
     }
 }
 
-/// Results as `report --redraw` reads them.
+/// Results as `report results.json` reads them.
 pub fn read_results(text: &str) {
     let Ok(value) = json::parse(text) else { return };
     let Ok(results) = serde_json::from_value::<Results>(value) else { return };

@@ -8,7 +8,6 @@
 pub mod abi;
 mod column;
 mod friction;
-#[cfg(feature = "study")]
 mod problem;
 mod rod;
 mod solutions;
@@ -38,13 +37,10 @@ enum Question {
     /// How it goes on.
     Run(rod::Run),
     /// A problem that somebody brings, by any method.
-    #[cfg(feature = "study")]
     Solve(problem::Solve),
     /// The judge's word on an x.
-    #[cfg(feature = "study")]
     Judge(problem::Judge),
     /// The strongest proof.
-    #[cfg(feature = "study")]
     Prove(problem::Prove),
 }
 
@@ -66,11 +62,8 @@ pub fn answer(question: &str) -> String {
         Ok(Question::Slide(slide)) => slide.answer(),
         Ok(Question::Rod(rod)) => rod.answer(),
         Ok(Question::Run(run)) => run.answer(),
-        #[cfg(feature = "study")]
         Ok(Question::Solve(question)) => question.answer(),
-        #[cfg(feature = "study")]
         Ok(Question::Judge(question)) => question.answer(),
-        #[cfg(feature = "study")]
         Ok(Question::Prove(question)) => question.answer(),
         Err(cause) => Err(cause.to_string()),
     };

@@ -164,7 +164,6 @@ fn the_three_functions_of_a_page_take_a_question_and_give_its_answer() {
     );
 }
 
-#[cfg(feature = "study")]
 mod study {
     use super::*;
 

@@ -10,29 +10,31 @@ use serde_json::Value;
 use super::form::Writing;
 use super::{Outcome, print};
 
-/// List what the chapter says and whether it holds, or show one statement or erratum
+/// List the statements of the chapter with their verdicts, or show a statement or an erratum
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab chapter                                  # all equations, listings, figures, notes, claims …
+  lcplab chapter              # all equations, listings, figures, notes, claims, …
   lcplab chapter --kind equations --verdict wrong
-  lcplab chapter 16                               # equation (16); also \"Code 6\", \"Fig 8\", T20
-  lcplab chapter E07                              # an erratum: printed, right, an example that runs
-  lcplab chapter errata                           # all errata, their examples run
+  lcplab chapter 16           # equation (16); also \"Code 6\", \"Fig 8\", T20
+  lcplab chapter E07          # an erratum: printed and correct form, with an example that runs
+  lcplab chapter errata       # all errata; runs their examples
   lcplab chapter glossary
   lcplab chapter references --format html --out literature.html
 
 Kinds: equations, unnumbered, listings, figures, notes, claims, techniques, demos, future.
+
 Verdicts: right, convention, misprint, misleading, wrong, confirmed (by measurement), opinion, rebuilt.
-Exit code 1 if an example does not show what its erratum claims, 2 for bad input.")]
+
+Exit code 1: an example does not show what its erratum claims. Exit code 2: bad input or usage.")]
 pub struct Chapter {
-    /// An entry such as (16), 16, \"Code 6\" or T20, an erratum such as E07, or one of errata,
-    /// glossary, references [default: the list]
+    /// Entry such as (16), 16, "Code 6" or T20, erratum such as E07, or one of errata, glossary,
+    /// references [default: list the entries]
     name: Option<String>,
-    /// List entries of this kind only
+    /// List only entries of this kind
     #[arg(long)]
     kind: Option<String>,
-    /// List entries with this verdict only
+    /// List only entries with this verdict
     #[arg(long)]
     verdict: Option<String>,
     /// Print entries or errata as JSON

@@ -9,30 +9,32 @@ use lcplab::lcp::exchange::{self, ALL, Format};
 use super::limits::MemoryLimit;
 use super::{Outcome, print, say, warn};
 
-/// Write a problem file in another format, or list the formats
+/// Convert a problem file to another format, or list the formats
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   lcplab convert problem.npz problem.json
-  lcplab export stack --step 50 | lcplab convert - stack.mtx   # and stack_b.mtx, … beside it
-  lcplab convert dumps/ contact.json            # Chrono's dump_H.dat, dump_Cq.dat, … in a folder
-  lcplab convert lcp.txt - --from siconos       # to standard output
-  lcplab convert --list                         # the formats, what they carry, their traps
+  lcplab export stack --step 50 | lcplab convert - stack.mtx   # also writes stack_b.mtx, …
+  lcplab convert dumps/ contact.json        # Chrono's dump_H.dat, dump_Cq.dat, … in a folder
+  lcplab convert lcp.txt - --from siconos   # to standard output
+  lcplab convert --list                     # the formats, their contents and pitfalls
 
-The endings say the formats; --from and --to say otherwise. What a format cannot carry is refused,
-or named on standard error if the numbers stay the same. Which model of friction FROM means is said,
-and a warning where TO means another. Exit code 2 for bad input.")]
+The extensions determine the formats unless --from or --to is given. It is an error if the target format \
+cannot store the problem. Standard error names metadata that is lost and the friction model that FROM means, \
+and warns if TO means another.
+
+Exit code 0: written. Exit code 2: bad input or usage.")]
 pub struct Convert {
-    /// The problem: a file, a folder or the beginning of names of several, - for standard input
+    /// Problem: a file, a folder, the common beginning of the names of several files, or - for standard input
     #[arg(value_name = "FROM", required_unless_present = "list")]
     source: Option<PathBuf>,
-    /// The file to write, with others beside it where the format has several; - for standard output
+    /// File to write, with further files next to it where the format has several; - for standard output
     #[arg(value_name = "TO", required_unless_present = "list")]
     target: Option<PathBuf>,
-    /// The format of FROM
+    /// Format of FROM
     #[arg(long, value_name = "FORMAT")]
     from: Option<String>,
-    /// The format of TO
+    /// Format of TO
     #[arg(long, value_name = "FORMAT")]
     to: Option<String>,
     /// List the formats

@@ -26,63 +26,69 @@ use super::plugin::Plugins;
 use super::scene::Changes;
 use super::{Outcome, print, read_problem};
 
-/// Explain why a stack sinks, why a problem has no solution or several, or which mistake made an answer
+/// Explain why bodies sink, why a problem has no solution or several, or which mistake produced an answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab diagnose mass_ratio3 --solver pgs --sweeps 10   # why does it sink, and what helps?
-  lcplab diagnose frames/ --solver pgs --sweeps 10       # the same of dumped problems, a file a step
-  lcplab diagnose fig8                    # three rows that contradict each other, proved
+  lcplab diagnose mass_ratio3 --solver pgs --sweeps 10   # why do the boxes sink, and what helps?
+  lcplab diagnose frames/ --solver pgs --sweeps 10       # the same for problem files, one per step
+  lcplab diagnose fig8                      # three rows that contradict each other, proved
   lcplab diagnose stack --step 10
-  lcplab diagnose mass_ratio3 --solver pgs --sweeps 10 --out why.html   # with film, patterns and problem files
+  lcplab diagnose mass_ratio3 --sweeps 10 --out why.html # with animation, patterns and problem files
   lcplab diagnose fig8 --json
-  lcplab generate fathi | lcplab diagnose - --format markdown
-  lcplab diagnose problem.json answer.json  # which known mistake gives exactly this x?
-  lcplab diagnose problem.json answer.json --last before.json   # or one that has to do with the last frame
-  lcplab diagnose --mistakes              # the mistakes that it knows
+  lcplab problems fathi | lcplab diagnose - --format markdown
+  lcplab diagnose problem.json answer.json  # which known mistake produces exactly this x?
+  lcplab diagnose problem.json answer.json --last before.json
+  lcplab diagnose --mistakes                # the mistakes that it knows
 
-It reports rank, condition number and degrees of freedom, and lists zero rows, dependent rows, rows that
-no forces satisfy, constraints without direction, drift, overlap, and sign errors in A. A scene is stepped for a second
-by its solver and exactly: what is missing is measured, each suspected cause is taken away to see whether that helps, and
-remedies are run. A solver or plug-in that leaves twice as much undone as plain Gauss-Seidel after as many sweeps is
-suspected itself, and known mistakes are tried on its answer. --solver and --sweeps do the same for a problem, or for
-the files of a folder in the order of their names. With an answer it makes each of the mistakes that --mistakes lists,
-and names those that explain x at least a hundred times better than the exact solution does, at the precision of x; an
-answer that the judge accepts has none. INPUT is a problem
-file if its ending is one of `convert --list`, or -; a folder of such files; otherwise a scene. Exit code 0 if it can be
-solved, or each problem of a folder, 1 if not, 2 for bad input.")]
+INPUT is a problem file if it has an extension that `convert --list` shows, or is -; a folder of such \
+files; otherwise a scene.
+
+For each input it reports rank, condition number and degrees of freedom, and lists zero rows, dependent \
+rows, contradictory rows, constraints without direction, drift, overlap, and sign errors in A.
+
+A scene is simulated for one second by its solver and by an exact one, and the unsupported weight is \
+measured. Each possible cause is removed in turn to see whether that helps, and remedies are tried. A solver \
+that leaves twice the error of plain Gauss-Seidel after the same number of sweeps is itself a suspect. With \
+--solver or --sweeps this also works for a problem file, and for the files of a folder in order of their names.
+
+With an answer, each known mistake is made on purpose. A mistake is named if it explains x at least a \
+hundred times better than the exact solution does, at the precision of x. An accepted answer has no mistakes.
+
+Exit code 0: the problem, or each problem of the folder, can be solved. Exit code 1: it cannot, or an answer \
+is rejected. Exit code 2: bad input or usage.")]
 pub struct Diagnose {
-    /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
-    /// JSON from standard input, or a folder of problem files
+    /// Scene file, name of a shipped scene, problem file, folder of problem files, or - for a JSON problem from
+    /// standard input
     #[arg(
         required = false,
         required_unless_present = "mistakes",
         default_value_if("mistakes", "true", "")
     )]
     input: String,
-    /// An answer to a problem: a file with the key x. Which known mistake gives exactly this?
+    /// Answer to the problem, a file with the key x: find the known mistakes that produce it
     #[arg(conflicts_with_all = ["step", "format", "out"])]
     answer: Option<PathBuf>,
-    /// The answer of the frame before, from which a solve should start: a file with the key x
+    /// Answer to the previous step, from which the solver should have started: a file with the key x
     #[arg(long, value_name = "ANSWER", requires = "answer")]
     last: Option<PathBuf>,
-    /// List the known mistakes, with what each computes and what to check
+    /// List the known mistakes: what each computes, and what to check
     #[arg(long, conflicts_with_all = ["input", "solver", "max_iterations", "step", "format", "out", "plugin", "set"])]
     mistakes: bool,
-    /// The step of a scene at whose beginning it is examined, from 1 [default: 1]
+    /// Examine the scene at the beginning of this step, counted from 1 [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
-    /// Solver that is to be examined [default: the scene's; of a problem none]
+    /// Solver to examine [default: the scene's; for a problem none]
     #[arg(long)]
     solver: Option<String>,
-    /// Most sweeps or pivots in a solve [default: the scene's]
+    /// Maximum number of sweeps or pivots in a solve [default: the scene's]
     #[arg(long, visible_alias = "sweeps")]
     max_iterations: Option<usize>,
     #[command(flatten)]
     plugins: Plugins,
     #[command(flatten)]
     changes: Changes,
-    /// Print what was found as JSON
+    /// Print one JSON object
     #[arg(long, conflicts_with_all = ["format", "out"])]
     json: bool,
     #[command(flatten)]

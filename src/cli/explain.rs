@@ -30,14 +30,17 @@ Example:
   lcplab explain sphere_plane --model polygon-4
   lcplab export stack | lcplab explain - --solver dantzig --format markdown
 
-Written are, as a page after a picture, states, masses, forces, each row's c, J and J'u, the way from Newton's law to A and b, and
-every row, move or tableau of the solver, with units; at most 12 rows of each. A name that ends
-as those of problem files do (.json, .mtx, …: `convert --list`), or -, is a problem and starts at A and b. Friction cones
-are solved by a solver that is not followed; the coupled box is derived beside them. Exit code 1 if the judge refutes an answer or a step
-cannot be taken, 2 for bad input.")]
+The derivation has states, masses and forces; c, J and J'u of each row; the steps from Newton's law to A and \
+b; and each sweep, pivot or tableau of the solver, with units. At most 12 rows of each are shown. A page \
+begins with a picture. A problem file starts at A and b. For friction cones the solver is not followed; the \
+coupled box is derived next to them.
+
+INPUT is a problem file if it has an extension that `convert --list` shows, or is -; otherwise a scene.
+
+Exit code 0: the answers are accepted. Exit code 1: the judge rejects an answer, or a step cannot be taken. \
+Exit code 2: bad input or usage.")]
 pub struct Explain {
-    /// A scene file, the name of a shipped scene, a problem file by its ending, or - for a problem as
-    /// JSON from standard input
+    /// Scene file, name of a shipped scene, problem file, or - for a JSON problem from standard input
     input: String,
     /// pgs, sor, dantzig or lemke [default: the scene's, or dantzig; lemke where A is not
     /// symmetric]
@@ -47,16 +50,14 @@ pub struct Explain {
     #[arg(long, value_enum)]
     scheme: Option<Level>,
     #[command(flatten)]
-    renamed: super::scene::Renamed,
-    #[command(flatten)]
     changes: super::scene::Changes,
     /// Friction model [default: that of the scene or the file]
     #[arg(long)]
     model: Option<Model>,
-    /// The first step of a scene that is explained, counted from 1; those before are only taken
+    /// First step of the scene to explain, counted from 1 [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     from: Option<u64>,
-    /// How many steps of a scene are explained [default: 1]
+    /// Number of steps of the scene to explain [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..=1000))]
     steps: Option<u64>,
     /// Largest scaled residual that counts as solved

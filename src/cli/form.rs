@@ -13,10 +13,10 @@ use super::{Outcome, print, print_coloured};
 /// The form of a document, and where it goes.
 #[derive(Debug, Args)]
 pub struct Writing {
-    /// How it is written [default: by the ending of --out, .md or .html, else text]
+    /// Format of the output [default: by the extension of --out, .md or .html; else text]
     #[arg(long, value_enum)]
     format: Option<Form>,
-    /// The file to write [default: standard output]
+    /// File to write [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
 }
@@ -28,7 +28,7 @@ enum Form {
     Text,
     /// Markdown with LaTeX
     Markdown,
-    /// A page that needs nothing else
+    /// A page that needs no other files
     Html,
 }
 

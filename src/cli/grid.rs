@@ -18,14 +18,16 @@ const SHOWN: usize = 40;
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab grid plan omega        # a shipped grid, or a file: what would be done
-  lcplab grid run omega         # on all cores; goes on where it was interrupted
-  lcplab grid collect omega     # grids/omega/results.csv, results.json and index.html
+  lcplab grid plan omega      # the tasks of a shipped grid or of a grid file
+  lcplab grid run omega       # on all cores; continues after an interruption
+  lcplab grid collect omega   # grids/omega/results.csv, results.json and index.html
 
-Tasks can be run one by one, on many machines, in any order (grid run FILE --task K); workflow/ has
-the same for Snakemake, and so for clusters. What is collected is the same to the bit; times are apart,
-in times.csv. A point that is impossible is a row with its reason. Exit code 1 if a claim is refuted or
-results are missing, 2 for bad input.")]
+Tasks can run one by one, in any order and on several machines (grid run FILE --task K); workflow/ does so \
+with Snakemake. The collected results are bitwise identical; times are kept apart, in times.csv. A point that \
+cannot be computed has a row with the reason.
+
+Exit code 0: all results are there and no claim is rejected. Exit code 1: a claim is rejected or results are \
+missing. Exit code 2: bad input or usage.")]
 pub struct Grid {
     #[command(subcommand)]
     action: Action,
@@ -43,7 +45,7 @@ enum Action {
 struct Plan {
     #[command(flatten)]
     place: Place,
-    /// Print the plan as JSON, and write nothing
+    /// Print the plan as JSON instead of writing it
     #[arg(long)]
     json: bool,
 }
@@ -53,17 +55,17 @@ struct Plan {
 struct Run {
     #[command(flatten)]
     place: Place,
-    /// The number of one task, to be done even if its result is there
+    /// Run only the task of this number, even if it has a result
     #[arg(long)]
     task: Option<usize>,
-    /// Threads to use; the results are the same for any number
+    /// Number of threads; results are identical for any number
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
     #[command(flatten)]
     plugins: Declared,
 }
 
-/// Put the results together: tables and a page
+/// Collect the results in tables and a page
 #[derive(Debug, Args)]
 struct Collect {
     #[command(flatten)]
@@ -73,9 +75,9 @@ struct Collect {
 /// A grid and where its results are.
 #[derive(Debug, Args)]
 struct Place {
-    /// A grid file, or the name of a shipped grid
+    /// Grid file, or name of a shipped grid
     grid: String,
-    /// Folder of the results [default: grids/NAME]
+    /// Folder for the results [default: grids/NAME]
     #[arg(long)]
     out: Option<PathBuf>,
 }

@@ -14,8 +14,7 @@ use super::plugin::Plugins;
 use super::search::{Quarry, Target};
 use super::{Outcome, bar, print, say};
 
-/// Give random hostile problems to the solvers and look for claims that are not true, or search for the
-/// smallest problem that breaks one
+/// Search for false claims of solvers on random hostile problems, or for the smallest problem that breaks one
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -23,29 +22,31 @@ Example:
   lcplab hunt --solver dantzig --json
   lcplab hunt --plugin \"python3 mine.py\" --problems 1000
   lcplab hunt --plugin \"python3 mine.py\" --measure lie --out bug.json
-  lcplab hunt --plugin \"python3 mine.py\" --measure lie --from dump.json    # makes a problem of yours smaller
-  lcplab hunt --plugin \"python3 mine.py\" --measure lie --model coulomb-cone  # a solver of friction cones
+  lcplab hunt --plugin \"python3 mine.py\" --measure lie --from dump.json     # shrinks your problem
+  lcplab hunt --plugin \"python3 mine.py\" --measure lie --model coulomb-cone # friction cones
   lcplab hunt --measure ratio murty:block-pivoting --n 8
 
-Without --measure it prints a table of what was claimed of so many problems. With it, it climbs from
-random problems by small changes, makes the best one as small as it can, and prints it with the solver's
-x, the right x and a test. The same seed finds the same. Exit code 1 if a solver's claim is false, or if a
-solver that you name solves no problem at all.")]
+Without --measure it prints a table of the claims of each solver. With --measure it climbs from random \
+problems by small changes, shrinks the best one, and prints it with the solver's x, the correct x and a test. \
+The same seed finds the same problem.
+
+Exit code 0: no false claim. Exit code 1: a claim is false, or a solver that you name solves no problem. \
+Exit code 2: bad input or usage.")]
 pub struct Challenge {
-    /// How many problems
+    /// Number of problems
     #[arg(long, default_value_t = 10_000)]
     problems: usize,
     /// Random seed
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Only this solver (repeatable), and the plug-ins [default: all solvers]
+    /// Examine this solver (repeatable) and the plug-ins [default: all solvers]
     #[arg(long)]
     solver: Vec<String>,
-    /// Problems with friction under this model, and its judge: frozen-box, coupled-box, polygon-4 (or 8,
-    /// 12, …), associated-cone, coulomb-cone [default: with --from the files']
+    /// Problems with friction under this model: frozen-box, coupled-box, polygon-4 (or 8, 12, …),
+    /// associated-cone, coulomb-cone [default: with --from the model of the files]
     #[arg(long)]
     model: Option<Model>,
-    /// Most sweeps or pivots: enough for an answer, few enough for many problems
+    /// Maximum number of sweeps or pivots
     #[arg(long, visible_alias = "sweeps", default_value_t = 2000)]
     max_iterations: usize,
     /// Largest scaled residual that counts as solved
@@ -55,7 +56,7 @@ pub struct Challenge {
     quarry: Quarry,
     #[command(flatten)]
     plugins: Plugins,
-    /// Print JSON
+    /// Print one JSON object
     #[arg(long)]
     json: bool,
 }

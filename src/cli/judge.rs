@@ -21,29 +21,31 @@ use super::limits::MemoryLimit;
 use super::problem::{bound_text, rows, title};
 use super::{Outcome, print, read_problem};
 
-/// Judge answers to a problem, whoever found them
+/// Check answers of any program against a problem
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   lcplab solve problem.json --json > answer.json; lcplab judge problem.json answer.json
-  lcplab judge problem.json mine.json theirs.json     # a table, an answer a row
+  lcplab judge problem.json mine.json theirs.json     # a table, one answer per row
   lcplab judge friction.json answer.json --model coulomb-cone
 
-An answer with a key \"iterates\", a list of vectors, has a row for each of them, and for its x.
-Exit code 0 if the judge accepts every answer, iterates aside; 1 if not; 2 for bad input.")]
+An answer file is a JSON object with the key \"x\". The key \"iterates\", a list of vectors, adds a row for \
+each of them; iterates do not change the exit code.
+
+Exit code 0: every answer is accepted. Exit code 1: an answer is rejected. Exit code 2: bad input or usage.")]
 pub struct Judge {
-    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
+    /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,
-    /// Any JSON objects with a key "x"
+    /// Answer files: JSON objects with the key "x"
     #[arg(required = true)]
     answers: Vec<PathBuf>,
-    /// Model of friction to judge by [default: the file's]
+    /// Friction model [default: the file's]
     #[arg(long)]
     model: Option<Model>,
     /// Largest scaled residual that counts as solved
     #[arg(long, allow_negative_numbers = true, default_value_t = Demand::default().tolerance)]
     tolerance: f64,
-    /// The verdict from which on the exit code is 1
+    /// Exit with 1 if a verdict is this or worse
     #[arg(long, value_enum, default_value_t = Worst::NotASolution)]
     fail_on: Worst,
     #[command(flatten)]
@@ -57,9 +59,9 @@ pub struct Judge {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 #[value(rename_all = "snake_case")]
 enum Worst {
-    /// Only what is proved passes
+    /// Accept only proved answers
     WithinTolerance,
-    /// What is accepted passes
+    /// Accept proved answers and those within tolerance
     NotASolution,
 }
 

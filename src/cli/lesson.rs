@@ -20,30 +20,32 @@ const EXERCISES: &[Exercise] = {
     exercises!(answers)
 };
 
-/// Write a lesson as a page: its cells are run and shown with what they put out
+/// Run the cells of a lesson and write it as a page
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab lesson                # the list of lessons
+  lcplab lesson                # lists the lessons
   lcplab lesson 3 --open
-  lcplab lesson --all          # writes reports/lessons/index.html, 01_….html and so on
+  lcplab lesson --all          # writes reports/lessons/index.html, 01_….html, …
   lcplab lesson guide --open   # for teachers
 
-A page needs no network. --ipynb writes Jupyter notebooks with outputs into notebooks/ instead. A lesson
-is written in notebooks/NN_title.md; edit it, and run the command again. Exit code 2 if a cell fails.")]
+A page needs no network. --ipynb writes Jupyter notebooks with outputs to notebooks/ instead. To change a \
+lesson, edit notebooks/NN_title.md and run the command again.
+
+Exit code 0: written. Exit code 2: a cell fails, or bad input.")]
 pub struct Lesson {
     /// Number or name of a lesson
     lesson: Option<String>,
     /// Write all lessons
     #[arg(long, conflicts_with = "lesson")]
     all: bool,
-    /// Show the page in the browser
+    /// Open the page in the browser
     #[arg(long)]
     open: bool,
     /// Write Jupyter notebooks instead of pages
     #[arg(long, conflicts_with = "open")]
     ipynb: bool,
-    /// Folder to write into [default: reports/lessons, or notebooks for --ipynb]
+    /// Folder [default: reports/lessons, or notebooks with --ipynb]
     #[arg(long)]
     out: Option<PathBuf>,
 }
@@ -52,16 +54,17 @@ pub struct Lesson {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab exercise              # the list, with what is solved
+  lcplab exercise              # lists the exercises, and which are solved
   cargo run --release -- exercise 1.1
   lcplab exercise 4.p1 0.9     # is 0.9 the answer to problem 4.p1?
 
-A code exercise is a file with a hole or a bug, notebooks/exercises/eLESSON_NUMBER_….rs. Mend it, and run the
-command through cargo, which compiles your answer in. It is held against an independent one. A problem (p on
-paper, r to predict and run, x on a live page) asks for a number; the lessons state them. Exit code 1 if the
-answer misses.")]
+A code exercise is a file with a gap or a bug, notebooks/exercises/eLESSON_NUMBER_….rs. Complete or fix it, \
+and run the command through cargo, which compiles your answer. It is compared with an independent answer. A \
+problem asks for a number; the lessons state the problems (p on paper, r to predict and run, x on a live page).
+
+Exit code 0: the answer is right. Exit code 1: it is wrong. Exit code 2: bad input or usage.")]
 pub struct Answer {
-    /// Lesson and number, as 1.1 or 4.p1
+    /// Lesson and number, such as 1.1 or 4.p1
     exercise: Option<String>,
     /// Your answer to a problem
     #[arg(allow_negative_numbers = true, requires = "exercise")]

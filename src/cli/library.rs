@@ -1,4 +1,4 @@
-//! `problems` and `generate`: the problem library.
+//! `problems`: the problem library.
 
 use std::path::PathBuf;
 
@@ -11,18 +11,37 @@ use lcplab::problem_set;
 
 use super::{Outcome, bar, print};
 
-/// List the families of the problem library, or what is known of one
+/// List the problem library, or write one of its problems as a problem file
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab problems
-  lcplab problems manufactured   # its parameters
-  lcplab problems --export set; lcplab compare-solvers set --profile profile")]
+  lcplab problems                             # the families of the library
+  lcplab problems manufactured --parameters   # what can be set
+  lcplab problems fathi --n 8 | lcplab solve - --solver murty
+  lcplab problems manufactured --n 100 --seed 7 --set rank=0.5 --out singular.json
+  lcplab problems --export set; lcplab compare set --profile profile
+
+The key \"expected\" of a problem file holds the exact solutions, where they are known.")]
 pub struct Problems {
-    /// Describe this family and its parameters
+    /// Write a problem of this family [default: list all families]
     name: Option<String>,
-    /// Write the library and steps of the shipped scenes into this folder: a file a problem, and index.csv with a card
-    /// of each
+    /// Describe the family and its parameters instead
+    #[arg(long, requires = "name", conflicts_with_all = ["n", "seed", "set", "out"])]
+    parameters: bool,
+    /// The parameter n of the family
+    #[arg(long, requires = "name", allow_negative_numbers = true)]
+    n: Option<f64>,
+    /// Seed of the random numbers
+    #[arg(long, requires = "name", allow_negative_numbers = true)]
+    seed: Option<f64>,
+    /// Set a parameter of the family (repeatable)
+    #[arg(long = "set", requires = "name", value_name = "NAME=VALUE", value_parser = assignment)]
+    set: Vec<(String, f64)>,
+    /// File to write the problem to [default: standard output]
+    #[arg(long, requires = "name", value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Write the library and some steps of the shipped scenes into this folder: one file per problem, and
+    /// index.csv with what is known of each
     #[arg(long, value_name = "FOLDER", conflicts_with = "name")]
     export: Option<PathBuf>,
     /// Print the JSON schema of problem files
@@ -39,16 +58,32 @@ impl Problems {
             print(&format!("{count} problems in {}\n", folder.display()))?;
             return Ok(Outcome::Good);
         }
-        let text = match &self.name {
-            _ if self.schema => SCHEMA.to_string(),
-            Some(name) => description(library::by_name(name)?),
-            None => library::all()
-                .map(|family| format!("{:<18} {}\n", family.name(), family.about()))
-                .collect(),
-        };
-        print(&text)?;
+        match &self.name {
+            _ if self.schema => print(SCHEMA)?,
+            Some(name) if self.parameters => print(&description(library::by_name(name)?))?,
+            Some(name) => self.write(library::by_name(name)?)?,
+            None => print(&list())?,
+        }
         Ok(Outcome::Good)
     }
+
+    /// Writes a problem of a family.
+    fn write(&self, family: &dyn Family) -> Result<()> {
+        let named = [("n", self.n), ("seed", self.seed)];
+        let named = named.into_iter().filter_map(|(name, value)| Some((name, value?)));
+        let set = self.set.iter().map(|(name, value)| (name.as_str(), *value));
+        let values: Vec<(&str, f64)> = named.chain(set).collect();
+        let text = format!("{}\n", family.generate(&values)?.to_json());
+        match &self.out {
+            Some(path) => file::write(path, &text),
+            None => print(&text),
+        }
+    }
+}
+
+fn list() -> String {
+    let line = |family: &dyn Family| format!("{:<18} {}\n", family.name(), family.about());
+    library::all().map(line).collect()
 }
 
 fn description(family: &dyn Family) -> String {
@@ -58,47 +93,6 @@ fn description(family: &dyn Family) -> String {
         text += &format!("  {:<12} {:<20} {}, {} by default\n", p.name, range, p.about, p.default);
     }
     text
-}
-
-/// Write a problem of the library as a problem file
-#[derive(Debug, Args)]
-#[command(after_help = "\
-Example:
-  lcplab generate fathi --n 8 | lcplab solve - --solver murty
-  lcplab generate manufactured --n 100 --seed 7 --set rank=0.5 --out singular.json
-
-The key \"expected\" of the file holds the exact solutions, where they are known.")]
-pub struct Generate {
-    /// A family that `problems` lists
-    name: String,
-    /// The parameter n
-    #[arg(long, allow_negative_numbers = true)]
-    n: Option<f64>,
-    /// The seed of the random numbers
-    #[arg(long, allow_negative_numbers = true)]
-    seed: Option<f64>,
-    /// Any parameter, as NAME=VALUE
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
-    /// The file [default: standard output]
-    #[arg(long)]
-    out: Option<PathBuf>,
-}
-
-impl Generate {
-    pub fn run(&self) -> Result<Outcome> {
-        let named = [("n", self.n), ("seed", self.seed)];
-        let named = named.into_iter().filter_map(|(name, value)| Some((name, value?)));
-        let set = self.set.iter().map(|(name, value)| (name.as_str(), *value));
-        let values: Vec<(&str, f64)> = named.chain(set).collect();
-        let problem = library::by_name(&self.name)?.generate(&values)?;
-        let text = format!("{}\n", problem.to_json());
-        match &self.out {
-            Some(path) => file::write(path, &text)?,
-            None => print(&text)?,
-        }
-        Ok(Outcome::Good)
-    }
 }
 
 fn assignment(text: &str) -> std::result::Result<(String, f64), String> {

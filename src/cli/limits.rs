@@ -23,18 +23,21 @@ const PATIENCE: Duration = GRACE.saturating_mul(2);
 /// How long a command may take.
 #[derive(Debug, Args)]
 pub struct TimeLimit {
-    /// Stop after so many seconds; what was computed by then is written
+    /// Stop after this time and write what was computed
     #[arg(long, global = true, value_name = "SECONDS", value_parser = seconds)]
     time_limit: Option<Duration>,
 }
 
 /// How much memory a command may use.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Copy, Args)]
 pub struct MemoryLimit {
     /// Memory limit for any single object: a problem, a matrix, a factor, a recording
     #[arg(long, value_name = "SIZE", default_value = "4GB")]
     pub max_memory: Memory,
 }
+
+/// What helps where something is larger than the limit.
+pub const RAISE_MEMORY: &str = " (raise it with --max-memory)";
 
 /// The end of a command's time.
 pub struct Limits {

@@ -5,51 +5,71 @@ use std::path::PathBuf;
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::live::PAGES;
+use lcplab::live::{PAGES, Page};
 
 use super::{Outcome, folder_of, print};
 
-/// Write a live page: drag a problem, step through methods
+/// Write a live page, on which you drag a problem and step through methods
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab live                  # the list of pages
+  lcplab live                  # lists the pages
   lcplab live two_rows --open
   lcplab live stack --out lecture
+  lcplab live --all --out live # where the links of the notebooks look for them
 
-A page needs no network and no server: the solvers are in it, compiled to WebAssembly. Its address keeps
-what it shows, so that it can be sent to others.")]
+A page needs no network and no server: it contains the solvers, compiled to WebAssembly. Its address stores \
+the problem and the settings, so that you can send it to others.
+
+Exit code 0: written. Exit code 2: bad input or usage.")]
 pub struct Live {
-    /// The name of a page
+    /// Name of a page [default: list the pages]
     page: Option<String>,
-    /// Show it in the browser
+    /// Write all pages
+    #[arg(long, conflicts_with = "page")]
+    all: bool,
+    /// Open the page in the browser
     #[arg(long, requires = "page")]
     open: bool,
-    /// Folder to write it into [default: reports/live]
+    /// Folder [default: reports/live]
     #[arg(long)]
     out: Option<PathBuf>,
 }
 
 impl Live {
     pub fn run(&self) -> Result<Outcome> {
-        let Some(name) = &self.page else {
-            let lines = PAGES.iter().map(|page| format!("{:<10} {}\n", page.name, page.about));
-            print(&lines.collect::<String>())?;
-            return Ok(Outcome::Good);
-        };
-        let page = PAGES.iter().find(|page| page.name == name).ok_or_else(|| Error::Unknown {
-            kind: "live page",
-            name: name.clone(),
-            known: PAGES.iter().map(|page| page.name.to_string()).collect(),
-        })?;
-        let folder = folder_of(self.out.as_deref(), "reports", "live")?;
-        let file = format!("{name}.html");
-        file::write_in(&folder, &file, page.text())?;
-        let path = folder.join(file);
-        if self.open {
-            open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
+        match &self.page {
+            None if self.all => PAGES.iter().try_for_each(|page| self.write(page).map(drop))?,
+            None => print(&list())?,
+            Some(name) => {
+                let path = self.write(by_name(name)?)?;
+                if self.open {
+                    open::that(&path).map_err(|cause| Error::file(&path, &cause))?;
+                }
+            }
         }
-        print(&format!("{}\n", path.display()))?;
         Ok(Outcome::Good)
     }
+
+    /// Writes a page and prints its path.
+    fn write(&self, page: &Page) -> Result<PathBuf> {
+        let folder = folder_of(self.out.as_deref(), "reports", "live")?;
+        let file = format!("{}.html", page.name);
+        file::write_in(&folder, &file, page.text())?;
+        let path = folder.join(file);
+        print(&format!("{}\n", path.display()))?;
+        Ok(path)
+    }
+}
+
+fn list() -> String {
+    PAGES.iter().map(|page| format!("{:<10} {}\n", page.name, page.about)).collect()
+}
+
+fn by_name(name: &str) -> Result<&'static Page> {
+    PAGES.iter().find(|page| page.name == name).ok_or_else(|| Error::Unknown {
+        kind: "live page",
+        name: name.into(),
+        known: PAGES.iter().map(|page| page.name.to_string()).collect(),
+    })
 }

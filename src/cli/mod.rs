@@ -1,11 +1,11 @@
 //! The command line: the commands, one a file, and their exit codes.
 
 mod chapter;
+mod compare;
 mod convert;
 mod diagnose;
 mod engines;
 mod explain;
-mod families;
 mod form;
 mod friction;
 mod grid;
@@ -20,19 +20,18 @@ mod options;
 mod pdf;
 mod plugin;
 mod problem;
-mod profile;
 mod proof;
+mod renamed;
 mod report;
 mod scene;
 mod search;
 mod shell;
 mod trace;
-mod verify;
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use lcplab::error::{Error, Result};
 use lcplab::file;
@@ -42,26 +41,26 @@ use lcplab::memory::Memory;
 use lcplab::report::text::printable;
 use lcplab::solver::Reason;
 
-use limits::{Limits, TimeLimit, outlive_file_size_limit};
+use limits::{Limits, RAISE_MEMORY, TimeLimit, outlive_file_size_limit};
 
-/// Solve, judge and compare contact problems of rigid bodies.
+/// Solve contact problems of rigid bodies, check the answers, and explain what goes wrong.
 #[derive(Debug, Parser)]
 #[command(name = "lcplab", version, max_term_width = 100, arg_required_else_help = true)]
 #[command(after_help = "\
 Example:
-  lcplab report                              # the standard report
+  lcplab report                        # the standard report
   lcplab simulate stack
   lcplab export stack --step 50 --out stack.json; lcplab solve stack.json
-  lcplab solve problem.mtx                   # a problem from elsewhere
-  lcplab convert stack.json stack.npz        # and one for elsewhere
+  lcplab solve problem.mtx             # a problem of another program
+  lcplab convert stack.json stack.npz  # a problem for another program
 
 Exit codes:
-  0    good: solved, accepted, written
-  1    not good: refuted, failed or diverged, a check of verify that fails, or stopped by the time limit
+  0    good: solved, accepted, or written
+  1    rejected, failed, diverged, or stopped by the time limit
   2    bad input or usage, or a file that cannot be read or written
-  130  stopped by Ctrl-C, or by SIGTERM where there is one
+  130  stopped by Ctrl-C or SIGTERM
 
-After 1 and 130 what was computed is written. Each command has --help with an example.")]
+A command that is stopped writes what it has computed. Each command has --help with an example.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -78,12 +77,10 @@ enum Command {
     Prove(proof::Prove),
     Check(proof::Check),
     Problems(library::Problems),
-    Generate(library::Generate),
     Convert(convert::Convert),
     Scenes(scene::Scenes),
     Simulate(scene::Simulate),
-    Compare(scene::Compare),
-    CompareSolvers(families::CompareSolvers),
+    Compare(compare::Compare),
     Export(scene::Export),
     Explain(explain::Explain),
     Diagnose(diagnose::Diagnose),
@@ -91,7 +88,6 @@ enum Command {
     Lesson(lesson::Lesson),
     Exercise(lesson::Answer),
     Live(live::Live),
-    Verify(verify::Verify),
     Hunt(hunt::Challenge),
     #[command(hide = true)]
     Completions(shell::Completions),
@@ -99,27 +95,13 @@ enum Command {
     Manual(shell::Manual),
 }
 
-/// The commands as the help lists them: the most used of each group first.
-const GROUPS: [(&str, &[&str]); 4] = [
-    (
-        "Problems",
-        &[
-            "solve",
-            "judge",
-            "prove",
-            "check",
-            "diagnose",
-            "explain",
-            "compare-solvers",
-            "hunt",
-            "problems",
-            "generate",
-            "convert",
-        ],
-    ),
-    ("Scenes", &["simulate", "compare", "scenes", "export", "verify"]),
-    ("Learn", &["lesson", "exercise", "live", "chapter"]),
-    ("Reports", &["report", "grid"]),
+/// The commands as the help lists them: first those that most people need.
+const GROUPS: [(&str, &[&str]); 5] = [
+    ("Most used", &["solve", "judge", "diagnose", "hunt", "simulate", "report", "lesson"]),
+    ("Problems", &["compare", "explain", "prove", "check", "problems", "convert"]),
+    ("Scenes", &["scenes", "export"]),
+    ("Learn", &["exercise", "live", "chapter"]),
+    ("Series of runs", &["grid"]),
 ];
 
 /// The command line with its commands in groups.
@@ -167,7 +149,19 @@ fn code(reason: Reason) -> u8 {
 /// Runs the command line of these arguments, the program's name first, and returns the exit code; at once where they
 /// are for help or cannot be used.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let matches = grouped(Cli::command()).get_matches_from(arguments);
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let words: Vec<String> =
+        arguments.iter().map(|word| word.to_string_lossy().into_owned()).collect();
+    let matches = match grouped(Cli::command()).try_get_matches_from(arguments) {
+        Ok(matches) => matches,
+        Err(error) => match renamed::instead(&error, &words) {
+            Some(new) => {
+                say(&format!("error: {new}"));
+                return 2;
+            }
+            None => error.exit(),
+        },
+    };
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     outlive_file_size_limit();
     let limits = Limits::begin(&cli.time);
@@ -179,12 +173,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Prove(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Problems(command) => command.run(),
-        Command::Generate(command) => command.run(),
         Command::Convert(command) => command.run(),
         Command::Scenes(command) => command.run(),
         Command::Simulate(command) => command.run(&limits),
         Command::Compare(command) => command.run(&limits),
-        Command::CompareSolvers(command) => command.run(&limits),
         Command::Export(command) => command.run(&limits),
         Command::Explain(command) => command.run(),
         Command::Diagnose(command) => command.run(),
@@ -192,7 +184,6 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Lesson(command) => command.run(),
         Command::Live(command) => command.run(),
         Command::Exercise(command) => command.run(),
-        Command::Verify(command) => command.run(),
         Command::Hunt(command) => command.run(&limits),
         Command::Completions(command) => command.run(),
         Command::Manual(command) => command.run(),
@@ -205,9 +196,20 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             outcome.code()
         }
         Err(error) => {
-            say(&format!("error: {error}"));
+            say(&format!("error: {error}{}", hint(&error, &matches)));
             2
         }
+    }
+}
+
+/// The option that helps against an error, if the command has one.
+fn hint(error: &Error, matches: &ArgMatches) -> &'static str {
+    let has_limit = matches
+        .subcommand()
+        .is_some_and(|(_, command)| command.ids().any(|id| id.as_str() == "max_memory"));
+    match error {
+        Error::TooLarge { .. } if has_limit => RAISE_MEMORY,
+        _ => "",
     }
 }
 

@@ -20,7 +20,7 @@ pub struct SolverArgs {
     /// Largest scaled residual that counts as solved
     #[arg(long, allow_negative_numbers = true, default_value_t = Settings::default().tolerance)]
     tolerance: f64,
-    /// Most sweeps or pivots
+    /// Maximum number of sweeps or pivots
     #[arg(long, visible_alias = "sweeps", default_value_t = Settings::default().max_iterations)]
     max_iterations: usize,
     #[command(flatten)]
@@ -30,7 +30,7 @@ pub struct SolverArgs {
 }
 
 /// Options that only some solvers look at; one that no solver of the command does is refused.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Copy, Args)]
 pub struct Choices {
     /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3; a scene has its own]
     #[arg(long, allow_negative_numbers = true)]
@@ -41,7 +41,7 @@ pub struct Choices {
     /// Seed of --order shuffled [default: 1; a scene has its own]
     #[arg(long)]
     pub seed: Option<u64>,
-    /// Length of jacobi's steps, above 0 and below 2 [default: safe for every semidefinite A]
+    /// Step length of jacobi, above 0 and below 2 [default: convergent for every semidefinite A]
     #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,
 }
@@ -58,6 +58,22 @@ pub enum RowOrder {
 }
 
 impl SolverArgs {
+    /// Settings of which those that are absent have their usual values.
+    pub fn new(
+        tolerance: Option<f64>,
+        max_iterations: Option<usize>,
+        memory: MemoryLimit,
+        choices: Choices,
+    ) -> Self {
+        let usual = Settings::default();
+        SolverArgs {
+            tolerance: tolerance.unwrap_or(usual.tolerance),
+            max_iterations: max_iterations.unwrap_or(usual.max_iterations),
+            memory,
+            choices,
+        }
+    }
+
     /// The options for these solvers.
     pub fn options(&self, solvers: &[Method]) -> Result<Options> {
         let settings = Settings {

@@ -26,16 +26,16 @@ impl Browser {
             places.flat_map(|at| NAMES.map(|name| at.join(format!("{name}{EXE_SUFFIX}"))));
         programs.into_iter().find(|program| program.is_file()).map(Browser).ok_or_else(|| {
             let reason = format!("has none of {}, one of which prints the page", NAMES.join(", "));
-            Error::invalid("--pdf", "PATH", reason)
+            Error::invalid("--out", "PATH", reason)
         })
     }
 
-    /// Prints a page to `report.pdf` beside it; returns the path of that.
+    /// Prints a page to a file.
     ///
     /// # Errors
     /// If the page cannot be read, or the browser does not print it.
-    pub fn print(&self, page: &Path) -> Result<PathBuf> {
-        file::make_in(&file::folder_of(page), "report.pdf", |part| self.print_to(part, page))
+    pub fn print(&self, page: &Path, pdf: &Path) -> Result<()> {
+        file::made_by(pdf, |part| self.print_to(part, page))
     }
 
     /// Prints an SVG picture to a page of its size.

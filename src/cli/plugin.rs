@@ -11,11 +11,11 @@ use super::say;
 /// Programs that solve problems.
 #[derive(Debug, Args)]
 pub struct Plugins {
-    /// A command that reads problems and writes answers, as docs/plugins.md says: "python3 mine.py" is
-    /// named mine, "NAME=COMMAND" as it says; may be given more than once
+    /// Run this command as a solver (repeatable): it reads problems and writes answers, see docs/plugins.md.
+    /// It is named after its file, or NAME=COMMAND
     #[arg(long, value_name = "COMMAND")]
     plugin: Vec<String>,
-    /// An answer of a plug-in must come within so many seconds
+    /// Time limit for each answer of a plug-in
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0)]
     plugin_time_limit: f64,
 }
@@ -53,7 +53,7 @@ impl Plugins {
 /// Programs that a file declares.
 #[derive(Debug, Args)]
 pub struct Declared {
-    /// Run the commands under [plugins] in the file; they are printed first
+    /// Run the commands that the file lists under [plugins]; they are printed first
     #[arg(long)]
     allow_plugins: bool,
 }

@@ -20,7 +20,7 @@ use lcplab::trace::Convergence;
 use serde_json::Value;
 
 use super::friction;
-use super::limits::Limits;
+use super::limits::{Limits, RAISE_MEMORY};
 use super::options::SolverArgs;
 use super::plugin::Plugins;
 use super::proof;
@@ -32,35 +32,36 @@ const NAME: usize = 200;
 /// Rows of x and w that are printed at most.
 const PRINTED_ROWS: usize = 40;
 
-/// Solve a problem file and have the answer judged
+/// Solve a problem file; the judge checks the answer
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  echo '{\"A\": {\"dense\": [[2, -1], [-1, 2]]}, \"b\": [-1, 2]}' | lcplab solve - --solver dantzig
-  lcplab generate pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
-  lcplab generate stack | lcplab solve - --solver pgs --order shuffled --seed 7
-  lcplab solve problem.mtx        # and problem_b.mtx beside it; any format of `convert --list`
+  echo '{\"A\": {\"dense\": [[2, -1], [-1, 2]]}, \"b\": [-1, 2]}' | lcplab solve -
+  lcplab problems pushed-rod | lcplab solve - --model coulomb-cone --solver cone-pgs
+  lcplab problems stack | lcplab solve - --solver pgs --order shuffled --seed 7
+  lcplab solve problem.mtx        # reads problem_b.mtx, too; any format of `convert --list`
   lcplab solve stack.json --solver sor --omega 1.7 --trace trace.csv --plot trace.svg
-  lcplab solve problem.json --plugin \"python3 mine.py\"     # a solver of yours, in any language
+  lcplab solve problem.json --plugin \"python3 mine.py\"   # your own solver, in any language
 
-A problem with friction rows is solved as it stands, as a coupled box, unless --model, the key
-\"model\" of the file or a solver for cones says otherwise. Exit code 0 if the judge accepts the answer, 1 if not, 2 for bad input.")]
+Friction rows are solved as a coupled box unless --model, the key \"model\" of the file, or a solver for \
+friction cones says otherwise.
+
+Exit code 0: the judge accepts the answer. Exit code 1: it does not. Exit code 2: bad input or usage.")]
 pub struct Solve {
-    /// The problem: JSON, or another format by its ending; - reads JSON from standard input
+    /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,
-    /// The name of a solver [default: the methods that suit the problem, one after the other until
-    /// one solves it; for symmetric A dantzig first, lemke for any other, apgd or cone-pgs for
-    /// cones]
+    /// Solver [default: a sequence of methods until one succeeds; it begins with dantzig for symmetric A, with
+    /// lemke for other A, and with apgd or cone-pgs for friction cones]
     #[arg(long)]
     solver: Option<String>,
-    /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
-    /// coulomb-cone [default: the file's]
+    /// Friction model: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone, coulomb-cone
+    /// [default: the file's]
     #[arg(long)]
     model: Option<Model>,
-    /// Prove problems of up to 150 rows exactly, not only of up to 50
+    /// Try an exact proof for up to 150 rows instead of 50
     #[arg(long)]
     exact: bool,
-    /// Write the strongest proof that there is, as prove does
+    /// Write the strongest proof to this file, as `prove` does
     #[arg(long, value_name = "FILE")]
     proof: Option<PathBuf>,
     /// Print one JSON object
@@ -141,7 +142,11 @@ impl Solve {
                 (word, message) if word == message => message,
                 (word, message) => format!("{word}: {message}"),
             };
-            text += &format!("status     {status}, {iterations} iterations\n");
+            let hint = match answer.solution.status {
+                Status::TooLarge { .. } => RAISE_MEMORY,
+                _ => "",
+            };
+            text += &format!("status     {status}{hint}, {iterations} iterations\n");
             if let Some(fallback) = answer.solution.fallback {
                 text += &format!("fallback   {fallback}\n");
             }

@@ -16,33 +16,36 @@ use serde_json::json;
 use super::limits::MemoryLimit;
 use super::{Outcome, print, read_problem, say};
 
-/// Prove what can be proved about a problem, in exact arithmetic, as a file that others can check
+/// Write the strongest proof about a problem, in exact arithmetic, as a file that others can check
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   lcplab export incline --out incline.json
   lcplab prove incline.json --out proof.json
   lcplab check incline.json proof.json
-  python3 proofs/lcpcheck.py incline.json proof.json     # by a program that shares nothing with lcplab
-  lcplab prove incline.json --out proof.html             # a page with a button that checks it
-  lcplab prove tower.json --kind motion                  # how far the answer's motion is from the exact one
+  python3 proofs/lcpcheck.py incline.json proof.json   # a checker that shares no code with lcplab
+  lcplab prove incline.json --out proof.html           # a page with a button that checks it
+  lcplab prove tower.json --kind motion   # a bound on the difference to the exact motion
 
-The strongest kind that holds is written: no-solution, unique, not-unique, solution, motion, within; which
-stronger ones do not hold, and why, is printed. docs/proofs.md says what each proves, and of what. Proofs are about
-boxes: of a problem whose friction model is a polygon or a cone, only no-solution can be proved. Exit code 1 if there is
-no proof of a box, as of an answer whose residual is not finite; 2 if there is none of another model, and for bad input.")]
+From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, motion, within. \
+The first that holds is written; for the stronger ones the output says why they do not hold. docs/proofs.md \
+says what each kind proves. Proofs are about boxes: under a polygon or a friction cone only no-solution can \
+be proved.
+
+Exit code 0: a proof is written. Exit code 1: nothing can be proved, for example if the residual is not \
+finite. Exit code 2: bad input or usage, or no proof under this friction model.")]
 pub struct Prove {
-    /// A problem file, or - for standard input
+    /// Problem file in the format of its extension; - reads JSON from standard input
     problem: PathBuf,
-    /// An answer to begin with, a JSON object with x; without it the problem is solved first
+    /// Answer to start from, a file with the key x [default: solve the problem first]
     answer: Option<PathBuf>,
-    /// Friction model to prove something of [default: the file's]
+    /// Friction model [default: the file's]
     #[arg(long)]
     model: Option<Model>,
-    /// Prove this kind: one of those below, or frozen-motion, which takes the friction limits of the answer
+    /// Prove only this kind: one of those below, or frozen-motion, motion with the friction limits of the answer
     #[arg(long)]
     kind: Option<Kind>,
-    /// The file to write, or a page if it ends in .html; standard output without it
+    /// File to write; a page if it ends in .html [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -54,15 +57,16 @@ pub struct Prove {
 #[command(after_help = "\
 Example:
   lcplab check problem.json proof.json
-  lcplab check cone.json proof.json --model coupled-box     # a proof of prove --model coupled-box
+  lcplab check cone.json proof.json --model coupled-box   # written with --model coupled-box
 
-Exit code 1 if the proof proves nothing of this problem; 2 if it is no proof file.")]
+Exit code 0: the proof is valid. Exit code 1: it proves nothing about this problem. Exit code 2: it is not a \
+proof file.")]
 pub struct Check {
     /// A problem file
     problem: PathBuf,
-    /// A proof file, as prove writes it
+    /// Proof file, as `prove` writes it
     proof: PathBuf,
-    /// Friction model that the proof must be about [default: the file's]
+    /// Friction model [default: the file's]
     #[arg(long)]
     model: Option<Model>,
     /// Print one JSON object

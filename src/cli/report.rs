@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lcp::exchange;
 use lcplab::lesson::Program;
 use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::{self, Experiment, SHIPPED};
@@ -25,85 +24,70 @@ use crate::handout::ALL;
 /// The walk through the chapter.
 const HANDOUT: &Program = &ALL[0];
 
+/// What `--print` calls the schema of report files.
+const SCHEMA: &str = "schema";
+
 /// The report that draws what physics engines did.
 const ENGINES: &str = "engines";
 
-/// Run a report and write its page
+/// Run a report: a list of studies, written as a page with figures and tables
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  lcplab report                # writes reports/standard/index.html
-  lcplab report chapter        # the chapter, walked through with everything computed
-  lcplab report solvers --pdf  # all solvers on all families of problems; and report.pdf
-  lcplab report --print standard > mine.toml   # a start for a report of your own
-  lcplab report mine.toml --out mine
-  lcplab report frames/*.json --solver pgs --sweeps 10   # problems of your own: what is missing, who solves them
-  lcplab report engines --engine mujoco,rapier # engines that are installed, run on this machine
-  lcplab report --proofs       # with proof files, and buttons on the page that check them
-  lcplab report --section convergence          # one section of the standard report
-  lcplab report --section convergence --figure convergence_chain --out chain.pdf   # one figure alone
-  lcplab report --redraw reports/standard      # the page again, nothing is solved
-  lcplab report --compare before/results.json after/results.json
+  lcplab report                        # writes reports/standard/index.html
+  lcplab report --list                 # the shipped reports, and what a report file can contain
+  lcplab report verification --list    # a line per closed form, on the terminal
+  lcplab report chapter                # the chapter with everything computed
+  lcplab report solvers --out solvers.pdf
+  lcplab report --print standard > mine.toml; lcplab report mine.toml --out mine
+  lcplab report mine/results.json      # draws the page again without solving
+  lcplab report --section convergence --figure convergence_chain --out chain.pdf
+  lcplab report --compare before/results.json after/results.json 1e-9
+  lcplab report engines --engine mujoco,rapier
 
-The folder gets index.html, which needs no network, results.json, and the data of every figure and
-table. results.json grows while the report runs; a run that was stopped goes on from it. Exit code 1 if a known number is missed or a solver's claim is refuted, if a study fails, if the
-solver leaves something of problem files undone, or if compared results differ, 2 for bad input.")]
+The folder gets index.html, which needs no network, results.json, and the data of every figure and table. \
+results.json grows while the report runs: a run that was stopped continues from it. Delete it to start over. \
+Results are identical for any number of threads.
+
+Your own problem files: `diagnose FOLDER` explains what a solver leaves unsolved, `compare FILES` compares \
+solvers on them, and a report file with the studies `frames` and `profiles` makes a page of both.
+
+Exit code 0: every section passes. Exit code 1: a section or a task fails, or compared results differ. \
+Exit code 2: bad input or usage.")]
 pub struct Report {
-    /// A report file, the name of a shipped report, or problem files, folders and patterns of them
-    #[arg(default_value = "standard")]
-    report: Vec<String>,
-    /// Of problem files: the solver whose answers are examined
-    #[arg(long, default_value = "pgs")]
-    solver: String,
-    /// Of problem files: most sweeps or pivots of that solver
-    #[arg(long, visible_alias = "sweeps", default_value_t = 10)]
-    max_iterations: usize,
-    /// List the shipped reports and the kinds of studies that a report file can ask for
-    #[arg(long, conflicts_with_all = ["redraw", "compare"])]
+    /// A report file, the name of a shipped report, or the results.json of a report to draw again
+    #[arg(value_name = "REPORT")]
+    report: Option<String>,
+    /// With a report: print its tables on the terminal and write no files. Without: list the shipped reports
+    /// and the kinds of studies
+    #[arg(long, conflicts_with_all = ["compare", "out"])]
     list: bool,
-    /// Print the file of a shipped report, as a start for one of your own
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["redraw", "compare"])]
+    /// Print the file of a shipped report, to start your own from; or schema, the JSON schema of report files
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["report", "list", "compare"])]
     print: Option<String>,
-    /// Print the JSON schema of report files
-    #[arg(long, conflicts_with_all = ["redraw", "compare"])]
-    schema: bool,
-    /// Draw the page of a folder with results.json again
-    #[arg(long, value_name = "FOLDER", conflicts_with = "compare")]
-    redraw: Option<PathBuf>,
-    /// List what differs between two results files, times aside
-    #[arg(long, num_args = 2, value_names = ["OLD", "NEW"])]
-    compare: Vec<PathBuf>,
-    /// Relative difference of numbers that --compare lets pass
-    #[arg(long, allow_negative_numbers = true, default_value_t = 0.0, requires = "compare")]
-    tolerance: f64,
-    /// Run one section alone, by its id: the study's name, or the anchor in the page's address
-    #[arg(long, value_name = "ID")]
+    /// List the differences between two results files other than times. Numbers pass if they differ by at
+    /// most TOLERANCE, relative to the larger one [default: 0]
+    #[arg(long, num_args = 2..=3, value_names = ["OLD", "NEW", "TOLERANCE"])]
+    compare: Vec<String>,
+    /// Run only this section, given by its id: the name of the study, or the anchor in the address of the page
+    #[arg(long, value_name = "ID", conflicts_with = "compare")]
     section: Option<String>,
-    /// Write one figure alone, by its id, to the file of --out: .svg, .pdf, or its numbers as .csv. With --redraw nothing
-    /// is computed; with --section only that section is
-    #[arg(long, value_name = "ID", requires = "out", conflicts_with_all = ["compare", "pdf", "proofs"])]
+    /// Write only this figure, given by its id, to the file of --out: .svg, .pdf, or its data as .csv
+    #[arg(long, value_name = "ID", requires = "out", conflicts_with_all = ["compare", "proofs"])]
     figure: Option<String>,
-    /// Start over even if an interrupted run has left results to go on from
-    #[arg(long)]
-    fresh: bool,
-    /// Difference of numbers that --compare lets pass, whatever their size
-    #[arg(long, allow_negative_numbers = true, default_value_t = 0.0, requires = "compare")]
-    absolute: f64,
-    /// Folder of the report [default: reports/NAME]
-    #[arg(long)]
+    /// Folder of the report [default: reports/NAME]; or a .pdf file, to which a Chromium or Chrome on the PATH
+    /// prints the page
+    #[arg(long, conflicts_with = "compare")]
     out: Option<PathBuf>,
-    /// Threads to use; the results are the same for any number
+    /// Number of threads
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
-    /// Print the page to report.pdf beside it too, by a Chromium or Chrome that is on the PATH
-    #[arg(long, conflicts_with = "compare")]
-    pdf: bool,
-    /// Prove what the rows about single problems say, and let the page check it
-    #[arg(long, conflicts_with = "compare")]
+    /// Write a proof file for each row that shows the verdict on one problem; a button on the page checks it
+    #[arg(long, conflicts_with_all = ["compare", "list"])]
     proofs: bool,
-    /// Of the report engines: run these physics engines first, with commas between them, or all that are installed, by
-    /// python3 -m lcplab.cards; without it the recorded page is drawn
-    #[arg(long, value_name = "NAMES|all", conflicts_with_all = ["redraw", "compare", "section"])]
+    /// For the report engines: first run these installed physics engines, separated by commas, or all
+    /// [default: draw the recorded results]
+    #[arg(long, value_name = "NAMES|all", conflicts_with_all = ["compare", "section"])]
     engine: Option<String>,
     #[command(flatten)]
     plugins: Declared,
@@ -111,35 +95,54 @@ pub struct Report {
 
 impl Report {
     pub fn run(&self, limits: &Limits) -> Result<Outcome> {
-        if self.list {
+        if self.list && self.report.is_none() {
             return list();
         }
         if let Some(name) = &self.print {
-            print(experiment::shipped(name, "shipped report")?)?;
+            print(&printed(name)?)?;
             return Ok(Outcome::Good);
         }
-        if self.schema {
-            print(&format!("{}\n", experiment::schema()))?;
-            return Ok(Outcome::Good);
+        if let [old, new, tolerance @ ..] = &self.compare[..] {
+            return changes(Path::new(old), Path::new(new), tolerance.first());
         }
-        if let [old, new] = &self.compare[..] {
-            return self.changes(old, new);
-        }
-        let browser = self.pdf.then(Browser::find).transpose()?;
+        let browser = self.pdf().map(|_| Browser::find()).transpose()?;
         let record =
             match self.engine.as_ref().map(|names| self.engines(names, limits)).transpose()? {
                 Some(Err(reason)) => {
-                    say("the engines were stopped, and what they did is lost");
+                    say("the engines were stopped, and their results are lost");
                     return Ok(Outcome::Stopped(reason));
                 }
                 Some(Ok(record)) => Some(record),
                 None => None,
             };
         let (outcome, page) = self.page(record.as_deref(), limits)?;
-        if let Some(browser) = browser {
-            print(&format!("{}\n", browser.print(&page)?.display()))?;
+        if let (Some(browser), Some(pdf), Some(page)) = (browser, self.pdf(), page) {
+            browser.print(&page, pdf)?;
+            print(&format!("{}\n", pdf.display()))?;
         }
         Ok(outcome)
+    }
+
+    /// The report that was asked for.
+    fn name(&self) -> &str {
+        self.report.as_deref().unwrap_or("standard")
+    }
+
+    /// The folder that was asked for.
+    fn folder(&self) -> Option<&Path> {
+        let is_file = self.figure.is_some() || self.pdf().is_some();
+        self.out.as_deref().filter(|_| !is_file)
+    }
+
+    /// The file to which the page is to be printed.
+    fn pdf(&self) -> Option<&Path> {
+        let is_pdf = |path: &&Path| path.extension().is_some_and(|ending| ending == "pdf");
+        self.out.as_deref().filter(|_| self.figure.is_none()).filter(is_pdf)
+    }
+
+    /// Whether nothing but a figure or the terminal's tables is wanted.
+    fn is_without_page(&self) -> bool {
+        self.figure.is_some() || self.list
     }
 
     /// Runs engines; returns their record, or why they were stopped.
@@ -148,27 +151,26 @@ impl Report {
         names: &str,
         limits: &Limits,
     ) -> Result<std::result::Result<PathBuf, Reason>> {
-        if self.report != [ENGINES] {
-            let reason = format!("belongs to the report {ENGINES}, not to {}", self.report[0]);
+        if self.name() != ENGINES {
+            let reason = format!("belongs to the report {ENGINES}, not to {}", self.name());
             return Err(Error::invalid("report", "--engine", reason));
         }
-        let out = self.out.as_deref().filter(|_| self.figure.is_none());
-        engines::run(names, &folder_of(out, "reports", ENGINES)?, limits.stop())
+        engines::run(names, &folder_of(self.folder(), "reports", ENGINES)?, limits.stop())
     }
 
     /// Writes the page, of a record if there is one; returns how the report came out, and the page's path.
-    fn page(&self, record: Option<&Path>, limits: &Limits) -> Result<(Outcome, PathBuf)> {
-        if let Some(folder) = &self.redraw {
-            return self.shown(&read_results(folder)?, folder);
+    fn page(&self, record: Option<&Path>, limits: &Limits) -> Result<(Outcome, Option<PathBuf>)> {
+        if self.name() == HANDOUT.name {
+            return self.handout();
         }
-        let mut experiment = match &self.report[..] {
-            [name] if name == HANDOUT.name => return self.handout(),
-            [name] if !is_of_problems(name) => Experiment::load(name)?,
-            names => Experiment::of_problems(names, &self.solver, self.max_iterations)?,
-        };
-        let _running = self.plugins.start(&self.report[0], &experiment.plugins)?;
-        let out = self.out.as_deref().filter(|_| self.figure.is_none());
-        let mut folder = folder_of(out, "reports", &experiment.name)?;
+        let path = Path::new(self.name());
+        if path.file_name().is_some_and(|name| name == write::RESULTS) {
+            let beside = file::folder_of(path);
+            return self.shown(&read_results(path)?, self.folder().unwrap_or(&beside));
+        }
+        let mut experiment = Experiment::load(self.name())?;
+        let _running = self.plugins.start(self.name(), &experiment.plugins)?;
+        let mut folder = folder_of(self.folder(), "reports", &experiment.name)?;
         if let Some(record) = record {
             experiment = of_record(record)?;
         }
@@ -180,15 +182,15 @@ impl Report {
             // Fails only if the pool exists already, which nothing before this has made.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
-        let is_alone = self.figure.is_some();
-        if !is_alone {
+        let is_without_page = self.is_without_page();
+        if !is_without_page {
             write::WRITTEN.iter().try_for_each(|name| file::inside(&folder, name).map(drop))?;
         }
         let begun = || interrupted(&folder.join(write::RESULTS));
-        let earlier = if self.fresh || is_alone { None } else { begun() };
+        let earlier = if is_without_page { None } else { begun() };
         experiment.command = Some(self.command());
         let progress = bar(0, "");
-        let save = |results: &Results| match is_alone {
+        let save = |results: &Results| match is_without_page {
             true => Ok(()),
             false => write::results(results, &folder),
         };
@@ -205,15 +207,11 @@ impl Report {
     /// The command that makes this page again, wherever it is run from the same folder.
     fn command(&self) -> String {
         let mut words = vec!["lcplab".to_string(), "report".into()];
-        words.extend(self.report.iter().map(|name| shell_word(name)));
-        if is_of_problems(&self.report[0]) {
-            words.extend(["--solver".into(), shell_word(&self.solver)]);
-            words.extend(["--sweeps".into(), self.max_iterations.to_string()]);
-        }
+        words.extend(self.report.as_deref().map(shell_word));
         if let Some(id) = &self.section {
             words.extend(["--section".into(), shell_word(id)]);
         }
-        if let Some(folder) = &self.out {
+        if let Some(folder) = self.folder() {
             words.extend(["--out".into(), shell_word(&folder.display().to_string())]);
         }
         if self.proofs {
@@ -226,13 +224,19 @@ impl Report {
         words.join(" ")
     }
 
-    /// Writes the page, with proofs if they are asked for, and prints the summary; or a figure alone.
-    fn shown(&self, results: &Results, folder: &Path) -> Result<(Outcome, PathBuf)> {
+    /// Writes the page, with proofs if they are asked for, and prints the summary; or a figure alone, or tables.
+    fn shown(&self, results: &Results, folder: &Path) -> Result<(Outcome, Option<PathBuf>)> {
         let mut document = view::document(results)?;
         if let (Some(id), Some(file)) = (&self.figure, &self.out) {
             alone(&document, id, file)?;
             print(&format!("{}\n", file.display()))?;
-            return Ok((Outcome::Good, file.clone()));
+            return Ok((Outcome::Good, None));
+        }
+        let outcome = if results.is_good()? { Outcome::Good } else { Outcome::Refuted };
+        if self.list {
+            document.tables.iter().try_for_each(|(_, table)| print(&text::table(table)))?;
+            print(&format!("{}\n", results.summary()?))?;
+            return Ok((outcome, None));
         }
         if self.proofs {
             let progress = bar(0, "proofs");
@@ -248,30 +252,47 @@ impl Report {
         }
         let page = write::document(&document, folder)?;
         print(&format!("{}\n{}\n", results.summary()?, page.display()))?;
-        Ok((if results.is_good()? { Outcome::Good } else { Outcome::Refuted }, page))
-    }
-
-    fn changes(&self, old: &Path, new: &Path) -> Result<Outcome> {
-        let tolerance = Tolerance { relative: self.tolerance, absolute: self.absolute };
-        let changes =
-            difference::between(&difference::read(old)?, &difference::read(new)?, tolerance);
-        if changes.is_empty() {
-            print("no difference\n")?;
-            return Ok(Outcome::Good);
-        }
-        print(&text::table(&difference::table(&changes)))?;
-        Ok(Outcome::Refuted)
+        Ok((outcome, Some(page)))
     }
 
     /// The report `chapter`: a notebook in the order of the chapter, run and written as one page.
-    fn handout(&self) -> Result<(Outcome, PathBuf)> {
-        let folder = folder_of(self.out.as_deref(), "reports", HANDOUT.name)?;
+    fn handout(&self) -> Result<(Outcome, Option<PathBuf>)> {
+        let option = self.list.then_some("--list").or(self.figure.is_some().then_some("--figure"));
+        if let Some(option) = option {
+            let reason = format!("the report {} is one page, without tables", HANDOUT.name);
+            return Err(Error::invalid("report", option, reason));
+        }
+        let folder = folder_of(self.folder(), "reports", HANDOUT.name)?;
         let path = file::inside(&folder, "index.html")?;
         let page = HANDOUT.page(&HANDOUT.run()?)?.render()?;
         file::write_in(&folder, "index.html", &page)?;
         print(&format!("{}\n", path.display()))?;
-        Ok((Outcome::Good, path))
+        Ok((Outcome::Good, Some(path)))
     }
+}
+
+/// The text that `--print` shows.
+fn printed(name: &str) -> Result<String> {
+    match name {
+        SCHEMA => Ok(format!("{}\n", experiment::schema())),
+        _ => experiment::shipped(name, "shipped report").map(String::from),
+    }
+}
+
+/// Lists the differences between two results files.
+fn changes(old: &Path, new: &Path, tolerance: Option<&String>) -> Result<Outcome> {
+    let relative = tolerance.map_or(Ok(0.0), |text| text.parse()).map_err(|_| {
+        let reason = format!("the tolerance {tolerance:?} is not a number");
+        Error::invalid("report", "--compare", reason)
+    })?;
+    let tolerance = Tolerance { relative, absolute: 0.0 };
+    let changes = difference::between(&difference::read(old)?, &difference::read(new)?, tolerance);
+    if changes.is_empty() {
+        print("no difference\n")?;
+        return Ok(Outcome::Good);
+    }
+    print(&text::table(&difference::table(&changes)))?;
+    Ok(Outcome::Refuted)
 }
 
 /// The report on engines that draws this record.
@@ -279,14 +300,6 @@ fn of_record(record: &Path) -> Result<Experiment> {
     let record = toml::Value::from(record.display().to_string());
     let text = format!("{}record = {record}\n", experiment::shipped(ENGINES, "report")?);
     Experiment::parse(&text, "engines.toml", ENGINES)
-}
-
-/// Whether a name is that of a problem file, or of a folder or a pattern of them; the name of a shipped report is none.
-fn is_of_problems(name: &str) -> bool {
-    let path = Path::new(name);
-    let is_shipped = SHIPPED.iter().any(|(shipped, _)| *shipped == name);
-    let is_pattern = name.contains('*') && !path.exists();
-    !is_shipped && (exchange::is_problem(path) || path.is_dir() || is_pattern)
 }
 
 /// What can be run, and what a report file can ask for.
@@ -303,10 +316,9 @@ fn list() -> Result<Outcome> {
     Ok(Outcome::Good)
 }
 
-/// The results of a folder.
-fn read_results(folder: &Path) -> Result<Results> {
-    let path = folder.join(write::RESULTS);
-    serde_json::from_value(difference::read(&path)?)
+/// The results in a file.
+fn read_results(path: &Path) -> Result<Results> {
+    serde_json::from_value(difference::read(path)?)
         .map_err(|cause| Error::invalid(path.display().to_string(), "results", cause.to_string()))
 }
 

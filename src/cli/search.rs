@@ -22,32 +22,31 @@ use super::{Outcome, bar, print, say, warn};
 /// What to look for, and where.
 #[derive(Debug, Args)]
 pub struct Quarry {
-    /// Search for the smallest problem on which the solver lies, fails, takes many iterations, is accepted far from
-    /// the exact solution, or takes many times the iterations of another: lie, failure, iterations, error, or
-    /// ratio A:B
+    /// Search for the smallest problem on which the solver makes a false claim (lie), fails (failure), takes many
+    /// iterations (iterations), is accepted far from the exact solution (error), or takes many times the
+    /// iterations of another solver (ratio A:B)
     #[arg(long, num_args = 1..=2, value_names = ["MEASURE", "A:B"])]
     measure: Vec<String>,
-    /// Rows of the problem
+    /// Number of rows
     #[arg(long, value_name = "LEAST..MOST", default_value = "1..6", value_parser = rows, requires = "measure")]
     n: RangeInclusive<usize>,
-    /// Only matrices of this class; every problem that is reported is in it, in exact arithmetic
-    /// [default: definite; with --from the narrowest class that those problems are in]
+    /// Class of the matrix, decided in exact arithmetic [default: definite; with --from the narrowest class of
+    /// the given problems]
     #[arg(long, value_enum, requires = "measure")]
     class: Option<Class>,
-    /// Only problems with friction: contacts with a normal and two tangents each
+    /// Only problems with friction: contacts with a normal and two tangents
     #[arg(long, requires = "measure")]
     friction: bool,
-    /// Begin with these problems: a file, a folder or a pattern (repeatable). What they show is made smaller, whatever
-    /// their size
+    /// Start from these problems: a file, a folder or a pattern (repeatable). Problems of any size are shrunk
     #[arg(long, value_name = "FILES", requires = "measure")]
     from: Vec<String>,
-    /// Problems to try before the best one is made smaller
+    /// Number of problems to try before the best one is shrunk
     #[arg(long, default_value_t = 20_000, requires = "measure")]
     evaluations: usize,
-    /// Search no further once the measure is so large
+    /// Stop searching when the measure reaches this value
     #[arg(long, value_name = "VALUE", requires = "measure")]
     at_least: Option<f64>,
-    /// Relaxation factor of sor and ssor [default: in a ratio the best of 25 for each problem, else 1.3]
+    /// Relaxation factor of sor and ssor [default: 1.3; in a ratio the best of 25 for each problem]
     #[arg(long, requires = "measure")]
     omega: Option<f64>,
     /// Write the problem to this file
@@ -72,9 +71,9 @@ pub struct Target<'a> {
 /// Classes of matrices that can be decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Class {
-    /// Whatever is found
+    /// No restriction
     Any,
-    /// Symmetric positive semidefinite, as of every scene
+    /// Symmetric positive semidefinite, as in every scene
     Semidefinite,
     /// Symmetric positive definite
     Definite,

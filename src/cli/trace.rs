@@ -17,10 +17,10 @@ const EIGENVALUE_ROWS: usize = 500;
 /// Where the iterates go.
 #[derive(Debug, Args)]
 pub struct Tracing {
-    /// Write the merits of each iterate as CSV
+    /// Write residuals and objective of each iterate as CSV
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
-    /// Draw them as SVG, with the rate that theory knows of pgs, sor and ssor
+    /// Plot the residuals of the iterates as SVG, for pgs, sor and ssor with the theoretical rate
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }

@@ -1,7 +1,7 @@
 //! The Python that says the same as a cell.
 
 /// The methods as the Python package has them.
-const TEXTBOOK: &str = include_str!("../../python/package/lcplab/textbook.py");
+const TEXTBOOK: &str = include_str!("textbook.py");
 
 /// The text as readers see it: `from lcplab.textbook import murty  # as follows` gives way to the program itself.
 pub(super) fn shown(python: &str) -> String {

@@ -1,16 +1,17 @@
 //! The live pages: what their module answers is what the native program answers, bit for bit, and their controls work.
-//! The variable LCPLAB_LIVE names the folder of pages that were built afresh.
+//! The variable LCPLAB_LIVE names a module that was built afresh.
 
-use std::path::Path;
-
+use lcplab::live::PAGES;
 use serde_json::{Value, json};
 
 use super::driver::Page;
 
 pub fn page(name: &str) -> Page {
-    let folder = std::env::var("LCPLAB_LIVE")
-        .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/live").into());
-    Page(std::fs::read_to_string(Path::new(&folder).join(format!("{name}.html"))).unwrap())
+    let page = PAGES.iter().find(|page| page.name == name).unwrap();
+    Page(match std::env::var_os("LCPLAB_LIVE") {
+        Some(module) => page.text_with(&std::fs::read(module).unwrap()),
+        None => page.text(),
+    })
 }
 
 /// Waits until the module answers, and listens to what is asked of it.

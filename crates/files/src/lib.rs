@@ -254,3 +254,7 @@ fn unknown_ending() -> String {
     let known: Vec<String> = ALL.iter().map(of).collect();
     format!("says no format; there are {}", known.join(", "))
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -202,3 +202,7 @@ fn searched(at: &Rows<'_>, within: Certificate) -> Certificate {
 fn is_near(x: &[f64], distance: f64) -> bool {
     distance <= NEAR * x.iter().fold(0.0, |most, x| f64::max(most, x.abs()))
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

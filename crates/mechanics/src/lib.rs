@@ -8,3 +8,7 @@ pub mod scene;
 pub mod simulation;
 
 pub use lcplab_bodies::{body, constraint};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

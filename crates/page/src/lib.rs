@@ -12,3 +12,7 @@ pub mod plot;
 pub mod text;
 
 pub use lcplab_problem::number;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -41,7 +41,7 @@ pub enum Error {
         defects: Vec<Defect>,
     },
     /// Something that would take more memory than it may.
-    #[error("{what} needs {}; the limit is {} (raise it with --max-memory)", size(*needs), size(*limit))]
+    #[error("{what} needs {}; the limit is {}", size(*needs), size(*limit))]
     TooLarge {
         /// What it is, with the sizes that make it large.
         what: String,

@@ -41,3 +41,7 @@ pub use lcp::Lcp;
 pub use matrix::{Dense, Matrix, Row, Sparse, dot};
 #[cfg(feature = "json")]
 pub use question::Question;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -42,3 +42,7 @@ pub use hash::{canonical_bytes, hash};
 pub use lcplab_judge::cases::Tree;
 pub use prove::{Found, prove, prove_kind};
 pub use residual::scaled as exact_residual;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -110,3 +110,7 @@ impl<'a> Start<'a> {
         x
     }
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

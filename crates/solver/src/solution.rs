@@ -154,7 +154,7 @@ impl fmt::Display for Status {
                 write!(f, "all active sets were tried, and none carries a solution")
             }
             Status::TooLarge { needs, limit } => {
-                write!(f, "needs {needs}; the limit is {limit} (raise it with --max-memory)")
+                write!(f, "needs {needs}; the limit is {limit}")
             }
             Status::OutsideClass { reason } => write!(f, "outside the solver's class: {reason}"),
             Status::NoAnswer { reason } => write!(f, "no answer: {reason}"),

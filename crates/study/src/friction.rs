@@ -185,7 +185,7 @@ impl Judged {
         }
         if self.contacts.len() > PRINTED {
             let more = self.contacts.len() - PRINTED;
-            text += &format!("        and {more} more contacts; --json prints all\n");
+            text += &format!("        and {more} more contacts; the JSON output has all\n");
         }
         text
     }

@@ -32,7 +32,7 @@ impl<T: Send + 'static> Tasks<T> {
         mut note: impl FnMut(T, R) -> Result<()>,
     ) -> Result<()> {
         let pool = ThreadPoolBuilder::new().num_threads(rayon::current_num_threads()).build();
-        let pool = pool.map_err(|cause| Error::invalid("--threads", "pool", cause.to_string()))?;
+        let pool = pool.map_err(|cause| Error::invalid("threads", "pool", cause.to_string()))?;
         let Tasks { together, alone, grace } = self;
         let asked = stop.clone();
         let ends = Aside::begin(stop, grace, move |sender| {

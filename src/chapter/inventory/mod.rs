@@ -39,7 +39,7 @@ pub struct Entry {
     #[serde(default)]
     pub errata: Vec<String>,
     /// Where the library has it: a module or item (`lcp::merit`), `scene fig7`, a command
-    /// (`lcplab verify`), `test solver::pgs`, `bench pivoting` or `example own_solver`.
+    /// (`lcplab report verification`), `test solver::pgs`, `bench pivoting` or `example own_solver`.
     #[serde(default)]
     pub code: Vec<String>,
     /// The lessons that teach it.

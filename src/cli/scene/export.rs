@@ -17,15 +17,18 @@ use crate::cli::{Outcome, print, say};
 Example:
   lcplab export stack --step 1 --out stack.json; lcplab solve stack.json
 
-Rows come in the order of the scene's constraints, then contacts, each as normal, first and second
-tangent. A step that solves several LCPs (an impact, a bounce) gives the last one.")]
+The rows are the scene's constraints in order, then the contacts, each with normal, first and second tangent. \
+A step that solves several LCPs (an impact, a bounce) gives the last one.
+
+Exit code 0: written. Exit code 1: the step cannot be reached, or it solves no LCP. Exit code 2: bad input or \
+usage.")]
 pub struct Export {
     #[command(flatten)]
     scene: SceneArgs,
-    /// The step, from 1
+    /// Number of the step, counted from 1
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     step: u64,
-    /// The file [default: standard output]
+    /// File to write [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
 }

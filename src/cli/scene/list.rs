@@ -13,20 +13,20 @@ use crate::cli::{Outcome, print};
 #[command(after_help = "\
 Example:
   lcplab scenes
-  lcplab scenes pendulum > mine.toml   # a start for a scene of your own
-  lcplab scenes stack --json           # every body written out, for another program
-  lcplab scenes --joints               # the constraints that it may have")]
+  lcplab scenes pendulum > mine.toml   # start your own scene from this one
+  lcplab scenes stack --json           # every body in full, for another program
+  lcplab scenes --joints               # the constraints that a scene can have")]
 pub struct Scenes {
     /// Print this scene's file
     name: Option<String>,
-    /// Print the scene, shipped or a file, as JSON with nothing left to work out: structures as bodies, a tilt
-    /// as gravity, and every mass, moment, quaternion and coefficient
+    /// Print a shipped scene or a scene file as JSON in full: each body of a structure, gravity instead of a
+    /// tilt, and every mass, moment of inertia, quaternion and coefficient
     #[arg(long, requires = "name")]
     json: bool,
     /// Print the JSON schema of the scene format
     #[arg(long, conflicts_with = "name")]
     schema: bool,
-    /// List the constraints that a scene can name, with their fields
+    /// List the constraints that a scene can have, with their fields
     #[arg(long, conflicts_with_all = ["name", "schema"])]
     joints: bool,
 }

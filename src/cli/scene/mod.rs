@@ -1,11 +1,9 @@
 //! Commands on a scene, one a file, and what they have in common: the scene, and what to change in it.
 
-mod compare;
 mod export;
 mod list;
 mod simulate;
 
-pub use compare::Compare;
 pub use export::Export;
 pub use list::Scenes;
 pub use simulate::Simulate;
@@ -21,50 +19,79 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Method, entry};
 
 use super::limits::MemoryLimit;
-use super::options::{Choices, RowOrder};
+use super::options::{Choices, RowOrder, SolverArgs};
 use super::plugin::Plugins;
 
 /// A scene, and what to change in it.
 #[derive(Debug, Args)]
-struct SceneArgs {
+pub struct SceneArgs {
     /// A scene file, or the name of a shipped scene
-    scene: String,
-    /// Time-stepping scheme [default: the scene's; of compare: both levels]
-    #[arg(long, value_parser = schemes())]
-    scheme: Option<Scheme>,
-    #[command(flatten)]
-    renamed: Renamed,
-    /// Solver [default: the scene's; of compare: all]
+    pub scene: String,
+    /// Solver [default: the scene's]
     #[arg(long)]
-    solver: Option<String>,
-    /// Model of friction: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
+    pub solver: Option<String>,
+    /// Friction model: frozen-box, coupled-box, polygon-4 (or 8, 12, …), associated-cone,
     /// coulomb-cone [default: the scene's]
     #[arg(long)]
-    model: Option<Model>,
-    /// Length of a step in seconds [default: the scene's]
+    pub model: Option<Model>,
+    #[command(flatten)]
+    pub step: StepArgs,
+    #[command(flatten)]
+    pub solve: SolveArgs,
+    #[command(flatten)]
+    pub plugins: Plugins,
+}
+
+/// How a scene is stepped.
+#[derive(Debug, Args)]
+pub struct StepArgs {
+    /// Time-stepping scheme [default: the scene's]
+    #[arg(long, value_parser = schemes())]
+    pub scheme: Option<Scheme>,
+    /// Time step in seconds [default: the scene's]
     #[arg(long, allow_negative_numbers = true)]
     dt: Option<f64>,
-    /// Largest scaled residual that counts as solved
-    #[arg(long, allow_negative_numbers = true)]
-    tolerance: Option<f64>,
-    /// Most sweeps or pivots in a solve
-    #[arg(long, visible_alias = "sweeps")]
-    max_iterations: Option<usize>,
-    #[command(flatten)]
-    plugins: Plugins,
     #[command(flatten)]
     changes: Changes,
+}
+
+impl StepArgs {
+    /// The first option that is given.
+    pub fn given(&self) -> Option<&'static str> {
+        let scheme = self.scheme.is_some().then_some("--scheme");
+        let dt = self.dt.is_some().then_some("--dt");
+        scheme.or(dt).or((!self.changes.is_empty()).then_some("--set"))
+    }
+}
+
+/// How each problem is solved.
+#[derive(Debug, Args)]
+pub struct SolveArgs {
+    /// Largest scaled residual that counts as solved [default: the scene's]
+    #[arg(long, allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    /// Maximum number of sweeps or pivots in a solve [default: the scene's]
+    #[arg(long, visible_alias = "sweeps")]
+    max_iterations: Option<usize>,
     #[command(flatten)]
     memory: MemoryLimit,
     #[command(flatten)]
     choices: Choices,
 }
 
+impl SolveArgs {
+    /// The same for problems, which state no settings of their own.
+    pub fn with_defaults(&self) -> SolverArgs {
+        let SolveArgs { tolerance, max_iterations, memory, choices } = *self;
+        SolverArgs::new(tolerance, max_iterations, memory, choices)
+    }
+}
+
 /// Fields of the scene file to set.
 #[derive(Debug, Args)]
 pub struct Changes {
-    /// Field of the scene file to set, such as mu=0.3, angle=17, dt=0.001, contact.restitution=0.5 or
-    /// bodies.crate.velocity=[1,0,0]; repeatable
+    /// Set a field of the scene file, such as mu=0.3, angle=17, dt=0.001, contact.restitution=0.5 or
+    /// bodies.crate.velocity=[1,0,0] (repeatable)
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = key_and_value)]
     set: Vec<(String, String)>,
 }
@@ -96,13 +123,6 @@ fn key_and_value(text: &str) -> std::result::Result<(String, String), String> {
     }
 }
 
-/// Options that have got another name.
-#[derive(Debug, Args)]
-pub struct Renamed {
-    #[arg(long, hide = true, value_parser = |_: &str| Err::<(), _>("this is called --scheme now"))]
-    formulation: Option<()>,
-}
-
 /// The names of the schemes, each of which is one.
 fn schemes() -> impl TypedValueParser<Value = Scheme> {
     let names = Scheme::ALL.map(Scheme::name);
@@ -111,27 +131,27 @@ fn schemes() -> impl TypedValueParser<Value = Scheme> {
 
 impl SceneArgs {
     /// The scene, stepped by this solver if it is not its own.
-    fn load(&self, named: Option<&str>) -> Result<Scene> {
-        let mut scene = self.changes.load(&self.scene)?;
-        scene.step.scheme = self.scheme.unwrap_or(scene.step.scheme);
-        let names_method = self.scheme.is_some() || self.model.is_some() || named.is_some();
+    pub fn load(&self, named: Option<&str>) -> Result<Scene> {
+        let mut scene = self.step.changes.load(&self.scene)?;
+        scene.step.scheme = self.step.scheme.unwrap_or(scene.step.scheme);
+        let names_method = self.step.scheme.is_some() || self.model.is_some() || named.is_some();
         if names_method || self.tolerance.is_some() || self.choices.order.is_some() {
             scene.solver.fixed_sweeps = false;
         }
-        scene.step.dt = self.dt.unwrap_or(scene.step.dt);
+        scene.step.dt = self.step.dt.unwrap_or(scene.step.dt);
         if let Some(model) = self.model {
             scene.contact.model = model;
         }
         let solver = &mut scene.solver;
         solver.name = named.unwrap_or(&solver.name).to_string();
-        solver.tolerance = self.tolerance.unwrap_or(solver.tolerance);
-        solver.max_iterations = self.max_iterations.unwrap_or(solver.max_iterations);
-        solver.omega = self.choices.omega.unwrap_or(solver.omega);
-        solver.order = self.choices.order.map_or(solver.order, scene::Order::from);
-        solver.seed = self.choices.seed.unwrap_or(solver.seed);
-        solver.damping = self.choices.damping.or(solver.damping);
+        solver.tolerance = self.solve.tolerance.unwrap_or(solver.tolerance);
+        solver.max_iterations = self.solve.max_iterations.unwrap_or(solver.max_iterations);
+        solver.omega = self.solve.choices.omega.unwrap_or(solver.omega);
+        solver.order = self.solve.choices.order.map_or(solver.order, scene::Order::from);
+        solver.seed = self.solve.choices.seed.unwrap_or(solver.seed);
+        solver.damping = self.solve.choices.damping.or(solver.damping);
         scene.validate()?;
-        scene.memory = self.memory.max_memory;
+        scene.memory = self.solve.memory.max_memory;
         Ok(scene)
     }
 
@@ -168,9 +188,9 @@ impl SceneArgs {
         self.solver.is_some() || !self.plugins.is_empty()
     }
 
-    fn check(&self, solvers: &[Method], scene: &Scene) -> Result<()> {
+    pub fn check(&self, solvers: &[Method], scene: &Scene) -> Result<()> {
         let users: Vec<_> = solvers.iter().map(|solver| (solver.name(), solver.uses())).collect();
-        self.choices.check(&users, Some(scene.solver.order.into()))
+        self.solve.choices.check(&users, Some(scene.solver.order.into()))
     }
 }
 

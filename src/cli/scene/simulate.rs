@@ -32,29 +32,34 @@ const FILES: [&str; 7] = [
 /// The steps that a duration may stand for.
 const MOST_STEPS: f64 = 1e9;
 
-/// Step a scene through time
+/// Simulate a scene and record its motion
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
   lcplab simulate pendulum --steps 500 --out swing --frames 8 --forces
-  lcplab simulate sliding --set mu=0.3 --set angle=17     # the same on a slope of 17 degrees
+  lcplab simulate sliding --set mu=0.3 --set angle=17   # on a slope of 17 degrees
 
-Writes index.html (a page that plays the motion), trajectory.csv (poses and velocities), ledger.csv
-(energy and where it went, momentum, errors), forces.csv (x and w of every row; of a contact also what touches, and where
-at the beginning of the step), results.json,
-frames.svg (a picture of some instants) and final.toml (the scene with its last state, to go on from; of the options --set
-is in it) to the folder. Exit code 0 if every step was solved, 1 if not
-or if the motion diverged (what was recorded until then is written), 2 for bad input.")]
+--out writes these files to a folder:
+  index.html      a page with the animation
+  trajectory.csv  poses and velocities
+  ledger.csv      energy and its changes, momentum, errors
+  forces.csv      x and w of each row; for contacts the bodies and the place at the start of the step
+  results.json    the summary
+  frames.svg      pictures of some instants
+  final.toml      the scene in its last state, to continue from; it contains the changes of --set
+
+Exit code 0: every step was solved. Exit code 1: a step was not solved or the motion diverged; what was \
+recorded until then is written. Exit code 2: bad input or usage.")]
 pub struct Simulate {
     #[command(flatten)]
     scene: SceneArgs,
     /// Number of steps [default: the scene's]
     #[arg(long, conflicts_with = "duration")]
     steps: Option<usize>,
-    /// Time to simulate, in place of a number of steps
+    /// Time to simulate, instead of a number of steps
     #[arg(long, value_name = "SECONDS")]
     duration: Option<f64>,
-    /// Folder for the recorded motion
+    /// Folder for the results
     #[arg(long)]
     out: Option<PathBuf>,
     /// Write every Nth step to the tables
@@ -168,7 +173,7 @@ impl Simulate {
         let Some(folder) = &self.out else { return Ok(()) };
         record.write(folder)?;
         let (states, time) = (&camera.last.states, camera.last.time);
-        let saved = self.scene.changes.saved(&self.scene.scene, scene, states, time)?;
+        let saved = self.scene.step.changes.saved(&self.scene.scene, scene, states, time)?;
         file::write_in(folder, "final.toml", &saved)?;
         let page = view::simulation_page(Film::new("film", scene, vec![camera.take]), record);
         file::write_in(folder, "index.html", &page.render()?)?;

@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 pub use schema::schema;
 
@@ -32,7 +32,6 @@ use super::kind::{self, AnyStudy};
 use super::results::Results;
 use crate::error::{Error, Result};
 use crate::file;
-use crate::lcp::exchange;
 use crate::plugin::Declaration;
 
 macro_rules! shipped {
@@ -44,9 +43,6 @@ macro_rules! shipped {
 /// The reports that lcplab ships, by name.
 pub const SHIPPED: &[(&str, &str)] =
     shipped!["standard" "solvers" "schemes" "friction" "verification" "scenes" "engines"];
-
-/// Most iterations that each solver may take on problem files.
-const MOST: usize = 2000;
 
 /// A report's description.
 pub struct Experiment {
@@ -119,41 +115,6 @@ impl Experiment {
             path_or_name,
             path_or_name,
         )
-    }
-
-    /// A report about problem files: what a solver leaves in them, and who solves them.
-    ///
-    /// # Errors
-    /// If a name is neither a problem file nor a folder or pattern of them.
-    pub fn of_problems(names: &[String], solver: &str, max_iterations: usize) -> Result<Self> {
-        let mut files = Vec::new();
-        for name in names {
-            match exchange::several(name, exchange::is_problem)? {
-                Some(several) => files.extend(several),
-                None if exchange::is_problem(Path::new(name)) => files.push(name.clone()),
-                None => {
-                    return Err(Error::invalid(name, "file", "is no problem file by its ending"));
-                }
-            }
-        }
-        let section = |(name, title, settings): (&str, &str, Value), fold| {
-            let (study, shown) = (Some(read(name, &settings)?), Shown { fold, ..Shown::default() });
-            Ok(Section { id: name.into(), title: title.into(), text: String::new(), shown, study })
-        };
-        let frames = json!({ "files": files, "solver": solver, "max_iterations": max_iterations });
-        let all = json!({ "families": files, "max_iterations": MOST });
-        let sections = [
-            section(("frames", "What is missing, and why", frames), None),
-            section(("profiles", "Who solves them", all), Some(Fold::Tables)),
-        ];
-        Ok(Experiment {
-            name: "frames".into(),
-            title: "Problems of my own".into(),
-            lead: String::new(),
-            sections: sections.into_iter().collect::<Result<_>>()?,
-            plugins: BTreeMap::new(),
-            command: None,
-        })
     }
 
     /// The report that these results belong to.

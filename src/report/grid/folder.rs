@@ -93,7 +93,7 @@ impl Folder {
     pub fn run_one(&self, number: usize) -> Result<Record> {
         let task = self.plan.tasks.iter().find(|task| task.task == number).ok_or_else(|| {
             let reason = format!("there is no task {number}, only 1 to {}", self.plan.tasks.len());
-            Error::invalid(&self.plan.grid, "--task", reason)
+            Error::invalid(&self.plan.grid, "task", reason)
         })?;
         let record = self.done(task);
         self.keep(&record)?;

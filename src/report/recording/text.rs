@@ -84,7 +84,7 @@ impl Record {
         }
         if warnings.len() > WARNINGS {
             let more = warnings.len() - WARNINGS;
-            text += &format!("warning      and {more} more: see --json or results.json\n");
+            text += &format!("warning      and {more} more in the JSON output\n");
         }
         if let Some(refused) = &self.refused {
             text += &format!("refused      {refused}\n");
@@ -172,7 +172,7 @@ impl Record {
         }
         match moving().count().saturating_sub(SHOWN) {
             0 => text,
-            more => text + &format!("             and {more} more: see --json and --out\n"),
+            more => text + &format!("             and {more} more in the JSON output\n"),
         }
     }
 

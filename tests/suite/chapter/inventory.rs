@@ -157,7 +157,7 @@ fn is_test(root: &Path, path: &str) -> bool {
     is_declared(&root.join("tests/suite"), path) || crates.into_iter().any(within)
 }
 
-/// `compare-solvers` as the name of a variant.
+/// `mass-ratio` as the name of a variant.
 fn pascal(name: &str) -> String {
     let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
     name.split('-').map(capital).collect()

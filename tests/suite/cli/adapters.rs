@@ -28,7 +28,7 @@ fn each_adapter_solves_a_definite_problem_and_leaves_the_others_alone() {
         }
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/plugins/");
         let plugin = format!("'{python}' '{file}{name}.py'");
-        let compare = ["compare-solvers", "pd", other, "pushed-rod"];
+        let compare = ["compare", "pd", other, "pushed-rod"];
         let output = run(&[
             &compare[..],
             &["--seeds", "1", "--json", "--solver", "dantzig", "--plugin", &plugin],

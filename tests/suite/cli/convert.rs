@@ -23,7 +23,7 @@ fn problems_are_converted_and_taken_in_every_format() {
     let back = run(&["convert", &path("good"), "-"]); // the stem of good.mtx
     let problem: Value = serde_json::from_str(&out(&back)).unwrap();
     assert_eq!(problem["b"], serde_json::json!([-1.0, 2.0]));
-    let compared = run(&["compare-solvers", &path("good.npz"), "--solver", "pgs", "--json"]);
+    let compared = run(&["compare", &path("good.npz"), "--solver", "pgs", "--json"]);
     let rows: Value = serde_json::from_str(&out(&compared)).unwrap();
     assert_eq!((&rows["rows"][0]["accepted"], compared.status.code()), (&1.into(), Some(0)));
 }

@@ -1,8 +1,6 @@
-//! Commands that write a document: `explain`, `verify`, `report`.
+//! Commands that write a document: `explain`, `report`.
 
 use std::process::Command;
-
-use serde_json::Value;
 
 use super::{GOOD, err, out, run, run_with};
 
@@ -32,19 +30,27 @@ fn explain_writes_each_form_and_refuses_what_it_does_not_know() {
 }
 
 #[test]
-fn verify_prints_a_row_a_closed_form_and_says_how_many_pass() {
-    let table = run(&["verify", "--only", "free-fall", "--fast"]);
+fn a_list_has_a_line_for_each_closed_form_and_writes_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = |name: &str| {
+        let text = format!(
+            "title = 'One'\nlead = ''\n[[section]]\nstudy = 'verification'\nsize = 'fast'\n\
+             cases = ['{name}']\n"
+        );
+        std::fs::write(folder.path().join("one.toml"), text).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
+        command.args(["report", "one.toml", "--list"]).current_dir(&folder).output().unwrap()
+    };
+    let table = case("free-fall");
+    let text = out(&table);
     assert_eq!(table.status.code(), Some(0), "{}", err(&table));
-    assert!(out(&table).ends_with("8 of 8 rows pass\n"), "{}", out(&table));
-    let json = run(&["verify", "--only", "free-fall", "--fast", "--json"]);
-    let page: Value = serde_json::from_str(&out(&json)).unwrap();
-    // Semi-implicit Euler's height is of first order: the derived order, and the observed one.
-    let row = &page["rows"][1];
-    assert_eq!(row["row"]["criterion"]["order"], 1.0);
-    assert!((row["observed_order"].as_f64().unwrap() - 1.0).abs() < 0.1, "{row}");
-    let unknown = run(&["verify", "--only", "free-fly"]);
-    assert_eq!(unknown.status.code(), Some(2));
-    assert!(err(&unknown).contains("there is no closed form named \"free-fly\""));
+    assert_eq!(text.lines().filter(|line| line.starts_with("free-fall")).count(), 8, "{text}");
+    let heights = text.lines().filter(|line| line.contains("height after 1 s"));
+    assert!(heights.into_iter().all(|line| line.contains("pass")), "{text}");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
+    let unknown = case("free-fly");
+    assert_eq!(unknown.status.code(), Some(1));
+    assert!(out(&unknown).contains("there is no closed form named \"free-fly\""), "{unknown:?}");
 }
 
 #[test]
@@ -52,13 +58,13 @@ fn a_report_is_not_begun_if_nothing_can_print_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path();
     let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
-    command.args(["report", "chapter", "--pdf", "--out"]).arg(path.join("out")).env("PATH", path);
+    command.args(["report", "chapter", "--out", "out.pdf"]).current_dir(path).env("PATH", path);
     let output = command.output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(
         err(&output),
-        "error: --pdf: PATH: has none of chromium, chromium-browser, google-chrome, one of which prints the \
+        "error: --out: PATH: has none of chromium, chromium-browser, google-chrome, one of which prints the \
          page\n"
     );
-    assert!(!path.join("out").exists());
+    assert_eq!(std::fs::read_dir(path).unwrap().count(), 0);
 }

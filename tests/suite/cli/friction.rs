@@ -6,7 +6,7 @@ use super::{GOOD, err, out, run, run_with};
 
 /// A unit mass slides along t1: pressed with 2 N s, pushed with 3, μ = ½. Coulomb: x = (2, 1, 0).
 pub fn pushed() -> String {
-    out(&run(&["generate", "pushed-mass", "--set", "degrees=0"]))
+    out(&run(&["problems", "pushed-mass", "--set", "degrees=0"]))
 }
 
 #[test]

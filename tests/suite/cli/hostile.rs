@@ -70,7 +70,7 @@ fn names_of_runs_and_sections_lead_nowhere_else() {
     assert!(text.contains("\"id\": \"c\""), "{text}");
     fs::write(&results, text.replace("\"id\": \"c\"", "\"id\": \"../../evil\"")).unwrap();
     let before = files(folder.path());
-    let output = run_in(folder.path(), &["report", "--redraw", "r"]);
+    let output = run_in(folder.path(), &["report", "r/results.json"]);
     assert_eq!(output.status.code(), Some(2), "{}", out(&output));
     assert!(err(&output).contains("\"../../evil\" becomes a file"), "{}", err(&output));
     assert_eq!(files(folder.path()), before);
@@ -84,7 +84,7 @@ fn a_results_file_with_a_key_twice_is_not_drawn() {
     let results = folder.path().join("r/results.json");
     let text = fs::read_to_string(&results).unwrap();
     fs::write(&results, text.replacen('{', "{\"title\": \"Other\",", 1)).unwrap();
-    let output = run_in(folder.path(), &["report", "--redraw", "r"]);
+    let output = run_in(folder.path(), &["report", "r/results.json"]);
     assert_eq!(output.status.code(), Some(2), "{}", out(&output));
     assert!(err(&output).contains("the key \"title\" is given twice"), "{}", err(&output));
 }
@@ -121,7 +121,7 @@ fn names_do_not_steer_the_terminal() {
         &["explain", "s.toml", "--format", "markdown"],
         &["solve", "p.json"],
         &["diagnose", "p.json"],
-        &["compare-solvers", "p.json"],
+        &["compare", "p.json"],
         &["solve", "q.json"],
         &["simulate", "t.toml"],
         &["simulate", long],
@@ -166,7 +166,7 @@ fn formulas_of_a_report_run_nothing_and_end_nothing() {
     for (text, code) in [("\\operatorname{<script>alert(1)</script>}", 2), (deep.as_str(), 0)] {
         let report = WORDS.replace("\"D\"", &format!("'${text}$'"));
         fs::write(folder.path().join("r.toml"), report).unwrap();
-        let output = run_in(folder.path(), &["report", "r.toml", "--out", "r", "--fresh"]);
+        let output = run_in(folder.path(), &["report", "r.toml", "--out", "r"]);
         assert_eq!(output.status.code(), Some(code), "{:.300}", err(&output));
         let page = fs::read_to_string(folder.path().join("r/index.html")).unwrap_or_default();
         assert!(!page.contains("<script>alert"));

@@ -42,8 +42,8 @@ const WRITERS: &[Writer] = &[
         &["data", "index.html", "proofs", "results.json"],
     ),
     Writer {
-        arguments: &["report", "--redraw", "out"],
-        first: &["report", "p.json", "--out", "out"],
+        arguments: &["report", "out/results.json"],
+        first: &["report", "proved.toml", "--out", "out"],
         names: &["data", "index.html"],
     },
     writer(
@@ -81,7 +81,7 @@ const WRITERS: &[Writer] = &[
     // Here the user names out/p, and lcplab the rest.
     writer(&["convert", "p.json", "out/p.mtx"], &["p_b.mtx", "p_lo.mtx", "p_hi.mtx"]),
     writer(
-        &["compare-solvers", "p.json", "--solver", "pgs", "--profile", "out/p"],
+        &["compare", "p.json", "--solver", "pgs", "--profile", "out/p"],
         &["p.csv", "p.svg", "p.tex", "p_problems.csv"],
     ),
     writer(&["diagnose", "fig6", "--step", "1", "--out", "out/page.html"], &["page-step-1.json"]),
@@ -252,7 +252,7 @@ fn a_folder_or_file_that_the_user_names_may_be_a_link() {
     assert!(output.status.success(), "{}", err(&output));
     assert!(workspace.path("home/stack.html").is_file());
     symlink(workspace.path("home/keys"), workspace.path("x.json")).unwrap();
-    let output = workspace.run(&["generate", "fathi", "--out", "x.json"]);
+    let output = workspace.run(&["problems", "fathi", "--out", "x.json"]);
     assert!(output.status.success(), "{}", err(&output));
     assert!(fs::read_to_string(workspace.path("home/keys")).unwrap().contains("fathi"));
 }

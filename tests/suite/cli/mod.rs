@@ -3,7 +3,7 @@
 mod adapters;
 mod agreement;
 mod bad_input;
-mod compare_solvers;
+mod compare;
 mod convert;
 mod diagnose;
 mod document;

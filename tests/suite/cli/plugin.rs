@@ -36,7 +36,7 @@ fn a_folder_of_problems_shows_which_claims_are_wrong_and_in_which_row() {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
     let path = folder.path().to_str().unwrap();
-    let (table, code) = told(&["compare-solvers", path, "--solver", "dantzig", "--plugin", SWEEPS]);
+    let (table, code) = told(&["compare", path, "--solver", "dantzig", "--plugin", SWEEPS]);
     let rows: Vec<_> = table["rows"].as_array().unwrap().iter().collect();
     let brief = |row: &Value| {
         let file = row["family"].as_str().unwrap().rsplit(['/', '\\']).next().unwrap().to_string();
@@ -88,7 +88,7 @@ fn a_plug_in_for_cones_solves_a_cone_and_is_compared() {
     for (x, exact) in x.iter().zip([2.0, 0.5f64.sqrt(), 0.5f64.sqrt()]) {
         assert!((x - exact).abs() < 1e-9, "{answer}");
     }
-    let compare = ["compare-solvers", &cone, "--solver", "cone-pgs", "--plugin", CONES];
+    let compare = ["compare", &cone, "--solver", "cone-pgs", "--plugin", CONES];
     let (table, code) = told(&[&compare[..], &["--require-accepted", "cones"]].concat());
     let rows = table["rows"].as_array().unwrap();
     let solved: Vec<_> = rows.iter().map(|row| (&row["solver"], &row["accepted"])).collect();
@@ -123,8 +123,7 @@ fn a_plug_in_for_boxes_never_gets_a_cone_and_says_so() {
         "{}",
         err(&output)
     );
-    let (table, code) =
-        told(&["compare-solvers", &cone, "--solver", "cone-pgs", "--plugin", SWEEPS]);
+    let (table, code) = told(&["compare", &cone, "--solver", "cone-pgs", "--plugin", SWEEPS]);
     let row = &table["rows"][1];
     assert_eq!(row["solver"], "sweeps");
     assert_eq!(row["trouble"], format!("not asked: {reason}"));
@@ -202,8 +201,7 @@ fn a_plug_in_that_solves_nothing_passes_no_gate() {
         ("dies", "print('{\"x\": [1]}' if n == 1 else [][1], flush=True)", "IndexError"),
     ] {
         let (_folder, command) = script(name, answer);
-        let compare =
-            ["compare-solvers", "pd", "stack", "--solver", "dantzig", "--plugin", &command];
+        let compare = ["compare", "pd", "stack", "--solver", "dantzig", "--plugin", &command];
         let output = run(&compare);
         assert_eq!(output.status.code(), Some(1), "{name}");
         let failed = err(&output);
@@ -404,7 +402,7 @@ section = [
         out(&allowed)
     );
     // Drawing it again runs nothing.
-    let redrawn = run(&["report", "--redraw", to.to_str().unwrap()]);
+    let redrawn = run(&["report", to.join("results.json").to_str().unwrap()]);
     assert_eq!((redrawn.status.code(), err(&redrawn)), (Some(0), String::new()));
 }
 

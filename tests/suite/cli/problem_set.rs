@@ -1,4 +1,4 @@
-//! `problems --export` and `compare-solvers --profile`: a set that can be cited, and a figure for a paper.
+//! `problems --export` and `compare --profile`: a set that can be cited, and a figure for a paper.
 
 use std::collections::HashSet;
 use std::fs;
@@ -38,8 +38,7 @@ fn a_profile_counts_what_was_not_attempted_as_not_solved_and_once_more_without()
     let folder = tempfile::tempdir().unwrap();
     let name = folder.path().join("profile");
     // Murty's matrix is not symmetric: dantzig does not take it, lemke does; both solve cps-1.
-    let families =
-        ["compare-solvers", "murty", "cps-1", "--solver", "dantzig", "--solver", "lemke"];
+    let families = ["compare", "murty", "cps-1", "--solver", "dantzig", "--solver", "lemke"];
     let output = run(&[&families[..], &["--profile", name.to_str().unwrap()]].concat());
     let table = fs::read_to_string(name.with_extension("tex")).unwrap();
     let rows: Vec<Vec<&str>> = table
@@ -64,9 +63,9 @@ fn a_solve_that_takes_too_long_is_none_and_an_unfinished_comparison_has_no_profi
     let folder = tempfile::tempdir().unwrap();
     let column = folder.path().join("column.json");
     let column = column.to_str().unwrap();
-    run(&["generate", "stack", "--n", "2000", "--out", column]);
+    run(&["problems", "stack", "--n", "2000", "--out", column]);
     // Gauss-Seidel needs some n² = 4 million sweeps.
-    let slow = ["compare-solvers", column, "--solver", "pgs", "--max-iterations", "1000000000"];
+    let slow = ["compare", column, "--solver", "pgs", "--max-iterations", "1000000000"];
     let output = run(&[&slow[..], &["--json", "--solve-time-limit", "0.2"]].concat());
     let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
     let row = &told["rows"][0];
@@ -88,7 +87,7 @@ fn a_file_is_solved_under_the_model_that_it_states_alone() {
         fs::write(folder.path().join(name), format!("{contact}{model}")).unwrap();
     }
     let pattern = format!("{}/*.json", folder.path().display());
-    let output = run(&["compare-solvers", &pattern, "--json"]);
+    let output = run(&["compare", &pattern, "--json"]);
     let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
     let models: HashSet<(bool, &str)> = told["rows"]
         .as_array()
@@ -108,7 +107,7 @@ fn a_file_that_denies_a_solution_is_not_believed_against_a_proof() {
     let text =
         r#"{"A": {"dense": [[1]]}, "b": [-1], "expected": {"complete": true, "solutions": []}}"#;
     fs::write(&file, text).unwrap();
-    let output = run(&["compare-solvers", file.to_str().unwrap(), "--solver", "pgs", "--json"]);
+    let output = run(&["compare", file.to_str().unwrap(), "--solver", "pgs", "--json"]);
     let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
     let row = &told["rows"][0];
     assert_eq!((&row["proved"], &row["false_claims"]), (&1.into(), &0.into()), "{row}");

@@ -1,5 +1,8 @@
 //! The examples in the documentation are those of a run.
 
+use lcplab::report::results::Results;
+use lcplab::report::view;
+
 use super::{out, run, run_with};
 
 /// The first lines of an output, without the number of iterations, which rounding on another
@@ -35,7 +38,11 @@ fn the_examples_of_the_readme_are_those_of_a_run() {
 #[test]
 fn the_summary_in_the_readme_is_that_of_the_committed_report() {
     let readme = include_str!("../../../README.md");
-    let table = include_str!("../../../reports/reference/data/summary.csv");
+    let results = include_str!("../../../reports/reference/results.json");
+    let results: Results = serde_json::from_str(results).unwrap();
+    let document = view::document(&results).unwrap();
+    let (_, table) = document.tables.iter().find(|(id, _)| id == "summary").unwrap();
+    let table = table.csv();
     let (_, rest) = readme.split_once("cargo run --release -- report\n").unwrap();
     let shown = rest.lines().take_while(|line| !line.starts_with("reports/"));
     let shown: Vec<&str> = shown.map(|line| line.split_at(15).1).collect(); // after the section's id
@@ -85,8 +92,8 @@ fn the_example_of_the_page_on_the_hunt_is_that_of_a_run() {
 #[test]
 fn the_example_of_the_page_on_solvers_is_that_of_a_run() {
     let page = include_str!("../../../docs/solvers.md");
-    let rod = out(&run(&["generate", "pushed-rod"]));
+    let rod = out(&run(&["problems", "pushed-rod"]));
     let output = out(&run_with(&rod, &["solve", "-", "--model", "coulomb-cone"]));
-    let command = "lcplab generate pushed-rod | lcplab solve - --model coulomb-cone";
+    let command = "lcplab problems pushed-rod | lcplab solve - --model coulomb-cone";
     assert_eq!(shown(page, command, 5), lines(&output, 5));
 }

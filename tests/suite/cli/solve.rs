@@ -44,15 +44,15 @@ fn without_a_name_the_matrix_chooses_the_solver() {
 
 #[test]
 fn a_generated_problem_is_solved_from_the_pipe() {
-    let fathi = run(&["generate", "fathi", "--n", "4", "--set", "reversed=1"]);
+    let fathi = run(&["problems", "fathi", "--n", "4", "--set", "reversed=1"]);
     let output = run_with(&out(&fathi), &["solve", "-", "--json"]);
     let answer: Value = serde_json::from_str(&out(&output)).unwrap();
     assert_eq!((&answer["verdict"], &answer["iterations"]), (&"proved".into(), &1.into()));
-    let wrong = run(&["generate", "fathi", "--seed", "4"]);
+    let wrong = run(&["problems", "fathi", "--seed", "4"]);
     assert_eq!(wrong.status.code(), Some(2));
     assert!(err(&wrong).contains("fathi: seed: is no parameter of this family"));
     assert!(out(&run(&["problems"])).contains("\nfathi "));
-    assert!(out(&run(&["problems", "stack"])).contains("ratio"));
+    assert!(out(&run(&["problems", "stack", "--parameters"])).contains("ratio"));
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn solve_tells_people_the_verdict() {
 
 #[test]
 fn sweeps_in_another_order_end_at_the_same_x_by_another_path() {
-    let stack = out(&run(&["generate", "stack", "--n", "5"]));
+    let stack = out(&run(&["problems", "stack", "--n", "5"]));
     let answer = |arguments: &[&str]| {
         let all = [&["solve", "-", "--solver", "pgs", "--json"], arguments].concat();
         let output = run_with(&stack, &all);

@@ -23,10 +23,10 @@ fn sh(line: &str) -> Output {
 #[test]
 fn a_full_disk_is_one_message() {
     let full = "/dev/full: No space left on device (os error 28)";
-    assert_refused(&run(&["generate", "fathi", "--out", "/dev/full"]), full);
+    assert_refused(&run(&["problems", "fathi", "--out", "/dev/full"]), full);
     assert_refused(&run(&["export", "fig6", "--step", "1", "--out", "/dev/full"]), full);
     assert_refused(&run_with(GOOD, &["convert", "-", "/dev/full", "--to", "json"]), full);
-    for command in ["solve -", "scenes", "generate fathi", "verify --only free-fall --fast"] {
+    for command in ["solve -", "scenes", "problems fathi"] {
         let output = sh(&format!("echo '{GOOD}' | lcplab {command} > /dev/full"));
         assert_refused(&output, "standard output: No space left on device (os error 28)");
     }
@@ -41,7 +41,7 @@ fn a_disk_that_fills_up_leaves_the_old_file_and_nothing_else() {
     // SIGXFSZ, too.
     let path = old.display();
     for trap in ["trap '' XFSZ; ", ""] {
-        let line = format!("{trap}ulimit -f 1; exec lcplab generate stack --n 100 --out {path}");
+        let line = format!("{trap}ulimit -f 1; exec lcplab problems stack --n 100 --out {path}");
         assert_refused(&sh(&line), &format!("{path}: File too large (os error 27)"));
         assert_eq!(fs::read_to_string(&old).unwrap(), "old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
@@ -88,12 +88,12 @@ fn a_reader_who_goes_away_is_no_error_of_any_command() {
         "scenes --schema",
         "problems",
         "chapter",
-        "generate stack --n 200",
+        "problems stack --n 200",
         "export stack --step 1",
         "completions bash",
         "man",
         "simulate fig6 --steps 3 --json",
-        "verify --only free-fall --fast",
+        "report --list",
     ] {
         // The exit code of the command itself, after `head` has gone.
         let output = sh(&format!("{{ lcplab {command}; echo $? >&2; }} | head -c 1"));
@@ -110,7 +110,7 @@ fn a_pipe_with_a_name_is_read_like_a_file() {
     let path = pipe.display();
     let read = sh(&format!("echo '{GOOD}' > {path} & lcplab solve {path} --time-limit 60"));
     assert_eq!((read.status.code(), err(&read)), (Some(0), String::new()));
-    let written = sh(&format!("cat {path} & lcplab generate fathi --out {path}; wait"));
+    let written = sh(&format!("cat {path} & lcplab problems fathi --out {path}; wait"));
     assert!(out(&written).starts_with('{') && written.status.success(), "{}", err(&written));
     // Nobody writes: what would wait for ever ends at the time limit.
     let waiting = run(&["solve", pipe.to_str().unwrap(), "--time-limit", "0.2"]);
@@ -125,21 +125,19 @@ fn a_folder_is_no_file_and_says_so() {
     let is_folder = format!("{path}: Is a directory (os error 21)");
     assert_refused(&run(&["judge", path, path]), &is_folder);
     assert_refused(&run(&["solve", path]), &is_folder);
-    assert_refused(&run(&["generate", "fathi", "--out", path]), &is_folder);
+    assert_refused(&run(&["problems", "fathi", "--out", path]), &is_folder);
     assert!(Path::new(path).is_dir());
     // Of these a folder may have the name of what is shipped: it is neither.
     for (command, what) in [
         (&["simulate"][..], "scene file or shipped scene"),
         (&["grid", "plan"], "grid file or shipped grid"),
+        (&["report"], "report file or shipped report"),
     ] {
         let refused = run(&[command, &[path]].concat());
         let told = format!("error: there is no {what} named {path:?}; there are ");
         assert_eq!(refused.status.code(), Some(2));
         assert!(err(&refused).starts_with(&told), "{}", err(&refused));
     }
-    // A report takes a folder of problems.
-    let empty = format!("{path}: files: no file that can be read is in this folder");
-    assert_refused(&run(&["report", path]), &empty);
     // Its name, if it is that of a shipped report, means the report.
     fs::create_dir(folder.path().join("friction")).unwrap();
     let inside = format!("cd {path} && lcplab report friction --section no_such_section");

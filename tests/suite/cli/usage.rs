@@ -1,5 +1,7 @@
 //! Options and help.
 
+use std::process::Command;
+
 use super::{GOOD, err, out, run, run_with};
 
 #[test]
@@ -18,7 +20,7 @@ fn an_option_that_no_solver_of_the_command_uses_is_bad_usage() {
             "error: options: --seed: needs --order shuffled\n",
         ),
         (
-            &["compare-solvers", "stack", "--solver", "lemke", "--solver", "pgs", "--omega", "1.5"],
+            &["compare", "pd", "--solver", "lemke", "--solver", "pgs", "--omega", "1.5"],
             "error: options: --omega: none of these solvers uses it; sor and ssor do\n",
         ),
         (
@@ -33,34 +35,88 @@ fn an_option_that_no_solver_of_the_command_uses_is_bad_usage() {
         let output = run_with(GOOD, arguments);
         assert_eq!((output.status.code(), err(&output)), (Some(2), message.to_string()));
     }
-    let output = run(&[
-        "compare-solvers",
-        "stack",
-        "--solver",
-        "sor",
-        "--solver",
-        "lemke",
-        "--omega",
-        "1.5",
-    ]);
+    let output = run(&["compare", "pd", "--solver", "sor", "--solver", "lemke", "--omega", "1.5"]);
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(err(&output), "note: --omega goes to sor alone\n");
 }
 
 #[test]
-fn every_command_has_help_with_an_example() {
+fn an_old_word_is_an_error_that_names_the_new_one() {
+    for (old, new) in [
+        (&["verify", "--only", "pendulum"][..], "lcplab report verification --list"),
+        (&["generate", "fathi"], "lcplab problems FAMILY"),
+        (&["compare-solvers", "dumps"], "lcplab compare"),
+        (&["--time-limit", "5", "verify"], "lcplab report verification --list"),
+        (&["simulate", "fig6", "--formulation", "soft"], "lcplab simulate SCENE --scheme NAME"),
+        (&["report", "--redraw", "reports/standard"], "lcplab report FOLDER/results.json"),
+        (&["report", "solvers", "--pdf"], "lcplab report --out FILE.pdf"),
+        (&["report", "dumps", "--sweeps", "10"], "lcplab diagnose FOLDER --sweeps N"),
+    ] {
+        let output = run(old);
+        let told = err(&output);
+        assert_eq!((output.status.code(), told.lines().count()), (Some(2), 1), "{told}");
+        assert!(told.ends_with(&format!(" has another name now: {new}\n")), "{told}");
+    }
+}
+
+#[test]
+fn the_overview_begins_with_what_most_people_need() {
     let overview = out(&run(&["--help"]));
+    let first = overview.split("\n\n").find(|part| part.starts_with("Most used:")).unwrap();
+    let names = first.lines().skip(1).filter_map(|line| line.split_whitespace().next());
+    let needed = ["solve", "judge", "diagnose", "hunt", "simulate", "report", "lesson"];
+    assert_eq!(names.collect::<Vec<_>>(), needed);
+}
+
+/// A line is broken only where the next word does not fit.
+fn broken_early(help: &str, width: usize) -> Vec<String> {
+    let is_prose = |line: &str| line.starts_with(char::is_alphabetic) && !line.ends_with(':');
+    let lines: Vec<&str> = help.lines().collect();
+    let pairs = lines.windows(2).filter(|pair| is_prose(pair[0]) && is_prose(pair[1]));
+    let fits = |pair: &&[&str]| {
+        let word = pair[1].split(' ').next().unwrap_or_default();
+        pair[0].chars().count() + 1 + word.chars().count() <= width
+    };
+    pairs.filter(fits).map(|pair| pair.join("\n")).collect()
+}
+
+#[test]
+fn prose_of_a_help_fills_the_lines_of_narrow_and_wide_terminals() {
+    for (columns, width) in [("60", 60), ("80", 80), ("200", 100)] {
+        for name in commands(&out(&run(&["--help"]))) {
+            let mut command = Command::new(env!("CARGO_BIN_EXE_lcplab"));
+            let output = command.args([&name, "--help"]).env("COLUMNS", columns).output().unwrap();
+            assert_eq!(broken_early(&out(&output), width), [""; 0], "{name} at {columns}");
+        }
+    }
+}
+
+#[test]
+fn a_report_has_at_most_twelve_options() {
+    let help = out(&run(&["report", "--help"]));
+    let options = help.lines().filter(|line| line.trim_start().starts_with('-'));
+    assert!(options.count() <= 12, "{help}");
+}
+
+/// The commands that the overview lists.
+fn commands(overview: &str) -> Vec<String> {
     let lines = overview.split("Options:").next().unwrap().lines();
     let listed = lines.filter(|line| line.starts_with("  ") && line.len() > 20);
-    let mut names: Vec<&str> = listed.filter_map(|line| line.split_whitespace().next()).collect();
+    listed.filter_map(|line| Some(line.split_whitespace().next()?.into())).collect()
+}
+
+#[test]
+fn every_command_has_help_with_an_example() {
+    let mut names = commands(&out(&run(&["--help"])));
     for name in &names {
         let help = out(&run(&[name, "--help"]));
         assert!(help.contains("Example:\n  "), "{name} --help shows no example");
     }
     names.sort_unstable();
     let page = include_str!("../../../docs/commands.md").lines();
-    let mut documented: Vec<&str> =
-        page.filter_map(|line| line.strip_prefix("| `lcplab ")?.split([' ', '`']).next()).collect();
+    let mut documented: Vec<String> = page
+        .filter_map(|line| Some(line.strip_prefix("| `lcplab ")?.split([' ', '`']).next()?.into()))
+        .collect();
     documented.sort_unstable();
     assert_eq!(names, documented, "the overview and docs/commands.md have the same commands");
 }

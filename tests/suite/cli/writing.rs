@@ -27,12 +27,12 @@ fn a_link_stays_a_link_and_nothing_is_left_over() {
     std::fs::write(&file, "old").unwrap();
     #[cfg(unix)]
     std::os::unix::fs::symlink(&file, &link).unwrap();
-    let output = super::run(&["generate", "fathi", "--out", link.to_str().unwrap()]);
+    let output = super::run(&["problems", "fathi", "--out", link.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     #[cfg(unix)]
     assert!(std::fs::read_to_string(&file).unwrap().contains("fathi"));
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
     let below = file.join("c.json");
-    let refused = super::run(&["generate", "fathi", "--out", below.to_str().unwrap()]);
+    let refused = super::run(&["problems", "fathi", "--out", below.to_str().unwrap()]);
     assert_eq!((refused.status.code(), err(&refused).lines().count()), (Some(2), 1));
 }

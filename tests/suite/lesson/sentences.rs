@@ -11,17 +11,19 @@ use lcplab::solver::theory::optimal_omega;
 use lcplab::solver::{Options, by_name};
 use serde_json::Value;
 
-/// The plots of curves in the committed notebooks: the notebook's name and the SVG.
+use super::written;
+
+/// The plots of curves in the notebooks: the notebook's name and the SVG.
 fn plots() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("notebooks");
     let mut plots = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
-        if path.extension().is_none_or(|end| end != "ipynb") {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        if path.extension().is_none_or(|end| end != "md") || !name.starts_with(char::is_numeric) {
             continue;
         }
-        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-        let notebook: Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+        let notebook: Value = serde_json::from_str(&written(&name)).unwrap();
         let outputs = notebook["cells"].as_array().unwrap().iter();
         for output in outputs.filter_map(|cell| cell["outputs"].as_array()).flatten() {
             let svg = match &output["data"]["image/svg+xml"] {

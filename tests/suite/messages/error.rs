@@ -21,6 +21,6 @@ fn every_error_is_made_and_says_what_is_wrong_where() {
             "problem: lo[0]: is 2, above hi[0] = 1";
         Error::TooLarge { .. } =>
             Memory::bytes(1000).check("a square of 20 rows", Memory::square(20)).unwrap_err(),
-            "a square of 20 rows needs 3.2 kB; the limit is 1 kB (raise it with --max-memory)";
+            "a square of 20 rows needs 3.2 kB; the limit is 1 kB";
     }
 }

@@ -63,7 +63,7 @@ fn every_status_is_claimed_by_a_solver_and_told_in_words() {
         Status::NoSolution => said("enumeration", &negative, usual()),
             "all active sets were tried, and none carries a solution";
         Status::TooLarge { needs, limit } => said("dantzig", &pair, small.clone()),
-            format!("needs {needs}; the limit is {limit} (raise it with --max-memory)");
+            format!("needs {needs}; the limit is {limit}");
         Status::OutsideClass { .. } => said("dantzig", &skew, usual()),
             "outside the solver's class: A is not symmetric";
         Status::NoAnswer { .. } => said(short.name(), &pair, usual()),

@@ -75,7 +75,7 @@ fn a_small_file_of_large_arrays_is_refused_before_they_are_unpacked() {
         let read = exchange::read_within(&path, None, Memory::bytes(most)).unwrap_err();
         read.to_string().split_once("p.hdf5: ").unwrap().1.to_string()
     };
-    let limit = "the limit is 10 MB (raise it with --max-memory)";
+    let limit = "the limit is 10 MB";
     assert_eq!(
         read(200_000, 199_999, 10_000_000),
         format!("/fclib_local/W/x of 200000 numbers needs 11.2 MB; {limit}")

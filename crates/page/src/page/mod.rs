@@ -18,6 +18,7 @@ use crate::figure::Figure;
 use crate::{csv, number};
 pub use origin::Origin;
 pub use player::{Chart, Pane, Player, Reel, SPEEDS, speed};
+pub use render::base64;
 
 /// A document.
 ///

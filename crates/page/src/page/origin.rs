@@ -31,9 +31,9 @@ impl Section {
     /// use lcplab_page::page::{Block, Origin, Section, Table};
     ///
     /// let mut section = Section { blocks: vec![Block::Table(Table::default())], ..Section::default() };
-    /// section.obtained(&Origin { command: "lcplab verify".into(), ..Origin::default() });
+    /// section.obtained(&Origin { command: "lcplab report verification".into(), ..Origin::default() });
     /// let Block::Table(table) = &section.blocks[0] else { unreachable!() };
-    /// assert_eq!(table.origin.as_ref().unwrap().command, "lcplab verify");
+    /// assert_eq!(table.origin.as_ref().unwrap().command, "lcplab report verification");
     /// ```
     pub fn obtained(&mut self, origin: &Origin) {
         for block in &mut self.blocks {

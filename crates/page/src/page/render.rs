@@ -68,7 +68,7 @@ fn contents<'a>(blocks: impl Iterator<Item = &'a Block> + Clone) -> String {
 }
 
 /// The same checker that Node.js runs.
-const CHECKER: &str = include_str!("../../../../proofs/lcpcheck.js");
+const CHECKER: &str = include_str!("lcpcheck.js");
 
 #[derive(Template)]
 #[template(path = "proofs.html")]
@@ -350,8 +350,12 @@ fn finished(document: &Document) -> Result<String> {
     written(document).map_err(|reason| Error::invalid("page", document.page.title.as_str(), reason))
 }
 
-/// RFC 4648.
-fn base64(bytes: &[u8]) -> String {
+/// Bytes as text of 64 characters, by RFC 4648.
+///
+/// ```
+/// assert_eq!(lcplab_page::page::base64(b"lcp"), "bGNw");
+/// ```
+pub fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for chunk in bytes.chunks(3) {

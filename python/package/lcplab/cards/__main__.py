@@ -82,7 +82,8 @@ def _report(folder: Path, found: list[tuple[str, Column]]) -> int:
             return 2
     _write(record_file, found)
     file.write_text(REPORT.format(record=json.dumps(str(record_file))), encoding="utf-8")
-    return _lcplab.run(["lcplab", "report", str(file), "--out", str(folder), "--fresh"])
+    (folder / "results.json").unlink(missing_ok=True)  # what a stopped run has left is of another record
+    return _lcplab.run(["lcplab", "report", str(file), "--out", str(folder)])
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -225,7 +225,8 @@ const CASES: &[(&str, Case)] = &[
 /// A case with settings of its own.
 type Chosen = Box<dyn Fn(Size) -> Result<Vec<Row>> + Send + Sync>;
 
-/// A simulated minute each, at two step lengths: minutes of work, so that no report runs them.
+/// A simulated minute each, a stack of ten and a pendulum by every scheme: an hour of work in all, so that they run only
+/// where a report file names them.
 fn long() -> Vec<(String, Chosen)> {
     let stack = |(scheme, model): (Scheme, Model)| -> (String, Chosen) {
         let name = format!("long-stack-{}-{model}", scheme.name());
@@ -240,43 +241,23 @@ pub fn names() -> Vec<&'static str> {
     CASES.iter().map(|(name, _)| *name).collect()
 }
 
-/// The rows of the long cases, or of one; `note` is called at the end of each.
-///
-/// # Errors
-/// If there is no case of that name.
-pub fn run_long(only: Option<&str>, note: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
-    let chosen = chosen(long(), only)?;
-    let one = |(_, study): &(String, Chosen)| {
-        let rows = study(Size::Fast);
-        note();
-        rows
-    };
-    let rows: Result<Vec<Vec<Row>>> = chosen.par_iter().map(one).collect();
-    Ok(rows?.concat())
-}
-
-/// How many long cases there are.
-pub fn long_cases() -> usize {
-    long().len()
-}
-
-/// The rows of all cases but the long ones, or of one. They do not depend on the number of threads.
+/// The rows of a case, a long one too, or of all but the long ones. They do not depend on the number of threads.
 ///
 /// # Errors
 /// If there is no case of that name.
 pub fn run(size: Size, only: Option<&str>) -> Result<Vec<Row>> {
-    let all = CASES.iter().map(|&(name, study)| (name.to_string(), study)).collect();
-    let chosen = chosen(all, only)?;
+    let usual = CASES.iter().map(|&(name, study)| (name.to_string(), Box::new(study) as Chosen));
+    let chosen: Vec<(String, Chosen)> = match only {
+        None => usual.collect(),
+        Some(only) => vec![one(usual.chain(long()).collect(), only)?],
+    };
     let rows: Result<Vec<Vec<Row>>> = chosen.par_iter().map(|(_, study)| study(size)).collect();
     Ok(rows?.concat())
 }
 
-/// All of these cases, or the one of that name.
-fn chosen<C>(all: Vec<(String, C)>, only: Option<&str>) -> Result<Vec<(String, C)>> {
-    let Some(only) = only else { return Ok(all) };
+/// The case of this name.
+fn one(all: Vec<(String, Chosen)>, only: &str) -> Result<(String, Chosen)> {
     let known = all.iter().map(|(name, _)| name.clone()).collect();
-    match all.into_iter().find(|(name, _)| name == only) {
-        Some(case) => Ok(vec![case]),
-        None => Err(Error::Unknown { kind: "closed form", name: only.into(), known }),
-    }
+    let found = all.into_iter().find(|(name, _)| name == only);
+    found.ok_or_else(|| Error::Unknown { kind: "closed form", name: only.into(), known })
 }

@@ -40,7 +40,7 @@ pub fn page() -> Page {
     pictures.obtained(&Origin {
         scene: "none: numbers in closed form".into(),
         settings: "factor ½".into(),
-        command: "lcplab report --redraw <folder>".into(),
+        command: "lcplab report <folder>/results.json".into(),
     });
     let tables = Section {
         id: "tables".into(),

@@ -14,7 +14,7 @@ fn every_shipped_scene_loads_and_says_what_it_teaches() {
 
 #[test]
 fn every_file_of_the_folder_is_shipped() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
     let mut files: Vec<String> = std::fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into())
@@ -27,7 +27,7 @@ fn every_file_of_the_folder_is_shipped() {
 
 #[test]
 fn a_scene_is_the_same_by_name_and_by_path() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/net.toml");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/net.toml");
     let (by_name, by_path) = (Scene::load("net").unwrap(), Scene::load(path).unwrap());
     assert_eq!(format!("{by_name:?}"), format!("{by_path:?}"));
     assert_eq!(by_name.bodies.len(), 400);

@@ -1,0 +1,106 @@
+//! `compare`: solvers side by side, on the steps of a scene or on problems.
+
+mod problems;
+mod profile;
+mod scene;
+
+use std::path::Path;
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::lcp::exchange;
+use lcplab::lcp::friction::Model;
+use lcplab::lcp::library;
+use lcplab::scene::catalogue;
+
+use super::Outcome;
+use super::limits::Limits;
+use super::plugin::Plugins;
+use super::scene::{SolveArgs, StepArgs};
+use problems::ProblemArgs;
+use scene::MotionArgs;
+
+/// What stands before the name of a problem family that is the name of a scene, too.
+const FAMILY: &str = "family:";
+
+/// Compare solvers on every step of a scene, or on problems; the judge checks every answer
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  lcplab compare stack --steps 20 --out stack-report
+  lcplab compare stack --show pgs:5 --show dantzig --out stack-report
+  lcplab compare murty fathi --solver dantzig --solver lemke
+  lcplab compare pushed-rod --model coulomb-cone --model polygon-16
+  lcplab compare problem.mtx                  # any format of `convert --list`
+  lcplab compare pd --plugin \"python3 mine.py\" # your solver and eight built-in ones
+  lcplab compare dumps --plugin \"python3 mine.py\" --require-accepted mine   # for CI
+  lcplab compare set --profile mine           # a set of `problems --export set`
+
+A scene is simulated by every solver, at the velocity and at the acceleration level; --solver and --scheme \
+select some. A scheme that solves no LCP has one row. --out writes a page with the table, the plots and \
+an animation of the solvers side by side. The animation shows one solver of each group that moves the \
+bodies alike, or those that --show names.
+
+Problems are solved by eight solvers, one of each kind, or with --all by every solver; clarabel is the \
+reference. Families with friction are solved under seven friction models, each by the solvers that can \
+handle it. A problem file is solved under the model that it states, or as a coupled box. Tolerance and iteration \
+limit have the same defaults as in `solve`. \
+`stack` and `painleve` name both a scene and a family: write family:stack for the family.
+
+A solver that you name and that cannot handle the problem or the friction model has a row with the reason.
+
+Exit code 0: every claim of a solver is accepted. Exit code 1: the judge rejects a claim, a solver claims a \
+solution where none exists, an expected failure does not occur, a solver that you name solves nothing, or \
+--require-accepted is not met. Exit code 2: bad input or usage.")]
+pub struct Compare {
+    /// A scene file or the name of a shipped scene; or problems: families that `problems` lists, problem
+    /// files, folders of them, or patterns [default: all families]
+    inputs: Vec<String>,
+    /// Run this solver (repeatable)
+    #[arg(long)]
+    solver: Vec<String>,
+    /// Friction model (repeatable for problems): frozen-box, coupled-box, polygon-4 (or 8, 12, …),
+    /// associated-cone, coulomb-cone [default: the scene's; of a family all; of a file its own]
+    #[arg(long)]
+    model: Vec<Model>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    plugins: Plugins,
+    #[command(flatten)]
+    solve: SolveArgs,
+    #[command(flatten, next_help_heading = "Options for a scene")]
+    step: StepArgs,
+    #[command(flatten, next_help_heading = "Options for a scene")]
+    motion: MotionArgs,
+    #[command(flatten, next_help_heading = "Options for problems")]
+    problems: ProblemArgs,
+}
+
+impl Compare {
+    pub fn run(self, limits: &Limits) -> Result<Outcome> {
+        let Some(scene) = self.scene_name() else {
+            let given = self.step.given().or(self.motion.given());
+            refuse(given, "problems", "is for a scene, these are problems")?;
+            return self.on_problems(limits);
+        };
+        refuse(self.problems.given(), &scene, "is for problems, this is a scene")?;
+        self.on_scene(scene, limits)
+    }
+
+    /// The scene, if the input is one: a single name that is neither a problem family nor a file or folder of problems.
+    fn scene_name(&self) -> Option<String> {
+        let [input] = &self.inputs[..] else { return None };
+        let path = Path::new(input);
+        let is_family = library::by_name(input).is_ok() && catalogue::text(input).is_none();
+        let is_problem = exchange::is_problem(path) || path.is_dir() || input.contains('*');
+        let is_scene = !is_family && !is_problem && !input.starts_with(FAMILY);
+        is_scene.then(|| input.clone())
+    }
+}
+
+/// Refuses an option that is given and has no meaning for this input.
+fn refuse(option: Option<&'static str>, input: &str, reason: &str) -> Result<()> {
+    option.map_or(Ok(()), |option| Err(Error::invalid(input, option, reason)))
+}

@@ -1,0 +1,240 @@
+//! `compare` on problems: the problem library or problem files × the solvers.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+use indicatif::ProgressStyle;
+use lcplab::error::{Error, Result};
+use lcplab::lcp::Question;
+use lcplab::lcp::file::Problem;
+use lcplab::lcp::friction::Model;
+use lcplab::lcp::library::{self, Family};
+use lcplab::memory::Memory;
+use lcplab::plugin::Plugin;
+use lcplab::report::study::families::{self, Contender, Models, Requirement, Row};
+use lcplab::report::study::problems;
+use lcplab::report::{methods, text, view};
+use lcplab::solver::Method;
+
+use super::{Compare, FAMILY, profile};
+use crate::cli::limits::Limits;
+use crate::cli::{Outcome, bar, print, say, warn};
+
+/// Options of a comparison on problems.
+#[derive(Debug, Args)]
+pub struct ProblemArgs {
+    /// Run all solvers instead of one of each kind
+    #[arg(long, conflicts_with = "solver")]
+    all: bool,
+    /// Number of problems of each family that has a seed: the seeds 1 to COUNT [default: 3]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    seeds: Option<u32>,
+    /// Abandon a solve by a built-in solver after this time
+    #[arg(long, value_name = "SECONDS")]
+    solve_time_limit: Option<f64>,
+    /// Write a performance profile of the wall times as NAME.svg, NAME.csv and NAME.tex, and all results as
+    /// NAME_problems.csv
+    #[arg(long, value_name = "NAME")]
+    profile: Option<PathBuf>,
+    /// Exit with 1 unless the judge accepts this solver's answer to every problem that may have a
+    /// solution, or to at least COUNT problems (repeatable)
+    #[arg(long, value_name = "NAME[:COUNT]")]
+    require_accepted: Vec<Requirement>,
+}
+
+/// Seeds of each family, if none are stated.
+const SEEDS: u32 = 3;
+
+impl ProblemArgs {
+    /// The first option that is given.
+    pub fn given(&self) -> Option<&'static str> {
+        [
+            ("--all", self.all),
+            ("--seeds", self.seeds.is_some()),
+            ("--solve-time-limit", self.solve_time_limit.is_some()),
+            ("--profile", self.profile.is_some()),
+            ("--require-accepted", !self.require_accepted.is_empty()),
+        ]
+        .iter()
+        .find_map(|(name, is_given)| is_given.then_some(*name))
+    }
+
+    /// How long a solve may take.
+    fn each(&self) -> Result<Option<Duration>> {
+        let Some(seconds) = self.solve_time_limit else { return Ok(None) };
+        match Duration::try_from_secs_f64(seconds) {
+            Ok(limit) if !limit.is_zero() => Ok(Some(limit)),
+            _ => {
+                let reason = format!("must be above 0, is {seconds}");
+                Err(Error::invalid("options", "--solve-time-limit", reason))
+            }
+        }
+    }
+}
+
+impl Compare {
+    pub(super) fn on_problems(&self, limits: &Limits) -> Result<Outcome> {
+        let settings = self.solve.with_defaults();
+        let mut problems = self.named(settings.memory())?;
+        if !self.model.is_empty() {
+            problems.retain(|(_, problems)| problems.iter().any(|p| p.friction().is_some()));
+        }
+        if problems.is_empty() {
+            return Err(Error::invalid(
+                "options",
+                "--model",
+                "none of these families has friction",
+            ));
+        }
+        self.check_models(&problems)?;
+        for (name, reason) in
+            problems.iter().filter(|_| self.model.is_empty()).filter_map(only_boxed)
+        {
+            say(&format!("note: {name}: compared as a coupled box alone, for it {reason}"));
+        }
+        let plugins = self.plugins.start()?;
+        let contenders = self.contenders(&plugins)?;
+        self.check_requirements(&contenders)?;
+        let methods: Vec<Method> =
+            contenders.iter().flat_map(|contender| &contender.methods).copied().collect();
+        let options = settings.options(&methods)?;
+        let stop = limits.stop();
+        let (library, files): (Vec<_>, Vec<_>) =
+            problems.into_iter().partition(|(name, _)| library::by_name(name).is_ok());
+        let style = ProgressStyle::with_template("{spinner} {pos} rows of the table")
+            .unwrap_or_else(|_| ProgressStyle::default_spinner());
+        let progress = bar(0, "").with_style(style);
+        let all = families::Limits { stop, each: self.problems.each()?, tick: &|| progress.inc(1) };
+        let run = |problems: &[(String, Vec<Problem>)], models: Models<'_>| {
+            let models = if self.model.is_empty() { models } else { Models::Stated(&self.model) };
+            families::run_on(problems, models, &contenders, &options, &all)
+        };
+        let mut rows = run(&library, Models::Usual(&Model::ALL));
+        rows.extend(run(&files, Models::Stated(&[]))); // a file says under which model it is a problem
+        rows.retain(|row| row.problems > 0); // a file may not say at what to freeze a box
+        let stopped = stop.reason();
+        limits.over();
+        progress.finish_and_clear();
+        if rows.is_empty() && stopped.is_none() {
+            return Err(self.nothing_to_compare());
+        }
+        match &self.problems.profile {
+            Some(name) if stopped.is_none() => profile::write(name, &rows)?,
+            Some(_) => {
+                say("warning: no profile is written, as the comparison did not come to its end")
+            }
+            None => {}
+        }
+        let failures = match stopped {
+            None => self.failures(&rows, &contenders),
+            Some(_) => Vec::new(),
+        };
+        if self.json {
+            let object = serde_json::json!({ "rows": rows, "failures": failures });
+            print(&format!("{object}\n"))?;
+        } else {
+            print(&text::table(&view::families_table(&rows)))?;
+            let is_one = rows.windows(2).all(|pair| pair[0].family == pair[1].family);
+            if !is_one {
+                print(&text::table(&view::solvers_table(&rows)))?;
+            }
+        }
+        failures.iter().for_each(|failure| say(&format!("failed: {failure}")));
+        Ok(match stopped {
+            Some(reason) => Outcome::Stopped(reason),
+            None if failures.is_empty() && !rows.iter().any(Row::is_wrong) => Outcome::Good,
+            None => Outcome::Refuted,
+        })
+    }
+
+    /// Named solvers that solve nothing, and requirements that are not met, in a sentence each.
+    fn failures(&self, rows: &[Row], contenders: &[Contender]) -> Vec<String> {
+        let shortfalls =
+            self.problems.require_accepted.iter().filter_map(|demand| demand.shortfall(rows));
+        families::useless(rows, contenders).into_iter().chain(shortfalls).collect()
+    }
+
+    /// Says which problems cannot be stated under a model that was asked for.
+    ///
+    /// # Errors
+    /// If a problem cannot be stated under the model that its own file names.
+    fn check_models(&self, problems: &[(String, Vec<Problem>)]) -> Result<()> {
+        for (name, problem) in
+            problems.iter().flat_map(|(name, all)| all.iter().map(move |p| (name, p)))
+        {
+            let own = problem.model.iter().filter(|_| self.model.is_empty());
+            // Tangents that are no pairs are a coupled box and nothing else.
+            let is_open = |model: &&Model| **model != Model::CoupledBox;
+            for model in own.filter(is_open) {
+                Question::new(problem, Some(*model), name)?;
+            }
+            for model in self.model.iter().filter(is_open) {
+                if let Err(error) = Question::new(problem, Some(*model), name) {
+                    say(&format!("note: left out under {model}: {error}"));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether each solver that something is required of takes part.
+    fn check_requirements(&self, contenders: &[Contender]) -> Result<()> {
+        let is_missing = |demand: &&Requirement| {
+            contenders.iter().all(|contender| contender.name() != demand.solver)
+        };
+        self.problems.require_accepted.iter().find(is_missing).map_or(Ok(()), |demand| {
+            let reason = format!("{} is not among the solvers of this comparison", demand.solver);
+            Err(Error::invalid("options", "--require-accepted", reason))
+        })
+    }
+
+    /// Why there is not one row: by the options that were given, or by the problems themselves.
+    fn nothing_to_compare(&self) -> Error {
+        let (key, reason) = match (self.solver.is_empty(), self.model.is_empty()) {
+            (true, true) => ("problems", "no solver takes any of these"),
+            (true, false) => ("--model", "none of these problems can be stated under this model"),
+            (false, true) => ("--solver", "takes none of these problems"),
+            (false, false) => {
+                ("--solver, --model", "no such solver takes any of these problems so modelled")
+            }
+        };
+        Error::invalid("options", key, reason)
+    }
+
+    /// The problems of each family or file.
+    fn named(&self, memory: Memory) -> Result<Vec<(String, Vec<Problem>)>> {
+        let names: Vec<&str> = match self.inputs.as_slice() {
+            [] => library::all().map(Family::name).collect(),
+            names => names.iter().map(|name| name.strip_prefix(FAMILY).unwrap_or(name)).collect(),
+        };
+        let seeds = self.problems.seeds.unwrap_or(SEEDS);
+        let mut problems = Vec::new();
+        for name in names {
+            problems.extend(problems::named(name, seeds, memory)?);
+        }
+        problems.iter().flat_map(|(_, problems)| problems).for_each(warn);
+        Ok(problems)
+    }
+
+    /// The solvers that take part: those that were named, or the usual ones, and the plug-ins.
+    fn contenders(&self, plugins: &[Plugin]) -> Result<Vec<Contender>> {
+        let usual = |name: &&str| Ok(Contender { is_named: false, ..Contender::named(name)? });
+        let mut contenders = match (self.problems.all, self.solver.as_slice()) {
+            (true, _) => Contender::unnamed(methods::all()),
+            (false, []) => methods::USUAL.iter().map(usual).collect::<Result<_>>()?,
+            (false, _) => Vec::new(),
+        };
+        let named = self.solver.iter().map(String::as_str);
+        for name in named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })) {
+            contenders.push(Contender::named(name)?);
+        }
+        Ok(contenders)
+    }
+}
+
+/// The name of problems whose friction rows are not pairs of tangents, and what they are instead.
+fn only_boxed((name, problems): &(String, Vec<Problem>)) -> Option<(&str, String)> {
+    let friction = problems.iter().find_map(|problem| problem.friction()?.err())?;
+    Some((name, format!("has no pairs of tangents: {friction}")))
+}

@@ -1,0 +1,148 @@
+//! `compare` on a scene: simulated by every solver, each answer judged.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use lcplab::error::{Error, Result};
+use lcplab::file;
+use lcplab::lcp::friction::Model;
+use lcplab::memory::Memory;
+use lcplab::report::study::comparison::{self, LeftOut, Sample};
+use lcplab::report::study::film::{self, Actor};
+use lcplab::report::{methods, text, view, write};
+use lcplab::scene::Scheme;
+use lcplab::solver::{self, Method};
+use serde_json::json;
+
+use super::Compare;
+use crate::cli::limits::Limits;
+use crate::cli::scene::SceneArgs;
+use crate::cli::{Outcome, bar, print, say};
+
+/// Options of a comparison on a scene.
+#[derive(Debug, Args)]
+pub struct MotionArgs {
+    /// Number of steps [default: the scene's]
+    #[arg(long)]
+    steps: Option<usize>,
+    /// Folder for a page with animation, table and plots
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Show this solver in the animation, with another iteration limit after a colon (repeatable)
+    #[arg(long, value_name = "SOLVER[:SWEEPS]", requires = "out")]
+    show: Vec<String>,
+}
+
+impl MotionArgs {
+    /// The first option that is given.
+    pub fn given(&self) -> Option<&'static str> {
+        let steps = self.steps.is_some().then_some("--steps");
+        steps.or(self.out.is_some().then_some("--out"))
+    }
+}
+
+impl Compare {
+    pub(super) fn on_scene(self, name: String, limits: &Limits) -> Result<Outcome> {
+        let Compare { solver, model, json, plugins, solve, step, motion, .. } = self;
+        let ([] | [_]) = &model[..] else {
+            return Err(Error::invalid(name, "--model", "a scene has one friction model"));
+        };
+        let only = if let [only] = &solver[..] { Some(only.clone()) } else { None };
+        let model = model.first().copied();
+        let args = SceneArgs { scene: name, solver: only, model, step, solve, plugins };
+        let plugins = args.plugins.start()?;
+        let scene = args.load(args.solver.as_deref())?;
+        let steps = motion.steps.unwrap_or(scene.step.count);
+        let schemes = match args.step.scheme {
+            Some(scheme) => vec![scheme],
+            None => Scheme::LEVELS.to_vec(),
+        };
+        let named = solver.iter().map(String::as_str);
+        let named: Vec<&str> =
+            named.chain(plugins.iter().map(|plugin| -> &str { plugin.name() })).collect();
+        let mut solvers = if solver.is_empty() { solver::methods() } else { Vec::new() };
+        let mut left_out = Vec::new();
+        for name in &named {
+            match takes_part(name, &schemes, scene.contact.model)? {
+                Ok(method) => solvers.push(method),
+                Err(reason) => left_out.push(LeftOut { solver: name.to_string(), reason }),
+            }
+        }
+        let contenders = comparison::contenders(&scene, &schemes, &solvers);
+        let running: Vec<Method> = contenders.iter().map(|(_, solver)| *solver).collect();
+        args.check(&running, &scene)?;
+        let shown = motion.show.iter().map(|name| Actor::named(name, &scene));
+        let shown = shown.collect::<Result<Vec<Actor>>>()?;
+        let what = format!("the motion of {} runs of {steps} steps", contenders.len());
+        let samples = Memory::bytes(size_of::<Sample>() as u64).times(steps);
+        scene.memory.check(what, samples.times(contenders.len()))?;
+        if let Some(folder) = &motion.out {
+            file::prepare(folder, &write::WRITTEN)?;
+        }
+        let progress = bar(contenders.len() as u64, &scene.name);
+        let stop = limits.stop();
+        let (mut comparison, timings) = comparison::compare_families(
+            &scene,
+            &schemes,
+            &solvers,
+            steps,
+            &|| progress.inc(1),
+            stop,
+        )?;
+        comparison.left_out = left_out;
+        let is_whole = comparison.runs.len() == contenders.len()
+            && comparison.runs.iter().all(|run| run.steps == steps);
+        let stopped = stop.reason().filter(|_| !is_whole);
+        limits.over();
+        progress.finish_and_clear();
+        let has_runs = !comparison.runs.is_empty();
+        let written = motion.out.as_ref().filter(|_| has_runs).map(|folder| {
+            let actors = match shown.is_empty() {
+                true => film::alike(&contenders, &view::alike(&comparison.runs)),
+                false => shown.into_iter().map(|actor| (actor.name(), actor)).collect(),
+            };
+            let film = film::film("film", &scene, &actors, steps, stop);
+            write::document(&view::comparison_document(&comparison, film), folder)
+        });
+        if json {
+            print(&format!(
+                "{}\n",
+                json!({ "answer": view::comparison_answer(&comparison), "comparison": comparison, "timings": timings })
+            ))?;
+        } else {
+            print(&format!("{}\n", view::comparison_answer(&comparison)))?;
+            print(&text::table(&view::comparison_table(&comparison)))?;
+        }
+        if let Some(page) = written {
+            say(&page?.display().to_string());
+        }
+        let refuted =
+            comparison.runs.iter().any(|run| run.refuted_claims > 0 || run.unanswered > 0);
+        let all_left_out = !named.is_empty() && comparison.left_out.len() == named.len();
+        Ok(match stopped {
+            Some(reason) => Outcome::Stopped(reason),
+            None if refuted || all_left_out => Outcome::Refuted,
+            None => Outcome::Good,
+        })
+    }
+}
+
+/// The method of a solver that was named, or why it takes no part.
+///
+/// # Errors
+/// If there is no solver of this name.
+fn takes_part(
+    name: &str,
+    schemes: &[Scheme],
+    model: Model,
+) -> Result<std::result::Result<Method, String>> {
+    let methods = methods::named(name)?;
+    if let [scheme] = schemes
+        && !scheme.solves_lcps()
+    {
+        return Ok(Err(format!("the scheme {} solves no LCP", scheme.name())));
+    }
+    let taking = methods.iter().find(|method| comparison::refusal(method, model).is_none());
+    let reason = || methods.iter().find_map(|method| comparison::refusal(method, model));
+    Ok(taking.copied().ok_or_else(|| reason().unwrap_or_default()))
+}

@@ -1,0 +1,1 @@
+../../python/package/lcplab/textbook.py

@@ -1,0 +1,120 @@
+//! The live pages: problems that are dragged, methods that are stepped through, by the same solvers compiled to
+//! WebAssembly. `live/README.md` says how the module is built.
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+use sha2::{Digest, Sha256};
+
+use crate::error::Result;
+use crate::file;
+use crate::page::{Live, base64};
+
+/// The solvers and the judge as a module of WebAssembly, deflated.
+const MODULE: &[u8] = include_bytes!("module.wasm.deflate");
+const FRAME: &str = include_str!("page/frame.html");
+const STYLE: &str = include_str!("page/live.css");
+/// What all pages do.
+const SCRIPT: &str = include_str!("page/live.js");
+
+/// A page.
+#[derive(Debug, Clone, Copy)]
+pub struct Page {
+    /// Its name; the file is called so.
+    pub name: &'static str,
+    /// The title.
+    pub title: &'static str,
+    /// What it shows.
+    pub about: &'static str,
+    body: &'static str,
+    script: &'static str,
+}
+
+macro_rules! page {
+    ($name:literal, $title:literal, $about:literal) => {
+        Page {
+            name: $name,
+            title: $title,
+            about: $about,
+            body: include_str!(concat!("page/", $name, ".html")),
+            script: include_str!(concat!("page/", $name, ".js")),
+        }
+    };
+}
+
+/// All of them.
+pub const PAGES: [Page; 5] = [
+    page!(
+        "two_rows",
+        "Two rows",
+        "two rows: the plane of x, complementary cones, six methods step by step"
+    ),
+    page!(
+        "stack",
+        "A stack",
+        "a stack: the load on each contact after a row, after a sweep, and in motion"
+    ),
+    page!(
+        "friction",
+        "Friction",
+        "friction: square, polygon and disc, their nearest points, the path of a block on the floor"
+    ),
+    page!(
+        "problem",
+        "Your problem",
+        "your problem: solve it by any method, step by step and derived; judge and prove any x"
+    ),
+    page!(
+        "painleve",
+        "Painlevé's rod",
+        "Painlevé's rod: the friction and angle with one, no or two forces, and the motion"
+    ),
+];
+
+impl Page {
+    /// The file.
+    pub fn text(&self) -> String {
+        static MODULE_TEXT: LazyLock<String> = LazyLock::new(|| base64(MODULE));
+        self.around(&MODULE_TEXT)
+    }
+
+    /// The file with another deflated module.
+    pub fn text_with(&self, module: &[u8]) -> String {
+        self.around(&base64(module))
+    }
+
+    fn around(&self, module: &str) -> String {
+        let script = [SCRIPT, self.script].concat();
+        FRAME
+            .replace("@title@", &format!("{} · lcplab", self.title))
+            .replace("@style@", STYLE)
+            .replace("@body@", self.body)
+            .replace("@hash@", &base64(&Sha256::digest(&script)))
+            .replace("@script@", &script)
+            .replace("@module@", module)
+    }
+}
+
+/// The live pages to which words link, as `[a stack](live/stack.html#solver=pgs)`, to be opened in place.
+pub fn linked(text: &str) -> Vec<Live> {
+    let links = text.split("](live/").skip(1).map(|after| after.split(')').next().unwrap_or(""));
+    let live = |link: &str| {
+        let (file, state) = link.split_once('#').unwrap_or((link, ""));
+        let page = PAGES.iter().find(|page| file.strip_suffix(".html") == Some(page.name))?;
+        let title = format!("Open it here: {}", page.about);
+        Some(Live { name: page.name.into(), title, html: page.text(), state: state.into() })
+    };
+    links.filter_map(live).collect()
+}
+
+/// Writes the live pages that a page links to beside it.
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn write_linked(html: &str, folder: &Path) -> Result<()> {
+    let is_linked = |page: &&Page| html.contains(&format!("href=\"live/{}.html", page.name));
+    for page in PAGES.iter().filter(is_linked) {
+        file::write_in(folder, format!("live/{}.html", page.name), page.text())?;
+    }
+    Ok(())
+}
