@@ -45,6 +45,7 @@ async function search(words) {
     state.textContent = "The search needs a web server: python3 -m http.server in the folder of this site.";
     return;
   }
+  if (words) state.textContent = "Searching …";
   const answer = await pagefind.debouncedSearch(words, {}, 150);
   if (!answer) return; // a later one is on its way
   const found = await Promise.all(answer.results.slice(0, most).map((result) => result.data()));
