@@ -66,7 +66,7 @@ function drawDerivation() {
   const lines = find("#lines");
   lines.replaceChildren(...all.slice(0, state.lines).flatMap(({ title, text }) => {
     const own = document.createElement("pre"), head = document.createElement("h2");
-    [own.textContent, head.textContent] = [text, title];
+    [own.textContent, head.textContent, own.tabIndex] = [text, title, 0];
     return title ? [head, own] : [own];
   }));
   find("#less").disabled = state.lines === first;

@@ -34,12 +34,13 @@ root.classList.add("live");
   for (const section of document.querySelectorAll("main > section")) watch.observe(section);
 }
 
-{ // What can be scrolled to one side shows it there.
+{ // What can be scrolled to one side shows it there, and the keyboard can scroll it.
   const frames = document.querySelectorAll(".scroll, .equation, p:has(> math[display='block']), pre");
   const marked = (frame) => {
     const rest = frame.scrollWidth - frame.clientWidth - frame.scrollLeft;
     frame.classList.toggle("more-left", frame.scrollLeft > 1);
     frame.classList.toggle("more-right", rest > 1);
+    if (rest > 1 && frame.tabIndex < 0) frame.tabIndex = 0;
   };
   const watch = new ResizeObserver((entries) => entries.forEach(({ target }) => marked(target)));
   for (const frame of frames) {

@@ -1,0 +1,138 @@
+"""Checks that a version can be released, builds what is published, and writes what a person has to do then.
+
+`python3 release/release.py --dry-run` does all of that and changes nothing outside of target/. Without --dry-run, whatever
+is left for a person must be done already, and the version gets its tag. Nothing is ever sent anywhere."""
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+TARGET = ROOT / "target"
+OUT = TARGET / "released"
+
+# Where the version stands besides Cargo.toml: the file, and the pattern of its line.
+STATED = {
+    "python/Cargo.toml": r'^version = "(.*)"',
+    "python/pyproject.toml": r'^version = "(.*)"',
+    "CITATION.cff": r"^version: (.*)",
+    "docs/cite.md": r"^  version = \{(.*)\},",
+}
+
+# What a person does at the end; the first step once.
+STEPS = [
+    "Accounts: the forge, crates.io (`cargo login`), PyPI.",
+    "`git push origin main v{version}`",
+    "`cargo publish --workspace`: the crates, in their order. A published version cannot be replaced.",
+    "`twine upload target/released/*.whl`: the Python package for this system.",
+    "A release of v{version} on the forge: its part of CHANGELOG.md as text, with the files of `target/released`.",
+    "The site: copy `target/public` to the folder `{version}` of the host, and let its first page lead there.",
+]
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description="Check and prepare a release.")
+    parser.add_argument("--dry-run", action="store_true", help="check and build, but set no tag")
+    parser.add_argument(
+        "--ci-passed", action="store_true", help="leave out .ci/run, which has passed for this commit"
+    )
+    return parser.parse_args()
+
+
+def main() -> None:
+    given = arguments()
+    version = tomllib.loads(read("Cargo.toml"))["workspace"]["package"]["version"]
+    wrong = [*versions(version), *tree(version)]
+    if wrong:
+        sys.exit("\n".join(wrong))
+    left = left_to_do(version)
+    if left and not given.dry_run:
+        sys.exit("\n".join(left))
+    build(given.ci_passed)
+    changed = output("git", "status", "--porcelain")
+    if changed:
+        sys.exit(f"building has changed files of the repository:\n{changed}")
+    steps = numbered([*left, *(step.format(version=version) for step in STEPS)])
+    (OUT / "STEPS.md").write_text(f"# Release {version}\n\n{steps}\n", encoding="utf-8")
+    if not given.dry_run:
+        run("git", "tag", "--annotate", f"v{version}", "--message", f"lcplab {version}")
+    print(f"\n{steps}\n\nThis is also in {OUT / 'STEPS.md'}.")
+
+
+def read(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def run(*command: str | Path) -> None:
+    print(f"$ {' '.join(map(str, command))}", flush=True)
+    if subprocess.run(command, cwd=ROOT, check=False).returncode:
+        sys.exit(f"failed: {' '.join(map(str, command))}")
+
+
+def output(*command: str) -> str:
+    return subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
+
+
+def versions(version: str) -> list[str]:
+    """The files that state another version than Cargo.toml."""
+    wrong = []
+    for name, pattern in STATED.items():
+        found = re.search(pattern, read(name), re.MULTILINE)
+        if not found or found[1] != version:
+            wrong.append(f"{name}: states {found[1] if found else 'no version'}, Cargo.toml {version}")
+    return wrong
+
+
+def tree(version: str) -> list[str]:
+    """Only what is committed is released, and no version twice."""
+    wrong = []
+    if output("git", "status", "--porcelain"):
+        wrong.append("there are changes that are not committed")
+    if output("git", "tag", "--list", f"v{version}"):
+        wrong.append(f"the tag v{version} exists: raise the version in Cargo.toml")
+    return wrong
+
+
+def left_to_do(version: str) -> list[str]:
+    """What only a person can decide."""
+    left = []
+    if not re.search(rf"^## {re.escape(version)} \(\d{{4}}-\d\d-\d\d\)$", read("CHANGELOG.md"), re.MULTILINE):
+        left.append(f"CHANGELOG.md: give the section its title, `## {version} (YYYY-MM-DD)`")
+    if not re.search(r"^repository = \"https://(?!.*OWNER)", read("Cargo.toml"), re.MULTILINE):
+        left.append('Cargo.toml: state the address of the repository, `repository = "https://…"`')
+    if "repository-code:" not in read("CITATION.cff"):
+        left.append("CITATION.cff: state the address, `repository-code:`, and the date, `date-released:`")
+    if "no release yet" in read("docs/cite.md"):
+        left.append("docs/install.md, docs/cite.md: say how a released version is installed and cited")
+    return left
+
+
+def build(ci_passed: bool) -> None:
+    """All checks, and all files."""
+    shutil.rmtree(OUT, ignore_errors=True)
+    OUT.mkdir(parents=True)
+    tools = TARGET / "release-tools"
+    run(sys.executable, "-m", "venv", tools)
+    run(tools / "bin/pip", "install", "--quiet", "--disable-pip-version-check", "cffconvert<3")
+    run(tools / "bin/cffconvert", "--validate", "--infile", "CITATION.cff")
+    if not ci_passed:
+        run(".ci/run")
+    run(".ci/run", "release")
+    for wheel in (TARGET / "wheels").glob("lcplab-*.whl"):
+        shutil.copy(wheel, OUT)
+    run("cargo", "build", "--release")
+    run(sys.executable, "release/archive.py", "--out", OUT)
+    run("site/check.sh", "full")
+    shutil.copy(TARGET / "public/problems/lcplab-problem-set.zip", OUT)
+
+
+def numbered(steps: list[str]) -> str:
+    return "\n".join(f"{k}. {step}" for k, step in enumerate(steps, 1))
+
+
+if __name__ == "__main__":
+    main()
