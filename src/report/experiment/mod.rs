@@ -132,7 +132,11 @@ impl Experiment {
                 Some(several) => files.extend(several),
                 None if exchange::is_problem(Path::new(name)) => files.push(name.clone()),
                 None => {
-                    return Err(Error::invalid(name, "file", "is no problem file by its ending"));
+                    return Err(Error::invalid(
+                        name,
+                        "file",
+                        "does not have the extension of a problem file",
+                    ));
                 }
             }
         }
@@ -143,7 +147,7 @@ impl Experiment {
         let frames = json!({ "files": files, "solver": solver, "max_iterations": max_iterations });
         let all = json!({ "families": files, "max_iterations": MOST });
         let sections = [
-            section(("frames", "What is missing, and why", frames), None),
+            section(("frames", "Remaining error and its causes", frames), None),
             section(("profiles", "Who solves them", all), Some(Fold::Tables)),
         ];
         Ok(Experiment {

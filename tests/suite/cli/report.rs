@@ -183,7 +183,10 @@ fn problem_files_make_a_report_of_what_is_missing_and_who_solves_them() {
     let told = run(&["report", &at("step-1.json"), "mine.toml"]);
     assert_eq!(told.status.code(), Some(2));
     let error = String::from_utf8(told.stderr).unwrap();
-    assert!(error.contains("mine.toml: file: is no problem file by its ending"), "{error}");
+    assert!(
+        error.contains("mine.toml: file: does not have the extension of a problem file"),
+        "{error}"
+    );
 }
 
 #[test]
